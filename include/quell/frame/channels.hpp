@@ -1,0 +1,80 @@
+#pragma once
+
+#include <quell/core/channel.hpp>
+
+namespace quell {
+
+// What a renderer can hand over. A pipeline asks for only those that its policies read. Names are those of SCENES.md's EXR layers.
+// Units: radiance linear and scene-referred; positions in world space; Motion and Sweep in pixels, y down; Depth linear along the view
+// axis, > 0, +inf for a miss; normals unit length, world space.
+
+/// The whole image, or whatever signal the host wants denoised as one colour.
+struct Radiance : Channel<3> { static constexpr auto name = "radiance"; };
+/// Diffuse reflectance in [0, 1] that the signal is divided by before filtering; 1 where there is no surface and on emitters.
+struct Albedo : Channel<3> { static constexpr auto name = "albedo"; };
+struct Normal : Channel<3> { static constexpr auto name = "normal"; };
+struct Depth : Channel<1> { static constexpr auto name = "depth"; static constexpr bool full_precision = true; };
+struct Position : Channel<3> { static constexpr auto name = "position"; static constexpr bool full_precision = true; };
+/// Which object: any number that is exact in float and the same in every frame.
+struct Instance : Channel<1> { static constexpr auto name = "instance"; static constexpr bool full_precision = true; };
+/// GGX roughness as artists give it (alpha = roughness squared), in [0, 1].
+struct Roughness : Channel<1> { static constexpr auto name = "roughness"; };
+/// Where this surface point was: previous position = current position + motion.
+struct Motion : Channel<2> { static constexpr auto name = "motion"; static constexpr bool full_precision = true; };
+
+/// Direct light without shadows, noise-free.
+struct Direct : Channel<3> { static constexpr auto name = "direct"; };
+/// 1 where the light sample is seen, 0 where it is blocked.
+struct Visibility : Channel<1> { static constexpr auto name = "visibility"; };
+/// The light sample's position, and where that point of the light was in the previous frame.
+struct Light : Channel<3> { static constexpr auto name = "light"; static constexpr bool full_precision = true; };
+struct LightPrevious : Channel<3> { static constexpr auto name = "light_previous"; static constexpr bool full_precision = true; };
+/// What the shadow ray hit (non-finite where it hit nothing), and where that point was.
+struct Blocker : Channel<3> { static constexpr auto name = "blocker"; static constexpr bool full_precision = true; };
+struct BlockerPrevious : Channel<3> { static constexpr auto name = "blocker_previous"; static constexpr bool full_precision = true; };
+/// Where the point seen in the pixel was in the previous frame.
+struct ReceiverPrevious : Channel<3> { static constexpr auto name = "receiver_previous"; static constexpr bool full_precision = true; };
+
+/// Reflected radiance times the specular reflectance.
+struct Glossy : Channel<3> { static constexpr auto name = "glossy"; };
+/// What the reflected ray hit (non-finite for a miss), and where that point was.
+struct GlossyHit : Channel<3> { static constexpr auto name = "glossy_hit"; static constexpr bool full_precision = true; };
+struct GlossyHitPrevious : Channel<3> { static constexpr auto name = "glossy_hit_previous"; static constexpr bool full_precision = true; };
+
+/// Incident radiance of the one indirect sample, cosine-weighted over the hemisphere, and the direction that it came from.
+struct Indirect : Channel<3> { static constexpr auto name = "indirect"; };
+struct IndirectDirection : Channel<3> { static constexpr auto name = "indirect_direction"; };
+
+/// Displacement over the open shutter, position(t = 1) - position(t = 0), and the sample's time in [0, 1].
+struct Sweep : Channel<2> { static constexpr auto name = "sweep"; static constexpr bool full_precision = true; };
+struct Time : Channel<1> { static constexpr auto name = "time"; static constexpr bool full_precision = true; };
+
+inline constexpr Radiance radiance;
+inline constexpr Albedo albedo;
+inline constexpr Normal normal;
+inline constexpr Depth depth;
+inline constexpr Position position;
+inline constexpr Instance instance;
+inline constexpr Roughness roughness;
+inline constexpr Motion motion;
+inline constexpr Direct direct;
+inline constexpr Visibility visibility;
+inline constexpr Light light;
+inline constexpr LightPrevious light_previous;
+inline constexpr Blocker blocker;
+inline constexpr BlockerPrevious blocker_previous;
+inline constexpr ReceiverPrevious receiver_previous;
+inline constexpr Glossy glossy;
+inline constexpr GlossyHit glossy_hit;
+inline constexpr GlossyHitPrevious glossy_hit_previous;
+inline constexpr Indirect indirect;
+inline constexpr IndirectDirection indirect_direction;
+inline constexpr Sweep sweep;
+inline constexpr Time time;
+
+/// Every channel that SCENES.md names, in the order in which files list them.
+using AllChannels = Channels<Radiance, Albedo, Normal, Depth, Position, Instance, Roughness, Motion, Direct, Visibility, Light, LightPrevious,
+                             Blocker, BlockerPrevious, ReceiverPrevious, Glossy, GlossyHit, GlossyHitPrevious, Indirect, IndirectDirection,
+                             Sweep, Time>;
+
+} // namespace quell
