@@ -42,6 +42,19 @@ constexpr auto operator|(Channels<As...> set, Channels<Bs...>) {
 template <class... Sets>
 using union_of = decltype((Channels<>{} | ... | Sets{}));
 
+namespace detail {
+template <bool wanted, class... As, class... Bs>
+constexpr auto filtered(Channels<As...>, Channels<Bs...>) {
+    return union_of<std::conditional_t<Channels<Bs...>::template has<As> == wanted, Channels<As>, Channels<>>...>{};
+}
+} // namespace detail
+
+/// The channels of A that are in B as well, and those that are not.
+template <class A, class B>
+using common_to = decltype(detail::filtered<true>(A{}, B{}));
+template <class A, class B>
+using without = decltype(detail::filtered<false>(A{}, B{}));
+
 /// Whether every channel of `Part` is in `Whole`.
 template <class Part, class Whole>
 inline constexpr bool contained_in = std::is_same_v<decltype(Whole{} | Part{}), Whole>;
@@ -62,6 +75,11 @@ constexpr auto keeps() {
     if constexpr (requires { typename P::keeps; }) return typename P::keeps{};
     else return Channels<>{};
 }
+template <class P>
+constexpr auto emits() {
+    if constexpr (requires { typename P::emits; }) return typename P::emits{};
+    else return Channels<>{};
+}
 } // namespace detail
 
 /// The channels of the current frame that these policies look at; a policy that names none reads none.
@@ -75,6 +93,10 @@ using remembers_of = decltype((Channels<>{} | ... | detail::remembers<Ps>()));
 /// What these policies make themselves and keep from frame to frame (history lengths, moments).
 template <class... Ps>
 using keeps_of = decltype((Channels<>{} | ... | detail::keeps<Ps>()));
+
+/// What these policies make for the passes after them.
+template <class... Ps>
+using emits_of = decltype((Channels<>{} | ... | detail::emits<Ps>()));
 
 /// Calls `f(channel)` for every channel of a set, in order.
 template <class... Cs, class F>

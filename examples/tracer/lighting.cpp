@@ -1,0 +1,103 @@
+#include "lighting.hpp"
+#include "basis.hpp"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace quell::tracer {
+namespace {
+
+constexpr float pi = std::numbers::pi_v<float>;
+/// Scattered rays see a blurred world: coarse texels make them less noisy, and they touch less memory.
+constexpr float scattered_footprint = 0.1f;
+
+float luminance(glm::vec3 colour) { return glm::dot(colour, glm::vec3{0.2126f, 0.7152f, 0.0722f}); }
+
+/// Reflected light at a hit of a path: one light sample, then the next bounce.
+glm::vec3 scattered(PreparedScene const& scene, Surface const& surface, PathContext const& path, std::uint32_t depth) {
+    auto const point = sample_pair(path.key, SampleUse::second_light_point, depth);
+    auto const choice = sample_pair(path.key, SampleUse::second_light_choice, depth).x;
+    auto const lighting = sample_lighting(scene, surface, path.time, point, choice);
+    glm::vec3 light = lighting.irradiance / pi;
+    if (lighting.sample.exists) {
+        ++path.counts->shadow;
+        if (scene.occluded(shadow_ray(surface, lighting.sample.position, path.time))) light = glm::vec3{0.f};
+    }
+    return light;
+}
+
+} // namespace
+
+glm::vec3 unshadowed_irradiance(PreparedScene const& scene, Surface const& surface, float time) {
+    glm::vec3 sum{0.f};
+    for (std::size_t i = 0; i < scene.emitter_count(); ++i) {
+        auto const emitter = scene.emitter(i, time);
+        sum += emitter.radiance * irradiance(emitter, surface.position, surface.normal);
+    }
+    return sum;
+}
+
+Lighting sample_lighting(PreparedScene const& scene, Surface const& surface, float time, glm::vec2 point, float choice) {
+    Lighting lighting;
+    std::size_t chosen = 0;
+    float sum = 0;
+    for (std::size_t i = 0; i < scene.emitter_count(); ++i) {
+        auto const emitter = scene.emitter(i, time);
+        auto const part = emitter.radiance * irradiance(emitter, surface.position, surface.normal);
+        float const weight = luminance(part);
+        if (!(weight > 0)) continue;
+        lighting.irradiance += part;
+        sum += weight;
+        float const share = weight / sum;
+        if (choice < share) chosen = i;
+        choice = choice < share ? choice / share : (choice - share) / (1 - share);
+    }
+    if (!(sum > 0)) return lighting;
+    auto const emitter = scene.emitter(chosen, time);
+    auto const position = sample_point(emitter, surface.position, surface.normal, point, choice);
+    lighting.sample = {position, emitter.before(position), true};
+    return lighting;
+}
+
+Ray shadow_ray(Surface const& surface, glm::vec3 target, float time) {
+    auto const origin = surface.origin(target - surface.position);
+    auto const offset = target - origin;
+    float const distance = glm::length(offset);
+    // The ray ends short of the light, which must not shadow itself.
+    return {origin, offset / distance, distance * (1 - 1e-4f) - surface.clearance, time};
+}
+
+glm::vec3 cosine_direction(glm::vec3 normal, glm::vec2 random) {
+    float const radius = std::sqrt(random.x), turn = 2 * pi * random.y;
+    return glm::normalize(Basis{normal}.world({radius * std::cos(turn), radius * std::sin(turn), std::sqrt(1 - random.x)}));
+}
+
+Incident incident(PreparedScene const& scene, Ray const& first, PathContext const& path, float footprint_angle, bool count_lights) {
+    Incident result;
+    glm::vec3 throughput{1.f};
+    auto ray = first;
+    for (int bounce = 0; bounce < path.bounces; ++bounce) {
+        auto const depth = static_cast<std::uint32_t>(bounce) + (count_lights ? 8u : 0u);
+        if (bounce > 0) ++path.counts->indirect;
+        auto const hit = scene.intersect(ray);
+        if (bounce == 0) result.hit = hit;
+        if (!hit) {
+            result.radiance += throughput * scene.description().background.radiance(ray.direction);
+            break;
+        }
+        auto const surface = surface_at(scene, ray, hit, bounce == 0 ? footprint_angle : scattered_footprint);
+        if (bounce == 0 && count_lights) result.radiance += surface.emission;
+        if (surface.is_emitter) break;
+        throughput *= surface.diffuse() + surface.base * surface.metallic;
+        result.radiance += throughput * scattered(scene, surface, path, depth);
+        auto const direction = cosine_direction(surface.normal, sample_pair(path.key, SampleUse::bounce, depth));
+        if (glm::dot(direction, surface.geometric_normal) <= 0) break;
+        ray = {surface.origin(direction), direction, infinity, path.time};
+    }
+    return result;
+}
+
+} // namespace quell::tracer

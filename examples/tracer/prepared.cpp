@@ -1,0 +1,236 @@
+#include "prepared.hpp"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace quell::tracer {
+namespace {
+
+/// Enough moments for a quarter turn within the shutter to look round: the chord then errs by 0.5% of the radius.
+constexpr int moment_count = 9;
+
+glm::mat4 between(glm::mat4 const& a, glm::mat4 const& b, float part) { return a + (b - a) * part; }
+glm::vec3 between(glm::vec3 a, glm::vec3 b, float part) { return a + (b - a) * part; }
+
+/// Interpolates `value_at(i)` over evenly spaced moments.
+template <class ValueAt>
+auto at_time(std::size_t count, float time, ValueAt const& value_at) {
+    if (count == 1) return value_at(std::size_t{0});
+    float const place = glm::clamp(time, 0.f, 1.f) * static_cast<float>(count - 1);
+    auto const first = std::min(static_cast<std::size_t>(place), count - 2);
+    return between(value_at(first), value_at(first + 1), place - static_cast<float>(first));
+}
+
+bool is_planar(std::vector<glm::vec3> const& positions, glm::uvec4 corners) {
+    auto const a = positions[corners.x], b = positions[corners.y], c = positions[corners.z], d = positions[corners.w];
+    auto const first = glm::cross(b - a, c - a), second = glm::cross(c - a, d - a);
+    return glm::dot(first, second) > 0.99999f * glm::length(first) * glm::length(second);
+}
+
+bool is_convex(std::vector<glm::vec3> const& positions, glm::uvec4 corners) {
+    auto const normal = glm::cross(positions[corners.y] - positions[corners.x], positions[corners.z] - positions[corners.x]);
+    for (int i = 0; i < 4; ++i) {
+        auto const a = positions[corners[i]], b = positions[corners[(i + 1) % 4]], c = positions[corners[(i + 2) % 4]];
+        if (glm::dot(glm::cross(b - a, c - b), normal) <= 0) return false;
+    }
+    return true;
+}
+
+/// Two triangles in a row, (a b c) and (a c d), that make one flat convex quadrilateral.
+bool is_quadrilateral(TriangleMesh const& mesh, std::size_t i) {
+    if (i + 1 >= mesh.triangles.size()) return false;
+    auto const first = mesh.triangles[i], second = mesh.triangles[i + 1];
+    glm::uvec4 const corners{first, second.z};
+    return first.x == second.x && first.z == second.y && is_planar(mesh.positions, corners) && is_convex(mesh.positions, corners);
+}
+
+/// A mirroring placement makes the order of corners clockwise.
+void turn_over(Emitter& emitter) {
+    std::reverse(emitter.corners.begin(), emitter.corners.begin() + emitter.corner_count);
+    std::reverse(emitter.corners_before.begin(), emitter.corners_before.begin() + emitter.corner_count);
+}
+
+} // namespace
+
+PreparedScene::PreparedScene(SceneDescription description_)
+    : scene(std::move(description_)), acceleration(scene), placements(scene.instances.size()), deformations(scene.shapes.size()) {
+    find_emitters();
+}
+
+Shape const& PreparedScene::shape(int instance) const {
+    return scene.shapes[static_cast<std::size_t>(scene.instances[static_cast<std::size_t>(instance)].shape)];
+}
+
+Material const& PreparedScene::material(int instance) const {
+    return scene.materials[static_cast<std::size_t>(scene.instances[static_cast<std::size_t>(instance)].material)];
+}
+
+CameraPose PreparedScene::camera(float time, When when) const {
+    return scene.camera(current_frame + time * current_shutter - (when == When::before ? 1.f : 0.f));
+}
+
+void PreparedScene::move_to(float frame, float shutter) {
+    if (frame == current_frame && shutter == current_shutter) return;
+    current_frame = frame;
+    current_shutter = shutter;
+    place_instances();
+    deform_shapes();
+    acceleration.commit();
+    light_up();
+}
+
+std::vector<float> PreparedScene::moments_before(float earlier) const {
+    if (!(current_shutter > 0)) return {current_frame - earlier};
+    std::vector<float> frames;
+    for (int i = 0; i < moment_count; ++i)
+        frames.push_back(current_frame - earlier + current_shutter * static_cast<float>(i) / (moment_count - 1));
+    return frames;
+}
+
+void PreparedScene::place_instances() {
+    for (std::size_t i = 0; i < placements.size(); ++i) {
+        auto& placement = placements[i];
+        placement = {};
+        for (float frame : moments_before(0)) placement.now.push_back(scene.node_matrix(scene.instances[i].node, frame));
+        for (float frame : moments_before(1)) placement.before.push_back(scene.node_matrix(scene.instances[i].node, frame));
+        acceleration.place(static_cast<int>(i), placement.now);
+    }
+}
+
+Vertices PreparedScene::deformed(Shape const& shape, float frame) const {
+    auto mesh = shape.mesh;
+    if (shape.deformation) shape.deformation(frame, mesh);
+    if (!shape.skin.joints.empty()) {
+        std::vector<glm::mat4> joints;
+        for (std::size_t i = 0; i < shape.skin.joints.size(); ++i)
+            joints.push_back(scene.node_matrix(shape.skin.joints[i], frame) * shape.skin.inverse_bind[i]);
+        apply_skin(shape.skin, joints, mesh);
+    }
+    return {std::move(mesh.positions), std::move(mesh.normals)};
+}
+
+void PreparedScene::deform_shapes() {
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+        if (!scene.shapes[i].is_deforming()) continue;
+        auto& deformation = deformations[i];
+        deformation = {};
+        std::vector<std::vector<glm::vec3>> positions;
+        for (float frame : moments_before(0)) positions.push_back(deformation.now.emplace_back(deformed(scene.shapes[i], frame)).positions);
+        for (float frame : moments_before(1)) deformation.before.push_back(deformed(scene.shapes[i], frame));
+        acceleration.deform(static_cast<int>(i), positions);
+    }
+}
+
+Hit PreparedScene::intersect(Ray const& ray) const {
+    auto hit = acceleration.intersect(ray);
+    if (hit && shape(hit.instance).is_sphere) {
+        auto const inverse = glm::inverse(placement(hit.instance, ray.time, When::now));
+        hit.coordinates = glm::normalize(glm::vec3(inverse * glm::vec4(ray.origin + ray.direction * hit.distance, 1.f)));
+    }
+    return hit;
+}
+
+glm::mat4 PreparedScene::placement(int instance, float time, When when) const {
+    auto const& moments = placements[static_cast<std::size_t>(instance)].at(when);
+    return at_time(moments.size(), time, [&](std::size_t i) { return moments[i]; });
+}
+
+glm::vec3 PreparedScene::local_vertex(int instance, unsigned vertex, float time, When when) const {
+    auto const shape_index = static_cast<std::size_t>(scene.instances[static_cast<std::size_t>(instance)].shape);
+    auto const& moments = deformations[shape_index].at(when);
+    if (moments.empty()) return scene.shapes[shape_index].mesh.positions[vertex];
+    return at_time(moments.size(), time, [&](std::size_t i) { return moments[i].positions[vertex]; });
+}
+
+glm::vec3 PreparedScene::corner(Hit const& hit, int i, float time, When when) const {
+    return local_vertex(hit.instance, shape(hit.instance).mesh.triangles[hit.triangle][i], time, when);
+}
+
+glm::vec3 PreparedScene::corner_normal(Hit const& hit, int i, float time) const {
+    auto const shape_index = static_cast<std::size_t>(scene.instances[static_cast<std::size_t>(hit.instance)].shape);
+    auto const& mesh = scene.shapes[shape_index].mesh;
+    auto const vertex = mesh.triangles[hit.triangle][i];
+    auto const& moments = deformations[shape_index].now;
+    if (moments.empty()) return mesh.normals[vertex];
+    return at_time(moments.size(), time, [&](std::size_t j) { return moments[j].normals[vertex]; });
+}
+
+glm::vec3 PreparedScene::point(Hit const& hit, float time, When when) const {
+    glm::vec3 local = hit.coordinates;
+    if (!shape(hit.instance).is_sphere) {
+        local = glm::vec3{0.f};
+        for (int i = 0; i < 3; ++i) local += corner(hit, i, time, when) * hit.coordinates[i];
+    }
+    return placement(hit.instance, time, when) * glm::vec4(local, 1.f);
+}
+
+void PreparedScene::find_emitters() {
+    lights.assign(scene.instances.size(), false);
+    for (int i = 0; i < static_cast<int>(scene.instances.size()); ++i)
+        if (glm::length(material(i).emission) > 0) find_emitters_of(i);
+}
+
+void PreparedScene::find_emitters_of(int instance) {
+    lights[static_cast<std::size_t>(instance)] = true;
+    auto const& emission = material(instance).emission;
+    if (shape(instance).is_sphere) sources.push_back({instance, 0, {}, emission});
+    auto const& mesh = shape(instance).mesh;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        bool const four = is_quadrilateral(mesh, i);
+        glm::uvec4 const corners{mesh.triangles[i], four ? mesh.triangles[i + 1].z : 0u};
+        sources.push_back({instance, four ? 4 : 3, corners, emission});
+        if (four) ++i;
+    }
+}
+
+void PreparedScene::light_up() {
+    brightnesses.clear();
+    for (int i = 0; i < static_cast<int>(scene.instances.size()); ++i)
+        brightnesses.push_back(material(i).brightness ? material(i).brightness(current_frame) : 1.f);
+    auto const count = moments_before(0).size();
+    emitters.assign(count, {});
+    for (std::size_t i = 0; i < count; ++i)
+        for (auto const& source : sources)
+            emitters[i].push_back(emitter_at(source, count > 1 ? static_cast<float>(i) / static_cast<float>(count - 1) : 0.f));
+}
+
+Emitter PreparedScene::emitter_at(EmitterSource const& source, float time) const {
+    auto const now = placement(source.instance, time, When::now), before = placement(source.instance, time, When::before);
+    Emitter emitter;
+    emitter.radiance = source.radiance * brightness(source.instance);
+    emitter.corner_count = source.corner_count;
+    emitter.both_sides = material(source.instance).emits_both_sides;
+    for (int i = 0; i < source.corner_count; ++i) {
+        auto const corner = static_cast<std::size_t>(i);
+        emitter.corners[corner] = now * glm::vec4(local_vertex(source.instance, source.vertices[i], time, When::now), 1.f);
+        emitter.corners_before[corner] = before * glm::vec4(local_vertex(source.instance, source.vertices[i], time, When::before), 1.f);
+    }
+    if (glm::determinant(glm::mat3(now)) < 0) turn_over(emitter);
+    emitter.centre = now[3];
+    emitter.centre_before = before[3];
+    emitter.radius = glm::length(glm::vec3(now[0]));
+    if (now != before) emitter.turned_before = glm::mat3(before) * glm::inverse(glm::mat3(now));
+    return emitter;
+}
+
+Emitter PreparedScene::emitter(std::size_t index, float time) const {
+    if (emitters.size() == 1) return emitters[0][index];
+    float const place = glm::clamp(time, 0.f, 1.f) * static_cast<float>(emitters.size() - 1);
+    auto const first = std::min(static_cast<std::size_t>(place), emitters.size() - 2);
+    float const part = place - static_cast<float>(first);
+    auto result = emitters[first][index];
+    auto const& next = emitters[first + 1][index];
+    for (std::size_t i = 0; i < result.corners.size(); ++i) {
+        result.corners[i] = between(result.corners[i], next.corners[i], part);
+        result.corners_before[i] = between(result.corners_before[i], next.corners_before[i], part);
+    }
+    result.centre = between(result.centre, next.centre, part);
+    result.centre_before = between(result.centre_before, next.centre_before, part);
+    return result;
+}
+
+} // namespace quell::tracer

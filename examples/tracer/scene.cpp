@@ -1,0 +1,65 @@
+#include "scene.hpp"
+
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <utility>
+
+namespace quell::tracer {
+namespace {
+
+template <class Item>
+int append(std::vector<Item>& items, Item item) {
+    items.push_back(std::move(item));
+    return static_cast<int>(items.size()) - 1;
+}
+
+} // namespace
+
+int SceneDescription::add(Shape shape) { return append(shapes, std::move(shape)); }
+int SceneDescription::add(Texture texture) { return append(textures, std::move(texture)); }
+int SceneDescription::add(Material material) { return append(materials, material); }
+int SceneDescription::add_node(Pose pose, int parent) { return append(nodes, Node{parent, std::move(pose)}); }
+
+int SceneDescription::add(TriangleMesh mesh) {
+    Shape shape;
+    shape.mesh = std::move(mesh);
+    return add(std::move(shape));
+}
+
+int SceneDescription::add_sphere() {
+    Shape shape;
+    shape.is_sphere = true;
+    return add(std::move(shape));
+}
+
+int SceneDescription::place(int shape, int material, Pose pose, int parent) {
+    return append(instances, Instance{shape, material, add_node(std::move(pose), parent)});
+}
+
+int SceneDescription::place(int shape, int material, Transform const& transform, int parent) {
+    return place(shape, material, fixed(transform), parent);
+}
+
+glm::mat4 SceneDescription::node_matrix(int node, float frame) const {
+    glm::mat4 matrix{1.f};
+    for (; node >= 0; node = nodes[static_cast<std::size_t>(node)].parent) matrix = nodes[static_cast<std::size_t>(node)].pose(frame) * matrix;
+    return matrix;
+}
+
+Camera SceneDescription::camera_at(float frame, Extent size) const { return camera_from(camera(frame), size); }
+
+CameraPose look_at(glm::vec3 eye, glm::vec3 target, float field_of_view, glm::vec3 up) {
+    return {glm::inverse(glm::lookAt(eye, target, up)), glm::radians(field_of_view)};
+}
+
+Camera camera_from(CameraPose const& pose, Extent size) {
+    float const aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
+    Camera camera;
+    camera.view = glm::inverse(pose.world_from_camera);
+    camera.projection = glm::perspective(pose.vertical_field_of_view, aspect, 0.05f, 1000.f);
+    return camera;
+}
+
+} // namespace quell::tracer

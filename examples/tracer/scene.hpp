@@ -1,0 +1,86 @@
+#pragma once
+
+#include "mesh.hpp"
+#include "texture.hpp"
+#include "transform.hpp"
+
+#include <quell/frame/camera.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace quell::tracer {
+
+/// Metallic-roughness surface. Diffuse reflectance is base * (1 - metallic); the metallic part reflects by GGX with a reflectance of
+/// base * metallic at normal incidence and `metallic` at grazing incidence. What emits neither reflects nor transmits.
+struct Material {
+    glm::vec3 base{0.8f};
+    float metallic = 0;
+    float roughness = 1;
+    glm::vec3 emission{0.f};       ///< radiance; every emitter is a light, seen by camera and reflections as well
+    std::function<float(float frame)> brightness{}; ///< factor on `emission` over time; none means 1
+    bool emits_both_sides = false; ///< otherwise only the side from which triangles look counter-clockwise; spheres emit outwards
+    float alpha_cutoff = 0;        ///< texels of base with less alpha are holes; 0 means there are none
+    int base_texture = -1;
+    int metallic_roughness_texture = -1; ///< roughness in G, metallic in B
+    int emission_texture = -1;
+};
+
+/// A coordinate system, perhaps moving, perhaps inside another.
+struct Node {
+    int parent = -1;
+    Pose pose;
+};
+
+struct Instance {
+    int shape = 0, material = 0;
+    int node = -1; ///< -1: world
+};
+
+/// Radiance of what lies behind everything: a vertical gradient.
+struct Background {
+    glm::vec3 below{0.f}, above{0.f};
+
+    [[nodiscard]] glm::vec3 radiance(glm::vec3 direction) const { return below + (above - below) * (0.5f + 0.5f * direction.y); }
+};
+
+/// Where the camera stands at a moment. It looks down its own -z axis, y up.
+struct CameraPose {
+    glm::mat4 world_from_camera{1.f};
+    float vertical_field_of_view = 0.9f; ///< radians
+};
+
+/// A world in y-up coordinates, each part of which is a function of time. Time counts frames: frame i shows time i, and what was
+/// previous to it is time i - 1.
+struct SceneDescription {
+    std::string name;
+    std::vector<Shape> shapes;
+    std::vector<Texture> textures;
+    std::vector<Material> materials;
+    std::vector<Node> nodes;
+    std::vector<Instance> instances;
+    std::function<CameraPose(float frame)> camera;
+    Background background;
+
+    int add(Shape shape);
+    int add(TriangleMesh mesh);
+    int add(Texture texture);
+    int add(Material material);
+    int add_node(Pose pose, int parent = -1);
+    int add_sphere();
+    int place(int shape, int material, Pose pose, int parent = -1);
+    int place(int shape, int material, Transform const& transform = {}, int parent = -1);
+
+    [[nodiscard]] glm::mat4 node_matrix(int node, float frame) const;
+    [[nodiscard]] Camera camera_at(float frame, Extent size) const;
+};
+
+/// A camera that looks from one point at another. `field_of_view` is vertical, in degrees.
+[[nodiscard]] CameraPose look_at(glm::vec3 eye, glm::vec3 target, float field_of_view, glm::vec3 up = {0, 1, 0});
+
+[[nodiscard]] Camera camera_from(CameraPose const& pose, Extent size);
+
+} // namespace quell::tracer

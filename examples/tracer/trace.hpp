@@ -1,0 +1,86 @@
+#pragma once
+
+#include "lighting.hpp"
+
+#include <quell/core/channel.hpp>
+#include <quell/frame/channels.hpp>
+
+#include <glm/geometric.hpp>
+
+#include <numbers>
+
+namespace quell::tracer {
+
+/// Which rays a set of channels takes. A channel that nobody wants costs nothing: what it alone would need isn't even compiled.
+template <class Wanted>
+struct Rays {
+    template <class... Cs>
+    static constexpr bool any = (Wanted::template has<Cs> || ...);
+
+    static constexpr bool blocker = any<Blocker, BlockerPrevious>;
+    static constexpr bool shadow = blocker || any<Visibility, Radiance>;
+    static constexpr bool light_sample = shadow || any<Light, LightPrevious>;
+    static constexpr bool direct = any<Direct, Radiance>;
+    static constexpr bool reflected_radiance = any<Glossy, Radiance>;
+    static constexpr bool glossy = reflected_radiance || any<GlossyHit, GlossyHitPrevious>;
+    static constexpr bool indirect = any<Indirect, Radiance>;
+    static constexpr bool indirect_direction = indirect || any<IndirectDirection>;
+    static constexpr bool previous = any<Motion, ReceiverPrevious>;
+};
+
+/// The signals of one sample of one pixel. Positions are NaN where nothing was hit.
+struct Signals {
+    float visibility = 1;
+    glm::vec3 direct{0.f}, glossy{0.f}, indirect{0.f};
+    glm::vec3 light{not_a_number}, light_previous{not_a_number};
+    glm::vec3 blocker{not_a_number}, blocker_previous{not_a_number};
+    glm::vec3 glossy_hit{not_a_number}, glossy_hit_previous{not_a_number};
+    glm::vec3 indirect_direction{0.f};
+};
+
+/// Traces the shadow ray towards `signals.light`; `find_blocker` also asks what is in the way (nearest to the receiver).
+void trace_shadow(PreparedScene const& scene, Surface const& surface, PathContext const& path, bool find_blocker, Signals& signals);
+
+/// Traces one reflected ray; `shade` asks for its radiance too.
+void trace_glossy(PreparedScene const& scene, Surface const& surface, glm::vec3 to_viewer, PathContext const& path, float footprint_angle,
+                  bool shade, Signals& signals);
+
+/// Picks the direction of the indirect sample, and traces it if `shade`.
+void trace_indirect(PreparedScene const& scene, Surface const& surface, PathContext const& path, bool shade, Signals& signals);
+
+/// Light sample, shadow and unshadowed direct light.
+template <class Wanted>
+void trace_direct(PreparedScene const& scene, Surface const& surface, PathContext const& path, Signals& signals) {
+    using rays = Rays<Wanted>;
+    auto const reflectance = surface.diffuse() * std::numbers::inv_pi_v<float>;
+    if constexpr (rays::light_sample) {
+        auto const point = sample_pair(path.key, SampleUse::light_point);
+        auto const lighting = sample_lighting(scene, surface, path.time, point, sample_pair(path.key, SampleUse::light_choice).x);
+        signals.direct = reflectance * lighting.irradiance;
+        signals.light = lighting.sample.position;
+        signals.light_previous = lighting.sample.position_before;
+        if constexpr (rays::shadow)
+            if (lighting.sample.exists) trace_shadow(scene, surface, path, rays::blocker, signals);
+    } else if constexpr (rays::direct) {
+        signals.direct = reflectance * unshadowed_irradiance(scene, surface, path.time);
+    }
+}
+
+/// Everything that `Wanted` asks for beyond the surface itself.
+template <class Wanted>
+Signals trace_signals(PreparedScene const& scene, Surface const& surface, glm::vec3 to_viewer, PathContext const& path, float footprint_angle) {
+    using rays = Rays<Wanted>;
+    Signals signals;
+    signals.indirect_direction = surface.normal;
+    if (surface.is_emitter) {
+        signals.direct = surface.emission;
+        return signals;
+    }
+    trace_direct<Wanted>(scene, surface, path, signals);
+    if constexpr (rays::glossy)
+        if (surface.metallic > 0) trace_glossy(scene, surface, to_viewer, path, footprint_angle, rays::reflected_radiance, signals);
+    if constexpr (rays::indirect_direction) trace_indirect(scene, surface, path, rays::indirect, signals);
+    return signals;
+}
+
+} // namespace quell::tracer

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <quell/blend/blend_policy.hpp>
+
+namespace quell {
+
+/// The exact mean of a pixel's last frames, until there are `cap` of them; from then on a moving average with alpha = 1 / cap. The only form
+/// that is both unbiased at the start and bounded. (NOTES; METHODS section 1)
+struct RunningMean {
+    using keeps = Channels<HistoryLength>;
+    float cap = 32.f; ///< frames, at least 1
+
+    QUELL_KERNEL auto blend(auto px, auto past) const {
+        using Real = typename decltype(px)::Real;
+        auto const n = min(past[history_length] * past.validity + 1.f, Real(cap));
+        return accumulate(px, past, 1.f / n).with(history_length, n);
+    }
+};
+
+/// RunningMean whose history shortens by as much as a clamp had to move it: stale samples are forgotten at once, not over `cap` frames.
+struct Adaptive {
+    using keeps = Channels<HistoryLength>;
+    float cap = 32.f;        ///< frames, at least 1
+    float sensitivity = 1.f; ///< how fast the history shortens with the clamp's relative change
+
+    QUELL_KERNEL auto blend(auto px, auto past) const {
+        using Real = typename decltype(px)::Real;
+        auto const trusted = past.validity / (1.f + past.clamped * sensitivity);
+        auto const n = min(past[history_length] * trusted + 1.f, Real(cap));
+        return accumulate(px, past, 1.f / n).with(history_length, n);
+    }
+};
+
+} // namespace quell

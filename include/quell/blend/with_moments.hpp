@@ -1,0 +1,30 @@
+#pragma once
+
+#include <quell/blend/blend_policy.hpp>
+
+namespace quell {
+
+/// Keeps, beside what the inner policy does, the mean and variance over time of each pixel's luminance, with the same alpha. Updated by
+/// differences (Welford 1962, in West's exponential form): E[x^2] - E[x]^2 would cancel at HDR magnitudes.
+template <class Inner>
+struct WithMoments {
+    static_assert(BlendPolicy<Inner>, "WithMoments{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
+    using reads = reads_of<Inner>;
+    using remembers = remembers_of<Inner>;
+    using keeps = decltype(keeps_of<Inner>{} | Channels<LuminanceMean, LuminanceVariance>{});
+    Inner inner{};
+
+    QUELL_KERNEL auto blend(auto px, auto past) const {
+        auto const result = detail::as_result(inner.blend(px, past));
+        auto const alpha = result.alpha;
+        auto const before = past[luminance_mean];
+        auto const off = luminance(px.signal()) - before;
+        auto const mean = before + off * alpha;
+        auto const variance = (1.f - alpha) * (past[luminance_variance] + off * off * alpha);
+        return result.with(luminance_mean, mean).with(luminance_variance, variance);
+    }
+};
+template <class Inner>
+WithMoments(Inner) -> WithMoments<Inner>;
+
+} // namespace quell

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <quell/core/real.hpp>
+
+#if defined(__F16C__) && !defined(__CUDACC__)
+#include <immintrin.h>
+#endif
+
+namespace quell {
+
+/// IEEE 754 binary16 bits as a float.
+QUELL_KERNEL float float_from_half(std::uint16_t half) {
+    auto const sign = static_cast<std::uint32_t>(half & 0x8000u) << 16;
+    auto const rest = static_cast<std::uint32_t>(half & 0x7fffu) << 13;
+    // Shifting puts the exponent 112 too low; one multiplication corrects it for subnormals too.
+    auto const magnitude = std::bit_cast<float>(rest) * 0x1p112f;
+    auto const special = (half & 0x7c00u) == 0x7c00u ? 0x7f800000u | rest : std::bit_cast<std::uint32_t>(magnitude);
+    return std::bit_cast<float>(sign | special);
+}
+
+/// A float as binary16 bits, rounded to nearest even. What exceeds the range becomes the largest finite half (65504), so that a bright
+/// highlight can't turn into an infinity that history would keep. NaN becomes 0x7e00.
+QUELL_KERNEL std::uint16_t half_from_float(float a) {
+    auto const all = std::bit_cast<std::uint32_t>(a);
+    auto const sign = static_cast<std::uint16_t>((all >> 16) & 0x8000u);
+    auto const magnitude = all & 0x7fffffffu;
+    if (magnitude > 0x7f800000u) return 0x7e00;
+    if (magnitude >= 0x477ff000u) return static_cast<std::uint16_t>(sign | 0x7bffu); // 65520 and above would round to infinity
+    if (magnitude < 0x38800000u) { // subnormal half: let the float adder round at the right bit
+        auto const rounded = std::bit_cast<std::uint32_t>(std::bit_cast<float>(magnitude) + 0.5f) - 0x3f000000u;
+        return static_cast<std::uint16_t>(sign | rounded);
+    }
+    auto const odd = (magnitude >> 13) & 1u;
+    return static_cast<std::uint16_t>(sign | ((magnitude - 0x38000000u + 0xfffu + odd) >> 13));
+}
+
+/// `width_of<Real>` halves that lie side by side, as a Real.
+template <class Real>
+QUELL_KERNEL Real load_half(std::uint16_t const* p) {
+    if constexpr (width_of<Real> == 1) return float_from_half(*p);
+#if defined(__AVX512F__) && !defined(__CUDACC__)
+    else if constexpr (width_of<Real> == 16) return Real(_mm512_cvtph_ps(_mm256_loadu_si256(reinterpret_cast<__m256i const*>(p))));
+#endif
+#if defined(__F16C__) && !defined(__CUDACC__)
+    else if constexpr (width_of<Real> == 8) return Real(_mm256_cvtph_ps(_mm_loadu_si128(reinterpret_cast<__m128i const*>(p))));
+#endif
+    else {
+        float lane[width_of<Real>];
+        for (int i = 0; i < width_of<Real>; ++i) lane[i] = float_from_half(p[i]);
+        return Real::load_unaligned(lane);
+    }
+}
+
+/// Stores a Real as halves side by side.
+template <class Real>
+QUELL_KERNEL void store_half(std::uint16_t* p, Real a) {
+    if constexpr (width_of<Real> == 1) *p = half_from_float(a);
+    else {
+        [[maybe_unused]] auto const bounded = max(min(a, Real(65504.f)), Real(-65504.f));
+#if defined(__AVX512F__) && !defined(__CUDACC__)
+        if constexpr (width_of<Real> == 16) {
+            _mm256_storeu_si256(reinterpret_cast<__m256i*>(p), _mm512_cvtps_ph(bounded, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
+            return;
+        }
+#endif
+#if defined(__F16C__) && !defined(__CUDACC__)
+        if constexpr (width_of<Real> == 8) {
+            _mm_storeu_si128(reinterpret_cast<__m128i*>(p), _mm256_cvtps_ph(bounded, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
+            return;
+        }
+#endif
+        for (int i = 0; i < width_of<Real>; ++i) p[i] = half_from_float(lane(a, i));
+    }
+}
+
+} // namespace quell

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <quell/core/value.hpp>
+#include <quell/image/extent.hpp>
+
+#include <concepts>
+#include <type_traits>
+
+namespace quell {
+
+/// A view of an image that kernels use by value. The minimum is one pixel's component:
+///     Extent size;  static constexpr int components;
+///     float get(int c, int x, int y) const;  void set(int c, int x, int y, float) const;
+/// A view that knows how its pixels lie also offers packs of them, else they are put together lane by lane:
+///     Value<N, Real> load<Real>(int x, int y) const    `width_of<Real>` pixels from (x, y) to the right; x may lie up to that many pixels
+///                                                      outside the row on either side: lanes outside are finite, their value is not used
+///     Value<N, Real> gather<Real>(Index x, Index y) const        scattered pixels, all of them inside
+///     void store<Real>(int x, int y, Value<N, Real>) const       all lanes inside, or in the row's own padding
+template <class V>
+concept ImageView = std::is_trivially_copyable_v<V> && requires(V const v, int i, float a) {
+    { v.size } -> std::convertible_to<Extent>;
+    { V::components } -> std::convertible_to<int>;
+    { v.get(i, i, i) } -> std::same_as<float>;
+    v.set(i, i, i, a);
+};
+
+/// Where images live and how their pixels lie in memory: `Storage::Image<N>(size).view()`. `Storage::Exact` is the storage used for
+/// channels that lose their meaning in few bits; it is Storage itself where that stores 32-bit floats.
+template <class S>
+concept ImageStorage = requires(Extent size) {
+    { typename S::template Image<3>(size).view() } -> ImageView;
+    { typename S::Exact::template Image<3>(size).view() } -> ImageView;
+};
+
+/// The image in which a storage keeps a channel.
+template <class Storage, ChannelTag C>
+using ImageOf = typename std::conditional_t<C::full_precision, typename Storage::Exact, Storage>::template Image<C::components>;
+template <class Storage, ChannelTag C>
+using ViewOf = decltype(std::declval<ImageOf<Storage, C> const&>().view());
+
+namespace detail {
+QUELL_KERNEL int clamp_to(int i, int last) { return i < 0 ? 0 : i > last ? last : i; }
+
+template <class Real, ImageView View>
+QUELL_KERNEL auto load_pixels(View const& view, int x, int y) {
+    if constexpr (requires { view.template load<Real>(x, y); }) return view.template load<Real>(x, y);
+    else
+        return make_value<View::components, Real>([&](auto c) {
+            alignas(64) float lane[width_of<Real>];
+            for (int i = 0; i < width_of<Real>; ++i) lane[i] = view.get(c, clamp_to(x + i, view.size.width - 1), y);
+            if constexpr (width_of<Real> == 1) return lane[0];
+            else return Real::load_aligned(lane);
+        });
+}
+
+template <class Real, ImageView View>
+QUELL_KERNEL auto gather_pixels(View const& view, Index<Real> x, Index<Real> y) {
+    if constexpr (requires { view.template gather<Real>(x, y); }) return view.template gather<Real>(x, y);
+    else
+        return make_value<View::components, Real>([&](auto c) {
+            alignas(64) float gathered[width_of<Real>];
+            for (int i = 0; i < width_of<Real>; ++i) gathered[i] = view.get(c, lane(x, i), lane(y, i));
+            if constexpr (width_of<Real> == 1) return gathered[0];
+            else return Real::load_aligned(gathered);
+        });
+}
+
+/// Stores the first `count` lanes.
+template <class Real, ImageView View>
+QUELL_KERNEL void store_pixels(View const& view, int x, int y, Value<View::components, Real> const& value, int count) {
+    if constexpr (requires { view.template store<Real>(x, y, value); }) {
+        if (count == width_of<Real>) return view.template store<Real>(x, y, value);
+    }
+    [&]<int... c>(std::integer_sequence<int, c...>) {
+        auto each = [&](auto i, auto component_value) {
+            for (int k = 0; k < count; ++k) view.set(i, x + k, y, lane(component_value, k));
+        };
+        (each(std::integral_constant<int, c>{}, component<c>(value)), ...);
+    }(std::make_integer_sequence<int, View::components>{});
+}
+} // namespace detail
+
+} // namespace quell

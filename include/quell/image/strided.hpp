@@ -1,0 +1,94 @@
+#pragma once
+
+#include <quell/image/format.hpp>
+#include <quell/image/image_storage.hpp>
+
+#include <memory>
+#include <new>
+
+namespace quell::detail {
+
+/// Rows are padded so that a pack may start one pack before a row or end one behind it, without a test in the kernel's inner loop: the
+/// padding of a row is what lies left of the next. It is zero and stays zero.
+inline constexpr int padding = 16;
+
+/// A view of pixels at regular distances: planar with `pixel_step` 1, interleaved with `pixel_step` N.
+template <class Format, int N, int pixel_step>
+struct StridedView {
+    using Element = typename Format::Element;
+    static constexpr int components = N;
+
+    Element* data = nullptr; ///< component 0 of pixel (0, 0)
+    Extent size;
+    std::ptrdiff_t row_stride = 0;       ///< from a pixel to the one below, in elements
+    std::ptrdiff_t component_stride = 0; ///< from a component to the next, in elements
+
+    QUELL_KERNEL float get(int c, int x, int y) const { return Format::get(at(c, x, y)); }
+    QUELL_KERNEL void set(int c, int x, int y, float a) const { Format::set(at(c, x, y), a); }
+
+    template <class Real>
+    QUELL_KERNEL Value<N, Real> load(int x, int y) const {
+        return make_value<N, Real>([&](auto c) __attribute__((always_inline)) { return pack<Real>(at(c, x, y)); });
+    }
+    template <class Real>
+    QUELL_KERNEL Value<N, Real> gather(Index<Real> x, Index<Real> y) const {
+        auto const offset = y * Index<Real>(static_cast<std::int32_t>(row_stride)) + x * Index<Real>(pixel_step);
+        return make_value<N, Real>([&](auto c) __attribute__((always_inline)) {
+            return Format::template gather<Real>(data + c * component_stride, offset);
+        });
+    }
+    template <class Real>
+        requires(pixel_step == 1 || width_of<Real> == 1)
+    QUELL_KERNEL void store(int x, int y, Value<N, Real> const& value) const {
+        [&]<int... c>(std::integer_sequence<int, c...>) __attribute__((always_inline)) {
+            (Format::store(at(c, x, y), component<c>(value)), ...);
+        }(std::make_integer_sequence<int, N>{});
+    }
+
+private:
+    QUELL_KERNEL Element* at(int c, int x, int y) const { return data + c * component_stride + y * row_stride + x * pixel_step; }
+    template <class Real>
+    QUELL_KERNEL static Real pack(Element const* p) {
+        if constexpr (pixel_step == 1 || width_of<Real> == 1) return Format::template load<Real>(p);
+        else return Format::template gather<Real>(p, truncate(lanes<Real>()) * Index<Real>(pixel_step));
+    }
+};
+
+/// An image that owns zero-initialised, 64-byte aligned memory.
+template <class Format, int N, bool interleaved>
+class StridedImage {
+    using Element = typename Format::Element;
+    struct Free {
+        void operator()(Element* p) const { ::operator delete[](p, std::align_val_t{64}); }
+    };
+    std::unique_ptr<Element[], Free> memory;
+    std::ptrdiff_t row_stride = 0, component_stride = 0;
+    Extent extent;
+
+public:
+    static constexpr int components = N;
+    using View = StridedView<Format, N, interleaved ? N : 1>;
+
+    explicit StridedImage(Extent size = {}) : extent(size) {
+        constexpr int step = interleaved ? N : 1;
+        row_stride = std::ptrdiff_t{(size.width + padding - 1) / padding * padding + padding} * step;
+        component_stride = interleaved ? 1 : row_stride * size.height + padding;
+        auto const n = elements();
+        memory.reset(static_cast<Element*>(::operator new[](n * sizeof(Element), std::align_val_t{64})));
+        std::uninitialized_value_construct_n(memory.get(), n);
+    }
+    [[nodiscard]] View view() const { return {memory.get() + padding * (interleaved ? N : 1), extent, row_stride, component_stride}; }
+    [[nodiscard]] Extent size() const { return extent; }
+    [[nodiscard]] std::size_t bytes() const { return elements() * sizeof(Element); }
+
+    [[nodiscard]] Value<N, float> get(int x, int y) const { return view().template load<float>(x, y); }
+    void set(int x, int y, Value<N, float> const& value) { view().template store<float>(x, y, value); }
+
+private:
+    [[nodiscard]] std::size_t elements() const {
+        auto const planes = interleaved ? row_stride * extent.height + padding * N : component_stride * N;
+        return static_cast<std::size_t>(planes + padding * (interleaved ? N : 1));
+    }
+};
+
+} // namespace quell::detail

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <quell/metrics/flip.hpp>
+
+#include <array>
+
+namespace quell::metrics {
+
+/// The colour of an error in [0, 1]: dark is 0, bright is 1. An approximation by nine colours of the magma map (Smith and van der Walt
+/// 2015, dedicated to the public domain, CC0), which is the map FLIP's authors use; straight lines between them are within 2 % of it.
+[[nodiscard]] inline glm::vec3 magma(float error) {
+    static constexpr std::array<std::uint32_t, 9> colours{0x000004, 0x1d1147, 0x51127c, 0x822681, 0xb63679,
+                                                          0xe65164, 0xfb8861, 0xfec287, 0xfcfdbf};
+    auto const rgb = [](std::uint32_t c) { return glm::vec3((c >> 16) & 255u, (c >> 8) & 255u, c & 255u) / 255.f; };
+    auto const at = error * static_cast<float>(colours.size() - 1);
+    auto const below = std::min(static_cast<std::size_t>(at), colours.size() - 2);
+    auto const t = at - static_cast<float>(below);
+    return rgb(colours[below]) * (1.f - t) + rgb(colours[below + 1]) * t;
+}
+
+/// A displayed picture of the errors.
+[[nodiscard]] inline Picture error_map(Flip const& flip) {
+    detail::check_size("FLIP error", flip.size, flip.error.size());
+    Picture result{flip.size, {}};
+    for (auto const error : flip.error) {
+        if (!detail::in_unit_range(error)) throw Error("FLIP error", "one value is " + std::to_string(error), "give values in [0, 1]");
+        result.pixels.push_back(magma(error));
+    }
+    return result;
+}
+
+} // namespace quell::metrics

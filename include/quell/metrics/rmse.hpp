@@ -1,0 +1,18 @@
+#pragma once
+
+#include <quell/metrics/picture.hpp>
+
+#include <glm/geometric.hpp>
+
+namespace quell::metrics {
+
+/// Root of the mean squared difference over the pixels that count and their three components: 0 for equal pictures, at most 1.
+[[nodiscard]] inline double rmse(Picture const& reference, Picture const& test, Mask const& mask = {}) {
+    detail::check_pair(reference, test);
+    return std::sqrt(detail::mean_over(reference.size, mask, [&](std::size_t i) {
+        auto const difference = glm::dvec3(test.pixels[i]) - glm::dvec3(reference.pixels[i]);
+        return glm::dot(difference, difference) / 3.;
+    }));
+}
+
+} // namespace quell::metrics

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <quell/metrics/picture.hpp>
+
+#include <limits>
+#include <optional>
+
+namespace quell::metrics {
+
+/// How much a sequence flickers: the mean over pixels of the temporal standard deviation of (output - reference). What moves in the
+/// reference too, and an error that stays the same, count as nothing. Frames are added one by one and not kept.
+struct Flicker {
+    Extent size;
+    int frames = 0;
+    std::vector<glm::dvec3> average; ///< of (output - reference), per pixel and component
+    std::vector<glm::dvec3> spread;  ///< sum of the squared differences from it
+
+    void add(Picture const& reference, Picture const& output);
+    /// A pixel's deviation is the root of the mean variance of its three components. At least two frames must have been added.
+    [[nodiscard]] double mean(Mask const& mask = {}) const;
+};
+
+/// Welford 1962, "Note on a method for calculating corrected sums of squares and products".
+inline void Flicker::add(Picture const& reference, Picture const& output) {
+    detail::check_pair(reference, output);
+    if (frames > 0 && !(size == reference.size))
+        throw Error("flicker",
+                    "frame " + std::to_string(frames) + " has size " + to_string(reference.size) + " but those before it " +
+                        to_string(size),
+                    "add frames of one size");
+    size = reference.size;
+    average.resize(reference.pixels.size());
+    spread.resize(reference.pixels.size());
+    ++frames;
+    for (std::size_t i = 0; i < average.size(); ++i) {
+        auto const difference = glm::dvec3(output.pixels[i]) - glm::dvec3(reference.pixels[i]);
+        auto const step = difference - average[i];
+        average[i] += step / static_cast<double>(frames);
+        spread[i] += step * (difference - average[i]);
+    }
+}
+
+inline double Flicker::mean(Mask const& mask) const {
+    if (frames < 2) throw Error("flicker", "it has " + std::to_string(frames) + " frames", "add at least 2");
+    return detail::mean_over(size, mask, [&](std::size_t i) {
+        auto const& s = spread[i];
+        return std::sqrt((s.x + s.y + s.z) / (3. * frames));
+    });
+}
+
+/// Flicker of a sequence that is in memory as a whole.
+[[nodiscard]] inline double flicker(std::span<Picture const> references, std::span<Picture const> outputs, Mask const& mask = {}) {
+    if (references.size() != outputs.size())
+        throw Error("flicker", std::to_string(outputs.size()) + " outputs for " + std::to_string(references.size()) + " references",
+                    "give one reference per output");
+    Flicker sequence;
+    for (std::size_t i = 0; i < outputs.size(); ++i) sequence.add(references[i], outputs[i]);
+    return sequence.mean(mask);
+}
+
+namespace detail {
+inline void check_event(std::span<double const> errors, std::size_t event) {
+    if (event >= errors.size())
+        throw Error("lag", "the event is at frame " + std::to_string(event) + " of " + std::to_string(errors.size()),
+                    "give an event within the sequence");
+    constexpr auto infinity = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
+    for (std::size_t i = event; i < errors.size(); ++i)
+        if ((std::bit_cast<std::uint64_t>(errors[i]) & infinity) == infinity) // every bit of the exponent: infinite or NaN
+            throw Error("lag", "the error of frame " + std::to_string(i) + " is " + std::to_string(errors[i]), "give finite errors");
+}
+} // namespace detail
+
+/// Where the error settles after an event: the median of the last quarter of the frames from the event on.
+[[nodiscard]] inline double settled_error(std::span<double const> errors, std::size_t event) {
+    detail::check_event(errors, event);
+    auto const after = errors.subspan(event);
+    std::vector<double> last(after.end() - static_cast<std::ptrdiff_t>((after.size() + 3) / 4), after.end());
+    auto const middle = last.begin() + static_cast<std::ptrdiff_t>(last.size() / 2);
+    std::ranges::nth_element(last, middle);
+    return *middle;
+}
+
+/// Frames from the event until the error has fallen to 1.5 times its settled value; nothing if it doesn't fall that far. The search begins
+/// at the largest error after the event, since an error that rises over several frames hasn't fallen in the first of them.
+[[nodiscard]] inline std::optional<std::size_t> lag(std::span<double const> errors, std::size_t event, double settled) {
+    detail::check_event(errors, event);
+    auto const after = errors.subspan(event);
+    auto const worst = std::ranges::max_element(after);
+    auto const fallen = std::find_if(worst, after.end(), [&](double error) { return error <= 1.5 * settled; });
+    if (fallen == after.end()) return std::nullopt;
+    return fallen == worst ? 0 : static_cast<std::size_t>(fallen - after.begin()); // at the worst already: it never rose
+}
+/// The same with the settled value taken from the sequence itself.
+[[nodiscard]] inline std::optional<std::size_t> lag(std::span<double const> errors, std::size_t event) {
+    return lag(errors, event, settled_error(errors, event));
+}
+
+} // namespace quell::metrics

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <quell/motion/motion_source.hpp>
+
+namespace quell {
+
+namespace detail {
+/// Whether a source's finding accepts a past pixel; one without a test accepts all.
+template <class FoundPlace, class Then, class Real>
+QUELL_KERNEL auto accepts(FoundPlace const& found, Then const& then, Real dx, Real dy) {
+    if constexpr (requires { found.accepts(then, dx, dy); }) return found.accepts(then, dx, dy);
+    else return Real(0.f) == Real(0.f);
+}
+
+template <class Real, class A, class B>
+struct FirstFound {
+    vec2<Real> where;
+    Real validity;
+    A a;
+    B b;
+    QUELL_KERNEL auto accepts(auto then, Real dx, Real dy) const {
+        auto const first = a.validity > Real(0.f);
+        return (first & detail::accepts(a, then, dx, dy)) | (invert(first) & detail::accepts(b, then, dx, dy));
+    }
+};
+} // namespace detail
+
+/// Asks several sources in order and takes, for each pixel, the first with any validity.
+template <class First, class... Rest>
+struct FirstValid {
+    static_assert(MotionSource<First>, "FirstValid{sources...}: each must have previous(px), see quell/motion/motion_source.hpp");
+    using reads = reads_of<First, Rest...>;
+    using remembers = remembers_of<First, Rest...>;
+
+    First first;
+    FirstValid<Rest...> rest;
+
+    constexpr FirstValid() = default;
+    constexpr explicit FirstValid(First first_, Rest... rest_) : first(first_), rest(rest_...) {}
+
+    QUELL_KERNEL auto previous(auto px) const {
+        using Real = typename decltype(px)::Real;
+        auto const a = first.previous(px);
+        auto const b = rest.previous(px);
+        auto const valid = a.validity > Real(0.f);
+        return detail::FirstFound<Real, decltype(first.previous(px)), decltype(rest.previous(px))>{
+            {select(valid, a.where.x, b.where.x), select(valid, a.where.y, b.where.y)}, select(valid, a.validity, b.validity), a, b};
+    }
+};
+template <class Last>
+struct FirstValid<Last> : Last {
+    static_assert(MotionSource<Last>, "FirstValid{sources...}: each must have previous(px), see quell/motion/motion_source.hpp");
+    constexpr FirstValid() = default;
+    constexpr explicit FirstValid(Last last) : Last(last) {}
+};
+template <class... Sources>
+FirstValid(Sources...) -> FirstValid<Sources...>;
+
+} // namespace quell

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <quell/motion/surface_test.hpp>
+
+namespace quell {
+
+namespace detail {
+/// A place in the past together with the test that its taps must pass.
+template <class Real, class Prepared>
+struct TestedReprojection {
+    vec2<Real> where;
+    Real validity;
+    Prepared test;
+    QUELL_KERNEL auto accepts(auto then, Real dx, Real dy) const { return test.accepts(then, dx, dy); }
+};
+} // namespace detail
+
+/// Follows the surface seen in the pixel by the host's Motion channel (TRMV eq. 1), and accepts what passes the test.
+/// @tparam Test SameDepth, SameNormal, SameInstance, AllOf several, or the host's own
+template <class Test = AllOf<SameDepth, SameNormal>>
+struct SurfaceMotion {
+    using reads = decltype(Channels<Motion>{} | reads_of<Test>{});
+    using remembers = remembers_of<Test>;
+    Test test{};
+
+    QUELL_KERNEL auto previous(auto px) const {
+        using Real = typename decltype(px)::Real;
+        auto const p = px.position(), m = px[motion];
+        return detail::TestedReprojection<Real, decltype(test.around(px))>{{p.x + m.x, p.y + m.y}, Real(1.f), test.around(px)};
+    }
+};
+template <class Test>
+SurfaceMotion(Test) -> SurfaceMotion<Test>;
+
+/// Follows the surface by its previous world position and the previous camera: for hosts that have no Motion channel.
+template <class Test = AllOf<SameDepth, SameNormal>>
+struct PositionMotion {
+    using reads = decltype(Channels<ReceiverPrevious>{} | reads_of<Test>{});
+    using remembers = remembers_of<Test>;
+    static constexpr bool needs_camera = true;
+    Test test{};
+
+    QUELL_KERNEL auto previous(auto px) const {
+        using Real = typename decltype(px)::Real;
+        auto const then = px.project_to_past(px[receiver_previous]);
+        auto const validity = select(then.z > Real(0.f), Real(1.f), Real(0.f));
+        return detail::TestedReprojection<Real, decltype(test.around(px))>{{then.x, then.y}, validity, test.around(px)};
+    }
+};
+template <class Test>
+PositionMotion(Test) -> PositionMotion<Test>;
+
+/// Nothing moves: a still camera and still objects. Without a test every past pixel is accepted.
+struct StillMotion {
+    QUELL_KERNEL auto previous(auto px) const {
+        using Real = typename decltype(px)::Real;
+        return Reprojection<Real>{px.position(), Real(1.f)};
+    }
+};
+
+} // namespace quell

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <quell/motion/motion_source.hpp>
+
+namespace quell {
+
+// Tests of whether a past pixel shows the surface that this pixel shows. `around(px)` prepares what does not depend on the tap;
+// `accepts(then, dx, dy)` then judges one tap, dx and dy pixels away from the reprojected position.
+
+/// The depth that the surface's plane has there. A miss accepts only misses.
+struct SameDepth {
+    using reads = Channels<Depth>;
+    using remembers = Channels<Depth>;
+    float tolerance = 0.05f; ///< allowed distance from the plane, as a part of the depth; also of how much depth may change in a frame
+
+    template <class Real>
+    struct Plane {
+        Real z, slope_x, slope_y, allowed;
+        QUELL_KERNEL auto accepts(auto then, Real dx, Real dy) const {
+            auto const z_then = then[depth];
+            auto const near = abs(z_then - (z + slope_x * dx + slope_y * dy)) < allowed;
+            auto const hit = is_finite(z), hit_then = is_finite(z_then);
+            return (hit & hit_then & near) | invert(hit | hit_then);
+        }
+    };
+    QUELL_KERNEL auto around(auto px) const {
+        auto const z = px[depth];
+        auto const slope_x = slope(z, px, px.at(-1, 0), px.at(1, 0)), slope_y = slope(z, px, px.at(0, -1), px.at(0, 1));
+        // One pixel's change of depth is within what interpolation between taps can be wrong by.
+        return Plane<decltype(z + z)>{z, slope_x, slope_y, z * tolerance + abs(slope_x) + abs(slope_y)};
+    }
+
+private:
+    /// The smaller of the two one-sided differences: across a silhouette one of them is the edge, not the surface.
+    template <class Real, class Px>
+    QUELL_KERNEL static Real slope(Real z, Px const&, Px const& before, Px const& after) {
+        auto const back = z - before[depth], forth = after[depth] - z;
+        auto const least = select(abs(back) < abs(forth), back, forth);
+        return select(is_finite(least), least, Real(0.f));
+    }
+};
+
+/// A normal not turned away from this one.
+struct SameNormal {
+    using reads = Channels<Normal>;
+    using remembers = Channels<Normal>;
+    float least_cosine = 0.8f;
+
+    template <class Real>
+    struct Facing {
+        vec3<Real> n;
+        float least_cosine;
+        QUELL_KERNEL auto accepts(auto then, Real, Real) const { return dot(n, then[normal]) > Real(least_cosine); }
+    };
+    QUELL_KERNEL auto around(auto px) const { return Facing<typename decltype(px)::Real>{px[normal], least_cosine}; }
+};
+
+/// The same object.
+struct SameInstance {
+    using reads = Channels<Instance>;
+    using remembers = Channels<Instance>;
+
+    template <class Real>
+    struct Object {
+        Real id;
+        QUELL_KERNEL auto accepts(auto then, Real, Real) const { return then[instance] == id; }
+    };
+    QUELL_KERNEL auto around(auto px) const { return Object<typename decltype(px)::Real>{px[instance]}; }
+};
+
+/// Every one of several tests.
+template <class... Tests>
+struct AllOf : Tests... {
+    using reads = reads_of<Tests...>;
+    using remembers = remembers_of<Tests...>;
+
+    template <class... Prepared>
+    struct Every : Prepared... {
+        QUELL_KERNEL auto accepts(auto then, auto dx, auto dy) const { return (... & Prepared::accepts(then, dx, dy)); }
+    };
+    QUELL_KERNEL auto around(auto px) const { return Every<decltype(Tests::around(px))...>{Tests::around(px)...}; }
+};
+template <class... Tests>
+AllOf(Tests...) -> AllOf<Tests...>;
+
+} // namespace quell

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <quell/pipeline/image_pool.hpp>
+#include <quell/pipeline/pipeline.hpp>
+
+#include <atomic>
+#include <optional>
+
+namespace quell {
+
+/// What a run counted.
+struct Statistics {
+    long long frames = 0;          ///< since the history began
+    long long missing_samples = 0; ///< of the last frame: NaN, infinite, negative or beyond 1e16
+    long long resets = 0;          ///< how often the history started afresh: first frame, new size, gap in the numbers, forget()
+};
+
+namespace detail {
+template <class Set>
+struct StoredChannels;
+template <class... Cs>
+struct StoredChannels<Channels<Cs...>> {
+    using type = Channels<typename Remembered<Cs>::Stored...>;
+};
+template <class P, class FrameT, class H, class E, class Into>
+class Run;
+} // namespace detail
+
+/// All the state there is between frames: the signal, what the pipeline remembers of the last frame, what its policies keep, and scratch. One
+/// history serves one pipeline and one view. It starts afresh by itself at the first frame, after a change of size, and where frame numbers
+/// do not follow each other.
+/// @tparam P       the pipeline's type
+/// @tparam Storage of history and scratch: Planar<> or Planar<Float16>, or another ImageStorage that owns its memory
+template <class P, ImageStorage Storage = Planar<>>
+class History {
+public:
+    /// @throws Error for a size of no pixels
+    explicit History(Extent size, P const&, Storage const& = {}) : pool(checked(size)) {}
+
+    /// Starts afresh at the next frame: for a scene cut or a teleport that the host knows of.
+    void forget() { empty = true; }
+
+    [[nodiscard]] Statistics const& statistics() const { return counted; }
+    /// Memory of history and scratch. Complete once a frame has run.
+    [[nodiscard]] std::size_t bytes() const { return pool.bytes(); }
+    [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(pool.size().pixels()); }
+
+private:
+    template <class, class, class, class, class>
+    friend class detail::Run;
+    using Remembered = typename detail::StoredChannels<typename P::remembers>::type;
+
+    detail::ImagePool pool;
+    std::shared_ptr<ImageOf<Storage, typename P::Signal>> signal, output;
+    detail::Handles<Storage, typename P::keeps> kept;
+    detail::Handles<Storage, Remembered> remembered;
+    Camera camera;
+    std::optional<long long> number;
+    bool empty = true;
+    Statistics counted;
+
+    /// Another size: nothing of the old is worth keeping.
+    void restart(Extent size) {
+        signal.reset();
+        output.reset();
+        kept.drop_all();
+        remembered.drop_all();
+        pool = detail::ImagePool(size);
+        empty = true;
+    }
+    static Extent checked(Extent size) {
+        if (size.width > 0 && size.height > 0) return size;
+        throw Error("history size", to_string(size), "give a width and a height of at least one pixel");
+    }
+};
+template <class P>
+History(Extent, P const&) -> History<P>;
+template <class P, class Storage>
+History(Extent, P const&, Storage const&) -> History<P, Storage>;
+
+} // namespace quell

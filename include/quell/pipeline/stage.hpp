@@ -1,0 +1,86 @@
+#pragma once
+
+#include <quell/blend/blend_policy.hpp>
+#include <quell/filter/filter_kernel.hpp>
+#include <quell/motion/history_fetch.hpp>
+
+namespace quell {
+
+/// Accumulates over time: a motion source finds the past, a fetch interpolates it, a blend policy joins it with the present.
+///     Temporal{SurfaceMotion{}, Clamped{RunningMean{.cap = 16}}}
+template <class M, class B, class Fetch = Bilinear>
+struct Temporal {
+    static_assert(MotionSource<M>, "Temporal{motion, blend}: `motion` must have previous(px), see quell/motion/motion_source.hpp");
+    static_assert(BlendPolicy<B>, "Temporal{motion, blend}: `blend` must have blend(px, past), see quell/blend/blend_policy.hpp");
+
+    using reads = reads_of<M, B>;
+    using remembers = remembers_of<M, B>;
+    using keeps = keeps_of<M, B>;
+    static constexpr auto name = "temporal";
+
+    M motion{};
+    B blending{};
+    Fetch fetch{};
+
+    QUELL_KERNEL auto operator()(auto px) const {
+        using Px = decltype(px);
+        auto past = detail::no_past<Px>();
+        if (px.has_past()) past = fetch.fetch(px, motion.previous(px));
+        return without_missing(px, past, detail::as_result(blending.blend(px, past)));
+    }
+
+private:
+    /// Where the host's sample is missing, the past goes on unchanged; where there is no past either, the neighbours' mean stands in and nothing
+    /// is kept, so that the next sample counts fully.
+    template <class Px, class P, class R>
+    QUELL_KERNEL static auto without_missing(Px const& px, P const& past, R const& result) {
+        using Real = typename Px::Real;
+        auto const missing = px.missing();
+        if (!any(missing)) return result;
+        auto const present = past.validity > Real(0.f);
+        auto filled = result;
+        filled.value = select(missing, select(present, past.signal, px.signal()), result.value);
+        for_each_channel(typename Px::Scope::kept_channels{}, [&](auto c) __attribute__((always_inline)) {
+            if constexpr (decltype(result.more)::channels::template has<decltype(c)>)
+                filled.more.set(c, select(missing, select(present, past[c], zero<decltype(past[c])>()), result.more[c]));
+        });
+        return filled;
+    }
+};
+template <class M, class B>
+Temporal(M, B) -> Temporal<M, B>;
+template <class M, class B, class F>
+Temporal(M, B, F) -> Temporal<M, B, F>;
+
+/// Filters over space: Spatial{Atrous{}}.
+template <class F>
+struct Spatial {
+    static_assert(FilterKernel<F>, "Spatial{kernel}: `kernel` must have filter(px) or for_each_pass(pass), see quell/filter/filter_kernel.hpp");
+    using reads = reads_of<F>;
+    using emits = emits_of<F>;
+    F kernel{};
+};
+template <class F>
+Spatial(F) -> Spatial<F>;
+
+namespace detail {
+template <class T>
+inline constexpr bool is_temporal = false;
+template <class M, class B, class F>
+inline constexpr bool is_temporal<Temporal<M, B, F>> = true;
+template <class T>
+inline constexpr bool is_spatial = false;
+template <class F>
+inline constexpr bool is_spatial<Spatial<F>> = true;
+
+/// Calls `visit(pass)` for each pass of a stage.
+template <class Stage, class Visit>
+constexpr void for_each_pass(Stage const& stage, Visit&& visit) {
+    if constexpr (!is_spatial<Stage>) visit(stage);
+    else if constexpr (requires { stage.kernel.for_each_pass(visit); }) stage.kernel.for_each_pass(visit);
+    else visit(stage.kernel);
+}
+
+} // namespace detail
+
+} // namespace quell

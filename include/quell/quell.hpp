@@ -1,0 +1,20 @@
+#pragma once
+
+// Everything that needs GLM and xsimd only. Opt-in: quell/execute/threads.hpp (oneTBB), quell/io/exr.hpp (OpenEXR), quell/metrics/*.hpp.
+
+#include <quell/blend/clamped.hpp>
+#include <quell/blend/exponential.hpp>
+#include <quell/blend/running_mean.hpp>
+#include <quell/blend/with_moments.hpp>
+#include <quell/execute/executor.hpp>
+#include <quell/filter/atrous.hpp>
+#include <quell/filter/variance_guided_atrous.hpp>
+#include <quell/image/borrowed.hpp>
+#include <quell/image/interleaved.hpp>
+#include <quell/image/planar.hpp>
+#include <quell/motion/first_valid.hpp>
+#include <quell/motion/supplied_motion.hpp>
+#include <quell/motion/surface_motion.hpp>
+#include <quell/pipeline/pipeline.hpp>
+#include <quell/pipeline/presets.hpp>
+#include <quell/pipeline/run.hpp>

@@ -1,0 +1,70 @@
+#include "pictures.hpp"
+
+#include <support/png.hpp>
+
+#include <unistd.h>
+
+#include <fstream>
+
+using namespace pictures;
+using namespace quell::examples;
+
+namespace {
+
+/// A file of this process alone, gone at the end of the test.
+struct File {
+    std::filesystem::path path = std::filesystem::temp_directory_path() / ("quell_png_" + std::to_string(::getpid()) + ".png");
+    ~File() { std::filesystem::remove(path); }
+    void hold(std::vector<unsigned char> const& bytes) const {
+        std::ofstream(path, std::ios::binary)
+            .write(reinterpret_cast<char const*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    }
+};
+
+} // namespace
+
+TEST_CASE("png: every 8-bit value comes back as it was") {
+    auto picture = constant({16, 16}, {});
+    for (std::size_t i = 0; i < 256; ++i) picture.pixels[i] = glm::vec3(i, 255 - i, i / 2) / 255.f;
+    File const file;
+    write_png(file.path, picture);
+    auto const back = read_png(file.path);
+    CHECK(back.size == picture.size);
+    CHECK(back.pixels == picture.pixels);
+}
+
+TEST_CASE("png: components are rounded to the nearest of 256 values") {
+    File const file;
+    write_png(file.path, {{1, 1}, {{0.4f / 255.f, 0.6f / 255.f, 254.6f / 255.f}}});
+    CHECK(read_png(file.path).pixels[0] == glm::vec3(0.f, 1.f, 255.f) / 255.f);
+}
+
+TEST_CASE("png: the encoded bytes are the file") {
+    auto const picture = noise({13, 9}, 4);
+    auto const bytes = encode_png(picture);
+    File const file;
+    write_png(file.path, picture);
+    CHECK(std::filesystem::file_size(file.path) == bytes.size());
+    file.hold(bytes);
+    CHECK(read_png(file.path).size == picture.size);
+}
+
+TEST_CASE("png: errors name the file") {
+    auto const picture = noise({13, 9}, 4);
+    CHECK(refuses([] { (void)read_png("/nowhere/at_all.png"); }, {"/nowhere/at_all.png", "can't be read", "No such file"}));
+    CHECK(refuses([] { (void)read_png("/tmp"); }, {"/tmp", "can't be read"}));
+    CHECK(refuses([&] { write_png("/nowhere/at_all.png", picture); }, {"/nowhere/at_all.png", "can't be written", "No such file"}));
+    File const file;
+    auto bytes = encode_png(picture);
+    file.hold({bytes.begin(), bytes.begin() + 40});
+    CHECK(refuses([&] { (void)read_png(file.path); }, {file.path.string(), "isn't a PNG file"}));
+    file.hold({'n', 'o', 'n', 'e'});
+    CHECK(refuses([&] { (void)read_png(file.path); }, {file.path.string(), "isn't a PNG file"}));
+    bytes[bytes.size() / 2] ^= 0x10;
+    file.hold(bytes);
+    CHECK(refuses([&] { (void)read_png(file.path); }, {file.path.string(), "isn't a PNG file"}));
+    auto broken = picture;
+    broken.pixels[14].x = 1.5f;
+    CHECK(refuses([&] { write_png(file.path, broken); }, {file.path.string(), "(1, 1)", "1.5"}));
+    CHECK(refuses([&] { (void)encode_png({}); }, {"0x0"}));
+}
