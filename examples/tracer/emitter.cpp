@@ -1,5 +1,6 @@
 #include "emitter.hpp"
 #include "basis.hpp"
+#include "polygon.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -11,19 +12,10 @@ namespace quell::tracer {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
-constexpr int candidate_count = 8;
-
-/// A convex polygon around the receiver at the origin, of the part above the horizon.
-struct Polygon {
-    std::array<glm::vec3, 5> corners{};
-    int count = 0;
-    void push(glm::vec3 corner) { corners[static_cast<std::size_t>(count++)] = corner; }
-    [[nodiscard]] glm::vec3 operator[](int i) const { return corners[static_cast<std::size_t>(i)]; }
-};
 
 /// Sutherland-Hodgman against the plane of the horizon.
-Polygon above_horizon(Emitter const& emitter, glm::vec3 position, glm::vec3 normal) {
-    Polygon clipped;
+SeenPolygon above_horizon(Emitter const& emitter, glm::vec3 position, glm::vec3 normal) {
+    SeenPolygon clipped;
     for (int i = 0; i < emitter.corner_count; ++i) {
         auto const a = emitter.corners[static_cast<std::size_t>(i)] - position;
         auto const b = emitter.corners[static_cast<std::size_t>((i + 1) % emitter.corner_count)] - position;
@@ -34,13 +26,6 @@ Polygon above_horizon(Emitter const& emitter, glm::vec3 position, glm::vec3 norm
     return clipped;
 }
 
-/// One edge's part of Lambert's formula: the angle that it subtends times the cosine of its plane.
-float edge_term(glm::vec3 a, glm::vec3 b, glm::vec3 normal) {
-    auto const cross = glm::cross(a, b);
-    float const length = glm::length(cross);
-    return length > 0 ? std::atan2(length, glm::dot(a, b)) / length * glm::dot(cross, normal) : 0.f;
-}
-
 bool shows_its_dark_side(Emitter const& emitter, glm::vec3 position) {
     auto const normal = glm::cross(emitter.corners[1] - emitter.corners[0], emitter.corners[2] - emitter.corners[0]);
     return !emitter.both_sides && glm::dot(normal, position - emitter.corners[0]) <= 0;
@@ -48,7 +33,8 @@ bool shows_its_dark_side(Emitter const& emitter, glm::vec3 position) {
 
 float polygon_irradiance(Emitter const& emitter, glm::vec3 position, glm::vec3 normal) {
     if (shows_its_dark_side(emitter, position)) return 0;
-    auto const polygon = above_horizon(emitter, position, normal);
+    auto polygon = above_horizon(emitter, position, normal);
+    for (auto& corner : polygon.corners) corner = glm::normalize(corner);
     float sum = 0;
     for (int i = 0; i < polygon.count; ++i) sum += edge_term(polygon[i], polygon[(i + 1) % polygon.count], normal);
     return std::abs(sum) * 0.5f;
@@ -66,29 +52,32 @@ float sphere_irradiance(Emitter const& emitter, glm::vec3 position, glm::vec3 no
     return glm::max(0.f, (cosine * std::acos(y) - cotangent_cap * chord) * sine2 + std::atan2(chord, cotangent_cap));
 }
 
-/// Directions uniform over a spherical triangle (Arvo, "Stratified sampling of spherical triangles", 1995).
+/// Directions uniform over a spherical triangle with these unit vectors as corners (Arvo, "Stratified sampling of spherical triangles",
+/// 1995; its solid angle by Van Oosterom and Strackee, 1983).
 class SphericalTriangle {
   public:
-    SphericalTriangle(glm::vec3 a_, glm::vec3 b_, glm::vec3 c_) : a(glm::normalize(a_)), b(glm::normalize(b_)), c(glm::normalize(c_)) {
-        auto const ab = glm::cross(a, b), bc = glm::cross(b, c), ca = glm::cross(c, a);
-        alpha = angle(ab, -ca);
-        solid_angle = alpha + angle(bc, -ab) + angle(ca, -bc) - pi;
+    SphericalTriangle(glm::vec3 a_, glm::vec3 b_, glm::vec3 c_) : a(a_), b(b_), c(c_), towards_c(away(c_, a_)), cosine_ab(glm::dot(a_, b_)) {
+        auto const ab = glm::cross(a, b), ac = glm::cross(a, c);
+        float const volume = std::abs(glm::dot(ab, c));
+        solid_angle = 2 * std::atan2(volume, 1 + cosine_ab + glm::dot(b, c) + glm::dot(c, a));
+        alpha = std::atan2(volume, glm::dot(ab, ac));
+        float const scale = 1 / std::sqrt(glm::dot(ab, ab) * glm::dot(ac, ac));
+        sine_alpha = volume * scale, cosine_alpha = glm::dot(ab, ac) * scale;
     }
 
     [[nodiscard]] glm::vec3 direction(glm::vec2 random) const {
         float const part = random.x * solid_angle - alpha, s = std::sin(part), t = std::cos(part);
-        float const cosine_alpha = std::cos(alpha), sine_alpha = std::sin(alpha);
-        float const u = t - cosine_alpha, v = s + sine_alpha * glm::dot(a, b);
+        float const u = t - cosine_alpha, v = s + sine_alpha * cosine_ab;
         float const q = glm::clamp(((v * t - u * s) * cosine_alpha - v) / ((v * s + u * t) * sine_alpha), -1.f, 1.f);
-        auto const on_edge = q * a + std::sqrt(1 - q * q) * away(c, a);
+        auto const on_edge = q * a + std::sqrt(1 - q * q) * towards_c;
         float const z = 1 - random.y * (1 - glm::dot(on_edge, b));
         return z * b + std::sqrt(glm::max(0.f, 1 - z * z)) * away(on_edge, b);
     }
+    [[nodiscard]] glm::vec3 corner_cosines(glm::vec3 normal) const { return {glm::dot(a, normal), glm::dot(b, normal), glm::dot(c, normal)}; }
 
     float solid_angle;
 
   private:
-    static float angle(glm::vec3 x, glm::vec3 y) { return std::atan2(glm::length(glm::cross(x, y)), glm::dot(x, y)); }
     /// The unit direction of x seen from y, at right angles to y.
     static glm::vec3 away(glm::vec3 x, glm::vec3 y) {
         auto const part = x - glm::dot(x, y) * y;
@@ -96,8 +85,8 @@ class SphericalTriangle {
         return length2 > 1e-20f ? part / std::sqrt(length2) : glm::vec3{0.f};
     }
 
-    glm::vec3 a, b, c;
-    float alpha;
+    glm::vec3 a, b, c, towards_c;
+    float alpha, cosine_alpha, sine_alpha, cosine_ab;
 };
 
 struct Candidate {
@@ -106,14 +95,15 @@ struct Candidate {
 };
 
 /// Resampled importance sampling (Talbot et al. 2005) among the points of a rank-1 lattice that random numbers shift: well spread
-/// candidates leave next to no bias. `choice` stays uniform for the next use as it is narrowed down.
+/// candidates leave next to no bias, the fewer are needed the less their weights differ. `choice` stays uniform as it is narrowed down.
 template <class Propose>
-glm::vec3 resampled(Propose const& propose, glm::vec2 random, float choice) {
-    Candidate chosen{propose(random).offset, 0};
+glm::vec3 resampled(Propose const& propose, int count, glm::vec2 random, float choice) {
+    Candidate chosen{glm::vec3{0.f}, 0};
     float sum = 0;
-    for (int i = 0; i < candidate_count; ++i) {
-        float const j = static_cast<float>(i) / candidate_count;
+    for (int i = 0; i < count; ++i) {
+        float const j = static_cast<float>(i) / static_cast<float>(count);
         auto const candidate = propose(glm::fract(random + glm::vec2(j, 5 * j)));
+        if (i == 0) chosen.offset = candidate.offset;
         if (!(candidate.weight > 0)) continue;
         sum += candidate.weight;
         float const share = candidate.weight / sum;
@@ -123,11 +113,13 @@ glm::vec3 resampled(Propose const& propose, glm::vec2 random, float choice) {
     return chosen.offset;
 }
 
+int candidate_count(float least_cosine, float largest_cosine) { return least_cosine > 0.6f * largest_cosine ? 4 : 8; }
+
 /// Below this solid angle rounding spoils Arvo's method, while weights of points uniform in area hardly vary.
 constexpr float small_solid_angle = 0.01f;
 
 glm::vec3 sample_triangle(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 normal, glm::vec2 random, float choice) {
-    SphericalTriangle const seen{a, b, c};
+    SphericalTriangle const seen{glm::normalize(a), glm::normalize(b), glm::normalize(c)};
     auto const plane = glm::cross(b - a, c - a);
     auto const by_direction = [&](glm::vec2 uv) {
         auto const direction = seen.direction(uv);
@@ -140,20 +132,21 @@ glm::vec3 sample_triangle(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 norma
         float const distance2 = glm::dot(offset, offset);
         return Candidate{offset, glm::dot(offset, normal) * std::abs(glm::dot(offset, plane)) / (distance2 * distance2)};
     };
-    if (seen.solid_angle > small_solid_angle) return resampled(by_direction, random, choice);
-    return resampled(by_area, random, choice);
-}
-
-float triangle_irradiance(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 normal) {
-    return std::abs(edge_term(a, b, normal) + edge_term(b, c, normal) + edge_term(c, a, normal));
+    auto const cosines = seen.corner_cosines(normal);
+    int const count = candidate_count(glm::min(cosines.x, glm::min(cosines.y, cosines.z)), glm::max(cosines.x, glm::max(cosines.y, cosines.z)));
+    if (seen.solid_angle > small_solid_angle) return resampled(by_direction, count, random, choice);
+    return resampled(by_area, count, random, choice);
 }
 
 /// The visible part is a fan of triangles; one is chosen by its exact irradiance.
-glm::vec3 sample_polygon(Polygon const& polygon, glm::vec3 normal, glm::vec2 random, float choice) {
+glm::vec3 sample_polygon(SeenPolygon const& polygon, glm::vec3 normal, glm::vec2 random, float choice) {
+    auto unit = polygon;
+    for (auto& corner : unit.corners) corner = glm::normalize(corner);
     float sum = 0;
     int chosen = 1;
     for (int i = 1; i + 1 < polygon.count; ++i) {
-        float const weight = triangle_irradiance(polygon[0], polygon[i], polygon[i + 1], normal);
+        float const edges = edge_term(unit[0], unit[i], normal) + edge_term(unit[i], unit[i + 1], normal);
+        float const weight = std::abs(edges + edge_term(unit[i + 1], unit[0], normal));
         if (!(weight > 0)) continue;
         sum += weight;
         float const share = weight / sum;
@@ -169,14 +162,15 @@ glm::vec3 sample_sphere(Emitter const& emitter, glm::vec3 position, glm::vec3 no
     auto const axis = offset / distance;
     Basis const basis{axis};
     float const cap = sine2 < 1e-4f ? sine2 / 2 : 1 - std::sqrt(1 - sine2);
+    float const cosine = glm::dot(axis, normal), sine = std::sqrt(sine2);
     return resampled(
         [&](glm::vec2 uv) {
-            float const below = uv.x * cap, cosine = 1 - below, sine = std::sqrt(below * (2 - below)), turn = 2 * pi * uv.y;
-            auto const direction = basis.world({sine * std::cos(turn), sine * std::sin(turn), cosine});
-            float const chord2 = emitter.radius * emitter.radius - distance * distance * sine * sine;
-            return Candidate{direction * (distance * cosine - std::sqrt(glm::max(0.f, chord2))), glm::dot(direction, normal)};
+            float const below = uv.x * cap, z = 1 - below, radius = std::sqrt(below * (2 - below)), turn = 2 * pi * uv.y;
+            auto const direction = basis.world({radius * std::cos(turn), radius * std::sin(turn), z});
+            float const chord2 = emitter.radius * emitter.radius - distance * distance * radius * radius;
+            return Candidate{direction * (distance * z - std::sqrt(glm::max(0.f, chord2))), glm::dot(direction, normal)};
         },
-        random, choice);
+        candidate_count(cosine - sine, cosine + sine), random, choice);
 }
 
 } // namespace

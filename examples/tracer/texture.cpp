@@ -1,7 +1,6 @@
 #include "texture.hpp"
 
 #include <glm/common.hpp>
-#include <glm/vec3.hpp>
 
 #include <array>
 #include <cmath>
@@ -28,7 +27,7 @@ glm::vec4 decoded(glm::u8vec4 texel, Encoding encoding) {
     return {table[texel.r], table[texel.g], table[texel.b], linear[texel.a]};
 }
 
-glm::u8 code(float x) { return static_cast<glm::u8>(std::lround(glm::clamp(x, 0.f, 1.f) * 255.f)); }
+glm::u8vec4::value_type code(float x) { return static_cast<glm::u8vec4::value_type>(std::lround(glm::clamp(x, 0.f, 1.f) * 255.f)); }
 
 glm::u8vec4 encoded(glm::vec4 colour, Encoding encoding) {
     if (encoding == Encoding::srgb)

@@ -2,18 +2,17 @@
 
 #include <support/png.hpp>
 
-#include <unistd.h>
-
 #include <fstream>
+#include <random>
 
 using namespace pictures;
 using namespace quell::examples;
 
 namespace {
 
-/// A file of this process alone, gone at the end of the test.
+/// A file of this test alone, gone at the end of the test.
 struct File {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / ("quell_png_" + std::to_string(::getpid()) + ".png");
+    std::filesystem::path path = std::filesystem::temp_directory_path() / ("quell_png_" + std::to_string(std::random_device{}()) + ".png");
     ~File() { std::filesystem::remove(path); }
     void hold(std::vector<unsigned char> const& bytes) const {
         std::ofstream(path, std::ios::binary)

@@ -47,8 +47,14 @@ async function open_page(browser, name, options = {}) {
     page.on("console", message => { if (["error", "warning"].includes(message.type())) problems.push(message.text()); });
     page.on("request", request => { if (!/^(file|data):/.test(request.url())) problems.push(`request: ${request.url()}`); });
     await page.goto(pathToFileURL(join(folder, name)).href);
-    await page.waitForTimeout(250);
+    await page.waitForFunction(() => document.querySelector("#stage").hidden || document.querySelector("#frame-label b"));
+    await drawn(page);
     return {page, problems};
+}
+
+/// Waits until what was done so far is on the screen: the page draws before the next refresh.
+function drawn(page) {
+    return page.evaluate(() => new Promise(resolve => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 }
 
 async function picture_of_page(page, name) {
@@ -108,10 +114,10 @@ async function check_zoom(page) {
     // Away from the middle, which lies between two pixels and so may round to either.
     const point = {x: view.left + view.width * 0.3, y: view.y + 31};
     await page.mouse.move(point.x, point.y);
-    await page.waitForTimeout(50);
+    await drawn(page);
     const before = await text_of(page, "#pixel");
     for (let i = 0; i < 4; ++i) await page.mouse.wheel(0, -240);
-    await page.waitForTimeout(100);
+    await drawn(page);
     assert.ok(await level() > 3 * fit, "the wheel zooms in");
     assert.equal(await text_of(page, "#pixel"), before, "what is under the pointer stays there");
     await picture_of_page(page, "zoomed");
@@ -120,12 +126,13 @@ async function check_zoom(page) {
     await page.mouse.down();
     await page.mouse.move(point.x + 120, point.y + 40, {steps: 3});
     await page.mouse.up();
+    await drawn(page);
     assert.equal(await text_of(page, "#pixel"), before, "dragging takes the picture along");
     await page.keyboard.press("0");
-    await page.waitForTimeout(50);
+    await drawn(page);
     assert.equal(await level(), fit, "0 shows the whole picture again");
     await page.click("#zoom-one");
-    await page.waitForTimeout(50);
+    await drawn(page);
     assert.equal(await level(), 100);
     await page.click("#zoom-fit");
 }

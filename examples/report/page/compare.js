@@ -35,7 +35,12 @@ class CompareView {
     }
 
     sides_changed() {
-        for (const side of ["left", "right"]) by_id(`${side}-kind`).value = String(this.sides[side]);
+        for (const side of ["left", "right"]) {
+            const kind = this.kinds[this.sides[side]];
+            by_id(`${side}-kind`).value = String(this.sides[side]);
+            by_id(`scale-${side}`).hidden = !kind.scale;
+            by_id(`scale-${side}`).replaceChildren(...(kind.scale ? [make_scale(kind.scale)] : []));
+        }
         this.describe_divider();
         this.on_choice(this.sides);
         this.viewport.changed();
@@ -61,13 +66,12 @@ class CompareView {
 
     press_key(event) {
         const step = event.shiftKey ? 0.1 : 0.01;
-        const targets = {
-            ArrowLeft: this.position - step, ArrowDown: this.position - step, ArrowRight: this.position + step, ArrowUp: this.position + step,
-            PageDown: this.position - 0.1, PageUp: this.position + 0.1, Home: 0, End: 1,
+        const moves = {
+            ArrowLeft: -step, ArrowDown: -step, ArrowRight: step, ArrowUp: step, PageDown: -0.1, PageUp: 0.1, Home: -1, End: 1,
         };
-        if (!(event.key in targets)) return;
+        if (!(event.key in moves)) return;
         event.preventDefault();
-        this.move_divider(targets[event.key]);
+        this.move_divider(this.position + moves[event.key]);
     }
 
     move_divider(position) {
@@ -105,6 +109,7 @@ class CompareView {
         const {left, right} = this.sides;
         draw_layer(target, this.viewport, box, this.pictures[left], this.absence, 0, split);
         draw_layer(target, this.viewport, box, this.pictures[right], this.absence, split, target.width);
+        draw_marker(target, this.viewport, box, this.element);
         by_id("zoom-level").value = `${Math.round(this.viewport.placement(box).scale * target.ratio * 100)} %`;
     }
 }

@@ -29,7 +29,7 @@ class Gestures {
         const factor = Math.exp(clamp(-event.deltaY * unit * speed, -0.7, 0.7));
         const point = point_in(this.element, event);
         this.viewport.zoom_at(box_of(this.element), point, factor);
-        this.viewport.point_at(box_of(this.element), point);
+        this.viewport.point_at(this.element, point);
     }
 
     press(event) {
@@ -46,7 +46,7 @@ class Gestures {
             this.drag(event.pointerId, before, point);
             this.pointers.set(event.pointerId, point);
         }
-        if (event.pointerType === "mouse" || before) this.viewport.point_at(box_of(this.element), point);
+        if (event.pointerType === "mouse" || before) this.viewport.point_at(this.element, point);
     }
 
     drag(id, before, point) {

@@ -31,10 +31,11 @@ function draw_bitmap(context, ratio, viewport, box, bitmap) {
     // Smoothing helps pictures that are made smaller; where a pixel is seen as a square, it would hide what was rendered.
     context.imageSmoothingEnabled = scale < 1 || (scale > 1 && scale < 2);
     context.imageSmoothingQuality = "high";
-    // Whole pixels as the corner: else even an unscaled picture would be blurred.
-    const x = Math.round(place.x * ratio);
-    const y = Math.round(place.y * ratio);
-    context.drawImage(bitmap, x, y, viewport.size.width * scale, viewport.size.height * scale);
+    // Whole pixels as the corners: else even an unscaled picture would be blurred, and one that fits would leave a dim seam.
+    const [left, top] = [Math.round(place.x * ratio), Math.round(place.y * ratio)];
+    const right = Math.round(place.x * ratio + viewport.size.width * scale);
+    const bottom = Math.round(place.y * ratio + viewport.size.height * scale);
+    context.drawImage(bitmap, left, top, right - left, bottom - top);
 }
 
 function draw_absence(context, ratio, absence, from, to, height) {
@@ -45,9 +46,9 @@ function draw_absence(context, ratio, absence, from, to, height) {
     if (to - from > 60 * ratio) context.fillText(absence, (from + to) / 2, height / 2, to - from - 12 * ratio);
 }
 
-/// Outlines the pixel that the pointer is at.
-function draw_marker(target, viewport, box) {
-    if (!viewport.pointed) return;
+/// Outlines the pixel that the pointer is at, in the other views than the one with the pointer.
+function draw_marker(target, viewport, box, view) {
+    if (!viewport.pointed || viewport.pointed.view === view) return;
     const {context, ratio} = target;
     const place = viewport.placement(box);
     const side = Math.max(place.scale, 7);

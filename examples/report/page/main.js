@@ -14,6 +14,7 @@ class Page {
         this.set_up_text();
         this.set_up_zoom();
         document.addEventListener("keydown", event => this.press_key(event));
+        document.body.classList.toggle("one-kind", report.kinds.length === 1);
         if (!report.kinds.length || !report.frames.length) this.hide_pictures();
         else this.compare.sides_changed();
         if (report.frames.length) this.show.go_to(0);
@@ -32,7 +33,7 @@ class Page {
 
     set_up_zoom() {
         const {width, height} = this.report.size;
-        document.documentElement.style.setProperty("--aspect", `${width} / ${height}`);
+        document.documentElement.style.setProperty("--shape", String(height / width));
         by_id("zoom-in").addEventListener("click", () => this.zoom_by(1.5));
         by_id("zoom-out").addEventListener("click", () => this.zoom_by(1 / 1.5));
         by_id("zoom-fit").addEventListener("click", () => this.viewport.zoom_to(1));
@@ -79,7 +80,7 @@ class Page {
         const {plot, frame} = this;
         this.compare.label(name => {
             const value = frame ? plot.value_of(name, frame.number) : null;
-            return is_number(value) ? `${plot.metric.name} ${format_value(value)}` : "";
+            return is_number(value) ? `${plot.metric.name} ${format_reading(value)}` : "";
         });
     }
 

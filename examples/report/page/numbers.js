@@ -11,6 +11,12 @@ function format_value(value) {
     return size >= 1000 ? value.toFixed(0) : String(Number(value.toPrecision(4)));
 }
 
+/// The same with as many digits for every value, so that values under one another compare at a glance.
+function format_reading(value) {
+    const size = Math.abs(value);
+    return is_number(value) && size >= 0.0001 && size < 1000 ? value.toPrecision(3) : format_value(value);
+}
+
 /// Round numbers from low to high, about count of them.
 function round_ticks(low, high, count, whole) {
     const rough = (high - low) / Math.max(count, 1);

@@ -14,7 +14,7 @@ class Pane {
         this.buttons = {left: this.make_button("left", index, on_choice), right: this.make_button("right", index, on_choice)};
         const name = make("span", {class: "pane-name", title: kind.description || kind.name}, kind.name);
         const head = make("div", {class: "pane-head"}, name, this.buttons.left, this.buttons.right);
-        this.element = make("figure", {class: "pane", style: "margin: 0"}, head, this.view);
+        this.element = make("figure", {class: "pane"}, head, this.view);
         new Gestures(this.view, viewport);
     }
 
@@ -29,7 +29,7 @@ class Pane {
         const target = begin_canvas(this.canvas);
         const box = box_of(this.view);
         draw_layer(target, this.viewport, box, this.bitmap, this.absence, 0, target.width);
-        draw_marker(target, this.viewport, box);
+        draw_marker(target, this.viewport, box, this.view);
         this.show_value();
     }
 
@@ -68,16 +68,4 @@ class Panes {
         const {pointed} = this.viewport;
         by_id("pixel").textContent = pointed ? `pixel ${pointed.x}, ${pointed.y} · 8-bit sRGB` : "point at a picture to read its pixels";
     }
-}
-
-/// The kinds' colour scales, each once, since several error maps mostly share one.
-function distinct_scales(kinds) {
-    const scales = kinds.map(kind => kind.scale).filter(scale => scale);
-    return [...new Map(scales.map(scale => [JSON.stringify(scale), scale])).values()];
-}
-
-function make_scale(scale) {
-    const bar = make("span", {class: "bar"});
-    bar.style.background = `linear-gradient(90deg, ${scale.colors.join(", ")})`;
-    return make("div", {class: "scale"}, scale.label, make("span", {}, format_value(scale.low)), bar, make("span", {}, format_value(scale.high)));
 }

@@ -22,7 +22,7 @@ class ErrorPlot {
         const select = by_id("metric");
         fill_select(select, this.metrics.map(metric => metric.name));
         select.hidden = this.metrics.length < 2;
-        by_id("metric-name").textContent = this.metrics.length < 2 ? `${this.metric.name} per frame` : "per frame:";
+        by_id("metric-name").textContent = this.metrics.length < 2 ? `${this.metric.name} per frame` : "per frame";
         select.addEventListener("change", () => {
             this.metric = this.metrics[Number(select.value)];
             this.draw();
@@ -38,7 +38,8 @@ class ErrorPlot {
 
     number_under(event) {
         const number = this.axes.number_at(point_in(this.svg, event).x);
-        const known = [...this.metric.series.flatMap(series => series.points.map(point => point[0])), ...this.frames.map(frame => frame.number)];
+        const measured = this.metric.series.flatMap(series => series.points.map(point => point[0]));
+        const known = [...measured, ...this.frames.map(frame => frame.number)];
         return known.reduce((best, one) => Math.abs(one - number) < Math.abs(best - number) ? one : best);
     }
 
@@ -72,7 +73,8 @@ class ErrorPlot {
         if (this.frames.length >= covered) return;
         for (const {number} of this.frames) {
             const x = this.axes.x(number);
-            this.svg.append(make_in(this.svg, "line", {class: "has-picture", x1: x, x2: x, y1: this.axes.bottom - 5, y2: this.axes.bottom}));
+            const place = {x1: x, x2: x, y1: this.axes.bottom - 5, y2: this.axes.bottom};
+            this.svg.append(make_in(this.svg, "line", {class: "has-picture", ...place}));
         }
     }
 
@@ -119,7 +121,8 @@ class ErrorPlot {
         const entries = this.metric.series.map(series => {
             const mark = make("i");
             mark.style.background = this.colors.get(series.name);
-            return make("span", {class: "entry"}, mark, series.name, " ", make("b", {}, format_value(this.value_of(series.name, number))));
+            const value = make("b", {}, format_reading(this.value_of(series.name, number)));
+            return make("span", {class: "entry"}, mark, series.name, " ", value);
         });
         const at = number === null ? "" : `frame ${number}`;
         by_id("readout").replaceChildren(make("span", {class: "at"}, at), ...entries);

@@ -21,7 +21,7 @@ class PlotAxes {
         const label_width = Math.max(...this.y_ticks.map(tick => format_value(tick).length));
         this.left = 30 + 6.6 * label_width;
         this.right = this.width - 10;
-        this.top = 10;
+        this.top = 14;
         this.bottom = this.height - 36;
     }
 

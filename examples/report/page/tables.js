@@ -4,7 +4,8 @@ function make_table(table) {
     const numeric = table.columns.map((_, i) => i > 0 && table.rows.every(row => /^[-+–]?\d|^[–-]?$/.test(row[i])));
     const style = i => numeric[i] ? {class: "number"} : {};
     const head = make("tr", {}, ...table.columns.map((name, i) => make("th", {scope: "col", ...style(i)}, name)));
-    const rows = table.rows.map(row => make("tr", {}, ...row.map((cell, i) => i ? make("td", style(i), cell) : make("th", {scope: "row"}, cell))));
+    const make_cell = (cell, i) => i ? make("td", style(i), cell) : make("th", {scope: "row"}, cell);
+    const rows = table.rows.map(row => make("tr", {}, ...row.map(make_cell)));
     const frame = make("div", {class: "table-frame"}, make("table", {}, make("thead", {}, head), make("tbody", {}, ...rows)));
     return make("section", {class: "card"}, make("h2", {}, table.caption), frame);
 }

@@ -60,12 +60,14 @@ class Viewport {
         this.center.y = clamp(this.center.y, half_y, 1 - half_y);
     }
 
-    point_at(box, point) {
+    /// Tells all views which pixel the pointer is at in one of them.
+    point_at(view, point) {
+        const box = box_of(view);
         const place = this.placement(box);
         const x = Math.floor((point.x - place.x) / place.scale);
         const y = Math.floor((point.y - place.y) / place.scale);
         const inside = x >= 0 && y >= 0 && x < this.size.width && y < this.size.height;
-        this.pointed = inside ? {x, y} : null;
+        this.pointed = inside ? {x, y, view} : null;
         this.changed();
     }
 

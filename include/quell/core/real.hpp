@@ -168,6 +168,15 @@ QUELL_KERNEL Real exp(Real a) {
     return p * from_bits((truncate(n) + Index<Real>(127)) << 23);
 }
 
+/// 1 / a for positive a that is not denormal, relative error under 0.2 %, in three operations: for weights, where a division would be the slowest
+/// part of a tap. An integer subtraction negates the exponent, one tuned Newton step does the rest; the same bits on every machine, which the
+/// processor's own estimate does not give.
+template <class Real>
+QUELL_KERNEL Real approximate_reciprocal(Real a) {
+    auto const guess = from_bits(Index<Real>(0x7ef33000) - bits(a));
+    return guess * (2.001f - a * guess);
+}
+
 /// a^32 by five squarings.
 template <class Real>
 QUELL_KERNEL Real power_of_32(Real a) {

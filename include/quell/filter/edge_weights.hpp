@@ -16,7 +16,7 @@ struct DepthEdge {
         Real z, slope_x, slope_y, floor;
         QUELL_KERNEL Real root(auto near, int dx, int dy) const {
             auto const along = abs(slope_x * static_cast<float>(dx) + slope_y * static_cast<float>(dy));
-            return detail::root_of_exp(abs(near[depth] - z) / (along + floor));
+            return detail::root_of_exp(abs(near[depth] - z) * approximate_reciprocal(along + floor));
         }
     };
     QUELL_KERNEL auto around(auto px) const {

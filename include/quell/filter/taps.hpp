@@ -10,14 +10,22 @@ namespace quell {
 template <int radius, class Px, class Body>
 QUELL_KERNEL void for_each_tap(Px const& px, int step, float const (&profile)[radius + 1], Body&& body) {
     using Real = typename Px::Real;
+    // What depends on the column is worked out once, not once a row; unrolled, its addresses become constants of the row.
+    constexpr auto columns = std::make_integer_sequence<int, 2 * radius + 1>{};
     Real across[2 * radius + 1];
-    for (int i = -radius; i <= radius; ++i)
-        across[i + radius] = select(px.at(i * step, 0).inside(), Real(profile[i < 0 ? -i : i]), Real(0.f));
+    int column[2 * radius + 1];
+    [&]<int... i>(std::integer_sequence<int, i...>) __attribute__((always_inline)) {
+        ((across[i] = select(px.at((i - radius) * step, 0).inside(), Real(profile[i < radius ? radius - i : i - radius]), Real(0.f)),
+          column[i] = px.at((i - radius) * step, 0).x),
+         ...);
+    }(columns);
     for (int j = -radius; j <= radius; ++j) {
         int const row = px.y + j * step;
         if (row < 0 || row >= px.size().height) continue;
-        for (int i = -radius; i <= radius; ++i)
-            body(px.at(i * step, j * step), across[i + radius] * profile[j < 0 ? -j : j], i * step, j * step);
+        float const down = profile[j < 0 ? -j : j];
+        [&]<int... i>(std::integer_sequence<int, i...>) __attribute__((always_inline)) {
+            (body(Px{px.scope, column[i], row}, across[i] * down, (i - radius) * step, j * step), ...);
+        }(columns);
     }
 }
 

@@ -65,18 +65,18 @@ struct Pixel {
     QUELL_KERNEL auto operator[](C c) const {
         constexpr bool made = S::made_channels::template has<C>, given = S::frame_channels::template has<C>;
         static_assert(made || given, "a policy looks at a channel that it does not list: add the channel to its `reads`");
-        if constexpr (made) return detail::load_pixels<R>(scope.made.view(c), x, y);
-        else if constexpr (given) return detail::load_pixels<R>(scope.frame.view(c), x, y);
+        if constexpr (made) return load(scope.made.view(c));
+        else if constexpr (given) return load(scope.frame.view(c));
     }
     /// The value, here, of the signal being denoised. Always finite and not negative; a missing sample shows what its neighbours suggest.
     QUELL_KERNEL Signal signal() const {
-        auto const v = detail::load_pixels<R>(scope.signal, x, y);
+        auto const v = load(scope.signal);
         if constexpr (S::marks_missing) return clear_mark(v);
         else return v;
     }
     /// True where the host's sample was not usable (NaN, infinite, negative): it must weigh nothing. Known to the first stage only.
     QUELL_KERNEL auto missing() const {
-        if constexpr (S::marks_missing) return sign_bit(component<0>(detail::load_pixels<R>(scope.signal, x, y)));
+        if constexpr (S::marks_missing) return sign_bit(component<0>(load(scope.signal)));
         else return Real(0.f) != Real(0.f);
     }
     /// The pixel at an offset from here. Rows outside the image repeat the border; columns outside give finite values of no meaning:
@@ -113,6 +113,11 @@ struct Pixel {
     }
 
 private:
+    /// Every image of a pass has the pass's size; saying so lets the compiler use one address computation for all of them.
+    QUELL_KERNEL auto load(auto view) const {
+        view.size = scope.size;
+        return detail::load_pixels<R>(view, x, y);
+    }
     /// As far outside as a pack may reach: there, no lane is inside any more, so it does not matter where it reads.
     QUELL_KERNEL int column(int i) const {
         int const low = -width_of<Real>, high = scope.size.width;
@@ -145,7 +150,8 @@ struct PastPixel {
 private:
     /// Most packs land on neighbours in one row (still or panning camera): one load a component instead of a gather.
     template <class View>
-    QUELL_KERNEL auto fetch(View const& view) const {
+    QUELL_KERNEL auto fetch(View view) const {
+        view.size = scope.size;
         if constexpr (width_of<Real> > 1) {
             int const x = lane(column, 0), y = lane(row, 0);
             auto const astray = abs(to_real(column - (Index<Real>(x) + truncate(lanes<Real>())))) + abs(to_real(row - Index<Real>(y)));

@@ -12,7 +12,8 @@ namespace quell::detail {
 /// padding of a row is what lies left of the next. It is zero and stays zero.
 inline constexpr int padding = 16;
 
-/// A view of pixels at regular distances: planar with `pixel_step` 1, interleaved with `pixel_step` N.
+/// A view of pixels at regular distances: planar with `pixel_step` 1, interleaved with `pixel_step` N. The strides follow from the size, so
+/// that a kernel which reads many images of one size computes each address once (see Pixel).
 template <class Format, int N, int pixel_step>
 struct StridedView {
     using Element = typename Format::Element;
@@ -20,8 +21,16 @@ struct StridedView {
 
     Element* data = nullptr; ///< component 0 of pixel (0, 0)
     Extent size;
-    std::ptrdiff_t row_stride = 0;       ///< from a pixel to the one below, in elements
-    std::ptrdiff_t component_stride = 0; ///< from a component to the next, in elements
+
+    /// From a pixel to the one below, in elements.
+    QUELL_KERNEL std::ptrdiff_t row_stride() const {
+        return (static_cast<std::ptrdiff_t>(size.width + padding - 1) / padding * padding + padding) * pixel_step;
+    }
+    /// From a component to the next, in elements.
+    QUELL_KERNEL std::ptrdiff_t component_stride() const { return pixel_step > 1 ? 1 : row_stride() * size.height + padding; }
+    QUELL_KERNEL std::ptrdiff_t elements() const {
+        return (pixel_step > 1 ? row_stride() * size.height + padding * N : component_stride() * N) + padding * pixel_step;
+    }
 
     QUELL_KERNEL float get(int c, int x, int y) const { return Format::get(at(c, x, y)); }
     QUELL_KERNEL void set(int c, int x, int y, float a) const { Format::set(at(c, x, y), a); }
@@ -32,9 +41,9 @@ struct StridedView {
     }
     template <class Real>
     QUELL_KERNEL Value<N, Real> gather(Index<Real> x, Index<Real> y) const {
-        auto const offset = y * Index<Real>(static_cast<std::int32_t>(row_stride)) + x * Index<Real>(pixel_step);
+        auto const offset = y * Index<Real>(static_cast<std::int32_t>(row_stride())) + x * Index<Real>(pixel_step);
         return make_value<N, Real>([&](auto c) __attribute__((always_inline)) {
-            return Format::template gather<Real>(data + c * component_stride, offset);
+            return Format::template gather<Real>(data + c * component_stride(), offset);
         });
     }
     template <class Real>
@@ -46,7 +55,7 @@ struct StridedView {
     }
 
 private:
-    QUELL_KERNEL Element* at(int c, int x, int y) const { return data + c * component_stride + y * row_stride + x * pixel_step; }
+    QUELL_KERNEL Element* at(int c, int x, int y) const { return data + (c * component_stride() + y * row_stride() + x * pixel_step); }
     template <class Real>
     QUELL_KERNEL static Real pack(Element const* p) {
         if constexpr (pixel_step == 1 || width_of<Real> == 1) return Format::template load<Real>(p);
@@ -62,22 +71,18 @@ class StridedImage {
         void operator()(Element* p) const { ::operator delete[](p, std::align_val_t{64}); }
     };
     std::unique_ptr<Element[], Free> memory;
-    std::ptrdiff_t row_stride = 0, component_stride = 0;
     Extent extent;
 
 public:
     static constexpr int components = N;
-    using View = StridedView<Format, N, interleaved ? N : 1>;
+    static constexpr int step = interleaved ? N : 1;
+    using View = StridedView<Format, N, step>;
 
     explicit StridedImage(Extent size = {}) : extent(size) {
-        constexpr int step = interleaved ? N : 1;
-        row_stride = std::ptrdiff_t{(size.width + padding - 1) / padding * padding + padding} * step;
-        component_stride = interleaved ? 1 : row_stride * size.height + padding;
-        auto const n = elements();
-        memory.reset(static_cast<Element*>(::operator new[](n * sizeof(Element), std::align_val_t{64})));
-        std::uninitialized_value_construct_n(memory.get(), n);
+        memory.reset(static_cast<Element*>(::operator new[](bytes(), std::align_val_t{64})));
+        std::uninitialized_value_construct_n(memory.get(), elements());
     }
-    [[nodiscard]] View view() const { return {memory.get() + padding * (interleaved ? N : 1), extent, row_stride, component_stride}; }
+    [[nodiscard]] View view() const { return {memory.get() + padding * step, extent}; }
     [[nodiscard]] Extent size() const { return extent; }
     [[nodiscard]] std::size_t bytes() const { return elements() * sizeof(Element); }
 
@@ -85,10 +90,7 @@ public:
     void set(int x, int y, Value<N, float> const& value) { view().template store<float>(x, y, value); }
 
 private:
-    [[nodiscard]] std::size_t elements() const {
-        auto const planes = interleaved ? row_stride * extent.height + padding * N : component_stride * N;
-        return static_cast<std::size_t>(planes + padding * (interleaved ? N : 1));
-    }
+    [[nodiscard]] std::size_t elements() const { return static_cast<std::size_t>(View{nullptr, extent}.elements()); }
 };
 
 } // namespace quell::detail

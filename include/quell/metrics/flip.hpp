@@ -151,7 +151,7 @@ struct Features {
     Plane<float> edges, points;
 };
 
-/// Taps<float> that make features: a Gaussian and its first two derivatives, whose positive and whose negative weights sum to 1 and to -1.
+/// Filters that make features: a Gaussian and its first two derivatives, whose positive and whose negative weights sum to 1 and to -1.
 struct FeatureTaps {
     Taps<float> smooth, first, second;
 };
@@ -196,7 +196,7 @@ inline float feature_error(Features const& a, Features const& b, std::size_t i) 
 [[nodiscard]] inline Flip flip(Picture const& reference, Picture const& test, float pixels_per_degree = 67.f) {
     using namespace detail;
     check_pair(reference, test);
-    // Below 1 a filter is narrower than a pixel and has no derivative; the comparison is on bits' order so that NaN is refused too.
+    // Below 1 a filter is narrower than a pixel and has no derivative; comparing the bits of 1 and 10000 refuses NaN too.
     if (auto const bits = std::bit_cast<std::uint32_t>(pixels_per_degree); bits < 0x3f800000u || bits > 0x461c4000u)
         throw Error("FLIP", std::to_string(pixels_per_degree) + " pixels per degree",
                     "give it 1 to 10000; a monitor at arm's length has 67");
@@ -209,7 +209,7 @@ inline float feature_error(Features const& a, Features const& b, std::size_t i) 
     Flip result{reference.size, std::vector<float>(reference.pixels.size())};
     for (std::size_t i = 0; i < result.error.size(); ++i) {
         auto const colour = colour_error(colour_distance(lab_a.pixels[i], lab_b.pixels[i]), largest);
-        // Rounding may carry either a little beyond 1.
+        // Rounding may carry it a little beyond 1.
         result.error[i] = std::min(std::pow(colour, 1.f - feature_error(features_a, features_b, i)), 1.f);
     }
     return result;

@@ -131,11 +131,16 @@ template <class Number> Taps<Number> gaussian(double deviation, int radius) {
 }
 
 /// out[first + i] = sum over t of taps[t] * sources[t][first + i], for `lanes` neighbours. Their number is a constant and their sums are
-/// local, so compilers keep them in SIMD registers.
+/// local, so that compilers use SIMD registers for them; g++ 12 still stores the sums between taps, hence four taps at a time.
 template <int lanes, class Number>
 void weighted_sum(std::span<Number const* const> sources, Number const* taps, std::size_t first, Number* out) {
     Number sums[lanes] = {};
-    for (std::size_t t = 0; t < sources.size(); ++t)
+    std::size_t t = 0;
+    for (; t + 4 <= sources.size(); t += 4) {
+        Number const *a = sources[t] + first, *b = sources[t + 1] + first, *c = sources[t + 2] + first, *d = sources[t + 3] + first;
+        for (int i = 0; i < lanes; ++i) sums[i] += taps[t] * a[i] + taps[t + 1] * b[i] + taps[t + 2] * c[i] + taps[t + 3] * d[i];
+    }
+    for (; t < sources.size(); ++t)
         for (int i = 0; i < lanes; ++i) sums[i] += taps[t] * sources[t][first + static_cast<std::size_t>(i)];
     for (int i = 0; i < lanes; ++i) out[first + static_cast<std::size_t>(i)] = sums[i];
 }
@@ -143,7 +148,7 @@ void weighted_sum(std::span<Number const* const> sources, Number const* taps, st
 /// A whole row: out[x] = sum over t of taps[t] * sources[t][x].
 template <class Number>
 void weighted_row(std::span<Number const* const> sources, Taps<Number> const& taps, Number* out, std::size_t width) {
-    constexpr int block = 32;
+    constexpr int block = 16;
     std::size_t x = 0;
     for (; x + block <= width; x += block) weighted_sum<block>(sources, taps.data(), x, out);
     for (; x < width; ++x) weighted_sum<1>(sources, taps.data(), x, out);

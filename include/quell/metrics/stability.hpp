@@ -70,7 +70,7 @@ inline void check_event(std::span<double const> errors, std::size_t event) {
 }
 } // namespace detail
 
-/// Where the error settles after an event: the median of the last quarter of the frames from the event on.
+/// Where the error settles after an event: the median (the upper one of an even number) of the last quarter of the frames from there on.
 [[nodiscard]] inline double settled_error(std::span<double const> errors, std::size_t event) {
     detail::check_event(errors, event);
     auto const after = errors.subspan(event);

@@ -117,10 +117,11 @@ private:
         next_made.take_all(history.pool);
         auto next = current;
         if (makes_signal) next = goes_on ? history.pool.template take<SignalImage>() : nullptr;
+        auto const seen = scope<S, Pass>();
         if (last) prepare_end(is_temporal<Pass>, next);
 
         auto job = Job<Pass, S, SignalView, decltype(next_made.views(Made{})), decltype(finish()), Remembers>{
-            kernel, scope<S, Pass>(), next ? next->view() : SignalView{}, next_made.views(Made{}), finish(), goes_on && makes_signal,
+            kernel, seen, next ? next->view() : SignalView{}, next_made.views(Made{}), finish(), goes_on && makes_signal,
             last && stores_output(next), last && Remembers::size > 0, missing};
         executor.for_each_pixel(Region{0, 0, frame.size.width, frame.size.height}, job);
         current = next;
@@ -138,9 +139,9 @@ private:
     void prepare_end(bool reads_remembered, std::shared_ptr<SignalImage> const& next) {
         if (!reads_remembered) history.remembered.drop_all();
         remembered.take_all(history.pool);
-        history.remembered.drop_all();
         if constexpr (std::is_same_v<Into, NoTarget>)
             history.output = next && !remodulates ? next : history.pool.template take<SignalImage>();
+        history.remembered.drop_all();
     }
     static constexpr bool remodulates = !std::is_same_v<typename P::Modulation, NoModulation>;
 

@@ -1,0 +1,2 @@
+#include "scenes.hpp"
+namespace quell::tracer { SceneDescription boxes() { return room(); } }

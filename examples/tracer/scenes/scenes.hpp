@@ -1,0 +1,22 @@
+#pragma once
+
+#include "../scene.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace quell::tracer {
+
+/// Names of the built-in scenes, in the order of SCENES.md.
+[[nodiscard]] std::vector<std::string> scene_names();
+
+/// Throws quell::Error, listing the names, where there is no such scene.
+[[nodiscard]] SceneDescription built_in_scene(std::string_view name);
+
+// One function and one file per scene; scenes.cpp lists them.
+[[nodiscard]] SceneDescription room();
+[[nodiscard]] SceneDescription boxes();
+[[nodiscard]] SceneDescription temple();
+
+} // namespace quell::tracer
