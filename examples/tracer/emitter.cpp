@@ -113,12 +113,12 @@ glm::vec3 resampled(Propose const& propose, int count, glm::vec2 random, float c
     return chosen.offset;
 }
 
-int candidate_count(float least_cosine, float largest_cosine) { return least_cosine > 0.6f * largest_cosine ? 4 : 8; }
+int candidate_count(float least_cosine, float largest_cosine, int most) { return least_cosine > 0.6f * largest_cosine ? glm::min(most, 4) : most; }
 
 /// Below this solid angle rounding spoils Arvo's method, while weights of points uniform in area hardly vary.
 constexpr float small_solid_angle = 0.01f;
 
-glm::vec3 sample_triangle(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 normal, glm::vec2 random, float choice) {
+glm::vec3 sample_triangle(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 normal, glm::vec2 random, float choice, int candidates) {
     SphericalTriangle const seen{glm::normalize(a), glm::normalize(b), glm::normalize(c)};
     auto const plane = glm::cross(b - a, c - a);
     auto const by_direction = [&](glm::vec2 uv) {
@@ -133,13 +133,14 @@ glm::vec3 sample_triangle(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 norma
         return Candidate{offset, glm::dot(offset, normal) * std::abs(glm::dot(offset, plane)) / (distance2 * distance2)};
     };
     auto const cosines = seen.corner_cosines(normal);
-    int const count = candidate_count(glm::min(cosines.x, glm::min(cosines.y, cosines.z)), glm::max(cosines.x, glm::max(cosines.y, cosines.z)));
+    int const count = candidate_count(glm::min(cosines.x, glm::min(cosines.y, cosines.z)), glm::max(cosines.x, glm::max(cosines.y, cosines.z)),
+                                      candidates);
     if (seen.solid_angle > small_solid_angle) return resampled(by_direction, count, random, choice);
     return resampled(by_area, count, random, choice);
 }
 
 /// The visible part is a fan of triangles; one is chosen by its exact irradiance.
-glm::vec3 sample_polygon(SeenPolygon const& polygon, glm::vec3 normal, glm::vec2 random, float choice) {
+glm::vec3 sample_polygon(SeenPolygon const& polygon, glm::vec3 normal, glm::vec2 random, float choice, int candidates) {
     auto unit = polygon;
     for (auto& corner : unit.corners) corner = glm::normalize(corner);
     float sum = 0;
@@ -153,10 +154,10 @@ glm::vec3 sample_polygon(SeenPolygon const& polygon, glm::vec3 normal, glm::vec2
         if (choice < share) chosen = i;
         choice = choice < share ? choice / share : (choice - share) / (1 - share);
     }
-    return sample_triangle(polygon[0], polygon[chosen], polygon[chosen + 1], normal, random, choice);
+    return sample_triangle(polygon[0], polygon[chosen], polygon[chosen + 1], normal, random, choice, candidates);
 }
 
-glm::vec3 sample_sphere(Emitter const& emitter, glm::vec3 position, glm::vec3 normal, glm::vec2 random, float choice) {
+glm::vec3 sample_sphere(Emitter const& emitter, glm::vec3 position, glm::vec3 normal, glm::vec2 random, float choice, int candidates) {
     auto const offset = emitter.centre - position;
     float const distance = glm::length(offset), sine2 = glm::min(1.f, emitter.radius * emitter.radius / (distance * distance));
     auto const axis = offset / distance;
@@ -170,7 +171,7 @@ glm::vec3 sample_sphere(Emitter const& emitter, glm::vec3 position, glm::vec3 no
             float const chord2 = emitter.radius * emitter.radius - distance * distance * radius * radius;
             return Candidate{direction * (distance * z - std::sqrt(glm::max(0.f, chord2))), glm::dot(direction, normal)};
         },
-        candidate_count(cosine - sine, cosine + sine), random, choice);
+        candidate_count(cosine - sine, cosine + sine, candidates), random, choice);
 }
 
 } // namespace
@@ -191,11 +192,11 @@ float irradiance(Emitter const& emitter, glm::vec3 position, glm::vec3 normal) {
     return emitter.is_sphere() ? sphere_irradiance(emitter, position, normal) : polygon_irradiance(emitter, position, normal);
 }
 
-glm::vec3 sample_point(Emitter const& emitter, glm::vec3 position, glm::vec3 normal, glm::vec2 random, float choice) {
-    if (emitter.is_sphere()) return position + sample_sphere(emitter, position, normal, random, choice);
+glm::vec3 sample_point(Emitter const& emitter, glm::vec3 position, glm::vec3 normal, glm::vec2 random, float choice, int candidates) {
+    if (emitter.is_sphere()) return position + sample_sphere(emitter, position, normal, random, choice, candidates);
     auto const polygon = above_horizon(emitter, position, normal);
     if (polygon.count < 3) return emitter.corners[0];
-    return position + sample_polygon(polygon, normal, random, choice);
+    return position + sample_polygon(polygon, normal, random, choice, candidates);
 }
 
 } // namespace quell::tracer

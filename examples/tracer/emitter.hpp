@@ -27,7 +27,8 @@ struct Emitter {
 [[nodiscard]] float irradiance(Emitter const& emitter, glm::vec3 position, glm::vec3 normal);
 
 /// A point of the emitter, distributed (nearly) as its contribution to `irradiance`: uniform in solid angle, then resampled by the cosine
-/// among a few lattice candidates. Thus unshadowed irradiance times the mean visibility of such points is the shadowed irradiance.
-[[nodiscard]] glm::vec3 sample_point(Emitter const& emitter, glm::vec3 position, glm::vec3 normal, glm::vec2 random, float choice);
+/// among a few lattice candidates (this many at most). Thus unshadowed irradiance times the mean visibility of such points is the shadowed irradiance.
+[[nodiscard]] glm::vec3 sample_point(Emitter const& emitter, glm::vec3 position, glm::vec3 normal, glm::vec2 random, float choice,
+                                     int candidates = 8);
 
 } // namespace quell::tracer

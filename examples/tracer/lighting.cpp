@@ -20,7 +20,7 @@ float luminance(glm::vec3 colour) { return glm::dot(colour, glm::vec3{0.2126f, 0
 glm::vec3 scattered(PreparedScene const& scene, Surface const& surface, PathContext const& path, std::uint32_t depth) {
     auto const point = sample_pair(path.key, SampleUse::second_light_point, depth);
     auto const choice = sample_pair(path.key, SampleUse::second_light_choice, depth).x;
-    auto const lighting = sample_lighting(scene, surface, path.time, point, choice);
+    auto const lighting = sample_lighting(scene, surface, path.time, point, choice, 2);
     glm::vec3 light = lighting.irradiance / pi;
     if (lighting.sample.exists) {
         ++path.counts->shadow;
@@ -40,7 +40,7 @@ glm::vec3 unshadowed_irradiance(PreparedScene const& scene, Surface const& surfa
     return sum;
 }
 
-Lighting sample_lighting(PreparedScene const& scene, Surface const& surface, float time, glm::vec2 point, float choice) {
+Lighting sample_lighting(PreparedScene const& scene, Surface const& surface, float time, glm::vec2 point, float choice, int candidates) {
     Lighting lighting;
     std::size_t chosen = 0;
     float sum = 0;
@@ -57,7 +57,7 @@ Lighting sample_lighting(PreparedScene const& scene, Surface const& surface, flo
     }
     if (!(sum > 0)) return lighting;
     auto const emitter = scene.emitter(chosen, time);
-    auto const position = sample_point(emitter, surface.position, surface.normal, point, choice);
+    auto const position = sample_point(emitter, surface.position, surface.normal, point, choice, candidates);
     lighting.sample = {position, emitter.before(position), true};
     return lighting;
 }
@@ -89,7 +89,7 @@ Incident incident(PreparedScene const& scene, Ray const& first, PathContext cons
             break;
         }
         auto const surface = surface_at(scene, ray, hit, bounce == 0 ? footprint_angle : scattered_footprint);
-        if (bounce == 0 && count_lights) result.radiance += surface.emission;
+        if (!surface.is_light || (bounce == 0 && count_lights)) result.radiance += throughput * surface.emission;
         if (surface.is_emitter) break;
         throughput *= surface.diffuse() + surface.base * surface.metallic;
         result.radiance += throughput * scattered(scene, surface, path, depth);

@@ -19,7 +19,8 @@ struct Lighting {
 };
 
 [[nodiscard]] glm::vec3 unshadowed_irradiance(PreparedScene const& scene, Surface const& surface, float time);
-[[nodiscard]] Lighting sample_lighting(PreparedScene const& scene, Surface const& surface, float time, glm::vec2 point, float choice);
+[[nodiscard]] Lighting sample_lighting(PreparedScene const& scene, Surface const& surface, float time, glm::vec2 point, float choice,
+                                       int candidates = 8);
 
 /// The ray that asks whether a light sample is seen.
 [[nodiscard]] Ray shadow_ray(Surface const& surface, glm::vec3 target, float time);

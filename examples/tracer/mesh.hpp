@@ -18,7 +18,7 @@ struct TriangleMesh {
     std::vector<glm::uvec3> triangles;
 };
 
-/// Moves the vertices of a mesh (handed over at rest) to where they are at a moment.
+/// Moves the vertices of a mesh (handed over at rest, without texture coordinates) to where they are at a moment.
 using Deformation = std::function<void(float frame, TriangleMesh& mesh)>;
 
 /// Linear-blend skinning: a vertex is the weighted mean of where its joints carry it. Such a mesh follows its joints, not its own node.

@@ -13,6 +13,9 @@ namespace {
 /// Enough moments for a quarter turn within the shutter to look round: the chord then errs by 0.5% of the radius.
 constexpr int moment_count = 9;
 
+/// Unshadowed light sums over all lights at every hit. Finely tessellated emitters would make that slow; they only glow.
+constexpr std::size_t most_light_triangles = 512;
+
 glm::mat4 between(glm::mat4 const& a, glm::mat4 const& b, float part) { return a + (b - a) * part; }
 glm::vec3 between(glm::vec3 a, glm::vec3 b, float part) { return a + (b - a) * part; }
 
@@ -101,26 +104,14 @@ void PreparedScene::place_instances() {
     }
 }
 
-Vertices PreparedScene::deformed(Shape const& shape, float frame) const {
-    auto mesh = shape.mesh;
-    if (shape.deformation) shape.deformation(frame, mesh);
-    if (!shape.skin.joints.empty()) {
-        std::vector<glm::mat4> joints;
-        for (std::size_t i = 0; i < shape.skin.joints.size(); ++i)
-            joints.push_back(scene.node_matrix(shape.skin.joints[i], frame) * shape.skin.inverse_bind[i]);
-        apply_skin(shape.skin, joints, mesh);
-    }
-    return {std::move(mesh.positions), std::move(mesh.normals)};
-}
-
 void PreparedScene::deform_shapes() {
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         if (!scene.shapes[i].is_deforming()) continue;
         auto& deformation = deformations[i];
         deformation = {};
         std::vector<std::vector<glm::vec3>> positions;
-        for (float frame : moments_before(0)) positions.push_back(deformation.now.emplace_back(deformed(scene.shapes[i], frame)).positions);
-        for (float frame : moments_before(1)) deformation.before.push_back(deformed(scene.shapes[i], frame));
+        for (float frame : moments_before(0)) positions.push_back(deformation.now.emplace_back(scene.vertices_at(scene.shapes[i], frame)).positions);
+        for (float frame : moments_before(1)) deformation.before.push_back(scene.vertices_at(scene.shapes[i], frame));
         acceleration.deform(static_cast<int>(i), positions);
     }
 }
@@ -170,21 +161,32 @@ glm::vec3 PreparedScene::point(Hit const& hit, float time, When when) const {
 
 void PreparedScene::find_emitters() {
     lights.assign(scene.instances.size(), false);
-    for (int i = 0; i < static_cast<int>(scene.instances.size()); ++i)
-        if (glm::length(material(i).emission) > 0) find_emitters_of(i);
+    for (int i = 0; i < static_cast<int>(scene.instances.size()); ++i) {
+        if (!(glm::length(material(i).emission) > 0) || shape(i).mesh.triangles.size() > most_light_triangles) continue;
+        lights[static_cast<std::size_t>(i)] = true;
+        if (shape(i).is_sphere) sources.push_back({i, 0, {}, material(i).emission});
+        else find_emitters_of(i);
+    }
 }
 
 void PreparedScene::find_emitters_of(int instance) {
-    lights[static_cast<std::size_t>(instance)] = true;
-    auto const& emission = material(instance).emission;
-    if (shape(instance).is_sphere) sources.push_back({instance, 0, {}, emission});
     auto const& mesh = shape(instance).mesh;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         bool const four = is_quadrilateral(mesh, i);
         glm::uvec4 const corners{mesh.triangles[i], four ? mesh.triangles[i + 1].z : 0u};
-        sources.push_back({instance, four ? 4 : 3, corners, emission});
+        sources.push_back({instance, four ? 4 : 3, corners, material(instance).emission * mean_emission_texel(instance, mesh.triangles[i])});
         if (four) ++i;
     }
+}
+
+/// Lights shine evenly, as their formulas ask for: with the mean of the texels that they cover.
+glm::vec3 PreparedScene::mean_emission_texel(int instance, glm::uvec3 corners) const {
+    auto const& uvs = shape(instance).mesh.uvs;
+    int const texture = material(instance).emission_texture;
+    if (texture < 0 || uvs.empty()) return glm::vec3{1.f};
+    auto const a = uvs[corners.x], b = uvs[corners.y], c = uvs[corners.z];
+    auto const extent = glm::max(glm::max(glm::abs(b - a), glm::abs(c - a)), glm::abs(c - b));
+    return scene.textures[static_cast<std::size_t>(texture)].at((a + b + c) / 3.f, glm::max(extent.x, extent.y));
 }
 
 void PreparedScene::light_up() {

@@ -19,10 +19,6 @@ struct Moments {
     [[nodiscard]] std::vector<Value> const& at(When when) const { return when == When::now ? now : before; }
 };
 
-struct Vertices {
-    std::vector<glm::vec3> positions, normals;
-};
-
 /// A scene with its acceleration structures, standing at one frame. What doesn't deform is built once; from frame to frame only the
 /// placements change. Not copyable, as Embree points into the description.
 class PreparedScene {
@@ -78,7 +74,7 @@ class PreparedScene {
     void deform_shapes();
     void place_instances();
     void light_up();
-    [[nodiscard]] Vertices deformed(Shape const& shape, float frame) const;
+    [[nodiscard]] glm::vec3 mean_emission_texel(int instance, glm::uvec3 corners) const;
     [[nodiscard]] std::vector<float> moments_before(float earlier) const;
     [[nodiscard]] glm::vec3 local_vertex(int instance, unsigned vertex, float time, When when) const;
     [[nodiscard]] Emitter emitter_at(EmitterSource const& source, float time) const;
@@ -89,9 +85,8 @@ class PreparedScene {
     std::vector<bool> lights;
     std::vector<float> brightnesses;
     std::vector<Moments<glm::mat4>> placements;   // per instance
-    std::vector<Moments<Vertices>> deformations;  // per shape; empty for rigid ones
+    std::vector<Moments<TriangleMesh>> deformations;  // per shape; empty for rigid ones
     std::vector<std::vector<Emitter>> emitters;   // per moment
-    std::uint64_t static_hash = 0;
     float current_frame = -infinity, current_shutter = 0;
 };
 

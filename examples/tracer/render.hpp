@@ -20,9 +20,10 @@ struct RenderSettings {
     int frame = 0;
     int samples_per_pixel = 1;
     std::uint32_t seed = 0;
-    int threads = 0;   ///< 0: as many as the machine has
-    float shutter = 0; ///< part of the frame time during which the shutter is open; 0: a frozen moment
-    int bounces = 1;   ///< how often indirect light is scattered on its way
+    int threads = 0;      ///< 0: as many as the machine has
+    float shutter = 0;    ///< part of the frame time during which the shutter is open; 0: a frozen moment
+    int first_sample = 0; ///< number of the first sample, to continue an earlier rendering of the same frame
+    int bounces = 1;      ///< how often indirect light is scattered on its way
 };
 
 /// Takes what was rendered: `sink.put(quell::normal, x, y, value)` with a float, glm::vec2 or glm::vec3 by the channel's components.
@@ -87,7 +88,7 @@ class PixelRenderer {
 
     [[nodiscard]] SampleKey key(int sample) const {
         // Frame after frame continues one sequence per pixel.
-        auto const index = static_cast<std::uint32_t>(settings.frame * settings.samples_per_pixel + sample);
+        auto const index = static_cast<std::uint32_t>(settings.frame * settings.samples_per_pixel + settings.first_sample + sample);
         return {{x_, y_}, index, settings.seed};
     }
 

@@ -42,10 +42,25 @@ int SceneDescription::place(int shape, int material, Transform const& transform,
     return place(shape, material, fixed(transform), parent);
 }
 
-glm::mat4 SceneDescription::node_matrix(int node, float frame) const {
+glm::mat4 node_matrix(std::vector<Node> const& nodes, int node, float frame) {
     glm::mat4 matrix{1.f};
     for (; node >= 0; node = nodes[static_cast<std::size_t>(node)].parent) matrix = nodes[static_cast<std::size_t>(node)].pose(frame) * matrix;
     return matrix;
+}
+
+glm::mat4 SceneDescription::node_matrix(int node, float frame) const { return tracer::node_matrix(nodes, node, frame); }
+
+TriangleMesh SceneDescription::vertices_at(Shape const& shape, float frame) const {
+    TriangleMesh mesh{shape.mesh.positions, shape.mesh.normals, {}, {}};
+    if (shape.deformation) {
+        mesh.triangles = shape.mesh.triangles;
+        shape.deformation(frame, mesh);
+    }
+    if (shape.skin.joints.empty()) return mesh;
+    std::vector<glm::mat4> joints;
+    for (std::size_t i = 0; i < shape.skin.joints.size(); ++i) joints.push_back(node_matrix(shape.skin.joints[i], frame) * shape.skin.inverse_bind[i]);
+    apply_skin(shape.skin, joints, mesh);
+    return mesh;
 }
 
 Camera SceneDescription::camera_at(float frame, Extent size) const { return camera_from(camera(frame), size); }

@@ -75,8 +75,13 @@ struct SceneDescription {
     int place(int shape, int material, Transform const& transform = {}, int parent = -1);
 
     [[nodiscard]] glm::mat4 node_matrix(int node, float frame) const;
+    /// A shape's vertices at a moment; texture coordinates are left out.
+    [[nodiscard]] TriangleMesh vertices_at(Shape const& shape, float frame) const;
     [[nodiscard]] Camera camera_at(float frame, Extent size) const;
 };
+
+/// From a node's space to the world; -1 is the world itself.
+[[nodiscard]] glm::mat4 node_matrix(std::vector<Node> const& nodes, int node, float frame);
 
 /// A camera that looks from one point at another. `field_of_view` is vertical, in degrees.
 [[nodiscard]] CameraPose look_at(glm::vec3 eye, glm::vec3 target, float field_of_view, glm::vec3 up = {0, 1, 0});

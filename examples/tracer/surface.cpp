@@ -83,7 +83,8 @@ void apply_material(PreparedScene const& scene, Hit const& hit, Geometry const& 
     surface.base = material.base * glm::vec3(texel(scene, material.base_texture, geometry, width));
     surface.metallic = material.metallic * roughness_metallic.b;
     surface.roughness = material.roughness * roughness_metallic.g;
-    surface.is_emitter = scene.is_light(hit.instance);
+    surface.is_emitter = glm::length(material.emission) > 0;
+    surface.is_light = scene.is_light(hit.instance);
     bool const shines = surface.is_emitter && (outside || material.emits_both_sides);
     if (shines) surface.emission = material.emission * scene.brightness(hit.instance) * glm::vec3(texel(scene, material.emission_texture, geometry, width));
 }

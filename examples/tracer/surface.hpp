@@ -11,7 +11,8 @@ struct Surface {
     glm::vec3 base{0.f}, emission{0.f};
     float metallic = 0, roughness = 1;
     float clearance = 0; ///< how far new rays have to start off the surface so as not to meet it again
-    bool is_emitter = false;
+    bool is_emitter = false; ///< emits only, and reflects nothing
+    bool is_light = false;   ///< an emitter that `direct` light accounts for
 
     [[nodiscard]] glm::vec3 diffuse() const { return base * (1 - metallic); }
     /// Where a ray into this direction starts.

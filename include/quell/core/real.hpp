@@ -55,6 +55,17 @@ QUELL_KERNEL float sqrt(F a) { return ::sqrtf(a); }
 template <std::same_as<float> F>
 QUELL_KERNEL float floor(F a) { return ::floorf(a); }
 
+/// a * b + c, in one rounding where the instruction set has it. Kernels say so explicitly: left to itself a compiler contracts differently
+/// from one inlined copy to the next (and g++ for AMD's Zen not at all), so that results would depend on where a kernel is used.
+template <std::same_as<float> F>
+QUELL_KERNEL float fma(F a, F b, F c) {
+#if defined(__FMA__) && !defined(__CUDACC__)
+    return __builtin_fmaf(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
 #if !defined(__CUDACC__)
 /// The widest pack of the instruction set that this translation unit is compiled for.
 using Pack = xsimd::batch<float>;
@@ -101,6 +112,8 @@ template <class A>
 QUELL_KERNEL bool any(xsimd::batch_bool<float, A> m) { return xsimd::any(m); }
 template <class A>
 QUELL_KERNEL bool all(xsimd::batch_bool<float, A> m) { return xsimd::all(m); }
+template <class A>
+QUELL_KERNEL auto fma(xsimd::batch<float, A> a, xsimd::batch<float, A> b, xsimd::batch<float, A> c) { return xsimd::fma(a, b, c); }
 template <class A>
 QUELL_KERNEL auto invert(xsimd::batch_bool<float, A> m) { return !m; }
 template <class A>
@@ -163,8 +176,13 @@ template <class Real>
 QUELL_KERNEL Real exp(Real a) {
     auto const x = clamp(a, Real(-87.f), Real(88.f));
     auto const n = floor(x * 1.44269504f + 0.5f);
-    auto const r = (x - n * 0.693359375f) + n * 2.12194440e-4f;
-    auto const p = 1.f + r * (1.f + r * (0.5f + r * (0.166666667f + r * (0.0416666667f + r * (0.00833333333f + r * 0.00138888889f)))));
+    auto const r = fma(n, Real(2.12194440e-4f), fma(n, Real(-0.693359375f), x));
+    auto p = fma(r, Real(0.00138888889f), Real(0.00833333333f));
+    p = fma(r, p, Real(0.0416666667f));
+    p = fma(r, p, Real(0.166666667f));
+    p = fma(r, p, Real(0.5f));
+    p = fma(r, p, Real(1.f));
+    p = fma(r, p, Real(1.f));
     return p * from_bits((truncate(n) + Index<Real>(127)) << 23);
 }
 
@@ -174,7 +192,7 @@ QUELL_KERNEL Real exp(Real a) {
 template <class Real>
 QUELL_KERNEL Real approximate_reciprocal(Real a) {
     auto const guess = from_bits(Index<Real>(0x7ef33000) - bits(a));
-    return guess * (2.001f - a * guess);
+    return guess * fma(-a, guess, Real(2.001f));
 }
 
 /// a^32 by five squarings.

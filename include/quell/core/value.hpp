@@ -110,7 +110,7 @@ QUELL_KERNEL V zero() { return splat<V>(real_of<V>(0.f)); }
 /// sum + v * weight.
 template <class V>
 QUELL_KERNEL V add_scaled(V const& sum, V const& v, real_of<V> weight) {
-    return map([&](auto s, auto a) __attribute__((always_inline)) { return s + a * weight; }, sum, v);
+    return map([&](auto s, auto a) __attribute__((always_inline)) { return fma(a, weight, s); }, sum, v);
 }
 template <class V>
 QUELL_KERNEL V scale(V const& v, real_of<V> factor) {
@@ -119,7 +119,7 @@ QUELL_KERNEL V scale(V const& v, real_of<V> factor) {
 /// a + (b - a) * t.
 template <class V>
 QUELL_KERNEL V mix(V const& a, V const& b, real_of<V> t) {
-    return map([&](auto x, auto y) __attribute__((always_inline)) { return x + (y - x) * t; }, a, b);
+    return map([&](auto x, auto y) __attribute__((always_inline)) { return fma(y - x, t, x); }, a, b);
 }
 /// Where the mask holds, a; elsewhere, b.
 template <class Mask, class V>
@@ -134,12 +134,15 @@ QUELL_KERNEL auto all_finite(V const& v) {
     return fold([](auto sofar, auto a) __attribute__((always_inline)) { return sofar & is_finite(a); }, is_finite(component<0>(v)), v);
 }
 template <class Real>
-QUELL_KERNEL Real dot(vec3<Real> const& a, vec3<Real> const& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+QUELL_KERNEL Real dot(vec3<Real> const& a, vec3<Real> const& b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
 
 /// Rec. 709 luminance of a colour; a value of another shape counts as the mean of its components.
 template <class V>
 QUELL_KERNEL auto luminance(V const& v) {
-    if constexpr (components_of<V> == 3) return component<0>(v) * 0.2126f + component<1>(v) * 0.7152f + component<2>(v) * 0.0722f;
+    if constexpr (components_of<V> == 3) {
+        using Real = real_of<V>;
+        return fma(component<0>(v), Real(0.2126f), fma(component<1>(v), Real(0.7152f), component<2>(v) * 0.0722f));
+    }
     else
         return fold([](auto sofar, auto a) __attribute__((always_inline)) { return sofar + a; }, real_of<V>(0.f), v) * (1.f / components_of<V>);
 }

@@ -28,17 +28,29 @@ struct AtrousLevel {
         auto sum = scale(px.signal(), Real(b3_spline[0] * b3_spline[0]));
         Real weights(b3_spline[0] * b3_spline[0]), noise(0.f);
         if constexpr (guided) noise = px[variance] * (weights * weights);
-        for_each_tap<2>(px, step, b3_spline, [&](auto near, auto weight, int dx, int dy) __attribute__((always_inline)) {
-            if (dx == 0 && dy == 0) return;
-            auto const w = weight * power_of_32(around.root(near, dx, dy));
+        auto const add = [&](auto near, auto weight, auto const& toward) __attribute__((always_inline)) {
+            auto const w = usable(near, weight) * edge_weight(toward.distance(near));
             sum = add_scaled(sum, near.signal(), w);
             weights = weights + w;
-            if constexpr (guided) noise = noise + near[variance] * (w * w);
+            if constexpr (guided) noise = fma(near[variance], w * w, noise);
+        };
+        for_each_tap_pair<2>(px, step, b3_spline, [&](auto near, auto weight, auto opposite, auto its_weight, int dx, int dy) __attribute__((always_inline)) {
+            auto const toward = around.toward(dx, dy);
+            add(near, weight, toward);
+            add(opposite, its_weight, toward);
         });
         auto const inverse = 1.f / weights;
         auto const result = Result{finite_or(scale(sum, inverse), px.signal())};
         if constexpr (guided) return result.with(variance, finite_or(noise * (inverse * inverse), px[variance]));
         else return result;
+    }
+
+private:
+    /// A missing sample, where they are still marked, weighs nothing.
+    template <class Px, class Real>
+    QUELL_KERNEL static Real usable(Px const& near, Real weight) {
+        if constexpr (Px::Scope::marks_missing) return select(near.missing(), Real(0.f), weight);
+        else return weight;
     }
 };
 } // namespace detail

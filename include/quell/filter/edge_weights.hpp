@@ -12,11 +12,16 @@ struct DepthEdge {
     float relative_floor = 0.01f; ///< the change of depth, as a part of depth, that always passes at weight 1/e
 
     template <class Real>
+    struct Toward {
+        Real z, inverse;
+        QUELL_KERNEL Real distance(auto near) const { return abs(near[depth] - z) * inverse; }
+    };
+    template <class Real>
     struct Around {
         Real z, slope_x, slope_y, floor;
-        QUELL_KERNEL Real root(auto near, int dx, int dy) const {
+        QUELL_KERNEL auto toward(int dx, int dy) const {
             auto const along = abs(slope_x * static_cast<float>(dx) + slope_y * static_cast<float>(dy));
-            return detail::root_of_exp(abs(near[depth] - z) * approximate_reciprocal(along + floor));
+            return Toward<Real>{z, approximate_reciprocal(along + floor)};
         }
     };
     QUELL_KERNEL auto around(auto px) const {
@@ -34,19 +39,25 @@ private:
     }
 };
 
-/// max(0, n . n')^128: neighbours that face another way count less (SVGF's w_n).
+/// Neighbours that face another way count less: exp(-128 (1 - n . n')), which is SVGF's w_n = max(0, n . n')^128 to within 0.003.
 struct NormalEdge {
     using reads = Channels<Normal>;
+    float sharpness = 128.f;
 
     template <class Real>
     struct Around {
-        vec3<Real> n;
-        QUELL_KERNEL Real root(auto near, int, int) const {
-            auto const cosine = max(dot(n, near[normal]), Real(0.f)), squared = cosine * cosine;
-            return squared * squared;
+        vec3<Real> n; // times -sharpness
+        float sharpness;
+        QUELL_KERNEL Around toward(int, int) const { return *this; }
+        QUELL_KERNEL Real distance(auto near) const {
+            auto const there = near[normal];
+            return fma(n.x, there.x, fma(n.y, there.y, fma(n.z, there.z, Real(sharpness))));
         }
     };
-    QUELL_KERNEL auto around(auto px) const { return Around<typename decltype(px)::Real>{px[normal]}; }
+    QUELL_KERNEL auto around(auto px) const {
+        auto const n = px[normal];
+        return Around<typename decltype(px)::Real>{{n.x * -sharpness, n.y * -sharpness, n.z * -sharpness}, sharpness};
+    }
 };
 
 /// exp(-|dl| / (sigma * scale)): neighbours of another brightness count less, in absolute units.
@@ -57,7 +68,8 @@ struct LuminanceEdge {
     struct Around {
         Real centre;
         float inverse;
-        QUELL_KERNEL Real root(auto near, int, int) const { return detail::root_of_exp(abs(luminance(near.signal()) - centre) * inverse); }
+        QUELL_KERNEL Around toward(int, int) const { return *this; }
+        QUELL_KERNEL Real distance(auto near) const { return abs(luminance(near.signal()) - centre) * inverse; }
     };
     QUELL_KERNEL auto around(auto px) const { return Around<typename decltype(px)::Real>{luminance(px.signal()), 1.f / sigma}; }
 };
@@ -71,30 +83,37 @@ struct VarianceGuidedEdge {
     template <class Real>
     struct Around {
         Real centre, inverse;
-        QUELL_KERNEL Real root(auto near, int, int) const { return detail::root_of_exp(abs(luminance(near.signal()) - centre) * inverse); }
+        QUELL_KERNEL Around toward(int, int) const { return *this; }
+        QUELL_KERNEL Real distance(auto near) const { return abs(luminance(near.signal()) - centre) * inverse; }
     };
     QUELL_KERNEL auto around(auto px) const {
         using Real = typename decltype(px)::Real;
-        Real sum(0.f), weights(0.f);
+        Real sum = px[variance] * 0.25f, weights(0.25f);
         constexpr float profile[] = {0.5f, 0.25f};
-        for_each_tap<1>(px, 1, profile, [&](auto near, auto weight, int, int) __attribute__((always_inline)) {
-            sum = sum + near[variance] * weight;
-            weights = weights + weight;
+        for_each_tap_pair<1>(px, 1, profile, [&](auto near, auto weight, auto opposite, auto its_weight, int, int) __attribute__((always_inline)) {
+            sum = fma(near[variance], weight, fma(opposite[variance], its_weight, sum));
+            weights = weights + (weight + its_weight);
         });
         auto const deviation = sqrt(max(sum / weights, Real(0.f)));
         return Around<Real>{luminance(px.signal()), 1.f / (deviation * sigma + 1e-4f)};
     }
 };
 
-/// The product of several edge weights, which is one.
+/// The product of several edge weights (their distances added), which is one.
 template <class... Edges>
 struct Product : Edges... {
     static_assert((EdgeWeight<Edges> && ...), "Product{edges...}: each must have around(px), see quell/filter/filter_kernel.hpp");
     using reads = reads_of<Edges...>;
 
     template <class... Prepared>
+    struct Toward : Prepared... {
+        QUELL_KERNEL auto distance(auto near) const { return (... + Prepared::distance(near)); }
+    };
+    template <class... Prepared>
     struct Around : Prepared... {
-        QUELL_KERNEL auto root(auto near, int dx, int dy) const { return (... * Prepared::root(near, dx, dy)); }
+        QUELL_KERNEL auto toward(int dx, int dy) const {
+            return Toward<decltype(Prepared::toward(dx, dy))...>{Prepared::toward(dx, dy)...};
+        }
     };
     QUELL_KERNEL auto around(auto px) const { return Around<decltype(Edges::around(px))...>{Edges::around(px)...}; }
 };

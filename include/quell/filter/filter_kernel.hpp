@@ -17,19 +17,22 @@ concept OnePassFilter = std::is_trivially_copyable_v<F> && requires(F const f, d
 template <class F>
 concept FilterKernel = std::is_trivially_copyable_v<F> && (OnePassFilter<F> || requires(F const f) { f.for_each_pass([](auto const&) {}); });
 
-/// Says how much a neighbour may contribute. `around(px)` prepares what depends on the centre alone; its
-///     Real root(auto near, int dx, int dy) const
-/// is the thirty-second root of the weight, in [0, 1]: a filter multiplies the roots of all its edge weights and raises the product once, by five
-/// squarings, so that exp(-x) costs one subtraction, as (1 - x / 32)^32.
+/// Says how much a neighbour may contribute: exp(-distance). `around(px)` prepares what depends on the centre alone; `toward(dx, dy)` of that, what
+/// depends on the tap's place, up to its sign; and of that
+///     Real distance(auto near) const
+/// is what the neighbour itself adds, at least 0. Distances add up; a filter takes the exponential of their sum once (edge_weight).
 template <class W>
 concept EdgeWeight = std::is_trivially_copyable_v<W> && requires(W const w, detail::Probe<W> px) {
-    { w.around(px).root(px, 1, 1) } -> std::convertible_to<float>;
+    { w.around(px).toward(1, 1).distance(px) } -> std::convertible_to<float>;
 };
 
-namespace detail {
-/// The root of exp(-x) for x >= 0; a NaN gives 0.
+/// exp(-distance) in four operations: the float whose bits are a linear function of the exponent (Schraudolph 1999). Exactly 1 at 0, on the chords
+/// between powers of two elsewhere, so at most 6.2 % above the exponential and monotonic. Never under 2^-62, so that its square is no denormal; a
+/// NaN gives that too.
 template <class Real>
-QUELL_KERNEL Real root_of_exp(Real x) { return max(1.f - x * (1.f / 32.f), Real(0.f)); }
-} // namespace detail
+QUELL_KERNEL Real edge_weight(Real distance) {
+    constexpr float per_unit = 12102203.16f, one = 1065353216.f, least = 545259520.f; // 2^23 / ln 2, and the bits of 1 and of 2^-62
+    return from_bits(truncate(max(fma(distance, Real(-per_unit), Real(one)), Real(least))));
+}
 
 } // namespace quell

@@ -29,7 +29,33 @@ QUELL_KERNEL void for_each_tap(Px const& px, int step, float const (&profile)[ra
     }
 }
 
-/// The same with equal weights of 1.
+/// The same in opposite pairs and without the centre: `body(near, weight, opposite, its weight, dx, dy)`, so that what depends on the
+/// distance alone is worked out once for two taps. Rows outside have weight 0. Unrolled: for small radii.
+template <int radius, class Px, class Body>
+QUELL_KERNEL void for_each_tap_pair(Px const& px, int step, float const (&profile)[radius + 1], Body&& body) {
+    using Real = typename Px::Real;
+    constexpr int side = 2 * radius + 1, pairs = side * side / 2;
+    Real across[side];
+    int column[side], row[side];
+    float down[side];
+    for (int i = 0; i < side; ++i) {
+        auto const beside = px.at((i - radius) * step, 0), below = px.at(0, (i - radius) * step);
+        float const weight = profile[i < radius ? radius - i : i - radius];
+        across[i] = select(beside.inside(), Real(weight), Real(0.f));
+        column[i] = beside.x;
+        down[i] = below.row_inside ? weight : 0.f;
+        row[i] = below.y;
+    }
+    [&]<int... k>(std::integer_sequence<int, k...>) __attribute__((always_inline)) {
+        constexpr int last = side * side - 1;
+        (body(Px{px.scope, column[k % side], row[k / side]}, across[k % side] * down[k / side],
+              Px{px.scope, column[(last - k) % side], row[(last - k) / side]}, across[(last - k) % side] * down[(last - k) / side],
+              (k % side - radius) * step, (k / side - radius) * step),
+         ...);
+    }(std::make_integer_sequence<int, pairs>{});
+}
+
+/// The same as for_each_tap with equal weights of 1.
 template <int radius, class Px, class Body>
 QUELL_KERNEL void for_each_neighbour(Px const& px, Body&& body) {
     float ones[radius + 1];

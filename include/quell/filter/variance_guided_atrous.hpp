@@ -38,7 +38,7 @@ private:
         Real weights(0.f), first(0.f), second(0.f);
         for_each_tap<3>(px, 1, box, [&](auto near, auto inside, int dx, int dy) __attribute__((always_inline)) {
             auto const sampled = min(near[history_length], Real(1.f));
-            auto const w = dx == 0 && dy == 0 ? inside * sampled : inside * sampled * power_of_32(around.root(near, dx, dy));
+            auto const w = dx == 0 && dy == 0 ? inside * sampled : inside * sampled * edge_weight(around.toward(dx, dy).distance(near));
             auto const off = near[luminance_mean] - centre;
             weights = weights + w;
             first = first + off * w;

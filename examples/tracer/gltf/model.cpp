@@ -1,0 +1,125 @@
+#include "model.hpp"
+
+#include <cstdint>
+#include <cstring>
+
+namespace quell::tracer::gltf {
+namespace {
+
+template <class Number>
+double number_at(unsigned char const* bytes) {
+    Number value;
+    std::memcpy(&value, bytes, sizeof value);
+    return static_cast<double>(value);
+}
+
+double number_of(unsigned char const* bytes, int component_type) {
+    switch (component_type) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE: return number_at<std::int8_t>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return number_at<std::uint8_t>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_SHORT: return number_at<std::int16_t>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return number_at<std::uint16_t>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return number_at<std::uint32_t>(bytes);
+    default: return number_at<float>(bytes);
+    }
+}
+
+double largest_of(int component_type) {
+    switch (component_type) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE: return 127;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return 255;
+    case TINYGLTF_COMPONENT_TYPE_SHORT: return 32767;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return 65535;
+    default: return 1;
+    }
+}
+
+std::string one_line(std::string text) {
+    for (auto& character : text)
+        if (character == '\n') character = ' ';
+    while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
+    return text;
+}
+
+bool is_binary(std::filesystem::path const& path) { return path.extension() == ".glb"; }
+
+} // namespace
+
+Model::Range Model::range(int buffer_view, std::size_t offset, std::size_t count, int component_type, int components) const {
+    auto const& view = item(content.bufferViews, buffer_view, "buffer view");
+    auto const& buffer = item(content.buffers, view.buffer, "buffer");
+    auto const component_size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(component_type));
+    if (component_size <= 0 || components <= 0) throw error("an accessor has an unknown type");
+    auto const size = static_cast<std::size_t>(component_size) * static_cast<std::size_t>(components);
+    auto const stride = view.byteStride != 0 ? view.byteStride : size;
+    auto const bytes = buffer.data.size(), start = view.byteOffset + offset;
+    // Written so that no sum or product overflows, whatever numbers a broken file holds.
+    bool const fits = view.byteOffset <= bytes && offset <= bytes && start <= bytes && (count == 0 || (size <= bytes - start && (count - 1) <= (bytes - start - size) / stride));
+    if (!fits)
+        throw error("an accessor reaches beyond the " + std::to_string(bytes) + " bytes of buffer '" + buffer.uri + "'");
+    return {buffer.data.data() + start, count, stride, component_type, components, false};
+}
+
+std::vector<double> Model::numbers(Range const& range) const {
+    auto const components = static_cast<std::size_t>(range.components);
+    auto const size = static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(range.component_type)));
+    double const scale = range.normalized ? largest_of(range.component_type) : 1;
+    std::vector<double> values(range.count * components);
+    for (std::size_t i = 0; i < range.count; ++i)
+        for (std::size_t j = 0; j < components; ++j)
+            values[i * components + j] = number_of(range.first + i * range.stride + j * size, range.component_type) / scale;
+    return values;
+}
+
+/// Sparse accessors replace some elements of a base.
+void Model::substitute(tinygltf::Accessor const& accessor, int components, std::vector<double>& values) const {
+    auto const& sparse = accessor.sparse;
+    auto const count = static_cast<std::size_t>(sparse.count), width = static_cast<std::size_t>(components);
+    auto const places = numbers(range(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset), count, sparse.indices.componentType, 1));
+    auto const news = numbers(range(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), count, accessor.componentType, components));
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = 0; j < width && static_cast<std::size_t>(places[i]) < accessor.count; ++j)
+            values[static_cast<std::size_t>(places[i]) * width + j] = news[i * width + j];
+}
+
+std::vector<double> Model::numbers(int number, int components) const {
+    auto const& accessor = item(content.accessors, number, "accessor");
+    if (tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)) != components)
+        throw error("accessor " + std::to_string(number) + " doesn't have " + std::to_string(components) + " components");
+    constexpr std::size_t most = std::size_t{1} << 28;
+    if (accessor.count > most) throw error("accessor " + std::to_string(number) + " claims " + std::to_string(accessor.count) + " elements");
+    std::vector<double> values(accessor.count * static_cast<std::size_t>(components));
+    if (accessor.bufferView >= 0) {
+        auto found = range(accessor.bufferView, accessor.byteOffset, accessor.count, accessor.componentType, components);
+        found.normalized = accessor.normalized;
+        values = numbers(found);
+    }
+    if (accessor.sparse.isSparse) substitute(accessor, components, values);
+    return values;
+}
+
+std::vector<float> Model::floats(int accessor, int components) const {
+    auto const values = numbers(accessor, components);
+    return {values.begin(), values.end()};
+}
+
+std::vector<unsigned> Model::indices(int accessor) const {
+    std::vector<unsigned> result;
+    for (double value : numbers(accessor, 1)) result.push_back(static_cast<unsigned>(value));
+    return result;
+}
+
+Model load_model(std::filesystem::path const& path) {
+    Model model{path, {}};
+    if (!std::filesystem::is_regular_file(path)) throw model.error("there is no such file", "check the path");
+    tinygltf::TinyGLTF loader;
+    std::string errors, warnings;
+    bool const loaded = is_binary(path) ? loader.LoadBinaryFromFile(&model.content, &errors, &warnings, path.string())
+                                        : loader.LoadASCIIFromFile(&model.content, &errors, &warnings, path.string());
+    if (!loaded)
+        throw model.error(errors.empty() ? "it isn't a glTF 2.0 file" : one_line(errors),
+                          "put the files that it names beside it, or export it again as glTF 2.0");
+    return model;
+}
+
+} // namespace quell::tracer::gltf

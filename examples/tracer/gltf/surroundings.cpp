@@ -1,0 +1,88 @@
+#include "gltf.hpp"
+#include "parts.hpp"
+
+#include "../bounds.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace quell::tracer {
+namespace {
+
+constexpr float default_field_of_view = 45;
+
+/// Far enough away for a sphere around everything to fit.
+glm::vec3 framing_eye(Bounds const& bounds, float field_of_view) {
+    float const distance = bounds.radius() / std::sin(glm::radians(field_of_view) / 2);
+    return bounds.centre() + glm::normalize(glm::vec3{0.6f, 0.4f, 1.f}) * distance;
+}
+
+glm::vec3 turned(glm::vec3 eye, glm::vec3 target, float degrees) {
+    return target + glm::angleAxis(glm::radians(degrees), glm::vec3{0, 1, 0}) * (eye - target);
+}
+
+} // namespace
+
+void choose_camera(SceneDescription& scene, CameraChoice const& choice) {
+    if (choice.is_default()) return;
+    auto const start = scene.camera(0);
+    auto const bounds = bounds_of(scene, 0);
+    float const field_of_view = choice.field_of_view.value_or(glm::degrees(start.vertical_field_of_view));
+    glm::vec3 const own_eye{start.world_from_camera[3]}, forward{-start.world_from_camera[2]};
+    auto const eye = choice.eye.value_or(own_eye);
+    // The scene's own camera looks at whatever is as far along its axis as the middle of the scene.
+    auto const ahead = own_eye + glm::normalize(forward) * std::max(glm::distance(own_eye, bounds.centre()), 1e-3f);
+    auto const target = choice.target.value_or(choice.eye ? bounds.centre() : ahead);
+    scene.camera = [=](float frame) {
+        return look_at(turned(eye, target, choice.orbit * frame) + choice.dolly * frame, target + choice.dolly * frame, field_of_view);
+    };
+}
+
+namespace gltf {
+namespace {
+
+/// The first node with a perspective camera, if any.
+int camera_node(Model const& model) {
+    auto const& nodes = model.content.nodes;
+    auto const found = std::ranges::find_if(nodes, [&](tinygltf::Node const& node) {
+        return node.camera >= 0 && model.item(model.content.cameras, node.camera, "camera").type == "perspective";
+    });
+    return found == nodes.end() ? -1 : static_cast<int>(found - nodes.begin());
+}
+
+} // namespace
+
+void add_camera(Model const& model, SceneDescription& scene) {
+    int const node = camera_node(model);
+    if (node < 0) {
+        auto const bounds = bounds_of(scene, 0);
+        auto const pose = look_at(framing_eye(bounds, default_field_of_view), bounds.centre(), default_field_of_view);
+        scene.camera = [pose](float) { return pose; };
+        return;
+    }
+    auto const number = model.content.nodes[static_cast<std::size_t>(node)].camera;
+    auto const field_of_view = static_cast<float>(model.content.cameras[static_cast<std::size_t>(number)].perspective.yfov);
+    // The nodes are copied, so that the camera doesn't depend on where the description lies.
+    scene.camera = [nodes = scene.nodes, node, field_of_view](float frame) { return CameraPose{node_matrix(nodes, node, frame), field_of_view}; };
+}
+
+void add_default_light(SceneDescription& scene) {
+    bool const has_light = std::ranges::any_of(scene.instances, [&](Instance const& instance) {
+        return glm::length(scene.materials[static_cast<std::size_t>(instance.material)].emission) > 0;
+    });
+    if (has_light) return;
+    scene.background = {{0.25f, 0.24f, 0.22f}, {0.75f, 0.9f, 1.2f}};
+    auto const bounds = bounds_of(scene, 0);
+    constexpr float distance = 6, radius = 0.4f, irradiance = 3;
+    auto const place = bounds.centre() + glm::normalize(glm::vec3{0.35f, 1, 0.3f}) * (distance * bounds.radius());
+    float const radiance = irradiance / (3.14159f * radius * radius / (distance * distance));
+    scene.place(scene.add_sphere(), scene.add(Material{.emission = glm::vec3{1, 0.93f, 0.82f} * radiance}),
+                Transform{.translation = place, .scale = glm::vec3{radius * bounds.radius()}});
+}
+
+} // namespace gltf
+} // namespace quell::tracer

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "pictures.hpp"
+#include "render.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+namespace quell::tracer {
+
+struct ReferenceProgress {
+    int samples = 0;       ///< per pixel so far, both halves together
+    double difference = 0; ///< between the halves, of the worst effect; 1 before the first comparison
+    double tolerance = 0;
+};
+
+struct ReferenceSettings {
+    double tolerance = 0.005;    ///< converged when the mean FLIP between two independent halves is below it, for every effect
+    int most_samples = 16384;    ///< per pixel, both halves together; the end even where it hasn't converged
+    int samples_per_pass = 16;   ///< per pixel and half, between two looks at the clock
+    std::filesystem::path cache; ///< empty: $QUELL_CACHE, else ~/.cache/quell
+    bool use_cache = true;
+    std::function<void(ReferenceProgress const&)> progress; ///< called after every pass
+};
+
+/// Converged pictures, linear, one for each averaged channel that was asked for, by the channel's name.
+struct Reference {
+    std::map<std::string, metrics::Picture, std::less<>> pictures;
+    int samples = 0;            ///< per pixel
+    double half_difference = 1; ///< mean FLIP between its two halves, of the worst effect
+    bool from_cache = false;
+
+    template <class C>
+    [[nodiscard]] metrics::Picture const& operator[](C) const {
+        return pictures.at(std::string{C::name});
+    }
+};
+
+namespace detail {
+
+/// Pictures of one pass, by channel name.
+using PassPictures = std::map<std::string, metrics::Picture, std::less<>>;
+/// Renders a pass of one half (0 or 1), starting at this sample.
+using RenderPass = std::function<PassPictures(int half, int first_sample)>;
+
+[[nodiscard]] Reference converged(RenderPass const& render_pass, ReferenceSettings const& settings);
+[[nodiscard]] Reference cached_or_converged(PreparedScene& scene, RenderSettings const& render_settings, ReferenceSettings const& settings,
+                                            std::string const& channels, RenderPass const& render_pass);
+
+template <class Wanted>
+PassPictures render_pass(PreparedScene& scene, RenderSettings const& settings) {
+    Pictures<Wanted> pictures{settings.size};
+    render<Wanted>(scene, settings, pictures);
+    PassPictures named;
+    for_each_channel(Wanted{}, [&]<class C>(C channel) { named.emplace(std::string{C::name}, std::move(pictures[channel])); });
+    return named;
+}
+
+} // namespace detail
+
+/// The reference of each effect in `Wanted` (of visibility, glossy, indirect, radiance) at a frame. Differences are measured on displayed
+/// pictures of what the effect adds to the image: direct * visibility, glossy, albedo * indirect, radiance; `direct` and `albedo`, which
+/// have no noise, come along. Independent passes add up in two halves until these differ by less than the tolerance.
+template <class Wanted>
+Reference reference(PreparedScene& scene, RenderSettings settings, ReferenceSettings const& reference_settings = {}) {
+    using Traced = union_of<Wanted, Channels<Direct, Albedo>>;
+    std::string names;
+    for_each_channel(Traced{}, [&]<class C>(C) { names += std::string{C::name} + " "; });
+    auto const seed = settings.seed;
+    settings.samples_per_pixel = reference_settings.samples_per_pass;
+    auto const pass = [&](int half, int first_sample) {
+        // Seeds that no noisy frame uses, and different ones for the halves.
+        settings.seed = detail::combine(seed, half == 0 ? 0x5eed0001u : 0x5eed0002u);
+        settings.first_sample = first_sample;
+        return detail::render_pass<Traced>(scene, settings);
+    };
+    return detail::cached_or_converged(scene, settings, reference_settings, names, pass);
+}
+
+} // namespace quell::tracer
