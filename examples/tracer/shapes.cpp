@@ -35,7 +35,7 @@ TriangleMesh rectangle(float width, float depth, glm::vec2 repeats) {
     return mesh;
 }
 
-TriangleMesh box(glm::vec3 size, float repeats) {
+TriangleMesh box(glm::vec3 size, float density) {
     TriangleMesh mesh;
     auto const half = size * 0.5f;
     for (int axis = 0; axis < 3; ++axis)
@@ -44,7 +44,8 @@ TriangleMesh box(glm::vec3 size, float repeats) {
             normal[axis] = side * half[axis];
             u[(axis + 1) % 3] = side * half[(axis + 1) % 3];
             v[(axis + 2) % 3] = half[(axis + 2) % 3];
-            add_quadrilateral(mesh, {normal - u - v, normal + u - v, normal + u + v, normal - u + v}, glm::vec2{repeats});
+            auto const repeats = density > 0 ? glm::vec2{size[(axis + 1) % 3], size[(axis + 2) % 3]} * density : glm::vec2{1.f};
+            add_quadrilateral(mesh, {normal - u - v, normal + u - v, normal + u + v, normal - u + v}, repeats);
         }
     return mesh;
 }

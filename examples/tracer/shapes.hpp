@@ -10,7 +10,8 @@ namespace quell::tracer {
 
 /// A rectangle in the plane y = 0 that faces up. `repeats`: how often a texture lies along each side.
 [[nodiscard]] TriangleMesh rectangle(float width, float depth, glm::vec2 repeats = {1, 1});
-[[nodiscard]] TriangleMesh box(glm::vec3 size, float repeats = 1);
+/// `density`: how often a texture repeats per unit of length; 0 means once on each face.
+[[nodiscard]] TriangleMesh box(glm::vec3 size, float density = 0);
 /// A surface of revolution around y from points (radius, height) in order from bottom to top; smooth along and around.
 [[nodiscard]] TriangleMesh turned(std::vector<glm::vec2> const& profile, int segments = 48);
 /// A cylinder or cone standing on y = 0, with its ends closed.

@@ -28,13 +28,13 @@ void add_walls(SceneDescription& scene) {
 
 /// Both lights face the ceiling: what the camera sees is lit by what comes back from there.
 void add_lights(SceneDescription& scene) {
-    int const warm = scene.add(Material{.emission = {42, 36, 28}}), cool = scene.add(Material{.emission = {14, 17, 24}});
+    int const warm = scene.add(Material{.emission = {75, 64, 50}}), cool = scene.add(Material{.emission = {30, 36, 48}});
     int const brass = scene.add(Material{.base = {0.5f, 0.36f, 0.16f}});
-    int const dish = scene.add(rectangle(0.7f, 0.5f)), holder = scene.add(box({0.8f, 0.06f, 0.6f})), pole = scene.add(cylinder(0.03f, 0.03f, 2));
+    int const dish = scene.add(rectangle(0.9f, 0.9f)), holder = scene.add(box({1, 0.06f, 1})), pole = scene.add(cylinder(0.03f, 0.03f, 1.72f));
     for (float side : {-1.f, 1.f}) {
-        scene.place(dish, side < 0 ? warm : cool, {.translation = {side * 2.3f, 2.08f, -0.6f}});
-        scene.place(holder, brass, {.translation = {side * 2.3f, 2.04f, -0.6f}});
-        scene.place(pole, brass, {.translation = {side * 2.3f, 0, -0.6f}});
+        scene.place(dish, side < 0 ? warm : cool, {.translation = {side * 2.2f, 1.78f, 1}});
+        scene.place(holder, brass, {.translation = {side * 2.2f, 1.74f, 1}});
+        scene.place(pole, brass, {.translation = {side * 2.2f, 0, 1}});
     }
 }
 
@@ -42,7 +42,7 @@ void add_books(SceneDescription& scene, float floor, int first) {
     int const book = scene.add(box(glm::vec3{1}));
     float x = -1.7f;
     for (int i = first; x < 1.62f; ++i) {
-        float const width = 0.05f + 0.07f * dice(i), height = 0.26f + 0.14f * dice(i + 7), hue = 6 * dice(i + 13);
+        float const width = 0.05f + 0.07f * dice(i), height = 0.26f + 0.14f * dice(i + 7), hue = 7 * dice(i + 13) - 2.2f;
         auto const wave = [hue](float offset) { return 0.12f + 0.6f * std::pow(0.5f + 0.5f * std::cos(hue + offset), 2.f); };
         int const cover = scene.add(Material{.base = {wave(0), wave(2.1f), wave(4.2f)}});
         if (dice(i + 29) > 0.1f)

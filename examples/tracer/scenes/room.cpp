@@ -29,7 +29,7 @@ void add_walls(SceneDescription& scene) {
 }
 
 void add_lights(SceneDescription& scene) {
-    int const panel = scene.add(Material{.emission = {19, 17, 14}});
+    int const panel = scene.add(Material{.emission = {26, 23, 19}});
     scene.place(scene.add(rectangle(1.5f, 0.9f)), panel, {.translation = {0.5f, 2.68f, 0.1f}, .rotation = turn(180, {1, 0, 0})});
     int const lamp = scene.add(Material{.emission = {9, 4.4f, 1.7f}});
     scene.place(scene.add_sphere(), lamp, {.translation = {-1.85f, 1.32f, -2.05f}, .scale = glm::vec3{0.17f}});
@@ -46,7 +46,7 @@ TriangleMesh vase_mesh() {
     std::vector<glm::vec2> profile;
     for (int i = 0; i <= 32; ++i) {
         float const t = static_cast<float>(i) / 32;
-        profile.emplace_back(0.05f + 0.14f * std::pow(std::sin(2.6f * t + 0.25f), 2.f), 0.55f * t);
+        profile.emplace_back(0.05f + 0.13f * std::sin(pi * std::pow(t, 0.6f)) * (1 - 0.3f * t) + 0.03f * std::pow(t, 5.f), 0.55f * t);
     }
     return turned(profile);
 }

@@ -20,10 +20,10 @@ void add_floor(SceneDescription& scene) {
     scene.place(scene.add(rectangle(9.6f, 38.4f, {1, 4})), slabs, {.translation = {0, 0, -10}});
     int const step = scene.add(Material{.base_texture = scene.add(marble({0.75f, 0.7f, 0.62f}, {0.45f, 0.4f, 0.36f}))});
     for (float side : {-1.f, 1.f}) {
-        scene.place(scene.add(box({1.5f, 0.14f, 38.4f}, 1)), step, {.translation = {side * (half_width + 0.35f), 0.07f, -10}});
-        scene.place(scene.add(box({0.3f, 4.6f, 38.4f}, 8)), step, {.translation = {side * 4.6f, 2.3f, -10}});
+        scene.place(scene.add(box({1.5f, 0.14f, 38.4f}, 0.5f)), step, {.translation = {side * (half_width + 0.35f), 0.07f, -10}});
+        scene.place(scene.add(box({0.3f, 4.6f, 38.4f}, 0.3f)), step, {.translation = {side * 4.6f, 2.3f, -10}});
     }
-    scene.place(scene.add(box({9.6f, 4.6f, 0.3f}, 3)), step, {.translation = {0, 2.3f, -20}});
+    scene.place(scene.add(box({9.6f, 4.6f, 0.3f}, 0.3f)), step, {.translation = {0, 2.3f, -20}});
 }
 
 TriangleMesh column_mesh() {
@@ -40,7 +40,7 @@ TriangleMesh column_mesh() {
 }
 
 void add_columns(SceneDescription& scene) {
-    int const column = scene.add(column_mesh()), beam = scene.add(box({0.7f, 0.4f, 25}, 1)), rafter = scene.add(box({9, 0.22f, 0.35f}));
+    int const column = scene.add(column_mesh()), beam = scene.add(box({0.7f, 0.4f, 25}, 0.7f)), rafter = scene.add(box({9, 0.22f, 0.35f}));
     int const stone = scene.add(Material{.base_texture = scene.add(marble({0.82f, 0.75f, 0.64f}, {0.5f, 0.42f, 0.34f}))});
     int const timber = scene.add(Material{.base = {0.36f, 0.2f, 0.1f}});
     for (float side : {-1.f, 1.f}) {
@@ -67,9 +67,9 @@ void add_banners(SceneDescription& scene) {
 }
 
 void add_lights(SceneDescription& scene) {
-    int const sky = scene.add(Material{.emission = {5, 5.4f, 6}}), fire = scene.add(Material{.emission = {11, 4.6f, 1.3f}});
+    int const sky = scene.add(Material{.emission = {10.5f, 9.2f, 7.2f}}), fire = scene.add(Material{.emission = {11, 4.6f, 1.3f}});
     int const bronze = scene.add(Material{.base = {0.8f, 0.5f, 0.25f}, .metallic = 1, .roughness = 0.3f});
-    scene.place(scene.add(rectangle(3, 26)), sky, {.translation = {0, 7.5f, -7}, .rotation = turn(180, {1, 0, 0})});
+    scene.place(scene.add(rectangle(5, 26)), sky, {.translation = {8, 9, -6}, .rotation = turn(135, {0, 0, 1})});
     int const bowl = scene.add(turned({{0, 0}, {0.2f, 0}, {0.06f, 0.1f}, {0.05f, 0.6f}, {0.1f, 0.7f}, {0.26f, 0.85f}, {0.24f, 0.85f}, {0, 0.72f}}));
     for (float side : {-1.f, 1.f})
         for (int pair : {1, 4}) {
@@ -101,7 +101,7 @@ SceneDescription temple() {
     add_banners(scene);
     add_lights(scene);
     add_statue(scene);
-    scene.background = {{0.35f, 0.3f, 0.28f}, {0.5f, 0.75f, 1.2f}};
+    scene.background = {{0.35f, 0.35f, 0.4f}, {0.45f, 0.75f, 1.3f}};
     scene.camera = [](float frame) {
         float const z = 6.5f - 0.07f * frame, sway = 0.5f * std::sin(2 * pi * frame / 160);
         return look_at({sway, 1.25f, z}, {-0.4f * sway, 0.95f, z - 5}, 55);

@@ -9,15 +9,16 @@ namespace quell {
 
 /// From the least to the greatest value around the pixel.
 struct MinMax {
-    template <class V>
-    struct Gatherer {
+    template <class V> struct Gatherer {
         using Real = real_of<V>;
         V low, high;
         QUELL_KERNEL explicit Gatherer(V const& centre) : low(centre), high(centre) {}
         QUELL_KERNEL void add(V const& v, Real weight) {
             auto const counts = weight > Real(0.f);
-            low = map([&](auto a, auto b) __attribute__((always_inline)) { return select(counts, min(a, b), a); }, low, v);
-            high = map([&](auto a, auto b) __attribute__((always_inline)) { return select(counts, max(a, b), a); }, high, v);
+            low = map(
+                [&](auto a, auto b) __attribute__((always_inline)) { return select(counts, min(a, b), a); }, low, v);
+            high = map(
+                [&](auto a, auto b) __attribute__((always_inline)) { return select(counts, max(a, b), a); }, high, v);
         }
         QUELL_KERNEL void finish(MinMax) {}
     };
@@ -27,27 +28,34 @@ struct MinMax {
 struct MeanDeviation {
     float sigmas = 1.f;
 
-    template <class V>
-    struct Gatherer {
+    template <class V> struct Gatherer {
         using Real = real_of<V>;
         V low, high, centre;
         Real weight = Real(0.f);
         QUELL_KERNEL explicit Gatherer(V const& centre_) : low(zero<V>()), high(zero<V>()), centre(centre_) {}
         /// Sums of distances from the centre: sums of squares of the values themselves cancel at HDR magnitudes.
         QUELL_KERNEL void add(V const& v, Real w) {
-            auto const d = map([](auto a, auto b) __attribute__((always_inline)) { return a - b; }, v, centre);
-            low = map([&](auto s, auto a) __attribute__((always_inline)) { return s + a * w; }, low, d);
-            high = map([&](auto s, auto a) __attribute__((always_inline)) { return s + a * a * w; }, high, d);
+            auto const d = map(
+                [](auto a, auto b) __attribute__((always_inline)) { return a - b; }, v, centre);
+            low = map(
+                [&](auto s, auto a) __attribute__((always_inline)) { return s + a * w; }, low, d);
+            high = map(
+                [&](auto s, auto a) __attribute__((always_inline)) { return s + a * a * w; }, high, d);
             weight = weight + w;
         }
         QUELL_KERNEL void finish(MeanDeviation p) {
             auto const inverse = 1.f / max(weight, Real(1.f));
             auto const mean = scale(low, inverse);
             auto const reach = map(
-                [&](auto squares, auto m) __attribute__((always_inline)) { return sqrt(max(squares * inverse - m * m, Real(0.f))) * p.sigmas; }, high, mean);
-            auto const middle = map([](auto m, auto c) __attribute__((always_inline)) { return m + c; }, mean, centre);
-            low = map([](auto m, auto r) __attribute__((always_inline)) { return m - r; }, middle, reach);
-            high = map([](auto m, auto r) __attribute__((always_inline)) { return m + r; }, middle, reach);
+                [&](auto squares, auto m)
+                    __attribute__((always_inline)) { return sqrt(max(squares * inverse - m * m, Real(0.f))) * p.sigmas; },
+                high, mean);
+            auto const middle = map(
+                [](auto m, auto c) __attribute__((always_inline)) { return m + c; }, mean, centre);
+            low = map(
+                [](auto m, auto r) __attribute__((always_inline)) { return m - r; }, middle, reach);
+            high = map(
+                [](auto m, auto r) __attribute__((always_inline)) { return m + r; }, middle, reach);
         }
     };
 };
@@ -55,25 +63,24 @@ struct MeanDeviation {
 // The axes along which a range is measured.
 
 struct Rgb {
-    template <class V>
-    QUELL_KERNEL static V from(V const& v) { return v; }
-    template <class V>
-    QUELL_KERNEL static V to(V const& v) { return v; }
+    template <class V> QUELL_KERNEL static V from(V const& v) { return v; }
+    template <class V> QUELL_KERNEL static V to(V const& v) { return v; }
 };
 
 /// Luma and two chromas: a tighter box around colours that vary mostly in brightness. Values that are not colours stay as they are.
 struct YCoCg {
-    template <class V>
-    QUELL_KERNEL static V from(V const& v) {
-        if constexpr (components_of<V> != 3) return v;
-        else return {v.x * 0.25f + v.y * 0.5f + v.z * 0.25f, (v.x - v.z) * 0.5f, v.y * 0.5f - (v.x + v.z) * 0.25f};
+    template <class V> QUELL_KERNEL static V from(V const& v) {
+        if constexpr (components_of<V> != 3)
+            return v;
+        else
+            return {v.x * 0.25f + v.y * 0.5f + v.z * 0.25f, (v.x - v.z) * 0.5f, v.y * 0.5f - (v.x + v.z) * 0.25f};
     }
-    template <class V>
-    QUELL_KERNEL static V to(V const& v) {
+    template <class V> QUELL_KERNEL static V to(V const& v) {
         using Real = real_of<V>;
         if constexpr (components_of<V> != 3) return v;
         // A corner of the box may lie outside the colours that exist.
-        else return {max(v.x + v.y - v.z, Real(0.f)), max(v.x + v.z, Real(0.f)), max(v.x - v.y - v.z, Real(0.f))};
+        else
+            return {max(v.x + v.y - v.z, Real(0.f)), max(v.x + v.z, Real(0.f)), max(v.x - v.y - v.z, Real(0.f))};
     }
 };
 
@@ -83,8 +90,7 @@ struct YCoCg {
 /// @tparam Range  MinMax or MeanDeviation
 /// @tparam Axes   Rgb or YCoCg
 /// @tparam radius of the neighbourhood, in pixels
-template <class Inner, class Range = MeanDeviation, class Axes = Rgb, int radius = 1>
-struct Clamped {
+template <class Inner, class Range = MeanDeviation, class Axes = Rgb, int radius = 1> struct Clamped {
     static_assert(BlendPolicy<Inner>, "Clamped{inner, range}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
     using reads = reads_of<Inner>;
     using remembers = remembers_of<Inner>;
@@ -98,12 +104,13 @@ struct Clamped {
         using V = typename decltype(px)::Signal;
         using Real = typename decltype(px)::Real;
         typename Range::template Gatherer<V> bounds(Axes::from(px.signal()));
-        for_each_neighbour<radius>(px, [&](auto near, auto weight, int, int) __attribute__((always_inline)) {
-            bounds.add(Axes::from(near.signal()), select(near.missing(), Real(0.f), weight));
-        });
+        for_each_neighbour<radius>(
+            px, [&](auto near, auto weight, int, int)
+                    __attribute__((always_inline)) { bounds.add(Axes::from(near.signal()), select(near.missing(), Real(0.f), weight)); });
         bounds.finish(range);
-        auto const inside = Axes::to(map([](auto a, auto low, auto high) __attribute__((always_inline)) { return clamp(a, low, high); },
-                                         Axes::from(past.signal), bounds.low, bounds.high));
+        auto const inside = Axes::to(map(
+            [](auto a, auto low, auto high) __attribute__((always_inline)) { return clamp(a, low, high); }, Axes::from(past.signal),
+            bounds.low, bounds.high));
         past.clamped = past.clamped + relative_change(inside, past.signal);
         past.signal = inside;
         return inner.blend(px, past);
@@ -111,17 +118,14 @@ struct Clamped {
 
 private:
     /// w_C of TRMV eq. 8.
-    template <class V>
-    QUELL_KERNEL static auto relative_change(V const& after, V const& before) {
-        auto const change = map([](auto a, auto b) __attribute__((always_inline)) { return abs(a - b); }, after, before);
+    template <class V> QUELL_KERNEL static auto relative_change(V const& after, V const& before) {
+        auto const change = map(
+            [](auto a, auto b) __attribute__((always_inline)) { return abs(a - b); }, after, before);
         return luminance(change) / (luminance(before) + 1e-3f);
     }
 };
-template <class Inner>
-Clamped(Inner) -> Clamped<Inner>;
-template <class Inner, class Range>
-Clamped(Inner, Range) -> Clamped<Inner, Range>;
-template <class Inner, class Range, class Axes>
-Clamped(Inner, Range, Axes) -> Clamped<Inner, Range, Axes>;
+template <class Inner> Clamped(Inner) -> Clamped<Inner>;
+template <class Inner, class Range> Clamped(Inner, Range) -> Clamped<Inner, Range>;
+template <class Inner, class Range, class Axes> Clamped(Inner, Range, Axes) -> Clamped<Inner, Range, Axes>;
 
 } // namespace quell

@@ -6,8 +6,7 @@ namespace quell {
 
 /// Keeps, beside what the inner policy does, the mean and variance over time of each pixel's luminance, with the same alpha. Updated by
 /// differences (Welford 1962, in West's exponential form): E[x^2] - E[x]^2 would cancel at HDR magnitudes.
-template <class Inner>
-struct WithMoments {
+template <class Inner> struct WithMoments {
     static_assert(BlendPolicy<Inner>, "WithMoments{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
     using reads = reads_of<Inner>;
     using remembers = remembers_of<Inner>;
@@ -24,7 +23,6 @@ struct WithMoments {
         return result.with(luminance_mean, mean).with(luminance_variance, variance);
     }
 };
-template <class Inner>
-WithMoments(Inner) -> WithMoments<Inner>;
+template <class Inner> WithMoments(Inner) -> WithMoments<Inner>;
 
 } // namespace quell

@@ -8,8 +8,7 @@ namespace quell {
 
 /// A named image of a frame with `Components` floats a pixel. A channel is an empty type; its variable (`quell::normal`) is what code
 /// writes: `frame[quell::normal]`, `px[quell::normal]`. It also carries the `name` that messages use.
-template <int Components>
-struct Channel {
+template <int Components> struct Channel {
     static constexpr int components = Components;
     static constexpr bool full_precision = false; ///< true: never stored in half (positions, ids, anything whose ulp at 1000 matters)
 };
@@ -21,87 +20,75 @@ concept ChannelTag = std::is_empty_v<C> && requires {
 };
 
 /// A set of channels. Sets are values: `a | b` is their union.
-template <ChannelTag... Cs>
-struct Channels {
-    template <class C>
-    static constexpr bool has = (std::is_same_v<C, Cs> || ...);
+template <ChannelTag... Cs> struct Channels {
+    template <class C> static constexpr bool has = (std::is_same_v<C, Cs> || ...);
     static constexpr int size = sizeof...(Cs);
 };
 
-template <class... As, ChannelTag B>
-constexpr auto operator+(Channels<As...>, B) {
-    if constexpr (Channels<As...>::template has<B>) return Channels<As...>{};
-    else return Channels<As..., B>{};
+template <class... As, ChannelTag B> constexpr auto operator+(Channels<As...>, B) {
+    if constexpr (Channels<As...>::template has<B>)
+        return Channels<As...>{};
+    else
+        return Channels<As..., B>{};
 }
-template <class... As, class... Bs>
-constexpr auto operator|(Channels<As...> set, Channels<Bs...>) {
-    return (set + ... + Bs{});
-}
+template <class... As, class... Bs> constexpr auto operator|(Channels<As...> set, Channels<Bs...>) { return (set + ... + Bs{}); }
 
 /// The union of several sets.
-template <class... Sets>
-using union_of = decltype((Channels<>{} | ... | Sets{}));
+template <class... Sets> using union_of = decltype((Channels<>{} | ... | Sets{}));
 
 namespace detail {
-template <bool wanted, class... As, class... Bs>
-constexpr auto filtered(Channels<As...>, Channels<Bs...>) {
+template <bool wanted, class... As, class... Bs> constexpr auto filtered(Channels<As...>, Channels<Bs...>) {
     return union_of<std::conditional_t<Channels<Bs...>::template has<As> == wanted, Channels<As>, Channels<>>...>{};
 }
 } // namespace detail
 
 /// The channels of A that are in B as well, and those that are not.
-template <class A, class B>
-using common_to = decltype(detail::filtered<true>(A{}, B{}));
-template <class A, class B>
-using without = decltype(detail::filtered<false>(A{}, B{}));
+template <class A, class B> using common_to = decltype(detail::filtered<true>(A{}, B{}));
+template <class A, class B> using without = decltype(detail::filtered<false>(A{}, B{}));
 
 /// Whether every channel of `Part` is in `Whole`.
-template <class Part, class Whole>
-inline constexpr bool contained_in = std::is_same_v<decltype(Whole{} | Part{}), Whole>;
+template <class Part, class Whole> inline constexpr bool contained_in = std::is_same_v<decltype(Whole{} | Part{}), Whole>;
 
 namespace detail {
-template <class P>
-constexpr auto reads() {
-    if constexpr (requires { typename P::reads; }) return typename P::reads{};
-    else return Channels<>{};
+template <class P> constexpr auto reads() {
+    if constexpr (requires { typename P::reads; })
+        return typename P::reads{};
+    else
+        return Channels<>{};
 }
-template <class P>
-constexpr auto remembers() {
-    if constexpr (requires { typename P::remembers; }) return typename P::remembers{};
-    else return Channels<>{};
+template <class P> constexpr auto remembers() {
+    if constexpr (requires { typename P::remembers; })
+        return typename P::remembers{};
+    else
+        return Channels<>{};
 }
-template <class P>
-constexpr auto keeps() {
-    if constexpr (requires { typename P::keeps; }) return typename P::keeps{};
-    else return Channels<>{};
+template <class P> constexpr auto keeps() {
+    if constexpr (requires { typename P::keeps; })
+        return typename P::keeps{};
+    else
+        return Channels<>{};
 }
-template <class P>
-constexpr auto emits() {
-    if constexpr (requires { typename P::emits; }) return typename P::emits{};
-    else return Channels<>{};
+template <class P> constexpr auto emits() {
+    if constexpr (requires { typename P::emits; })
+        return typename P::emits{};
+    else
+        return Channels<>{};
 }
 } // namespace detail
 
 /// The channels of the current frame that these policies look at; a policy that names none reads none.
-template <class... Ps>
-using reads_of = decltype((Channels<>{} | ... | detail::reads<Ps>()));
+template <class... Ps> using reads_of = decltype((Channels<>{} | ... | detail::reads<Ps>()));
 
 /// The channels of the previous frame that these policies look at.
-template <class... Ps>
-using remembers_of = decltype((Channels<>{} | ... | detail::remembers<Ps>()));
+template <class... Ps> using remembers_of = decltype((Channels<>{} | ... | detail::remembers<Ps>()));
 
 /// What these policies make themselves and keep from frame to frame (history lengths, moments).
-template <class... Ps>
-using keeps_of = decltype((Channels<>{} | ... | detail::keeps<Ps>()));
+template <class... Ps> using keeps_of = decltype((Channels<>{} | ... | detail::keeps<Ps>()));
 
 /// What these policies make for the passes after them.
-template <class... Ps>
-using emits_of = decltype((Channels<>{} | ... | detail::emits<Ps>()));
+template <class... Ps> using emits_of = decltype((Channels<>{} | ... | detail::emits<Ps>()));
 
 /// Calls `f(channel)` for every channel of a set, in order.
-template <class... Cs, class F>
-constexpr void for_each_channel(Channels<Cs...>, F&& f) {
-    (f(Cs{}), ...);
-}
+template <class... Cs, class F> constexpr void for_each_channel(Channels<Cs...>, F&& f) { (f(Cs{}), ...); }
 
 } // namespace quell

@@ -35,14 +35,15 @@ QUELL_KERNEL std::uint16_t half_from_float(float a) {
 }
 
 /// `width_of<Real>` halves that lie side by side, as a Real.
-template <class Real>
-QUELL_KERNEL Real load_half(std::uint16_t const* p) {
+template <class Real> QUELL_KERNEL Real load_half(std::uint16_t const* p) {
     if constexpr (width_of<Real> == 1) return float_from_half(*p);
 #if defined(__AVX512F__) && !defined(__CUDACC__)
-    else if constexpr (width_of<Real> == 16) return Real(_mm512_cvtph_ps(_mm256_loadu_si256(reinterpret_cast<__m256i const*>(p))));
+    else if constexpr (width_of<Real> == 16)
+        return Real(_mm512_cvtph_ps(_mm256_loadu_si256(reinterpret_cast<__m256i const*>(p))));
 #endif
 #if defined(__F16C__) && !defined(__CUDACC__)
-    else if constexpr (width_of<Real> == 8) return Real(_mm256_cvtph_ps(_mm_loadu_si128(reinterpret_cast<__m128i const*>(p))));
+    else if constexpr (width_of<Real> == 8)
+        return Real(_mm256_cvtph_ps(_mm_loadu_si128(reinterpret_cast<__m128i const*>(p))));
 #endif
     else {
         float lane[width_of<Real>];
@@ -52,9 +53,9 @@ QUELL_KERNEL Real load_half(std::uint16_t const* p) {
 }
 
 /// Stores a Real as halves side by side.
-template <class Real>
-QUELL_KERNEL void store_half(std::uint16_t* p, Real a) {
-    if constexpr (width_of<Real> == 1) *p = half_from_float(a);
+template <class Real> QUELL_KERNEL void store_half(std::uint16_t* p, Real a) {
+    if constexpr (width_of<Real> == 1)
+        *p = half_from_float(a);
     else {
         [[maybe_unused]] auto const bounded = max(min(a, Real(65504.f)), Real(-65504.f));
 #if defined(__AVX512F__) && !defined(__CUDACC__)

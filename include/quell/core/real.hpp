@@ -5,17 +5,16 @@
 #include <bit>
 #include <concepts>
 #include <cstddef>
-#include <math.h>
 #include <cstdint>
 #include <limits>
+#include <math.h>
 #include <utility>
 
 #if !defined(__CUDACC__)
 #include <xsimd/xsimd.hpp>
 
 /// Lets GLM's vectors hold packs: glm::vec<3, Pack> then has arithmetic and dot.
-template <class A>
-struct std::numeric_limits<xsimd::batch<float, A>> : std::numeric_limits<float> {};
+template <class A> struct std::numeric_limits<xsimd::batch<float, A>> : std::numeric_limits<float> {};
 #endif
 
 namespace quell {
@@ -23,19 +22,14 @@ namespace quell {
 // A Real is a float (the reference, a GPU thread) or a pack of floats (neighbouring pixels of a row). Kernels are written once over Real;
 // what GLM can't do on packs is here, with the same result for both. Comparisons give a Mask: bool, or one bit a lane.
 
-template <class Real>
-inline constexpr int width_of = 1; ///< how many pixels one Real stands for
+template <class Real> inline constexpr int width_of = 1; ///< how many pixels one Real stands for
 
 namespace detail {
-template <class Real>
-struct IndexOf {
-    using type = std::int32_t;
-};
+template <class Real> struct IndexOf { using type = std::int32_t; };
 } // namespace detail
 
 /// The integer counterpart of a Real: pixel coordinates, bit patterns.
-template <class Real>
-using Index = typename detail::IndexOf<Real>::type;
+template <class Real> using Index = typename detail::IndexOf<Real>::type;
 
 QUELL_KERNEL float min(float a, float b) { return a < b ? a : b; }
 QUELL_KERNEL float max(float a, float b) { return a > b ? a : b; }
@@ -50,15 +44,12 @@ QUELL_KERNEL float from_bits(std::int32_t a) { return std::bit_cast<float>(a); }
 QUELL_KERNEL std::int32_t truncate(float a) { return static_cast<std::int32_t>(a); }
 QUELL_KERNEL float to_real(std::int32_t a) { return static_cast<float>(a); }
 // Templates because clang 14 has no constant evaluation of these two, which it refuses in a plain constexpr function.
-template <std::same_as<float> F>
-QUELL_KERNEL float sqrt(F a) { return ::sqrtf(a); }
-template <std::same_as<float> F>
-QUELL_KERNEL float floor(F a) { return ::floorf(a); }
+template <std::same_as<float> F> QUELL_KERNEL float sqrt(F a) { return ::sqrtf(a); }
+template <std::same_as<float> F> QUELL_KERNEL float floor(F a) { return ::floorf(a); }
 
 /// a * b + c, in one rounding where the instruction set has it. Kernels say so explicitly: left to itself a compiler contracts differently
 /// from one inlined copy to the next (and g++ for AMD's Zen not at all), so that results would depend on where a kernel is used.
-template <std::same_as<float> F>
-QUELL_KERNEL float fma(F a, F b, F c) {
+template <std::same_as<float> F> QUELL_KERNEL float fma(F a, F b, F c) {
 #if defined(__FMA__) && !defined(__CUDACC__)
     return __builtin_fmaf(a, b, c);
 #else
@@ -70,60 +61,44 @@ QUELL_KERNEL float fma(F a, F b, F c) {
 /// The widest pack of the instruction set that this translation unit is compiled for.
 using Pack = xsimd::batch<float>;
 
-template <class A>
-inline constexpr int width_of<xsimd::batch<float, A>> = static_cast<int>(xsimd::batch<float, A>::size);
+template <class A> inline constexpr int width_of<xsimd::batch<float, A>> = static_cast<int>(xsimd::batch<float, A>::size);
 
 namespace detail {
-template <class A>
-struct IndexOf<xsimd::batch<float, A>> {
-    using type = xsimd::batch<std::int32_t, A>;
-};
-template <class A>
-using PackOf = xsimd::batch<float, A>;
-template <class A>
-using LanesOf = xsimd::batch<std::int32_t, A>;
-template <class A>
-using MaskOf = xsimd::batch_bool<float, A>;
+template <class A> struct IndexOf<xsimd::batch<float, A>> { using type = xsimd::batch<std::int32_t, A>; };
+template <class A> using PackOf = xsimd::batch<float, A>;
+template <class A> using LanesOf = xsimd::batch<std::int32_t, A>;
+template <class A> using MaskOf = xsimd::batch_bool<float, A>;
 } // namespace detail
 
-template <class A>
-QUELL_KERNEL auto min(xsimd::batch<float, A> a, xsimd::batch<float, A> b) { return xsimd::min(a, b); }
-template <class A>
-QUELL_KERNEL auto max(xsimd::batch<float, A> a, xsimd::batch<float, A> b) { return xsimd::max(a, b); }
-template <class A>
-QUELL_KERNEL auto min(xsimd::batch<float, A> a, float b) { return xsimd::min(a, detail::PackOf<A>(b)); }
-template <class A>
-QUELL_KERNEL auto max(xsimd::batch<float, A> a, float b) { return xsimd::max(a, detail::PackOf<A>(b)); }
-template <class A>
-QUELL_KERNEL auto abs(xsimd::batch<float, A> a) { return xsimd::abs(a); }
-template <class A>
-QUELL_KERNEL auto sqrt(xsimd::batch<float, A> a) { return xsimd::sqrt(a); }
-template <class A>
-QUELL_KERNEL auto floor(xsimd::batch<float, A> a) { return xsimd::floor(a); }
-template <class A>
-QUELL_KERNEL auto select(xsimd::batch_bool<float, A> m, xsimd::batch<float, A> a, xsimd::batch<float, A> b) { return xsimd::select(m, a, b); }
-template <class A>
-QUELL_KERNEL auto select(xsimd::batch_bool<float, A> m, float a, float b) { return xsimd::select(m, detail::PackOf<A>(a), detail::PackOf<A>(b)); }
-template <class A>
-QUELL_KERNEL auto select(xsimd::batch_bool<float, A> m, xsimd::batch<float, A> a, float b) { return xsimd::select(m, a, detail::PackOf<A>(b)); }
-template <class A>
-QUELL_KERNEL auto select(xsimd::batch_bool<float, A> m, float a, xsimd::batch<float, A> b) { return xsimd::select(m, detail::PackOf<A>(a), b); }
-template <class A>
-QUELL_KERNEL bool any(xsimd::batch_bool<float, A> m) { return xsimd::any(m); }
-template <class A>
-QUELL_KERNEL bool all(xsimd::batch_bool<float, A> m) { return xsimd::all(m); }
-template <class A>
-QUELL_KERNEL auto fma(xsimd::batch<float, A> a, xsimd::batch<float, A> b, xsimd::batch<float, A> c) { return xsimd::fma(a, b, c); }
-template <class A>
-QUELL_KERNEL auto invert(xsimd::batch_bool<float, A> m) { return !m; }
-template <class A>
-QUELL_KERNEL auto bits(xsimd::batch<float, A> a) { return xsimd::bitwise_cast<detail::LanesOf<A>>(a); }
-template <class A>
-QUELL_KERNEL auto from_bits(xsimd::batch<std::int32_t, A> a) { return xsimd::bitwise_cast<detail::PackOf<A>>(a); }
-template <class A>
-QUELL_KERNEL auto truncate(xsimd::batch<float, A> a) { return xsimd::to_int(a); }
-template <class A>
-QUELL_KERNEL auto to_real(xsimd::batch<std::int32_t, A> a) { return xsimd::to_float(a); }
+template <class A> QUELL_KERNEL auto min(xsimd::batch<float, A> a, xsimd::batch<float, A> b) { return xsimd::min(a, b); }
+template <class A> QUELL_KERNEL auto max(xsimd::batch<float, A> a, xsimd::batch<float, A> b) { return xsimd::max(a, b); }
+template <class A> QUELL_KERNEL auto min(xsimd::batch<float, A> a, float b) { return xsimd::min(a, detail::PackOf<A>(b)); }
+template <class A> QUELL_KERNEL auto max(xsimd::batch<float, A> a, float b) { return xsimd::max(a, detail::PackOf<A>(b)); }
+template <class A> QUELL_KERNEL auto abs(xsimd::batch<float, A> a) { return xsimd::abs(a); }
+template <class A> QUELL_KERNEL auto sqrt(xsimd::batch<float, A> a) { return xsimd::sqrt(a); }
+template <class A> QUELL_KERNEL auto floor(xsimd::batch<float, A> a) { return xsimd::floor(a); }
+template <class A> QUELL_KERNEL auto select(xsimd::batch_bool<float, A> m, xsimd::batch<float, A> a, xsimd::batch<float, A> b) {
+    return xsimd::select(m, a, b);
+}
+template <class A> QUELL_KERNEL auto select(xsimd::batch_bool<float, A> m, float a, float b) {
+    return xsimd::select(m, detail::PackOf<A>(a), detail::PackOf<A>(b));
+}
+template <class A> QUELL_KERNEL auto select(xsimd::batch_bool<float, A> m, xsimd::batch<float, A> a, float b) {
+    return xsimd::select(m, a, detail::PackOf<A>(b));
+}
+template <class A> QUELL_KERNEL auto select(xsimd::batch_bool<float, A> m, float a, xsimd::batch<float, A> b) {
+    return xsimd::select(m, detail::PackOf<A>(a), b);
+}
+template <class A> QUELL_KERNEL bool any(xsimd::batch_bool<float, A> m) { return xsimd::any(m); }
+template <class A> QUELL_KERNEL bool all(xsimd::batch_bool<float, A> m) { return xsimd::all(m); }
+template <class A> QUELL_KERNEL auto fma(xsimd::batch<float, A> a, xsimd::batch<float, A> b, xsimd::batch<float, A> c) {
+    return xsimd::fma(a, b, c);
+}
+template <class A> QUELL_KERNEL auto invert(xsimd::batch_bool<float, A> m) { return !m; }
+template <class A> QUELL_KERNEL auto bits(xsimd::batch<float, A> a) { return xsimd::bitwise_cast<detail::LanesOf<A>>(a); }
+template <class A> QUELL_KERNEL auto from_bits(xsimd::batch<std::int32_t, A> a) { return xsimd::bitwise_cast<detail::PackOf<A>>(a); }
+template <class A> QUELL_KERNEL auto truncate(xsimd::batch<float, A> a) { return xsimd::to_int(a); }
+template <class A> QUELL_KERNEL auto to_real(xsimd::batch<std::int32_t, A> a) { return xsimd::to_float(a); }
 template <class A>
 QUELL_KERNEL auto select_index(xsimd::batch_bool<float, A> m, xsimd::batch<std::int32_t, A> a, xsimd::batch<std::int32_t, A> b) {
     return bits(xsimd::select(m, from_bits(a), from_bits(b)));
@@ -131,49 +106,45 @@ QUELL_KERNEL auto select_index(xsimd::batch_bool<float, A> m, xsimd::batch<std::
 #endif
 
 /// A value between two bounds; a NaN becomes the lower one.
-template <class Real>
-QUELL_KERNEL Real clamp(Real a, Real low, Real high) { return min(max(a, low), high); }
+template <class Real> QUELL_KERNEL Real clamp(Real a, Real low, Real high) { return min(max(a, low), high); }
 
 namespace detail {
 alignas(64) inline constexpr float counting[] = {0.f, 1.f, 2.f, 3.f, 4.f, 5.f, 6.f, 7.f, 8.f, 9.f, 10.f, 11.f, 12.f, 13.f, 14.f, 15.f};
 }
 
 /// (0, 1, 2, ...): which pixel of the pack each lane is.
-template <class Real>
-QUELL_KERNEL Real lanes() {
-    if constexpr (width_of<Real> == 1) return 0.f;
-    else return Real::load_aligned(detail::counting);
+template <class Real> QUELL_KERNEL Real lanes() {
+    if constexpr (width_of<Real> == 1)
+        return 0.f;
+    else
+        return Real::load_aligned(detail::counting);
 }
 
 /// One lane of a Real or Index.
 QUELL_KERNEL float lane(float a, int) { return a; }
 QUELL_KERNEL std::int32_t lane(std::int32_t a, int) { return a; }
 #if !defined(__CUDACC__)
-template <class T, class A>
-QUELL_KERNEL T lane(xsimd::batch<T, A> const& a, int i) { return a.get(static_cast<std::size_t>(i)); }
+template <class T, class A> QUELL_KERNEL T lane(xsimd::batch<T, A> const& a, int i) { return a.get(static_cast<std::size_t>(i)); }
 #endif
 
 /// True where a is neither NaN nor infinite. Reads the bits, since -ffast-math deletes every test on values: the exponent field is
 /// compared as an ordinary number.
-template <class Real>
-QUELL_KERNEL auto is_finite(Real a) { return to_real((bits(a) >> 23) & Index<Real>(255)) < Real(254.5f); }
+template <class Real> QUELL_KERNEL auto is_finite(Real a) { return to_real((bits(a) >> 23) & Index<Real>(255)) < Real(254.5f); }
 
 /// True where the sign bit is set, -0 included.
-template <class Real>
-QUELL_KERNEL auto sign_bit(Real a) {
+template <class Real> QUELL_KERNEL auto sign_bit(Real a) {
     constexpr std::int32_t sign = std::numeric_limits<std::int32_t>::min(), one = 0x3f800000;
     return from_bits((bits(a) & Index<Real>(sign)) | Index<Real>(one)) < Real(0.f);
 }
 /// a with its sign bit set or cleared.
-template <class Real>
-QUELL_KERNEL Real with_sign_bit(Real a) { return from_bits(bits(a) | Index<Real>(std::numeric_limits<std::int32_t>::min())); }
-template <class Real>
-QUELL_KERNEL Real without_sign_bit(Real a) { return from_bits(bits(a) & Index<Real>(0x7fffffff)); }
+template <class Real> QUELL_KERNEL Real with_sign_bit(Real a) {
+    return from_bits(bits(a) | Index<Real>(std::numeric_limits<std::int32_t>::min()));
+}
+template <class Real> QUELL_KERNEL Real without_sign_bit(Real a) { return from_bits(bits(a) & Index<Real>(0x7fffffff)); }
 
 /// e^a, relative error under 3e-7 for a in [-87, 88], clamped outside: no libm call, the same for float and pack.
 /// Cody-Waite reduction to [-ln2/2, ln2/2] and a degree-6 Taylor polynomial.
-template <class Real>
-QUELL_KERNEL Real exp(Real a) {
+template <class Real> QUELL_KERNEL Real exp(Real a) {
     auto const x = clamp(a, Real(-87.f), Real(88.f));
     auto const n = floor(x * 1.44269504f + 0.5f);
     auto const r = fma(n, Real(2.12194440e-4f), fma(n, Real(-0.693359375f), x));
@@ -186,18 +157,16 @@ QUELL_KERNEL Real exp(Real a) {
     return p * from_bits((truncate(n) + Index<Real>(127)) << 23);
 }
 
-/// 1 / a for positive a that is not denormal, relative error under 0.2 %, in three operations: for weights, where a division would be the slowest
-/// part of a tap. An integer subtraction negates the exponent, one tuned Newton step does the rest; the same bits on every machine, which the
-/// processor's own estimate does not give.
-template <class Real>
-QUELL_KERNEL Real approximate_reciprocal(Real a) {
+/// 1 / a for positive a that is not denormal, relative error under 0.2 %, in three operations: for weights, where a division would be the
+/// slowest part of a tap. An integer subtraction negates the exponent, one tuned Newton step does the rest; the same bits on every machine,
+/// which the processor's own estimate does not give.
+template <class Real> QUELL_KERNEL Real approximate_reciprocal(Real a) {
     auto const guess = from_bits(Index<Real>(0x7ef33000) - bits(a));
     return guess * fma(-a, guess, Real(2.001f));
 }
 
 /// a^32 by five squarings.
-template <class Real>
-QUELL_KERNEL Real power_of_32(Real a) {
+template <class Real> QUELL_KERNEL Real power_of_32(Real a) {
     a = a * a;
     a = a * a;
     a = a * a;

@@ -5,73 +5,62 @@
 namespace quell {
 
 namespace detail {
-template <class C, class T>
-struct Slot {
-    T held;
-};
-template <class C, class T>
-QUELL_KERNEL T& slot(Slot<C, T>& s) { return s.held; }
-template <class C, class T>
-QUELL_KERNEL T const& slot(Slot<C, T> const& s) { return s.held; }
+template <class C, class T> struct Slot { T held; };
+template <class C, class T> QUELL_KERNEL T& slot(Slot<C, T>& s) { return s.held; }
+template <class C, class T> QUELL_KERNEL T const& slot(Slot<C, T> const& s) { return s.held; }
 } // namespace detail
 
 /// The values of several channels at one pixel: `record[history_length]`.
-template <class Real, class Set>
-struct Record;
-template <class Real, class... Cs>
-struct Record<Real, Channels<Cs...>> : detail::Slot<Cs, Value<Cs::components, Real>>... {
+template <class Real, class Set> struct Record;
+template <class Real, class... Cs> struct Record<Real, Channels<Cs...>> : detail::Slot<Cs, Value<Cs::components, Real>>... {
     using channels = Channels<Cs...>;
 
-    template <ChannelTag C>
-    QUELL_KERNEL auto operator[](C) const {
+    template <ChannelTag C> QUELL_KERNEL auto operator[](C) const {
         static_assert(channels::template has<C>, "a policy looks at a value that is not kept: add the channel to its `keeps`");
         if constexpr (channels::template has<C>) return detail::slot<C>(*this);
     }
-    template <ChannelTag C>
-    QUELL_KERNEL void set(C, Value<C::components, Real> v) { detail::slot<C>(*this) = v; }
+    template <ChannelTag C> QUELL_KERNEL void set(C, Value<C::components, Real> v) { detail::slot<C>(*this) = v; }
 };
 
 /// Makes a record by asking f(channel) for each value.
-template <class Real, class... Cs, class F>
-QUELL_KERNEL Record<Real, Channels<Cs...>> make_record(Channels<Cs...>, F&& f) {
+template <class Real, class... Cs, class F> QUELL_KERNEL Record<Real, Channels<Cs...>> make_record(Channels<Cs...>, F&& f) {
     return {{f(Cs{})}...};
 }
 
 /// What a blend or a filter makes of a pixel: its new value, how much of it is new (`alpha`), and whatever else it keeps or emits.
 ///     return Result{value, alpha}.with(history_length, n);
-template <class V, class Set = Channels<>>
-struct Result {
+template <class V, class Set = Channels<>> struct Result {
     using Real = real_of<V>;
     V value;
     Real alpha = Real(1.f);
     Record<Real, Set> more{};
 
     /// The same with one more channel, or with another value for one that it has.
-    template <ChannelTag C>
-    QUELL_KERNEL auto with(C c, Value<C::components, Real> v) const {
+    template <ChannelTag C> QUELL_KERNEL auto with(C c, Value<C::components, Real> v) const {
         using Wider = decltype(Set{} + c);
-        return Result<V, Wider>{value, alpha, make_record<Real>(Wider{}, [&](auto d) __attribute__((always_inline)) {
-                                    if constexpr (std::is_same_v<decltype(d), C>) return v;
-                                    else return more[d];
-                                })};
+        return Result<V, Wider>{value, alpha,
+                                make_record<Real>(
+                                    Wider{}, [&](auto d) __attribute__((always_inline)) {
+                                        if constexpr (std::is_same_v<decltype(d), C>)
+                                            return v;
+                                        else
+                                            return more[d];
+                                    })};
     }
 };
-template <class V>
-Result(V) -> Result<V>;
-template <class V, class A>
-Result(V, A) -> Result<V>;
+template <class V> Result(V) -> Result<V>;
+template <class V, class A> Result(V, A) -> Result<V>;
 
 namespace detail {
-template <class T>
-inline constexpr bool is_result = false;
-template <class V, class Set>
-inline constexpr bool is_result<Result<V, Set>> = true;
+template <class T> inline constexpr bool is_result = false;
+template <class V, class Set> inline constexpr bool is_result<Result<V, Set>> = true;
 
 /// Policies with nothing more to say return the bare value.
-template <class T>
-QUELL_KERNEL auto as_result(T const& t) {
-    if constexpr (is_result<T>) return t;
-    else return Result<T>{t, real_of<T>(1.f), {}};
+template <class T> QUELL_KERNEL auto as_result(T const& t) {
+    if constexpr (is_result<T>)
+        return t;
+    else
+        return Result<T>{t, real_of<T>(1.f), {}};
 }
 } // namespace detail
 

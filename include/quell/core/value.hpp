@@ -11,140 +11,124 @@
 
 namespace quell {
 
-template <class Real>
-using vec2 = glm::vec<2, Real>;
-template <class Real>
-using vec3 = glm::vec<3, Real>;
+template <class Real> using vec2 = glm::vec<2, Real>;
+template <class Real> using vec3 = glm::vec<3, Real>;
 
 /// A value of more components than GLM's vectors have (six cones of radiance with weights: 24).
-template <int N, class Real>
-struct Components {
-    Real at[N];
-};
+template <int N, class Real> struct Components { Real at[N]; };
 
 namespace detail {
-template <int N, class Real>
-struct ValueOf {
-    using type = Components<N, Real>;
-};
-template <class Real>
-struct ValueOf<1, Real> {
-    using type = Real;
-};
+template <int N, class Real> struct ValueOf { using type = Components<N, Real>; };
+template <class Real> struct ValueOf<1, Real> { using type = Real; };
 template <int N, class Real>
     requires(N > 1 && N < 5)
 struct ValueOf<N, Real> {
     using type = glm::vec<N, Real>;
 };
 
-template <class V>
-struct Shape {
+template <class V> struct Shape {
     static constexpr int components = 1;
     using real = V;
 };
-template <int N, class Real>
-struct Shape<glm::vec<N, Real>> {
+template <int N, class Real> struct Shape<glm::vec<N, Real>> {
     static constexpr int components = N;
     using real = Real;
 };
-template <int N, class Real>
-struct Shape<Components<N, Real>> {
+template <int N, class Real> struct Shape<Components<N, Real>> {
     static constexpr int components = N;
     using real = Real;
 };
 } // namespace detail
 
 /// What a pixel of N components is: a Real, a GLM vector, or Components.
-template <int N, class Real>
-using Value = typename detail::ValueOf<N, Real>::type;
+template <int N, class Real> using Value = typename detail::ValueOf<N, Real>::type;
 
-template <class V>
-inline constexpr int components_of = detail::Shape<V>::components;
-template <class V>
-using real_of = typename detail::Shape<V>::real;
+template <class V> inline constexpr int components_of = detail::Shape<V>::components;
+template <class V> using real_of = typename detail::Shape<V>::real;
 
 /// Component `c` of a value, `c` known at compile time (g++ 12.2 miscompiles loops that write GLM components by operator[]).
-template <int c, class V>
-QUELL_KERNEL auto component(V const& v) {
+template <int c, class V> QUELL_KERNEL auto component(V const& v) {
     constexpr int n = components_of<V>;
-    if constexpr (n == 1) return v;
-    else if constexpr (n > 4) return v.at[c];
-    else if constexpr (c == 0) return v.x;
-    else if constexpr (c == 1) return v.y;
-    else if constexpr (c == 2) return v.z;
-    else return v.w;
+    if constexpr (n == 1)
+        return v;
+    else if constexpr (n > 4)
+        return v.at[c];
+    else if constexpr (c == 0)
+        return v.x;
+    else if constexpr (c == 1)
+        return v.y;
+    else if constexpr (c == 2)
+        return v.z;
+    else
+        return v.w;
 }
 
 /// Makes a value whose component c is f(integral_constant<c>), in one expression.
-template <int N, class Real, class F>
-QUELL_KERNEL Value<N, Real> make_value(F&& f) {
+template <int N, class Real, class F> QUELL_KERNEL Value<N, Real> make_value(F&& f) {
     return [&]<int... c>(std::integer_sequence<int, c...>) __attribute__((always_inline)) {
         return Value<N, Real>{f(std::integral_constant<int, c>{})...};
-    }(std::make_integer_sequence<int, N>{});
+    }
+    (std::make_integer_sequence<int, N>{});
 }
 
 /// Applies f to each component of one value or of several of the same shape.
-template <class F, class V, class... Vs>
-QUELL_KERNEL auto map(F&& f, V const& v, Vs const&... vs) {
+template <class F, class V, class... Vs> QUELL_KERNEL auto map(F&& f, V const& v, Vs const&... vs) {
     using Result = decltype(f(component<0>(v), component<0>(vs)...));
-    return make_value<components_of<V>, Result>([&](auto c) __attribute__((always_inline)) { return f(component<c>(v), component<c>(vs)...); });
+    return make_value<components_of<V>, Result>([&](auto c)
+                                                    __attribute__((always_inline)) { return f(component<c>(v), component<c>(vs)...); });
 }
 
 /// Combines all components of a value: f(f(f(first, c0), c1), c2)...
-template <class F, class V, class R>
-QUELL_KERNEL R fold(F&& f, R first, V const& v) {
-    [&]<int... c>(std::integer_sequence<int, c...>) __attribute__((always_inline)) {
-        ((first = f(first, component<c>(v))), ...);
-    }(std::make_integer_sequence<int, components_of<V>>{});
+template <class F, class V, class R> QUELL_KERNEL R fold(F&& f, R first, V const& v) {
+    [&]<int... c>(std::integer_sequence<int, c...>) __attribute__((always_inline)) { ((first = f(first, component<c>(v))), ...); }
+    (std::make_integer_sequence<int, components_of<V>>{});
     return first;
 }
 
 /// The value with every component `a`.
-template <class V>
-QUELL_KERNEL V splat(real_of<V> a) {
+template <class V> QUELL_KERNEL V splat(real_of<V> a) {
     return make_value<components_of<V>, real_of<V>>([&](auto) __attribute__((always_inline)) { return a; });
 }
-template <class V>
-QUELL_KERNEL V zero() { return splat<V>(real_of<V>(0.f)); }
+template <class V> QUELL_KERNEL V zero() { return splat<V>(real_of<V>(0.f)); }
 
 /// sum + v * weight.
-template <class V>
-QUELL_KERNEL V add_scaled(V const& sum, V const& v, real_of<V> weight) {
-    return map([&](auto s, auto a) __attribute__((always_inline)) { return fma(a, weight, s); }, sum, v);
+template <class V> QUELL_KERNEL V add_scaled(V const& sum, V const& v, real_of<V> weight) {
+    return map(
+        [&](auto s, auto a) __attribute__((always_inline)) { return fma(a, weight, s); }, sum, v);
 }
-template <class V>
-QUELL_KERNEL V scale(V const& v, real_of<V> factor) {
-    return map([&](auto a) __attribute__((always_inline)) { return a * factor; }, v);
+template <class V> QUELL_KERNEL V scale(V const& v, real_of<V> factor) {
+    return map(
+        [&](auto a) __attribute__((always_inline)) { return a * factor; }, v);
 }
 /// a + (b - a) * t.
-template <class V>
-QUELL_KERNEL V mix(V const& a, V const& b, real_of<V> t) {
-    return map([&](auto x, auto y) __attribute__((always_inline)) { return fma(y - x, t, x); }, a, b);
+template <class V> QUELL_KERNEL V mix(V const& a, V const& b, real_of<V> t) {
+    return map(
+        [&](auto x, auto y) __attribute__((always_inline)) { return fma(y - x, t, x); }, a, b);
 }
 /// Where the mask holds, a; elsewhere, b.
 template <class Mask, class V>
     requires(components_of<V> > 1)
 QUELL_KERNEL V select(Mask mask, V const& a, V const& b) {
-    return map([&](auto x, auto y) __attribute__((always_inline)) { return quell::select(mask, x, y); }, a, b);
+    return map(
+        [&](auto x, auto y) __attribute__((always_inline)) { return quell::select(mask, x, y); }, a, b);
 }
 /// True where every component is finite.
-template <class V>
-QUELL_KERNEL auto all_finite(V const& v) {
+template <class V> QUELL_KERNEL auto all_finite(V const& v) {
     // Adding up first would be cheaper, and wrong: inf - inf, and overflow of large finite values.
-    return fold([](auto sofar, auto a) __attribute__((always_inline)) { return sofar & is_finite(a); }, is_finite(component<0>(v)), v);
+    return fold(
+        [](auto sofar, auto a) __attribute__((always_inline)) { return sofar & is_finite(a); }, is_finite(component<0>(v)), v);
 }
-template <class Real>
-QUELL_KERNEL Real dot(vec3<Real> const& a, vec3<Real> const& b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
+template <class Real> QUELL_KERNEL Real dot(vec3<Real> const& a, vec3<Real> const& b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
 
 /// Rec. 709 luminance of a colour; a value of another shape counts as the mean of its components.
-template <class V>
-QUELL_KERNEL auto luminance(V const& v) {
+template <class V> QUELL_KERNEL auto luminance(V const& v) {
     if constexpr (components_of<V> == 3) {
         using Real = real_of<V>;
         return fma(component<0>(v), Real(0.2126f), fma(component<1>(v), Real(0.7152f), component<2>(v) * 0.0722f));
-    }
-    else
-        return fold([](auto sofar, auto a) __attribute__((always_inline)) { return sofar + a; }, real_of<V>(0.f), v) * (1.f / components_of<V>);
+    } else
+        return fold(
+                   [](auto sofar, auto a) __attribute__((always_inline)) { return sofar + a; }, real_of<V>(0.f), v) *
+               (1.f / components_of<V>);
 }
 
 } // namespace quell

@@ -6,12 +6,8 @@
 namespace quell {
 
 /// Tells a job how many pixels to compute at once: `job(at_once<Pack>, x, y, count)`.
-template <class Real>
-struct AtOnce {
-    using real = Real;
-};
-template <class Real>
-inline constexpr AtOnce<Real> at_once;
+template <class Real> struct AtOnce { using real = Real; };
+template <class Real> inline constexpr AtOnce<Real> at_once;
 
 /// Pixels from (x0, y0) up to but not including (x1, y1).
 struct Region {
@@ -21,17 +17,18 @@ struct Region {
 namespace detail {
 struct AnyJob {
     static constexpr auto name = "any";
-    template <class Real>
-    void operator()(AtOnce<Real>, int, int, int) const {}
+    template <class Real> void operator()(AtOnce<Real>, int, int, int) const {}
 };
 } // namespace detail
 
 /// Runs a job once for every pixel of a region, in any order, on anything:
 ///     void for_each_pixel(Region region, auto const& job) const
-/// A job computes `count` pixels from (x, y) to the right, at most as many as a Real has lanes, and writes nothing else. `job.name` says which pass
-/// it is.
+/// A job computes `count` pixels from (x, y) to the right, at most as many as a Real has lanes, and writes nothing else. `job.name` says
+/// which pass it is.
 template <class E>
-concept Executor = requires(E const e, Region region, detail::AnyJob job) { e.for_each_pixel(region, job); };
+concept Executor = requires(E const e, Region region, detail::AnyJob job) {
+    e.for_each_pixel(region, job);
+};
 
 /// One pixel after the other, on this thread: the reference.
 struct Serial {

@@ -8,14 +8,13 @@
 
 namespace quell {
 
-/// Tiles of an image on several threads (oneTBB), each run by another executor. Every pixel is computed by the same instructions whichever tile it
-/// falls in, so the image does not depend on the number of threads or the tile's size. Called inside the host's own task arena with `count`
-/// 0, it uses that arena's threads.
+/// Tiles of an image on several threads (oneTBB), each run by another executor. Every pixel is computed by the same instructions whichever
+/// tile it falls in, so the image does not depend on the number of threads or the tile's size. Called inside the host's own task arena with
+/// `count` 0, it uses that arena's threads.
 /// @tparam Each the executor of one tile
-template <class Each = Simd>
-struct Threads {
-    int count = 0;                ///< threads; 0: as many as the calling arena has
-    Extent tile = {256, 32};      ///< pixels; with the rows that a 5x5 kernel at step 16 reaches, 256 columns fit a 512 KB L2
+template <class Each = Simd> struct Threads {
+    int count = 0;           ///< threads; 0: as many as the calling arena has
+    Extent tile = {256, 32}; ///< pixels; with the rows that a 5x5 kernel at step 16 reaches, 256 columns fit a 512 KB L2
     Each each{};
 
     void for_each_pixel(Region r, auto const& job) const {

@@ -8,12 +8,10 @@ namespace detail {
 inline constexpr float b3_spline[3] = {0.375f, 0.25f, 0.0625f};
 
 /// Gives back the centre where arithmetic went wrong: a NaN in a guide, under flags that let the compiler assume there is none.
-template <class V>
-QUELL_KERNEL V finite_or(V const& v, V const& centre) { return select(all_finite(v), v, centre); }
+template <class V> QUELL_KERNEL V finite_or(V const& v, V const& centre) { return select(all_finite(v), v, centre); }
 
 /// One level of the edge-avoiding wavelet. With `guided` it filters the variance along, by squared weights.
-template <class Edge, bool guided>
-struct AtrousLevel {
+template <class Edge, bool guided> struct AtrousLevel {
     static constexpr auto name = guided ? "variance-guided a-trous" : "a-trous";
     using reads = std::conditional_t<guided, decltype(reads_of<Edge>{} | Channels<Variance>{}), reads_of<Edge>>;
     using emits = std::conditional_t<guided, Channels<Variance>, Channels<>>;
@@ -29,28 +27,33 @@ struct AtrousLevel {
         Real weights(b3_spline[0] * b3_spline[0]), noise(0.f);
         if constexpr (guided) noise = px[variance] * (weights * weights);
         auto const add = [&](auto near, auto weight, auto const& toward) __attribute__((always_inline)) {
-            auto const w = usable(near, weight) * edge_weight(toward.distance(near));
+            auto const w = usable(near, weight) * edge_weight(toward.distance(near, Real(0.f)));
             sum = add_scaled(sum, near.signal(), w);
             weights = weights + w;
             if constexpr (guided) noise = fma(near[variance], w * w, noise);
         };
-        for_each_tap_pair<2>(px, step, b3_spline, [&](auto near, auto weight, auto opposite, auto its_weight, int dx, int dy) __attribute__((always_inline)) {
-            auto const toward = around.toward(dx, dy);
-            add(near, weight, toward);
-            add(opposite, its_weight, toward);
-        });
+        for_each_tap_pair<2>(
+            px, step,
+            b3_spline, [&](auto near, auto weight, auto opposite, auto its_weight, int dx, int dy) __attribute__((always_inline)) {
+                auto const toward = around.toward(dx, dy);
+                add(near, weight, toward);
+                add(opposite, its_weight, toward);
+            });
         auto const inverse = 1.f / weights;
         auto const result = Result{finite_or(scale(sum, inverse), px.signal())};
-        if constexpr (guided) return result.with(variance, finite_or(noise * (inverse * inverse), px[variance]));
-        else return result;
+        if constexpr (guided)
+            return result.with(variance, finite_or(noise * (inverse * inverse), px[variance]));
+        else
+            return result;
     }
 
 private:
     /// A missing sample, where they are still marked, weighs nothing.
-    template <class Px, class Real>
-    QUELL_KERNEL static Real usable(Px const& near, Real weight) {
-        if constexpr (Px::Scope::marks_missing) return select(near.missing(), Real(0.f), weight);
-        else return weight;
+    template <class Px, class Real> QUELL_KERNEL static Real usable(Px const& near, Real weight) {
+        if constexpr (Px::Scope::marks_missing)
+            return select(near.missing(), Real(0.f), weight);
+        else
+            return weight;
     }
 };
 } // namespace detail
@@ -58,8 +61,7 @@ private:
 /// The edge-avoiding a-trous wavelet: `levels` passes of a 5x5 B3 spline whose taps stand 1, 2, 4, ... pixels apart (Dammertz 2010).
 ///     Atrous{.edge = Product{DepthEdge{}, NormalEdge{}}, .levels = 4}
 /// @tparam Edge an EdgeWeight
-template <class Edge = Product<DepthEdge, NormalEdge>>
-struct Atrous {
+template <class Edge = Product<DepthEdge, NormalEdge>> struct Atrous {
     static_assert(EdgeWeight<Edge>, "Atrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
     using reads = reads_of<Edge>;
     Edge edge{};
@@ -70,9 +72,7 @@ struct Atrous {
         for (int i = 0; i < levels; ++i) pass(Level{edge, 1 << i});
     }
 };
-template <class Edge>
-Atrous(Edge) -> Atrous<Edge>;
-template <class Edge>
-Atrous(Edge, int) -> Atrous<Edge>;
+template <class Edge> Atrous(Edge) -> Atrous<Edge>;
+template <class Edge> Atrous(Edge, int) -> Atrous<Edge>;
 
 } // namespace quell

@@ -11,16 +11,14 @@ struct DepthEdge {
     float sigma = 1.f;
     float relative_floor = 0.01f; ///< the change of depth, as a part of depth, that always passes at weight 1/e
 
-    template <class Real>
-    struct Toward {
+    template <class Real> struct Toward {
         Real z, inverse;
-        QUELL_KERNEL Real distance(auto near) const { return abs(near[depth] - z) * inverse; }
+        QUELL_KERNEL Real distance(auto near, Real sum) const { return fma(abs(near[depth] - z), inverse, sum); }
     };
-    template <class Real>
-    struct Around {
+    template <class Real> struct Around {
         Real z, slope_x, slope_y, floor;
         QUELL_KERNEL auto toward(int dx, int dy) const {
-            auto const along = abs(slope_x * static_cast<float>(dx) + slope_y * static_cast<float>(dy));
+            auto const along = abs(fma(slope_x, Real(static_cast<float>(dx)), slope_y * static_cast<float>(dy)));
             return Toward<Real>{z, approximate_reciprocal(along + floor)};
         }
     };
@@ -32,8 +30,7 @@ struct DepthEdge {
 
 private:
     /// The smaller one-sided difference: across a silhouette one of them is the edge, not the surface.
-    template <class Real>
-    QUELL_KERNEL static Real slope(Real z, Real before, Real after) {
+    template <class Real> QUELL_KERNEL static Real slope(Real z, Real before, Real after) {
         auto const back = z - before, forth = after - z;
         return select(abs(back) < abs(forth), back, forth);
     }
@@ -44,14 +41,13 @@ struct NormalEdge {
     using reads = Channels<Normal>;
     float sharpness = 128.f;
 
-    template <class Real>
-    struct Around {
+    template <class Real> struct Around {
         vec3<Real> n; // times -sharpness
         float sharpness;
         QUELL_KERNEL Around toward(int, int) const { return *this; }
-        QUELL_KERNEL Real distance(auto near) const {
+        QUELL_KERNEL Real distance(auto near, Real sum) const {
             auto const there = near[normal];
-            return fma(n.x, there.x, fma(n.y, there.y, fma(n.z, there.z, Real(sharpness))));
+            return fma(n.x, there.x, fma(n.y, there.y, fma(n.z, there.z, sum + sharpness)));
         }
     };
     QUELL_KERNEL auto around(auto px) const {
@@ -64,12 +60,11 @@ struct NormalEdge {
 struct LuminanceEdge {
     float sigma = 1.f;
 
-    template <class Real>
-    struct Around {
+    template <class Real> struct Around {
         Real centre;
         float inverse;
         QUELL_KERNEL Around toward(int, int) const { return *this; }
-        QUELL_KERNEL Real distance(auto near) const { return abs(luminance(near.signal()) - centre) * inverse; }
+        QUELL_KERNEL Real distance(auto near, Real sum) const { return fma(abs(luminance(near.signal()) - centre), Real(inverse), sum); }
     };
     QUELL_KERNEL auto around(auto px) const { return Around<typename decltype(px)::Real>{luminance(px.signal()), 1.f / sigma}; }
 };
@@ -80,44 +75,43 @@ struct VarianceGuidedEdge {
     using reads = Channels<Variance>;
     float sigma = 4.f;
 
-    template <class Real>
-    struct Around {
+    template <class Real> struct Around {
         Real centre, inverse;
         QUELL_KERNEL Around toward(int, int) const { return *this; }
-        QUELL_KERNEL Real distance(auto near) const { return abs(luminance(near.signal()) - centre) * inverse; }
+        QUELL_KERNEL Real distance(auto near, Real sum) const { return fma(abs(luminance(near.signal()) - centre), Real(inverse), sum); }
     };
     QUELL_KERNEL auto around(auto px) const {
         using Real = typename decltype(px)::Real;
         Real sum = px[variance] * 0.25f, weights(0.25f);
         constexpr float profile[] = {0.5f, 0.25f};
-        for_each_tap_pair<1>(px, 1, profile, [&](auto near, auto weight, auto opposite, auto its_weight, int, int) __attribute__((always_inline)) {
-            sum = fma(near[variance], weight, fma(opposite[variance], its_weight, sum));
-            weights = weights + (weight + its_weight);
-        });
+        for_each_tap_pair<1>(
+            px, 1, profile, [&](auto near, auto weight, auto opposite, auto its_weight, int, int) __attribute__((always_inline)) {
+                sum = fma(near[variance], weight, fma(opposite[variance], its_weight, sum));
+                weights = weights + (weight + its_weight);
+            });
         auto const deviation = sqrt(max(sum / weights, Real(0.f)));
         return Around<Real>{luminance(px.signal()), 1.f / (deviation * sigma + 1e-4f)};
     }
 };
 
 /// The product of several edge weights (their distances added), which is one.
-template <class... Edges>
-struct Product : Edges... {
+template <class... Edges> struct Product : Edges... {
     static_assert((EdgeWeight<Edges> && ...), "Product{edges...}: each must have around(px), see quell/filter/filter_kernel.hpp");
     using reads = reads_of<Edges...>;
 
-    template <class... Prepared>
-    struct Toward : Prepared... {
-        QUELL_KERNEL auto distance(auto near) const { return (... + Prepared::distance(near)); }
+    template <class... Prepared> struct Toward : Prepared... {
+        QUELL_KERNEL auto distance(auto near, auto sum) const {
+            ((sum = Prepared::distance(near, sum)), ...);
+            return sum;
+        }
     };
-    template <class... Prepared>
-    struct Around : Prepared... {
+    template <class... Prepared> struct Around : Prepared... {
         QUELL_KERNEL auto toward(int dx, int dy) const {
             return Toward<decltype(Prepared::toward(dx, dy))...>{Prepared::toward(dx, dy)...};
         }
     };
     QUELL_KERNEL auto around(auto px) const { return Around<decltype(Edges::around(px))...>{Edges::around(px)...}; }
 };
-template <class... Edges>
-Product(Edges...) -> Product<Edges...>;
+template <class... Edges> Product(Edges...) -> Product<Edges...>;
 
 } // namespace quell

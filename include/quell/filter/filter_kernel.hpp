@@ -15,22 +15,22 @@ concept OnePassFilter = std::is_trivially_copyable_v<F> && requires(F const f, d
     { detail::as_result(f.filter(px)).value } -> std::convertible_to<vec3<float>>;
 };
 template <class F>
-concept FilterKernel = std::is_trivially_copyable_v<F> && (OnePassFilter<F> || requires(F const f) { f.for_each_pass([](auto const&) {}); });
+concept FilterKernel = std::is_trivially_copyable_v<F> &&(OnePassFilter<F> || requires(F const f) { f.for_each_pass([](auto const&) {}); });
 
-/// Says how much a neighbour may contribute: exp(-distance). `around(px)` prepares what depends on the centre alone; `toward(dx, dy)` of that, what
-/// depends on the tap's place, up to its sign; and of that
-///     Real distance(auto near) const
-/// is what the neighbour itself adds, at least 0. Distances add up; a filter takes the exponential of their sum once (edge_weight).
+/// Says how much a neighbour may contribute: exp(-distance). `around(px)` prepares what depends on the centre alone; `toward(dx, dy)` of
+/// that, what depends on the tap's place, up to its sign; and of that
+///     Real distance(auto near, Real sum) const
+/// adds what the neighbour itself makes of it, at least 0, to a sum of distances. A filter takes the exponential of the sum once
+/// (edge_weight).
 template <class W>
 concept EdgeWeight = std::is_trivially_copyable_v<W> && requires(W const w, detail::Probe<W> px) {
-    { w.around(px).toward(1, 1).distance(px) } -> std::convertible_to<float>;
+    { w.around(px).toward(1, 1).distance(px, 0.f) } -> std::convertible_to<float>;
 };
 
-/// exp(-distance) in four operations: the float whose bits are a linear function of the exponent (Schraudolph 1999). Exactly 1 at 0, on the chords
-/// between powers of two elsewhere, so at most 6.2 % above the exponential and monotonic. Never under 2^-62, so that its square is no denormal; a
-/// NaN gives that too.
-template <class Real>
-QUELL_KERNEL Real edge_weight(Real distance) {
+/// exp(-distance) in four operations: the float whose bits are a linear function of the exponent (Schraudolph 1999). Exactly 1 at 0, on the
+/// chords between powers of two elsewhere, so at most 6.2 % above the exponential and monotonic. Never under 2^-62, so that its square is
+/// no denormal; a NaN gives that too.
+template <class Real> QUELL_KERNEL Real edge_weight(Real distance) {
     constexpr float per_unit = 12102203.16f, one = 1065353216.f, least = 545259520.f; // 2^23 / ln 2, and the bits of 1 and of 2^-62
     return from_bits(truncate(max(fma(distance, Real(-per_unit), Real(one)), Real(least))));
 }

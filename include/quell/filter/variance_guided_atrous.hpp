@@ -6,8 +6,7 @@ namespace quell {
 
 namespace detail {
 /// The variance that the wavelet starts from: the temporal one, or, while the history is short, the spatial one of the 7x7 around.
-template <class Edge>
-struct VarianceEstimate {
+template <class Edge> struct VarianceEstimate {
     static constexpr auto name = "variance estimate";
     using reads = decltype(Channels<HistoryLength, LuminanceMean, LuminanceVariance>{} | reads_of<Edge>{});
     using emits = Channels<Variance>;
@@ -29,21 +28,22 @@ private:
     static constexpr float unknown = 1e8f;
 
     /// Variance of everything seen around: each pixel's own, and how far the means lie apart. Distances from the centre don't cancel.
-    template <class Px>
-    QUELL_KERNEL auto spatial_variance(Px const& px) const {
+    template <class Px> QUELL_KERNEL auto spatial_variance(Px const& px) const {
         using Real = typename Px::Real;
         constexpr float box[4] = {1.f, 1.f, 1.f, 1.f};
         auto const around = edge.around(px);
         auto const centre = px[luminance_mean];
         Real weights(0.f), first(0.f), second(0.f);
-        for_each_tap<3>(px, 1, box, [&](auto near, auto inside, int dx, int dy) __attribute__((always_inline)) {
-            auto const sampled = min(near[history_length], Real(1.f));
-            auto const w = dx == 0 && dy == 0 ? inside * sampled : inside * sampled * edge_weight(around.toward(dx, dy).distance(near));
-            auto const off = near[luminance_mean] - centre;
-            weights = weights + w;
-            first = first + off * w;
-            second = second + (off * off + near[luminance_variance]) * w;
-        });
+        for_each_tap<3>(
+            px, 1, box, [&](auto near, auto inside, int dx, int dy) __attribute__((always_inline)) {
+                auto const sampled = min(near[history_length], Real(1.f));
+                auto const w =
+                    dx == 0 && dy == 0 ? inside * sampled : inside * sampled * edge_weight(around.toward(dx, dy).distance(near, Real(0.f)));
+                auto const off = near[luminance_mean] - centre;
+                weights = weights + w;
+                first = first + off * w;
+                second = second + (off * off + near[luminance_variance]) * w;
+            });
         auto const known = weights > Real(0.f);
         auto const inverse = 1.f / select(known, weights, Real(1.f)), mean = first * inverse;
         return select(known, max(second * inverse - mean * mean, Real(0.f)), Real(unknown));
@@ -51,14 +51,13 @@ private:
 };
 } // namespace detail
 
-/// Spatiotemporal variance-guided filtering's spatial half (Schied 2017): estimates the variance of each pixel's luminance, and runs an a-trous
-/// wavelet that tells noise from edges by it. The first level's output is what history remembers. Wants a Temporal{motion, WithMoments{...}}
-/// before it, of a policy that keeps the history's length.
+/// Spatiotemporal variance-guided filtering's spatial half (Schied 2017): estimates the variance of each pixel's luminance, and runs an
+/// a-trous wavelet that tells noise from edges by it. The first level's output is what history remembers. Wants a Temporal{motion,
+/// WithMoments{...}} before it, of a policy that keeps the history's length.
 /// @tparam Edge an EdgeWeight for geometry; the weight for luminance is built in
-template <class Edge = Product<DepthEdge, NormalEdge>>
-struct VarianceGuidedAtrous {
+template <class Edge = Product<DepthEdge, NormalEdge>> struct VarianceGuidedAtrous {
     static_assert(EdgeWeight<Edge>, "VarianceGuidedAtrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
-    using Guided = Product<VarianceGuidedEdge, Edge>;
+    using Guided = Product<Edge, VarianceGuidedEdge>;
     using Level = detail::AtrousLevel<Guided, true>;
     using reads = reads_of<detail::VarianceEstimate<Edge>, Level>;
     using emits = Channels<Variance>;
@@ -69,13 +68,10 @@ struct VarianceGuidedAtrous {
 
     constexpr void for_each_pass(auto&& pass) const {
         pass(detail::VarianceEstimate<Edge>{edge});
-        for (int i = 0; i < levels; ++i)
-            pass(Level{Guided{VarianceGuidedEdge{sigma_luminance}, edge}, 1 << i, feedback && i == 0});
+        for (int i = 0; i < levels; ++i) pass(Level{Guided{edge, VarianceGuidedEdge{sigma_luminance}}, 1 << i, feedback && i == 0});
     }
 };
-template <class Edge>
-VarianceGuidedAtrous(Edge) -> VarianceGuidedAtrous<Edge>;
-template <class Edge>
-VarianceGuidedAtrous(Edge, int) -> VarianceGuidedAtrous<Edge>;
+template <class Edge> VarianceGuidedAtrous(Edge) -> VarianceGuidedAtrous<Edge>;
+template <class Edge> VarianceGuidedAtrous(Edge, int) -> VarianceGuidedAtrous<Edge>;
 
 } // namespace quell

@@ -9,45 +9,102 @@ namespace quell {
 // axis, > 0, +inf for a miss; normals unit length, world space.
 
 /// The whole image, or whatever signal the host wants denoised as one colour.
-struct Radiance : Channel<3> { static constexpr auto name = "radiance"; };
+struct Radiance : Channel<3> {
+    static constexpr auto name = "radiance";
+};
 /// Diffuse reflectance in [0, 1] that the signal is divided by before filtering; 1 where there is no surface and on emitters.
-struct Albedo : Channel<3> { static constexpr auto name = "albedo"; };
-struct Normal : Channel<3> { static constexpr auto name = "normal"; };
-struct Depth : Channel<1> { static constexpr auto name = "depth"; static constexpr bool full_precision = true; };
-struct Position : Channel<3> { static constexpr auto name = "position"; static constexpr bool full_precision = true; };
+struct Albedo : Channel<3> {
+    static constexpr auto name = "albedo";
+};
+struct Normal : Channel<3> {
+    static constexpr auto name = "normal";
+};
+struct Depth : Channel<1> {
+    static constexpr auto name = "depth";
+    static constexpr bool full_precision = true;
+};
+struct Position : Channel<3> {
+    static constexpr auto name = "position";
+    static constexpr bool full_precision = true;
+};
 /// Which object: any number that is exact in float and the same in every frame.
-struct Instance : Channel<1> { static constexpr auto name = "instance"; static constexpr bool full_precision = true; };
+struct Instance : Channel<1> {
+    static constexpr auto name = "instance";
+    static constexpr bool full_precision = true;
+};
 /// GGX roughness as artists give it (alpha = roughness squared), in [0, 1].
-struct Roughness : Channel<1> { static constexpr auto name = "roughness"; };
+struct Roughness : Channel<1> {
+    static constexpr auto name = "roughness";
+};
 /// Where this surface point was: previous position = current position + motion.
-struct Motion : Channel<2> { static constexpr auto name = "motion"; static constexpr bool full_precision = true; };
+struct Motion : Channel<2> {
+    static constexpr auto name = "motion";
+    static constexpr bool full_precision = true;
+};
 
 /// Direct light without shadows, noise-free.
-struct Direct : Channel<3> { static constexpr auto name = "direct"; };
+struct Direct : Channel<3> {
+    static constexpr auto name = "direct";
+};
 /// 1 where the light sample is seen, 0 where it is blocked.
-struct Visibility : Channel<1> { static constexpr auto name = "visibility"; };
+struct Visibility : Channel<1> {
+    static constexpr auto name = "visibility";
+};
 /// The light sample's position, and where that point of the light was in the previous frame.
-struct Light : Channel<3> { static constexpr auto name = "light"; static constexpr bool full_precision = true; };
-struct LightPrevious : Channel<3> { static constexpr auto name = "light_previous"; static constexpr bool full_precision = true; };
+struct Light : Channel<3> {
+    static constexpr auto name = "light";
+    static constexpr bool full_precision = true;
+};
+struct LightPrevious : Channel<3> {
+    static constexpr auto name = "light_previous";
+    static constexpr bool full_precision = true;
+};
 /// What the shadow ray hit (non-finite where it hit nothing), and where that point was.
-struct Blocker : Channel<3> { static constexpr auto name = "blocker"; static constexpr bool full_precision = true; };
-struct BlockerPrevious : Channel<3> { static constexpr auto name = "blocker_previous"; static constexpr bool full_precision = true; };
+struct Blocker : Channel<3> {
+    static constexpr auto name = "blocker";
+    static constexpr bool full_precision = true;
+};
+struct BlockerPrevious : Channel<3> {
+    static constexpr auto name = "blocker_previous";
+    static constexpr bool full_precision = true;
+};
 /// Where the point seen in the pixel was in the previous frame.
-struct ReceiverPrevious : Channel<3> { static constexpr auto name = "receiver_previous"; static constexpr bool full_precision = true; };
+struct ReceiverPrevious : Channel<3> {
+    static constexpr auto name = "receiver_previous";
+    static constexpr bool full_precision = true;
+};
 
 /// Reflected radiance times the specular reflectance.
-struct Glossy : Channel<3> { static constexpr auto name = "glossy"; };
+struct Glossy : Channel<3> {
+    static constexpr auto name = "glossy";
+};
 /// What the reflected ray hit (non-finite for a miss), and where that point was.
-struct GlossyHit : Channel<3> { static constexpr auto name = "glossy_hit"; static constexpr bool full_precision = true; };
-struct GlossyHitPrevious : Channel<3> { static constexpr auto name = "glossy_hit_previous"; static constexpr bool full_precision = true; };
+struct GlossyHit : Channel<3> {
+    static constexpr auto name = "glossy_hit";
+    static constexpr bool full_precision = true;
+};
+struct GlossyHitPrevious : Channel<3> {
+    static constexpr auto name = "glossy_hit_previous";
+    static constexpr bool full_precision = true;
+};
 
 /// Incident radiance of the one indirect sample, cosine-weighted over the hemisphere, and the direction that it came from.
-struct Indirect : Channel<3> { static constexpr auto name = "indirect"; };
-struct IndirectDirection : Channel<3> { static constexpr auto name = "indirect_direction"; };
+struct Indirect : Channel<3> {
+    static constexpr auto name = "indirect";
+};
+struct IndirectDirection : Channel<3> {
+    static constexpr auto name = "indirect_direction";
+};
 
 /// Displacement over the open shutter, position(t = 1) - position(t = 0), and the sample's time in [0, 1].
-struct Sweep : Channel<2> { static constexpr auto name = "sweep"; static constexpr bool full_precision = true; };
-struct Time : Channel<1> { static constexpr auto name = "time"; static constexpr bool full_precision = true; };
+struct Sweep : Channel<2> {
+    static constexpr auto name = "sweep";
+    static constexpr bool full_precision = true;
+};
+struct Time : Channel<1> {
+    static constexpr auto name = "time";
+    static constexpr bool full_precision = true;
+};
 
 inline constexpr Radiance radiance;
 inline constexpr Albedo albedo;
@@ -73,8 +130,8 @@ inline constexpr Sweep sweep;
 inline constexpr Time time;
 
 /// Every channel that SCENES.md names, in the order in which files list them.
-using AllChannels = Channels<Radiance, Albedo, Normal, Depth, Position, Instance, Roughness, Motion, Direct, Visibility, Light, LightPrevious,
-                             Blocker, BlockerPrevious, ReceiverPrevious, Glossy, GlossyHit, GlossyHitPrevious, Indirect, IndirectDirection,
-                             Sweep, Time>;
+using AllChannels =
+    Channels<Radiance, Albedo, Normal, Depth, Position, Instance, Roughness, Motion, Direct, Visibility, Light, LightPrevious, Blocker,
+             BlockerPrevious, ReceiverPrevious, Glossy, GlossyHit, GlossyHitPrevious, Indirect, IndirectDirection, Sweep, Time>;
 
 } // namespace quell

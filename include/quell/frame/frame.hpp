@@ -13,15 +13,10 @@
 namespace quell {
 
 /// What kernels see of several images: one view for each channel of the set, and nothing else.
-template <class Storage, class Set>
-struct Views;
-template <class Storage, class... Cs>
-struct Views<Storage, Channels<Cs...>> : detail::Slot<Cs, ViewOf<Storage, Cs>>... {
+template <class Storage, class Set> struct Views;
+template <class Storage, class... Cs> struct Views<Storage, Channels<Cs...>> : detail::Slot<Cs, ViewOf<Storage, Cs>>... {
     using channels = Channels<Cs...>;
-    template <ChannelTag C>
-    QUELL_KERNEL auto const& view(C) const {
-        return detail::slot<C>(*this);
-    }
+    template <ChannelTag C> QUELL_KERNEL auto const& view(C) const { return detail::slot<C>(*this); }
 };
 
 /// The input of one frame: exactly the channels of the set, which follow from the pipelines that it is made for:
@@ -30,11 +25,9 @@ struct Views<Storage, Channels<Cs...>> : detail::Slot<Cs, ViewOf<Storage, Cs>>..
 /// `frame[depth]` is that channel's image. A channel that no pipeline reads does not exist.
 /// @tparam Set     Channels<...>
 /// @tparam Storage where the images live: Planar, Interleaved, Borrowed, or the host's own ImageStorage
-template <class Set, ImageStorage Storage = Planar<>>
-struct Frame;
+template <class Set, ImageStorage Storage = Planar<>> struct Frame;
 
-template <class... Cs, class Storage>
-struct Frame<Channels<Cs...>, Storage> : detail::Slot<Cs, ImageOf<Storage, Cs>>... {
+template <class... Cs, class Storage> struct Frame<Channels<Cs...>, Storage> : detail::Slot<Cs, ImageOf<Storage, Cs>>... {
     using channels = Channels<Cs...>;
     using storage = Storage;
 
@@ -45,21 +38,19 @@ struct Frame<Channels<Cs...>, Storage> : detail::Slot<Cs, ImageOf<Storage, Cs>>.
 
     /// @throws Error for a size of no pixels
     template <class... Ps>
-    explicit Frame(Extent size_, Ps const&...) : detail::Slot<Cs, ImageOf<Storage, Cs>>{ImageOf<Storage, Cs>(checked(size_))}..., size(size_) {}
+    explicit Frame(Extent size_, Ps const&...)
+        : detail::Slot<Cs, ImageOf<Storage, Cs>>{ImageOf<Storage, Cs>(checked(size_))}..., size(size_) {}
 
-    template <ChannelTag C>
-    auto& operator[](C) {
+    template <ChannelTag C> auto& operator[](C) {
         static_assert(channels::template has<C>, "this frame has no such channel: construct it with a pipeline that reads the channel");
         return detail::slot<C>(*this);
     }
-    template <ChannelTag C>
-    auto const& operator[](C) const {
+    template <ChannelTag C> auto const& operator[](C) const {
         static_assert(channels::template has<C>, "this frame has no such channel: construct it with a pipeline that reads the channel");
         return detail::slot<C>(*this);
     }
 
-    template <class... Ds>
-    [[nodiscard]] auto views(Channels<Ds...>) const {
+    template <class... Ds> [[nodiscard]] auto views(Channels<Ds...>) const {
         return Views<Storage, Channels<Ds...>>{{(*this)[Ds{}].view()}...};
     }
 
@@ -71,28 +62,14 @@ private:
 };
 
 namespace detail {
-template <class P>
-struct FrameChannels {
-    using type = reads_of<P>;
-};
-template <class... Ps>
-using frame_channels = union_of<typename FrameChannels<Ps>::type...>;
+template <class P> struct FrameChannels { using type = reads_of<P>; };
+template <class... Ps> using frame_channels = union_of<typename FrameChannels<Ps>::type...>;
 
-template <class... Ps>
-struct FrameStorage {
-    using type = Planar<>;
-};
-template <class P, class... Ps>
-struct FrameStorage<P, Ps...> {
-    using type = typename FrameStorage<Ps...>::type;
-};
-template <ImageStorage P, class... Ps>
-struct FrameStorage<P, Ps...> {
-    using type = P;
-};
+template <class... Ps> struct FrameStorage { using type = Planar<>; };
+template <class P, class... Ps> struct FrameStorage<P, Ps...> { using type = typename FrameStorage<Ps...>::type; };
+template <ImageStorage P, class... Ps> struct FrameStorage<P, Ps...> { using type = P; };
 } // namespace detail
 
-template <class... Ps>
-Frame(Extent, Ps const&...) -> Frame<detail::frame_channels<Ps...>, typename detail::FrameStorage<Ps...>::type>;
+template <class... Ps> Frame(Extent, Ps const&...) -> Frame<detail::frame_channels<Ps...>, typename detail::FrameStorage<Ps...>::type>;
 
 } // namespace quell

@@ -9,10 +9,8 @@
 namespace quell {
 
 namespace detail {
-template <class Storage, class Set>
-struct RememberedViewsOf;
-template <class Storage, class... Cs>
-struct RememberedViewsOf<Storage, Channels<Cs...>> {
+template <class Storage, class Set> struct RememberedViewsOf;
+template <class Storage, class... Cs> struct RememberedViewsOf<Storage, Channels<Cs...>> {
     using channels = Channels<Cs...>;
     using type = Views<Storage, Channels<typename Remembered<Cs>::Stored...>>;
 };
@@ -25,8 +23,7 @@ struct RememberedViewsOf<Storage, Channels<Cs...>> {
 /// @tparam KeptViews   what was kept in the previous frame
 /// @tparam Then        the channels that the previous frame is remembered by, and their views
 /// @tparam raw         whether the signal comes from the host, with missing samples marked by the sign of component 0
-template <class FrameViews, class MadeViews, class SignalView, class PastSignalView, class KeptViews, class Then, bool raw>
-struct Scope {
+template <class FrameViews, class MadeViews, class SignalView, class PastSignalView, class KeptViews, class Then, bool raw> struct Scope {
     using frame_channels = typename FrameViews::channels;
     using made_channels = typename MadeViews::channels;
     using kept_channels = typename KeptViews::channels;
@@ -46,12 +43,10 @@ struct Scope {
     bool has_past;
 };
 
-template <class Real, class Scope>
-struct PastPixel;
+template <class Real, class Scope> struct PastPixel;
 
 /// The cursor that every policy is written against: one pixel if Real is float, neighbours in a row if it is a pack.
-template <class R, class S>
-struct Pixel {
+template <class R, class S> struct Pixel {
     using Real = R;
     using Scope = S;
     using Signal = Value<S::components, R>;
@@ -61,23 +56,28 @@ struct Pixel {
     bool row_inside = true;
 
     /// The value, here and now, of a channel of the frame or of one that an earlier pass made.
-    template <ChannelTag C>
-    QUELL_KERNEL auto operator[](C c) const {
+    template <ChannelTag C> QUELL_KERNEL auto operator[](C c) const {
         constexpr bool made = S::made_channels::template has<C>, given = S::frame_channels::template has<C>;
         static_assert(made || given, "a policy looks at a channel that it does not list: add the channel to its `reads`");
-        if constexpr (made) return load(scope.made.view(c));
-        else if constexpr (given) return load(scope.frame.view(c));
+        if constexpr (made)
+            return load(scope.made.view(c));
+        else if constexpr (given)
+            return load(scope.frame.view(c));
     }
     /// The value, here, of the signal being denoised. Always finite and not negative; a missing sample shows what its neighbours suggest.
     QUELL_KERNEL Signal signal() const {
         auto const v = load(scope.signal);
-        if constexpr (S::marks_missing) return clear_mark(v);
-        else return v;
+        if constexpr (S::marks_missing)
+            return clear_mark(v);
+        else
+            return v;
     }
     /// True where the host's sample was not usable (NaN, infinite, negative): it must weigh nothing. Known to the first stage only.
     QUELL_KERNEL auto missing() const {
-        if constexpr (S::marks_missing) return sign_bit(component<0>(load(scope.signal)));
-        else return Real(0.f) != Real(0.f);
+        if constexpr (S::marks_missing)
+            return sign_bit(component<0>(load(scope.signal)));
+        else
+            return Real(0.f) != Real(0.f);
     }
     /// The pixel at an offset from here. Rows outside the image repeat the border; columns outside give finite values of no meaning:
     /// ask `inside()`, or use for_each_tap.
@@ -103,7 +103,8 @@ struct Pixel {
     QUELL_KERNEL bool has_past() const { return scope.has_past; }
     /// A pixel of the previous frame by its whole-numbered coordinates; those outside the image read the nearest inside.
     QUELL_KERNEL PastPixel<Real, S> past(Index<Real> column_then, Index<Real> row_then) const { return {scope, column_then, row_then}; }
-    /// Where a point of the world was on the previous frame's screen (pixels), and its linear depth there (not positive: behind the camera).
+    /// Where a point of the world was on the previous frame's screen (pixels), and its linear depth there (not positive: behind the
+    /// camera).
     QUELL_KERNEL vec3<Real> project_to_past(vec3<Real> const& p) const {
         auto const& m = scope.clip_from_world_then;
         auto row = [&](int r) { return p.x * m[0][r] + p.y * m[1][r] + p.z * m[2][r] + m[3][r]; };
@@ -125,34 +126,35 @@ private:
     }
     QUELL_KERNEL static Signal clear_mark(Signal const& v) {
         return make_value<S::components, R>([&](auto c) __attribute__((always_inline)) {
-            if constexpr (c == 0) return without_sign_bit(component<c>(v));
-            else return component<c>(v);
+            if constexpr (c == 0)
+                return without_sign_bit(component<c>(v));
+            else
+                return component<c>(v);
         });
     }
 };
 
 /// A pixel of the previous frame: what it remembers, what was kept there, and its signal.
-template <class Real, class S>
-struct PastPixel {
+template <class Real, class S> struct PastPixel {
     S const& scope;
     Index<Real> column, row;
 
-    template <ChannelTag C>
-    QUELL_KERNEL auto operator[](C c) const {
+    template <ChannelTag C> QUELL_KERNEL auto operator[](C c) const {
         constexpr bool remembered = S::remembered_channels::template has<C>, kept = S::kept_channels::template has<C>;
-        static_assert(remembered || kept, "a policy looks at the previous frame's channel that it does not list: add it to `remembers` or `keeps`");
+        static_assert(remembered || kept,
+                      "a policy looks at the previous frame's channel that it does not list: add it to `remembers` or `keeps`");
         if constexpr (remembered)
             return detail::Remembered<C>::unpack(fetch(scope.remembered.view(typename detail::Remembered<C>::Stored{})));
-        else if constexpr (kept) return fetch(scope.kept_then.view(c));
+        else if constexpr (kept)
+            return fetch(scope.kept_then.view(c));
     }
     QUELL_KERNEL auto signal() const { return fetch(scope.signal_then); }
 
 private:
     /// Most packs land on neighbours in one row (still or panning camera): one load a component instead of a gather.
-    template <class View>
-    QUELL_KERNEL auto fetch(View view) const {
+    template <class View> QUELL_KERNEL auto fetch(View view) const {
         view.size = scope.size;
-        if constexpr (width_of<Real> > 1) {
+        if constexpr (width_of < Real >> 1) {
             int const x = lane(column, 0), y = lane(row, 0);
             auto const astray = abs(to_real(column - (Index<Real>(x) + truncate(lanes<Real>())))) + abs(to_real(row - Index<Real>(y)));
             if (!any(astray > Real(0.5f))) return detail::load_pixels<Real>(view, x, y);
@@ -166,8 +168,7 @@ namespace detail {
 template <class P>
 using ProbeScope = Scope<Views<Planar<>, reads_of<P>>, Views<Planar<>, Channels<>>, ViewOf<Planar<>, Radiance>, ViewOf<Planar<>, Radiance>,
                          Views<Planar<>, keeps_of<P>>, RememberedViewsOf<Planar<>, remembers_of<P>>, true>;
-template <class P>
-using Probe = Pixel<float, ProbeScope<P>>;
+template <class P> using Probe = Pixel<float, ProbeScope<P>>;
 } // namespace detail
 
 } // namespace quell

@@ -6,13 +6,10 @@
 namespace quell::detail {
 
 /// How a channel of the last frame is remembered: as it is, unless something smaller serves as well.
-template <ChannelTag C>
-struct Remembered {
+template <ChannelTag C> struct Remembered {
     using Stored = C;
-    template <class V>
-    QUELL_KERNEL static V pack(V const& v) { return v; }
-    template <class V>
-    QUELL_KERNEL static V unpack(V const& v) { return v; }
+    template <class V> QUELL_KERNEL static V pack(V const& v) { return v; }
+    template <class V> QUELL_KERNEL static V unpack(V const& v) { return v; }
 };
 
 struct PackedNormal : Channel<1> {
@@ -22,19 +19,16 @@ struct PackedNormal : Channel<1> {
 
 /// A unit normal as two 16-bit numbers in one 32-bit word (octahedral map, Cigolle et al. 2014): a third of the memory and one gather
 /// instead of three. The error stays below 0.004 degrees. The word is moved as a float but never computed with.
-template <>
-struct Remembered<Normal> {
+template <> struct Remembered<Normal> {
     using Stored = PackedNormal;
 
-    template <class Real>
-    QUELL_KERNEL static Real pack(vec3<Real> const& n) {
+    template <class Real> QUELL_KERNEL static Real pack(vec3<Real> const& n) {
         auto const sum = max(abs(n.x) + abs(n.y) + abs(n.z), Real(1e-20f));
         auto const x = n.x / sum, y = n.y / sum;
         auto const below = n.z < Real(0.f);
         return from_bits((quantise(select(below, fold(y, x), x)) << 16) | quantise(select(below, fold(x, y), y)));
     }
-    template <class Real>
-    QUELL_KERNEL static vec3<Real> unpack(Real word) {
+    template <class Real> QUELL_KERNEL static vec3<Real> unpack(Real word) {
         auto const x = restore<Real>((bits(word) >> 16) & Index<Real>(0xffff)), y = restore<Real>(bits(word) & Index<Real>(0xffff));
         auto const z = 1.f - abs(x) - abs(y);
         auto const below = z < Real(0.f);
@@ -45,17 +39,14 @@ struct Remembered<Normal> {
 
 private:
     /// The lower half of the octahedron folds over its edges: (1 - |a|) with the sign of b.
-    template <class Real>
-    QUELL_KERNEL static Real fold(Real a, Real b) {
+    template <class Real> QUELL_KERNEL static Real fold(Real a, Real b) {
         auto const folded = 1.f - abs(a);
         return select(b < Real(0.f), -folded, folded);
     }
-    template <class Real>
-    QUELL_KERNEL static Index<Real> quantise(Real a) {
+    template <class Real> QUELL_KERNEL static Index<Real> quantise(Real a) {
         return truncate(clamp(a * 32767.f + 32767.5f, Real(0.f), Real(65534.f)));
     }
-    template <class Real>
-    QUELL_KERNEL static Real restore(Index<Real> a) { return to_real(a) * (1.f / 32767.f) - 1.f; }
+    template <class Real> QUELL_KERNEL static Real restore(Index<Real> a) { return to_real(a) * (1.f / 32767.f) - 1.f; }
 };
 
 } // namespace quell::detail

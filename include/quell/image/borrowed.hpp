@@ -11,14 +11,12 @@ namespace quell {
 ///     frame[depth] = {pointer, size, .pixel_stride = 1, .row_stride = 1920};
 /// The memory must outlive the run. Rows whose pixels lie side by side (`pixel_stride` 1) load as fast as Planar.
 /// @tparam Format Float32 or Float16
-template <class Format = Float32>
-struct Borrowed {
+template <class Format = Float32> struct Borrowed {
     using Exact = Borrowed;
     static constexpr auto name = "borrowed";
     using format = Format;
 
-    template <int N>
-    struct Image {
+    template <int N> struct Image {
         using Element = typename Format::Element;
         static constexpr int components = N;
 
@@ -45,8 +43,7 @@ struct Borrowed {
 
             QUELL_KERNEL float get(int c, int x, int y) const { return Format::get(at(c, x, y)); }
             QUELL_KERNEL void set(int, int, int, float) const {} // a host's input is never written
-            template <class Real>
-            QUELL_KERNEL Value<N, Real> load(int x, int y) const {
+            template <class Real> QUELL_KERNEL Value<N, Real> load(int x, int y) const {
                 bool const side_by_side = pixel_stride == 1 && x >= 0 && x + width_of<Real> <= size.width;
                 return make_value<N, Real>([&](auto c) __attribute__((always_inline)) {
                     return side_by_side ? Format::template load<Real>(at(c, x, y)) : apart<Real>(c, x, y);
@@ -57,8 +54,7 @@ struct Borrowed {
             QUELL_KERNEL Element const* at(int c, int x, int y) const {
                 return data + c * component_stride + y * row_stride + x * pixel_stride;
             }
-            template <class Real>
-            QUELL_KERNEL Real apart(int c, int x, int y) const {
+            template <class Real> QUELL_KERNEL Real apart(int c, int x, int y) const {
                 return detail::generate<Real>([&](int i) { return get(c, detail::clamp_to(x + i, size.width - 1), y); });
             }
         };

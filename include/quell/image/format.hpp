@@ -10,9 +10,9 @@ namespace quell {
 
 namespace detail {
 /// A Real whose lane i is f(i).
-template <class Real, class F>
-QUELL_KERNEL Real generate(F&& f) {
-    if constexpr (width_of<Real> == 1) return f(0);
+template <class Real, class F> QUELL_KERNEL Real generate(F&& f) {
+    if constexpr (width_of<Real> == 1)
+        return f(0);
     else {
         alignas(64) float lane[width_of<Real>];
         for (int i = 0; i < width_of<Real>; ++i) lane[i] = f(i);
@@ -29,20 +29,23 @@ struct Float32 {
     QUELL_KERNEL static float get(Element const* p) { return *p; }
     QUELL_KERNEL static void set(Element* p, float a) { *p = a; }
 
-    template <class Real>
-    QUELL_KERNEL static Real load(Element const* p) {
-        if constexpr (width_of<Real> == 1) return *p;
-        else return Real::load_unaligned(p);
+    template <class Real> QUELL_KERNEL static Real load(Element const* p) {
+        if constexpr (width_of<Real> == 1)
+            return *p;
+        else
+            return Real::load_unaligned(p);
     }
-    template <class Real>
-    QUELL_KERNEL static void store(Element* p, Real a) {
-        if constexpr (width_of<Real> == 1) *p = a;
-        else a.store_unaligned(p);
+    template <class Real> QUELL_KERNEL static void store(Element* p, Real a) {
+        if constexpr (width_of<Real> == 1)
+            *p = a;
+        else
+            a.store_unaligned(p);
     }
-    template <class Real>
-    QUELL_KERNEL static Real gather(Element const* p, Index<Real> at) {
-        if constexpr (width_of<Real> == 1) return p[at];
-        else return Real::gather(p, at);
+    template <class Real> QUELL_KERNEL static Real gather(Element const* p, Index<Real> at) {
+        if constexpr (width_of<Real> == 1)
+            return p[at];
+        else
+            return Real::gather(p, at);
     }
 };
 
@@ -54,17 +57,11 @@ struct Float16 {
     QUELL_KERNEL static float get(Element const* p) { return float_from_half(*p); }
     QUELL_KERNEL static void set(Element* p, float a) { *p = half_from_float(a); }
 
-    template <class Real>
-    QUELL_KERNEL static Real load(Element const* p) {
-        return load_half<Real>(p);
-    }
-    template <class Real>
-    QUELL_KERNEL static void store(Element* p, Real a) {
-        store_half(p, a);
-    }
-    template <class Real>
-    QUELL_KERNEL static Real gather(Element const* p, Index<Real> at) {
-        if constexpr (width_of<Real> == 1) return float_from_half(p[at]);
+    template <class Real> QUELL_KERNEL static Real load(Element const* p) { return load_half<Real>(p); }
+    template <class Real> QUELL_KERNEL static void store(Element* p, Real a) { store_half(p, a); }
+    template <class Real> QUELL_KERNEL static Real gather(Element const* p, Index<Real> at) {
+        if constexpr (width_of<Real> == 1)
+            return float_from_half(p[at]);
         else {
             alignas(64) Element lane_bits[width_of<Real>];
             for (int i = 0; i < width_of<Real>; ++i) lane_bits[i] = p[lane(at, i)];

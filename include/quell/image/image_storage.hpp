@@ -35,33 +35,36 @@ concept ImageStorage = requires(Extent size) {
 /// The image in which a storage keeps a channel.
 template <class Storage, ChannelTag C>
 using ImageOf = typename std::conditional_t<C::full_precision, typename Storage::Exact, Storage>::template Image<C::components>;
-template <class Storage, ChannelTag C>
-using ViewOf = decltype(std::declval<ImageOf<Storage, C> const&>().view());
+template <class Storage, ChannelTag C> using ViewOf = decltype(std::declval<ImageOf<Storage, C> const&>().view());
 
 namespace detail {
 QUELL_KERNEL int clamp_to(int i, int last) { return i < 0 ? 0 : i > last ? last : i; }
 
-template <class Real, ImageView View>
-QUELL_KERNEL auto load_pixels(View const& view, int x, int y) {
-    if constexpr (requires { view.template load<Real>(x, y); }) return view.template load<Real>(x, y);
+template <class Real, ImageView View> QUELL_KERNEL auto load_pixels(View const& view, int x, int y) {
+    if constexpr (requires { view.template load<Real>(x, y); })
+        return view.template load<Real>(x, y);
     else
         return make_value<View::components, Real>([&](auto c) {
             alignas(64) float lane[width_of<Real>];
             for (int i = 0; i < width_of<Real>; ++i) lane[i] = view.get(c, clamp_to(x + i, view.size.width - 1), y);
-            if constexpr (width_of<Real> == 1) return lane[0];
-            else return Real::load_aligned(lane);
+            if constexpr (width_of<Real> == 1)
+                return lane[0];
+            else
+                return Real::load_aligned(lane);
         });
 }
 
-template <class Real, ImageView View>
-QUELL_KERNEL auto gather_pixels(View const& view, Index<Real> x, Index<Real> y) {
-    if constexpr (requires { view.template gather<Real>(x, y); }) return view.template gather<Real>(x, y);
+template <class Real, ImageView View> QUELL_KERNEL auto gather_pixels(View const& view, Index<Real> x, Index<Real> y) {
+    if constexpr (requires { view.template gather<Real>(x, y); })
+        return view.template gather<Real>(x, y);
     else
         return make_value<View::components, Real>([&](auto c) {
             alignas(64) float gathered[width_of<Real>];
             for (int i = 0; i < width_of<Real>; ++i) gathered[i] = view.get(c, lane(x, i), lane(y, i));
-            if constexpr (width_of<Real> == 1) return gathered[0];
-            else return Real::load_aligned(gathered);
+            if constexpr (width_of<Real> == 1)
+                return gathered[0];
+            else
+                return Real::load_aligned(gathered);
         });
 }
 
@@ -76,7 +79,8 @@ QUELL_KERNEL void store_pixels(View const& view, int x, int y, Value<View::compo
             for (int k = 0; k < count; ++k) view.set(i, x + k, y, lane(component_value, k));
         };
         (each(std::integral_constant<int, c>{}, component<c>(value)), ...);
-    }(std::make_integer_sequence<int, View::components>{});
+    }
+    (std::make_integer_sequence<int, View::components>{});
 }
 } // namespace detail
 

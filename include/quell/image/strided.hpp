@@ -14,8 +14,7 @@ inline constexpr int padding = 16;
 
 /// A view of pixels at regular distances: planar with `pixel_step` 1, interleaved with `pixel_step` N. The strides follow from the size, so
 /// that a kernel which reads many images of one size computes each address once (see Pixel).
-template <class Format, int N, int pixel_step>
-struct StridedView {
+template <class Format, int N, int pixel_step> struct StridedView {
     using Element = typename Format::Element;
     static constexpr int components = N;
 
@@ -35,12 +34,10 @@ struct StridedView {
     QUELL_KERNEL float get(int c, int x, int y) const { return Format::get(at(c, x, y)); }
     QUELL_KERNEL void set(int c, int x, int y, float a) const { Format::set(at(c, x, y), a); }
 
-    template <class Real>
-    QUELL_KERNEL Value<N, Real> load(int x, int y) const {
+    template <class Real> QUELL_KERNEL Value<N, Real> load(int x, int y) const {
         return make_value<N, Real>([&](auto c) __attribute__((always_inline)) { return pack<Real>(at(c, x, y)); });
     }
-    template <class Real>
-    QUELL_KERNEL Value<N, Real> gather(Index<Real> x, Index<Real> y) const {
+    template <class Real> QUELL_KERNEL Value<N, Real> gather(Index<Real> x, Index<Real> y) const {
         auto const offset = y * Index<Real>(static_cast<std::int32_t>(row_stride())) + x * Index<Real>(pixel_step);
         return make_value<N, Real>([&](auto c) __attribute__((always_inline)) {
             return Format::template gather<Real>(data + c * component_stride(), offset);
@@ -51,21 +48,22 @@ struct StridedView {
     QUELL_KERNEL void store(int x, int y, Value<N, Real> const& value) const {
         [&]<int... c>(std::integer_sequence<int, c...>) __attribute__((always_inline)) {
             (Format::store(at(c, x, y), component<c>(value)), ...);
-        }(std::make_integer_sequence<int, N>{});
+        }
+        (std::make_integer_sequence<int, N>{});
     }
 
 private:
     QUELL_KERNEL Element* at(int c, int x, int y) const { return data + (c * component_stride() + y * row_stride() + x * pixel_step); }
-    template <class Real>
-    QUELL_KERNEL static Real pack(Element const* p) {
-        if constexpr (pixel_step == 1 || width_of<Real> == 1) return Format::template load<Real>(p);
-        else return Format::template gather<Real>(p, truncate(lanes<Real>()) * Index<Real>(pixel_step));
+    template <class Real> QUELL_KERNEL static Real pack(Element const* p) {
+        if constexpr (pixel_step == 1 || width_of<Real> == 1)
+            return Format::template load<Real>(p);
+        else
+            return Format::template gather<Real>(p, truncate(lanes<Real>()) * Index<Real>(pixel_step));
     }
 };
 
 /// An image that owns zero-initialised, 64-byte aligned memory.
-template <class Format, int N, bool interleaved>
-class StridedImage {
+template <class Format, int N, bool interleaved> class StridedImage {
     using Element = typename Format::Element;
     struct Free {
         void operator()(Element* p) const { ::operator delete[](p, std::align_val_t{64}); }

@@ -6,14 +6,14 @@ namespace quell {
 
 namespace detail {
 /// Whether a source's finding accepts a past pixel; one without a test accepts all.
-template <class FoundPlace, class Then, class Real>
-QUELL_KERNEL auto accepts(FoundPlace const& found, Then const& then, Real dx, Real dy) {
-    if constexpr (requires { found.accepts(then, dx, dy); }) return found.accepts(then, dx, dy);
-    else return Real(0.f) == Real(0.f);
+template <class FoundPlace, class Then, class Real> QUELL_KERNEL auto accepts(FoundPlace const& found, Then const& then, Real dx, Real dy) {
+    if constexpr (requires { found.accepts(then, dx, dy); })
+        return found.accepts(then, dx, dy);
+    else
+        return Real(0.f) == Real(0.f);
 }
 
-template <class Real, class A, class B>
-struct FirstFound {
+template <class Real, class A, class B> struct FirstFound {
     vec2<Real> where;
     Real validity;
     A a;
@@ -26,8 +26,7 @@ struct FirstFound {
 } // namespace detail
 
 /// Asks several sources in order and takes, for each pixel, the first with any validity.
-template <class First, class... Rest>
-struct FirstValid {
+template <class First, class... Rest> struct FirstValid {
     static_assert(MotionSource<First>, "FirstValid{sources...}: each must have previous(px), see quell/motion/motion_source.hpp");
     using reads = reads_of<First, Rest...>;
     using remembers = remembers_of<First, Rest...>;
@@ -47,13 +46,11 @@ struct FirstValid {
             {select(valid, a.where.x, b.where.x), select(valid, a.where.y, b.where.y)}, select(valid, a.validity, b.validity), a, b};
     }
 };
-template <class Last>
-struct FirstValid<Last> : Last {
+template <class Last> struct FirstValid<Last> : Last {
     static_assert(MotionSource<Last>, "FirstValid{sources...}: each must have previous(px), see quell/motion/motion_source.hpp");
     constexpr FirstValid() = default;
     constexpr explicit FirstValid(Last last) : Last(last) {}
 };
-template <class... Sources>
-FirstValid(Sources...) -> FirstValid<Sources...>;
+template <class... Sources> FirstValid(Sources...) -> FirstValid<Sources...>;
 
 } // namespace quell

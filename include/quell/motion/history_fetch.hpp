@@ -5,36 +5,30 @@
 namespace quell {
 
 /// What was found of a pixel's past: the signal, what was kept there, and how far it can be trusted (0: there is no past).
-template <class V, class Kept>
-struct Past {
+template <class V, class Kept> struct Past {
     using Real = real_of<V>;
     V signal;
     Real validity;
     Real clamped; ///< how much a clamp has moved the signal, relative to itself (TRMV eq. 8)
     Kept kept;
 
-    template <ChannelTag C>
-    QUELL_KERNEL auto operator[](C c) const {
-        return kept[c];
-    }
+    template <ChannelTag C> QUELL_KERNEL auto operator[](C c) const { return kept[c]; }
 };
 
 namespace detail {
-template <class Px>
-using KeptRecord = Record<typename Px::Real, typename Px::Scope::kept_channels>;
-template <class Px>
-using PastOf = Past<typename Px::Signal, KeptRecord<Px>>;
+template <class Px> using KeptRecord = Record<typename Px::Real, typename Px::Scope::kept_channels>;
+template <class Px> using PastOf = Past<typename Px::Signal, KeptRecord<Px>>;
 
-template <class Px>
-QUELL_KERNEL PastOf<Px> no_past() {
+template <class Px> QUELL_KERNEL PastOf<Px> no_past() {
     using Real = typename Px::Real;
     return {zero<typename Px::Signal>(), Real(0.f), Real(0.f),
-            make_record<Real>(typename Px::Scope::kept_channels{}, [](auto c) __attribute__((always_inline)) { return zero<Value<decltype(c)::components, Real>>(); })};
+            make_record<Real>(
+                typename Px::Scope::kept_channels{},
+                [](auto c) __attribute__((always_inline)) { return zero<Value<decltype(c)::components, Real>>(); })};
 }
 
 /// A weighted sum of past pixels.
-template <class Px>
-struct PastSum {
+template <class Px> struct PastSum {
     using Real = typename Px::Real;
     PastOf<Px> sum = no_past<Px>();
     Real weight = Real(0.f);
@@ -42,14 +36,16 @@ struct PastSum {
     QUELL_KERNEL void add(auto const& then, Real w) {
         weight = weight + w;
         sum.signal = add_scaled(sum.signal, then.signal(), w);
-        sum.kept = make_record<Real>(typename Px::Scope::kept_channels{},
-                                     [&](auto c) __attribute__((always_inline)) { return add_scaled(sum.kept[c], then[c], w); });
+        sum.kept = make_record<Real>(
+            typename Px::Scope::kept_channels{}, [&](auto c)
+                                                     __attribute__((always_inline)) { return add_scaled(sum.kept[c], then[c], w); });
     }
     QUELL_KERNEL PastOf<Px> mean(Real validity) const {
         auto const scale_by = select(weight > Real(0.f), 1.f / weight, Real(0.f));
-        return {scale(sum.signal, scale_by), select(weight > Real(0.f), validity, Real(0.f)), Real(0.f),
-                make_record<Real>(typename Px::Scope::kept_channels{},
-                                  [&](auto c) __attribute__((always_inline)) { return scale(sum.kept[c], scale_by); })};
+        return {
+            scale(sum.signal, scale_by), select(weight > Real(0.f), validity, Real(0.f)), Real(0.f),
+            make_record<Real>(
+                typename Px::Scope::kept_channels{}, [&](auto c) __attribute__((always_inline)) { return scale(sum.kept[c], scale_by); })};
     }
 };
 
@@ -69,8 +65,7 @@ QUELL_KERNEL auto past_tap(Px const& px, FoundPlace const& found, typename Px::R
 }
 
 /// Where the four nearest pixel centres begin. A position that is not finite or far outside becomes a harmless one with validity 0.
-template <class Px, class FoundPlace>
-QUELL_KERNEL auto sane(Px const& px, FoundPlace found) {
+template <class Px, class FoundPlace> QUELL_KERNEL auto sane(Px const& px, FoundPlace found) {
     using Real = typename Px::Real;
     Real const right(static_cast<float>(px.size().width) + 1.f), bottom(static_cast<float>(px.size().height) + 1.f);
     auto const usable = is_finite(found.where.x) & is_finite(found.where.y) & is_finite(found.validity) & (found.validity > Real(0.f)) &
@@ -81,8 +76,7 @@ QUELL_KERNEL auto sane(Px const& px, FoundPlace found) {
 }
 
 /// Looks for any acceptable past pixel in the 3x3 around the position: for lanes where interpolation found none.
-template <class Px, class FoundPlace>
-QUELL_KERNEL PastSum<Px> rescued(Px const& px, FoundPlace const& found, PastSum<Px> sum) {
+template <class Px, class FoundPlace> QUELL_KERNEL PastSum<Px> rescued(Px const& px, FoundPlace const& found, PastSum<Px> sum) {
     using Real = typename Px::Real;
     auto const wanted = (sum.weight <= Real(0.f)) & (found.validity > Real(0.f));
     if (!any(wanted)) return sum;
@@ -96,13 +90,12 @@ QUELL_KERNEL PastSum<Px> rescued(Px const& px, FoundPlace const& found, PastSum<
 }
 } // namespace detail
 
-/// History at a position between pixels from the four nearest, each tested, weights renormalised over those that pass; where none does, from
-/// whatever passes in the 3x3 around. (METHODS section 1)
+/// History at a position between pixels from the four nearest, each tested, weights renormalised over those that pass; where none does,
+/// from whatever passes in the 3x3 around. (METHODS section 1)
 struct Bilinear {
     bool rescue = true;
 
-    template <class Px, class FoundPlace>
-    QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& unchecked) const {
+    template <class Px, class FoundPlace> QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& unchecked) const {
         using Real = typename Px::Real;
         auto const found = detail::sane(px, unchecked);
         auto const column = floor(found.where.x - 0.5f), row = floor(found.where.y - 0.5f);
@@ -128,13 +121,13 @@ struct Bilinear {
 
 private:
     /// The sums of lanes that found too little start again from nothing.
-    template <class Sum, class Mask>
-    QUELL_KERNEL static Sum clear(Sum sum, Mask enough) {
+    template <class Sum, class Mask> QUELL_KERNEL static Sum clear(Sum sum, Mask enough) {
         using Real = typename Sum::Real;
         sum.sum.signal = select(enough, sum.sum.signal, zero<decltype(sum.sum.signal)>());
-        sum.sum.kept = make_record<Real>(typename decltype(sum.sum.kept)::channels{}, [&](auto c) __attribute__((always_inline)) {
-            return select(enough, sum.sum.kept[c], zero<decltype(sum.sum.kept[c])>());
-        });
+        sum.sum.kept = make_record<Real>(
+            typename decltype(sum.sum.kept)::channels{}, [&](auto c) __attribute__((always_inline)) {
+                return select(enough, sum.sum.kept[c], zero<decltype(sum.sum.kept[c])>());
+            });
         return sum;
     }
 };

@@ -8,15 +8,14 @@ namespace quell {
 
 /// A place in the previous frame (pixels; a pixel's centre is at .5), and how far it can be trusted: 0 not at all, 1 fully.
 /// A source may return a struct of its own with these two members and, beside them,
-///     auto accepts(auto then, Real dx, Real dy) const      whether the past pixel `then`, dx and dy away from `where`, shows the same thing
+///     auto accepts(auto then, Real dx, Real dy) const      whether the past pixel `then`, dx and dy away from `where`, shows the same
+///     thing
 /// History is then interpolated over the accepted taps only.
-template <class Real>
-struct Reprojection {
+template <class Real> struct Reprojection {
     vec2<Real> where;
     Real validity;
 };
-template <class Real, class Validity>
-Reprojection(glm::vec<2, Real>, Validity) -> Reprojection<Real>;
+template <class Real, class Validity> Reprojection(glm::vec<2, Real>, Validity) -> Reprojection<Real>;
 
 namespace detail {
 template <class F>

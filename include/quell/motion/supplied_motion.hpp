@@ -21,8 +21,7 @@ struct MotionConvention {
 /// SurfaceMotion for a host whose vectors follow another convention, converted at compile time:
 ///     Supplied<MotionConvention{.points = MotionConvention::Points::from_previous, .unit = MotionConvention::Unit::uv}>
 /// Past this type nothing knows another convention.
-template <MotionConvention convention, class Test = AllOf<SameDepth, SameNormal>>
-struct Supplied {
+template <MotionConvention convention, class Test = AllOf<SameDepth, SameNormal>> struct Supplied {
     using reads = decltype(Channels<Motion>{} | reads_of<Test>{});
     using remembers = remembers_of<Test>;
     Test test{};
@@ -48,8 +47,10 @@ private:
     }
     /// A sample offset by +jitter shows the image shifted by -jitter, so a vector between jittered images is off by the change of jitter.
     QUELL_KERNEL static glm::vec2 offset(auto const& px) {
-        if constexpr (convention.jitter == MotionConvention::Jitter::left_out) return {0.f, 0.f};
-        else return px.jitter_then() - px.jitter_now();
+        if constexpr (convention.jitter == MotionConvention::Jitter::left_out)
+            return {0.f, 0.f};
+        else
+            return px.jitter_then() - px.jitter_now();
     }
 };
 

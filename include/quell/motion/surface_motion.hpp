@@ -6,8 +6,7 @@ namespace quell {
 
 namespace detail {
 /// A place in the past together with the test that its taps must pass.
-template <class Real, class Prepared>
-struct TestedReprojection {
+template <class Real, class Prepared> struct TestedReprojection {
     vec2<Real> where;
     Real validity;
     Prepared test;
@@ -17,8 +16,7 @@ struct TestedReprojection {
 
 /// Follows the surface seen in the pixel by the host's Motion channel (TRMV eq. 1), and accepts what passes the test.
 /// @tparam Test SameDepth, SameNormal, SameInstance, AllOf several, or the host's own
-template <class Test = AllOf<SameDepth, SameNormal>>
-struct SurfaceMotion {
+template <class Test = AllOf<SameDepth, SameNormal>> struct SurfaceMotion {
     using reads = decltype(Channels<Motion>{} | reads_of<Test>{});
     using remembers = remembers_of<Test>;
     Test test{};
@@ -29,12 +27,10 @@ struct SurfaceMotion {
         return detail::TestedReprojection<Real, decltype(test.around(px))>{{p.x + m.x, p.y + m.y}, Real(1.f), test.around(px)};
     }
 };
-template <class Test>
-SurfaceMotion(Test) -> SurfaceMotion<Test>;
+template <class Test> SurfaceMotion(Test) -> SurfaceMotion<Test>;
 
 /// Follows the surface by its previous world position and the previous camera: for hosts that have no Motion channel.
-template <class Test = AllOf<SameDepth, SameNormal>>
-struct PositionMotion {
+template <class Test = AllOf<SameDepth, SameNormal>> struct PositionMotion {
     using reads = decltype(Channels<ReceiverPrevious>{} | reads_of<Test>{});
     using remembers = remembers_of<Test>;
     static constexpr bool needs_camera = true;
@@ -47,8 +43,7 @@ struct PositionMotion {
         return detail::TestedReprojection<Real, decltype(test.around(px))>{{then.x, then.y}, validity, test.around(px)};
     }
 };
-template <class Test>
-PositionMotion(Test) -> PositionMotion<Test>;
+template <class Test> PositionMotion(Test) -> PositionMotion<Test>;
 
 /// Nothing moves: a still camera and still objects. Without a test every past pixel is accepted.
 struct StillMotion {

@@ -13,8 +13,7 @@ struct SameDepth {
     using remembers = Channels<Depth>;
     float tolerance = 0.05f; ///< allowed distance from the plane, as a part of the depth; also of how much depth may change in a frame
 
-    template <class Real>
-    struct Plane {
+    template <class Real> struct Plane {
         Real z, slope_x, slope_y, allowed;
         QUELL_KERNEL auto accepts(auto then, Real dx, Real dy) const {
             auto const z_then = then[depth];
@@ -32,8 +31,7 @@ struct SameDepth {
 
 private:
     /// The smaller of the two one-sided differences: across a silhouette one of them is the edge, not the surface.
-    template <class Real, class Px>
-    QUELL_KERNEL static Real slope(Real z, Px const&, Px const& before, Px const& after) {
+    template <class Real, class Px> QUELL_KERNEL static Real slope(Real z, Px const&, Px const& before, Px const& after) {
         auto const back = z - before[depth], forth = after[depth] - z;
         auto const least = select(abs(back) < abs(forth), back, forth);
         return select(is_finite(least), least, Real(0.f));
@@ -46,8 +44,7 @@ struct SameNormal {
     using remembers = Channels<Normal>;
     float least_cosine = 0.8f;
 
-    template <class Real>
-    struct Facing {
+    template <class Real> struct Facing {
         vec3<Real> n;
         float least_cosine;
         QUELL_KERNEL auto accepts(auto then, Real, Real) const { return dot(n, then[normal]) > Real(least_cosine); }
@@ -60,8 +57,7 @@ struct SameInstance {
     using reads = Channels<Instance>;
     using remembers = Channels<Instance>;
 
-    template <class Real>
-    struct Object {
+    template <class Real> struct Object {
         Real id;
         QUELL_KERNEL auto accepts(auto then, Real, Real) const { return then[instance] == id; }
     };
@@ -69,18 +65,15 @@ struct SameInstance {
 };
 
 /// Every one of several tests.
-template <class... Tests>
-struct AllOf : Tests... {
+template <class... Tests> struct AllOf : Tests... {
     using reads = reads_of<Tests...>;
     using remembers = remembers_of<Tests...>;
 
-    template <class... Prepared>
-    struct Every : Prepared... {
+    template <class... Prepared> struct Every : Prepared... {
         QUELL_KERNEL auto accepts(auto then, auto dx, auto dy) const { return (... & Prepared::accepts(then, dx, dy)); }
     };
     QUELL_KERNEL auto around(auto px) const { return Every<decltype(Tests::around(px))...>{Tests::around(px)...}; }
 };
-template <class... Tests>
-AllOf(Tests...) -> AllOf<Tests...>;
+template <class... Tests> AllOf(Tests...) -> AllOf<Tests...>;
 
 } // namespace quell

@@ -17,18 +17,19 @@ inline bool usable(glm::mat4 const& m) {
 }
 
 /// @throws Error naming the channel or matrix that can't be used
-template <class P, class Set, class Storage>
-void check_frame(Frame<Set, Storage> const& frame) {
+template <class P, class Set, class Storage> void check_frame(Frame<Set, Storage> const& frame) {
     for_each_channel(typename P::reads{}, [&](auto c) {
         auto const view = frame[c].view();
         if (!(view.size == frame.size))
             throw Error("channel '" + std::string(c.name) + "'", to_string(view.size) + " in a frame of " + to_string(frame.size),
                         "give every channel the frame's size");
         if constexpr (requires { view.data; })
-            if (!view.data) throw Error("channel '" + std::string(c.name) + "'", "no memory", "point the channel at the host's image before run()");
+            if (!view.data)
+                throw Error("channel '" + std::string(c.name) + "'", "no memory", "point the channel at the host's image before run()");
     });
     if constexpr (P::needs_camera) {
-        if (!usable(frame.camera.view)) throw Error("camera.view", "a singular or non-finite matrix", "set frame.camera to the host's camera");
+        if (!usable(frame.camera.view))
+            throw Error("camera.view", "a singular or non-finite matrix", "set frame.camera to the host's camera");
         if (!usable(frame.camera.projection))
             throw Error("camera.projection", "a singular or non-finite matrix", "set frame.camera to the host's camera");
     }

@@ -16,23 +16,17 @@ struct Statistics {
 };
 
 namespace detail {
-template <class Set>
-struct StoredChannels;
-template <class... Cs>
-struct StoredChannels<Channels<Cs...>> {
-    using type = Channels<typename Remembered<Cs>::Stored...>;
-};
-template <class P, class FrameT, class H, class E, class Into>
-class Run;
+template <class Set> struct StoredChannels;
+template <class... Cs> struct StoredChannels<Channels<Cs...>> { using type = Channels<typename Remembered<Cs>::Stored...>; };
+template <class P, class FrameT, class H, class E, class Into> class Run;
 } // namespace detail
 
-/// All the state there is between frames: the signal, what the pipeline remembers of the last frame, what its policies keep, and scratch. One
-/// history serves one pipeline and one view. It starts afresh by itself at the first frame, after a change of size, and where frame numbers
-/// do not follow each other.
+/// All the state there is between frames: the signal, what the pipeline remembers of the last frame, what its policies keep, and scratch.
+/// One history serves one pipeline and one view. It starts afresh by itself at the first frame, after a change of size, and where frame
+/// numbers do not follow each other.
 /// @tparam P       the pipeline's type
 /// @tparam Storage of history and scratch: Planar<> or Planar<Float16>, or another ImageStorage that owns its memory
-template <class P, ImageStorage Storage = Planar<>>
-class History {
+template <class P, ImageStorage Storage = Planar<>> class History {
 public:
     /// @throws Error for a size of no pixels
     explicit History(Extent size, P const&, Storage const& = {}) : pool(checked(size)) {}
@@ -46,8 +40,7 @@ public:
     [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(pool.size().pixels()); }
 
 private:
-    template <class, class, class, class, class>
-    friend class detail::Run;
+    template <class, class, class, class, class> friend class detail::Run;
     using Remembered = typename detail::StoredChannels<typename P::remembers>::type;
 
     detail::ImagePool pool;
@@ -73,9 +66,7 @@ private:
         throw Error("history size", to_string(size), "give a width and a height of at least one pixel");
     }
 };
-template <class P>
-History(Extent, P const&) -> History<P>;
-template <class P, class Storage>
-History(Extent, P const&, Storage const&) -> History<P, Storage>;
+template <class P> History(Extent, P const&) -> History<P>;
+template <class P, class Storage> History(Extent, P const&, Storage const&) -> History<P, Storage>;
 
 } // namespace quell

@@ -7,8 +7,8 @@
 
 namespace quell::detail {
 
-/// Images of one size that passes take and give back. A handle is shared; an image whose handles are all gone is free again, so that what one pass
-/// has read is the memory that the next one writes. After the first frame nothing is allocated.
+/// Images of one size that passes take and give back. A handle is shared; an image whose handles are all gone is free again, so that what
+/// one pass has read is the memory that the next one writes. After the first frame nothing is allocated.
 class ImagePool {
     struct Entry {
         void const* type;
@@ -18,14 +18,12 @@ class ImagePool {
     std::vector<Entry> entries;
     Extent extent;
 
-    template <class Image>
-    static constexpr char type_key = 0; // its address stands for the type; hosts may build without RTTI
+    template <class Image> static constexpr char type_key = 0; // its address stands for the type; hosts may build without RTTI
 
 public:
     explicit ImagePool(Extent size) : extent(size) {}
 
-    template <class Image>
-    [[nodiscard]] std::shared_ptr<Image> take() {
+    template <class Image> [[nodiscard]] std::shared_ptr<Image> take() {
         for (auto const& e : entries)
             if (e.type == &type_key<Image> && e.image.use_count() == 1) return std::static_pointer_cast<Image>(e.image);
         auto image = std::make_shared<Image>(extent);
@@ -41,25 +39,18 @@ public:
 };
 
 /// Handles to the images of several channels, any of which may be empty.
-template <class Storage, class Set>
-struct Handles;
-template <class Storage, class... Cs>
-struct Handles<Storage, Channels<Cs...>> : Slot<Cs, std::shared_ptr<ImageOf<Storage, Cs>>>... {
-    template <ChannelTag C>
-    auto& operator[](C) {
-        return slot<C>(*this);
-    }
+template <class Storage, class Set> struct Handles;
+template <class Storage, class... Cs> struct Handles<Storage, Channels<Cs...>> : Slot<Cs, std::shared_ptr<ImageOf<Storage, Cs>>>... {
+    template <ChannelTag C> auto& operator[](C) { return slot<C>(*this); }
     /// Views of some of the channels; of an empty handle, a view of nothing.
-    template <class... Ds>
-    [[nodiscard]] auto views(Channels<Ds...>) const {
+    template <class... Ds> [[nodiscard]] auto views(Channels<Ds...>) const {
         return Views<Storage, Channels<Ds...>>{{view(slot<Ds>(*this))}...};
     }
     void take_all(ImagePool& pool) { ((slot<Cs>(*this) = pool.take<ImageOf<Storage, Cs>>()), ...); }
     void drop_all() { (slot<Cs>(*this).reset(), ...); }
 
 private:
-    template <class Image>
-    static auto view(std::shared_ptr<Image> const& image) {
+    template <class Image> static auto view(std::shared_ptr<Image> const& image) {
         return image ? image->view() : decltype(image->view()){};
     }
 };

@@ -9,17 +9,16 @@ namespace quell::detail {
 /// The largest sample that is taken for light: its square, and sums of that, are still finite.
 inline constexpr float brightest_sample = 1e16f;
 
-/// The first pass: reads the host's samples, decides which are usable, demodulates, and suppresses fireflies. A sample with a component that is NaN,
-/// infinite, negative or beyond 1e16 is missing: it is marked by the sign of component 0, and carries the mean of its usable neighbours.
-template <ChannelTag Signal, class Modulation, class Suppression>
-struct Ingest {
+/// The first pass: reads the host's samples, decides which are usable, demodulates, and suppresses fireflies. A sample with a component
+/// that is NaN, infinite, negative or beyond 1e16 is missing: it is marked by the sign of component 0, and carries the mean of its usable
+/// neighbours.
+template <ChannelTag Signal, class Modulation, class Suppression> struct Ingest {
     static constexpr auto name = "ingest";
     using reads = decltype(Channels<Signal>{} | reads_of<Modulation>{});
     Modulation modulation;
     Suppression suppression;
 
-    template <class Px>
-    struct Sample {
+    template <class Px> struct Sample {
         typename Px::Signal value;
         decltype(std::declval<typename Px::Real>() < std::declval<typename Px::Real>()) usable;
     };
@@ -32,41 +31,47 @@ struct Ingest {
         auto const missing = invert(here.usable);
         if (any(missing)) value = select(missing, around(px), value);
         if constexpr (!std::is_same_v<Suppression, NoSuppression>) {
-            auto const factor = suppression.factor(px, value, [&](auto near) __attribute__((always_inline)) { return sample(near).value; });
+            auto const factor = suppression.factor(
+                px, value, [&](auto near) __attribute__((always_inline)) { return sample(near).value; });
             value = scale(value, factor);
         }
         return make_value<components_of<typename Px::Signal>, Real>([&](auto c) __attribute__((always_inline)) {
             auto const a = component<c>(value);
-            if constexpr (c == 0) return select(missing, with_sign_bit(a), without_sign_bit(a));
-            else return a;
+            if constexpr (c == 0)
+                return select(missing, with_sign_bit(a), without_sign_bit(a));
+            else
+                return a;
         });
     }
 
 private:
     /// The demodulated sample of one pixel; 0 where it is not usable.
-    template <class Px>
-    QUELL_KERNEL Sample<Px> sample(Px const& px) const {
+    template <class Px> QUELL_KERNEL Sample<Px> sample(Px const& px) const {
         using Real = typename Px::Real;
         auto const raw = px[Signal{}];
         auto const usable = fold(
-            [](auto sofar, auto a) __attribute__((always_inline)) { return sofar & is_finite(a) & (a >= Real(0.f)) & (a <= Real(brightest_sample)); },
+            [](auto sofar, auto a)
+                __attribute__((always_inline)) { return sofar & is_finite(a) & (a >= Real(0.f)) & (a <= Real(brightest_sample)); },
             Real(0.f) == Real(0.f), raw);
         auto const safe = select(usable, raw, zero<typename Px::Signal>());
-        if constexpr (std::is_same_v<Modulation, NoModulation>) return {safe, usable};
+        if constexpr (std::is_same_v<Modulation, NoModulation>)
+            return {safe, usable};
         else
-            return {map([](auto a, auto d) __attribute__((always_inline)) { return a / d; }, safe, modulation.divisor(px)), usable};
+            return {map(
+                        [](auto a, auto d) __attribute__((always_inline)) { return a / d; }, safe, modulation.divisor(px)),
+                    usable};
     }
-    template <class Px>
-    QUELL_KERNEL typename Px::Signal around(Px const& px) const {
+    template <class Px> QUELL_KERNEL typename Px::Signal around(Px const& px) const {
         using Real = typename Px::Real;
         auto sum = zero<typename Px::Signal>();
         Real weights(0.f);
-        for_each_neighbour<1>(px, [&](auto near, auto inside, int, int) __attribute__((always_inline)) {
-            auto const s = sample(near);
-            auto const w = select(s.usable, inside, Real(0.f));
-            sum = add_scaled(sum, s.value, w);
-            weights = weights + w;
-        });
+        for_each_neighbour<1>(
+            px, [&](auto near, auto inside, int, int) __attribute__((always_inline)) {
+                auto const s = sample(near);
+                auto const w = select(s.usable, inside, Real(0.f));
+                sum = add_scaled(sum, s.value, w);
+                weights = weights + w;
+            });
         return scale(sum, 1.f / max(weights, Real(1.f)));
     }
 };

@@ -7,34 +7,32 @@
 
 namespace quell::detail {
 
-/// What is left to do with a pixel when its last pass is done, so that no further pass reads it again: multiply the albedo back, store the output,
-/// and copy what the next frame must remember of this one.
-template <class Modulation, class Scope, class Output, class RememberedViews>
-struct Finish {
+/// What is left to do with a pixel when its last pass is done, so that no further pass reads it again: multiply the albedo back, store the
+/// output, and copy what the next frame must remember of this one.
+template <class Modulation, class Scope, class Output, class RememberedViews> struct Finish {
     Modulation modulation;
     Scope scope; ///< of the modulation's and the remembered channels
     Output output;
     RememberedViews remembered;
 
-    template <class Real, class V>
-    QUELL_KERNEL void store_output(int x, int y, int count, V const& value) const {
-        if constexpr (std::is_same_v<Modulation, NoModulation>) store_pixels<Real>(output, x, y, value, count);
+    template <class Real, class V> QUELL_KERNEL void store_output(int x, int y, int count, V const& value) const {
+        if constexpr (std::is_same_v<Modulation, NoModulation>)
+            store_pixels<Real>(output, x, y, value, count);
         else
             store_pixels<Real>(output, x, y,
-                               map([](auto a, auto d) __attribute__((always_inline)) { return a * d; }, value,
+                               map(
+                                   [](auto a, auto d) __attribute__((always_inline)) { return a * d; }, value,
                                    modulation.divisor(Pixel<Real, Scope>{scope, x, y})),
                                count);
     }
-    template <class Real, class... Cs>
-    QUELL_KERNEL void remember(int x, int y, int count, Channels<Cs...>) const {
+    template <class Real, class... Cs> QUELL_KERNEL void remember(int x, int y, int count, Channels<Cs...>) const {
         Pixel<Real, Scope> const px{scope, x, y};
         (store_pixels<Real>(remembered.view(typename Remembered<Cs>::Stored{}), x, y, Remembered<Cs>::pack(px[Cs{}]), count), ...);
     }
 };
 
 /// One pass over one region: what an executor runs. Trivially copyable, so that it can be sent to a device as it is.
-template <class Pass, class Scope, class SignalView, class MadeViews, class FinishWork, class RememberedSet>
-struct Job {
+template <class Pass, class Scope, class SignalView, class MadeViews, class FinishWork, class RememberedSet> struct Job {
     static constexpr auto name = Pass::name;
     static constexpr bool makes_signal = !requires(Pass const p, Pixel<float, Scope> px) { p.emit(px); };
 
@@ -46,30 +44,32 @@ struct Job {
     bool store_signal, store_output, store_remembered;
     std::atomic<long long>* missing = nullptr; ///< where the ingest counts
 
-    template <class Real>
-    QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
+    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
         auto const result = as_result(evaluate(Pixel<Real, Scope>{scope, x, y}));
         if constexpr (makes_signal) {
             if (store_signal) store_pixels<Real>(signal, x, y, result.value, count);
             if (store_output) finish.template store_output<Real>(x, y, count, result.value);
             if (missing) count_missing(component<0>(result.value), count);
         }
-        for_each_channel(typename MadeViews::channels{}, [&](auto c) __attribute__((always_inline)) {
-            static_assert(decltype(result.more)::channels::template has<decltype(c)>,
-                          "a policy does not return a channel that it `keeps` or `emits`: add .with(channel, value) to its result");
-            store_pixels<Real>(made.view(c), x, y, result.more[c], count);
-        });
+        for_each_channel(
+            typename MadeViews::channels{}, [&](auto c) __attribute__((always_inline)) {
+                static_assert(decltype(result.more)::channels::template has<decltype(c)>,
+                              "a policy does not return a channel that it `keeps` or `emits`: add .with(channel, value) to its result");
+                store_pixels<Real>(made.view(c), x, y, result.more[c], count);
+            });
         if (store_remembered) finish.template remember<Real>(x, y, count, RememberedSet{});
     }
 
 private:
     QUELL_KERNEL auto evaluate(auto px) const {
-        if constexpr (requires { pass(px); }) return pass(px);
-        else if constexpr (requires { pass.filter(px); }) return pass.filter(px);
-        else return pass.emit(px);
+        if constexpr (requires { pass(px); })
+            return pass(px);
+        else if constexpr (requires { pass.filter(px); })
+            return pass.filter(px);
+        else
+            return pass.emit(px);
     }
-    template <class Real>
-    QUELL_KERNEL void count_missing(Real const& marked, int count) const {
+    template <class Real> QUELL_KERNEL void count_missing(Real const& marked, int count) const {
         if (!any(sign_bit(marked))) return;
         long long n = 0;
         for (int i = 0; i < count; ++i) n += bits(lane(marked, i)) < 0;

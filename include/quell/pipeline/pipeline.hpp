@@ -8,41 +8,49 @@
 namespace quell {
 
 namespace detail {
-template <class T>
-inline constexpr bool is_stage = is_temporal<T> || is_spatial<T>;
-template <class T>
-inline constexpr bool is_input_option = std::is_same_v<T, Demodulate> || std::is_same_v<T, SuppressFireflies>;
+template <class T> inline constexpr bool is_stage = is_temporal<T> || is_spatial<T>;
+template <class T> inline constexpr bool is_input_option = std::is_same_v<T, Demodulate> || std::is_same_v<T, SuppressFireflies>;
 
 /// The option of a type among the parts of a pipeline, or the one that does nothing.
-template <class Wanted, class Nothing, class... Parts>
-constexpr auto option_of(Parts const&... parts) {
-    if constexpr ((std::is_same_v<Wanted, Parts> || ...)) return std::get<Wanted>(std::tuple<Parts...>(parts...));
-    else return Nothing{};
+template <class Wanted, class Nothing, class... Parts> constexpr auto option_of(Parts const&... parts) {
+    if constexpr ((std::is_same_v<Wanted, Parts> || ...))
+        return std::get<Wanted>(std::tuple<Parts...>(parts...));
+    else
+        return Nothing{};
 }
-template <class Part>
-constexpr auto stage_or_nothing(Part const& part) {
-    if constexpr (is_stage<Part>) return std::tuple<Part>(part);
-    else return std::tuple<>();
+template <class Part> constexpr auto stage_or_nothing(Part const& part) {
+    if constexpr (is_stage<Part>)
+        return std::tuple<Part>(part);
+    else
+        return std::tuple<>();
 }
-template <class P>
-constexpr bool needs_camera() {
-    if constexpr (requires { P::motion; }) return needs_camera<decltype(P::motion)>();
-    else if constexpr (requires { P::needs_camera; }) return P::needs_camera;
-    else if constexpr (requires { P::first; P::rest; }) return needs_camera<decltype(P::first)>() || needs_camera<decltype(P::rest)>();
-    else return false;
+template <class P> constexpr bool needs_camera() {
+    if constexpr (requires { P::motion; })
+        return needs_camera<decltype(P::motion)>();
+    else if constexpr (requires { P::needs_camera; })
+        return P::needs_camera;
+    else if constexpr (requires {
+                           P::first;
+                           P::rest;
+                       })
+        return needs_camera<decltype(P::first)>() || needs_camera<decltype(P::rest)>();
+    else
+        return false;
 }
 } // namespace detail
 
 /// How one signal is denoised: a constant description that holds no images.
 ///     constexpr auto denoise = Pipeline{radiance, Demodulate{}, Temporal{SurfaceMotion{}, RunningMean{}}, Spatial{Atrous{}}};
-/// The signal's channel comes first, then Demodulate{} and SuppressFireflies{} where wanted, then the stages in order, at most one of them Temporal.
-/// `reads` is what a host must supply, `remembers` what of it is kept of the last frame, `keeps` what the policies keep of their own.
-template <ChannelTag S, class... Parts>
-struct Pipeline {
-    static_assert(((detail::is_stage<Parts> || detail::is_input_option<Parts>) && ...),
-                  "Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{} or SuppressFireflies{}, see quell/pipeline/stage.hpp");
-    static_assert((0 + ... + int(detail::is_temporal<Parts>)) <= 1,
-                  "Pipeline{channel, parts...}: one Temporal at most, since there is one history; use FirstValid to combine motion sources");
+/// The signal's channel comes first, then Demodulate{} and SuppressFireflies{} where wanted, then the stages in order, at most one of them
+/// Temporal. `reads` is what a host must supply, `remembers` what of it is kept of the last frame, `keeps` what the policies keep of their
+/// own.
+template <ChannelTag S, class... Parts> struct Pipeline {
+    static_assert(((detail::is_stage<Parts> || detail::is_input_option<Parts>)&&...),
+                  "Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{} or SuppressFireflies{}, see "
+                  "quell/pipeline/stage.hpp");
+    static_assert(
+        (0 + ... + int(detail::is_temporal<Parts>)) <= 1,
+        "Pipeline{channel, parts...}: one Temporal at most, since there is one history; use FirstValid to combine motion sources");
 
     using Signal = S;
     using Modulation = decltype(detail::option_of<Demodulate, NoModulation>(std::declval<Parts>()...));

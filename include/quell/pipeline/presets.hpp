@@ -15,13 +15,17 @@ namespace quell::presets {
 /// The input as it is.
 constexpr auto none(ChannelTag auto signal, auto... parts) { return Pipeline{signal, parts...}; }
 /// History along the surface, nothing else: what every other preset is measured against.
-constexpr auto surface(ChannelTag auto signal, auto... parts) { return Pipeline{signal, parts..., Temporal{SurfaceMotion{}, Exponential{.alpha = 0.1f}}}; }
+constexpr auto surface(ChannelTag auto signal, auto... parts) {
+    return Pipeline{signal, parts..., Temporal{SurfaceMotion{}, Exponential{.alpha = 0.1f}}};
+}
 /// The same with the history clamped to mean +- 1 sigma of the 3x3 around (Salvi 2015).
 constexpr auto surface_clamp(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, parts..., Temporal{SurfaceMotion{}, Clamped{Exponential{.alpha = 0.1f}, MeanDeviation{.sigmas = 1.f}}}};
 }
 /// Space only: a five-level edge-avoiding wavelet (Dammertz 2010).
-constexpr auto atrous(ChannelTag auto signal, auto... parts) { return Pipeline{signal, parts..., Spatial{Atrous{Product{DepthEdge{}, NormalEdge{}}}}}; }
+constexpr auto atrous(ChannelTag auto signal, auto... parts) {
+    return Pipeline{signal, parts..., Spatial{Atrous{Product{DepthEdge{}, NormalEdge{}}}}};
+}
 /// Spatiotemporal variance-guided filtering (Schied 2017).
 constexpr auto svgf(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, parts..., Temporal{SurfaceMotion{}, WithMoments{RunningMean{.cap = 32.f}}},

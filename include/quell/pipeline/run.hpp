@@ -8,8 +8,7 @@ namespace quell {
 
 namespace detail {
 /// One frame's way through a pipeline: ingest, then pass after pass, each with views of exactly what it declares.
-template <class P, class FrameT, class H, class E, class Into>
-class Run;
+template <class P, class FrameT, class H, class E, class Into> class Run;
 
 template <class P, class Set, class FrameStorage, class Storage, class E, class Into>
 class Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, Into> {
@@ -23,7 +22,8 @@ class Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, Into> {
     using ScopeOf = Scope<Views<FrameStorage, common_to<reads_of<Pass>, Set>>, Views<Storage, common_to<reads_of<Pass>, typename P::made>>,
                           SignalView, SignalView, Views<Storage, keeps_of<Pass>>, RememberedViewsOf<Storage, remembers_of<Pass>>, raw>;
     using FinishReads = decltype(reads_of<typename P::Modulation>{} | Remembers{});
-    using FinishScope = Scope<Views<FrameStorage, FinishReads>, NoViews, SignalView, SignalView, NoViews, RememberedViewsOf<Storage, Channels<>>, false>;
+    using FinishScope =
+        Scope<Views<FrameStorage, FinishReads>, NoViews, SignalView, SignalView, NoViews, RememberedViewsOf<Storage, Channels<>>, false>;
 
     P const& pipeline;
     Frame<Set, FrameStorage> const& frame;
@@ -46,8 +46,10 @@ public:
         begin();
         pipeline.for_each_pass([&](auto const&) { ++passes_left; });
         ingest();
-        if (passes_left == 0) passes_left = 1, pass<true>(PassThrough{});
-        else stages(std::make_index_sequence<std::tuple_size_v<decltype(pipeline.stages)>>{});
+        if (passes_left == 0)
+            passes_left = 1, pass<true>(PassThrough{});
+        else
+            stages(std::make_index_sequence<std::tuple_size_v<decltype(pipeline.stages)>>{});
         end();
         return history.output ? history.output->view() : SignalView{};
     }
@@ -80,22 +82,23 @@ private:
         history.counted.missing_samples = missing;
     }
 
-    template <std::size_t... i>
-    void stages(std::index_sequence<i...>) {
+    template <std::size_t... i> void stages(std::index_sequence<i...>) {
         (detail::for_each_pass(std::get<i>(pipeline.stages),
                                [&, first = i == 0](auto const& kernel) mutable {
                                    // Only the first pass sees the marks of missing samples; a Temporal in first place always is that pass.
                                    constexpr bool alone = is_temporal<std::remove_cvref_t<decltype(kernel)>>;
-                                   if constexpr (i > 0) pass<false>(kernel);
-                                   else if (alone || first) pass<true>(kernel);
-                                   else if constexpr (!alone) pass<false>(kernel);
+                                   if constexpr (i > 0)
+                                       pass<false>(kernel);
+                                   else if (alone || first)
+                                       pass<true>(kernel);
+                                   else if constexpr (!alone)
+                                       pass<false>(kernel);
                                    first = false;
                                }),
          ...);
     }
 
-    template <bool raw, class Pass>
-    void pass(Pass const& kernel) {
+    template <bool raw, class Pass> void pass(Pass const& kernel) {
         run<raw>(kernel, --passes_left == 0, nullptr);
         if constexpr (is_temporal<Pass>) {
             for_history = current;
@@ -106,8 +109,7 @@ private:
             if (kernel.feedback) for_history = current;
     }
 
-    template <bool raw, class Pass>
-    void run(Pass const& kernel, bool last, std::atomic<long long>* missing) {
+    template <bool raw, class Pass> void run(Pass const& kernel, bool last, std::atomic<long long>* missing) {
         using S = ScopeOf<Pass, raw>;
         using Made = decltype(emits_of<Pass>{} | keeps_of<Pass>{});
         constexpr bool makes_signal = !requires(Pass const p, Pixel<float, S> px) { p.emit(px); };
@@ -120,22 +122,30 @@ private:
         auto const seen = scope<S, Pass>();
         if (last) prepare_end(is_temporal<Pass>, next);
 
-        auto job = Job<Pass, S, SignalView, decltype(next_made.views(Made{})), decltype(finish()), Remembers>{
-            kernel, seen, next ? next->view() : SignalView{}, next_made.views(Made{}), finish(), goes_on && makes_signal,
-            last && stores_output(next), last && Remembers::size > 0, missing};
+        auto job =
+            Job<Pass, S, SignalView, decltype(next_made.views(Made{})), decltype(finish()), Remembers>{kernel,
+                                                                                                       seen,
+                                                                                                       next ? next->view() : SignalView{},
+                                                                                                       next_made.views(Made{}),
+                                                                                                       finish(),
+                                                                                                       goes_on && makes_signal,
+                                                                                                       last && stores_output(next),
+                                                                                                       last && Remembers::size > 0,
+                                                                                                       missing};
         executor.for_each_pixel(Region{0, 0, frame.size.width, frame.size.height}, job);
         current = next;
         for_each_channel(Made{}, [&](auto c) { made[c] = next_made[c]; });
     }
 
-    template <class Pass>
-    static bool feeds_back(Pass const& kernel) {
-        if constexpr (requires { kernel.feedback; }) return kernel.feedback;
-        else return false;
+    template <class Pass> static bool feeds_back(Pass const& kernel) {
+        if constexpr (requires { kernel.feedback; })
+            return kernel.feedback;
+        else
+            return false;
     }
 
-    /// The last pass writes the output, unless that is the very image which goes into the history, and what is remembered of this frame: over
-    /// the old, unless this pass still reads the old.
+    /// The last pass writes the output, unless that is the very image which goes into the history, and what is remembered of this frame:
+    /// over the old, unless this pass still reads the old.
     void prepare_end(bool reads_remembered, std::shared_ptr<SignalImage> const& next) {
         if (!reads_remembered) history.remembered.drop_all();
         remembered.take_all(history.pool);
@@ -147,8 +157,7 @@ private:
 
     bool stores_output(std::shared_ptr<SignalImage> const& next) const { return !std::is_same_v<Into, NoTarget> || history.output != next; }
 
-    template <class S, class Pass>
-    S scope() const {
+    template <class S, class Pass> S scope() const {
         auto then = RememberedViewsOf<Storage, remembers_of<Pass>>{};
         return {frame.size,
                 frame.views(typename S::frame_channels{}),
@@ -162,15 +171,15 @@ private:
                 history.camera.jitter,
                 past};
     }
-    template <class Stored>
-    auto remembered_views(Stored) const { return history.remembered.views(Stored{}); }
+    template <class Stored> auto remembered_views(Stored) const { return history.remembered.views(Stored{}); }
 
     auto finish() const {
         FinishScope const scope{frame.size, frame.views(FinishReads{}), {}, {}, {}, {}, {}, glm::mat4(1.f), {}, {}, false};
         auto const views = remembered.views(typename History<P, Storage>::Remembered{});
         if constexpr (std::is_same_v<Into, NoTarget>) {
             auto const target = history.output ? history.output->view() : SignalView{};
-            return Finish<typename P::Modulation, FinishScope, SignalView, decltype(views)>{pipeline.ingest.modulation, scope, target, views};
+            return Finish<typename P::Modulation, FinishScope, SignalView, decltype(views)>{pipeline.ingest.modulation, scope, target,
+                                                                                            views};
         } else
             return Finish<typename P::Modulation, FinishScope, Into, decltype(views)>{pipeline.ingest.modulation, scope, into, views};
     }
@@ -182,15 +191,19 @@ private:
 /// @throws Error for images whose sizes differ, memory that is missing, and cameras that a motion source needs and that are singular
 template <class P, class Set, class FrameStorage, class Storage, Executor E = Simd>
 auto run(P const& pipeline, Frame<Set, FrameStorage> const& frame, History<P, Storage>& history, E const& executor = {}) {
-    static_assert(contained_in<typename P::reads, Set>, "run(pipeline, frame, ...): the frame lacks a channel that the pipeline reads; construct the frame with this pipeline");
+    static_assert(contained_in<typename P::reads, Set>,
+                  "run(pipeline, frame, ...): the frame lacks a channel that the pipeline reads; construct the frame with this pipeline");
     detail::NoTarget const none;
-    return detail::Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, detail::NoTarget>(pipeline, frame, history, executor, none).all();
+    return detail::Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, detail::NoTarget>(pipeline, frame, history, executor, none)
+        .all();
 }
 
 /// The same, writing the output through a view of the host's own.
 template <class P, class Set, class FrameStorage, class Storage, ImageView Target, Executor E = Simd>
-void run_into(Target const& target, P const& pipeline, Frame<Set, FrameStorage> const& frame, History<P, Storage>& history, E const& executor = {}) {
-    static_assert(contained_in<typename P::reads, Set>, "run_into(target, pipeline, frame, ...): the frame lacks a channel that the pipeline reads; construct the frame with this pipeline");
+void run_into(Target const& target, P const& pipeline, Frame<Set, FrameStorage> const& frame, History<P, Storage>& history,
+              E const& executor = {}) {
+    static_assert(contained_in<typename P::reads, Set>, "run_into(target, pipeline, frame, ...): the frame lacks a channel that the "
+                                                        "pipeline reads; construct the frame with this pipeline");
     detail::Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, Target>(pipeline, frame, history, executor, target).all();
 }
 

@@ -8,8 +8,7 @@ namespace quell {
 
 /// Accumulates over time: a motion source finds the past, a fetch interpolates it, a blend policy joins it with the present.
 ///     Temporal{SurfaceMotion{}, Clamped{RunningMean{.cap = 16}}}
-template <class M, class B, class Fetch = Bilinear>
-struct Temporal {
+template <class M, class B, class Fetch = Bilinear> struct Temporal {
     static_assert(MotionSource<M>, "Temporal{motion, blend}: `motion` must have previous(px), see quell/motion/motion_source.hpp");
     static_assert(BlendPolicy<B>, "Temporal{motion, blend}: `blend` must have blend(px, past), see quell/blend/blend_policy.hpp");
 
@@ -30,55 +29,50 @@ struct Temporal {
     }
 
 private:
-    /// Where the host's sample is missing, the past goes on unchanged; where there is no past either, the neighbours' mean stands in and nothing
-    /// is kept, so that the next sample counts fully.
-    template <class Px, class P, class R>
-    QUELL_KERNEL static auto without_missing(Px const& px, P const& past, R const& result) {
+    /// Where the host's sample is missing, the past goes on unchanged; where there is no past either, the neighbours' mean stands in and
+    /// nothing is kept, so that the next sample counts fully.
+    template <class Px, class P, class R> QUELL_KERNEL static auto without_missing(Px const& px, P const& past, R const& result) {
         using Real = typename Px::Real;
         auto const missing = px.missing();
         if (!any(missing)) return result;
         auto const present = past.validity > Real(0.f);
         auto filled = result;
         filled.value = select(missing, select(present, past.signal, px.signal()), result.value);
-        for_each_channel(typename Px::Scope::kept_channels{}, [&](auto c) __attribute__((always_inline)) {
-            if constexpr (decltype(result.more)::channels::template has<decltype(c)>)
-                filled.more.set(c, select(missing, select(present, past[c], zero<decltype(past[c])>()), result.more[c]));
-        });
+        for_each_channel(
+            typename Px::Scope::kept_channels{}, [&](auto c) __attribute__((always_inline)) {
+                if constexpr (decltype(result.more)::channels::template has<decltype(c)>)
+                    filled.more.set(c, select(missing, select(present, past[c], zero<decltype(past[c])>()), result.more[c]));
+            });
         return filled;
     }
 };
-template <class M, class B>
-Temporal(M, B) -> Temporal<M, B>;
-template <class M, class B, class F>
-Temporal(M, B, F) -> Temporal<M, B, F>;
+template <class M, class B> Temporal(M, B) -> Temporal<M, B>;
+template <class M, class B, class F> Temporal(M, B, F) -> Temporal<M, B, F>;
 
 /// Filters over space: Spatial{Atrous{}}.
-template <class F>
-struct Spatial {
-    static_assert(FilterKernel<F>, "Spatial{kernel}: `kernel` must have filter(px) or for_each_pass(pass), see quell/filter/filter_kernel.hpp");
+template <class F> struct Spatial {
+    static_assert(FilterKernel<F>,
+                  "Spatial{kernel}: `kernel` must have filter(px) or for_each_pass(pass), see quell/filter/filter_kernel.hpp");
     using reads = reads_of<F>;
     using emits = emits_of<F>;
     F kernel{};
 };
-template <class F>
-Spatial(F) -> Spatial<F>;
+template <class F> Spatial(F) -> Spatial<F>;
 
 namespace detail {
-template <class T>
-inline constexpr bool is_temporal = false;
-template <class M, class B, class F>
-inline constexpr bool is_temporal<Temporal<M, B, F>> = true;
-template <class T>
-inline constexpr bool is_spatial = false;
-template <class F>
-inline constexpr bool is_spatial<Spatial<F>> = true;
+template <class T> inline constexpr bool is_temporal = false;
+template <class M, class B, class F> inline constexpr bool is_temporal<Temporal<M, B, F>> = true;
+template <class T> inline constexpr bool is_spatial = false;
+template <class F> inline constexpr bool is_spatial<Spatial<F>> = true;
 
 /// Calls `visit(pass)` for each pass of a stage.
-template <class Stage, class Visit>
-constexpr void for_each_pass(Stage const& stage, Visit&& visit) {
-    if constexpr (!is_spatial<Stage>) visit(stage);
-    else if constexpr (requires { stage.kernel.for_each_pass(visit); }) stage.kernel.for_each_pass(visit);
-    else visit(stage.kernel);
+template <class Stage, class Visit> constexpr void for_each_pass(Stage const& stage, Visit&& visit) {
+    if constexpr (!is_spatial<Stage>)
+        visit(stage);
+    else if constexpr (requires { stage.kernel.for_each_pass(visit); })
+        stage.kernel.for_each_pass(visit);
+    else
+        visit(stage.kernel);
 }
 
 } // namespace detail
