@@ -78,7 +78,7 @@ Acceleration::Acceleration(SceneDescription const& scene)
     check();
 }
 
-Acceleration::Part& Acceleration::part_of(Instance const& instance) {
+Acceleration::Part& Acceleration::part_of(SceneInstance const& instance) {
     auto const& shape = description.shapes[static_cast<std::size_t>(instance.shape)];
     auto const& material = description.materials[static_cast<std::size_t>(instance.material)];
     bool const has_holes = material.alpha_cutoff > 0 && material.base_texture >= 0 && !shape.mesh.uvs.empty();

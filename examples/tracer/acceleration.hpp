@@ -41,7 +41,7 @@ class Acceleration {
         std::unique_ptr<AlphaTest> alpha_test;
     };
 
-    Part& part_of(Instance const& instance);
+    Part& part_of(SceneInstance const& instance);
     Part build(Shape const& shape, Material const& material) const;
     void add_alpha_test(Part& part, Shape const& shape, Material const& material) const;
     void check() const;

@@ -20,9 +20,9 @@ struct ReferenceSettings {
     double tolerance = 0.005;    ///< converged when the mean FLIP between two independent halves is below it, for every effect
     int most_samples = 16384;    ///< per pixel, both halves together; the end even where it hasn't converged
     int samples_per_pass = 16;   ///< per pixel and half, between two looks at the clock
-    std::filesystem::path cache; ///< empty: $QUELL_CACHE, else ~/.cache/quell
+    std::filesystem::path cache{}; ///< empty: $QUELL_CACHE, else ~/.cache/quell
     bool use_cache = true;
-    std::function<void(ReferenceProgress const&)> progress; ///< called after every pass
+    std::function<void(ReferenceProgress const&)> progress{}; ///< called after every pass
 };
 
 /// Converged pictures, linear, one for each averaged channel that was asked for, by the channel's name.

@@ -35,7 +35,7 @@ int SceneDescription::add_sphere() {
 }
 
 int SceneDescription::place(int shape, int material, Pose pose, int parent) {
-    return append(instances, Instance{shape, material, add_node(std::move(pose), parent)});
+    return append(instances, SceneInstance{shape, material, add_node(std::move(pose), parent)});
 }
 
 int SceneDescription::place(int shape, int material, Transform const& transform, int parent) {

@@ -35,7 +35,7 @@ struct Node {
     Pose pose;
 };
 
-struct Instance {
+struct SceneInstance {
     int shape = 0, material = 0;
     int node = -1; ///< -1: world
 };
@@ -61,7 +61,7 @@ struct SceneDescription {
     std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<Node> nodes;
-    std::vector<Instance> instances;
+    std::vector<SceneInstance> instances;
     std::function<CameraPose(float frame)> camera;
     Background background;
 

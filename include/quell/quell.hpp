@@ -5,13 +5,16 @@
 #include <quell/blend/clamped.hpp>
 #include <quell/blend/exponential.hpp>
 #include <quell/blend/running_mean.hpp>
+#include <quell/blend/with_clean_up.hpp>
 #include <quell/blend/with_moments.hpp>
 #include <quell/execute/executor.hpp>
 #include <quell/filter/atrous.hpp>
+#include <quell/filter/bilateral.hpp>
 #include <quell/filter/variance_guided_atrous.hpp>
 #include <quell/image/borrowed.hpp>
 #include <quell/image/interleaved.hpp>
 #include <quell/image/planar.hpp>
+#include <quell/motion/catmull_rom.hpp>
 #include <quell/motion/first_valid.hpp>
 #include <quell/motion/supplied_motion.hpp>
 #include <quell/motion/surface_motion.hpp>

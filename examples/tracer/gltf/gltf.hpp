@@ -12,10 +12,10 @@ inline constexpr float frames_per_second = 24;
 
 /// Where to look from; what is left out comes from the file's camera or, without one, frames the whole scene.
 struct CameraChoice {
-    std::optional<glm::vec3> eye, target;
-    std::optional<float> field_of_view; ///< vertical, degrees
-    float orbit = 0;                    ///< degrees per frame around the target's vertical axis
-    glm::vec3 dolly{0.f};               ///< movement per frame of both eye and target
+    std::optional<glm::vec3> eye{}, target{};
+    std::optional<float> field_of_view{}; ///< vertical, degrees
+    float orbit = 0;                      ///< degrees per frame around the target's vertical axis
+    glm::vec3 dolly{0.f};                 ///< movement per frame of both eye and target
 
     [[nodiscard]] bool is_default() const { return !eye && !target && !field_of_view && orbit == 0 && dolly == glm::vec3{0.f}; }
 };

@@ -71,7 +71,7 @@ void add_camera(Model const& model, SceneDescription& scene) {
 }
 
 void add_default_light(SceneDescription& scene) {
-    bool const has_light = std::ranges::any_of(scene.instances, [&](Instance const& instance) {
+    bool const has_light = std::ranges::any_of(scene.instances, [&](SceneInstance const& instance) {
         return glm::length(scene.materials[static_cast<std::size_t>(instance.material)].emission) > 0;
     });
     if (has_light) return;

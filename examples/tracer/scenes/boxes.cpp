@@ -30,10 +30,10 @@ void add_walls(SceneDescription& scene) {
 void add_lights(SceneDescription& scene) {
     int const warm = scene.add(Material{.emission = {75, 64, 50}}), cool = scene.add(Material{.emission = {30, 36, 48}});
     int const brass = scene.add(Material{.base = {0.5f, 0.36f, 0.16f}});
-    int const dish = scene.add(rectangle(0.9f, 0.9f)), holder = scene.add(box({1, 0.06f, 1})), pole = scene.add(cylinder(0.03f, 0.03f, 1.72f));
+    int const dish = scene.add(rectangle(0.9f, 0.9f)), holder = scene.add(box({1, 0.06f, 1})), pole = scene.add(cylinder(0.03f, 0.03f, 1.28f));
     for (float side : {-1.f, 1.f}) {
-        scene.place(dish, side < 0 ? warm : cool, {.translation = {side * 2.2f, 1.78f, 1}});
-        scene.place(holder, brass, {.translation = {side * 2.2f, 1.74f, 1}});
+        scene.place(dish, side < 0 ? warm : cool, {.translation = {side * 2.2f, 1.34f, 1}});
+        scene.place(holder, brass, {.translation = {side * 2.2f, 1.3f, 1}});
         scene.place(pole, brass, {.translation = {side * 2.2f, 0, 1}});
     }
 }

@@ -13,7 +13,7 @@ void add_walls(SceneDescription& scene) {
     float const x = 2.6f, y = 1.35f, z = 3;
     int const across = scene.add(rectangle(2 * x, 2 * y, {2.6f, 1.3f})), along = scene.add(rectangle(2 * z, 2 * y, {3, 1.3f}));
     int const parquet = scene.add(planks({0.5f, 0.28f, 0.14f}, 8));
-    int const floor = scene.add(Material{.metallic = 0.4f, .roughness = 0.24f, .base_texture = parquet});
+    int const floor = scene.add(Material{.metallic = 0.5f, .roughness = 0.2f, .base_texture = parquet});
     int const ceiling = scene.add(Material{.base = glm::vec3{0.85f}});
     int const back = scene.add(Material{.base_texture = scene.add(bricks({0.62f, 0.5f, 0.4f}, {0.66f, 0.63f, 0.58f}, 10))});
     int const left = scene.add(Material{.base_texture = scene.add(plaster({0.72f, 0.1f, 0.07f}))});
@@ -61,7 +61,7 @@ void add_furniture(SceneDescription& scene) {
     scene.place(scene.add(table_mesh()), wood, {.translation = {-1.7f, 0, -2}, .rotation = turn(8, {0, 1, 0})});
     scene.place(scene.add(cylinder(0.13f, 0.04f, 0.37f)), gold, {.translation = {-1.85f, 0.78f, -2.05f}});
     scene.place(scene.add(vase_mesh()), china, {.translation = {-1.3f, 0.78f, -1.9f}});
-    scene.place(scene.add_sphere(), steel, {.translation = {1.55f, 0.42f, -1.55f}, .scale = glm::vec3{0.42f}});
+    scene.place(scene.add_sphere(), steel, {.translation = {-1.75f, 0.38f, -0.55f}, .scale = glm::vec3{0.38f}});
     scene.place(scene.add(torus(0.34f, 0.13f)), rubber, {.translation = {0.55f, 0.13f, -2.3f}});
     scene.place(scene.add(cylinder(0.24f, 0, 0.75f)), gold, {.translation = {2.15f, 0, -2.4f}});
     scene.place(scene.add(box({1.6f, 0.05f, 0.3f})), shelf, {.translation = {1.1f, 1.55f, -2.84f}});

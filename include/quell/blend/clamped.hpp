@@ -95,6 +95,7 @@ template <class Inner, class Range = MeanDeviation, class Axes = Rgb, int radius
     using reads = reads_of<Inner>;
     using remembers = remembers_of<Inner>;
     using keeps = keeps_of<Inner>;
+    using emits = emits_of<Inner>;
 
     Inner inner{};
     Range range{};
@@ -125,6 +126,7 @@ private:
     }
 };
 template <class Inner> Clamped(Inner) -> Clamped<Inner>;
+template <class Inner> Clamped(Inner, MeanDeviation) -> Clamped<Inner>;
 template <class Inner, class Range> Clamped(Inner, Range) -> Clamped<Inner, Range>;
 template <class Inner, class Range, class Axes> Clamped(Inner, Range, Axes) -> Clamped<Inner, Range, Axes>;
 

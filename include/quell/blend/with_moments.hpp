@@ -11,6 +11,7 @@ template <class Inner> struct WithMoments {
     using reads = reads_of<Inner>;
     using remembers = remembers_of<Inner>;
     using keeps = decltype(keeps_of<Inner>{} | Channels<LuminanceMean, LuminanceVariance>{});
+    using emits = emits_of<Inner>;
     Inner inner{};
 
     QUELL_KERNEL auto blend(auto px, auto past) const {

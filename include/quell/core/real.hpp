@@ -33,7 +33,7 @@ template <class Real> using Index = typename detail::IndexOf<Real>::type;
 
 QUELL_KERNEL float min(float a, float b) { return a < b ? a : b; }
 QUELL_KERNEL float max(float a, float b) { return a > b ? a : b; }
-QUELL_KERNEL float abs(float a) { return a < 0.f ? -a : a; }
+QUELL_KERNEL float abs(float a) { return std::bit_cast<float>(std::bit_cast<std::uint32_t>(a) & 0x7fffffffu); }
 QUELL_KERNEL float select(bool condition, float a, float b) { return condition ? a : b; }
 QUELL_KERNEL std::int32_t select_index(bool condition, std::int32_t a, std::int32_t b) { return condition ? a : b; }
 QUELL_KERNEL bool any(bool mask) { return mask; }

@@ -59,7 +59,7 @@ private:
 } // namespace detail
 
 /// The edge-avoiding a-trous wavelet: `levels` passes of a 5x5 B3 spline whose taps stand 1, 2, 4, ... pixels apart (Dammertz 2010).
-///     Atrous{.edge = Product{DepthEdge{}, NormalEdge{}}, .levels = 4}
+///     Atrous<>{.levels = 4}    or    Atrous{Product{NormalEdge{}, LuminanceEdge{}}, 4}
 /// @tparam Edge an EdgeWeight
 template <class Edge = Product<DepthEdge, NormalEdge>> struct Atrous {
     static_assert(EdgeWeight<Edge>, "Atrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
@@ -72,7 +72,6 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct Atrous {
         for (int i = 0; i < levels; ++i) pass(Level{edge, 1 << i});
     }
 };
-template <class Edge> Atrous(Edge) -> Atrous<Edge>;
-template <class Edge> Atrous(Edge, int) -> Atrous<Edge>;
+template <class... Fields> Atrous(Fields...) -> Atrous<typename detail::EdgeAmong<Product<DepthEdge, NormalEdge>, Fields...>::type>;
 
 } // namespace quell

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/filter/filter_kernel.hpp>
+#include <quell/frame/depth_slope.hpp>
 
 namespace quell {
 
@@ -24,15 +25,8 @@ struct DepthEdge {
     };
     QUELL_KERNEL auto around(auto px) const {
         auto const z = px[depth];
-        auto const slope_x = slope(z, px.at(-1, 0)[depth], px.at(1, 0)[depth]), slope_y = slope(z, px.at(0, -1)[depth], px.at(0, 1)[depth]);
+        auto const slope_x = detail::depth_slope(px, 1, 0), slope_y = detail::depth_slope(px, 0, 1);
         return Around<decltype(z + z)>{z, slope_x * sigma, slope_y * sigma, max(z * relative_floor, decltype(z + z)(1e-12f))};
-    }
-
-private:
-    /// The smaller one-sided difference: across a silhouette one of them is the edge, not the surface.
-    template <class Real> QUELL_KERNEL static Real slope(Real z, Real before, Real after) {
-        auto const back = z - before, forth = after - z;
-        return select(abs(back) < abs(forth), back, forth);
     }
 };
 

@@ -27,6 +27,17 @@ concept EdgeWeight = std::is_trivially_copyable_v<W> && requires(W const w, deta
     { w.around(px).toward(1, 1).distance(px, 0.f) } -> std::convertible_to<float>;
 };
 
+namespace detail {
+/// The edge weight among the fields that a filter is initialised with, or the filter's default: for deduction guides, which clang 14 needs for
+/// aggregates and which must not take a radius for an edge.
+template <class Default, class... Fields> struct EdgeAmong {
+    using type = Default;
+};
+template <class Default, class First, class... Rest> struct EdgeAmong<Default, First, Rest...> {
+    using type = std::conditional_t<std::is_arithmetic_v<First>, typename EdgeAmong<Default, Rest...>::type, First>;
+};
+} // namespace detail
+
 /// exp(-distance) in four operations: the float whose bits are a linear function of the exponent (Schraudolph 1999). Exactly 1 at 0, on the
 /// chords between powers of two elsewhere, so at most 6.2 % above the exponential and monotonic. Never under 2^-62, so that its square is
 /// no denormal; a NaN gives that too.

@@ -21,10 +21,15 @@ struct LuminanceVariance : Channel<1> {
 struct Variance : Channel<1> {
     static constexpr auto name = "variance";
 };
+/// How many pixels wide a clean-up filter should be: a standard deviation (TRMV section 5).
+struct CleanUpDeviation : Channel<1> {
+    static constexpr auto name = "clean_up_deviation";
+};
 
 inline constexpr HistoryLength history_length;
 inline constexpr LuminanceMean luminance_mean;
 inline constexpr LuminanceVariance luminance_variance;
 inline constexpr Variance variance;
+inline constexpr CleanUpDeviation clean_up_deviation;
 
 } // namespace quell

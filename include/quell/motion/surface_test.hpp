@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/frame/depth_slope.hpp>
 #include <quell/motion/motion_source.hpp>
 
 namespace quell {
@@ -24,17 +25,9 @@ struct SameDepth {
     };
     QUELL_KERNEL auto around(auto px) const {
         auto const z = px[depth];
-        auto const slope_x = slope(z, px, px.at(-1, 0), px.at(1, 0)), slope_y = slope(z, px, px.at(0, -1), px.at(0, 1));
+        auto const slope_x = detail::depth_slope(px, 1, 0), slope_y = detail::depth_slope(px, 0, 1);
         // One pixel's change of depth is within what interpolation between taps can be wrong by.
         return Plane<decltype(z + z)>{z, slope_x, slope_y, z * tolerance + abs(slope_x) + abs(slope_y)};
-    }
-
-private:
-    /// The smaller of the two one-sided differences: across a silhouette one of them is the edge, not the surface.
-    template <class Real, class Px> QUELL_KERNEL static Real slope(Real z, Px const&, Px const& before, Px const& after) {
-        auto const back = z - before[depth], forth = after[depth] - z;
-        auto const least = select(abs(back) < abs(forth), back, forth);
-        return select(is_finite(least), least, Real(0.f));
     }
 };
 

@@ -25,16 +25,20 @@ template <class Modulation, class Scope, class Output, class RememberedViews> st
                                    modulation.divisor(Pixel<Real, Scope>{scope, x, y})),
                                count);
     }
-    template <class Real, class... Cs> QUELL_KERNEL void remember(int x, int y, int count, Channels<Cs...>) const {
-        Pixel<Real, Scope> const px{scope, x, y};
+    template <class Real, class... Cs> QUELL_KERNEL void remember(int x, int y, [[maybe_unused]] int count, Channels<Cs...>) const {
+        [[maybe_unused]] Pixel<Real, Scope> const px{scope, x, y};
         (store_pixels<Real>(remembered.view(typename Remembered<Cs>::Stored{}), x, y, Remembered<Cs>::pack(px[Cs{}]), count), ...);
     }
 };
 
+/// Whether a pass makes a new signal; one with emit(px) leaves it alone.
+template <class Pass, class Scope>
+inline constexpr bool makes_signal_of = !requires(Pass const p, Pixel<float, Scope> px) { p.emit(px); };
+
 /// One pass over one region: what an executor runs. Trivially copyable, so that it can be sent to a device as it is.
 template <class Pass, class Scope, class SignalView, class MadeViews, class FinishWork, class RememberedSet> struct Job {
     static constexpr auto name = Pass::name;
-    static constexpr bool makes_signal = !requires(Pass const p, Pixel<float, Scope> px) { p.emit(px); };
+    static constexpr bool makes_signal = makes_signal_of<Pass, Scope>;
 
     Pass pass;
     Scope scope;
@@ -73,7 +77,11 @@ private:
         if (!any(sign_bit(marked))) return;
         long long n = 0;
         for (int i = 0; i < count; ++i) n += bits(lane(marked, i)) < 0;
+#if defined(__CUDA_ARCH__) // device code has no std::atomic: nvcc would drop the call without a word
+        atomicAdd(reinterpret_cast<unsigned long long*>(missing), static_cast<unsigned long long>(n));
+#else
         missing->fetch_add(n, std::memory_order_relaxed);
+#endif
     }
 };
 

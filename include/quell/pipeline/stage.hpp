@@ -15,6 +15,7 @@ template <class M, class B, class Fetch = Bilinear> struct Temporal {
     using reads = reads_of<M, B>;
     using remembers = remembers_of<M, B>;
     using keeps = keeps_of<M, B>;
+    using emits = emits_of<B>;
     static constexpr auto name = "temporal";
 
     M motion{};

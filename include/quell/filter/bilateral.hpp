@@ -1,0 +1,118 @@
+#pragma once
+
+#include <quell/filter/atrous.hpp>
+
+namespace quell {
+
+/// Every neighbour counts the same: makes a bilateral filter a plain one.
+struct NoEdge {
+    struct Around {
+        QUELL_KERNEL Around toward(int, int) const { return *this; }
+        QUELL_KERNEL auto distance(auto, auto sum) const { return sum; }
+    };
+    QUELL_KERNEL auto around(auto) const { return Around{}; }
+};
+
+namespace detail {
+/// The Gaussians exp(-i^2 / (2 deviation^2)) for i = 1, 2, 3, ... by two multiplications each.
+template <class Real>
+struct GaussianSteps {
+    Real weight, ratio, growth;
+    QUELL_KERNEL explicit GaussianSteps(Real deviation) : weight(1.f), ratio(exp(Real(-0.5f) / (deviation * deviation))), growth(ratio * ratio) {}
+    QUELL_KERNEL Real next() {
+        weight = weight * ratio;
+        ratio = ratio * growth;
+        return weight;
+    }
+};
+
+/// One direction of a separable joint bilateral filter; `Deviation` says how wide, for the frame or for each pixel.
+template <class Edge, class Deviation>
+struct BilateralLine {
+    static constexpr auto name = "bilateral";
+    using reads = reads_of<Edge, Deviation>;
+    Edge edge;
+    Deviation deviation;
+    int radius;
+    bool vertical;
+
+    QUELL_KERNEL auto filter(auto px) const {
+        using Px = decltype(px);
+        using Real = typename Px::Real;
+        auto const around = edge.around(px);
+        auto sum = px.signal();
+        Real weights(1.f);
+        GaussianSteps<Real> gaussian(deviation.of(px));
+        for (int i = 1; i <= radius; ++i) {
+            int const dx = vertical ? 0 : i, dy = vertical ? i : 0;
+            auto const toward = around.toward(dx, dy);
+            auto const falloff = gaussian.next();
+            auto const add = [&](auto near) __attribute__((always_inline)) {
+                auto const counts = near.inside() & invert(near.missing());
+                auto const w = select(counts, falloff * edge_weight(toward.distance(near, Real(0.f))), Real(0.f));
+                sum = add_scaled(sum, near.signal(), w);
+                weights = weights + w;
+            };
+            add(px.at(dx, dy));
+            add(px.at(-dx, -dy));
+        }
+        return finite_or(scale(sum, 1.f / weights), px.signal());
+    }
+};
+
+struct EvenDeviation {
+    float pixels;
+    QUELL_KERNEL auto of(auto px) const { return typename decltype(px)::Real(pixels); }
+};
+struct DeviationChannel {
+    using reads = Channels<CleanUpDeviation>;
+    QUELL_KERNEL auto of(auto px) const { return max(px[clean_up_deviation], typename decltype(px)::Real(0.05f)); }
+};
+} // namespace detail
+
+/// A separable joint bilateral filter of any radius: a Gaussian whose weights stop at edges, first along rows, then along columns.
+///     Bilateral<>{.radius = 15}
+/// @tparam Edge an EdgeWeight
+template <class Edge = Product<DepthEdge, NormalEdge>>
+struct Bilateral {
+    static_assert(EdgeWeight<Edge>, "Bilateral{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    using reads = reads_of<Edge>;
+    Edge edge{};
+    int radius = 4;         ///< pixels; 15 is a 31x31 filter
+    float deviation = 0.f;  ///< of the Gaussian, in pixels; 0: half the radius
+
+    constexpr void for_each_pass(auto&& pass) const {
+        using Line = detail::BilateralLine<Edge, detail::EvenDeviation>;
+        detail::EvenDeviation const width{deviation > 0.f ? deviation : max(0.5f * static_cast<float>(radius), 0.5f)};
+        pass(Line{edge, width, radius, false});
+        pass(Line{edge, width, radius, true});
+    }
+};
+template <class... Fields> Bilateral(Fields...) -> Bilateral<typename detail::EdgeAmong<Product<DepthEdge, NormalEdge>, Fields...>::type>;
+
+/// A separable Gaussian blur.
+struct Gaussian {
+    int radius = 4;        ///< pixels
+    float deviation = 0.f; ///< pixels; 0: half the radius
+
+    constexpr void for_each_pass(auto&& pass) const { Bilateral<NoEdge>{NoEdge{}, radius, deviation}.for_each_pass(pass); }
+};
+
+/// Removes what noise a short or clamped history leaves: a joint bilateral of at most 9x9 whose width each pixel chooses (TRMV section 5). Wants a
+/// blend policy WithCleanUp before it.
+template <class Edge = Product<DepthEdge, NormalEdge>>
+struct CleanUp {
+    static_assert(EdgeWeight<Edge>, "CleanUp{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    using reads = decltype(reads_of<Edge>{} | Channels<CleanUpDeviation>{});
+    Edge edge{};
+
+    constexpr void for_each_pass(auto&& pass) const {
+        using Line = detail::BilateralLine<Edge, detail::DeviationChannel>;
+        pass(Line{edge, {}, 4, false});
+        pass(Line{edge, {}, 4, true});
+    }
+};
+template <class Edge>
+CleanUp(Edge) -> CleanUp<Edge>;
+
+} // namespace quell

@@ -1,0 +1,227 @@
+#pragma once
+
+#include <quell/io/exr_attributes.hpp>
+#include <quell/io/exr_errors.hpp>
+#include <quell/io/exr_image.hpp>
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfInputPart.h>
+#include <OpenEXR/ImfMultiPartInputFile.h>
+#include <OpenEXR/ImfPartType.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace quell::io {
+
+/// A component that a file offers.
+struct ExrChannel {
+    std::string name;    ///< in the file; with the part's name before it where an earlier part has one of the same name
+    std::string in_part; ///< within its part
+    SampleType type = SampleType::half;
+    int part = 0;
+    std::string part_name = {};
+    int x_sampling = 1, y_sampling = 1;
+};
+
+/// An EXR file whose header has been read: what it offers, and then as much of it as is wanted. One part or several, scan lines or tiles
+/// (of which the largest level is read), with a data window anywhere. Deep parts are left out.
+class ExrFile {
+public:
+    /// @throws Error naming the file: where it is missing, no EXR file, truncated, or of a size that no picture has
+    explicit ExrFile(std::filesystem::path const& path);
+
+    std::string name;
+    Extent size; ///< of the display window
+    std::vector<ExrChannel> channels;
+    std::map<std::string, Attribute, std::less<>> attributes;
+
+    /// The channel of that name, which may have its part's name before it; null where there is none.
+    [[nodiscard]] ExrChannel const* find(std::string_view channel) const;
+    /// These channels; one that is asked for twice comes once. @throws Error naming the file and the channel
+    [[nodiscard]] ExrImage read(std::span<std::string const> names) const;
+    /// All of them.
+    [[nodiscard]] ExrImage read() const;
+
+private:
+    std::unique_ptr<Imf::MultiPartInputFile> file;
+    Imath::Box2i display;
+
+    void read_header();
+    void list_part(int part);
+    void read_part(int part, std::vector<ExrChannel const*> const& wanted, ExrImage& image) const;
+};
+
+/// All of a file.
+[[nodiscard]] inline ExrImage read_exr(std::filesystem::path const& path) { return ExrFile(path).read(); }
+
+namespace detail {
+
+/// A picture larger than this is a broken header.
+inline constexpr std::int64_t most_pixels = std::int64_t(1) << 28;
+
+inline SampleType sample_type(Imf::PixelType type) {
+    if (type == Imf::HALF) return SampleType::half;
+    return type == Imf::UINT ? SampleType::uint32 : SampleType::float32;
+}
+
+/// Width and height, in 64 bits: corners of a broken header may lie anywhere.
+inline std::pair<std::int64_t, std::int64_t> extent_of(Imath::Box2i const& box) {
+    return {std::int64_t(box.max.x) - box.min.x + 1, std::int64_t(box.max.y) - box.min.y + 1};
+}
+inline void check_window(std::string const& file, std::string const& which, Imath::Box2i const& box) {
+    auto const [width, height] = extent_of(box);
+    if (width > 0 && height > 0 && width <= most_pixels && height <= most_pixels && width * height <= most_pixels) return;
+    throw Error(file, "its " + which + " window is " + std::to_string(width) + "x" + std::to_string(height) + " pixels",
+                "write it again, with at least one pixel and at most 2^28");
+}
+
+/// One channel on its way from the file: the data window's pixels in the type in which the file has them, but half as float.
+struct Incoming {
+    ExrChannel const* channel;
+    std::vector<float> numbers;
+    std::vector<std::uint32_t> ids;
+
+    Incoming(ExrChannel const& c, std::size_t pixels) : channel(&c) {
+        if (c.type == SampleType::uint32)
+            ids.resize(pixels);
+        else
+            numbers.resize(pixels);
+    }
+    [[nodiscard]] Imf::Slice slice(Imath::Box2i const& window) const {
+        if (channel->type == SampleType::uint32) return Imf::Slice::Make(Imf::UINT, ids.data(), window);
+        return Imf::Slice::Make(Imf::FLOAT, numbers.data(), window);
+    }
+    /// Makes floats of the ids; returns whether they are the same numbers.
+    bool as_floats() {
+        bool exact = true;
+        for (auto const id : ids) {
+            numbers.push_back(static_cast<float>(id));
+            exact = exact && static_cast<std::int64_t>(numbers.back()) == static_cast<std::int64_t>(id);
+        }
+        return exact;
+    }
+};
+
+/// The part of the data window that lies in the display window, in pixels of the latter.
+inline Region inside(Imath::Box2i const& data, Imath::Box2i const& display) {
+    auto const clip = [](int a, int from, int to) { return static_cast<int>(std::clamp<std::int64_t>(std::int64_t(a) - from, 0, to)); };
+    int const width = display.max.x - display.min.x + 1, height = display.max.y - display.min.y + 1;
+    return {clip(data.min.x, display.min.x, width), clip(data.min.y, display.min.y, height), clip(data.max.x, display.min.x - 1, width),
+            clip(data.max.y, display.min.y - 1, height)};
+}
+
+/// Moves what was read to where it lies in the display window.
+inline Plane placed(Incoming&& in, Imath::Box2i const& data, Imath::Box2i const& display) {
+    Plane plane{in.channel->name, in.channel->type, {}, inside(data, display), in.as_floats()};
+    if (data == display) {
+        plane.values = std::move(in.numbers);
+        return plane;
+    }
+    auto const [width, height] = extent_of(display);
+    auto const data_width = extent_of(data).first;
+    plane.values.resize(static_cast<std::size_t>(width * height));
+    for (int y = plane.stored.y0; y < plane.stored.y1; ++y) {
+        auto const row = std::int64_t(y) + display.min.y - data.min.y, column = std::int64_t(plane.stored.x0) + display.min.x - data.min.x;
+        std::copy_n(in.numbers.begin() + (row * data_width + column), std::max(plane.stored.x1 - plane.stored.x0, 0),
+                    plane.values.begin() + (y * width + plane.stored.x0));
+    }
+    return plane;
+}
+
+/// A header of a few damaged bytes can ask for more memory than there is.
+inline void check_memory(std::string const& file, std::size_t channels, Imath::Box2i const& window) {
+    auto const [width, height] = extent_of(window);
+    auto const claimed = static_cast<double>(width) * static_cast<double>(height) * 4. * static_cast<double>(channels);
+    std::error_code none;
+    auto const present = static_cast<double>(std::filesystem::file_size(file, none));
+    // No picture with any noise in it packs to a 4000th.
+    if (claimed > 1e9 && claimed > 4000. * present)
+        throw Error(file, "it claims to unpack to " + std::to_string(static_cast<long long>(claimed / 1e6)) + " MB", "write it again");
+}
+
+} // namespace detail
+
+inline ExrFile::ExrFile(std::filesystem::path const& path) : name(path.string()) {
+    detail::check_is_exr(path);
+    detail::naming_file(name, "its header can't be read", [&] {
+        file = std::make_unique<Imf::MultiPartInputFile>(name.c_str(), 0);
+        read_header();
+    });
+}
+
+inline void ExrFile::read_header() {
+    display = file->header(0).displayWindow();
+    detail::check_window(name, "display", display);
+    size = {display.max.x - display.min.x + 1, display.max.y - display.min.y + 1};
+    for (int part = 0; part < file->parts(); ++part) list_part(part);
+    if (channels.empty()) throw Error(name, "it has no flat channels", "write scan lines or tiles rather than deep data");
+}
+
+inline void ExrFile::list_part(int part) {
+    auto const& header = file->header(part);
+    detail::copy_attributes(header, attributes);
+    if (header.hasType() && Imf::isDeepData(header.type())) return;
+    if (!file->partComplete(part)) throw Error(name, "it is truncated: rows of pixels are missing", "render or copy it again");
+    detail::check_window(name, "data", header.dataWindow());
+    auto const part_name = header.hasName() ? header.name() : std::to_string(part);
+    for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
+        bool const taken = std::ranges::any_of(channels, [&](auto const& c) { return c.name == i.name(); });
+        channels.push_back({taken ? part_name + "." + i.name() : i.name(), i.name(), detail::sample_type(i.channel().type), part, part_name,
+                            i.channel().xSampling, i.channel().ySampling});
+    }
+}
+
+inline ExrChannel const* ExrFile::find(std::string_view channel) const {
+    auto const named = std::ranges::find(channels, channel, &ExrChannel::name);
+    if (named != channels.end()) return &*named;
+    auto const qualified = std::ranges::find_if(channels, [&](auto const& c) { return c.part_name + "." + c.in_part == channel; });
+    return qualified != channels.end() ? &*qualified : nullptr;
+}
+
+inline ExrImage ExrFile::read(std::span<std::string const> names) const {
+    std::map<int, std::vector<ExrChannel const*>> wanted;
+    for (auto const& each : names) {
+        auto const* const channel = find(each);
+        if (!channel) detail::throw_missing(name, each, channels);
+        if (channel->x_sampling != 1 || channel->y_sampling != 1)
+            throw Error(name + " channel '" + each + "'",
+                        "it is sub-sampled " + std::to_string(channel->x_sampling) + "x" + std::to_string(channel->y_sampling),
+                        "write it at full resolution");
+        auto& of_part = wanted[channel->part];
+        if (std::ranges::find(of_part, channel) == of_part.end()) of_part.push_back(channel);
+    }
+    ExrImage image{name, size, {}, attributes};
+    for (auto const& [part, of_part] : wanted) read_part(part, of_part, image);
+    return image;
+}
+
+inline ExrImage ExrFile::read() const {
+    std::vector<std::string> names;
+    for (auto const& channel : channels) names.push_back(channel.name);
+    return read(names);
+}
+
+inline void ExrFile::read_part(int part, std::vector<ExrChannel const*> const& wanted, ExrImage& image) const {
+    auto const window = file->header(part).dataWindow();
+    detail::check_memory(name, wanted.size(), window);
+    auto const [width, height] = detail::extent_of(window);
+    std::vector<detail::Incoming> incoming;
+    detail::naming_file(name, "its pixels can't be read, it is truncated or damaged", [&, w = width, h = height] {
+        Imf::FrameBuffer buffer;
+        incoming.reserve(wanted.size());
+        for (auto const* const channel : wanted) {
+            incoming.emplace_back(*channel, static_cast<std::size_t>(w * h));
+            buffer.insert(channel->in_part, incoming.back().slice(window));
+        }
+        Imf::InputPart input(*file, part);
+        input.setFrameBuffer(buffer);
+        input.readPixels(window.min.y, window.max.y);
+    });
+    for (auto& each : incoming) image.planes.push_back(detail::placed(std::move(each), window, display));
+}
+
+} // namespace quell::io

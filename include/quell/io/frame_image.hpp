@@ -1,0 +1,116 @@
+#pragma once
+
+#include <quell/frame/frame.hpp>
+#include <quell/io/camera_attributes.hpp>
+#include <quell/io/channel_names.hpp>
+#include <quell/io/exr_image.hpp>
+
+#include <limits>
+
+namespace quell::io {
+
+namespace detail {
+
+inline Plane const& plane_for(ExrImage const& image, std::string const& name, bool may_be_uint) {
+    auto const& plane = image[name];
+    auto const subject = image.name + " channel '" + name + "'";
+    if (plane.values.size() != image.pixels())
+        throw Error(subject, std::to_string(plane.values.size()) + " values in an image of " + to_string(image.size), "give one per pixel");
+    if (plane.type == SampleType::uint32 && !may_be_uint)
+        throw Error(subject, "it is stored as uint", "store it as half or float; only instance numbers are uint");
+    if (!plane.exact) throw Error(subject, "it holds numbers that are not exact in float", "number objects from 0 to 2^24");
+    return plane;
+}
+
+/// One component: a constant, or a scaled sum of planes.
+inline std::vector<float> component_from(ExrImage const& image, Source const& source, bool may_be_uint) {
+    if (source.sum.empty()) return std::vector<float>(image.pixels(), source.scale);
+    std::vector<float> values(image.pixels(), 0.f);
+    for (auto const& name : source.sum) {
+        auto const& plane = plane_for(image, name, may_be_uint);
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] += plane.values[i] * source.scale;
+    }
+    return values;
+}
+
+/// quell writes +inf where there is no surface.
+inline void mark_misses(std::vector<float>& depth, ExrImage const& image, Source const& source, float miss_from) {
+    auto const miss = std::numeric_limits<float>::infinity();
+    for (auto& z : depth)
+        if (z >= miss_from) z = miss;
+    for (auto const& name : source.sum) {
+        auto const stored = image[name].stored;
+        for (int y = 0; y < image.size.height; ++y)
+            for (int x = 0; x < image.size.width; ++x)
+                if (x < stored.x0 || x >= stored.x1 || y < stored.y0 || y >= stored.y1)
+                    depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.width) + static_cast<std::size_t>(x)] = miss;
+    }
+}
+
+/// Turns one component of a motion vector into quell's convention. The same arithmetic as Supplied's, done once on loading.
+inline void to_own_motion(std::vector<float>& motion, int axis, ExrImage const& image, MotionConvention from) {
+    using C = MotionConvention;
+    auto const extent = static_cast<float>(axis == 0 ? image.size.width : image.size.height);
+    float factor = from.points == C::Points::to_previous ? 1.f : -1.f;
+    if (axis == 1 && from.y == C::Y::up) factor = -factor;
+    if (from.unit != C::Unit::pixel) factor *= from.unit == C::Unit::ndc ? extent / 2.f : extent;
+    float offset = 0.f;
+    if (from.jitter == C::Jitter::left_in) {
+        auto const change = camera_of(image, "_previous").value_or(Camera{}).jitter - camera_of(image).value_or(Camera{}).jitter;
+        offset = axis == 0 ? change.x : change.y;
+    }
+    for (auto& m : motion) m = m * factor + offset;
+}
+
+template <ChannelTag C> void load_channel(C channel, ImageView auto const& view, ExrImage const& image, ChannelNames const& names) {
+    auto const sources = sources_of(names, channel);
+    for (int c = 0; c < C::components; ++c) {
+        auto const& source = sources[static_cast<std::size_t>(c)];
+        auto values = component_from(image, source, std::is_same_v<C, Instance>);
+        if constexpr (std::is_same_v<C, Depth>) mark_misses(values, image, source, names.miss_from);
+        if constexpr (std::is_same_v<C, Motion>) to_own_motion(values, c, image, names.motion);
+        auto value = values.begin();
+        for (int y = 0; y < image.size.height; ++y)
+            for (int x = 0; x < image.size.width; ++x) view.set(c, x, y, *value++);
+    }
+}
+
+/// SCENES.md: numbers of objects are uint, what must stay exact is float, the rest half.
+template <ChannelTag C> constexpr SampleType type_of(C) {
+    if constexpr (std::is_same_v<C, Instance>) return SampleType::uint32;
+    return C::full_precision ? SampleType::float32 : SampleType::half;
+}
+
+} // namespace detail
+
+/// Fills every channel of a frame from an image, and its camera where the image has one.
+/// @throws Error naming the file and the channel: sizes that differ, a channel that is missing or of a type that it can't have
+template <class Set, class Storage> void load(Frame<Set, Storage>& frame, ExrImage const& image, ChannelNames const& names = {}) {
+    if (!(frame.size == image.size))
+        throw Error(image.name, "it is " + to_string(image.size) + " but the frame is " + to_string(frame.size),
+                    "make the frame of the image's size");
+    for_each_channel(Set{}, [&](auto channel) { detail::load_channel(channel, frame[channel].view(), image, names); });
+    if (auto const camera = camera_of(image)) frame.camera = *camera;
+}
+
+/// Adds a channel to an image under quell's own names.
+template <ChannelTag C> void put(ExrImage& image, C channel, ImageView auto const& view, SampleType type = detail::type_of(C{})) {
+    auto const names = own_names(channel);
+    for (int c = 0; c < C::components; ++c) {
+        Plane plane{names[static_cast<std::size_t>(c)], type, {}, image.all()};
+        plane.values.reserve(image.pixels());
+        for (int y = 0; y < image.size.height; ++y)
+            for (int x = 0; x < image.size.width; ++x) plane.values.push_back(view.get(c, x, y));
+        image.planes.push_back(std::move(plane));
+    }
+}
+
+/// A frame as quell's own files hold it: all of its channels, and its camera.
+template <class Set, class Storage> [[nodiscard]] ExrImage image_of(Frame<Set, Storage> const& frame) {
+    ExrImage image{.size = frame.size};
+    for_each_channel(Set{}, [&](auto channel) { put(image, channel, frame[channel].view()); });
+    put_camera(image, frame.camera);
+    return image;
+}
+
+} // namespace quell::io

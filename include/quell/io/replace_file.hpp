@@ -1,0 +1,35 @@
+#pragma once
+
+#include <quell/core/error.hpp>
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace quell::io {
+
+/// Puts these bytes in place of a file, which at every moment is whole: the old one, or the new one. They are written beside it, under a
+/// name that another process doing the same won't take, and renamed.
+/// @throws Error naming the file
+inline void replace_file(std::filesystem::path const& path, std::string_view bytes) {
+    auto const partial = std::filesystem::path(path) += "." + std::to_string(std::random_device{}()) + ".partial";
+    std::error_code why;
+    {
+        errno = 0;
+        std::ofstream file(partial, std::ios::binary);
+        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        file.close();
+        if (!file) why.assign(errno != 0 ? errno : EIO, std::generic_category());
+    }
+    if (!why) std::filesystem::rename(partial, path, why);
+    if (!why) return;
+    std::error_code none;
+    std::filesystem::remove(partial, none);
+    throw Error(path.string(), "it can't be written: " + why.message(), "check that its folder exists, may be written to, and has room");
+}
+
+} // namespace quell::io

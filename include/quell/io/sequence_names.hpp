@@ -1,0 +1,129 @@
+#pragma once
+
+#include <quell/io/channel_names.hpp>
+#include <quell/io/exr_file.hpp>
+
+#include <algorithm>
+
+namespace quell::io {
+
+/// A part of the image that is denoised by itself: where the frame's channels come from, and by what the clean signal is multiplied.
+struct SignalNames {
+    std::string name;
+    ChannelNames channels = {};
+    std::vector<Source> factor = {}; ///< a source for each component, or none: the signal goes into the image as it is
+};
+
+/// How a renderer's files make up the image: the sum of its signals and of what has no noise.
+struct SequenceNames {
+    std::string renderer;
+    std::vector<SignalNames> signals = {};
+    std::vector<Source> added = {};        ///< a source for each component, or none
+    std::vector<std::string> remarks = {}; ///< what these files lack and how that is made up for
+};
+
+/// quell's own files: one signal, the image, which pipelines demodulate by its albedo.
+[[nodiscard]] inline SequenceNames own_sequence() { return {"quell", {{"radiance"}}}; }
+
+namespace detail {
+
+/// A view layer of Blender's, by the names of its passes.
+struct ViewLayer {
+    std::vector<ExrChannel> const& channels;
+    std::string prefix;
+
+    [[nodiscard]] bool has(std::string const& pass, std::string const& component) const {
+        return std::ranges::any_of(channels, [&](auto const& c) { return c.name == prefix + pass + "." + component; });
+    }
+    /// The sum of those of these passes that there are, component by component; nothing where there is none of them.
+    [[nodiscard]] std::vector<Source> sum_of(std::vector<std::string> const& passes) const {
+        std::vector<Source> sources;
+        for (auto const* const component : {"R", "G", "B"}) {
+            Source source;
+            for (auto const& pass : passes)
+                if (has(pass, component)) source.sum.push_back(prefix + pass + "." + component);
+            if (!source.sum.empty()) sources.push_back(source);
+        }
+        return sources;
+    }
+    [[nodiscard]] std::vector<Source> components_of(std::string const& pass, std::string const& letters) const {
+        std::vector<Source> sources;
+        for (char const letter : letters) sources.push_back({{prefix + pass + "." + letter}});
+        return sources;
+    }
+};
+
+/// The prefix of the first view layer, such as "ViewLayer."; nothing where these aren't Blender's names.
+inline std::optional<std::string> view_layer_prefix(std::vector<ExrChannel> const& channels) {
+    for (auto const* const pass : {"Combined.R", "DiffDir.R", "DiffInd.R", "Depth.Z"})
+        for (auto const& channel : channels)
+            if (channel.name.ends_with("." + std::string(pass)))
+                return channel.name.substr(0, channel.name.size() - std::string(pass).size());
+    return std::nullopt;
+}
+
+/// Guides by Blender's conventions: motion in pixels with y up, 1e10 for the depth of a miss.
+inline ChannelNames cycles_guides(ViewLayer const& layer) {
+    ChannelNames names;
+    names.sources["depth"] = layer.components_of("Depth", "Z");
+    names.sources["motion"] = layer.components_of("Vector", "XY");
+    names.sources["position"] = layer.components_of("Position", "XYZ");
+    names.sources["instance"] = layer.components_of("IndexOB", "X");
+    // A normal that is the same everywhere passes every test and stops no filter.
+    names.sources["normal"] =
+        layer.has("Normal", "X") ? layer.components_of("Normal", "XYZ") : std::vector<Source>{{{}, 0.f}, {{}, 0.f}, {{}, 1.f}};
+    names.sources["albedo"] = std::vector<Source>(3, Source{{}, 1.f}); // the light passes are divided by their colour already
+    names.motion.y = MotionConvention::Y::up;
+    names.miss_from = 1e9f;
+    return names;
+}
+
+/// Light and colour of each kind of scattering, for those that were rendered.
+inline std::vector<SignalNames> cycles_signals(ViewLayer const& layer) {
+    std::vector<SignalNames> signals;
+    auto const add = [&](std::string const& name, std::string const& pass) {
+        auto const light = layer.sum_of({pass + "Dir", pass + "Ind"});
+        if (light.size() != 3) return;
+        SignalNames signal{name, cycles_guides(layer), layer.sum_of({pass + "Col"})};
+        signal.channels.sources["radiance"] = light;
+        signals.push_back(std::move(signal));
+    };
+    add("diffuse", "Diff");
+    add("glossy", "Gloss");
+    add("transmission", "Trans");
+    add("volume", "Volume");
+    return signals;
+}
+} // namespace detail
+
+/// The names of Blender's Cycles, where these are such: every light pass of its first view layer is a signal, emission and environment are
+/// added; a file without light passes has one signal, the combined image. Nothing for the names of others.
+[[nodiscard]] inline std::optional<SequenceNames> cycles_sequence(std::vector<ExrChannel> const& channels) {
+    auto const prefix = detail::view_layer_prefix(channels);
+    if (!prefix) return std::nullopt;
+    detail::ViewLayer const layer{channels, *prefix};
+    SequenceNames names{"Blender Cycles", detail::cycles_signals(layer)};
+    if (!names.signals.empty())
+        names.added = layer.sum_of({"Emit", "Env"});
+    else {
+        names.signals.push_back({"combined", detail::cycles_guides(layer)});
+        names.signals[0].channels.sources["radiance"] = layer.components_of("Combined", "RGB");
+        if (layer.has("Denoising Albedo", "R"))
+            names.signals[0].channels.sources["albedo"] = layer.components_of("Denoising Albedo", "RGB");
+        names.remarks.push_back("no light passes (DiffDir, DiffInd, DiffCol, ...): the combined image is denoised as one signal");
+    }
+    if (!layer.has("Normal", "X")) names.remarks.push_back("no Normal pass: surfaces are told apart by depth alone");
+    return names;
+}
+
+/// Finds out whose names a file's are: quell's own or those of Blender's Cycles.
+/// @throws Error naming the file and what is in it
+[[nodiscard]] inline SequenceNames recognise(ExrFile const& file) {
+    auto const has = [&](char const* name) { return file.find(name) != nullptr; };
+    if (has("R") && has("G") && has("B")) return own_sequence();
+    if (auto const names = cycles_sequence(file.channels)) return *names;
+    throw Error(file.name, "its channels are neither quell's (R, G, B, depth.Z, ...) nor Blender's (ViewLayer.Combined.R, ...)",
+                "name them with a channel map; it has: " + detail::list_of_names(file.channels));
+}
+
+} // namespace quell::io

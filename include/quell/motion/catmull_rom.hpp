@@ -1,0 +1,41 @@
+#pragma once
+
+#include <quell/motion/history_fetch.hpp>
+
+namespace quell {
+
+/// History by the sharper Catmull-Rom spline over 4x4 pixels where every one of them is accepted, else Bilinear. What is kept beside the signal
+/// (lengths, moments) stays bilinear: a spline's negative lobes mean nothing there.
+struct CatmullRom {
+    Bilinear elsewhere{};
+
+    template <class Px, class FoundPlace>
+    QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& unchecked) const {
+        using Real = typename Px::Real;
+        auto past = elsewhere.fetch(px, unchecked);
+        auto const found = detail::sane(px, unchecked);
+        auto const column = floor(found.where.x - 0.5f), row = floor(found.where.y - 0.5f);
+        auto const across = weights(found.where.x - 0.5f - column), down = weights(found.where.y - 0.5f - row);
+        auto sum = zero<typename Px::Signal>();
+        auto accepted = past.validity > Real(0.f);
+        for (int j = 0; j < 4; ++j)
+            for (int i = 0; i < 4; ++i) {
+                auto const tap = detail::past_tap(px, found, column + static_cast<float>(i - 1), row + static_cast<float>(j - 1));
+                accepted = accepted & tap.accepted;
+                sum = add_scaled(sum, tap.then.signal(), across.at[i] * down.at[j]);
+            }
+        // The negative lobes overshoot at bright edges; light is never negative.
+        auto const bounded = map([](auto a) __attribute__((always_inline)) { return max(a, Real(0.f)); }, sum);
+        past.signal = select(accepted, bounded, past.signal);
+        return past;
+    }
+
+private:
+    template <class Real>
+    QUELL_KERNEL static Components<4, Real> weights(Real t) {
+        auto const t2 = t * t, t3 = t2 * t;
+        return {{-0.5f * t3 + t2 - 0.5f * t, 1.5f * t3 - 2.5f * t2 + 1.f, -1.5f * t3 + 2.f * t2 + 0.5f * t, 0.5f * t3 - 0.5f * t2}};
+    }
+};
+
+} // namespace quell

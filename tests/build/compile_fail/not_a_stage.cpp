@@ -1,0 +1,8 @@
+// error: Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{} or SuppressFireflies{}, see quell/pipeline/stage.hpp
+#include <quell/quell.hpp>
+
+#ifdef CORRECT
+constexpr quell::Pipeline denoise{quell::radiance, quell::Spatial{quell::Atrous{}}};
+#else
+constexpr quell::Pipeline denoise{quell::radiance, quell::Atrous{}};
+#endif

@@ -1,0 +1,3 @@
+#include "two_units.hpp"
+
+Seen seen_by_other_unit() { return seen_here(); }

@@ -1,0 +1,113 @@
+#include <doctest/doctest.h>
+#include <quell/core/half.hpp>
+#include <quell/core/value.hpp>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+using namespace quell;
+
+namespace {
+float const infinity = std::bit_cast<float>(0x7f800000u);
+float const not_a_number = std::bit_cast<float>(0x7fc00000u);
+constexpr float awkward[] = {0.f, -0.f, 1.f, -1.f, 0.5f, 3e38f, -3e38f, 1e-40f, 1e-38f, 123.456f, -7.25f, 65504.f};
+
+/// Every lane of f(pack) equals f(float).
+template <class F>
+void same_in_every_lane(F f) {
+    for (float const a : awkward)
+        for (float const b : awkward) {
+            auto const packed = f(Pack(a), Pack(b));
+            float const single = f(a, b);
+            for (int i = 0; i < width_of<Pack>; ++i) CHECK(bits(lane(packed, i)) == bits(single));
+        }
+}
+} // namespace
+
+TEST_CASE("a pack computes what a float computes") {
+    same_in_every_lane([](auto a, auto b) { return quell::min(a, b); });
+    same_in_every_lane([](auto a, auto b) { return quell::max(a, b); });
+    same_in_every_lane([](auto a, auto b) { return quell::abs(a) + b; });
+    same_in_every_lane([](auto a, auto b) { return select(a < b, a, b); });
+    same_in_every_lane([](auto a, auto) { return quell::floor(quell::min(quell::max(a, 0.f), 1e6f)); });
+    same_in_every_lane([](auto a, auto b) { return with_sign_bit(a) + without_sign_bit(b); });
+    same_in_every_lane([](auto a, auto b) { return quell::fma(quell::min(a, decltype(a)(1e9f)), decltype(a)(0.3f), quell::min(b, decltype(a)(1e9f))); });
+}
+
+TEST_CASE("finiteness is read from the bits") {
+    for (float const a : awkward) {
+        CHECK(is_finite(a));
+        CHECK(all(is_finite(Pack(a))));
+    }
+    for (float const a : {infinity, -infinity, not_a_number}) {
+        CHECK_FALSE(is_finite(a));
+        CHECK_FALSE(any(is_finite(Pack(a))));
+    }
+    CHECK(sign_bit(-0.f));
+    CHECK_FALSE(sign_bit(0.f));
+    CHECK(all(sign_bit(Pack(-0.f))));
+}
+
+TEST_CASE("exp is right to 3e-7, for floats and packs alike") {
+    for (float x = -86.f; x < 87.f; x += 0.0371f) {
+        double const wanted = std::exp(static_cast<double>(x));
+        CHECK(std::abs(quell::exp(x) / wanted - 1) < 3e-7);
+        CHECK(std::abs(lane(quell::exp(Pack(x)), 1) / wanted - 1) < 3e-7);
+    }
+    CHECK(is_finite(quell::exp(1e30f)));
+    CHECK(quell::exp(-1e30f) < 1e-37f);
+}
+
+TEST_CASE("the approximate reciprocal is within 0.2 %") {
+    for (float x = 1e-12f; x < 1e12f; x *= 1.0137f) CHECK(std::abs(approximate_reciprocal(x) * x - 1.f) < 2e-3f);
+}
+
+TEST_CASE("half precision: every bit pattern survives the way to float and back") {
+    for (unsigned i = 0; i < 0x10000u; ++i) {
+        auto const half = static_cast<std::uint16_t>(i);
+        bool const special = (half & 0x7c00) == 0x7c00;
+        if (special) continue;
+        CHECK(half_from_float(float_from_half(half)) == half);
+    }
+    CHECK(float_from_half(0x3c00) == 1.f);
+    CHECK(float_from_half(0x0001) == 0x1p-24f);
+    CHECK(float_from_half(0x7bff) == 65504.f);
+}
+
+TEST_CASE("half precision rounds to nearest even and saturates") {
+    CHECK(half_from_float(1.f + 0x1p-11f) == 0x3c00);             // tie goes to the even neighbour
+    CHECK(half_from_float(1.f + 0x1p-11f + 0x1p-20f) == 0x3c01);  // just above the tie
+    CHECK(half_from_float(1.f + 3 * 0x1p-11f) == 0x3c02);         // tie, to the even one above
+    CHECK(half_from_float(0x1p-25f) == 0);                        // tie with zero
+    for (float const a : {1e6f, 65520.f, 3e38f, infinity}) CHECK(half_from_float(a) == 0x7bff);
+    CHECK(half_from_float(-1e9f) == 0xfbff);
+    CHECK((half_from_float(not_a_number) & 0x7fff) > 0x7c00);
+}
+
+TEST_CASE("halves stored in packs are those stored one by one") {
+    for (float base = -70000.f; base < 70000.f; base += 977.77f) {
+        float lanes_in[16];
+        std::uint16_t packed[16], single[16];
+        for (int i = 0; i < 16; ++i) lanes_in[i] = base * std::pow(0.37f, static_cast<float>(i));
+        for (int i = 0; i + width_of<Pack> <= 16; i += width_of<Pack>) store_half(packed + i, Pack::load_unaligned(lanes_in + i));
+        for (int i = 0; i < 16; ++i) store_half(single + i, lanes_in[i]);
+        for (int i = 0; i < 16; ++i) CHECK(packed[i] == single[i]);
+        auto const loaded = load_half<Pack>(single);
+        for (int i = 0; i < width_of<Pack>; ++i) CHECK(lane(loaded, i) == float_from_half(single[i]));
+    }
+}
+
+TEST_CASE("values of any number of components") {
+    Components<24, float> cones{};
+    cones.at[23] = 2.f;
+    CHECK(scale(cones, 3.f).at[23] == 6.f);
+    CHECK(luminance(cones) == doctest::Approx(2.0 / 24));
+    CHECK(luminance(vec3<float>(1.f)) == doctest::Approx(1));
+    auto const half_way = mix(vec3<float>(0, 2, 4), vec3<float>(2, 4, 8), 0.5f);
+    CHECK(half_way.x == 1.f);
+    CHECK(half_way.z == 6.f);
+    CHECK_FALSE(quell::all_finite(vec3<float>(1, infinity, 1)));
+    CHECK_FALSE(quell::all_finite(vec3<float>(infinity, -infinity, 1)));
+    CHECK(quell::all_finite(vec3<float>(3e38f, 3e38f, 3e38f)));
+}

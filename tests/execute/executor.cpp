@@ -1,0 +1,99 @@
+#include "../frames.hpp"
+
+#include <quell/execute/threads.hpp>
+
+#include <atomic>
+#include <mutex>
+
+using namespace quell;
+
+namespace {
+/// Counts how often each pixel is computed.
+struct Count {
+    static constexpr auto name = "count";
+    std::vector<std::atomic<int>>* hits;
+    int width;
+    template <class Real>
+    void operator()(AtOnce<Real>, int x, int y, int count) const {
+        for (int i = 0; i < count; ++i) ++(*hits)[static_cast<std::size_t>(y * width + x + i)];
+    }
+};
+
+template <class E>
+void covers_once(E const& executor, Region r, Extent size) {
+    std::vector<std::atomic<int>> hits(static_cast<std::size_t>(size.pixels()));
+    executor.for_each_pixel(r, Count{&hits, size.width});
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            bool const inside = x >= r.x0 && x < r.x1 && y >= r.y0 && y < r.y1;
+            CHECK(hits[static_cast<std::size_t>(y * size.width + x)] == (inside ? 1 : 0));
+        }
+}
+} // namespace
+
+static_assert(Executor<Serial> && Executor<Simd> && Executor<Threads<>>);
+
+TEST_CASE("every executor computes each pixel of a region once and none outside") {
+    for (Region const r : {Region{0, 0, 61, 17}, Region{3, 2, 4, 3}, Region{5, 1, 60, 16}, Region{7, 7, 7, 9}}) {
+        covers_once(Serial{}, r, {61, 17});
+        covers_once(Simd{}, r, {61, 17});
+        for (Extent const tile : {Extent{256, 32}, Extent{1, 1}, Extent{13, 5}, Extent{8, 64}})
+            covers_once(Threads<>{.count = 3, .tile = tile}, r, {61, 17});
+    }
+}
+
+namespace {
+template <class P>
+std::vector<float> sequence(P const& denoise, Extent size, auto const& executor) {
+    Frame frame{size, denoise};
+    History history{size, denoise};
+    std::vector<float> out;
+    for (unsigned i = 0; i < 3; ++i) {
+        tests::fill_randomly(frame, i);
+        out = tests::copy_of(run(denoise, frame, history, executor));
+    }
+    return out;
+}
+
+// Every policy of the house, several to a pipeline.
+constexpr auto everything = std::tuple{
+    presets::none(radiance, Demodulate{}, SuppressFireflies{}),
+    presets::surface(visibility),
+    presets::surface_clamp(radiance),
+    presets::atrous(radiance),
+    presets::svgf(radiance, Demodulate{}),
+    Pipeline{radiance, Spatial{Gaussian{.radius = 3}}, Temporal{StillMotion{}, Clamped{RunningMean{.cap = 4}, MinMax{}, YCoCg{}}}},
+    Pipeline{visibility, Temporal{FirstValid{SurfaceMotion{AllOf{SameDepth{}, SameInstance{}}}, StillMotion{}}, Clamped{WithCleanUp{Adaptive{}}}, CatmullRom{}},
+             Spatial{CleanUp{}}},
+    Pipeline{radiance, Temporal{Supplied<MotionConvention{.unit = MotionConvention::Unit::uv, .jitter = MotionConvention::Jitter::left_in}>{}, Exponential{}},
+             Spatial{Bilateral<>{.radius = 7}}, Spatial{Atrous{Product{NormalEdge{}, LuminanceEdge{.sigma = 0.5f}}, 2}}},
+};
+} // namespace
+
+TEST_CASE("serial, SIMD and threads compute the same image, for every policy") {
+    std::apply(
+        [](auto const&... denoise) {
+            (
+                [&] {
+                    Extent const size{45, 19};
+                    auto const serial = sequence(denoise, size, Serial{}), simd = sequence(denoise, size, Simd{});
+                    CHECK(tests::all_finite(serial));
+                    CHECK(tests::difference(serial, simd) < 2e-5);
+                    for (Extent const tile : {Extent{256, 32}, Extent{5, 3}, Extent{16, 1}})
+                        for (int const count : {1, 2, 3}) CHECK(sequence(denoise, size, Threads<>{.count = count, .tile = tile}) == simd);
+                }(),
+                ...);
+        },
+        everything);
+}
+
+TEST_CASE("every width from 1 to 3 packs and 1") {
+    constexpr auto svgf = presets::svgf(radiance, Demodulate{});
+    constexpr auto clamp = presets::surface_clamp(radiance);
+    for (int width = 1; width <= 3 * width_of<Pack> + 1; ++width) {
+        Extent const size{width, 7};
+        CHECK(tests::difference(sequence(svgf, size, Serial{}), sequence(svgf, size, Simd{})) < 2e-5);
+        CHECK(tests::difference(sequence(clamp, size, Serial{}), sequence(clamp, size, Simd{})) < 2e-5);
+        CHECK(sequence(svgf, size, Threads<>{.count = 2, .tile = {3, 2}}) == sequence(svgf, size, Simd{}));
+    }
+}

@@ -1,0 +1,95 @@
+#include <quell/core/error.hpp>
+#include <tracer/gltf/gltf.hpp>
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+using namespace quell;
+using namespace quell::tracer;
+
+namespace {
+
+/// A folder that lives as long as the test.
+struct Folder {
+    std::filesystem::path path = std::filesystem::temp_directory_path() / "quell_test_gltf";
+    Folder() { std::filesystem::create_directories(path); }
+    ~Folder() { std::filesystem::remove_all(path); }
+    [[nodiscard]] std::filesystem::path write(std::string const& name, std::string const& content) const {
+        std::ofstream{path / name, std::ios::binary} << content;
+        return path / name;
+    }
+};
+
+/// One triangle, whose positions are embedded: (0 0 0) (1 0 0) (0 1 0).
+std::string triangle(std::string const& material, std::string const& indices = "", std::string const& more = "", std::string const& accessor_count = "3") {
+    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0})" +
+           indices + (material.empty() ? "" : R"(,"material":0)") + R"(}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":)" + accessor_count +
+           R"(,"type":"VEC3"},{"bufferView":1,"componentType":5121,"count":3,"type":"SCALAR"}],"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":3}],)" +
+           R"("buffers":[{"byteLength":40,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAEJAA=="}])" +
+           (material.empty() ? "" : R"(,"materials":[)" + material + "]") + more + "}";
+}
+
+void check_error(std::filesystem::path const& file, std::string const& found) {
+    CAPTURE(file.string());
+    try {
+        static_cast<void>(load_gltf(file));
+        FAIL("no error");
+    } catch (Error const& error) {
+        CHECK(error.subject == file.string());
+        CHECK_MESSAGE(error.found.find(found) != std::string::npos, error.found);
+        CHECK(!error.remedy.empty());
+        CHECK(std::string{error.what()}.find('\n') == std::string::npos);
+    }
+}
+
+} // namespace
+
+TEST_CASE("a whole little file loads") {
+    Folder const folder;
+    auto const scene = load_gltf(folder.write("good.gltf", triangle(R"({"pbrMetallicRoughness":{"baseColorFactor":[0.2,0.4,0.6,1],"metallicFactor":0}})")));
+    REQUIRE(scene.instances.size() >= 1);
+    CHECK(scene.shapes[0].mesh.triangles.size() == 1);
+    CHECK(scene.materials[0].base.y == doctest::Approx(0.4f));
+}
+
+TEST_CASE("files that are missing or no glTF are refused by name") {
+    Folder const folder;
+    check_error(folder.path / "absent.gltf", "no such file");
+    check_error(folder.write("text.gltf", "hello"), "");
+    check_error(folder.write("empty.glb", ""), "");
+    check_error(folder.write("short.glb", std::string{"glTF\2\0\0\0\xff\0\0\0", 12}), "");
+}
+
+TEST_CASE("a missing buffer is refused by its name") {
+    Folder const folder;
+    auto content = triangle("");
+    auto const uri = content.find("data:application");
+    content.replace(uri, content.find('"', uri) - uri, "nowhere.bin");
+    check_error(folder.write("buffer.gltf", content), "nowhere.bin");
+}
+
+TEST_CASE("a missing or broken texture is refused by its name") {
+    Folder const folder;
+    std::string const material = R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})";
+    std::string const more = R"(,"textures":[{"source":0}],"images":[{"uri":"paint.png"}])";
+    check_error(folder.write("texture.gltf", triangle(material, "", more)), "paint.png");
+    static_cast<void>(folder.write("paint.png", "no image"));
+    check_error(folder.write("texture.gltf", triangle(material, "", more)), "");
+    check_error(folder.write("number.gltf", triangle(material)), "texture 0 of 0");
+}
+
+TEST_CASE("ranges and numbers that point nowhere are refused") {
+    Folder const folder;
+    check_error(folder.write("long.gltf", triangle("", "", "", "4000")), "reaches beyond");
+    check_error(folder.write("index.gltf", triangle("", R"(,"indices":1)")), "vertex beyond");
+    check_error(folder.write("accessor.gltf", triangle("", R"(,"indices":7)")), "");
+    auto content = triangle("");
+    content.replace(content.find(R"({"mesh":0})"), 10, R"({"mesh":0,"children":[0]})");
+    check_error(folder.write("circle.gltf", content), "contain each other");
+    content = triangle("");
+    content.replace(content.find(R"({"mesh":0})"), 10, R"({"name":"x"})");
+    check_error(folder.write("nothing.gltf", content), "no triangles");
+}

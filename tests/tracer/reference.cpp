@@ -1,0 +1,107 @@
+#include "worlds.hpp"
+
+#include <tracer/reference.hpp>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace quell;
+using namespace quell::tracer;
+
+namespace {
+
+constexpr Extent size{32, 18};
+using Wanted = Channels<Visibility, Indirect, Radiance>;
+
+SceneDescription little_world(float height = 2) {
+    auto scene = world({0, 1, 3}, {0, 0.3f, 0}, 45);
+    scene.background = {glm::vec3{0.2f}, glm::vec3{0.3f}};
+    scene.place(scene.add(rectangle(10, 10)), scene.add(Material{.base = {0.7f, 0.3f, 0.2f}}));
+    scene.place(scene.add(box({0.5f, 0.5f, 0.5f})), scene.add(Material{}), {.translation = {0, 0.4f, 0}});
+    scene.place(scene.add_sphere(), scene.add(Material{.emission = glm::vec3{12}}), {.translation = {0.5f, height, 0}, .scale = glm::vec3{0.3f}});
+    return scene;
+}
+
+struct Cache {
+    std::filesystem::path path = std::filesystem::temp_directory_path() / "quell_test_references";
+    Cache() { std::filesystem::remove_all(path); }
+    ~Cache() { std::filesystem::remove_all(path); }
+    [[nodiscard]] std::vector<std::filesystem::path> files() const {
+        std::vector<std::filesystem::path> found;
+        if (std::filesystem::exists(path))
+            for (auto const& entry : std::filesystem::directory_iterator{path}) found.push_back(entry.path());
+        return found;
+    }
+};
+
+} // namespace
+
+TEST_CASE("a reference converges, and its halves say so") {
+    PreparedScene scene{little_world()};
+    int calls = 0;
+    auto const settings = ReferenceSettings{.tolerance = 0.02, .use_cache = false, .progress = [&](ReferenceProgress const&) { ++calls; }};
+    auto const found = reference<Wanted>(scene, {.size = size}, settings);
+    CHECK(found.half_difference < 0.02);
+    CHECK(found.samples >= 32);
+    CHECK(calls >= 1);
+    // An independent rendering with many samples agrees.
+    Pictures<Wanted> many{size};
+    render<Wanted>(scene, {.size = size, .samples_per_pixel = 1024, .seed = 77}, many);
+    double error = 0;
+    for (std::size_t i = 0; i < many[radiance].pixels.size(); ++i) error += std::abs(many[radiance].pixels[i].x - found[radiance].pixels[i].x);
+    CHECK(error / static_cast<double>(size.pixels()) < 0.01);
+}
+
+TEST_CASE("a reference ends at the most samples") {
+    PreparedScene scene{little_world()};
+    auto const found = reference<Wanted>(scene, {.size = size}, {.tolerance = 1e-9, .most_samples = 100, .samples_per_pass = 8, .use_cache = false});
+    CHECK(found.samples <= 100);
+    CHECK(found.samples >= 80);
+    CHECK(found.half_difference > 1e-9);
+}
+
+TEST_CASE("references are cached by all that they depend on") {
+    Cache const cache;
+    ReferenceSettings const settings{.tolerance = 0.05, .cache = cache.path};
+    PreparedScene scene{little_world()};
+    auto const first = reference<Wanted>(scene, {.size = size, .frame = 4}, settings);
+    CHECK(!first.from_cache);
+    CHECK(cache.files().size() == 1);
+    PreparedScene same{little_world()};
+    auto const second = reference<Wanted>(same, {.size = size, .frame = 4}, settings);
+    CHECK(second.from_cache);
+    CHECK(second.samples == first.samples);
+    CHECK(second[radiance].pixels == first[radiance].pixels);
+    CHECK(second[visibility].pixels == first[visibility].pixels);
+
+    PreparedScene other{little_world(2.1f)};
+    CHECK(!reference<Wanted>(other, {.size = size, .frame = 4}, settings).from_cache);
+    CHECK(!reference<Wanted>(scene, {.size = size, .frame = 5}, settings).from_cache);
+    CHECK(!reference<Channels<Radiance>>(scene, {.size = size, .frame = 4}, settings).from_cache);
+    CHECK(!reference<Wanted>(scene, {.size = {30, 18}, .frame = 4}, settings).from_cache);
+}
+
+TEST_CASE("a damaged cache file is computed again") {
+    Cache const cache;
+    ReferenceSettings const settings{.tolerance = 0.05, .cache = cache.path};
+    PreparedScene scene{little_world()};
+    auto const first = reference<Wanted>(scene, {.size = size}, settings);
+    REQUIRE(cache.files().size() == 1);
+    auto const file = cache.files()[0];
+    auto const whole = std::filesystem::file_size(file);
+    for (auto const length : {whole / 2, std::uintmax_t{5}, std::uintmax_t{0}}) {
+        std::filesystem::resize_file(file, length);
+        CHECK(!reference<Wanted>(scene, {.size = size}, settings).from_cache);
+        CHECK(std::filesystem::file_size(file) == whole);
+    }
+    std::fstream{file, std::ios::binary | std::ios::in | std::ios::out}.seekp(200) << 'x';
+    CHECK(!reference<Wanted>(scene, {.size = size}, settings).from_cache);
+    auto const again = reference<Wanted>(scene, {.size = size}, settings);
+    CHECK(again.from_cache);
+    CHECK(again[radiance].pixels == first[radiance].pixels);
+}
+
+TEST_CASE("a cache that can't be written doesn't matter") {
+    PreparedScene scene{little_world()};
+    CHECK_NOTHROW(reference<Wanted>(scene, {.size = size}, {.tolerance = 0.1, .cache = "/proc/nowhere"}));
+}

@@ -1,0 +1,68 @@
+#include "worlds.hpp"
+
+#include <tracer/gltf/gltf.hpp>
+#include <tracer/scenes/scenes.hpp>
+
+#include <algorithm>
+#include <string>
+
+using namespace quell;
+using namespace quell::tracer;
+
+TEST_CASE("an unknown scene is refused with the names of those that exist") {
+    try {
+        static_cast<void>(open_scene("rom"));
+        FAIL("no error");
+    } catch (Error const& error) {
+        CHECK(error.subject.find("rom") != std::string::npos);
+        for (auto const& name : scene_names()) CHECK(error.remedy.find(name) != std::string::npos);
+    }
+}
+
+TEST_CASE("every built-in scene renders finite light that moves") {
+    using Wanted = Channels<Radiance, Depth, Motion, Normal>;
+    constexpr Extent size{96, 54};
+    for (auto const& name : scene_names()) {
+        CAPTURE(name);
+        PreparedScene scene{built_in_scene(name)};
+        for (int frame : {0, 40}) {
+            Pictures<Wanted> pictures{size};
+            render<Wanted>(scene, {.size = size, .frame = frame, .samples_per_pixel = 4}, pictures);
+            double light = 0;
+            for (auto const& value : pictures[radiance].pixels) light += is_finite(value) ? value.y : -1e9;
+            CHECK(light / static_cast<double>(size.pixels()) > 0.08);
+            CHECK(light / static_cast<double>(size.pixels()) < 2);
+            for (auto const& value : pictures[normal].pixels) CHECK(is_finite(value));
+            if (frame > 0) CHECK(std::ranges::any_of(pictures[motion].pixels, [](auto const& value) { return glm::length(value) > 0.1f; }));
+        }
+    }
+}
+
+TEST_CASE("a brightness over time switches a light") {
+    auto scene = world({0, 1, 0.01f}, {0, 0, 0});
+    scene.place(scene.add(rectangle(4, 4)), scene.add(Material{.base = glm::vec3{0.5f}}));
+    scene.place(scene.add_sphere(), scene.add(Material{.emission = glm::vec3{9.f}, .brightness = [](float frame) { return frame < 10 ? 0.f : 1.f; }}),
+                {.translation = {0, 3, 0}});
+    PreparedScene prepared{std::move(scene)};
+    Pictures<Channels<Direct>> pictures{{3, 3}};
+    render<Channels<Direct>>(prepared, {.size = {3, 3}, .frame = 9}, pictures);
+    CHECK(pixel(pictures[direct], 1, 1).x == 0);
+    render<Channels<Direct>>(prepared, {.size = {3, 3}, .frame = 10}, pictures);
+    CHECK(pixel(pictures[direct], 1, 1).x > 0.1f);
+}
+
+TEST_CASE("what is scaled to nothing is not seen") {
+    auto scene = world({0, 0, 3}, {0, 0, 0});
+    scene.place(scene.add_sphere(), scene.add(Material{}), {.scale = glm::vec3{0.f}});
+    scene.place(scene.add(box(glm::vec3{1})), scene.add(Material{}), {.scale = {1, 0, 1}});
+    auto const pictures = pictures_of<Channels<Depth, Normal>>(std::move(scene), {.size = {8, 8}});
+    for (auto const& value : pictures[depth].pixels) CHECK(std::isinf(value.x));
+}
+
+TEST_CASE("another camera can be chosen for any scene") {
+    CameraChoice choice{.eye = glm::vec3{1, 1, 1}, .target = glm::vec3{0, 1, 0}, .field_of_view = 35.f, .orbit = 90, .dolly = {0, 0, 0.5f}};
+    auto const scene = open_scene("room", choice);
+    CHECK(glm::distance(glm::vec3(scene.camera(0).world_from_camera[3]), glm::vec3{1, 1, 1}) < 1e-5f);
+    CHECK(glm::distance(glm::vec3(scene.camera(1).world_from_camera[3]), glm::vec3{1, 1, -0.5f}) < 1e-5f);
+    CHECK(scene.camera(0).vertical_field_of_view == doctest::Approx(glm::radians(35.f)));
+}
