@@ -1,7 +1,7 @@
 # Compiles SOURCE, which must not compile; the first error must contain the sentence after "// error: " in its first line. What lies
 # between #ifdef CORRECT and #else must compile, so that it is the misuse that fails and nothing else.
-file(STRINGS ${SOURCE} lines LIMIT_COUNT 1)
-if(NOT lines MATCHES "^// error: (.+)$")
+file(READ ${SOURCE} text)
+if(NOT text MATCHES "^// error: ([^\n]+)\n")
     message(FATAL_ERROR "${SOURCE}: the first line must be '// error: <sentence that the compiler prints>'")
 endif()
 set(sentence "${CMAKE_MATCH_1}")

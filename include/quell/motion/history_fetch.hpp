@@ -64,12 +64,12 @@ QUELL_KERNEL auto past_tap(Px const& px, FoundPlace const& found, typename Px::R
     return Tap{then, accepted};
 }
 
-/// Where the four nearest pixel centres begin. A position that is not finite or far outside becomes a harmless one with validity 0.
+/// A position that is not finite or not in the image becomes a harmless one with validity 0: what was outside was never seen.
 template <class Px, class FoundPlace> QUELL_KERNEL auto sane(Px const& px, FoundPlace found) {
     using Real = typename Px::Real;
-    Real const right(static_cast<float>(px.size().width) + 1.f), bottom(static_cast<float>(px.size().height) + 1.f);
+    Real const right(static_cast<float>(px.size().width)), bottom(static_cast<float>(px.size().height));
     auto const usable = is_finite(found.where.x) & is_finite(found.where.y) & is_finite(found.validity) & (found.validity > Real(0.f)) &
-                        (found.where.x > Real(-1.f)) & (found.where.x < right) & (found.where.y > Real(-1.f)) & (found.where.y < bottom);
+                        (found.where.x >= Real(0.f)) & (found.where.x <= right) & (found.where.y >= Real(0.f)) & (found.where.y <= bottom);
     found.where = vec2<Real>{select(usable, found.where.x, Real(0.f)), select(usable, found.where.y, Real(0.f))};
     found.validity = select(usable, found.validity, Real(0.f));
     return found;

@@ -35,9 +35,15 @@ template <class Modulation, class Scope, class Output, class RememberedViews> st
 template <class Pass, class Scope>
 inline constexpr bool makes_signal_of = !requires(Pass const p, Pixel<float, Scope> px) { p.emit(px); };
 
+/// What a profiler shows: a policy of the host's own need not have a name.
+template <class Pass> constexpr auto name_of() {
+    if constexpr (requires { Pass::name; }) return Pass::name;
+    else return "filter";
+}
+
 /// One pass over one region: what an executor runs. Trivially copyable, so that it can be sent to a device as it is.
 template <class Pass, class Scope, class SignalView, class MadeViews, class FinishWork, class RememberedSet> struct Job {
-    static constexpr auto name = Pass::name;
+    static constexpr auto name = name_of<Pass>();
     static constexpr bool makes_signal = makes_signal_of<Pass, Scope>;
 
     Pass pass;

@@ -1,4 +1,4 @@
-// error: must be trivially copyable
+// error: Temporal{motion, blend}: a policy must be trivially copyable, so that it can be sent to a device: plain numbers only
 #include <quell/quell.hpp>
 
 #include <vector>

@@ -1,4 +1,4 @@
-// error: with(channel, value): the first must be a channel
+// error: with(channel, value): the first must be a channel, such as history_length
 #include <quell/quell.hpp>
 
 struct Mean {

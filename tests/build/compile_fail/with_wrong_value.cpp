@@ -1,4 +1,4 @@
-// error: with(channel, value): the value must have the channel's components
+// error: with(channel, value): the value must have as many components as the channel
 #include <quell/quell.hpp>
 
 struct Mean {

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace quell::examples {
+
+/// Runs a program's body and makes of what it throws one line on stderr and an exit code: 0 done, 2 unusable arguments or input (Error),
+/// 1 anything else.
+int exit_code_of(std::string const& program, std::function<void()> const& body);
+
+/// Reads the command line. False where it asked for help, which has then been printed.
+/// @throws Error for a command line that can't be used
+[[nodiscard]] bool parse(CLI::App& app, int argc, char const* const* argv);
+
+} // namespace quell::examples

@@ -1,0 +1,117 @@
+#include "../frames.hpp"
+
+#include <numeric>
+
+using namespace quell;
+
+namespace {
+constexpr Extent size{19, 5};
+float const not_a_number = std::bit_cast<float>(0x7fc00000u);
+
+/// Runs a still pipeline over frames of one value each and returns the last output's first pixel.
+template <class B>
+float after(B const& blending, std::vector<float> const& samples) {
+    auto const pipeline = Pipeline{visibility, Temporal{StillMotion{}, blending}};
+    Frame frame{size, pipeline};
+    History history{size, pipeline};
+    float last = 0;
+    for (float const a : samples) {
+        tests::fill(frame[visibility], [&](int, int) { return a; });
+        last = run(pipeline, frame, history).get(0, 7, 3);
+    }
+    return last;
+}
+} // namespace
+
+TEST_CASE("the running mean is the exact mean up to its cap, then an exponential of 1 / cap") {
+    CHECK(after(RunningMean{.cap = 8}, {1, 2, 3, 4, 5, 6}) == doctest::Approx(3.5));
+    CHECK(after(RunningMean{.cap = 2}, {1, 3, 4}) == doctest::Approx(3));
+    CHECK(after(RunningMean{.cap = 1}, {1, 3, 4}) == doctest::Approx(4));
+}
+
+TEST_CASE("the exponential weighs the newest frame by alpha") {
+    CHECK(after(Exponential{.alpha = 0.25f}, {4, 8}) == doctest::Approx(5));
+    CHECK(after(Exponential{.alpha = 1.f}, {4, 8}) == 8.f);
+}
+
+TEST_CASE("a missing sample changes nothing, and the next one counts as if it had not been") {
+    CHECK(after(RunningMean{}, {1, not_a_number, 3}) == doctest::Approx(2));
+    CHECK(after(RunningMean{}, {1, -5, 3}) == doctest::Approx(2));
+    CHECK(after(RunningMean{}, {not_a_number, 3}) == doctest::Approx(3));
+    CHECK(after(RunningMean{}, {not_a_number, not_a_number}) == 0.f);
+    CHECK(after(Exponential{.alpha = 0.5f}, {2, std::bit_cast<float>(0x7f800000u), 4}) == doctest::Approx(3));
+    CHECK(after(Clamped{RunningMean{}}, {1, not_a_number, 1}) == doctest::Approx(1));
+}
+
+TEST_CASE("a constant stays constant under every blend") {
+    for (float const a : {0.f, 1e-3f, 1.f, 1000.f}) {
+        std::vector<float> const samples(40, a);
+        CHECK(after(Exponential{}, samples) == doctest::Approx(a).epsilon(1e-6));
+        CHECK(after(RunningMean{}, samples) == doctest::Approx(a).epsilon(1e-6));
+        CHECK(after(Adaptive{}, samples) == doctest::Approx(a).epsilon(1e-6));
+        CHECK(after(Clamped{RunningMean{}}, samples) == doctest::Approx(a).epsilon(1e-6));
+        CHECK(after(Clamped{RunningMean{}, MinMax{}, YCoCg{}}, samples) == doctest::Approx(a).epsilon(1e-6));
+        CHECK(after(WithMoments{RunningMean{}}, samples) == doctest::Approx(a).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("a clamp brings a stale past into what the neighbourhood shows now") {
+    CHECK(after(Clamped{Exponential{.alpha = 0.1f}}, {9, 9, 9, 1}) == doctest::Approx(1));
+    CHECK(after(Clamped{Exponential{.alpha = 0.1f}, MinMax{}}, {9, 9, 9, 1}) == doctest::Approx(1));
+}
+
+TEST_CASE("the adaptive mean forgets what a clamp had to move") {
+    // Checkerboard noise keeps the clamp's box open around the new level; a capped mean would take a cap's time to get there.
+    auto const settle = [](auto blending) {
+        auto const pipeline = Pipeline{visibility, Temporal{StillMotion{}, blending}};
+        Frame frame{size, pipeline};
+        History history{size, pipeline};
+        double last = 0;
+        for (int i = 0; i < 44; ++i) {
+            float const level = i < 40 ? 8.f : 1.f;
+            tests::fill(frame[visibility], [&](int x, int y) { return level * ((x + y + i) % 2 ? 0.5f : 1.5f); });
+            auto const out = tests::copy_of(run(pipeline, frame, history));
+            last = std::accumulate(out.begin(), out.end(), 0.0) / static_cast<double>(out.size());
+        }
+        return std::abs(last - 1);
+    };
+    CHECK(settle(Clamped{Adaptive{.cap = 32}}) < 0.5f * settle(Clamped{RunningMean{.cap = 32}}));
+}
+
+namespace {
+/// Lets a pipeline's output be what a policy keeps: the variance over time.
+struct ShowVariance {
+    using reads = Channels<LuminanceVariance>;
+    QUELL_KERNEL auto filter(auto px) const { return px.signal() * 0.f + px[luminance_variance]; }
+};
+} // namespace
+
+TEST_CASE("the variance over time survives a mean of 1000 with a deviation of 0.1") {
+    auto const pipeline = Pipeline{visibility, Temporal{StillMotion{}, WithMoments{RunningMean{.cap = 4096}}}};
+    // Same numbers in double, the textbook way that floats can't afford.
+    std::mt19937 random(5);
+    std::normal_distribution<float> noise(1000.f, 0.1f);
+    Frame frame{size, pipeline};
+    History history{size, pipeline};
+    double sum = 0, squares = 0;
+    float mean_of_out = 0;
+    for (int i = 0; i < 2000; ++i) {
+        float const a = noise(random);
+        sum += a, squares += static_cast<double>(a) * a;
+        tests::fill(frame[visibility], [&](int, int) { return a; });
+        mean_of_out = run(pipeline, frame, history).get(0, 3, 3);
+    }
+    CHECK(mean_of_out == doctest::Approx(sum / 2000).epsilon(1e-6));
+    auto const guided = Pipeline{visibility, Temporal{StillMotion{}, WithMoments{RunningMean{.cap = 4096}}}, Spatial{ShowVariance{}}};
+    Frame again{size, guided};
+    History its_history{size, guided};
+    random.seed(5);
+    noise.reset();
+    float variance_shown = 0;
+    for (int i = 0; i < 2000; ++i) {
+        float const a = noise(random);
+        tests::fill(again[visibility], [&](int, int) { return a; });
+        variance_shown = run(guided, again, its_history).get(0, 3, 3);
+    }
+    CHECK(variance_shown == doctest::Approx(squares / 2000 - (sum / 2000) * (sum / 2000)).epsilon(0.02));
+}
