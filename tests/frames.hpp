@@ -11,8 +11,7 @@
 namespace quell::tests {
 
 /// Fills a channel by f(x, y).
-template <class Image, class F>
-void fill(Image& image, F&& f) {
+template <class Image, class F> void fill(Image& image, F&& f) {
     for (int y = 0; y < image.size().height; ++y)
         for (int x = 0; x < image.size().width; ++x) image.set(x, y, f(x, y));
 }
@@ -31,37 +30,41 @@ struct RandomValue {
     }
     glm::vec2 of(Motion, int, int) { return {next(-2.5f, 2.5f), next(-2.5f, 2.5f)}; }
     glm::vec3 of(Albedo, int x, int) { return {next(0.f, 1.f), x % 7 == 0 ? 0.f : 0.5f, next(0.1f, 1.f)}; }
-    template <class C>
-    auto of(C, int, int) {
-        if constexpr (C::components == 1) return next(0.f, 1.f);
-        else if constexpr (C::components == 2) return glm::vec2(next(0.f, 3.f), next(0.f, 3.f));
-        else return glm::vec3(next(0.f, 3.f), next(0.f, 3.f), next(0.f, 3.f));
+    template <class C> auto of(C, int, int) {
+        if constexpr (C::components == 1)
+            return next(0.f, 1.f);
+        else if constexpr (C::components == 2)
+            return glm::vec2(next(0.f, 3.f), next(0.f, 3.f));
+        else
+            return glm::vec3(next(0.f, 3.f), next(0.f, 3.f), next(0.f, 3.f));
     }
 };
 
-template <class F>
-void fill_randomly(F& frame, unsigned seed) {
+template <class F> void fill_randomly(F& frame, unsigned seed) {
     std::mt19937 random(seed);
-    for_each_channel(typename F::channels{}, [&](auto c) { fill(frame[c], [&](int x, int y) { return RandomValue{random}.of(c, x, y); }); });
+    for_each_channel(typename F::channels{},
+                     [&](auto c) { fill(frame[c], [&](int x, int y) { return RandomValue{random}.of(c, x, y); }); });
 }
 
 /// A frame in which nothing moves: one plane that faces the camera, black everywhere else.
-template <class F>
-void fill_still(F& frame) {
+template <class F> void fill_still(F& frame) {
     for_each_channel(typename F::channels{}, [&](auto c) {
         using C = decltype(c);
         fill(frame[c], [](int, int) {
-            if constexpr (std::is_same_v<C, Depth>) return 4.f;
-            else if constexpr (std::is_same_v<C, Normal>) return glm::vec3(0, 0, 1);
-            else if constexpr (std::is_same_v<C, Albedo>) return glm::vec3(1);
-            else return Value<C::components, float>(0.f);
+            if constexpr (std::is_same_v<C, Depth>)
+                return 4.f;
+            else if constexpr (std::is_same_v<C, Normal>)
+                return glm::vec3(0, 0, 1);
+            else if constexpr (std::is_same_v<C, Albedo>)
+                return glm::vec3(1);
+            else
+                return Value<C::components, float>(0.f);
         });
     });
 }
 
 /// All components of an image, row by row.
-template <ImageView View>
-std::vector<float> copy_of(View const& view) {
+template <ImageView View> std::vector<float> copy_of(View const& view) {
     std::vector<float> all;
     for (int y = 0; y < view.size.height; ++y)
         for (int x = 0; x < view.size.width; ++x)

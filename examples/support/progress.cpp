@@ -34,7 +34,7 @@ std::string clock(double seconds) {
 std::string bar(double part) {
     constexpr int width = 30;
     auto const full = static_cast<std::size_t>(std::clamp(part, 0., 1.) * width);
-    return "[" + std::string(full, '=') + std::string(width - full, ' ') + "]";
+    return std::string(full, '=').append(width - full, ' ');
 }
 
 } // namespace
@@ -53,9 +53,10 @@ void Progress::show(long long done, std::string const& what) {
     if (!on_terminal || elapsed < 0.5 || (visible && duration<double>(now - last).count() < 0.1)) return;
     visible = true, last = now;
     double const part = static_cast<double>(done) / static_cast<double>(total);
-    std::string text = label + " " + bar(part) + " " + std::to_string(done) + "/" + std::to_string(total);
-    if (done > 0) text += " " + clock(elapsed * (1. - part) / part) + " left";
-    std::fputs((wipe + text + (what.empty() ? "" : "  " + what)).c_str(), stderr);
+    std::string text = wipe;
+    text.append(label).append(" [").append(bar(part)).append("] ").append(std::to_string(done)).append("/").append(std::to_string(total));
+    if (done > 0) text.append(" ").append(clock(elapsed * (1. - part) / part)).append(" left");
+    std::fputs(text.append("  ").append(what).c_str(), stderr);
     std::fflush(stderr);
 }
 

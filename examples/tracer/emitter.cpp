@@ -1,5 +1,4 @@
 #include "emitter.hpp"
-#include "basis.hpp"
 #include "polygon.hpp"
 
 #include <glm/common.hpp>
@@ -13,19 +12,6 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-/// Sutherland-Hodgman against the plane of the horizon.
-SeenPolygon above_horizon(Emitter const& emitter, glm::vec3 position, glm::vec3 normal) {
-    SeenPolygon clipped;
-    for (int i = 0; i < emitter.corner_count; ++i) {
-        auto const a = emitter.corners[static_cast<std::size_t>(i)] - position;
-        auto const b = emitter.corners[static_cast<std::size_t>((i + 1) % emitter.corner_count)] - position;
-        float const above_a = glm::dot(a, normal), above_b = glm::dot(b, normal);
-        if (above_a >= 0) clipped.push(a);
-        if ((above_a >= 0) != (above_b >= 0)) clipped.push(glm::mix(a, b, above_a / (above_a - above_b)));
-    }
-    return clipped;
-}
-
 bool shows_its_dark_side(Emitter const& emitter, glm::vec3 position) {
     auto const normal = glm::cross(emitter.corners[1] - emitter.corners[0], emitter.corners[2] - emitter.corners[0]);
     return !emitter.both_sides && glm::dot(normal, position - emitter.corners[0]) <= 0;
@@ -33,8 +19,8 @@ bool shows_its_dark_side(Emitter const& emitter, glm::vec3 position) {
 
 float polygon_irradiance(Emitter const& emitter, glm::vec3 position, glm::vec3 normal) {
     if (shows_its_dark_side(emitter, position)) return 0;
-    auto polygon = above_horizon(emitter, position, normal);
-    for (auto& corner : polygon.corners) corner = glm::normalize(corner);
+    auto polygon = above_horizon({emitter.corners.data(), static_cast<std::size_t>(emitter.corner_count)}, position, normal);
+    for (int i = 0; i < polygon.count; ++i) polygon[i] = glm::normalize(polygon[i]);
     float sum = 0;
     for (int i = 0; i < polygon.count; ++i) sum += edge_term(polygon[i], polygon[(i + 1) % polygon.count], normal);
     return std::abs(sum) * 0.5f;
@@ -50,128 +36,6 @@ float sphere_irradiance(Emitter const& emitter, glm::vec3 position, glm::vec3 no
     float const sine_centre = std::sqrt(1 - cosine * cosine), cotangent_cap = std::sqrt(1 / sine2 - 1);
     float const y = glm::clamp(-cotangent_cap * cosine / sine_centre, -1.f, 1.f), chord = sine_centre * std::sqrt(1 - y * y);
     return glm::max(0.f, (cosine * std::acos(y) - cotangent_cap * chord) * sine2 + std::atan2(chord, cotangent_cap));
-}
-
-/// Directions uniform over a spherical triangle with these unit vectors as corners (Arvo, "Stratified sampling of spherical triangles",
-/// 1995; its solid angle by Van Oosterom and Strackee, 1983).
-class SphericalTriangle {
-  public:
-    SphericalTriangle(glm::vec3 a_, glm::vec3 b_, glm::vec3 c_) : a(a_), b(b_), c(c_), towards_c(away(c_, a_)), cosine_ab(glm::dot(a_, b_)) {
-        auto const ab = glm::cross(a, b), ac = glm::cross(a, c);
-        float const volume = std::abs(glm::dot(ab, c));
-        solid_angle = 2 * std::atan2(volume, 1 + cosine_ab + glm::dot(b, c) + glm::dot(c, a));
-        alpha = std::atan2(volume, glm::dot(ab, ac));
-        float const scale = 1 / std::sqrt(glm::dot(ab, ab) * glm::dot(ac, ac));
-        sine_alpha = volume * scale, cosine_alpha = glm::dot(ab, ac) * scale;
-    }
-
-    [[nodiscard]] glm::vec3 direction(glm::vec2 random) const {
-        float const part = random.x * solid_angle - alpha, s = std::sin(part), t = std::cos(part);
-        float const u = t - cosine_alpha, v = s + sine_alpha * cosine_ab;
-        float const q = glm::clamp(((v * t - u * s) * cosine_alpha - v) / ((v * s + u * t) * sine_alpha), -1.f, 1.f);
-        auto const on_edge = q * a + std::sqrt(1 - q * q) * towards_c;
-        float const z = 1 - random.y * (1 - glm::dot(on_edge, b));
-        return z * b + std::sqrt(glm::max(0.f, 1 - z * z)) * away(on_edge, b);
-    }
-    [[nodiscard]] glm::vec3 corner_cosines(glm::vec3 normal) const { return {glm::dot(a, normal), glm::dot(b, normal), glm::dot(c, normal)}; }
-
-    float solid_angle;
-
-  private:
-    /// The unit direction of x seen from y, at right angles to y.
-    static glm::vec3 away(glm::vec3 x, glm::vec3 y) {
-        auto const part = x - glm::dot(x, y) * y;
-        float const length2 = glm::dot(part, part);
-        return length2 > 1e-20f ? part / std::sqrt(length2) : glm::vec3{0.f};
-    }
-
-    glm::vec3 a, b, c, towards_c;
-    float alpha, cosine_alpha, sine_alpha, cosine_ab;
-};
-
-struct Candidate {
-    glm::vec3 offset; ///< from the receiver
-    float weight;
-};
-
-/// Resampled importance sampling (Talbot et al. 2005) among the points of a rank-1 lattice that random numbers shift: well spread
-/// candidates leave next to no bias, the fewer are needed the less their weights differ. `choice` stays uniform as it is narrowed down.
-template <class Propose>
-glm::vec3 resampled(Propose const& propose, int count, glm::vec2 random, float choice) {
-    Candidate chosen{glm::vec3{0.f}, 0};
-    float sum = 0;
-    for (int i = 0; i < count; ++i) {
-        float const j = static_cast<float>(i) / static_cast<float>(count);
-        auto const candidate = propose(glm::fract(random + glm::vec2(j, 5 * j)));
-        if (i == 0) chosen.offset = candidate.offset;
-        if (!(candidate.weight > 0)) continue;
-        sum += candidate.weight;
-        float const share = candidate.weight / sum;
-        if (choice < share) chosen = candidate;
-        choice = choice < share ? choice / share : (choice - share) / (1 - share);
-    }
-    return chosen.offset;
-}
-
-int candidate_count(float least_cosine, float largest_cosine, int most) { return least_cosine > 0.6f * largest_cosine ? glm::min(most, 4) : most; }
-
-/// Below this solid angle rounding spoils Arvo's method, while weights of points uniform in area hardly vary.
-constexpr float small_solid_angle = 0.01f;
-
-glm::vec3 sample_triangle(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 normal, glm::vec2 random, float choice, int candidates) {
-    SphericalTriangle const seen{glm::normalize(a), glm::normalize(b), glm::normalize(c)};
-    auto const plane = glm::cross(b - a, c - a);
-    auto const by_direction = [&](glm::vec2 uv) {
-        auto const direction = seen.direction(uv);
-        float const distance = glm::dot(a, plane) / glm::dot(direction, plane);
-        return Candidate{direction * distance, std::isfinite(distance) && distance > 0 ? glm::dot(direction, normal) : 0.f};
-    };
-    auto const by_area = [&](glm::vec2 uv) {
-        float const root = std::sqrt(uv.x);
-        auto const offset = a * (1 - root) + b * (root * (1 - uv.y)) + c * (root * uv.y);
-        float const distance2 = glm::dot(offset, offset);
-        return Candidate{offset, glm::dot(offset, normal) * std::abs(glm::dot(offset, plane)) / (distance2 * distance2)};
-    };
-    auto const cosines = seen.corner_cosines(normal);
-    int const count = candidate_count(glm::min(cosines.x, glm::min(cosines.y, cosines.z)), glm::max(cosines.x, glm::max(cosines.y, cosines.z)),
-                                      candidates);
-    if (seen.solid_angle > small_solid_angle) return resampled(by_direction, count, random, choice);
-    return resampled(by_area, count, random, choice);
-}
-
-/// The visible part is a fan of triangles; one is chosen by its exact irradiance.
-glm::vec3 sample_polygon(SeenPolygon const& polygon, glm::vec3 normal, glm::vec2 random, float choice, int candidates) {
-    auto unit = polygon;
-    for (auto& corner : unit.corners) corner = glm::normalize(corner);
-    float sum = 0;
-    int chosen = 1;
-    for (int i = 1; i + 1 < polygon.count; ++i) {
-        float const edges = edge_term(unit[0], unit[i], normal) + edge_term(unit[i], unit[i + 1], normal);
-        float const weight = std::abs(edges + edge_term(unit[i + 1], unit[0], normal));
-        if (!(weight > 0)) continue;
-        sum += weight;
-        float const share = weight / sum;
-        if (choice < share) chosen = i;
-        choice = choice < share ? choice / share : (choice - share) / (1 - share);
-    }
-    return sample_triangle(polygon[0], polygon[chosen], polygon[chosen + 1], normal, random, choice, candidates);
-}
-
-glm::vec3 sample_sphere(Emitter const& emitter, glm::vec3 position, glm::vec3 normal, glm::vec2 random, float choice, int candidates) {
-    auto const offset = emitter.centre - position;
-    float const distance = glm::length(offset), sine2 = glm::min(1.f, emitter.radius * emitter.radius / (distance * distance));
-    auto const axis = offset / distance;
-    Basis const basis{axis};
-    float const cap = sine2 < 1e-4f ? sine2 / 2 : 1 - std::sqrt(1 - sine2);
-    float const cosine = glm::dot(axis, normal), sine = std::sqrt(sine2);
-    return resampled(
-        [&](glm::vec2 uv) {
-            float const below = uv.x * cap, z = 1 - below, radius = std::sqrt(below * (2 - below)), turn = 2 * pi * uv.y;
-            auto const direction = basis.world({radius * std::cos(turn), radius * std::sin(turn), z});
-            float const chord2 = emitter.radius * emitter.radius - distance * distance * radius * radius;
-            return Candidate{direction * (distance * z - std::sqrt(glm::max(0.f, chord2))), glm::dot(direction, normal)};
-        },
-        candidate_count(cosine - sine, cosine + sine, candidates), random, choice);
 }
 
 } // namespace
@@ -190,13 +54,6 @@ glm::vec3 Emitter::before(glm::vec3 point) const {
 
 float irradiance(Emitter const& emitter, glm::vec3 position, glm::vec3 normal) {
     return emitter.is_sphere() ? sphere_irradiance(emitter, position, normal) : polygon_irradiance(emitter, position, normal);
-}
-
-glm::vec3 sample_point(Emitter const& emitter, glm::vec3 position, glm::vec3 normal, glm::vec2 random, float choice, int candidates) {
-    if (emitter.is_sphere()) return position + sample_sphere(emitter, position, normal, random, choice, candidates);
-    auto const polygon = above_horizon(emitter, position, normal);
-    if (polygon.count < 3) return emitter.corners[0];
-    return position + sample_polygon(polygon, normal, random, choice, candidates);
 }
 
 } // namespace quell::tracer

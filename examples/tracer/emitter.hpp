@@ -5,6 +5,8 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <cstddef>
+#include <span>
 
 namespace quell::tracer {
 
@@ -26,9 +28,11 @@ struct Emitter {
 /// polygons by Lambert's formula (1760; Arvo 1994), spheres by Snyder, "Area light sources for real-time graphics" (1996).
 [[nodiscard]] float irradiance(Emitter const& emitter, glm::vec3 position, glm::vec3 normal);
 
-/// A point of the emitter, distributed (nearly) as its contribution to `irradiance`: uniform in solid angle, then resampled by the cosine
-/// among a few lattice candidates (this many at most). Thus unshadowed irradiance times the mean visibility of such points is the shadowed irradiance.
-[[nodiscard]] glm::vec3 sample_point(Emitter const& emitter, glm::vec3 position, glm::vec3 normal, glm::vec2 random, float choice,
-                                     int candidates = 8);
+/// A point of the emitter, distributed as its contribution to `irradiance`, up to a minute bias: uniform in solid angle, then corrected by
+/// the cosine. Thus unshadowed irradiance times the mean visibility of such points is the shadowed irradiance.
+[[nodiscard]] glm::vec3 sample_point(Emitter const& emitter, glm::vec3 position, glm::vec3 normal, glm::vec2 random, float choice);
+
+/// Picks one in proportion to its weight, and stretches the random number's interval so that it can serve again, as well distributed as before.
+[[nodiscard]] std::size_t choose(std::span<float const> weights, float& random);
 
 } // namespace quell::tracer

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace quell::tracer {
 namespace {
@@ -20,7 +21,7 @@ float luminance(glm::vec3 colour) { return glm::dot(colour, glm::vec3{0.2126f, 0
 glm::vec3 scattered(PreparedScene const& scene, Surface const& surface, PathContext const& path, std::uint32_t depth) {
     auto const point = sample_pair(path.key, SampleUse::second_light_point, depth);
     auto const choice = sample_pair(path.key, SampleUse::second_light_choice, depth).x;
-    auto const lighting = sample_lighting(scene, surface, path.time, point, choice, 2);
+    auto const lighting = sample_lighting(scene, surface, path.time, point, choice);
     glm::vec3 light = lighting.irradiance / pi;
     if (lighting.sample.exists) {
         ++path.counts->shadow;
@@ -40,24 +41,20 @@ glm::vec3 unshadowed_irradiance(PreparedScene const& scene, Surface const& surfa
     return sum;
 }
 
-Lighting sample_lighting(PreparedScene const& scene, Surface const& surface, float time, glm::vec2 point, float choice, int candidates) {
+Lighting sample_lighting(PreparedScene const& scene, Surface const& surface, float time, glm::vec2 point, float choice) {
+    // One buffer per thread: this is called several times per pixel, and the number of lights is whatever a file holds.
+    static thread_local std::vector<float> weights;
+    weights.clear();
     Lighting lighting;
-    std::size_t chosen = 0;
-    float sum = 0;
     for (std::size_t i = 0; i < scene.emitter_count(); ++i) {
         auto const emitter = scene.emitter(i, time);
         auto const part = emitter.radiance * irradiance(emitter, surface.position, surface.normal);
-        float const weight = luminance(part);
-        if (!(weight > 0)) continue;
         lighting.irradiance += part;
-        sum += weight;
-        float const share = weight / sum;
-        if (choice < share) chosen = i;
-        choice = choice < share ? choice / share : (choice - share) / (1 - share);
+        weights.push_back(luminance(part));
     }
-    if (!(sum > 0)) return lighting;
-    auto const emitter = scene.emitter(chosen, time);
-    auto const position = sample_point(emitter, surface.position, surface.normal, point, choice, candidates);
+    if (!(luminance(lighting.irradiance) > 0)) return lighting;
+    auto const emitter = scene.emitter(choose(weights, point.x), time);
+    auto const position = sample_point(emitter, surface.position, surface.normal, point, choice);
     lighting.sample = {position, emitter.before(position), true};
     return lighting;
 }

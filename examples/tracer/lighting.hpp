@@ -11,7 +11,7 @@ struct LightSample {
     bool exists = false; ///< false: no light is above the horizon
 };
 
-/// Irradiance from all lights without shadows, free of noise, and the light sample: a light by reservoir sampling (Chao 1982) in
+/// Irradiance from all lights without shadows, free of noise, and the light sample: a light in
 /// proportion to the luminance of what it contributes, then a point on it (see `sample_point`).
 struct Lighting {
     glm::vec3 irradiance{0.f};
@@ -19,8 +19,7 @@ struct Lighting {
 };
 
 [[nodiscard]] glm::vec3 unshadowed_irradiance(PreparedScene const& scene, Surface const& surface, float time);
-[[nodiscard]] Lighting sample_lighting(PreparedScene const& scene, Surface const& surface, float time, glm::vec2 point, float choice,
-                                       int candidates = 8);
+[[nodiscard]] Lighting sample_lighting(PreparedScene const& scene, Surface const& surface, float time, glm::vec2 point, float choice);
 
 /// The ray that asks whether a light sample is seen.
 [[nodiscard]] Ray shadow_ray(Surface const& surface, glm::vec3 target, float time);

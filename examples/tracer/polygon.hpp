@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace quell::tracer {
 
@@ -15,7 +16,20 @@ struct SeenPolygon {
     int count = 0;
     void push(glm::vec3 corner) { corners[static_cast<std::size_t>(count++)] = corner; }
     [[nodiscard]] glm::vec3 operator[](int i) const { return corners[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] glm::vec3& operator[](int i) { return corners[static_cast<std::size_t>(i)]; }
 };
+
+/// Clips against the plane of the horizon (Sutherland and Hodgman 1974).
+inline SeenPolygon above_horizon(std::span<glm::vec3 const> corners, glm::vec3 position, glm::vec3 normal) {
+    SeenPolygon clipped;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        auto const a = corners[i] - position, b = corners[(i + 1) % corners.size()] - position;
+        float const above_a = glm::dot(a, normal), above_b = glm::dot(b, normal);
+        if (above_a >= 0) clipped.push(a);
+        if ((above_a >= 0) != (above_b >= 0)) clipped.push(a + (b - a) * (above_a / (above_a - above_b)));
+    }
+    return clipped;
+}
 
 /// An angle from 0 to pi over its sine, given its cosine; relative error below 1e-7. It is smooth where acos is not, at cosine 1, so it
 /// loses no digits for small angles. The polynomial interpolates acos(x) / sqrt(1 - x^2) at Chebyshev nodes in 0 <= x <= 1.

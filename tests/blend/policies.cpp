@@ -9,8 +9,7 @@ constexpr Extent size{19, 5};
 float const not_a_number = std::bit_cast<float>(0x7fc00000u);
 
 /// Runs a still pipeline over frames of one value each and returns the last output's first pixel.
-template <class B>
-float after(B const& blending, std::vector<float> const& samples) {
+template <class B> float after(B const& blending, std::vector<float> const& samples) {
     auto const pipeline = Pipeline{visibility, Temporal{StillMotion{}, blending}};
     Frame frame{size, pipeline};
     History history{size, pipeline};

@@ -14,8 +14,7 @@ float const not_a_number = std::bit_cast<float>(0x7fc00000u);
 constexpr float awkward[] = {0.f, -0.f, 1.f, -1.f, 0.5f, 3e38f, -3e38f, 1e-40f, 1e-38f, 123.456f, -7.25f, 65504.f};
 
 /// Every lane of f(pack) equals f(float).
-template <class F>
-void same_in_every_lane(F f) {
+template <class F> void same_in_every_lane(F f) {
     for (float const a : awkward)
         for (float const b : awkward) {
             auto const packed = f(Pack(a), Pack(b));
@@ -32,7 +31,8 @@ TEST_CASE("a pack computes what a float computes") {
     same_in_every_lane([](auto a, auto b) { return select(a < b, a, b); });
     same_in_every_lane([](auto a, auto) { return quell::floor(quell::min(quell::max(a, 0.f), 1e6f)); });
     same_in_every_lane([](auto a, auto b) { return with_sign_bit(a) + without_sign_bit(b); });
-    same_in_every_lane([](auto a, auto b) { return quell::fma(quell::min(a, decltype(a)(1e9f)), decltype(a)(0.3f), quell::min(b, decltype(a)(1e9f))); });
+    same_in_every_lane(
+        [](auto a, auto b) { return quell::fma(quell::min(a, decltype(a)(1e9f)), decltype(a)(0.3f), quell::min(b, decltype(a)(1e9f))); });
 }
 
 TEST_CASE("finiteness is read from the bits") {
@@ -76,10 +76,10 @@ TEST_CASE("half precision: every bit pattern survives the way to float and back"
 }
 
 TEST_CASE("half precision rounds to nearest even and saturates") {
-    CHECK(half_from_float(1.f + 0x1p-11f) == 0x3c00);             // tie goes to the even neighbour
-    CHECK(half_from_float(1.f + 0x1p-11f + 0x1p-20f) == 0x3c01);  // just above the tie
-    CHECK(half_from_float(1.f + 3 * 0x1p-11f) == 0x3c02);         // tie, to the even one above
-    CHECK(half_from_float(0x1p-25f) == 0);                        // tie with zero
+    CHECK(half_from_float(1.f + 0x1p-11f) == 0x3c00);            // tie goes to the even neighbour
+    CHECK(half_from_float(1.f + 0x1p-11f + 0x1p-20f) == 0x3c01); // just above the tie
+    CHECK(half_from_float(1.f + 3 * 0x1p-11f) == 0x3c02);        // tie, to the even one above
+    CHECK(half_from_float(0x1p-25f) == 0);                       // tie with zero
     for (float const a : {1e6f, 65520.f, 3e38f, infinity}) CHECK(half_from_float(a) == 0x7bff);
     CHECK(half_from_float(-1e9f) == 0xfbff);
     CHECK((half_from_float(not_a_number) & 0x7fff) > 0x7c00);

@@ -13,14 +13,12 @@ struct Count {
     static constexpr auto name = "count";
     std::vector<std::atomic<int>>* hits;
     int width;
-    template <class Real>
-    void operator()(AtOnce<Real>, int x, int y, int count) const {
+    template <class Real> void operator()(AtOnce<Real>, int x, int y, int count) const {
         for (int i = 0; i < count; ++i) ++(*hits)[static_cast<std::size_t>(y * width + x + i)];
     }
 };
 
-template <class E>
-void covers_once(E const& executor, Region r, Extent size) {
+template <class E> void covers_once(E const& executor, Region r, Extent size) {
     std::vector<std::atomic<int>> hits(static_cast<std::size_t>(size.pixels()));
     executor.for_each_pixel(r, Count{&hits, size.width});
     for (int y = 0; y < size.height; ++y)
@@ -43,8 +41,7 @@ TEST_CASE("every executor computes each pixel of a region once and none outside"
 }
 
 namespace {
-template <class P>
-std::vector<float> sequence(P const& denoise, Extent size, auto const& executor) {
+template <class P> std::vector<float> sequence(P const& denoise, Extent size, auto const& executor) {
     Frame frame{size, denoise};
     History history{size, denoise};
     std::vector<float> out;
@@ -63,9 +60,13 @@ constexpr auto everything = std::tuple{
     presets::atrous(radiance),
     presets::svgf(radiance, Demodulate{}),
     Pipeline{radiance, Spatial{Gaussian{.radius = 3}}, Temporal{StillMotion{}, Clamped{RunningMean{.cap = 4}, MinMax{}, YCoCg{}}}},
-    Pipeline{visibility, Temporal{FirstValid{SurfaceMotion{AllOf{SameDepth{}, SameInstance{}}}, StillMotion{}}, Clamped{WithCleanUp{Adaptive{}}}, CatmullRom{}},
+    Pipeline{visibility,
+             Temporal{FirstValid{SurfaceMotion{AllOf{SameDepth{}, SameInstance{}}}, StillMotion{}}, Clamped{WithCleanUp{Adaptive{}}},
+                      CatmullRom{}},
              Spatial{CleanUp{}}},
-    Pipeline{radiance, Temporal{Supplied<MotionConvention{.unit = MotionConvention::Unit::uv, .jitter = MotionConvention::Jitter::left_in}>{}, Exponential{}},
+    Pipeline{radiance,
+             Temporal{Supplied<MotionConvention{.unit = MotionConvention::Unit::uv, .jitter = MotionConvention::Jitter::left_in}>{},
+                      Exponential{}},
              Spatial{Bilateral<>{.radius = 7}}, Spatial{Atrous{Product{NormalEdge{}, LuminanceEdge{.sigma = 0.5f}}, 2}}},
 };
 } // namespace

@@ -6,8 +6,7 @@ namespace {
 /// The least that a storage must be able to do.
 struct Minimal {
     using Exact = Minimal;
-    template <int N>
-    struct Image {
+    template <int N> struct Image {
         std::vector<float> memory;
         Extent extent;
         explicit Image(Extent size = {}) : memory(static_cast<std::size_t>(size.pixels() * N)), extent(size) {}
@@ -27,8 +26,7 @@ static_assert(ImageStorage<Planar<>> && ImageStorage<Planar<Float16>> && ImageSt
 static_assert(ImageView<Borrowed<>::Image<3>::View>);
 static_assert(std::is_trivially_copyable_v<ViewOf<Planar<>, Radiance>>);
 
-template <class Storage>
-void round_trip() {
+template <class Storage> void round_trip() {
     constexpr int width = width_of<Pack>;
     for (int w = 1; w <= 3 * width + 1; ++w) {
         typename Storage::template Image<3> image(Extent{w, 3});
@@ -57,8 +55,8 @@ void round_trip() {
 }
 } // namespace
 
-TEST_CASE_TEMPLATE("what is stored is what is loaded, at any width and offset", Storage, Planar<>, Planar<Float16>, Interleaved<>, Interleaved<Float16>,
-                   Minimal) {
+TEST_CASE_TEMPLATE("what is stored is what is loaded, at any width and offset", Storage, Planar<>, Planar<Float16>, Interleaved<>,
+                   Interleaved<Float16>, Minimal) {
     round_trip<Storage>();
 }
 
@@ -108,7 +106,8 @@ TEST_CASE("a pipeline gives the same image in every storage and from a host's me
         tests::fill_randomly(own, i);
         for_each_channel(decltype(own)::channels{}, [&](auto c) {
             auto const view = own[c].view();
-            borrowed[c] = typename std::remove_reference_t<decltype(borrowed[c])>(view.data, size, 1, view.row_stride(), view.component_stride());
+            borrowed[c] =
+                typename std::remove_reference_t<decltype(borrowed[c])>(view.data, size, 1, view.row_stride(), view.component_stride());
         });
         out = tests::copy_of(run(denoise, borrowed, history));
     }

@@ -42,7 +42,8 @@ TEST_CASE("nothing moves: every source is the identity, to the last bit") {
     auto const at_rest = [](std::vector<float> const& out) {
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x)
-                CHECK(out[static_cast<std::size_t>(y * size.width + x)] == doctest::Approx(pattern(static_cast<float>(x), static_cast<float>(y))).epsilon(1e-5));
+                CHECK(out[static_cast<std::size_t>(y * size.width + x)] ==
+                      doctest::Approx(pattern(static_cast<float>(x), static_cast<float>(y))).epsilon(1e-5));
     };
     at_rest(follow(StillMotion{}, {}, none));
     at_rest(follow(SurfaceMotion{}, {}, by_motion_channel));
@@ -56,8 +57,10 @@ TEST_CASE("a surface that moves by whole pixels takes its history along exactly,
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x) {
                 float const from_x = static_cast<float>(x) - shift.x, from_y = static_cast<float>(y) - shift.y;
-                bool const seen = from_x >= 0 && from_y >= 0 && from_x < static_cast<float>(size.width) && from_y < static_cast<float>(size.height);
-                CHECK(out[static_cast<std::size_t>(y * size.width + x)] == doctest::Approx(seen ? pattern(from_x, from_y) : 0).epsilon(1e-5));
+                bool const seen =
+                    from_x >= 0 && from_y >= 0 && from_x < static_cast<float>(size.width) && from_y < static_cast<float>(size.height);
+                CHECK(out[static_cast<std::size_t>(y * size.width + x)] ==
+                      doctest::Approx(seen ? pattern(from_x, from_y) : 0).epsilon(1e-5));
             }
     }
 }
@@ -75,7 +78,8 @@ TEST_CASE("every convention of motion vectors means the same") {
     glm::vec2 const shift(2.25f, -1.5f);
     auto const wanted = follow(SurfaceMotion{}, shift, by_motion_channel);
     auto const same = [&](auto source, glm::vec2 factor) {
-        auto const out = follow(source, shift, [&](auto& frame, glm::vec2 s) { tests::fill(frame[motion], [&](int, int) { return -s * factor; }); });
+        auto const out =
+            follow(source, shift, [&](auto& frame, glm::vec2 s) { tests::fill(frame[motion], [&](int, int) { return -s * factor; }); });
         CHECK(tests::difference(wanted, out) < 1e-4);
     };
     glm::vec2 const uv(1.f / static_cast<float>(size.width), 1.f / static_cast<float>(size.height));
@@ -88,7 +92,8 @@ TEST_CASE("every convention of motion vectors means the same") {
 
 TEST_CASE("jitter left in the vectors is taken out") {
     // The camera is still; only the sample's offset changed, and the host's vectors carry that change.
-    constexpr auto pipeline = Pipeline{visibility, Temporal{Supplied<MotionConvention{.jitter = MotionConvention::Jitter::left_in}>{}, Exponential{.alpha = 1e-6f}}};
+    constexpr auto pipeline = Pipeline{
+        visibility, Temporal{Supplied<MotionConvention{.jitter = MotionConvention::Jitter::left_in}>{}, Exponential{.alpha = 1e-6f}}};
     Frame frame{size, pipeline};
     History history{size, pipeline};
     tests::fill_still(frame);
@@ -127,7 +132,8 @@ TEST_CASE("history stops where the surface is another") {
     rejected(SurfaceMotion{}, [](auto& frame) { tests::fill(frame[normal], [](int, int) { return glm::vec3(1, 0, 0); }); });
     rejected(SurfaceMotion{SameInstance{}}, [](auto& frame) { tests::fill(frame[instance], [](int, int) { return 7.f; }); });
     rejected(SurfaceMotion{}, [](auto& frame) { tests::fill(frame[depth], [](int, int) { return std::bit_cast<float>(0x7f800000u); }); });
-    rejected(SurfaceMotion{}, [](auto& frame) { tests::fill(frame[motion], [](int, int) { return glm::vec2(std::bit_cast<float>(0x7fc00000u)); }); });
+    rejected(SurfaceMotion{},
+             [](auto& frame) { tests::fill(frame[motion], [](int, int) { return glm::vec2(std::bit_cast<float>(0x7fc00000u)); }); });
     rejected(SurfaceMotion{}, [](auto& frame) { tests::fill(frame[motion], [](int, int) { return glm::vec2(1e9f, -1e9f); }); });
 }
 
@@ -143,7 +149,8 @@ TEST_CASE("a miss finds the history of a miss") {
 TEST_CASE("a steep plane keeps its history between pixels") {
     auto const out = follow(SurfaceMotion{SameDepth{.tolerance = 0.01f}}, glm::vec2(0.5f, 0.5f), [&](auto& frame, glm::vec2 s) {
         by_motion_channel(frame, s);
-        tests::fill(frame[depth], [&](int x, int y) { return 4.f + 0.7f * (static_cast<float>(x) - s.x) + 0.4f * (static_cast<float>(y) - s.y); });
+        tests::fill(frame[depth],
+                    [&](int x, int y) { return 4.f + 0.7f * (static_cast<float>(x) - s.x) + 0.4f * (static_cast<float>(y) - s.y); });
     });
     CHECK(error_of(out, {0.5f, 0.5f}) < 0.05);
 }

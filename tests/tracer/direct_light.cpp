@@ -64,7 +64,8 @@ double by_direction(Emitter const& light, glm::vec3 position, glm::vec3 normal, 
 
 TEST_CASE("angle over sine") {
     for (double angle = 0.001; angle < 3.1; angle += 0.0137)
-        CHECK(static_cast<double>(angle_over_sine(static_cast<float>(std::cos(angle)))) == doctest::Approx(angle / std::sin(angle)).epsilon(angle < 2.9 ? 2e-6 : 2e-4));
+        CHECK(static_cast<double>(angle_over_sine(static_cast<float>(std::cos(angle)))) ==
+              doctest::Approx(angle / std::sin(angle)).epsilon(angle < 2.9 ? 2e-6 : 2e-4));
     CHECK(angle_over_sine(1.f) == doctest::Approx(1));
     CHECK(std::isfinite(angle_over_sine(-1.f)));
 }
@@ -117,11 +118,15 @@ TEST_CASE("points on lights are distributed as their contribution") {
         constexpr std::uint32_t count = 1 << 15;
         std::uint32_t inside = 0;
         for (std::uint32_t i = 0; i < count; ++i)
-            inside += is_in_half(sample_point(whole, position, up, random_pair(i), sample_pair({{1, 2}, i, 3}, SampleUse::light_choice).x)) ? 1 : 0;
-        CHECK(static_cast<double>(inside) / count == doctest::Approx(irradiance(half, position, up) / irradiance(whole, position, up)).epsilon(0.004));
+            inside += is_in_half(sample_point(whole, position, up, random_pair(i), sample_pair({{1, 2}, i, 3}, SampleUse::light_choice).x))
+                          ? 1
+                          : 0;
+        CHECK(static_cast<double>(inside) / count ==
+              doctest::Approx(irradiance(half, position, up) / irradiance(whole, position, up)).epsilon(0.004));
     };
     for (float height : {0.4f, 1.f, 3.f, 40.f}) {
-        auto const whole = rectangle_light({0.5f, height, 0}, {1, 0, 0}, {0, 0, 0.7f}), half = rectangle_light({1, height, 0}, {0.5f, 0, 0}, {0, 0, 0.7f});
+        auto const whole = rectangle_light({0.5f, height, 0}, {1, 0, 0}, {0, 0, 0.7f}),
+                   half = rectangle_light({1, height, 0}, {0.5f, 0, 0}, {0, 0, 0.7f});
         compare(whole, half, [](glm::vec3 p) { return p.x > 0.5f; });
     }
     // Upright, so that the horizon cuts it.
@@ -134,7 +139,8 @@ TEST_CASE("points on lights lie on the light") {
     auto const rectangle = rectangle_light({0.3f, 1, 0.2f}, {1, 0, 0}, {0, 0, 0.5f});
     auto const sphere = sphere_light({1, 0.2f, 0}, 0.5f);
     for (std::uint32_t i = 0; i < 2000; ++i) {
-        auto const on_rectangle = sample_point(rectangle, {0, 0, 0}, up, random_pair(i), 0.3f), on_sphere = sample_point(sphere, {0, 0, 0}, up, random_pair(i), 0.3f);
+        auto const on_rectangle = sample_point(rectangle, {0, 0, 0}, up, random_pair(i), 0.3f),
+                   on_sphere = sample_point(sphere, {0, 0, 0}, up, random_pair(i), 0.3f);
         CHECK(std::abs(on_rectangle.y - 1) < 1e-4f);
         CHECK(std::abs(on_rectangle.x - 0.3f) < 1.001f);
         CHECK(std::abs(on_rectangle.z - 0.2f) < 0.501f);

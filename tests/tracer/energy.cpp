@@ -9,7 +9,8 @@ TEST_CASE("white furnace: under a constant sky a diffuse surface returns its alb
     auto scene = world({0, 1, 3}, {0, 0, 0});
     scene.background = {glm::vec3{1.f}, glm::vec3{1.f}};
     scene.place(scene.add_sphere(), scene.add(Material{.base = {0.9f, 0.5f, 0.1f}}));
-    auto const pictures = pictures_of<Channels<Indirect, Albedo, Radiance, Instance>>(std::move(scene), {.size = {24, 24}, .samples_per_pixel = 4});
+    auto const pictures =
+        pictures_of<Channels<Indirect, Albedo, Radiance, Instance>>(std::move(scene), {.size = {24, 24}, .samples_per_pixel = 4});
     for (int y = 0; y < 24; ++y)
         for (int x = 0; x < 24; ++x) {
             bool const hit = pixel(pictures[instance], x, y).x == 1;
@@ -35,7 +36,8 @@ TEST_CASE("inside a glowing sphere direct light is albedo times its radiance, an
     });
     scene.place(scene.add(sphere), glow);
     scene.place(scene.add_sphere(), scene.add(Material{.base = glm::vec3{0.6f}}), {.scale = glm::vec3{0.5f}});
-    auto const pictures = pictures_of<Channels<Direct, Visibility, Indirect, Radiance>>(std::move(scene), {.size = {9, 9}, .samples_per_pixel = 4});
+    auto const pictures =
+        pictures_of<Channels<Direct, Visibility, Indirect, Radiance>>(std::move(scene), {.size = {9, 9}, .samples_per_pixel = 4});
     CHECK(pixel(pictures[direct], 4, 4).x == doctest::Approx(1.2).epsilon(0.002));
     CHECK(pixel(pictures[visibility], 4, 4).x == 1);
     CHECK(pixel(pictures[indirect], 4, 4).x == 0);
@@ -57,7 +59,8 @@ TEST_CASE("one bounce of indirect light between two walls is what integration gi
     auto scene = world({0, 1.5f, 0.01f}, {0, 0, 0}, 10);
     auto const downwards = glm::angleAxis(glm::radians(180.f), glm::vec3{1, 0, 0});
     scene.place(scene.add(rectangle(0.5f, 0.5f)), scene.add(Material{.base = glm::vec3{0.5f}}));
-    scene.place(scene.add(rectangle(400, 400)), scene.add(Material{.base = glm::vec3{0.8f}}), {.translation = {0, 2, 0}, .rotation = downwards});
+    scene.place(scene.add(rectangle(400, 400)), scene.add(Material{.base = glm::vec3{0.8f}}),
+                {.translation = {0, 2, 0}, .rotation = downwards});
     scene.place(scene.add(rectangle(4000, 4000)), scene.add(Material{.emission = glm::vec3{1.f}}), {.translation = {0, -5, 0}});
     auto const pictures = pictures_of<Channels<Direct, Indirect>>(std::move(scene), {.size = {3, 3}, .samples_per_pixel = 1024});
     CHECK(pixel(pictures[direct], 1, 1).x == 0);

@@ -66,7 +66,9 @@ TEST_CASE("glTF scenes of others load, move and render") {
     check_file(folder, {"cornell_box/cornell_bevy.glb", false, {}});
     check_file(folder, {"cornell_box/cornell_suzanne_babylon.glb", false, {}});
     check_file(folder, {"pica_diorama/pica_local.gltf", true, {.orbit = 1}});
-    check_file(folder, {"sponza/sponza.gltf", true, {.eye = glm::vec3{-9, 2.2f, -0.3f}, .target = glm::vec3{0, 3, 0}, .field_of_view = 70.f, .dolly = {0.1f, 0, 0}}});
+    check_file(folder, {"sponza/sponza.gltf",
+                        true,
+                        {.eye = glm::vec3{-9, 2.2f, -0.3f}, .target = glm::vec3{0, 3, 0}, .field_of_view = 70.f, .dolly = {0.1f, 0, 0}}});
 }
 
 TEST_CASE("a file's own camera is used") {

@@ -24,9 +24,11 @@ struct Folder {
 };
 
 /// One triangle, whose positions are embedded: (0 0 0) (1 0 0) (0 1 0).
-std::string triangle(std::string const& material, std::string const& indices = "", std::string const& more = "", std::string const& accessor_count = "3") {
+std::string triangle(std::string const& material, std::string const& indices = "", std::string const& more = "",
+                     std::string const& accessor_count = "3") {
     return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0})" +
-           indices + (material.empty() ? "" : R"(,"material":0)") + R"(}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":)" + accessor_count +
+           indices + (material.empty() ? "" : R"(,"material":0)") + R"(}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":)" +
+           accessor_count +
            R"(,"type":"VEC3"},{"bufferView":1,"componentType":5121,"count":3,"type":"SCALAR"}],"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":3}],)" +
            R"("buffers":[{"byteLength":40,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAEJAA=="}])" +
            (material.empty() ? "" : R"(,"materials":[)" + material + "]") + more + "}";
@@ -49,7 +51,8 @@ void check_error(std::filesystem::path const& file, std::string const& found) {
 
 TEST_CASE("a whole little file loads") {
     Folder const folder;
-    auto const scene = load_gltf(folder.write("good.gltf", triangle(R"({"pbrMetallicRoughness":{"baseColorFactor":[0.2,0.4,0.6,1],"metallicFactor":0}})")));
+    auto const scene = load_gltf(
+        folder.write("good.gltf", triangle(R"({"pbrMetallicRoughness":{"baseColorFactor":[0.2,0.4,0.6,1],"metallicFactor":0}})")));
     REQUIRE(scene.instances.size() >= 1);
     CHECK(scene.shapes[0].mesh.triangles.size() == 1);
     CHECK(scene.materials[0].base.y == doctest::Approx(0.4f));

@@ -9,7 +9,8 @@ TEST_CASE("depth, position and normal of a slanted plane are those of the plane"
     glm::vec3 const eye{0, 5, 3};
     auto scene = world(eye, {0, 0, 0}, 50);
     auto const slant = glm::angleAxis(0.3f, glm::vec3{0, 0, 1});
-    scene.place(scene.add(rectangle(40, 40)), scene.add(Material{.base = {0.2f, 0.4f, 0.6f}, .metallic = 0.5f, .roughness = 0.3f}), {.rotation = slant});
+    scene.place(scene.add(rectangle(40, 40)), scene.add(Material{.base = {0.2f, 0.4f, 0.6f}, .metallic = 0.5f, .roughness = 0.3f}),
+                {.rotation = slant});
     auto const normal_of_plane = slant * glm::vec3{0, 1, 0};
     auto const forward = glm::normalize(-eye);
     auto const pictures = pictures_of<Channels<Depth, Normal, Position, Albedo, Roughness, Instance>>(std::move(scene), {.size = {33, 21}});

@@ -25,7 +25,9 @@ TEST_CASE("motion is exactly zero where nothing moves") {
 
 TEST_CASE("motion of static surfaces and of the sky under a moving camera is that of their projections") {
     auto scene = world({0, 0, 0}, {0, 0, -1});
-    scene.camera = [](float frame) { return look_at({0.11f * frame, 0.5f + 0.02f * frame * frame, 4 - 0.2f * frame}, {0.1f * frame, 0, -1}, 70); };
+    scene.camera = [](float frame) {
+        return look_at({0.11f * frame, 0.5f + 0.02f * frame * frame, 4 - 0.2f * frame}, {0.1f * frame, 0, -1}, 70);
+    };
     scene.place(scene.add(rectangle(6, 6)), scene.add(Material{}), {.translation = {0, -0.5f, 0}});
     auto const camera = scene.camera_at(3, size), before = scene.camera_at(2, size);
     auto const pictures = pictures_of<Wanted>(std::move(scene), at_frame(3));
@@ -38,8 +40,10 @@ TEST_CASE("motion of static surfaces and of the sky under a moving camera is tha
             ++(hit ? surfaces : sky);
             auto const place = hit ? pixel(pictures[position], x, y) : glm::vec3{0.f};
             if (hit) CHECK(glm::distance(projected(camera, place, size), centre) < 1e-3f);
-            if (hit) CHECK(glm::distance(projected(before, place, size), centre + found) < 1e-3f);
-            else CHECK(is_finite({found, 0}));
+            if (hit)
+                CHECK(glm::distance(projected(before, place, size), centre + found) < 1e-3f);
+            else
+                CHECK(is_finite({found, 0}));
         }
     CHECK(surfaces > 300);
     CHECK(sky > 300);

@@ -14,8 +14,9 @@ using Wanted = Channels<Radiance, Direct, Sweep, Time, Depth, Instance, Position
 SceneDescription moving_plate() {
     auto scene = world({0, 0, 4}, {0, 0, 0}, 40);
     auto const facing_viewer = glm::angleAxis(glm::radians(90.f), glm::vec3{1, 0, 0});
-    scene.place(scene.add(rectangle(0.8f, 0.8f)), scene.add(Material{.emission = glm::vec3{1.f}}),
-                [=](float frame) { return Transform{{0.5f * frame, 0, 0}, facing_viewer}.matrix(); });
+    scene.place(scene.add(rectangle(0.8f, 0.8f)), scene.add(Material{.emission = glm::vec3{1.f}}), [=](float frame) {
+        return Transform{{0.5f * frame, 0, 0}, facing_viewer}.matrix();
+    });
     return scene;
 }
 
@@ -37,7 +38,8 @@ TEST_CASE("with an open shutter every sample has its own time and stands where i
             auto const place = pixel(pictures[position], x, y);
             CHECK(std::abs(place.x - (1 + 0.25f * t)) < 0.4f + 1e-4f);
             CHECK(glm::distance(place - glm::vec3{0.5f, 0, 0}, pixel(pictures[receiver_previous], x, y)) < 1e-5f);
-            auto const expected = projected(camera, place + glm::vec3{0.25f * (1 - t), 0, 0}, size) - projected(camera, place - glm::vec3{0.25f * t, 0, 0}, size);
+            auto const expected = projected(camera, place + glm::vec3{0.25f * (1 - t), 0, 0}, size) -
+                                  projected(camera, place - glm::vec3{0.25f * t, 0, 0}, size);
             CHECK(glm::distance(expected, glm::vec2(pixel(pictures[sweep], x, y))) < 1e-2f);
         }
     CHECK(hits > 50);
@@ -57,7 +59,9 @@ TEST_CASE("many samples over the shutter blur in proportion to coverage") {
 
 TEST_CASE("a turning object is bent, not stretched") {
     auto scene = world({0, 2, 0.001f}, {0, 0, 0}, 60);
-    scene.place(scene.add(box({2, 0.1f, 0.2f})), scene.add(Material{}), [](float frame) { return glm::rotate(glm::mat4{1.f}, 1.2f * frame, {0, 1, 0}); });
+    scene.place(scene.add(box({2, 0.1f, 0.2f})), scene.add(Material{}), [](float frame) {
+        return glm::rotate(glm::mat4{1.f}, 1.2f * frame, {0, 1, 0});
+    });
     auto const pictures = pictures_of<Channels<Position, Instance>>(std::move(scene), {.size = {120, 120}, .frame = 1, .shutter = 1});
     float farthest = 0;
     for (std::size_t i = 0; i < pictures[instance].pixels.size(); ++i)

@@ -16,7 +16,8 @@ bool one_point_per_box(SampleKey key, SampleUse use, int a, int b) {
     for (std::uint32_t i = 0; i < counts.size(); ++i) {
         key.index = i;
         auto const point = sample_pair(key, use);
-        auto const column = static_cast<std::size_t>(point.x * static_cast<float>(1 << a)), row = static_cast<std::size_t>(point.y * static_cast<float>(1 << b));
+        auto const column = static_cast<std::size_t>(point.x * static_cast<float>(1 << a)),
+                   row = static_cast<std::size_t>(point.y * static_cast<float>(1 << b));
         ++counts[(row << a) + column];
     }
     for (int count : counts)

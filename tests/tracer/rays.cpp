@@ -12,8 +12,7 @@ namespace {
 constexpr Extent size{40, 24};
 constexpr long long pixels = size.pixels();
 
-template <class Wanted>
-RayCounts counts_for(PreparedScene& scene) {
+template <class Wanted> RayCounts counts_for(PreparedScene& scene) {
     Pictures<Wanted> pictures{size};
     return render<Wanted>(scene, {.size = size, .frame = 32}, pictures);
 }
@@ -29,7 +28,8 @@ static_assert(Rays<Channels<Radiance>>::shadow && Rays<Channels<Radiance>>::glos
 TEST_CASE("exactly the rays that the wanted channels need are traced") {
     PreparedScene scene{built_in_scene("room")};
     CHECK(counts_for<Channels<Depth>>(scene) == RayCounts{.primary = pixels});
-    CHECK(counts_for<Channels<Depth, Normal, Albedo, Motion, Direct, Light, LightPrevious, IndirectDirection>>(scene) == RayCounts{.primary = pixels});
+    CHECK(counts_for<Channels<Depth, Normal, Albedo, Motion, Direct, Light, LightPrevious, IndirectDirection>>(scene) ==
+          RayCounts{.primary = pixels});
 
     auto const shadows = counts_for<Channels<Visibility, Blocker>>(scene);
     CHECK(shadows.primary == pixels);
@@ -92,7 +92,8 @@ TEST_CASE("the composite is made of its parts") {
     render<AllChannels>(scene, {.size = size, .frame = 9, .samples_per_pixel = 3}, all);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
-            auto const sum = pixel(all[direct], x, y) * pixel(all[visibility], x, y) + pixel(all[glossy], x, y) + pixel(all[albedo], x, y) * pixel(all[indirect], x, y);
+            auto const sum = pixel(all[direct], x, y) * pixel(all[visibility], x, y) + pixel(all[glossy], x, y) +
+                             pixel(all[albedo], x, y) * pixel(all[indirect], x, y);
             CHECK(glm::distance(sum, pixel(all[radiance], x, y)) < 1e-4f * (1 + glm::length(sum)));
         }
 }

@@ -18,7 +18,8 @@ SceneDescription little_world(float height = 2) {
     scene.background = {glm::vec3{0.2f}, glm::vec3{0.3f}};
     scene.place(scene.add(rectangle(10, 10)), scene.add(Material{.base = {0.7f, 0.3f, 0.2f}}));
     scene.place(scene.add(box({0.5f, 0.5f, 0.5f})), scene.add(Material{}), {.translation = {0, 0.4f, 0}});
-    scene.place(scene.add_sphere(), scene.add(Material{.emission = glm::vec3{12}}), {.translation = {0.5f, height, 0}, .scale = glm::vec3{0.3f}});
+    scene.place(scene.add_sphere(), scene.add(Material{.emission = glm::vec3{12}}),
+                {.translation = {0.5f, height, 0}, .scale = glm::vec3{0.3f}});
     return scene;
 }
 
@@ -48,13 +49,15 @@ TEST_CASE("a reference converges, and its halves say so") {
     Pictures<Wanted> many{size};
     render<Wanted>(scene, {.size = size, .samples_per_pixel = 1024, .seed = 77}, many);
     double error = 0;
-    for (std::size_t i = 0; i < many[radiance].pixels.size(); ++i) error += std::abs(many[radiance].pixels[i].x - found[radiance].pixels[i].x);
+    for (std::size_t i = 0; i < many[radiance].pixels.size(); ++i)
+        error += std::abs(many[radiance].pixels[i].x - found[radiance].pixels[i].x);
     CHECK(error / static_cast<double>(size.pixels()) < 0.01);
 }
 
 TEST_CASE("a reference ends at the most samples") {
     PreparedScene scene{little_world()};
-    auto const found = reference<Wanted>(scene, {.size = size}, {.tolerance = 1e-9, .most_samples = 100, .samples_per_pass = 8, .use_cache = false});
+    auto const found =
+        reference<Wanted>(scene, {.size = size}, {.tolerance = 1e-9, .most_samples = 100, .samples_per_pass = 8, .use_cache = false});
     CHECK(found.samples <= 100);
     CHECK(found.samples >= 80);
     CHECK(found.half_difference > 1e-9);

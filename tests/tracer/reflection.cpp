@@ -33,7 +33,8 @@ double albedo_by_integration(Ggx const& metal, float cosine, int steps) {
     double sum = 0;
     for (int i = 0; i < steps; ++i)
         for (int j = 0; j < steps; ++j) {
-            float const z = (static_cast<float>(i) + 0.5f) / static_cast<float>(steps), turn = 6.2831853f * (static_cast<float>(j) + 0.5f) / static_cast<float>(steps);
+            float const z = (static_cast<float>(i) + 0.5f) / static_cast<float>(steps),
+                        turn = 6.2831853f * (static_cast<float>(j) + 0.5f) / static_cast<float>(steps);
             glm::vec3 const in{std::sqrt(1 - z * z) * std::cos(turn), std::sqrt(1 - z * z) * std::sin(turn), z};
             auto const half = glm::normalize(out + in);
             double const masking = 1 / (1 + metal.lambda(out) + metal.lambda(in));
@@ -70,11 +71,14 @@ TEST_CASE("reflectance goes from base * metallic to metallic") {
 TEST_CASE("a mirror shows what is behind the viewer, where it is and where it was") {
     auto scene = world({0, 0, 2}, {0, 0, 0}, 20);
     auto const facing_viewer = glm::angleAxis(glm::radians(90.f), glm::vec3{1, 0, 0});
-    scene.place(scene.add(rectangle(4, 4)), scene.add(Material{.base = {1, 0.5f, 0.25f}, .metallic = 1, .roughness = 0}), {.rotation = facing_viewer});
+    scene.place(scene.add(rectangle(4, 4)), scene.add(Material{.base = {1, 0.5f, 0.25f}, .metallic = 1, .roughness = 0}),
+                {.rotation = facing_viewer});
     auto const away = glm::angleAxis(glm::radians(-90.f), glm::vec3{1, 0, 0});
-    scene.place(scene.add(rectangle(40, 40)), scene.add(Material{.emission = {1, 2, 3}}),
-                [away](float frame) { return Transform{{0, 0.5f * frame, 5}, away}.matrix(); });
-    auto const pictures = pictures_of<Channels<Glossy, GlossyHit, GlossyHitPrevious, Direct, Position>>(std::move(scene), {.size = {9, 9}, .frame = 1});
+    scene.place(scene.add(rectangle(40, 40)), scene.add(Material{.emission = {1, 2, 3}}), [away](float frame) {
+        return Transform{{0, 0.5f * frame, 5}, away}.matrix();
+    });
+    auto const pictures =
+        pictures_of<Channels<Glossy, GlossyHit, GlossyHitPrevious, Direct, Position>>(std::move(scene), {.size = {9, 9}, .frame = 1});
     CHECK(glm::distance(pixel(pictures[glossy], 4, 4), glm::vec3{1, 1, 0.75f}) < 1e-4f);
     CHECK(pixel(pictures[direct], 4, 4) == glm::vec3{0.f});
     for (int x : {0, 4, 8}) {

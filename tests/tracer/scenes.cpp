@@ -41,7 +41,8 @@ TEST_CASE("every built-in scene renders finite light that moves") {
 TEST_CASE("a brightness over time switches a light") {
     auto scene = world({0, 1, 0.01f}, {0, 0, 0});
     scene.place(scene.add(rectangle(4, 4)), scene.add(Material{.base = glm::vec3{0.5f}}));
-    scene.place(scene.add_sphere(), scene.add(Material{.emission = glm::vec3{9.f}, .brightness = [](float frame) { return frame < 10 ? 0.f : 1.f; }}),
+    scene.place(scene.add_sphere(),
+                scene.add(Material{.emission = glm::vec3{9.f}, .brightness = [](float frame) { return frame < 10 ? 0.f : 1.f; }}),
                 {.translation = {0, 3, 0}});
     PreparedScene prepared{std::move(scene)};
     Pictures<Channels<Direct>> pictures{{3, 3}};

@@ -15,7 +15,9 @@ SceneDescription two_joints() {
     Shape sheet;
     sheet.mesh = surface(16, 16, [](float u, float v) { return glm::vec3{2 * u - 1, 2 * v - 1, 0}; });
     int const still = scene.add_node(fixed({}));
-    int const moving = scene.add_node([](float frame) { return Transform{{0, 0, 0.1f * frame}, glm::angleAxis(0.1f * frame, glm::vec3{0, 0, 1})}.matrix(); });
+    int const moving = scene.add_node([](float frame) {
+        return Transform{{0, 0, 0.1f * frame}, glm::angleAxis(0.1f * frame, glm::vec3{0, 0, 1})}.matrix();
+    });
     sheet.skin.joints = {still, moving};
     sheet.skin.inverse_bind.assign(2, glm::mat4{1.f});
     for (auto const& position : sheet.mesh.positions) {

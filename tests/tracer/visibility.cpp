@@ -18,8 +18,10 @@ SceneDescription soft_shadow(bool with_sphere_light) {
     scene.place(scene.add(rectangle(10, 10)), scene.add(Material{.base = glm::vec3{0.5f}}));
     scene.place(scene.add(box({0.6f, 0.02f, 0.6f})), scene.add(Material{}), {.translation = {0.2f, 0.8f, 0}});
     auto const downwards = glm::angleAxis(glm::radians(180.f), glm::vec3{1, 0, 0});
-    if (with_sphere_light) scene.place(scene.add_sphere(), light, {.translation = {0.3f, 2, 0}, .scale = glm::vec3{0.4f}});
-    else scene.place(scene.add(rectangle(0.9f, 0.7f)), light, {.translation = {0.3f, 2, 0}, .rotation = downwards});
+    if (with_sphere_light)
+        scene.place(scene.add_sphere(), light, {.translation = {0.3f, 2, 0}, .scale = glm::vec3{0.4f}});
+    else
+        scene.place(scene.add(rectangle(0.9f, 0.7f)), light, {.translation = {0.3f, 2, 0}, .rotation = downwards});
     return scene;
 }
 

@@ -20,14 +20,14 @@ struct RunningMean {
 /// RunningMean whose history shortens by as much as a clamp had to move it: stale samples are forgotten at once, not over `cap` frames.
 struct Adaptive {
     using keeps = Channels<HistoryLength>;
-    float cap = 32.f;        ///< frames, at least 1
-    float sensitivity = 1.f; ///< how fast the history shortens with the clamp's relative change
+    float cap = 32.f;         ///< frames, at least 1
+    float sensitivity = 0.5f; ///< how much of the clamp's relative change is added to alpha
 
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;
-        auto const trusted = past.validity / (1.f + past.clamped * sensitivity);
-        auto const n = min(past[history_length] * trusted + 1.f, Real(cap));
-        return accumulate(px, past, 1.f / n).with(history_length, n);
+        auto const n = min(past[history_length] * past.validity + 1.f, Real(cap));
+        auto const alpha = min(1.f / n + past.clamped * sensitivity, Real(1.f));
+        return accumulate(px, past, alpha).with(history_length, 1.f / alpha);
     }
 };
 

@@ -4,11 +4,10 @@
 
 namespace quell {
 
-/// Says, beside what the inner policy does, how wide a CleanUp filter should be here: wide where less history was used than usual, or where a clamp
-/// moved it (TRMV eqs. 7 and 8): min((alpha - usual_alpha)^2 + clamped, widest).
+/// Says, beside what the inner policy does, how wide a CleanUp filter should be here: wide where less history was used than usual, or where
+/// a clamp moved it (TRMV eqs. 7 and 8): min((alpha - usual_alpha)^2 + clamped, widest).
 ///     Temporal{SurfaceMotion{}, Clamped{WithCleanUp{Exponential{.alpha = 0.1f}}}}
-template <class Inner>
-struct WithCleanUp {
+template <class Inner> struct WithCleanUp {
     static_assert(BlendPolicy<Inner>, "WithCleanUp{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
     using reads = reads_of<Inner>;
     using remembers = remembers_of<Inner>;
@@ -25,7 +24,6 @@ struct WithCleanUp {
         return result.with(clean_up_deviation, min(fma(excess, excess, past.clamped), Real(widest)));
     }
 };
-template <class Inner>
-WithCleanUp(Inner) -> WithCleanUp<Inner>;
+template <class Inner> WithCleanUp(Inner) -> WithCleanUp<Inner>;
 
 } // namespace quell

@@ -15,10 +15,10 @@ struct NoEdge {
 
 namespace detail {
 /// The Gaussians exp(-i^2 / (2 deviation^2)) for i = 1, 2, 3, ... by two multiplications each.
-template <class Real>
-struct GaussianSteps {
+template <class Real> struct GaussianSteps {
     Real weight, ratio, growth;
-    QUELL_KERNEL explicit GaussianSteps(Real deviation) : weight(1.f), ratio(exp(Real(-0.5f) / (deviation * deviation))), growth(ratio * ratio) {}
+    QUELL_KERNEL explicit GaussianSteps(Real deviation)
+        : weight(1.f), ratio(exp(Real(-0.5f) / (deviation * deviation))), growth(ratio * ratio) {}
     QUELL_KERNEL Real next() {
         weight = weight * ratio;
         ratio = ratio * growth;
@@ -27,8 +27,7 @@ struct GaussianSteps {
 };
 
 /// One direction of a separable joint bilateral filter; `Deviation` says how wide, for the frame or for each pixel.
-template <class Edge, class Deviation>
-struct BilateralLine {
+template <class Edge, class Deviation> struct BilateralLine {
     static constexpr auto name = "bilateral";
     using reads = reads_of<Edge, Deviation>;
     Edge edge;
@@ -73,13 +72,12 @@ struct DeviationChannel {
 /// A separable joint bilateral filter of any radius: a Gaussian whose weights stop at edges, first along rows, then along columns.
 ///     Bilateral<>{.radius = 15}
 /// @tparam Edge an EdgeWeight
-template <class Edge = Product<DepthEdge, NormalEdge>>
-struct Bilateral {
+template <class Edge = Product<DepthEdge, NormalEdge>> struct Bilateral {
     static_assert(EdgeWeight<Edge>, "Bilateral{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
     using reads = reads_of<Edge>;
     Edge edge{};
-    int radius = 4;         ///< pixels; 15 is a 31x31 filter
-    float deviation = 0.f;  ///< of the Gaussian, in pixels; 0: half the radius
+    int radius = 4;        ///< pixels; 15 is a 31x31 filter
+    float deviation = 0.f; ///< of the Gaussian, in pixels; 0: half the radius
 
     constexpr void for_each_pass(auto&& pass) const {
         using Line = detail::BilateralLine<Edge, detail::EvenDeviation>;
@@ -98,10 +96,9 @@ struct Gaussian {
     constexpr void for_each_pass(auto&& pass) const { Bilateral<NoEdge>{NoEdge{}, radius, deviation}.for_each_pass(pass); }
 };
 
-/// Removes what noise a short or clamped history leaves: a joint bilateral of at most 9x9 whose width each pixel chooses (TRMV section 5). Wants a
-/// blend policy WithCleanUp before it.
-template <class Edge = Product<DepthEdge, NormalEdge>>
-struct CleanUp {
+/// Removes what noise a short or clamped history leaves: a joint bilateral of at most 9x9 whose width each pixel chooses (TRMV section 5).
+/// Wants a blend policy WithCleanUp before it.
+template <class Edge = Product<DepthEdge, NormalEdge>> struct CleanUp {
     static_assert(EdgeWeight<Edge>, "CleanUp{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
     using reads = decltype(reads_of<Edge>{} | Channels<CleanUpDeviation>{});
     Edge edge{};
@@ -112,7 +109,6 @@ struct CleanUp {
         pass(Line{edge, {}, 4, true});
     }
 };
-template <class Edge>
-CleanUp(Edge) -> CleanUp<Edge>;
+template <class Edge> CleanUp(Edge) -> CleanUp<Edge>;
 
 } // namespace quell

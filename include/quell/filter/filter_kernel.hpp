@@ -28,11 +28,9 @@ concept EdgeWeight = std::is_trivially_copyable_v<W> && requires(W const w, deta
 };
 
 namespace detail {
-/// The edge weight among the fields that a filter is initialised with, or the filter's default: for deduction guides, which clang 14 needs for
-/// aggregates and which must not take a radius for an edge.
-template <class Default, class... Fields> struct EdgeAmong {
-    using type = Default;
-};
+/// The edge weight among the fields that a filter is initialised with, or the filter's default: for deduction guides, which clang 14 needs
+/// for aggregates and which must not take a radius for an edge.
+template <class Default, class... Fields> struct EdgeAmong { using type = Default; };
 template <class Default, class First, class... Rest> struct EdgeAmong<Default, First, Rest...> {
     using type = std::conditional_t<std::is_arithmetic_v<First>, typename EdgeAmong<Default, Rest...>::type, First>;
 };

@@ -71,6 +71,7 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct VarianceGuidedAtro
         for (int i = 0; i < levels; ++i) pass(Level{Guided{edge, VarianceGuidedEdge{sigma_luminance}}, 1 << i, feedback && i == 0});
     }
 };
-template <class... Fields> VarianceGuidedAtrous(Fields...) -> VarianceGuidedAtrous<typename detail::EdgeAmong<Product<DepthEdge, NormalEdge>, Fields...>::type>;
+template <class... Fields>
+VarianceGuidedAtrous(Fields...) -> VarianceGuidedAtrous<typename detail::EdgeAmong<Product<DepthEdge, NormalEdge>, Fields...>::type>;
 
 } // namespace quell

@@ -116,18 +116,19 @@ inline Region inside(Imath::Box2i const& data, Imath::Box2i const& display) {
 
 /// Moves what was read to where it lies in the display window.
 inline Plane placed(Incoming&& in, Imath::Box2i const& data, Imath::Box2i const& display) {
-    Plane plane{in.channel->name, in.channel->type, {}, inside(data, display), in.as_floats()};
+    Plane plane{.name = in.channel->name, .type = in.channel->type, .values = {}, .exact = in.as_floats()};
     if (data == display) {
         plane.values = std::move(in.numbers);
         return plane;
     }
+    auto const stored = plane.stored.emplace(inside(data, display));
     auto const [width, height] = extent_of(display);
     auto const data_width = extent_of(data).first;
     plane.values.resize(static_cast<std::size_t>(width * height));
-    for (int y = plane.stored.y0; y < plane.stored.y1; ++y) {
-        auto const row = std::int64_t(y) + display.min.y - data.min.y, column = std::int64_t(plane.stored.x0) + display.min.x - data.min.x;
-        std::copy_n(in.numbers.begin() + (row * data_width + column), std::max(plane.stored.x1 - plane.stored.x0, 0),
-                    plane.values.begin() + (y * width + plane.stored.x0));
+    for (int y = stored.y0; y < stored.y1; ++y) {
+        auto const row = std::int64_t(y) + display.min.y - data.min.y, column = std::int64_t(stored.x0) + display.min.x - data.min.x;
+        std::copy_n(in.numbers.begin() + (row * data_width + column), std::max(stored.x1 - stored.x0, 0),
+                    plane.values.begin() + (y * width + stored.x0));
     }
     return plane;
 }

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -29,8 +30,8 @@ struct Plane {
     std::string name;
     SampleType type = SampleType::float32;
     std::vector<float> values;
-    Region stored = {}; ///< the pixels that the file has; the others are 0
-    bool exact = true;  ///< false where the file's numbers (of 32 bits without sign) have more digits than a float
+    std::optional<Region> stored = {}; ///< the pixels that the file has, the others being 0; without it, all
+    bool exact = true;                 ///< false where the file's numbers (of 32 bits without sign) have more digits than a float
 };
 
 /// A matrix is column-major and for column vectors, as everywhere in quell; OpenEXR's own are for row vectors, which in memory is the same.
@@ -57,7 +58,6 @@ struct ExrImage {
         return found == attributes.end() ? nullptr : std::get_if<Value>(&found->second);
     }
     [[nodiscard]] std::size_t pixels() const { return static_cast<std::size_t>(size.pixels()); }
-    [[nodiscard]] Region all() const { return {0, 0, size.width, size.height}; }
 };
 
 namespace detail {

@@ -22,16 +22,21 @@ inline Plane const& plane_for(ExrImage const& image, std::string const& name, bo
     return plane;
 }
 
-/// One component: a constant, or a scaled sum of planes.
-inline std::vector<float> component_from(ExrImage const& image, Source const& source, bool may_be_uint) {
+} // namespace detail
+
+/// One component of an image, row by row: a constant, or a scaled sum of planes.
+/// @throws Error naming the file and the plane that is missing or of a type that it can't have
+[[nodiscard]] inline std::vector<float> component_of(ExrImage const& image, Source const& source, bool may_be_uint = false) {
     if (source.sum.empty()) return std::vector<float>(image.pixels(), source.scale);
     std::vector<float> values(image.pixels(), 0.f);
     for (auto const& name : source.sum) {
-        auto const& plane = plane_for(image, name, may_be_uint);
+        auto const& plane = detail::plane_for(image, name, may_be_uint);
         for (std::size_t i = 0; i < values.size(); ++i) values[i] += plane.values[i] * source.scale;
     }
     return values;
 }
+
+namespace detail {
 
 /// quell writes +inf where there is no surface.
 inline void mark_misses(std::vector<float>& depth, ExrImage const& image, Source const& source, float miss_from) {
@@ -39,10 +44,11 @@ inline void mark_misses(std::vector<float>& depth, ExrImage const& image, Source
     for (auto& z : depth)
         if (z >= miss_from) z = miss;
     for (auto const& name : source.sum) {
-        auto const stored = image[name].stored;
+        auto const& stored = image[name].stored;
+        if (!stored) continue;
         for (int y = 0; y < image.size.height; ++y)
             for (int x = 0; x < image.size.width; ++x)
-                if (x < stored.x0 || x >= stored.x1 || y < stored.y0 || y >= stored.y1)
+                if (x < stored->x0 || x >= stored->x1 || y < stored->y0 || y >= stored->y1)
                     depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.width) + static_cast<std::size_t>(x)] = miss;
     }
 }
@@ -66,7 +72,7 @@ template <ChannelTag C> void load_channel(C channel, ImageView auto const& view,
     auto const sources = sources_of(names, channel);
     for (int c = 0; c < C::components; ++c) {
         auto const& source = sources[static_cast<std::size_t>(c)];
-        auto values = component_from(image, source, std::is_same_v<C, Instance>);
+        auto values = component_of(image, source, std::is_same_v<C, Instance>);
         if constexpr (std::is_same_v<C, Depth>) mark_misses(values, image, source, names.miss_from);
         if constexpr (std::is_same_v<C, Motion>) to_own_motion(values, c, image, names.motion);
         auto value = values.begin();
@@ -97,7 +103,7 @@ template <class Set, class Storage> void load(Frame<Set, Storage>& frame, ExrIma
 template <ChannelTag C> void put(ExrImage& image, C channel, ImageView auto const& view, SampleType type = detail::type_of(C{})) {
     auto const names = own_names(channel);
     for (int c = 0; c < C::components; ++c) {
-        Plane plane{names[static_cast<std::size_t>(c)], type, {}, image.all()};
+        Plane plane{.name = names[static_cast<std::size_t>(c)], .type = type, .values = {}};
         plane.values.reserve(image.pixels());
         for (int y = 0; y < image.size.height; ++y)
             for (int x = 0; x < image.size.width; ++x) plane.values.push_back(view.get(c, x, y));

@@ -55,10 +55,9 @@ struct ViewLayer {
 
 /// The prefix of the first view layer, such as "ViewLayer."; nothing where these aren't Blender's names.
 inline std::optional<std::string> view_layer_prefix(std::vector<ExrChannel> const& channels) {
-    for (auto const* const pass : {"Combined.R", "DiffDir.R", "DiffInd.R", "Depth.Z"})
+    for (std::string_view const pass : {".Combined.R", ".DiffDir.R", ".DiffInd.R", ".Depth.Z"})
         for (auto const& channel : channels)
-            if (channel.name.ends_with("." + std::string(pass)))
-                return channel.name.substr(0, channel.name.size() - std::string(pass).size());
+            if (channel.name.ends_with(pass)) return channel.name.substr(0, channel.name.size() - pass.size() + 1);
     return std::nullopt;
 }
 

@@ -4,13 +4,12 @@
 
 namespace quell {
 
-/// History by the sharper Catmull-Rom spline over 4x4 pixels where every one of them is accepted, else Bilinear. What is kept beside the signal
-/// (lengths, moments) stays bilinear: a spline's negative lobes mean nothing there.
+/// History by the sharper Catmull-Rom spline over 4x4 pixels where every one of them is accepted, else Bilinear. What is kept beside the
+/// signal (lengths, moments) stays bilinear: a spline's negative lobes mean nothing there.
 struct CatmullRom {
     Bilinear elsewhere{};
 
-    template <class Px, class FoundPlace>
-    QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& unchecked) const {
+    template <class Px, class FoundPlace> QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& unchecked) const {
         using Real = typename Px::Real;
         auto past = elsewhere.fetch(px, unchecked);
         auto const found = detail::sane(px, unchecked);
@@ -25,14 +24,14 @@ struct CatmullRom {
                 sum = add_scaled(sum, tap.then.signal(), across.at[i] * down.at[j]);
             }
         // The negative lobes overshoot at bright edges; light is never negative.
-        auto const bounded = map([](auto a) __attribute__((always_inline)) { return max(a, Real(0.f)); }, sum);
+        auto const bounded = map(
+            [](auto a) __attribute__((always_inline)) { return max(a, Real(0.f)); }, sum);
         past.signal = select(accepted, bounded, past.signal);
         return past;
     }
 
 private:
-    template <class Real>
-    QUELL_KERNEL static Components<4, Real> weights(Real t) {
+    template <class Real> QUELL_KERNEL static Components<4, Real> weights(Real t) {
         auto const t2 = t * t, t3 = t2 * t;
         return {{-0.5f * t3 + t2 - 0.5f * t, 1.5f * t3 - 2.5f * t2 + 1.f, -1.5f * t3 + 2.f * t2 + 0.5f * t, 0.5f * t3 - 0.5f * t2}};
     }

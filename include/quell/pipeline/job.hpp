@@ -32,13 +32,14 @@ template <class Modulation, class Scope, class Output, class RememberedViews> st
 };
 
 /// Whether a pass makes a new signal; one with emit(px) leaves it alone.
-template <class Pass, class Scope>
-inline constexpr bool makes_signal_of = !requires(Pass const p, Pixel<float, Scope> px) { p.emit(px); };
+template <class Pass, class Scope> inline constexpr bool makes_signal_of = !requires(Pass const p, Pixel<float, Scope> px) { p.emit(px); };
 
 /// What a profiler shows: a policy of the host's own need not have a name.
 template <class Pass> constexpr auto name_of() {
-    if constexpr (requires { Pass::name; }) return Pass::name;
-    else return "filter";
+    if constexpr (requires { Pass::name; })
+        return Pass::name;
+    else
+        return "filter";
 }
 
 /// One pass over one region: what an executor runs. Trivially copyable, so that it can be sent to a device as it is.

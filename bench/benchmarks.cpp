@@ -1,0 +1,102 @@
+#include "benchmarks.hpp"
+
+#include "allocations.hpp"
+#include "family.hpp"
+
+#include <benchmark/benchmark.h>
+
+namespace quell::bench {
+namespace {
+
+constexpr Extent sizes[] = {{1280, 720}, {1920, 1080}};
+constexpr Extent smoke_size{96, 54};
+
+/// Threads 1, 2, 4, ... and as many as there are.
+std::vector<How> executors(Family const& family) {
+    std::vector<How> all;
+    if (family.has_serial) all.push_back({How::Kind::serial});
+    all.push_back({How::Kind::simd});
+    for (int n = 1; n < most_threads(); n *= 2) all.push_back({How::Kind::threads, n});
+    all.push_back({How::Kind::threads, most_threads()});
+    return all;
+}
+
+/// The counters that do not depend on how long it took come first, then what the time means on this machine.
+void report(benchmark::State& state, Workload const& work, Extent size, double seconds, double bound) {
+    auto const frames = static_cast<double>(state.iterations()), pixels = static_cast<double>(size.pixels());
+    state.counters["bytes/pixel"] = work.bytes_per_pixel();
+    state.counters["ms/frame"] = 1e3 * seconds / frames;
+    state.counters["pixels/s"] = pixels * frames / seconds;
+    state.counters["bound_ms"] = 1e3 * bound;
+    state.counters["of_bound"] = bound * frames / seconds;
+}
+
+void run_preset(benchmark::State& state, Family const& family, Extent size, How how) {
+    auto& work = workload(family, size);
+    double const bound = family.bound(size, how.threads);
+    double seconds = 0.;
+    long long allocated = 0;
+    for (auto _ : state) {
+        auto const before = allocations();
+        auto const frame = work.next(how);
+        allocated += allocations() - before;
+        seconds += frame.wall;
+    }
+    report(state, work, size, seconds, bound);
+    state.counters["allocations/frame"] = static_cast<double>(allocated) / static_cast<double>(state.iterations());
+}
+
+void run_pass(benchmark::State& state, Family const& family, std::size_t pass, Extent size, How how) {
+    auto& work = workload(family, size);
+    double const bound = family.bound(pass, size, how.threads);
+    double seconds = 0.;
+    for (auto _ : state) {
+        work.next(how);
+        auto const taken = work.passes()[pass].wall;
+        state.SetIterationTime(taken);
+        seconds += taken;
+    }
+    report(state, work, size, seconds, bound);
+}
+
+void register_preset(Family const& family, Extent size, How how) {
+    auto const name = family.preset + "/" + to_string(size) + "/" + family.storage + "/" + how.name();
+    auto* const made = benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { run_preset(state, family, size, how); });
+    made->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+    // One pixel after the other takes seconds a frame: twice is enough for a reference, at one size.
+    if (how.kind == How::Kind::serial) made->Iterations(2);
+}
+
+void register_passes(Family const& family, Extent size, How how) {
+    for (std::size_t i = 0; i < family.passes.size(); ++i) {
+        auto const name =
+            "pass/" + family.preset + "/" + family.passes[i] + "/" + to_string(size) + "/" + family.storage + "/" + how.name();
+        benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { run_pass(state, family, i, size, how); })
+            ->Unit(benchmark::kMillisecond)
+            ->UseManualTime()
+            ->Iterations(5);
+    }
+}
+
+void register_size(std::vector<Family> const& all, Extent size) {
+    for (auto const& family : all)
+        for (auto const how : executors(family))
+            if (how.kind != How::Kind::serial || size == sizes[1]) {
+                register_preset(family, size, how);
+                if (how.kind != How::Kind::serial) register_passes(family, size, how);
+            }
+}
+
+} // namespace
+
+void register_benchmarks() {
+    auto const all = families();
+    for (auto const size : sizes) register_size(all, size);
+    for (auto const& family : all)
+        if (family.has_serial)
+            benchmark::RegisterBenchmark(("smoke/" + family.preset).c_str(), [=](benchmark::State& state) {
+                run_preset(state, family, smoke_size, {How::Kind::threads, most_threads()});
+            })->Iterations(1);
+}
+
+} // namespace quell::bench

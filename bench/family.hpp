@@ -1,0 +1,55 @@
+#pragma once
+
+#include "costs.hpp"
+#include "sequence.hpp"
+#include "timed.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace quell::bench {
+
+/// A preset with a history of its own, ready to run frame after frame.
+class Workload {
+public:
+    virtual ~Workload() = default;
+    virtual void run(Input const& frame, How how) = 0;
+    [[nodiscard]] virtual double bytes_per_pixel() const = 0;
+    /// What the passes of the last frame took.
+    [[nodiscard]] std::vector<Seconds> const& passes() const { return taken; }
+
+    /// The next frame of the sequence. Returns the whole frame's time.
+    Seconds next(How how);
+    /// Until histories are long.
+    void warm_up(Extent size);
+
+protected:
+    std::vector<Seconds> taken;
+
+private:
+    Extent size;
+    std::size_t at = 0;
+};
+
+/// A preset with a storage for its history: what one generated file instantiates. All else is common code.
+struct Family {
+    std::string preset, storage;
+    int stored_size = 4; ///< bytes a stored value
+    bool has_serial = false;
+    std::vector<std::string> passes;
+    std::unique_ptr<Workload> (*make)(Extent) = nullptr;
+
+    [[nodiscard]] Cost cost(std::size_t pass) const { return cost_of(preset, passes[pass], pass + 1 == passes.size()); }
+    /// Seconds that one frame takes at least with so many threads.
+    [[nodiscard]] double bound(Extent size, int threads) const;
+    [[nodiscard]] double bound(std::size_t pass, Extent size, int threads) const;
+};
+
+/// All of them, in the order of bench/CMakeLists.txt (which generates this).
+std::vector<Family> families();
+
+/// A warm workload. Only the last one asked for is kept: at 1920x1080 they are large.
+Workload& workload(Family const& family, Extent size);
+
+} // namespace quell::bench

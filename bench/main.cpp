@@ -1,0 +1,61 @@
+// quell-bench: how fast presets and their passes are on this machine, and how far from what it could do at most.
+//
+//   quell-bench --benchmark_list_tests                                    what there is
+//   quell-bench --benchmark_filter='^svgf/1920x1080/planar-float/'        whole frames; also pass/svgf/..., smoke/...
+//   quell-bench --benchmark_filter='^pass/svgf/.*planar-float/simd' --benchmark_repetitions=5 --benchmark_report_aggregates_only
+//   quell-bench --summary[=svgf] [--rounds=5]                             tables that compare executors in turn; no single benchmarks
+//
+// All other flags are Google Benchmark's own (--help). Names are PRESET/SIZE/STORAGE/EXECUTOR; the storage is the history's (planar or
+// interleaved, float or half), the frame is planar floats. Histories are warm: no benchmark times a first frame.
+// Counters: ms/frame and pixels/s by the clock on the wall; bytes/pixel of history and scratch; bound_ms, the least that this machine can
+// take for the passes' arithmetic and memory traffic (costs.cpp, machine.cpp: peaks are measured in the same run), and of_bound, that over
+// the time measured; allocations/frame by operator new, which is 0 for quell itself (see --summary, executor simd).
+
+#include "benchmarks.hpp"
+#include "machine.hpp"
+#include "summary.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+namespace {
+
+/// What follows `--name=`, "" for `--name` alone; takes the argument away from Google Benchmark, which rejects what it doesn't know.
+std::optional<std::string> take_flag(int& count, char** arguments, std::string const& name) {
+    std::optional<std::string> found;
+    int kept = 1;
+    for (int i = 1; i < count; ++i) {
+        std::string const argument = arguments[i];
+        if (argument == name)
+            found = "";
+        else if (argument.starts_with(name + "="))
+            found = argument.substr(name.size() + 1);
+        else
+            arguments[kept++] = arguments[i];
+    }
+    count = kept;
+    arguments[count] = nullptr;
+    return found;
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    using namespace quell::bench;
+    auto const summary = take_flag(count, arguments, "--summary");
+    auto const rounds = take_flag(count, arguments, "--rounds");
+    benchmark::Initialize(&count, arguments);
+    if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;
+    if (summary) {
+        print_summary(*summary, std::max(1, rounds ? std::atoi(rounds->c_str()) : 5));
+        return 0;
+    }
+    register_benchmarks();
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+    return 0;
+}

@@ -1,0 +1,78 @@
+#include <denoise/composite.hpp>
+
+#include <quell/core/real.hpp>
+#include <quell/io/frame_image.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace quell::examples {
+
+namespace {
+
+/// Three components as a picture; where there are no sources, `otherwise` everywhere.
+metrics::Picture picture_of(io::ExrImage const& image, std::vector<io::Source> const& sources, float otherwise) {
+    if (sources.empty()) return {image.size, std::vector<glm::vec3>(image.pixels(), glm::vec3(otherwise))};
+    std::array<std::vector<float>, 3> components;
+    for (std::size_t c = 0; c < 3; ++c) components[c] = io::component_of(image, sources[c]);
+    metrics::Picture picture{image.size, {}};
+    for (std::size_t i = 0; i < image.pixels(); ++i) picture.pixels.emplace_back(components[0][i], components[1][i], components[2][i]);
+    return picture;
+}
+
+void drop_non_finite(metrics::Picture& picture, long long& missing) {
+    for (auto& p : picture.pixels) {
+        if (is_finite(p.x) && is_finite(p.y) && is_finite(p.z)) continue;
+        p = glm::vec3(0.f);
+        ++missing;
+    }
+}
+
+bool has_all(io::ExrFile const& file, std::vector<std::string> const& planes) {
+    return std::ranges::all_of(planes, [&](auto const& plane) { return file.find(plane) != nullptr; });
+}
+
+/// All planes of the picture itself, without guides.
+std::vector<std::string> picture_planes(io::SequenceNames const& names) {
+    auto planes = composite_planes(names);
+    for (auto const& signal : names.signals) {
+        auto const more = io::planes_of(Channels<Radiance>{}, signal.channels);
+        planes.insert(planes.end(), more.begin(), more.end());
+    }
+    return planes;
+}
+
+} // namespace
+
+metrics::Picture composite(io::ExrImage const& image, io::SequenceNames const& names,
+                           std::function<metrics::Picture(std::size_t)> const& signal, long long& missing) {
+    auto sum = picture_of(image, names.added, 0.f);
+    drop_non_finite(sum, missing);
+    for (std::size_t s = 0; s < names.signals.size(); ++s) {
+        auto const part = signal(s);
+        auto factor = picture_of(image, names.signals[s].factor, 1.f);
+        drop_non_finite(factor, missing);
+        for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += part.pixels[i] * factor.pixels[i];
+    }
+    return sum;
+}
+
+std::vector<std::string> composite_planes(io::SequenceNames const& names) {
+    auto planes = io::planes_of(names.added);
+    for (auto const& signal : names.signals) {
+        auto const more = io::planes_of(signal.factor);
+        planes.insert(planes.end(), more.begin(), more.end());
+    }
+    return planes;
+}
+
+metrics::Picture read_reference(std::filesystem::path const& path, std::optional<io::SequenceNames> const& map) {
+    io::ExrFile const file(path);
+    auto const names = map && has_all(file, picture_planes(*map)) ? *map : io::recognise(file);
+    auto const image = file.read(picture_planes(names));
+    long long ignored = 0;
+    return composite(
+        image, names, [&](std::size_t s) { return picture_of(image, io::sources_of(names.signals[s].channels, radiance), 0.f); }, ignored);
+}
+
+} // namespace quell::examples

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <quell/io/sequence_names.hpp>
+#include <quell/metrics/picture.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+namespace quell::examples {
+
+/// The picture that signals make up: the sum of each times its factor, and of what is added. `signal(i)` is the i-th signal's picture.
+/// What isn't finite among factors and added parts counts as 0, and in `missing`.
+[[nodiscard]] metrics::Picture composite(io::ExrImage const& image, io::SequenceNames const& names,
+                                         std::function<metrics::Picture(std::size_t)> const& signal, long long& missing);
+
+/// The planes that this takes, beside those of the signals.
+[[nodiscard]] std::vector<std::string> composite_planes(io::SequenceNames const& names);
+
+/// A converged frame as a linear picture. Its file may follow the map, where there is one, or a naming that quell recognises.
+[[nodiscard]] metrics::Picture read_reference(std::filesystem::path const& path, std::optional<io::SequenceNames> const& map);
+
+} // namespace quell::examples

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <quell/io/channel_names.hpp>
+#include <quell/io/exr_image.hpp>
+#include <quell/metrics/picture.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace quell::examples {
+
+/// A pipeline of any type together with its frame and its history: what one signal of a sequence is denoised by.
+class Denoiser {
+public:
+    virtual ~Denoiser() = default;
+
+    /// The planes that it wants of each file.
+    [[nodiscard]] virtual std::vector<std::string> planes(io::ChannelNames const& names) const = 0;
+    /// The next frame, denoised: linear, row by row.
+    [[nodiscard]] virtual metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number) = 0;
+    /// How many samples of the last frame were not finite, or negative.
+    [[nodiscard]] virtual long long missing_samples() const = 0;
+};
+
+/// A pipeline by its name, for a size and a number of threads (0: all that there are).
+struct Preset {
+    std::string name;
+    std::unique_ptr<Denoiser> (*make)(Extent size, int threads);
+};
+
+} // namespace quell::examples

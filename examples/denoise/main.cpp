@@ -1,0 +1,137 @@
+#include <denoise/composite.hpp>
+#include <denoise/map_file.hpp>
+#include <denoise/options.hpp>
+#include <denoise/presets.hpp>
+#include <denoise/scores.hpp>
+#include <denoise/sequence_denoiser.hpp>
+#include <support/frame_pattern.hpp>
+#include <support/program.hpp>
+#include <support/progress.hpp>
+
+#include <quell/io/write_exr.hpp>
+
+#include <cstdio>
+#include <iostream>
+
+using namespace quell;
+using namespace quell::examples;
+
+namespace {
+
+struct Range {
+    long long begin, first, last; ///< from begin on frames are denoised, from first on they are written
+};
+
+/// What isn't given is found on disk.
+Range range_of(DenoiseOptions const& options, FramePattern const& in) {
+    auto const there = in.on_disk();
+    if (there.empty()) throw Error(in.text(), "there is no such file for any number", "check the folder and the name before and after %d");
+    auto const first = options.first.value_or(there.front()), last = options.last.value_or(there.back());
+    if (first > last)
+        throw Error("frames", "the first is " + std::to_string(first) + " and the last is " + std::to_string(last),
+                    "give --first and --last in order; there are " + std::to_string(there.front()) + " to " + std::to_string(there.back()));
+    // A shot's first frames have none before them to warm up with.
+    return {std::max(first - options.warmup, std::min(first, there.front())), first, last};
+}
+
+/// Where the results go.
+class Output {
+    std::optional<FramePattern> pattern;
+
+public:
+    Output(std::string const& out, FramePattern const& in, Range const& range) {
+        if (out.empty()) return;
+        pattern.emplace(out);
+        if (std::filesystem::weakly_canonical(pattern->path(range.first)) == std::filesystem::weakly_canonical(in.path(range.first)))
+            throw Error("--out", "it names the input's own files", "choose another name or folder");
+        std::error_code why;
+        auto const folder = pattern->path(range.first).parent_path();
+        if (!folder.empty()) std::filesystem::create_directories(folder, why);
+        if (why) throw Error(folder.string(), "the folder can't be made: " + why.message(), "choose another for --out");
+    }
+
+    void write(long long number, metrics::Picture const& picture) const {
+        if (!pattern) return;
+        io::ExrImage image{.name = pattern->path(number).string(), .size = picture.size};
+        for (int c = 0; auto const* const name : {"R", "G", "B"}) {
+            io::Plane plane{.name = name, .type = io::SampleType::half, .values = {}};
+            for (auto const& pixel : picture.pixels) plane.values.push_back(pixel[c]);
+            image.planes.push_back(std::move(plane));
+            ++c;
+        }
+        try {
+            io::write_exr(image.name, image);
+        } catch (Error const& error) { // a full disk is no fault of the input
+            throw std::runtime_error(error.what());
+        }
+    }
+};
+
+/// The references that there are, and the table.
+class Comparison {
+    std::optional<FramePattern> pattern;
+    std::optional<Scores> scores;
+
+public:
+    Comparison(std::string const& reference, Range const& range) {
+        if (reference.empty()) return;
+        pattern.emplace(reference);
+        for (auto const number : pattern->on_disk())
+            if (number >= range.first && number <= range.last) {
+                scores.emplace(std::cout);
+                return;
+            }
+        throw Error(reference, "there is none for frames " + std::to_string(range.first) + " to " + std::to_string(range.last),
+                    "give converged frames with the numbers of the noisy ones");
+    }
+
+    void add(long long number, metrics::Picture const& picture, std::optional<io::SequenceNames> const& map) {
+        if (!pattern || !std::filesystem::exists(pattern->path(number))) return;
+        auto const path = pattern->path(number);
+        auto const reference = read_reference(path, map);
+        if (!(reference.size == picture.size))
+            throw Error(path.string(), "it is " + to_string(reference.size) + " but the frame is " + to_string(picture.size),
+                        "compare pictures of one size");
+        scores->add(number, reference, picture);
+    }
+    void finish() const {
+        if (scores) scores->finish();
+    }
+};
+
+void denoise(DenoiseOptions const& options) {
+    auto const& preset = preset_of(options.preset);
+    FramePattern const in(options.in);
+    auto const range = range_of(options, in);
+    std::optional<io::SequenceNames> map;
+    if (!options.map.empty()) map = read_map(options.map);
+    Output const output(options.out, in, range);
+    Comparison comparison(options.reference, range);
+    SequenceDenoiser denoiser(preset, options.threads, map);
+    {
+        Progress progress(options.preset, range.last - range.begin + 1, !options.quiet);
+        for (auto number = range.begin; number <= range.last; ++number) {
+            progress.show(number - range.begin, in.path(number).filename().string());
+            auto const picture = denoiser.next(in.path(number), number);
+            if (number < range.first) continue;
+            output.write(number, picture);
+            comparison.add(number, picture, map);
+        }
+    }
+    comparison.finish();
+    if (options.quiet) return;
+    for (auto const& remark : denoiser.names()->remarks) std::fprintf(stderr, "quell-denoise: %s\n", remark.c_str());
+    std::fprintf(stderr, "quell-denoise: %lld frames of %s; %lld samples were missing (not finite, or negative)\n",
+                 range.last - range.first + 1, denoiser.names()->renderer.c_str(), denoiser.missing_samples());
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    return exit_code_of("quell-denoise", [&] {
+        auto const options = denoise_options(argc, argv);
+        if (!options) return;
+        if (!options->list) return denoise(*options);
+        for (auto const& preset : presets()) std::cout << preset.name << '\n';
+    });
+}

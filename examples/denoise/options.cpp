@@ -1,0 +1,60 @@
+#include <denoise/options.hpp>
+#include <support/program.hpp>
+
+#include <quell/core/error.hpp>
+
+#include <CLI/CLI.hpp>
+
+namespace quell::examples {
+
+namespace {
+
+constexpr auto footer = R"(
+Files of quell-trace and of Blender's Cycles are recognised; --map names the channels of any other renderer's:
+  {"channels":  {"depth": "Z", "normal": "N", "motion": ["speed.x", {"from": "speed.y", "scale": -1}]},
+   "motion":    {"points": "to_previous|from_previous", "unit": "pixel|uv|ndc", "y": "down|up"},
+   "miss_from": 1e9,
+   "signals":   [{"radiance": "beauty", "albedo": "base_color"},
+                 {"irradiance": {"from": ["diffuse_direct", "diffuse_indirect"]}, "albedo": "diffuse_color"}],
+   "added":     "emission"}
+Every member may be left out. A name stands for a layer (beauty.R beauty.G beauty.B), a list for whole names, a number for itself everywhere;
+"radiance" is divided by its albedo before it is denoised, "irradiance" already is. See examples/denoise/map_file.hpp.
+
+Exit codes: 0 done, 2 unusable arguments or input, 1 anything else.)";
+
+void describe(CLI::App& app, DenoiseOptions& options) {
+    app.add_option("--in", options.in, "Noisy frames, e.g. 'dir/frame.%04d.exr'");
+    app.add_option("--out", options.out, "Denoised frames, e.g. 'dir/out.%04d.exr': channels R, G, B");
+    app.add_option("--preset", options.preset, "How to denoise; --list names them (default: " + options.preset + ")");
+    app.add_option("--first", options.first, "Number of the first frame (default: the first that there is)");
+    app.add_option("--last", options.last, "Number of the last frame (default: the last that there is)");
+    app.add_option("--reference", options.reference, "Converged frames, e.g. 'dir/ref.%04d.exr': prints frame,rmse,ssim,flip as CSV");
+    app.add_option("--map", options.map, "JSON file that names the channels of another renderer, see below");
+    app.add_option("--warmup", options.warmup, "Frames before the first to denoise without writing them (default: 0)");
+    app.add_option("--threads", options.threads, "Threads (default: all)");
+    app.add_flag("--quiet", options.quiet, "Say nothing on stderr but errors");
+    app.add_flag("--list", options.list, "Print the names of the presets");
+    app.footer(footer);
+}
+
+void check(DenoiseOptions const& options) {
+    if (options.list) return;
+    if (options.in.empty()) throw Error("command line", "--in is missing", "say where the frames are, as in --in 'dir/frame.%04d.exr'");
+    if (options.out.empty() && options.reference.empty())
+        throw Error("command line", "neither --out nor --reference is there", "say where the result goes, or what to compare it with");
+    if (options.warmup < 0) throw Error("--warmup", std::to_string(options.warmup), "give 0 or more frames");
+    if (options.threads < 0) throw Error("--threads", std::to_string(options.threads), "give 1 or more, or 0 for all");
+}
+
+} // namespace
+
+std::optional<DenoiseOptions> denoise_options(int argc, char const* const* argv) {
+    CLI::App app("Denoises a sequence of EXR files, from quell-trace or from another renderer.", "quell-denoise");
+    DenoiseOptions options;
+    describe(app, options);
+    if (!parse(app, argc, argv)) return std::nullopt;
+    check(options);
+    return options;
+}
+
+} // namespace quell::examples

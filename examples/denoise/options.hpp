@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace quell::examples {
+
+/// What the command line of quell-denoise says.
+struct DenoiseOptions {
+    std::string in, out, reference, map;
+    std::string preset = "svgf";
+    std::optional<long long> first, last;
+    long long warmup = 0;
+    int threads = 0;
+    bool quiet = false, list = false;
+};
+
+/// Nothing where help was asked for, which has then been printed.
+/// @throws Error for a command line that can't be used
+[[nodiscard]] std::optional<DenoiseOptions> denoise_options(int argc, char const* const* argv);
+
+} // namespace quell::examples

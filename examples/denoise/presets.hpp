@@ -1,0 +1,17 @@
+#pragma once
+
+#include <denoise/denoiser.hpp>
+
+namespace quell::examples {
+
+/// All presets, in the order in which --list names them.
+[[nodiscard]] std::vector<Preset> const& presets();
+/// @throws Error, listing the names, where there is no such preset
+[[nodiscard]] Preset const& preset_of(std::string const& name);
+
+// One function and one file per family, so that each is compiled by itself: a preset is a line in its family's file.
+[[nodiscard]] std::vector<Preset> temporal_presets();
+[[nodiscard]] std::vector<Preset> spatial_presets();
+[[nodiscard]] std::vector<Preset> spatiotemporal_presets();
+
+} // namespace quell::examples

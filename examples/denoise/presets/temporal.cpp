@@ -1,0 +1,14 @@
+#include <denoise/denoiser_of.hpp>
+#include <denoise/presets.hpp>
+
+namespace quell::examples {
+
+std::vector<Preset> temporal_presets() {
+    return {
+        preset("none", [] { return quell::presets::none(radiance); }),
+        preset("surface", [] { return quell::presets::surface(radiance, Demodulate{}); }),
+        preset("surface-clamp", [] { return quell::presets::surface_clamp(radiance, Demodulate{}); }),
+    };
+}
+
+} // namespace quell::examples

@@ -1,0 +1,41 @@
+#include <denoise/composite.hpp>
+#include <denoise/sequence_denoiser.hpp>
+
+namespace quell::examples {
+
+SequenceDenoiser::SequenceDenoiser(Preset preset_, int threads_, std::optional<io::SequenceNames> map)
+    : preset(std::move(preset_)), threads(threads_), sequence(std::move(map)) {}
+
+void SequenceDenoiser::begin(io::ExrFile const& file) {
+    if (!sequence) sequence = io::recognise(file);
+    size = file.size;
+    for (std::size_t s = 0; s < sequence->signals.size(); ++s) denoisers.push_back(preset.make(size, threads));
+}
+
+std::vector<std::string> SequenceDenoiser::planes() const {
+    auto planes = composite_planes(*sequence);
+    for (std::size_t s = 0; s < denoisers.size(); ++s) {
+        auto const more = denoisers[s]->planes(sequence->signals[s].channels);
+        planes.insert(planes.end(), more.begin(), more.end());
+    }
+    return planes;
+}
+
+metrics::Picture SequenceDenoiser::next(std::filesystem::path const& path, long long number) {
+    io::ExrFile const file(path);
+    if (denoisers.empty()) begin(file);
+    if (!(file.size == size))
+        throw Error(file.name, "it is " + to_string(file.size) + " but the frames before it are " + to_string(size),
+                    "denoise frames of one size, or each size by itself (--first, --last)");
+    auto const image = file.read(planes());
+    return composite(
+        image, *sequence,
+        [&](std::size_t s) {
+            auto result = denoisers[s]->denoise(image, sequence->signals[s].channels, number);
+            missing += denoisers[s]->missing_samples();
+            return result;
+        },
+        missing);
+}
+
+} // namespace quell::examples

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <denoise/denoiser.hpp>
+
+#include <quell/io/sequence_names.hpp>
+
+#include <filesystem>
+#include <optional>
+
+namespace quell::examples {
+
+/// Denoises the frames of a sequence one after the other, whichever renderer wrote them.
+class SequenceDenoiser {
+public:
+    /// @param map how the files name their channels; without one, that is recognised from the first file
+    SequenceDenoiser(Preset preset, int threads, std::optional<io::SequenceNames> map);
+
+    /// Reads, denoises and puts together one frame: a linear picture.
+    /// @throws Error naming the file and what is wrong with it
+    [[nodiscard]] metrics::Picture next(std::filesystem::path const& path, long long number);
+
+    [[nodiscard]] long long missing_samples() const { return missing; } ///< of all frames so far
+    [[nodiscard]] std::optional<io::SequenceNames> const& names() const { return sequence; }
+
+private:
+    Preset preset;
+    int threads;
+    std::optional<io::SequenceNames> sequence;
+    Extent size;
+    std::vector<std::unique_ptr<Denoiser>> denoisers; ///< one per signal
+    long long missing = 0;
+
+    void begin(io::ExrFile const& file);
+    [[nodiscard]] std::vector<std::string> planes() const;
+};
+
+} // namespace quell::examples

@@ -1,0 +1,210 @@
+#include "../frames.hpp"
+
+using namespace quell;
+
+namespace {
+/// Filters a frame filled by `fill(frame)` once.
+template <class P> std::vector<float> filtered(P const& pipeline, Extent size, auto&& fill, int frames = 1) {
+    Frame frame{size, pipeline};
+    History history{size, pipeline};
+    std::vector<float> out;
+    for (int i = 0; i < frames; ++i) {
+        fill(frame);
+        out = tests::copy_of(run(pipeline, frame, history));
+    }
+    return out;
+}
+
+// One pipeline for each kernel of the house.
+constexpr auto kernels = std::tuple{
+    Pipeline{radiance, Spatial{Gaussian{.radius = 3}}},
+    Pipeline{radiance, Spatial{Bilateral<>{.radius = 5}}},
+    Pipeline{radiance, Spatial{Atrous{}}},
+    Pipeline{radiance, Spatial{Atrous{Product{DepthEdge{}, NormalEdge{}, LuminanceEdge{.sigma = 2.f}}, 3}}},
+    Pipeline{radiance, Temporal{StillMotion{}, WithMoments{RunningMean{}}}, Spatial{VarianceGuidedAtrous{}}},
+    Pipeline{radiance, Temporal{StillMotion{}, WithCleanUp{RunningMean{}}}, Spatial{CleanUp{}}},
+    presets::svgf(radiance, Demodulate{}),
+};
+} // namespace
+
+TEST_CASE("a constant image stays constant under every kernel, at borders and edges of the guides too") {
+    std::apply(
+        [](auto const&... pipeline) {
+            (
+                [&] {
+                    for (Extent const size : {Extent{37, 23}, Extent{1, 1}, Extent{3, 40}}) {
+                        auto const out = filtered(pipeline, size, [](auto& frame) {
+                            tests::fill_randomly(frame, 3);
+                            tests::fill(frame[radiance], [](int, int) { return glm::vec3(0.7f, 1.5f, 100.f); });
+                            if constexpr (std::remove_reference_t<decltype(frame)>::channels::template has<Albedo>)
+                                tests::fill(frame[albedo], [](int, int) { return glm::vec3(0.5f); });
+                        });
+                        for (std::size_t i = 0; i < out.size(); i += 3) {
+                            CHECK(out[i] == doctest::Approx(0.7f).epsilon(1e-6));
+                            CHECK(out[i + 2] == doctest::Approx(100.f).epsilon(1e-6));
+                        }
+                    }
+                }(),
+                ...);
+        },
+        kernels);
+}
+
+namespace {
+/// The same frame, seen through one of the eight symmetries of a rectangle of pixels.
+enum class Symmetry { flip_x, flip_y, transpose };
+
+Extent seen(Symmetry s, Extent size) { return s == Symmetry::transpose ? Extent{size.height, size.width} : size; }
+
+template <class F> void fill_seen(F& frame, Symmetry s, Extent original) {
+    Frame<typename F::channels> straight{original};
+    tests::fill_randomly(straight, 11);
+    for_each_channel(typename F::channels{}, [&](auto c) {
+        tests::fill(frame[c], [&](int x, int y) {
+            int const from_x = s == Symmetry::flip_x ? original.width - 1 - x : s == Symmetry::transpose ? y : x;
+            int const from_y = s == Symmetry::flip_y ? original.height - 1 - y : s == Symmetry::transpose ? x : y;
+            return straight[c].get(from_x, from_y);
+        });
+    });
+}
+} // namespace
+
+namespace {
+template <class P> constexpr bool is_separable = false;
+template <class Edge> constexpr bool is_separable<Pipeline<Radiance, Spatial<Bilateral<Edge>>>> = true;
+template <class T, class Edge> constexpr bool is_separable<Pipeline<Radiance, T, Spatial<CleanUp<Edge>>>> = true;
+} // namespace
+
+TEST_CASE("flips and transposes of the input flip and transpose the output") {
+    Extent const size{33, 21};
+    std::apply(
+        [&](auto const&... pipeline) {
+            (
+                [&] {
+                    auto const straight = filtered(pipeline, size, [](auto& frame) { tests::fill_randomly(frame, 11); });
+                    for (auto const s : {Symmetry::flip_x, Symmetry::flip_y, Symmetry::transpose}) {
+                        // Rows first, columns second: with edges that is not the same as columns first.
+                        if (s == Symmetry::transpose && is_separable<std::remove_cvref_t<decltype(pipeline)>>) continue;
+                        // Motion would have to be flipped as well; these kernels see none in a first frame.
+                        auto const out = filtered(pipeline, seen(s, size), [&](auto& frame) { fill_seen(frame, s, size); });
+                        double worst = 0;
+                        for (int y = 0; y < size.height; ++y)
+                            for (int x = 0; x < size.width; ++x) {
+                                int const to_x = s == Symmetry::flip_x ? size.width - 1 - x : s == Symmetry::transpose ? y : x;
+                                int const to_y = s == Symmetry::flip_y ? size.height - 1 - y : s == Symmetry::transpose ? x : y;
+                                for (int c = 0; c < 3; ++c) {
+                                    float const a = straight[static_cast<std::size_t>((y * size.width + x) * 3 + c)];
+                                    float const b = out[static_cast<std::size_t>((to_y * seen(s, size).width + to_x) * 3 + c)];
+                                    worst = std::max(worst, std::abs(static_cast<double>(a) - b) / std::max(1.f, std::abs(a)));
+                                }
+                            }
+                        CHECK(worst < 2e-5);
+                    }
+                }(),
+                ...);
+        },
+        kernels);
+}
+
+TEST_CASE("an a-trous level is the sum that the paper writes, computed plainly in double precision") {
+    Extent const size{41, 27};
+    constexpr auto pipeline = Pipeline{radiance, Spatial{Atrous{Product{NormalEdge{}, LuminanceEdge{.sigma = 0.8f}}, 3}}};
+    Frame frame{size, pipeline};
+    History history{size, pipeline};
+    tests::fill_randomly(frame, 9);
+    auto const out = tests::copy_of(run(pipeline, frame, history));
+
+    double const spline[] = {0.375, 0.25, 0.0625};
+    auto index = [&](int x, int y) { return static_cast<std::size_t>(y * size.width + x); };
+    std::vector<glm::dvec3> now(static_cast<std::size_t>(size.pixels())), next(now.size());
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) now[index(x, y)] = frame[radiance].get(x, y);
+    for (int level = 0; level < 3; ++level) {
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                glm::dvec3 sum(0);
+                double weights = 0;
+                auto const light = [](glm::dvec3 v) { return 0.2126 * v.x + 0.7152 * v.y + 0.0722 * v.z; };
+                for (int j = -2; j <= 2; ++j)
+                    for (int i = -2; i <= 2; ++i) {
+                        int const shifted_x = x + i * (1 << level), shifted_y = y + j * (1 << level);
+                        if (shifted_x < 0 || shifted_y < 0 || shifted_x >= size.width || shifted_y >= size.height) continue;
+                        glm::dvec3 const n = frame[normal].get(x, y), m = frame[normal].get(shifted_x, shifted_y);
+                        double const cosine = std::max(0.0, n.x * m.x + n.y * m.y + n.z * m.z);
+                        double const edge =
+                            i == 0 && j == 0
+                                ? 1
+                                : std::pow(cosine, 128) *
+                                      std::exp(-std::abs(light(now[index(shifted_x, shifted_y)]) - light(now[index(x, y)])) / 0.8f);
+                        double const w = spline[std::abs(i)] * spline[std::abs(j)] * edge;
+                        sum += now[index(shifted_x, shifted_y)] * w;
+                        weights += w;
+                    }
+                next[index(x, y)] = sum / weights;
+            }
+        std::swap(now, next);
+    }
+    double worst = 0, mean = 0;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        double const d = std::abs(now[i].y - out[i * 3 + 1]);
+        worst = std::max(worst, d), mean += d / static_cast<double>(now.size());
+    }
+    // The weights are exponentials on chords, up to 6 % off: what that does to the image is this.
+    CHECK(worst < 0.05);
+    CHECK(mean < 0.015);
+}
+
+TEST_CASE("edge weights: 1 at no distance, falling, never negative, close to the exponential") {
+    CHECK(edge_weight(0.f) == 1.f);
+    float last = 1.f;
+    for (float d = 0.f; d < 60.f; d += 0.01f) {
+        float const w = edge_weight(d);
+        CHECK(w <= last);
+        if (d < 40.f) CHECK(std::abs(w / std::exp(-d) - 1.03f) < 0.0325f);
+        last = w;
+    }
+    CHECK(edge_weight(1e30f) < 1e-18f);
+    CHECK(edge_weight(std::bit_cast<float>(0x7fc00000u)) < 1e-18f);
+    CHECK(edge_weight(std::bit_cast<float>(0x7f800000u)) < 1e-18f);
+}
+
+TEST_CASE("a silhouette stops every filter with a depth edge") {
+    Extent const size{32, 16};
+    auto const two_planes = [](auto& frame) {
+        tests::fill_still(frame);
+        tests::fill(frame[depth], [](int x, int) { return x < 16 ? 2.f : 10.f; });
+        tests::fill(frame[radiance], [](int x, int) { return x < 16 ? glm::vec3(1) : glm::vec3(0); });
+    };
+    auto const sharp = [&](auto const& pipeline) {
+        auto const out = filtered(pipeline, size, two_planes);
+        for (int x = 0; x < size.width; ++x)
+            CHECK(out[static_cast<std::size_t>((7 * size.width + x) * 3)] == doctest::Approx(x < 16 ? 1 : 0).epsilon(1e-4));
+    };
+    sharp(Pipeline{radiance, Spatial{Atrous{DepthEdge{}, 4}}});
+    sharp(Pipeline{radiance, Spatial{Bilateral{DepthEdge{}, 7}}});
+    sharp(presets::svgf(radiance));
+}
+
+TEST_CASE("noise falls as the wavelet promises, and a step in the signal beyond the noise stays") {
+    Extent const size{96, 64};
+    constexpr auto denoise = presets::svgf(radiance);
+    std::mt19937 random(2);
+    std::normal_distribution<float> noise(0.f, 0.3f);
+    Frame frame{size, denoise};
+    History history{size, denoise};
+    std::vector<float> out;
+    for (int i = 0; i < 12; ++i) {
+        tests::fill_still(frame);
+        tests::fill(frame[radiance], [&](int x, int) { return glm::vec3(std::max(0.f, (x < 48 ? 2.f : 8.f) + noise(random))); });
+        out = tests::copy_of(run(denoise, frame, history));
+    }
+    double squares = 0;
+    int count = 0;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            float const wanted = x < 48 ? 2.f : 8.f, got = out[static_cast<std::size_t>((y * size.width + x) * 3)];
+            if (x != 47 && x != 48) squares += (got - wanted) * (got - wanted), ++count;
+            CHECK(std::abs(got - wanted) < 0.3f);
+        }
+    CHECK(std::sqrt(squares / count) < 0.3 / 10);
+}

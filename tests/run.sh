@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds everything and tests it:
+#   tests/run.sh                  all steps below
+#   tests/run.sh gcc asan         these steps only
+set -euo pipefail
+cd "$(dirname "$0")/.."
+source .ci/packages.sh
+
+all_steps=(gcc clang asan tsan)
+# What each of the other builds compiles and runs, as far as it exists: the library, and no slow programs.
+clang_tests=(core image frame motion blend filter pipeline execute metrics two_units fast_math)
+asan_tests=(core image frame motion blend filter pipeline io metrics report)
+tsan_tests=(execute)
+
+jobs=$(nproc)
+[ "$jobs" -gt 2 ] || jobs=2
+
+# existing_tests build-folder name...: those that are targets there.
+existing_tests() {
+    local folder=$1 targets name
+    shift
+    targets=$(ninja -C "$folder" -t targets all)
+    for name in "$@"; do
+        grep -q "^test_$name: phony" <<<"$targets" && echo "$name"
+    done
+    return 0
+}
+
+# build_and_test build-folder name...
+build_and_test() {
+    local folder=$1 names
+    shift
+    mapfile -t names < <(existing_tests "$folder" "$@")
+    [ ${#names[@]} -gt 0 ] || return 0
+    cmake --build "$folder" --target "${names[@]/#/test_}"
+    ctest --test-dir "$folder" --output-on-failure -j "$jobs" -R "^($(IFS='|'; echo "${names[*]}"))\$"
+}
+
+step_gcc() {
+    cmake --preset release -D CMAKE_CXX_COMPILER=g++
+    cmake --build --preset release
+    ctest --preset release -j "$jobs" 2>&1 | tee build/release/ctest.log
+}
+step_clang() {
+    cmake --preset release -B build/clang -D CMAKE_CXX_COMPILER=clang++
+    build_and_test build/clang "${clang_tests[@]}"
+}
+step_asan() {
+    cmake --preset asan -D CMAKE_CXX_COMPILER=g++
+    build_and_test build/asan "${asan_tests[@]}"
+}
+step_tsan() {
+    cmake --preset tsan -D CMAKE_CXX_COMPILER=g++
+    # oneTBB's own library is not instrumented, so what it does inside looks like a race.
+    TSAN_OPTIONS="suppressions=$PWD/tests/tsan.suppressions history_size=4" build_and_test build/tsan "${tsan_tests[@]}"
+}
+
+need_packages "${build_packages[@]}" "${library_packages[@]}" "${program_packages[@]}" "${test_packages[@]}"
+[ $# -gt 0 ] || set -- "${all_steps[@]}"
+times=""
+for step in "$@"; do
+    declare -F "step_$step" >/dev/null || { echo "No step '$step'; there are: ${all_steps[*]}" >&2; exit 2; }
+    echo "== $step"
+    started=$SECONDS
+    "step_$step"
+    times+="$(printf '%-6s %4d s' "$step" $((SECONDS - started)))"$'\n'
+done
+
+echo "== all steps passed"
+printf '%s' "$times"
+# The full suite's own summary comes last.
+[[ " $* " != *" gcc "* ]] || sed -n '/tests passed/,$p' build/release/ctest.log
