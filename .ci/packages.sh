@@ -1,3 +1,5 @@
+#!/usr/bin/env bash
+# shellcheck disable=SC2034 # the lists are for the scripts that source this
 # For scripts to source: installs what they need on a fresh Debian or Ubuntu machine.
 
 build_packages=(g++ cmake ninja-build)

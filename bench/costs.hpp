@@ -16,7 +16,7 @@ struct Cost {
     /// The time that no program for this machine can be under, in seconds for one pixel.
     double bound(Machine const& m, int stored_size) const;
 
-    friend Cost operator+(Cost a, Cost b) {
+    friend constexpr Cost operator+(Cost a, Cost b) {
         return {a.operations + b.operations, a.full_values + b.full_values, a.stored_values + b.stored_values};
     }
 };

@@ -38,7 +38,8 @@ void skip_holes(RTCFilterFunctionNArguments const* arguments) {
 }
 
 void set_vertices(RTCGeometry geometry, std::vector<glm::vec3> const& positions, unsigned moment) {
-    void* buffer = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, moment, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), positions.size());
+    void* buffer =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, moment, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), positions.size());
     if (buffer != nullptr) std::memcpy(buffer, positions.data(), positions.size() * sizeof(glm::vec3));
 }
 
@@ -53,8 +54,8 @@ EmbreePointer<RTCGeometry> triangle_geometry(RTCDevice device, TriangleMesh cons
 
 EmbreePointer<RTCGeometry> sphere_geometry(RTCDevice device) {
     EmbreePointer<RTCGeometry> geometry{rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT)};
-    auto* sphere = static_cast<float*>(
-        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), 1));
+    auto* sphere =
+        static_cast<float*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), 1));
     sphere[0] = sphere[1] = sphere[2] = 0;
     sphere[3] = 1;
     return geometry;
@@ -152,7 +153,8 @@ Hit Acceleration::intersect(Ray const& ray) const {
     query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     embree_intersect(world.get(), query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-    return {static_cast<int>(query.hit.instID[0]), query.hit.primID, {1 - query.hit.u - query.hit.v, query.hit.u, query.hit.v}, query.ray.tfar};
+    return {
+        static_cast<int>(query.hit.instID[0]), query.hit.primID, {1 - query.hit.u - query.hit.v, query.hit.u, query.hit.v}, query.ray.tfar};
 }
 
 bool Acceleration::occluded(Ray const& ray) const {

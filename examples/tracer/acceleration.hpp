@@ -20,7 +20,7 @@ struct AlphaTest {
 
 /// Embree's view of a scene: one acceleration structure per shape, and one above them for the instances.
 class Acceleration {
-  public:
+public:
     /// The description has to outlive this, and stay where it is.
     explicit Acceleration(SceneDescription const& scene);
 
@@ -34,7 +34,7 @@ class Acceleration {
     [[nodiscard]] Hit intersect(Ray const& ray) const;
     [[nodiscard]] bool occluded(Ray const& ray) const;
 
-  private:
+private:
     struct Part {
         EmbreePointer<RTCScene> scene;
         EmbreePointer<RTCGeometry> geometry;

@@ -21,7 +21,8 @@ Bounds bounds_of(SceneDescription const& scene, float frame) {
     for (auto const& instance : scene.instances) {
         auto const& shape = scene.shapes[static_cast<std::size_t>(instance.shape)];
         auto const matrix = scene.node_matrix(instance.node, frame);
-        if (shape.is_sphere) include_sphere(matrix, bounds);
+        if (shape.is_sphere)
+            include_sphere(matrix, bounds);
         else
             for (auto const& position : scene.vertices_at(shape, frame).positions) bounds.include(matrix * glm::vec4(position, 1.f));
     }

@@ -19,8 +19,7 @@ struct ReleaseEmbree {
 };
 
 /// Owns one reference to an Embree object.
-template <class Handle>
-using EmbreePointer = std::unique_ptr<std::remove_pointer_t<Handle>, ReleaseEmbree>;
+template <class Handle> using EmbreePointer = std::unique_ptr<std::remove_pointer_t<Handle>, ReleaseEmbree>;
 
 /// Closest hit.
 inline void embree_intersect(RTCScene scene, RTCRayHit& ray) {

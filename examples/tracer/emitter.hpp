@@ -32,7 +32,8 @@ struct Emitter {
 /// the cosine. Thus unshadowed irradiance times the mean visibility of such points is the shadowed irradiance.
 [[nodiscard]] glm::vec3 sample_point(Emitter const& emitter, glm::vec3 position, glm::vec3 normal, glm::vec2 random, float choice);
 
-/// Picks one in proportion to its weight, and stretches the random number's interval so that it can serve again, as well distributed as before.
+/// Picks one in proportion to its weight, and stretches the random number's interval so that it can serve again, as well distributed as
+/// before.
 [[nodiscard]] std::size_t choose(std::span<float const> weights, float& random);
 
 } // namespace quell::tracer

@@ -15,8 +15,9 @@ namespace {
 /// Directions uniform over a spherical triangle with these unit vectors as corners (Arvo, "Stratified sampling of spherical triangles",
 /// 1995; its solid angle by Van Oosterom and Strackee, 1983).
 class SphericalTriangle {
-  public:
-    SphericalTriangle(glm::vec3 a_, glm::vec3 b_, glm::vec3 c_) : a(a_), b(b_), c(c_), towards_c(away(c_, a_)), cosine_ab(glm::dot(a_, b_)) {
+public:
+    SphericalTriangle(glm::vec3 a_, glm::vec3 b_, glm::vec3 c_)
+        : a(a_), b(b_), c(c_), towards_c(away(c_, a_)), cosine_ab(glm::dot(a_, b_)) {
         auto const ab = glm::cross(a, b), ac = glm::cross(a, c);
         float const volume = std::abs(glm::dot(ab, c));
         solid_angle = 2 * std::atan2(volume, 1 + cosine_ab + glm::dot(b, c) + glm::dot(c, a));
@@ -44,7 +45,7 @@ class SphericalTriangle {
 
     float solid_angle;
 
-  private:
+private:
     /// The unit direction of x seen from y, at right angles to y.
     static glm::vec3 away(glm::vec3 x, glm::vec3 y) {
         auto const part = x - glm::dot(x, y) * y;
@@ -63,8 +64,7 @@ struct Candidate {
 
 /// One of the points of a rank-1 lattice that random numbers shift, by resampled importance sampling (Talbot et al. 2005). Candidates that
 /// are spread so well leave next to no bias.
-template <class Propose>
-glm::vec3 resampled(Propose const& propose, glm::vec2 random, float choice) {
+template <class Propose> glm::vec3 resampled(Propose const& propose, glm::vec2 random, float choice) {
     constexpr int count = 8;
     Candidate chosen{glm::vec3{0.f}, 0};
     float sum = 0;
@@ -81,11 +81,10 @@ glm::vec3 resampled(Propose const& propose, glm::vec2 random, float choice) {
     return chosen.offset;
 }
 
-/// A point distributed as its weight, of which `bound` is the largest. The first proposal is nearly always taken where weights hardly differ, so
-/// that well distributed random numbers give well distributed points; rejected, it's replaced by resampling. Both together are exact: taken
-/// points have density w / bound, and the rest, 1 - mean / bound, is again distributed as w / mean.
-template <class Propose>
-glm::vec3 weighted(Propose const& propose, float bound, glm::vec2 random, float choice) {
+/// A point distributed as its weight, of which `bound` is the largest. The first proposal is nearly always taken where weights hardly
+/// differ, so that well distributed random numbers give well distributed points; rejected, it's replaced by resampling. Both together are
+/// exact: taken points have density w / bound, and the rest, 1 - mean / bound, is again distributed as w / mean.
+template <class Propose> glm::vec3 weighted(Propose const& propose, float bound, glm::vec2 random, float choice) {
     auto const first = propose(random);
     float const taken = glm::clamp(first.weight / bound, 0.f, 1.f);
     if (choice < taken) return first.offset;

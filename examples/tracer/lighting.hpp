@@ -11,8 +11,8 @@ struct LightSample {
     bool exists = false; ///< false: no light is above the horizon
 };
 
-/// Irradiance from all lights without shadows, free of noise, and the light sample: a light in
-/// proportion to the luminance of what it contributes, then a point on it (see `sample_point`).
+/// Irradiance from all lights without shadows, free of noise, and the light sample: a light in proportion to the luminance of what it
+/// contributes, then a point on it (see `sample_point`).
 struct Lighting {
     glm::vec3 irradiance{0.f};
     LightSample sample;
@@ -38,7 +38,8 @@ struct Incident {
     glm::vec3 radiance{0.f};
     Hit hit;
 };
-[[nodiscard]] Incident incident(PreparedScene const& scene, Ray const& ray, PathContext const& path, float footprint_angle, bool count_lights);
+[[nodiscard]] Incident incident(PreparedScene const& scene, Ray const& ray, PathContext const& path, float footprint_angle,
+                                bool count_lights);
 
 /// A direction around the normal with a density proportional to the cosine.
 [[nodiscard]] glm::vec3 cosine_direction(glm::vec3 normal, glm::vec2 random);

@@ -18,7 +18,8 @@ namespace quell::tracer {
 [[nodiscard]] Texture plaster(glm::vec3 colour);
 [[nodiscard]] Texture stripes(glm::vec3 first, glm::vec3 second, int count);
 
-/// Roughness in G and metallic in B for tiles that differ from each other: roughness from `least` to `most`, as in a metallic-roughness texture.
+/// Roughness in G and metallic in B for tiles that differ from each other: roughness from `least` to `most`, as in a metallic-roughness
+/// texture.
 [[nodiscard]] Texture tile_roughness(float least, float most, int count);
 
 /// Smooth tiling noise around 0.5 in (0, 1); `period`: lattice cells along u and v in [0, 1].

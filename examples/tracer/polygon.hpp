@@ -34,7 +34,7 @@ inline SeenPolygon above_horizon(std::span<glm::vec3 const> corners, glm::vec3 p
 /// An angle from 0 to pi over its sine, given its cosine; relative error below 1e-7. It is smooth where acos is not, at cosine 1, so it
 /// loses no digits for small angles. The polynomial interpolates acos(x) / sqrt(1 - x^2) at Chebyshev nodes in 0 <= x <= 1.
 inline float angle_over_sine(float cosine) {
-    constexpr std::array c{1.20919958f,      -0.263599395f,   0.0697329547f,   -0.0198470246f, 0.00586476892f,
+    constexpr std::array c{1.20919958f,     -0.263599395f,   0.0697329547f,    -0.0198470246f, 0.00586476892f,
                            -0.00173809834f, 0.000533703856f, -0.000213553343f, 6.71303485e-05f};
     float const t = 2 * std::abs(cosine) - 1;
     float sum = c[8];

@@ -20,8 +20,7 @@ glm::mat4 between(glm::mat4 const& a, glm::mat4 const& b, float part) { return a
 glm::vec3 between(glm::vec3 a, glm::vec3 b, float part) { return a + (b - a) * part; }
 
 /// Interpolates `value_at(i)` over evenly spaced moments.
-template <class ValueAt>
-auto at_time(std::size_t count, float time, ValueAt const& value_at) {
+template <class ValueAt> auto at_time(std::size_t count, float time, ValueAt const& value_at) {
     if (count == 1) return value_at(std::size_t{0});
     float const place = glm::clamp(time, 0.f, 1.f) * static_cast<float>(count - 1);
     auto const first = std::min(static_cast<std::size_t>(place), count - 2);
@@ -110,7 +109,8 @@ void PreparedScene::deform_shapes() {
         auto& deformation = deformations[i];
         deformation = {};
         std::vector<std::vector<glm::vec3>> positions;
-        for (float frame : moments_before(0)) positions.push_back(deformation.now.emplace_back(scene.vertices_at(scene.shapes[i], frame)).positions);
+        for (float frame : moments_before(0))
+            positions.push_back(deformation.now.emplace_back(scene.vertices_at(scene.shapes[i], frame)).positions);
         for (float frame : moments_before(1)) deformation.before.push_back(scene.vertices_at(scene.shapes[i], frame));
         acceleration.deform(static_cast<int>(i), positions);
     }
@@ -164,8 +164,10 @@ void PreparedScene::find_emitters() {
     for (int i = 0; i < static_cast<int>(scene.instances.size()); ++i) {
         if (!(glm::length(material(i).emission) > 0) || shape(i).mesh.triangles.size() > most_light_triangles) continue;
         lights[static_cast<std::size_t>(i)] = true;
-        if (shape(i).is_sphere) sources.push_back({i, 0, {}, material(i).emission});
-        else find_emitters_of(i);
+        if (shape(i).is_sphere)
+            sources.push_back({i, 0, {}, material(i).emission});
+        else
+            find_emitters_of(i);
     }
 }
 
@@ -174,7 +176,8 @@ void PreparedScene::find_emitters_of(int instance) {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         bool const four = is_quadrilateral(mesh, i);
         glm::uvec4 const corners{mesh.triangles[i], four ? mesh.triangles[i + 1].z : 0u};
-        sources.push_back({instance, four ? 4 : 3, corners, material(instance).emission * mean_emission_texel(instance, mesh.triangles[i])});
+        sources.push_back(
+            {instance, four ? 4 : 3, corners, material(instance).emission * mean_emission_texel(instance, mesh.triangles[i])});
         if (four) ++i;
     }
 }

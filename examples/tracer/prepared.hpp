@@ -13,8 +13,7 @@ namespace quell::tracer {
 enum class When { now, before };
 
 /// Something at evenly spaced moments of the open shutter (one moment while the shutter is closed), and the same one frame earlier.
-template <class Value>
-struct Moments {
+template <class Value> struct Moments {
     std::vector<Value> now, before;
     [[nodiscard]] std::vector<Value> const& at(When when) const { return when == When::now ? now : before; }
 };
@@ -22,7 +21,7 @@ struct Moments {
 /// A scene with its acceleration structures, standing at one frame. What doesn't deform is built once; from frame to frame only the
 /// placements change. Not copyable, as Embree points into the description.
 class PreparedScene {
-  public:
+public:
     explicit PreparedScene(SceneDescription description);
     PreparedScene(PreparedScene const&) = delete;
     PreparedScene& operator=(PreparedScene const&) = delete;
@@ -60,7 +59,7 @@ class PreparedScene {
     /// A digest of everything that pictures of the current frame depend on.
     [[nodiscard]] std::uint64_t content_hash() const;
 
-  private:
+private:
     /// A light as the description has it: a sphere, or these vertices of a mesh.
     struct EmitterSource {
         int instance;
@@ -84,9 +83,9 @@ class PreparedScene {
     std::vector<EmitterSource> sources;
     std::vector<bool> lights;
     std::vector<float> brightnesses;
-    std::vector<Moments<glm::mat4>> placements;   // per instance
-    std::vector<Moments<TriangleMesh>> deformations;  // per shape; empty for rigid ones
-    std::vector<std::vector<Emitter>> emitters;   // per moment
+    std::vector<Moments<glm::mat4>> placements;      // per instance
+    std::vector<Moments<TriangleMesh>> deformations; // per shape; empty for rigid ones
+    std::vector<std::vector<Emitter>> emitters;      // per moment
     float current_frame = -infinity, current_shutter = 0;
 };
 

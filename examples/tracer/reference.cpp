@@ -26,7 +26,8 @@ struct Half {
         }
         for (auto& [name, picture] : mean) {
             auto const& next = pass.at(name);
-            for (std::size_t i = 0; i < picture.pixels.size(); ++i) picture.pixels[i] += (next.pixels[i] - picture.pixels[i]) / static_cast<float>(passes);
+            for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+                picture.pixels[i] += (next.pixels[i] - picture.pixels[i]) / static_cast<float>(passes);
         }
     }
 };
@@ -57,7 +58,8 @@ double difference(PassPictures const& first, PassPictures const& second) {
 Reference joined(Half const& first, Half const& second, int samples, double half_difference) {
     Reference result{first.mean, samples, half_difference, false};
     for (auto& [name, picture] : result.pictures)
-        for (std::size_t i = 0; i < picture.pixels.size(); ++i) picture.pixels[i] = (picture.pixels[i] + second.mean.at(name).pixels[i]) * 0.5f;
+        for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+            picture.pixels[i] = (picture.pixels[i] + second.mean.at(name).pixels[i]) * 0.5f;
     return result;
 }
 
@@ -97,6 +99,20 @@ Reference cached_or_converged(PreparedScene& scene, RenderSettings const& render
     auto result = converged(render_pass, settings);
     cache.store(result);
     return result;
+}
+
+void merge(Reference& whole, Reference part) {
+    whole.pictures.merge(part.pictures);
+    whole.samples = std::max(whole.samples, part.samples);
+    whole.half_difference = std::max(whole.half_difference, part.half_difference);
+    whole.from_cache = whole.from_cache && part.from_cache;
+}
+
+metrics::Picture composite(Reference const& reference) {
+    auto sum = product(reference[direct], reference[visibility]);
+    auto const indirect_part = product(reference[albedo], reference[indirect]);
+    for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += reference[glossy].pixels[i] + indirect_part.pixels[i];
+    return sum;
 }
 
 } // namespace quell::tracer::detail

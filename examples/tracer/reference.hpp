@@ -17,25 +17,22 @@ struct ReferenceProgress {
 };
 
 struct ReferenceSettings {
-    double tolerance = 0.005;    ///< converged when the mean FLIP between two independent halves is below it, for every effect
-    int most_samples = 16384;    ///< per pixel, both halves together; the end even where it hasn't converged
-    int samples_per_pass = 16;   ///< per pixel and half, between two looks at the clock
+    double tolerance = 0.005;      ///< converged when the mean FLIP between two independent halves is below it, for every effect
+    int most_samples = 16384;      ///< per pixel, both halves together; the end even where it hasn't converged
+    int samples_per_pass = 16;     ///< per pixel and half, between two looks at the clock
     std::filesystem::path cache{}; ///< empty: $QUELL_CACHE, else ~/.cache/quell
     bool use_cache = true;
     std::function<void(ReferenceProgress const&)> progress{}; ///< called after every pass
 };
 
-/// Converged pictures, linear, one for each averaged channel that was asked for, by the channel's name.
+/// Converged pictures, linear, by channel name: the effects that were asked for, with `direct` and `albedo` where these scale them.
 struct Reference {
     std::map<std::string, metrics::Picture, std::less<>> pictures;
-    int samples = 0;            ///< per pixel
-    double half_difference = 1; ///< mean FLIP between its two halves, of the worst effect
-    bool from_cache = false;
+    int samples = 0;            ///< per pixel, of the effect that took most
+    double half_difference = 0; ///< mean FLIP between the two halves, of the worst effect
+    bool from_cache = true;     ///< whether nothing had to be rendered
 
-    template <class C>
-    [[nodiscard]] metrics::Picture const& operator[](C) const {
-        return pictures.at(std::string{C::name});
-    }
+    template <class C> [[nodiscard]] metrics::Picture const& operator[](C) const { return pictures.at(std::string{C::name}); }
 };
 
 namespace detail {
@@ -49,8 +46,7 @@ using RenderPass = std::function<PassPictures(int half, int first_sample)>;
 [[nodiscard]] Reference cached_or_converged(PreparedScene& scene, RenderSettings const& render_settings, ReferenceSettings const& settings,
                                             std::string const& channels, RenderPass const& render_pass);
 
-template <class Wanted>
-PassPictures render_pass(PreparedScene& scene, RenderSettings const& settings) {
+template <class Wanted> PassPictures render_pass(PreparedScene& scene, RenderSettings const& settings) {
     Pictures<Wanted> pictures{settings.size};
     render<Wanted>(scene, settings, pictures);
     PassPictures named;
@@ -58,25 +54,43 @@ PassPictures render_pass(PreparedScene& scene, RenderSettings const& settings) {
     return named;
 }
 
-} // namespace detail
-
-/// The reference of each effect in `Wanted` (of visibility, glossy, indirect, radiance) at a frame. Differences are measured on displayed
-/// pictures of what the effect adds to the image: direct * visibility, glossy, albedo * indirect, radiance; `direct` and `albedo`, which
-/// have no noise, come along. Independent passes add up in two halves until these differ by less than the tolerance.
-template <class Wanted>
-Reference reference(PreparedScene& scene, RenderSettings settings, ReferenceSettings const& reference_settings = {}) {
-    using Traced = union_of<Wanted, Channels<Direct, Albedo>>;
+/// Converges the channels in `Traced` together.
+template <class Traced> Reference converge(PreparedScene& scene, RenderSettings settings, ReferenceSettings const& reference_settings) {
     std::string names;
     for_each_channel(Traced{}, [&]<class C>(C) { names += std::string{C::name} + " "; });
     auto const seed = settings.seed;
     settings.samples_per_pixel = reference_settings.samples_per_pass;
     auto const pass = [&](int half, int first_sample) {
         // Seeds that no noisy frame uses, and different ones for the halves.
-        settings.seed = detail::combine(seed, half == 0 ? 0x5eed0001u : 0x5eed0002u);
+        settings.seed = combine(seed, half == 0 ? 0x5eed0001u : 0x5eed0002u);
         settings.first_sample = first_sample;
-        return detail::render_pass<Traced>(scene, settings);
+        return render_pass<Traced>(scene, settings);
     };
-    return detail::cached_or_converged(scene, settings, reference_settings, names, pass);
+    return cached_or_converged(scene, settings, reference_settings, names, pass);
+}
+
+/// Adds the pictures of one effect to those of others.
+void merge(Reference& whole, Reference part);
+/// direct * visibility + glossy + albedo * indirect.
+[[nodiscard]] metrics::Picture composite(Reference const& reference);
+
+} // namespace detail
+
+/// The reference of each effect in `Wanted` (of visibility, glossy, indirect, radiance) at a frame. Each effect takes the samples that it
+/// needs by itself, in two independent halves, until these differ by less than the tolerance as displayed pictures of what the effect adds
+/// to the image: direct * visibility, glossy, albedo * indirect. Radiance is put together from these three; with an open shutter, where
+/// that isn't possible, it converges as a whole.
+template <class Wanted>
+Reference reference(PreparedScene& scene, RenderSettings const& settings, ReferenceSettings const& reference_settings = {}) {
+    if (settings.shutter > 0) return detail::converge<Wanted>(scene, settings, reference_settings);
+    constexpr bool whole = Wanted::template has<Radiance>;
+    Reference result;
+    auto const add = [&]<class Traced>(Traced) { detail::merge(result, detail::converge<Traced>(scene, settings, reference_settings)); };
+    if constexpr (whole || Wanted::template has<Visibility>) add(Channels<Visibility, Direct>{});
+    if constexpr (whole || Wanted::template has<Glossy>) add(Channels<Glossy>{});
+    if constexpr (whole || Wanted::template has<Indirect>) add(Channels<Indirect, Albedo>{});
+    if constexpr (whole) result.pictures.insert_or_assign(std::string{Radiance::name}, detail::composite(result));
+    return result;
 }
 
 } // namespace quell::tracer

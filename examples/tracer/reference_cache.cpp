@@ -26,11 +26,8 @@ std::string file_name(std::string const& scene, int frame, std::uint64_t key) {
 }
 
 class Writer {
-  public:
-    template <class Value>
-    void put(Value const& value) {
-        put_bytes(&value, sizeof value);
-    }
+public:
+    template <class Value> void put(Value const& value) { put_bytes(&value, sizeof value); }
     void put(std::string const& text) {
         put(text.size());
         put_bytes(text.data(), text.size());
@@ -41,10 +38,9 @@ class Writer {
 
 /// Reads what a Writer wrote; `ok` turns false for good when something is missing.
 class Reader {
-  public:
+public:
     explicit Reader(std::string_view bytes_) : bytes(bytes_) {}
-    template <class Value>
-    Value get() {
+    template <class Value> Value get() {
         Value value{};
         get_bytes(&value, sizeof value);
         return value;
@@ -63,7 +59,7 @@ class Reader {
     }
     bool ok = true;
 
-  private:
+private:
     std::string_view bytes;
 };
 

@@ -29,27 +29,30 @@ struct RenderSettings {
 /// Takes what was rendered: `sink.put(quell::normal, x, y, value)` with a float, glm::vec2 or glm::vec3 by the channel's components.
 /// It is called from several threads at once, never twice for the same pixel and channel.
 template <class S>
-concept Sink = requires(S& sink, glm::vec3 value) { sink.put(quell::normal, 0, 0, value); };
+concept Sink = requires(S& sink, glm::vec3 value) {
+    sink.put(quell::normal, 0, 0, value);
+};
 
 namespace detail {
 
 /// Renders one pixel after the other; nothing is shared between pixels, so order and thread make no difference.
-template <class Wanted, Sink S>
-class PixelRenderer {
+template <class Wanted, Sink S> class PixelRenderer {
     using rays = Rays<Wanted>;
 
-  public:
+public:
     PixelRenderer(PreparedScene const& scene_, RenderSettings const& settings_, S& sink_, RayCounts& counts_)
         : scene(scene_), settings(settings_), sink(sink_), counts(counts_), still(scene_.camera(0, When::now), settings_.size),
           still_before(scene_.camera(0, When::before), settings_.size) {}
 
     void render(int x, int y) {
         x_ = x, y_ = y;
-        if (settings.shutter > 0) render_over_time();
-        else render_frozen();
+        if (settings.shutter > 0)
+            render_over_time();
+        else
+            render_frozen();
     }
 
-  private:
+private:
     struct Seen {
         Ray ray;
         Hit hit;
@@ -76,8 +79,10 @@ class PixelRenderer {
             auto const seen = look(view, time);
             if (i == 0) put_guides(seen, view, View{scene.camera(time, When::before), settings.size});
             auto const signals = signals_of(seen, i);
-            if (i == 0) mean = signals;
-            else accumulate(mean, signals, i);
+            if (i == 0)
+                mean = signals;
+            else
+                accumulate(mean, signals, i);
             sum += composite(seen, signals);
         }
         put_signals(mean);
@@ -96,8 +101,10 @@ class PixelRenderer {
         ++counts.primary;
         Seen seen{{view.eye(), view.direction(centre()), infinity, time}, {}, {}};
         seen.hit = scene.intersect(seen.ray);
-        if (seen.hit) seen.surface = surface_at(scene, seen.ray, seen.hit, view.pixel_angle());
-        else seen.surface.normal = -seen.ray.direction;
+        if (seen.hit)
+            seen.surface = surface_at(scene, seen.ray, seen.hit, view.pixel_angle());
+        else
+            seen.surface.normal = -seen.ray.direction;
         return seen;
     }
 
@@ -127,8 +134,7 @@ class PixelRenderer {
         return signals.direct * signals.visibility + signals.glossy + albedo_of(seen) * signals.indirect;
     }
 
-    template <class C, class Value>
-    void put([[maybe_unused]] C channel, [[maybe_unused]] Value const& value) {
+    template <class C, class Value> void put([[maybe_unused]] C channel, [[maybe_unused]] Value const& value) {
         if constexpr (Wanted::template has<C>) sink.put(channel, x_, y_, value);
     }
 
@@ -149,8 +155,10 @@ class PixelRenderer {
         auto const previous = seen.hit ? scene.point(seen.hit, seen.ray.time, When::before) : glm::vec3{not_a_number};
         put(receiver_previous, previous);
         // Both ends are projected, so that rounding cancels and what stands still has a motion of exactly zero.
-        if (seen.hit) put(motion, before.project(previous) - view.project(scene.point(seen.hit, seen.ray.time, When::now)));
-        else put(motion, before.project(seen.ray.direction, 0) - view.project(seen.ray.direction, 0));
+        if (seen.hit)
+            put(motion, before.project(previous) - view.project(scene.point(seen.hit, seen.ray.time, When::now)));
+        else
+            put(motion, before.project(seen.ray.direction, 0) - view.project(seen.ray.direction, 0));
     }
 
     [[nodiscard]] glm::vec2 sweep_of(Seen const& seen) const {
@@ -184,8 +192,7 @@ class PixelRenderer {
 inline void check(RenderSettings const& settings) {
     if (settings.size.width <= 0 || settings.size.height <= 0)
         throw Error{"render size", to_string(settings.size), "give a width and a height of at least 1"};
-    if (settings.samples_per_pixel <= 0)
-        throw Error{"samples per pixel", std::to_string(settings.samples_per_pixel), "give at least 1"};
+    if (settings.samples_per_pixel <= 0) throw Error{"samples per pixel", std::to_string(settings.samples_per_pixel), "give at least 1"};
     if (!(settings.shutter >= 0 && settings.shutter <= 1))
         throw Error{"shutter", std::to_string(settings.shutter), "give a part of the frame time from 0 to 1"};
 }
@@ -195,8 +202,7 @@ inline void check(RenderSettings const& settings) {
 /// Traces the channels in `Wanted`, exactly the rays that they need, and hands every pixel to the sink. Primary rays go through pixel
 /// centres whatever the number of samples per pixel, so signals always match the guides; visibility, direct, glossy, indirect and
 /// radiance are means over the samples, all other channels are those of the first one. The picture doesn't depend on the number of threads.
-template <class Wanted, Sink S>
-RayCounts render(PreparedScene& scene, RenderSettings const& settings, S& sink) {
+template <class Wanted, Sink S> RayCounts render(PreparedScene& scene, RenderSettings const& settings, S& sink) {
     detail::check(settings);
     scene.move_to(static_cast<float>(settings.frame), settings.shutter);
     constexpr int tile = 16;

@@ -31,7 +31,9 @@ constexpr std::uint32_t mix_bits(std::uint32_t x) {
     return x ^ (x >> 16);
 }
 
-constexpr std::uint32_t combine(std::uint32_t a, std::uint32_t b) { return mix_bits(a ^ (mix_bits(b) + 0x9e3779b9u + (a << 6) + (a >> 2))); }
+constexpr std::uint32_t combine(std::uint32_t a, std::uint32_t b) {
+    return mix_bits(a ^ (mix_bits(b) + 0x9e3779b9u + (a << 6) + (a >> 2)));
+}
 
 constexpr std::uint32_t reverse_bits(std::uint32_t x) {
     x = (x & 0x55555555u) << 1 | (x >> 1 & 0x55555555u);

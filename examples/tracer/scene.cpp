@@ -9,8 +9,7 @@
 namespace quell::tracer {
 namespace {
 
-template <class Item>
-int append(std::vector<Item>& items, Item item) {
+template <class Item> int append(std::vector<Item>& items, Item item) {
     items.push_back(std::move(item));
     return static_cast<int>(items.size()) - 1;
 }
@@ -34,17 +33,14 @@ int SceneDescription::add_sphere() {
     return add(std::move(shape));
 }
 
-int SceneDescription::place(int shape, int material, Pose pose, int parent) {
-    return append(instances, SceneInstance{shape, material, add_node(std::move(pose), parent)});
-}
-
 int SceneDescription::place(int shape, int material, Transform const& transform, int parent) {
     return place(shape, material, fixed(transform), parent);
 }
 
 glm::mat4 node_matrix(std::vector<Node> const& nodes, int node, float frame) {
     glm::mat4 matrix{1.f};
-    for (; node >= 0; node = nodes[static_cast<std::size_t>(node)].parent) matrix = nodes[static_cast<std::size_t>(node)].pose(frame) * matrix;
+    for (; node >= 0; node = nodes[static_cast<std::size_t>(node)].parent)
+        matrix = nodes[static_cast<std::size_t>(node)].pose(frame) * matrix;
     return matrix;
 }
 
@@ -58,7 +54,8 @@ TriangleMesh SceneDescription::vertices_at(Shape const& shape, float frame) cons
     }
     if (shape.skin.joints.empty()) return mesh;
     std::vector<glm::mat4> joints;
-    for (std::size_t i = 0; i < shape.skin.joints.size(); ++i) joints.push_back(node_matrix(shape.skin.joints[i], frame) * shape.skin.inverse_bind[i]);
+    for (std::size_t i = 0; i < shape.skin.joints.size(); ++i)
+        joints.push_back(node_matrix(shape.skin.joints[i], frame) * shape.skin.inverse_bind[i]);
     apply_skin(shape.skin, joints, mesh);
     return mesh;
 }

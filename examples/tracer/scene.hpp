@@ -8,8 +8,10 @@
 
 #include <glm/vec3.hpp>
 
+#include <concepts>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace quell::tracer {
@@ -20,7 +22,7 @@ struct Material {
     glm::vec3 base{0.8f};
     float metallic = 0;
     float roughness = 1;
-    glm::vec3 emission{0.f};       ///< radiance; every emitter is a light, seen by camera and reflections as well
+    glm::vec3 emission{0.f};                        ///< radiance; every emitter is a light, seen by camera and reflections as well
     std::function<float(float frame)> brightness{}; ///< factor on `emission` over time; none means 1
     bool emits_both_sides = false; ///< otherwise only the side from which triangles look counter-clockwise; spheres emit outwards
     float alpha_cutoff = 0;        ///< texels of base with less alpha are holes; 0 means there are none
@@ -71,8 +73,13 @@ struct SceneDescription {
     int add(Material material);
     int add_node(Pose pose, int parent = -1);
     int add_sphere();
-    int place(int shape, int material, Pose pose, int parent = -1);
     int place(int shape, int material, Transform const& transform = {}, int parent = -1);
+    /// The same for what moves. A template, so that a braced list can only mean a Transform.
+    template <std::invocable<float> Motion>
+    int place(int shape, int material, Motion pose, int parent = -1) {
+        instances.push_back({shape, material, add_node(std::move(pose), parent)});
+        return static_cast<int>(instances.size()) - 1;
+    }
 
     [[nodiscard]] glm::mat4 node_matrix(int node, float frame) const;
     /// A shape's vertices at a moment; texture coordinates are left out.

@@ -54,7 +54,8 @@ TriangleMesh surface(int columns, int rows, std::function<glm::vec3(float, float
     TriangleMesh mesh;
     for (int row = 0; row <= rows; ++row)
         for (int column = 0; column <= columns; ++column) {
-            glm::vec2 const uv{static_cast<float>(column) / static_cast<float>(columns), static_cast<float>(row) / static_cast<float>(rows)};
+            glm::vec2 const uv{static_cast<float>(column) / static_cast<float>(columns),
+                               static_cast<float>(row) / static_cast<float>(rows)};
             mesh.positions.push_back(point(uv.x, uv.y));
             mesh.uvs.push_back(uv);
         }

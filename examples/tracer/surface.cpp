@@ -19,9 +19,7 @@ struct Geometry {
     float uv_per_length = 0;
 };
 
-glm::vec3 turned(glm::mat4 const& placement, glm::vec3 normal) {
-    return glm::transpose(glm::inverse(glm::mat3(placement))) * normal;
-}
+glm::vec3 turned(glm::mat4 const& placement, glm::vec3 normal) { return glm::transpose(glm::inverse(glm::mat3(placement))) * normal; }
 
 Geometry sphere_geometry(glm::mat4 const& placement, Hit const& hit) {
     Geometry found;
@@ -34,8 +32,7 @@ Geometry sphere_geometry(glm::mat4 const& placement, Hit const& hit) {
     return found;
 }
 
-template <class Value>
-Value interpolated(std::vector<Value> const& values, glm::uvec3 corners, glm::vec3 weights) {
+template <class Value> Value interpolated(std::vector<Value> const& values, glm::uvec3 corners, glm::vec3 weights) {
     return values[corners.x] * weights.x + values[corners.y] * weights.y + values[corners.z] * weights.z;
 }
 
@@ -86,7 +83,9 @@ void apply_material(PreparedScene const& scene, Hit const& hit, Geometry const& 
     surface.is_emitter = glm::length(material.emission) > 0;
     surface.is_light = scene.is_light(hit.instance);
     bool const shines = surface.is_emitter && (outside || material.emits_both_sides);
-    if (shines) surface.emission = material.emission * scene.brightness(hit.instance) * glm::vec3(texel(scene, material.emission_texture, geometry, width));
+    if (shines)
+        surface.emission =
+            material.emission * scene.brightness(hit.instance) * glm::vec3(texel(scene, material.emission_texture, geometry, width));
 }
 
 glm::vec3 unit_or(glm::vec3 direction, glm::vec3 otherwise) {

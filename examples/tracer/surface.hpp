@@ -10,7 +10,7 @@ struct Surface {
     glm::vec3 geometric_normal{0, 0, 1}, normal{0, 0, 1};
     glm::vec3 base{0.f}, emission{0.f};
     float metallic = 0, roughness = 1;
-    float clearance = 0; ///< how far new rays have to start off the surface so as not to meet it again
+    float clearance = 0;     ///< how far new rays have to start off the surface so as not to meet it again
     bool is_emitter = false; ///< emits only, and reflects nothing
     bool is_light = false;   ///< an emitter that `direct` light accounts for
 

@@ -53,7 +53,8 @@ Texture::Level halved(Texture::Level const& fine, Encoding encoding) {
             int const x0 = glm::min(2 * x, fine.width - 1), x1 = glm::min(2 * x + 1, fine.width - 1);
             int const y0 = glm::min(2 * y, fine.height - 1), y1 = glm::min(2 * y + 1, fine.height - 1);
             glm::vec4 sum{0.f};
-            for (auto [u, v] : {std::pair{x0, y0}, {x1, y0}, {x0, y1}, {x1, y1}}) sum += decoded(fine.texels[texel_index(fine, u, v)], encoding);
+            for (auto [u, v] : {std::pair{x0, y0}, {x1, y0}, {x0, y1}, {x1, y1}})
+                sum += decoded(fine.texels[texel_index(fine, u, v)], encoding);
             coarse.texels.push_back(encoded(sum * 0.25f, encoding));
         }
     return coarse;
@@ -84,7 +85,8 @@ Texture painted(int width, int height, std::function<glm::vec3(glm::vec2)> const
     std::vector<glm::u8vec4> texels;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            glm::vec2 const uv{(static_cast<float>(x) + 0.5f) / static_cast<float>(width), (static_cast<float>(y) + 0.5f) / static_cast<float>(height)};
+            glm::vec2 const uv{(static_cast<float>(x) + 0.5f) / static_cast<float>(width),
+                               (static_cast<float>(y) + 0.5f) / static_cast<float>(height)};
             texels.push_back(encoded(glm::vec4(colour(uv), 1.f), Encoding::srgb));
         }
     return {width, height, std::move(texels)};

@@ -14,7 +14,7 @@ enum class Encoding { srgb, linear };
 
 /// An image with its mip levels. Texels are kept as they were encoded, 8 bits a component, and decoded when they are fetched.
 class Texture {
-  public:
+public:
     struct Level {
         int width = 0, height = 0;
         std::vector<glm::u8vec4> texels;

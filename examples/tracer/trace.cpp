@@ -33,8 +33,10 @@ void trace_glossy(PreparedScene const& scene, Surface const& surface, glm::vec3 
     Ray const ray{surface.origin(direction), direction, infinity, path.time};
     ++path.counts->glossy;
     Incident arrived;
-    if (shade) arrived = incident(scene, ray, path, footprint_angle + surface.roughness * surface.roughness * 0.5f, true);
-    else arrived.hit = scene.intersect(ray);
+    if (shade)
+        arrived = incident(scene, ray, path, footprint_angle + surface.roughness * surface.roughness * 0.5f, true);
+    else
+        arrived.hit = scene.intersect(ray);
     signals.glossy = metal.weight(out, in, microfacet) * arrived.radiance;
     if (!arrived.hit) return;
     signals.glossy_hit = scene.point(arrived.hit, path.time, When::now);

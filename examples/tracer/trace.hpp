@@ -12,10 +12,8 @@
 namespace quell::tracer {
 
 /// Which rays a set of channels takes. A channel that nobody wants costs nothing: what it alone would need isn't even compiled.
-template <class Wanted>
-struct Rays {
-    template <class... Cs>
-    static constexpr bool any = (Wanted::template has<Cs> || ...);
+template <class Wanted> struct Rays {
+    template <class... Cs> static constexpr bool any = (Wanted::template has<Cs> || ...);
 
     static constexpr bool blocker = any<Blocker, BlockerPrevious>;
     static constexpr bool shadow = blocker || any<Visibility, Radiance>;
@@ -49,8 +47,7 @@ void trace_glossy(PreparedScene const& scene, Surface const& surface, glm::vec3 
 void trace_indirect(PreparedScene const& scene, Surface const& surface, PathContext const& path, bool shade, Signals& signals);
 
 /// Light sample, shadow and unshadowed direct light.
-template <class Wanted>
-void trace_direct(PreparedScene const& scene, Surface const& surface, PathContext const& path, Signals& signals) {
+template <class Wanted> void trace_direct(PreparedScene const& scene, Surface const& surface, PathContext const& path, Signals& signals) {
     using rays = Rays<Wanted>;
     auto const reflectance = surface.diffuse() * std::numbers::inv_pi_v<float>;
     if constexpr (rays::light_sample) {
@@ -68,7 +65,8 @@ void trace_direct(PreparedScene const& scene, Surface const& surface, PathContex
 
 /// Everything that `Wanted` asks for beyond the surface itself.
 template <class Wanted>
-Signals trace_signals(PreparedScene const& scene, Surface const& surface, glm::vec3 to_viewer, PathContext const& path, float footprint_angle) {
+Signals trace_signals(PreparedScene const& scene, Surface const& surface, glm::vec3 to_viewer, PathContext const& path,
+                      float footprint_angle) {
     using rays = Rays<Wanted>;
     Signals signals;
     signals.indirect_direction = surface.normal;

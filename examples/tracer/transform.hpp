@@ -24,8 +24,7 @@ struct Transform {
 enum class Interpolation { step, linear, cubic };
 
 /// A value at a moment; the tangents (per frame) matter for cubic interpolation only.
-template <class Value>
-struct Key {
+template <class Value> struct Key {
     float frame = 0;
     Value value{};
     Value tangent_in{}, tangent_out{};
@@ -38,8 +37,7 @@ inline glm::vec3 tidied(glm::vec3 value) { return value; }
 inline glm::quat tidied(glm::quat value) { return glm::normalize(value); }
 
 /// Cubic Hermite segment.
-template <class Value>
-Value hermite(Key<Value> const& a, Key<Value> const& b, float t) {
+template <class Value> Value hermite(Key<Value> const& a, Key<Value> const& b, float t) {
     float const length = b.frame - a.frame, t2 = t * t, t3 = t2 * t;
     return tidied(a.value * (2 * t3 - 3 * t2 + 1) + a.tangent_out * ((t3 - 2 * t2 + t) * length) + b.value * (3 * t2 - 2 * t3) +
                   b.tangent_in * ((t3 - t2) * length));
@@ -47,8 +45,7 @@ Value hermite(Key<Value> const& a, Key<Value> const& b, float t) {
 } // namespace detail
 
 /// A value over time, from keys in ascending order: constant before the first and after the last, or repeating.
-template <class Value>
-struct Track {
+template <class Value> struct Track {
     std::vector<Key<Value>> keys;
     Interpolation interpolation = Interpolation::linear;
     float period = 0; ///< frames after which it repeats; 0 means never
@@ -61,7 +58,7 @@ struct Track {
         return between(*std::prev(next), *next, frame);
     }
 
-  private:
+private:
     [[nodiscard]] Value between(Key<Value> const& a, Key<Value> const& b, float frame) const {
         float const t = (frame - a.frame) / (b.frame - a.frame);
         if (interpolation == Interpolation::step) return a.value;

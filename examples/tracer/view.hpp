@@ -11,7 +11,7 @@ namespace quell::tracer {
 
 /// A camera at one moment, for rays and for projection. Pixels as everywhere in quell: (0, 0) is the top-left corner, y grows down.
 class View {
-  public:
+public:
     View(CameraPose const& pose, Extent size);
 
     [[nodiscard]] glm::vec3 eye() const { return origin; }
@@ -24,7 +24,7 @@ class View {
     /// How much direction one pixel covers, in radians.
     [[nodiscard]] float pixel_angle() const { return pixel; }
 
-  private:
+private:
     glm::vec3 origin, right, up, forward;
     glm::vec2 centre, pixels_per_slope; ///< image centre; pixels per unit of tangent
     float pixel;

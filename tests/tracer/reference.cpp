@@ -69,7 +69,7 @@ TEST_CASE("references are cached by all that they depend on") {
     PreparedScene scene{little_world()};
     auto const first = reference<Wanted>(scene, {.size = size, .frame = 4}, settings);
     CHECK(!first.from_cache);
-    CHECK(cache.files().size() == 1);
+    CHECK(cache.files().size() == 3);
     PreparedScene same{little_world()};
     auto const second = reference<Wanted>(same, {.size = size, .frame = 4}, settings);
     CHECK(second.from_cache);
@@ -80,7 +80,7 @@ TEST_CASE("references are cached by all that they depend on") {
     PreparedScene other{little_world(2.1f)};
     CHECK(!reference<Wanted>(other, {.size = size, .frame = 4}, settings).from_cache);
     CHECK(!reference<Wanted>(scene, {.size = size, .frame = 5}, settings).from_cache);
-    CHECK(!reference<Channels<Radiance>>(scene, {.size = size, .frame = 4}, settings).from_cache);
+    CHECK(reference<Channels<Indirect>>(scene, {.size = size, .frame = 4}, settings).from_cache);
     CHECK(!reference<Wanted>(scene, {.size = {30, 18}, .frame = 4}, settings).from_cache);
 }
 
@@ -88,23 +88,23 @@ TEST_CASE("a damaged cache file is computed again") {
     Cache const cache;
     ReferenceSettings const settings{.tolerance = 0.05, .cache = cache.path};
     PreparedScene scene{little_world()};
-    auto const first = reference<Wanted>(scene, {.size = size}, settings);
+    auto const first = reference<Channels<Indirect>>(scene, {.size = size}, settings);
     REQUIRE(cache.files().size() == 1);
     auto const file = cache.files()[0];
     auto const whole = std::filesystem::file_size(file);
     for (auto const length : {whole / 2, std::uintmax_t{5}, std::uintmax_t{0}}) {
         std::filesystem::resize_file(file, length);
-        CHECK(!reference<Wanted>(scene, {.size = size}, settings).from_cache);
+        CHECK(!reference<Channels<Indirect>>(scene, {.size = size}, settings).from_cache);
         CHECK(std::filesystem::file_size(file) == whole);
     }
     std::fstream{file, std::ios::binary | std::ios::in | std::ios::out}.seekp(200) << 'x';
-    CHECK(!reference<Wanted>(scene, {.size = size}, settings).from_cache);
-    auto const again = reference<Wanted>(scene, {.size = size}, settings);
+    CHECK(!reference<Channels<Indirect>>(scene, {.size = size}, settings).from_cache);
+    auto const again = reference<Channels<Indirect>>(scene, {.size = size}, settings);
     CHECK(again.from_cache);
-    CHECK(again[radiance].pixels == first[radiance].pixels);
+    CHECK(again[indirect].pixels == first[indirect].pixels);
 }
 
 TEST_CASE("a cache that can't be written doesn't matter") {
     PreparedScene scene{little_world()};
-    CHECK_NOTHROW(reference<Wanted>(scene, {.size = size}, {.tolerance = 0.1, .cache = "/proc/nowhere"}));
+    CHECK_NOTHROW(reference<Channels<Indirect>>(scene, {.size = size}, {.tolerance = 0.1, .cache = "/proc/nowhere"}));
 }

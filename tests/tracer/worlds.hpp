@@ -17,8 +17,7 @@ inline SceneDescription world(glm::vec3 eye, glm::vec3 target, float field_of_vi
 }
 
 /// Renders a description's channels into pictures.
-template <class Wanted>
-Pictures<Wanted> pictures_of(SceneDescription scene, RenderSettings const& settings) {
+template <class Wanted> Pictures<Wanted> pictures_of(SceneDescription scene, RenderSettings const& settings) {
     PreparedScene prepared{std::move(scene)};
     Pictures<Wanted> pictures{settings.size};
     render<Wanted>(prepared, settings, pictures);
@@ -34,7 +33,8 @@ inline bool is_finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(
 /// Where a point appears by the camera's matrices, in pixels: quell's convention, apart from the tracer's own projection.
 inline glm::vec2 projected(Camera const& camera, glm::vec3 point, Extent size) {
     auto const clip = camera.clip_from_world() * glm::vec4(point, 1.f);
-    return {(clip.x / clip.w * 0.5f + 0.5f) * static_cast<float>(size.width), (0.5f - 0.5f * clip.y / clip.w) * static_cast<float>(size.height)};
+    return {(clip.x / clip.w * 0.5f + 0.5f) * static_cast<float>(size.width),
+            (0.5f - 0.5f * clip.y / clip.w) * static_cast<float>(size.height)};
 }
 
 } // namespace quell::tracer

@@ -13,8 +13,9 @@ SceneDescription load_gltf(std::filesystem::path const& path, CameraChoice const
     gltf::add_nodes(model, scene);
     gltf::add_instances(model, scene);
     gltf::add_camera(model, scene);
-    gltf::add_default_light(scene);
+    // The camera first: what stands in for missing light isn't part of what it frames.
     choose_camera(scene, camera);
+    gltf::add_default_light(scene);
     return scene;
 }
 

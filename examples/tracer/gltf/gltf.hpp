@@ -21,9 +21,9 @@ struct CameraChoice {
 };
 
 /// Loads a glTF 2.0 file, text or binary: node hierarchy and animation, skinning, base colour, metallic, roughness, emission, alpha masks.
-/// The first animation that moves a node does so, over and over. Emissive triangles are the lights; a file without any gets a sky and a
-/// large soft sun. Not supported, and ignored: normal maps, transparency beyond masks, morph targets, punctual lights, orthographic cameras.
-/// Throws quell::Error that names the file, what was found there, and what to do.
+/// The first animation that moves a node does so, over and over. Emissive triangles are the lights; a file without any gets a sky, a
+/// large soft sun and a ground to stand on. Not supported, and ignored: normal maps, transparency beyond masks, morph targets, punctual
+/// lights, orthographic cameras. Throws quell::Error that names the file, what was found there, and what to do.
 [[nodiscard]] SceneDescription load_gltf(std::filesystem::path const& path, CameraChoice const& camera = {});
 
 /// Gives any scene another camera.

@@ -33,7 +33,8 @@ int attribute(tinygltf::Primitive const& primitive, char const* name) {
 
 TriangleMesh mesh_of(Model const& model, tinygltf::Primitive const& primitive) {
     TriangleMesh mesh;
-    int const positions = attribute(primitive, "POSITION"), normals = attribute(primitive, "NORMAL"), uvs = attribute(primitive, "TEXCOORD_0");
+    int const positions = attribute(primitive, "POSITION"), normals = attribute(primitive, "NORMAL"),
+              uvs = attribute(primitive, "TEXCOORD_0");
     if (positions < 0) return mesh;
     mesh.positions = model.vectors<glm::vec3>(positions);
     if (normals >= 0) mesh.normals = model.vectors<glm::vec3>(normals);
@@ -43,7 +44,8 @@ TriangleMesh mesh_of(Model const& model, tinygltf::Primitive const& primitive) {
         throw model.error("a mesh has " + std::to_string(count) + " positions but another number of normals or texture coordinates");
     mesh.triangles = triangles_of(corner_sequence(model, primitive, count), primitive.mode);
     for (auto const& corners : mesh.triangles)
-        if (std::max({corners.x, corners.y, corners.z}) >= count) throw model.error("a triangle refers to a vertex beyond the " + std::to_string(count) + " of its mesh");
+        if (std::max({corners.x, corners.y, corners.z}) >= count)
+            throw model.error("a triangle refers to a vertex beyond the " + std::to_string(count) + " of its mesh");
     return mesh;
 }
 
@@ -54,11 +56,13 @@ std::vector<glm::uvec4> joints_of(Model const& model, int accessor) {
 }
 
 void check_skin(Model const& model, Skin const& skin, std::size_t vertex_count) {
-    if (skin.vertex_joints.size() != vertex_count || skin.vertex_weights.size() != vertex_count || skin.inverse_bind.size() != skin.joints.size())
+    if (skin.vertex_joints.size() != vertex_count || skin.vertex_weights.size() != vertex_count ||
+        skin.inverse_bind.size() != skin.joints.size())
         throw model.error("a skin doesn't have joints and weights for each vertex, or a matrix for each joint");
     for (auto const& joints : skin.vertex_joints)
         for (int i = 0; i < 4; ++i)
-            if (joints[i] >= skin.joints.size()) throw model.error("a vertex follows joint " + std::to_string(joints[i]) + " of " + std::to_string(skin.joints.size()));
+            if (joints[i] >= skin.joints.size())
+                throw model.error("a vertex follows joint " + std::to_string(joints[i]) + " of " + std::to_string(skin.joints.size()));
 }
 
 Skin skin_of(Model const& model, int number, tinygltf::Primitive const& primitive, std::size_t vertex_count) {
@@ -74,7 +78,8 @@ Skin skin_of(Model const& model, int number, tinygltf::Primitive const& primitiv
     if (source.inverseBindMatrices >= 0) {
         auto const values = model.floats(source.inverseBindMatrices, 16);
         skin.inverse_bind.assign(values.size() / 16, glm::mat4{1.f});
-        for (std::size_t i = 0; i < values.size(); ++i) skin.inverse_bind[i / 16][static_cast<int>(i % 16 / 4)][static_cast<int>(i % 4)] = values[i];
+        for (std::size_t i = 0; i < values.size(); ++i)
+            skin.inverse_bind[i / 16][static_cast<int>(i % 16 / 4)][static_cast<int>(i % 4)] = values[i];
     }
     check_skin(model, skin, vertex_count);
     return skin;
@@ -82,7 +87,7 @@ Skin skin_of(Model const& model, int number, tinygltf::Primitive const& primitiv
 
 /// Rigid meshes are shared by the nodes that show them.
 class Instances {
-  public:
+public:
     Instances(Model const& model_, SceneDescription& scene_) : model(model_), scene(scene_) {}
 
     void add(int node_number) {
@@ -94,7 +99,7 @@ class Instances {
         for (int child : node.children) add(child);
     }
 
-  private:
+private:
     void add(int node_number, tinygltf::Node const& node, tinygltf::Primitive const& primitive, std::pair<int, std::size_t> key) {
         bool const skinned = node.skin >= 0 && attribute(primitive, "JOINTS_0") >= 0;
         auto const found = shapes.find(key);

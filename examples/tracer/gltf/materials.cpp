@@ -25,12 +25,13 @@ void check_image(Model const& model, tinygltf::Image const& image) {
     auto const pixels = static_cast<std::size_t>(std::max(image.width, 0)) * static_cast<std::size_t>(std::max(image.height, 0));
     bool const known = image.component >= 1 && image.component <= 4 && (image.bits == 8 || image.bits == 16);
     if (pixels == 0 || !known || image.image.size() < pixels * static_cast<std::size_t>(image.component * image.bits / 8))
-        throw model.error("its texture '" + name_of(image) + "' is missing or can't be decoded", "put that image file beside it, as PNG or JPEG");
+        throw model.error("its texture '" + name_of(image) + "' is missing or can't be decoded",
+                          "put that image file beside it, as PNG or JPEG");
 }
 
 /// Adds textures when a material first asks for them: the encoding depends on what it's used for.
 class Textures {
-  public:
+public:
     Textures(Model const& model_, SceneDescription& scene_) : model(model_), scene(scene_) {}
 
     int use(int texture, Encoding encoding) {
@@ -40,7 +41,7 @@ class Textures {
         return place->second;
     }
 
-  private:
+private:
     [[nodiscard]] Texture read(int number, Encoding encoding) const {
         auto const& source = model.item(model.content.textures, number, "texture");
         auto const& image = model.item(model.content.images, source.source, "image");

@@ -6,8 +6,7 @@
 namespace quell::tracer::gltf {
 namespace {
 
-template <class Number>
-double number_at(unsigned char const* bytes) {
+template <class Number> double number_at(unsigned char const* bytes) {
     Number value;
     std::memcpy(&value, bytes, sizeof value);
     return static_cast<double>(value);
@@ -15,22 +14,33 @@ double number_at(unsigned char const* bytes) {
 
 double number_of(unsigned char const* bytes, int component_type) {
     switch (component_type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE: return number_at<std::int8_t>(bytes);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return number_at<std::uint8_t>(bytes);
-    case TINYGLTF_COMPONENT_TYPE_SHORT: return number_at<std::int16_t>(bytes);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return number_at<std::uint16_t>(bytes);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return number_at<std::uint32_t>(bytes);
-    default: return number_at<float>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return number_at<std::int8_t>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return number_at<std::uint8_t>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return number_at<std::int16_t>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return number_at<std::uint16_t>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        return number_at<std::uint32_t>(bytes);
+    default:
+        return number_at<float>(bytes);
     }
 }
 
 double largest_of(int component_type) {
     switch (component_type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE: return 127;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return 255;
-    case TINYGLTF_COMPONENT_TYPE_SHORT: return 32767;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return 65535;
-    default: return 1;
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return 127;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return 255;
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return 32767;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return 65535;
+    default:
+        return 1;
     }
 }
 
@@ -54,9 +64,9 @@ Model::Range Model::range(int buffer_view, std::size_t offset, std::size_t count
     auto const stride = view.byteStride != 0 ? view.byteStride : size;
     auto const bytes = buffer.data.size(), start = view.byteOffset + offset;
     // Written so that no sum or product overflows, whatever numbers a broken file holds.
-    bool const fits = view.byteOffset <= bytes && offset <= bytes && start <= bytes && (count == 0 || (size <= bytes - start && (count - 1) <= (bytes - start - size) / stride));
-    if (!fits)
-        throw error("an accessor reaches beyond the " + std::to_string(bytes) + " bytes of buffer '" + buffer.uri + "'");
+    bool const fits = view.byteOffset <= bytes && offset <= bytes && start <= bytes &&
+                      (count == 0 || (size <= bytes - start && (count - 1) <= (bytes - start - size) / stride));
+    if (!fits) throw error("an accessor reaches beyond the " + std::to_string(bytes) + " bytes of buffer '" + buffer.uri + "'");
     return {buffer.data.data() + start, count, stride, component_type, components, false};
 }
 
@@ -75,8 +85,10 @@ std::vector<double> Model::numbers(Range const& range) const {
 void Model::substitute(tinygltf::Accessor const& accessor, int components, std::vector<double>& values) const {
     auto const& sparse = accessor.sparse;
     auto const count = static_cast<std::size_t>(sparse.count), width = static_cast<std::size_t>(components);
-    auto const places = numbers(range(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset), count, sparse.indices.componentType, 1));
-    auto const news = numbers(range(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), count, accessor.componentType, components));
+    auto const places = numbers(
+        range(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset), count, sparse.indices.componentType, 1));
+    auto const news = numbers(
+        range(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), count, accessor.componentType, components));
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = 0; j < width && static_cast<std::size_t>(places[i]) < accessor.count; ++j)
             values[static_cast<std::size_t>(places[i]) * width + j] = news[i * width + j];
@@ -87,7 +99,8 @@ std::vector<double> Model::numbers(int number, int components) const {
     if (tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)) != components)
         throw error("accessor " + std::to_string(number) + " doesn't have " + std::to_string(components) + " components");
     constexpr std::size_t most = std::size_t{1} << 28;
-    if (accessor.count > most) throw error("accessor " + std::to_string(number) + " claims " + std::to_string(accessor.count) + " elements");
+    if (accessor.count > most)
+        throw error("accessor " + std::to_string(number) + " claims " + std::to_string(accessor.count) + " elements");
     std::vector<double> values(accessor.count * static_cast<std::size_t>(components));
     if (accessor.bufferView >= 0) {
         auto found = range(accessor.bufferView, accessor.byteOffset, accessor.count, accessor.componentType, components);

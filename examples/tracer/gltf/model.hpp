@@ -27,23 +27,22 @@ struct Model {
     [[nodiscard]] std::vector<float> floats(int accessor, int components) const;
     [[nodiscard]] std::vector<unsigned> indices(int accessor) const;
 
-    template <class Vector>
-    [[nodiscard]] std::vector<Vector> vectors(int accessor) const {
+    template <class Vector> [[nodiscard]] std::vector<Vector> vectors(int accessor) const {
         auto const values = floats(accessor, Vector::length());
         std::vector<Vector> result(values.size() / static_cast<std::size_t>(Vector::length()));
         for (std::size_t i = 0; i < values.size(); ++i)
-            result[i / static_cast<std::size_t>(Vector::length())][static_cast<int>(i % static_cast<std::size_t>(Vector::length()))] = values[i];
+            result[i / static_cast<std::size_t>(Vector::length())][static_cast<int>(i % static_cast<std::size_t>(Vector::length()))] =
+                values[i];
         return result;
     }
 
     /// An item of a list of the file, by the number that another item refers to it with. Also called just to check that number.
-    template <class Item>
-    Item const& item(std::vector<Item> const& list, int number, char const* kind) const {
+    template <class Item> Item const& item(std::vector<Item> const& list, int number, char const* kind) const {
         if (number >= 0 && static_cast<std::size_t>(number) < list.size()) return list[static_cast<std::size_t>(number)];
         throw error(std::string{"it refers to "} + kind + " " + std::to_string(number) + " of " + std::to_string(list.size()));
     }
 
-  private:
+private:
     struct Range {
         unsigned char const* first;
         std::size_t count, stride;

@@ -9,10 +9,11 @@
 namespace quell::tracer::gltf {
 namespace {
 
-template <class Value>
-Value value_at(std::vector<float> const& values, std::size_t i) {
-    if constexpr (std::is_same_v<Value, glm::quat>) return glm::quat{values[4 * i + 3], values[4 * i], values[4 * i + 1], values[4 * i + 2]};
-    else return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+template <class Value> Value value_at(std::vector<float> const& values, std::size_t i) {
+    if constexpr (std::is_same_v<Value, glm::quat>)
+        return glm::quat{values[4 * i + 3], values[4 * i], values[4 * i + 1], values[4 * i + 2]};
+    else
+        return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
 }
 
 Interpolation interpolation_of(std::string const& name) {
@@ -21,8 +22,7 @@ Interpolation interpolation_of(std::string const& name) {
 }
 
 /// Cubic samplers store three values a key: tangent in, value, tangent out; tangents are per second.
-template <class Value>
-Key<Value> key_at(std::vector<float> const& times, std::vector<float> const& values, std::size_t i, bool cubic) {
+template <class Value> Key<Value> key_at(std::vector<float> const& times, std::vector<float> const& values, std::size_t i, bool cubic) {
     Key<Value> key{.frame = times[i] * frames_per_second, .value = value_at<Value>(values, cubic ? 3 * i + 1 : i)};
     if (!cubic) return key;
     key.tangent_in = value_at<Value>(values, 3 * i) * (1 / frames_per_second);
@@ -30,15 +30,15 @@ Key<Value> key_at(std::vector<float> const& times, std::vector<float> const& val
     return key;
 }
 
-template <class Value>
-Track<Value> track_of(Model const& model, tinygltf::AnimationSampler const& sampler) {
+template <class Value> Track<Value> track_of(Model const& model, tinygltf::AnimationSampler const& sampler) {
     constexpr int components = std::is_same_v<Value, glm::quat> ? 4 : 3;
     auto const times = model.floats(sampler.input, 1), values = model.floats(sampler.output, components);
     Track<Value> track;
     track.interpolation = interpolation_of(sampler.interpolation);
     bool const cubic = track.interpolation == Interpolation::cubic;
     if (times.empty() || values.size() < times.size() * (cubic ? 3 : 1) * components)
-        throw model.error("an animation has " + std::to_string(times.size()) + " times but " + std::to_string(values.size() / components) + " values");
+        throw model.error("an animation has " + std::to_string(times.size()) + " times but " + std::to_string(values.size() / components) +
+                          " values");
     for (std::size_t i = 0; i < times.size(); ++i) track.keys.push_back(key_at<Value>(times, values, i, cubic));
     track.period = track.keys.back().frame;
     return track;
@@ -70,7 +70,8 @@ Transform rest_of(tinygltf::Node const& node) {
     if (node.scale.size() == 3) rest.scale = vector(node.scale);
     if (node.rotation.size() == 4) {
         auto const& q = node.rotation;
-        rest.rotation = glm::normalize(glm::quat{static_cast<float>(q[3]), static_cast<float>(q[0]), static_cast<float>(q[1]), static_cast<float>(q[2])});
+        rest.rotation = glm::normalize(
+            glm::quat{static_cast<float>(q[3]), static_cast<float>(q[0]), static_cast<float>(q[1]), static_cast<float>(q[2])});
     }
     return rest;
 }

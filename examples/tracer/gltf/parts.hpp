@@ -16,7 +16,7 @@ void add_nodes(Model const& model, SceneDescription& scene);
 void add_instances(Model const& model, SceneDescription& scene);
 /// The file's camera, else one that frames everything. Needs instances.
 void add_camera(Model const& model, SceneDescription& scene);
-/// A sky and a sun, where there is nothing that emits. Needs instances.
+/// A sky, a sun and a ground, where there is nothing that emits. Needs instances.
 void add_default_light(SceneDescription& scene);
 
 } // namespace quell::tracer::gltf

@@ -2,6 +2,7 @@
 #include "parts.hpp"
 
 #include "../bounds.hpp"
+#include "../shapes.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -15,10 +16,20 @@ namespace {
 
 constexpr float default_field_of_view = 45;
 
-/// Far enough away for a sphere around everything to fit.
-glm::vec3 framing_eye(Bounds const& bounds, float field_of_view) {
-    float const distance = bounds.radius() / std::sin(glm::radians(field_of_view) / 2);
-    return bounds.centre() + glm::normalize(glm::vec3{0.6f, 0.4f, 1.f}) * distance;
+/// Far enough away in a direction for all corners of the box to be seen, with a little room around them.
+glm::vec3 framing_eye(Bounds const& bounds, glm::vec3 direction, float field_of_view) {
+    auto const right = glm::normalize(glm::cross(glm::vec3{0, 1, 0}, direction)), up = glm::cross(direction, right);
+    float const slope = std::tan(glm::radians(field_of_view) / 2) * 0.9f;
+    float distance = 0;
+    for (int i = 0; i < 8; ++i) {
+        glm::vec3 const corner{i & 1 ? bounds.least.x : bounds.most.x, i & 2 ? bounds.least.y : bounds.most.y,
+                               i & 4 ? bounds.least.z : bounds.most.z};
+        auto const offset = corner - bounds.centre();
+        // Images are taken to be half as wide again as they are high, at least.
+        float const half_size = std::max(std::abs(glm::dot(offset, up)), std::abs(glm::dot(offset, right)) / 1.5f);
+        distance = std::max(distance, half_size / slope + glm::dot(offset, direction));
+    }
+    return bounds.centre() + direction * distance;
 }
 
 glm::vec3 turned(glm::vec3 eye, glm::vec3 target, float degrees) {
@@ -60,14 +71,17 @@ void add_camera(Model const& model, SceneDescription& scene) {
     int const node = camera_node(model);
     if (node < 0) {
         auto const bounds = bounds_of(scene, 0);
-        auto const pose = look_at(framing_eye(bounds, default_field_of_view), bounds.centre(), default_field_of_view);
+        auto const pose = look_at(framing_eye(bounds, glm::normalize(glm::vec3{0.6f, 0.4f, 1.f}), default_field_of_view), bounds.centre(),
+                                  default_field_of_view);
         scene.camera = [pose](float) { return pose; };
         return;
     }
     auto const number = model.content.nodes[static_cast<std::size_t>(node)].camera;
     auto const field_of_view = static_cast<float>(model.content.cameras[static_cast<std::size_t>(number)].perspective.yfov);
     // The nodes are copied, so that the camera doesn't depend on where the description lies.
-    scene.camera = [nodes = scene.nodes, node, field_of_view](float frame) { return CameraPose{node_matrix(nodes, node, frame), field_of_view}; };
+    scene.camera = [nodes = scene.nodes, node, field_of_view](float frame) {
+        return CameraPose{node_matrix(nodes, node, frame), field_of_view};
+    };
 }
 
 void add_default_light(SceneDescription& scene) {
@@ -82,6 +96,10 @@ void add_default_light(SceneDescription& scene) {
     float const radiance = irradiance / (3.14159f * radius * radius / (distance * distance));
     scene.place(scene.add_sphere(), scene.add(Material{.emission = glm::vec3{1, 0.93f, 0.82f} * radiance}),
                 Transform{.translation = place, .scale = glm::vec3{radius * bounds.radius()}});
+    // Just below the lowest point, so that a floor of the file's own stays on top.
+    glm::vec3 const foot{bounds.centre().x, bounds.least.y - 1e-3f * bounds.radius(), bounds.centre().z};
+    scene.place(scene.add(rectangle(40 * bounds.radius(), 40 * bounds.radius())), scene.add(Material{.base = glm::vec3{0.45f}}),
+                Transform{.translation = foot});
 }
 
 } // namespace gltf

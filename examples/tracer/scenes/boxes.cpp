@@ -30,7 +30,8 @@ void add_walls(SceneDescription& scene) {
 void add_lights(SceneDescription& scene) {
     int const warm = scene.add(Material{.emission = {75, 64, 50}}), cool = scene.add(Material{.emission = {30, 36, 48}});
     int const brass = scene.add(Material{.base = {0.5f, 0.36f, 0.16f}});
-    int const dish = scene.add(rectangle(0.9f, 0.9f)), holder = scene.add(box({1, 0.06f, 1})), pole = scene.add(cylinder(0.03f, 0.03f, 1.28f));
+    int const dish = scene.add(rectangle(0.9f, 0.9f)), holder = scene.add(box({1, 0.06f, 1})),
+              pole = scene.add(cylinder(0.03f, 0.03f, 1.28f));
     for (float side : {-1.f, 1.f}) {
         scene.place(dish, side < 0 ? warm : cool, {.translation = {side * 2.2f, 1.34f, 1}});
         scene.place(holder, brass, {.translation = {side * 2.2f, 1.3f, 1}});
@@ -53,7 +54,8 @@ void add_books(SceneDescription& scene, float floor, int first) {
 
 /// Full of edges and colours, so that whatever is smeared or mixed up shows.
 void add_shelf(SceneDescription& scene) {
-    int const wood = scene.add(Material{.base = {0.32f, 0.2f, 0.12f}}), board = scene.add(box({3.6f, 0.05f, 0.34f})), post = scene.add(box({0.06f, 2.1f, 0.34f}));
+    int const wood = scene.add(Material{.base = {0.32f, 0.2f, 0.12f}}), board = scene.add(box({3.6f, 0.05f, 0.34f})),
+              post = scene.add(box({0.06f, 2.1f, 0.34f}));
     for (int level = 0; level < 5; ++level) {
         float const height = 0.12f + 0.48f * static_cast<float>(level);
         scene.place(board, wood, {.translation = {0, height, -1.32f}});
@@ -70,7 +72,9 @@ void add_sliders(SceneDescription& scene) {
     int const bright = scene.add(Material{.base = {0.93f, 0.9f, 0.82f}}), dark = scene.add(Material{.base = {0.05f, 0.06f, 0.09f}});
     int const checked = scene.add(Material{.base_texture = scene.add(checker({0.1f, 0.3f, 0.6f}, {0.8f, 0.8f, 0.75f}, 6))});
     auto const sliding = [](float depth, float height, float reach, float period, float start) {
-        return [=](float frame) { return Transform{{reach * std::sin(2 * pi * (frame - start) / period), height, depth}, turn(0, {0, 1, 0})}.matrix(); };
+        return [=](float frame) {
+            return Transform{{reach * std::sin(2 * pi * (frame - start) / period), height, depth}, turn(0, {0, 1, 0})}.matrix();
+        };
     };
     scene.place(scene.add(box({0.6f, 1.25f, 0.4f})), bright, sliding(-0.35f, 0.625f, 1.7f, 110, 30));
     scene.place(scene.add(box({0.5f, 0.6f, 0.4f})), checked, sliding(0.25f, 0.3f, 1.5f, 90, 62));

@@ -69,7 +69,8 @@ void add_furniture(SceneDescription& scene) {
         float const shade = static_cast<float>(i * 37 % 10) / 10, height = 0.26f + 0.1f * static_cast<float>(i * 53 % 7) / 7;
         int const cover = scene.add(Material{.base = {0.15f + 0.6f * shade, 0.5f - 0.4f * shade, 0.2f + 0.3f * std::abs(shade - 0.5f)}});
         glm::vec3 const place{0.45f + 0.11f * static_cast<float>(i), 1.575f + height / 2, -2.84f};
-        scene.place(scene.add(box({0.08f, height, 0.22f})), cover, {.translation = place, .rotation = turn(i == 8 ? 14.f : 0.f, {0, 0, 1})});
+        scene.place(scene.add(box({0.08f, height, 0.22f})), cover,
+                    {.translation = place, .rotation = turn(i == 8 ? 14.f : 0.f, {0, 0, 1})});
     }
 }
 

@@ -16,7 +16,8 @@ float place_of(int pair) { return 4 - spacing * static_cast<float>(pair); }
 /// Slabs of polished stone, each with a roughness of its own between 0 and 0.5.
 void add_floor(SceneDescription& scene) {
     int const stone = scene.add(tiles({0.52f, 0.48f, 0.42f}, {0.1f, 0.09f, 0.08f}, 8)), polish = scene.add(tile_roughness(0, 1, 8));
-    int const slabs = scene.add(Material{.metallic = 0.65f, .roughness = 0.5f, .base_texture = stone, .metallic_roughness_texture = polish});
+    int const slabs =
+        scene.add(Material{.metallic = 0.65f, .roughness = 0.5f, .base_texture = stone, .metallic_roughness_texture = polish});
     scene.place(scene.add(rectangle(9.6f, 38.4f, {1, 4})), slabs, {.translation = {0, 0, -10}});
     int const step = scene.add(Material{.base_texture = scene.add(marble({0.75f, 0.7f, 0.62f}, {0.45f, 0.4f, 0.36f}))});
     for (float side : {-1.f, 1.f}) {
@@ -58,19 +59,22 @@ void add_banners(SceneDescription& scene) {
             Shape cloth;
             cloth.mesh = surface(24, 16, [](float u, float v) { return glm::vec3{0, 1.1f + 2.1f * v, (u - 0.5f) * 1.2f}; });
             cloth.deformation = [phase](float frame, TriangleMesh& mesh) {
-                for (auto& point : mesh.positions) point.x = 0.1f * (3.2f - point.y) * std::sin(3 * point.z + 2 * point.y + phase + 0.12f * frame);
+                for (auto& point : mesh.positions)
+                    point.x = 0.1f * (3.2f - point.y) * std::sin(3 * point.z + 2 * point.y + phase + 0.12f * frame);
                 compute_normals(mesh);
             };
             int const colour = scene.add(Material{.base = pair % 2 == 0 ? glm::vec3{0.7f, 0.08f, 0.06f} : glm::vec3{0.08f, 0.2f, 0.6f}});
-            scene.place(scene.add(std::move(cloth)), colour, {.translation = {side * (half_width + 0.9f), 0, place_of(pair) - spacing / 2}});
+            scene.place(scene.add(std::move(cloth)), colour,
+                        {.translation = {side * (half_width + 0.9f), 0, place_of(pair) - spacing / 2}});
         }
 }
 
 void add_lights(SceneDescription& scene) {
-    int const sky = scene.add(Material{.emission = {10.5f, 9.2f, 7.2f}}), fire = scene.add(Material{.emission = {11, 4.6f, 1.3f}});
+    int const sun = scene.add(Material{.emission = {64, 55, 43}}), fire = scene.add(Material{.emission = {11, 4.6f, 1.3f}});
     int const bronze = scene.add(Material{.base = {0.8f, 0.5f, 0.25f}, .metallic = 1, .roughness = 0.3f});
-    scene.place(scene.add(rectangle(5, 26)), sky, {.translation = {8, 9, -6}, .rotation = turn(135, {0, 0, 1})});
-    int const bowl = scene.add(turned({{0, 0}, {0.2f, 0}, {0.06f, 0.1f}, {0.05f, 0.6f}, {0.1f, 0.7f}, {0.26f, 0.85f}, {0.24f, 0.85f}, {0, 0.72f}}));
+    scene.place(scene.add(rectangle(8, 9)), sun, {.translation = {20, 24, -2}, .rotation = turn(140, {0, 0, 1})});
+    int const bowl =
+        scene.add(turned({{0, 0}, {0.2f, 0}, {0.06f, 0.1f}, {0.05f, 0.6f}, {0.1f, 0.7f}, {0.26f, 0.85f}, {0.24f, 0.85f}, {0, 0.72f}}));
     for (float side : {-1.f, 1.f})
         for (int pair : {1, 4}) {
             glm::vec3 const place{side * 1.45f, 0, place_of(pair) - spacing / 2};

@@ -16,7 +16,8 @@ namespace quell::io {
 /// name that another process doing the same won't take, and renamed.
 /// @throws Error naming the file
 inline void replace_file(std::filesystem::path const& path, std::string_view bytes) {
-    auto const partial = std::filesystem::path(path) += "." + std::to_string(std::random_device{}()) + ".partial";
+    auto partial = path;
+    partial.concat(".").concat(std::to_string(std::random_device{}())).concat(".partial");
     std::error_code why;
     {
         errno = 0;

@@ -1,0 +1,27 @@
+#include "demo.hpp"
+
+#include <support/program.hpp>
+#include <tracer/scenes/scenes.hpp>
+
+#include <cstdio>
+
+namespace {
+void run(int argc, char const* const* argv) {
+    using namespace quell;
+    auto const options = examples::demo_options(argc, argv);
+    if (options.wants_help) return;
+    if (options.list) {
+        for (auto const& name : tracer::scene_names()) std::puts(name.c_str());
+        return;
+    }
+    for (auto const& scene : options.scenes) {
+        auto const folder = options.scenes.size() == 1 ? options.out : options.out / std::filesystem::path(scene).stem();
+        auto const page = examples::run_demo(options, scene, folder);
+        std::printf("%s\n", std::filesystem::absolute(page).string().c_str());
+    }
+}
+} // namespace
+
+int main(int argc, char const* const* argv) {
+    return quell::examples::exit_code_of("quell-demo", [&] { run(argc, argv); });
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <quell/image/extent.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace quell::examples {
+
+/// What the command line of quell-demo says.
+struct DemoOptions {
+    std::vector<std::string> scenes{"room"};
+    std::filesystem::path out = "out/demo";
+    Extent size{480, 270};
+    int frames = 33;
+    int threads = 0; ///< 0: all
+    std::uint32_t seed = 1;
+    int reference_every = 8;         ///< every so many frames one is compared with a converged reference; 0: none
+    double reference_tolerance = 0.02; ///< mean FLIP between the reference's two independent halves
+    bool quiet = false, list = false, wants_help = false;
+};
+
+/// @throws Error for a command line that can't be used
+[[nodiscard]] DemoOptions demo_options(int argc, char const* const* argv);
+
+} // namespace quell::examples

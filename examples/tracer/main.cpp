@@ -1,0 +1,261 @@
+// quell-trace: renders scenes to sequences of EXR files, with exactly the channels that the chosen effects need.
+
+#include "frame_sink.hpp"
+#include "gltf/gltf.hpp"
+#include "reference.hpp"
+#include "render.hpp"
+#include "scenes/scenes.hpp"
+
+#include <support/program.hpp>
+#include <support/progress.hpp>
+
+#include <quell/io/frame_image.hpp>
+#include <quell/io/write_exr.hpp>
+#include <quell/pipeline/presets.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <iostream>
+
+using namespace quell;
+using namespace quell::tracer;
+using quell::examples::Progress;
+
+namespace {
+
+// What is written for an effect, and what its converged reference is made of.
+
+struct Composite {
+    static constexpr auto name = "composite";
+    using channels = union_of<decltype(presets::none(radiance))::reads, decltype(presets::surface_clamp(radiance, Demodulate{}))::reads,
+                              decltype(presets::svgf(radiance, Demodulate{}))::reads>;
+    using reference = Channels<Radiance>;
+};
+struct Shadow {
+    static constexpr auto name = "shadow";
+    using channels =
+        Channels<Normal, Depth, Position, Motion, Direct, Visibility, Light, LightPrevious, Blocker, BlockerPrevious, ReceiverPrevious>;
+    using reference = Channels<Direct, Visibility>;
+};
+struct GlossyReflection {
+    static constexpr auto name = "glossy";
+    using channels = Channels<Normal, Depth, Position, Roughness, Motion, ReceiverPrevious, Glossy, GlossyHit, GlossyHitPrevious>;
+    using reference = Channels<Glossy>;
+};
+struct IndirectLight {
+    static constexpr auto name = "indirect";
+    using channels = Channels<Albedo, Normal, Depth, Motion, Indirect, IndirectDirection>;
+    using reference = Channels<Albedo, Indirect>;
+};
+struct Blur {
+    static constexpr auto name = "blur";
+    using channels = Channels<Radiance, Albedo, Normal, Depth, Motion, Sweep, Time>;
+    using reference = Channels<Radiance>;
+};
+
+/// Calls f(effect) for each.
+void for_each_effect(auto&& f) { f(Composite{}), f(Shadow{}), f(GlossyReflection{}), f(IndirectLight{}), f(Blur{}); }
+
+struct Options {
+    std::vector<std::string> scenes, effects;
+    std::string out, size = "480x270";
+    int frames = 48, first = 0, spp = 1, reference = 0, threads = 0;
+    std::uint32_t seed = 0;
+    std::optional<float> shutter, fov;
+    std::vector<float> eye, target, dolly;
+    float orbit = 0;
+    bool quiet = false, list = false;
+
+    [[nodiscard]] bool has(std::string const& effect) const { return std::ranges::find(effects, effect) != effects.end(); }
+};
+
+void describe(CLI::App& app, Options& o) {
+    app.add_option("--scene", o.scenes, "A built-in scene's name, a .gltf or .glb file, or all; may be given several times (default: room)")
+        ->take_all();
+    app.add_option("--out", o.out, "Folder for frame.0000.exr and so on; of several scenes, each gets a folder of its own in there");
+    app.add_option("--size", o.size, "Pixels (default: " + o.size + ")");
+    app.add_option("--frames", o.frames, "How many frames (default: " + std::to_string(o.frames) + ")");
+    app.add_option("--first", o.first, "Number of the first frame (default: 0)");
+    app.add_option("--spp", o.spp, "Samples per pixel (default: 1)");
+    app.add_option(
+        "--reference", o.reference,
+        "Write converged frames too, reference.0000.exr and so on: at most so many samples per pixel, fewer where two halves agree");
+    app.add_option("--shutter", o.shutter, "Part of the frame time during which the shutter is open (default: 0.5 for blur, otherwise 0)");
+    app.add_option("--effects", o.effects, "Which channels to write: any of composite,shadow,glossy,indirect,blur (default: composite)")
+        ->delimiter(',');
+    app.add_option("--eye", o.eye, "Where the camera stands: x,y,z")->delimiter(',');
+    app.add_option("--target", o.target, "What it looks at: x,y,z")->delimiter(',');
+    app.add_option("--fov", o.fov, "Vertical field of view in degrees");
+    app.add_option("--orbit", o.orbit, "Degrees per frame around the target");
+    app.add_option("--dolly", o.dolly, "Movement of eye and target per frame: x,y,z")->delimiter(',');
+    app.add_option("--threads", o.threads, "Threads (default: all)");
+    app.add_option("--seed", o.seed, "Another seed, other noise (default: 0)");
+    app.add_flag("--quiet", o.quiet, "Print nothing but errors");
+    app.add_flag("--list", o.list, "Print the names of the built-in scenes");
+}
+
+[[noreturn]] void refuse(std::string const& option, std::string const& found, std::string const& remedy) {
+    throw Error(option, found, remedy);
+}
+
+Extent size_in(std::string const& text) {
+    Extent size;
+    char behind = 0;
+    bool const two = std::sscanf(text.c_str(), "%5dx%5d%c", &size.width, &size.height, &behind) == 2;
+    if (!two || size.width <= 0 || size.height <= 0) refuse("--size", "'" + text + "'", "give width and height in pixels, as in 1920x1080");
+    return size;
+}
+
+std::optional<glm::vec3> vector_in(char const* option, std::vector<float> const& numbers) {
+    if (numbers.empty()) return std::nullopt;
+    if (numbers.size() != 3) refuse(option, std::to_string(numbers.size()) + " numbers", "give three, as in 0,1.5,4");
+    return glm::vec3(numbers[0], numbers[1], numbers[2]);
+}
+
+/// Checks what the command line says and fills in what it leaves out.
+void complete(Options& o) {
+    if (o.out.empty()) refuse("command line", "--out is missing", "say which folder the frames go to");
+    if (o.frames < 1) refuse("--frames", std::to_string(o.frames), "give at least 1");
+    if (o.spp < 1) refuse("--spp", std::to_string(o.spp), "give at least 1");
+    if (o.reference < 0 || o.reference == 1) refuse("--reference", std::to_string(o.reference), "give at least 2 samples per pixel");
+    if (o.threads < 0) refuse("--threads", std::to_string(o.threads), "give 1 or more, or 0 for all");
+    std::string names;
+    for_each_effect([&](auto effect) { names += (names.empty() ? "" : ", ") + std::string(effect.name); });
+    for (auto const& effect : o.effects)
+        if ((", " + names + ",").find(" " + effect + ",") == std::string::npos)
+            refuse("--effects", "there is no effect '" + effect + "'", "choose from: " + names);
+    if (o.effects.empty()) o.effects = {Composite::name};
+    if (!o.shutter) o.shutter = o.has(Blur::name) ? 0.5f : 0.f;
+    if (o.has(Blur::name) && !(*o.shutter > 0))
+        refuse("--shutter", std::to_string(*o.shutter), "give more than 0: without time there is no blur");
+    if (o.scenes.empty()) o.scenes = {"room"};
+    if (std::ranges::find(o.scenes, "all") != o.scenes.end()) o.scenes = scene_names();
+}
+
+/// One scene on its way to disk.
+struct Sequence {
+    Options const& options;
+    PreparedScene scene;
+    std::filesystem::path folder;
+    Progress& progress;
+    long long& frames_done;
+
+    [[nodiscard]] RenderSettings settings(int frame) const {
+        return {.size = size_in(options.size),
+                .frame = frame,
+                .samples_per_pixel = options.spp,
+                .seed = options.seed,
+                .threads = options.threads,
+                .shutter = *options.shutter};
+    }
+
+    void write(char const* name, int frame, io::ExrImage image) const {
+        char file[64];
+        std::snprintf(file, sizeof file, "%s.%04d.exr", name, frame);
+        io::put_camera(image, camera_of(scene.camera(0, When::now), image.size));
+        io::put_camera(image, camera_of(scene.camera(0, When::before), image.size), "_previous");
+        try {
+            io::write_exr(folder / file, image);
+        } catch (Error const& error) { // a full disk is no fault of the command line
+            throw std::runtime_error(error.what());
+        }
+    }
+
+    /// Traces all frames with one set of channels, known when this is compiled.
+    template <class Wanted> RayCounts trace() {
+        RayCounts rays;
+        for (int frame = options.first; frame < options.first + options.frames; ++frame) {
+            progress.show(frames_done++, folder.filename().string());
+            auto const how = settings(frame);
+            Frame<Wanted> traced(how.size);
+            FrameSink<Frame<Wanted>> sink{traced};
+            rays += render<Wanted>(scene, how, sink);
+            write("frame", frame, io::image_of(traced));
+            if (options.reference > 0) write_reference(how);
+        }
+        return rays;
+    }
+
+    void write_reference(RenderSettings const& how) {
+        io::ExrImage image{.size = how.size};
+        for_each_effect([&]<class Effect>(Effect) {
+            if (!options.has(Effect::name)) return;
+            ReferenceSettings const until{.most_samples = options.reference, .samples_per_pass = std::min(options.reference / 2, 16)};
+            auto const converged = tracer::reference<typename Effect::reference>(scene, how, until);
+            for_each_channel(typename Effect::reference{}, [&](auto channel) { put(image, channel, converged); });
+        });
+        write("reference", how.frame, std::move(image));
+    }
+
+    /// Adds a channel of the reference, unless another effect did already.
+    template <class C> static void put(io::ExrImage& image, C channel, Reference const& converged) {
+        auto const names = io::own_names(channel);
+        if (image.find(names[0])) return;
+        for (int c = 0; c < C::components; ++c) {
+            io::Plane plane{.name = names[static_cast<std::size_t>(c)], .type = io::SampleType::half, .values = {}};
+            for (auto const& pixel : converged[channel].pixels) plane.values.push_back(pixel[c]);
+            image.planes.push_back(std::move(plane));
+        }
+    }
+};
+
+/// Calls f with the set of all channels of the chosen effects. There is one instance of f for each set that may come of it.
+template <class Set> RayCounts with_channels(Options const&, auto&& f, Set) {
+    if constexpr (Set::size > 0)
+        return f(common_to<AllChannels, Set>{}); // in one order, so that equal sets are the same type
+    else
+        return {};
+}
+template <class Set, class Effect, class... Rest> RayCounts with_channels(Options const& o, auto&& f, Set set, Effect, Rest... rest) {
+    if (o.has(Effect::name)) return with_channels(o, f, set | typename Effect::channels{}, rest...);
+    return with_channels(o, f, set, rest...);
+}
+
+void print(std::string const& scene, Options const& options, RayCounts const& rays) {
+    std::cout << scene << ": " << options.frames << " frames of " << options.size << "; rays: " << rays.primary << " primary, "
+              << rays.shadow << " shadow, " << rays.glossy << " glossy, " << rays.indirect << " indirect" << std::endl;
+}
+
+std::filesystem::path folder_for(Options const& options, std::string const& scene) {
+    std::filesystem::path folder = options.out;
+    if (options.scenes.size() > 1) folder /= std::filesystem::path(scene).stem();
+    std::error_code why;
+    std::filesystem::create_directories(folder, why);
+    if (why) refuse(folder.string(), "the folder can't be made: " + why.message(), "choose another for --out");
+    return folder;
+}
+
+void trace_all(Options const& options) {
+    CameraChoice const camera{vector_in("--eye", options.eye), vector_in("--target", options.target), options.fov, options.orbit,
+                              vector_in("--dolly", options.dolly).value_or(glm::vec3(0.f))};
+    std::vector<SceneDescription> scenes; // all of them, before the first is rendered: a misspelt name shows at once
+    for (auto const& name : options.scenes) scenes.push_back(open_scene(name, camera));
+    static_cast<void>(size_in(options.size));
+    Progress progress("quell-trace", static_cast<long long>(scenes.size()) * options.frames, !options.quiet);
+    long long frames_done = 0;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        Sequence sequence{options, PreparedScene(std::move(scenes[i])), folder_for(options, options.scenes[i]), progress, frames_done};
+        auto const rays = with_channels(
+            options, [&]<class Wanted>(Wanted) { return sequence.trace<Wanted>(); }, Channels<>{}, Composite{}, Shadow{},
+            GlossyReflection{}, IndirectLight{}, Blur{});
+        if (!options.quiet) print(options.scenes[i], options, rays);
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    return examples::exit_code_of("quell-trace", [&] {
+        CLI::App app("Renders scenes to sequences of EXR files: noisy signals, guides and converged references.", "quell-trace");
+        Options options;
+        describe(app, options);
+        if (!examples::parse(app, argc, argv)) return;
+        if (options.list) {
+            for (auto const& name : scene_names()) std::cout << name << '\n';
+            return;
+        }
+        complete(options);
+        trace_all(options);
+    });
+}
