@@ -34,7 +34,7 @@ install_packages() {
     fi
     echo "Installing $*"
     "${as_root[@]}" apt-get update -q &&
-        "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "$@" && return
+        "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y "$@" && return
     echo "apt could not install all of: $*. See its message above." >&2
     exit 2
 }

@@ -5,7 +5,8 @@
 namespace quell {
 
 namespace detail {
-/// The variance that the wavelet starts from: the temporal one, or, while the history is short, the spatial one of the 7x7 around.
+/// The variance that the wavelet starts from: that of the mean over the history, since this is what will be filtered (the samples' own variance would
+/// let every penumbra blur as long as the filter reaches). Measured over time, or, while the history is short, over the 7x7 around.
 template <class Edge> struct VarianceEstimate {
     static constexpr auto name = "variance estimate";
     using reads = decltype(Channels<HistoryLength, LuminanceMean, LuminanceVariance>{} | reads_of<Edge>{});
@@ -16,10 +17,10 @@ template <class Edge> struct VarianceEstimate {
     QUELL_KERNEL auto emit(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const n = px[history_length];
-        auto const temporal = px[luminance_variance];
+        auto const temporal = px[luminance_variance] / max(n, Real(1.f));
         auto const brief = n < Real(enough);
         if (!any(brief)) return Result<Real>{Real(0.f), Real(1.f), {}}.with(variance, temporal);
-        auto const spatial = spatial_variance(px) * (enough / max(n, Real(1.f)));
+        auto const spatial = spatial_variance(px) / max(n, Real(1.f));
         return Result<Real>{Real(0.f), Real(1.f), {}}.with(variance, select(brief, finite_or(spatial, temporal), temporal));
     }
 
@@ -63,7 +64,7 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct VarianceGuidedAtro
     using emits = Channels<Variance>;
     Edge edge{};
     int levels = 5;
-    float sigma_luminance = 4.f;
+    float sigma_luminance = 1.5f; ///< deviations of a pixel's mean that a neighbour may be off at weight 1/e; SVGF's 4 deviations of a sample at alpha 0.2 are 1.33
     bool feedback = true; ///< whether the first level's output becomes the history
 
     constexpr void for_each_pass(auto&& pass) const {

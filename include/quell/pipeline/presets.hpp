@@ -26,9 +26,9 @@ constexpr auto surface_clamp(ChannelTag auto signal, auto... parts) {
 constexpr auto atrous(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, parts..., Spatial{Atrous{Product{DepthEdge{}, NormalEdge{}}}}};
 }
-/// Spatiotemporal variance-guided filtering (Schied 2017).
+/// Spatiotemporal variance-guided filtering (Schied 2017); a cap of 5 frames is its alpha of 0.2.
 constexpr auto svgf(ChannelTag auto signal, auto... parts) {
-    return Pipeline{signal, parts..., Temporal{SurfaceMotion{}, WithMoments{RunningMean{.cap = 32.f}}},
+    return Pipeline{signal, parts..., Temporal{SurfaceMotion{}, WithMoments{RunningMean{.cap = 5.f}}},
                     Spatial{VarianceGuidedAtrous{Product{DepthEdge{}, NormalEdge{}}}}};
 }
 
