@@ -86,7 +86,7 @@ Acceleration::Part& Acceleration::part_of(SceneInstance const& instance) {
     std::pair const key{instance.shape, has_holes ? instance.material : -1};
     auto const found = parts.find(key);
     if (found != parts.end()) return found->second;
-    auto part = build(shape, material);
+    auto part = build(shape);
     if (has_holes) add_alpha_test(part, shape, material);
     rtcCommitGeometry(part.geometry.get());
     rtcAttachGeometryByID(part.scene.get(), part.geometry.get(), only_geometry);
@@ -94,7 +94,7 @@ Acceleration::Part& Acceleration::part_of(SceneInstance const& instance) {
     return parts.emplace(key, std::move(part)).first->second;
 }
 
-Acceleration::Part Acceleration::build(Shape const& shape, Material const&) const {
+Acceleration::Part Acceleration::build(Shape const& shape) const {
     Part part;
     part.scene.reset(rtcNewScene(device.get()));
     part.geometry = shape.is_sphere ? sphere_geometry(device.get()) : triangle_geometry(device.get(), shape.mesh);

@@ -42,7 +42,7 @@ private:
     };
 
     Part& part_of(SceneInstance const& instance);
-    Part build(Shape const& shape, Material const& material) const;
+    Part build(Shape const& shape) const;
     void add_alpha_test(Part& part, Shape const& shape, Material const& material) const;
     void check() const;
 

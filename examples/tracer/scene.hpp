@@ -75,8 +75,7 @@ struct SceneDescription {
     int add_sphere();
     int place(int shape, int material, Transform const& transform = {}, int parent = -1);
     /// The same for what moves. A template, so that a braced list can only mean a Transform.
-    template <std::invocable<float> Motion>
-    int place(int shape, int material, Motion pose, int parent = -1) {
+    template <std::invocable<float> Motion> int place(int shape, int material, Motion pose, int parent = -1) {
         instances.push_back({shape, material, add_node(std::move(pose), parent)});
         return static_cast<int>(instances.size()) - 1;
     }

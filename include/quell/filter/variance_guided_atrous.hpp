@@ -5,8 +5,9 @@
 namespace quell {
 
 namespace detail {
-/// The variance that the wavelet starts from: that of the mean over the history, since this is what will be filtered (the samples' own variance would
-/// let every penumbra blur as long as the filter reaches). Measured over time, or, while the history is short, over the 7x7 around.
+/// The variance that the wavelet starts from: that of the mean over the history, since this is what will be filtered (the samples' own
+/// variance would let every penumbra blur as long as the filter reaches). Measured over time, or, while the history is short, over the 7x7
+/// around.
 template <class Edge> struct VarianceEstimate {
     static constexpr auto name = "variance estimate";
     using reads = decltype(Channels<HistoryLength, LuminanceMean, LuminanceVariance>{} | reads_of<Edge>{});
@@ -64,8 +65,9 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct VarianceGuidedAtro
     using emits = Channels<Variance>;
     Edge edge{};
     int levels = 5;
-    float sigma_luminance = 1.5f; ///< deviations of a pixel's mean that a neighbour may be off at weight 1/e; SVGF's 4 deviations of a sample at alpha 0.2 are 1.33
-    bool feedback = true; ///< whether the first level's output becomes the history
+    float sigma_luminance = 1.5f; ///< deviations of a pixel's mean that a neighbour may be off at weight 1/e; SVGF's 4 deviations of a
+                                  ///< sample at alpha 0.2 are 1.33
+    bool feedback = true;         ///< whether the first level's output becomes the history
 
     constexpr void for_each_pass(auto&& pass) const {
         pass(detail::VarianceEstimate<Edge>{edge});

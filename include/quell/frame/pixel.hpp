@@ -43,6 +43,22 @@ template <class FrameViews, class MadeViews, class SignalView, class PastSignalV
     bool has_past;
 };
 
+/// Whole-numbered coordinates in the previous frame, one for each lane, at most one pixel outside the image. Most packs land on neighbours
+/// in one row (still or panning camera): then `together`, and one load a component serves instead of a gather.
+template <class Real> struct PastPlace {
+    Real column, row;
+    int x = 0, y = 0; ///< of the first lane
+    bool together = false;
+
+    QUELL_KERNEL PastPlace(Real column_, Real row_) : column(column_), row(row_) {
+        if constexpr (width_of < Real >> 1) {
+            x = lane(truncate(column), 0), y = lane(truncate(row), 0);
+            auto const expected = Real(static_cast<float>(x)) + lanes<Real>();
+            together = !any(abs(column - expected) + abs(row - static_cast<float>(y)) > Real(0.5f));
+        }
+    }
+};
+
 template <class Real, class Scope> struct PastPixel;
 
 /// The cursor that every policy is written against: one pixel if Real is float, neighbours in a row if it is a pack.
@@ -101,8 +117,8 @@ template <class R, class S> struct Pixel {
     QUELL_KERNEL glm::vec2 jitter_then() const { return scope.jitter_then; }
     /// Whether there is a previous frame at all.
     QUELL_KERNEL bool has_past() const { return scope.has_past; }
-    /// A pixel of the previous frame by its whole-numbered coordinates; those outside the image read the nearest inside.
-    QUELL_KERNEL PastPixel<Real, S> past(Index<Real> column_then, Index<Real> row_then) const { return {scope, column_then, row_then}; }
+    /// The pixel of the previous frame at an offset from a place there; outside the image it shows something finite of no meaning.
+    QUELL_KERNEL PastPixel<Real, S> past(PastPlace<Real> const& place, int dx = 0, int dy = 0) const { return {scope, place, dx, dy}; }
     /// Where a point of the world was on the previous frame's screen (pixels), and its linear depth there (not positive: behind the
     /// camera).
     QUELL_KERNEL vec3<Real> project_to_past(vec3<Real> const& p) const {
@@ -137,7 +153,15 @@ private:
 /// A pixel of the previous frame: what it remembers, what was kept there, and its signal.
 template <class Real, class S> struct PastPixel {
     S const& scope;
-    Index<Real> column, row;
+    PastPlace<Real> place;
+    int dx, dy;
+
+    /// True where the image has such a pixel.
+    QUELL_KERNEL auto inside() const {
+        auto const column = place.column + static_cast<float>(dx), row = place.row + static_cast<float>(dy);
+        return (column >= Real(0.f)) & (column < Real(static_cast<float>(scope.size.width))) & (row >= Real(0.f)) &
+               (row < Real(static_cast<float>(scope.size.height)));
+    }
 
     template <ChannelTag C> QUELL_KERNEL auto operator[](C c) const {
         constexpr bool remembered = S::remembered_channels::template has<C>, kept = S::kept_channels::template has<C>;
@@ -151,15 +175,12 @@ template <class Real, class S> struct PastPixel {
     QUELL_KERNEL auto signal() const { return fetch(scope.signal_then); }
 
 private:
-    /// Most packs land on neighbours in one row (still or panning camera): one load a component instead of a gather.
     template <class View> QUELL_KERNEL auto fetch(View view) const {
         view.size = scope.size;
-        if constexpr (width_of < Real >> 1) {
-            int const x = lane(column, 0), y = lane(row, 0);
-            auto const astray = abs(to_real(column - (Index<Real>(x) + truncate(lanes<Real>())))) + abs(to_real(row - Index<Real>(y)));
-            if (!any(astray > Real(0.5f))) return detail::load_pixels<Real>(view, x, y);
-        }
-        return detail::gather_pixels<Real>(view, column, row);
+        if (place.together) return detail::load_pixels<Real>(view, place.x + dx, detail::clamp_to(place.y + dy, scope.size.height - 1));
+        Real const last_column(static_cast<float>(scope.size.width - 1)), last_row(static_cast<float>(scope.size.height - 1));
+        return detail::gather_pixels<Real>(view, truncate(clamp(place.column + static_cast<float>(dx), Real(0.f), last_column)),
+                                           truncate(clamp(place.row + static_cast<float>(dy), Real(0.f), last_row)));
     }
 };
 

@@ -15,13 +15,14 @@ struct CatmullRom {
         auto const found = detail::sane(px, unchecked);
         auto const column = floor(found.where.x - 0.5f), row = floor(found.where.y - 0.5f);
         auto const across = weights(found.where.x - 0.5f - column), down = weights(found.where.y - 0.5f - row);
+        PastPlace<Real> const place(column, row);
         auto sum = zero<typename Px::Signal>();
         auto accepted = past.validity > Real(0.f);
         for (int j = 0; j < 4; ++j)
             for (int i = 0; i < 4; ++i) {
-                auto const tap = detail::past_tap(px, found, column + static_cast<float>(i - 1), row + static_cast<float>(j - 1));
-                accepted = accepted & tap.accepted;
-                sum = add_scaled(sum, tap.then.signal(), across.at[i] * down.at[j]);
+                auto const then = px.past(place, i - 1, j - 1);
+                accepted = accepted & detail::counts<Real>(then, found);
+                sum = add_scaled(sum, then.signal(), across.at[i] * down.at[j]);
             }
         // The negative lobes overshoot at bright edges; light is never negative.
         auto const bounded = map(

@@ -49,19 +49,11 @@ template <class Px> struct PastSum {
     }
 };
 
-/// One past pixel near a reprojected position: its coordinates made safe to read, and whether it counts.
-template <class Px, class FoundPlace>
-QUELL_KERNEL auto past_tap(Px const& px, FoundPlace const& found, typename Px::Real column, typename Px::Real row) {
-    using Real = typename Px::Real;
-    Real const last_column(static_cast<float>(px.size().width - 1)), last_row(static_cast<float>(px.size().height - 1));
-    auto const inside = (column >= Real(0.f)) & (column <= last_column) & (row >= Real(0.f)) & (row <= last_row);
-    auto const then = px.past(truncate(clamp(column, Real(0.f), last_column)), truncate(clamp(row, Real(0.f), last_row)));
-    auto const accepted = inside & accepts(found, then, column + 0.5f - found.where.x, row + 0.5f - found.where.y);
-    struct Tap {
-        decltype(px.past(truncate(column), truncate(row))) then;
-        decltype(inside & accepts(found, then, column, row)) accepted;
-    };
-    return Tap{then, accepted};
+/// Whether a past pixel is in the image and shows what was looked for.
+template <class Real, class Then, class FoundPlace> QUELL_KERNEL auto counts(Then const& then, FoundPlace const& found) {
+    auto const dx = then.place.column - found.where.x + (static_cast<float>(then.dx) + 0.5f);
+    auto const dy = then.place.row - found.where.y + (static_cast<float>(then.dy) + 0.5f);
+    return then.inside() & accepts(found, then, dx, dy);
 }
 
 /// A position that is not finite or not in the image becomes a harmless one with validity 0: what was outside was never seen.
@@ -80,11 +72,11 @@ template <class Px, class FoundPlace> QUELL_KERNEL PastSum<Px> rescued(Px const&
     using Real = typename Px::Real;
     auto const wanted = (sum.weight <= Real(0.f)) & (found.validity > Real(0.f));
     if (!any(wanted)) return sum;
-    auto const column = floor(found.where.x), row = floor(found.where.y);
+    PastPlace<Real> const nearest(floor(found.where.x), floor(found.where.y));
     for (int j = -1; j <= 1; ++j)
         for (int i = -1; i <= 1; ++i) {
-            auto const tap = past_tap(px, found, column + static_cast<float>(i), row + static_cast<float>(j));
-            sum.add(tap.then, select(wanted & tap.accepted, Real(1.f), Real(0.f)));
+            auto const then = px.past(nearest, i, j);
+            sum.add(then, select(wanted & counts<Real>(then, found), Real(1.f), Real(0.f)));
         }
     return sum;
 }
@@ -100,14 +92,15 @@ struct Bilinear {
         auto const found = detail::sane(px, unchecked);
         auto const column = floor(found.where.x - 0.5f), row = floor(found.where.y - 0.5f);
         auto const u = found.where.x - 0.5f - column, v = found.where.y - 0.5f - row;
+        PastPlace<Real> const place(column, row);
         detail::PastSum<Px> sum;
         for (int j = 0; j < 2; ++j)
             for (int i = 0; i < 2; ++i) {
                 auto const bilinear = (i == 0 ? 1.f - u : u) * (j == 0 ? 1.f - v : v);
                 // Still pixels need one tap of the four.
                 if (!any(bilinear > Real(0.f))) continue;
-                auto const tap = detail::past_tap(px, found, column + static_cast<float>(i), row + static_cast<float>(j));
-                sum.add(tap.then, select(tap.accepted, bilinear, Real(0.f)));
+                auto const then = px.past(place, i, j);
+                sum.add(then, select(detail::counts<Real>(then, found), bilinear, Real(0.f)));
             }
         // A sliver of a tap is no interpolation: let the wider search decide.
         auto const enough = sum.weight > Real(0.01f);

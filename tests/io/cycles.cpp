@@ -1,0 +1,120 @@
+#include "files.hpp"
+
+using namespace quell;
+using namespace quell::tests;
+
+namespace {
+
+/// The passes of a view layer, each component with a value of its own.
+io::ExrImage cycles_image(std::string const& layer, std::vector<std::pair<std::string, std::string>> const& passes) {
+    io::ExrImage image{.size = {4, 3}};
+    for (auto const& [pass, letters] : passes)
+        for (char const letter : letters) {
+            auto const value = static_cast<float>(image.planes.size() + 1);
+            image.planes.push_back(plane(layer + "." + pass + "." + letter, image.size, [=](int, int) { return value; }));
+        }
+    return image;
+}
+std::vector<std::pair<std::string, std::string>> const all_passes{
+    {"Combined", "RGBA"}, {"Depth", "Z"},      {"Normal", "XYZ"},   {"Vector", "XYZW"},  {"DiffDir", "RGB"}, {"DiffInd", "RGB"},
+    {"DiffCol", "RGB"},   {"GlossDir", "RGB"}, {"GlossInd", "RGB"}, {"GlossCol", "RGB"}, {"Emit", "RGB"},    {"Env", "RGB"}};
+
+io::SequenceNames names_of(Folder const& folder, io::ExrImage const& image) {
+    io::write_exr(folder / "cycles.exr", image);
+    return io::recognise(io::ExrFile(folder / "cycles.exr"));
+}
+
+} // namespace
+
+TEST_CASE("Blender's passes are recognised, whatever the view layer's name") {
+    Folder const folder;
+    for (auto const* const layer : {"ViewLayer", "View Layer", "shot.a"}) {
+        auto const image = cycles_image(layer, all_passes);
+        auto const names = names_of(folder, image);
+        CHECK(names.renderer == "Blender Cycles");
+        CHECK(names.remarks.empty());
+        REQUIRE(names.signals.size() == 2);
+        CHECK(names.signals[0].name == "diffuse");
+        CHECK(names.signals[1].name == "glossy");
+        CHECK(names.added[2].sum == std::vector<std::string>{std::string(layer) + ".Emit.B", std::string(layer) + ".Env.B"});
+        CHECK(names.signals[0].factor[1].sum == std::vector<std::string>{std::string(layer) + ".DiffCol.G"});
+    }
+}
+
+TEST_CASE("Cycles' light, motion and depth arrive in quell's conventions") {
+    Folder const folder;
+    auto image = cycles_image("ViewLayer", all_passes);
+    auto const names = names_of(folder, image);
+    for (auto& plane : image.planes)
+        if (plane.name == "ViewLayer.Depth.Z") plane.values[1] = 1e10f;
+    Frame<Channels<Radiance, Albedo, Normal, Depth, Motion>> frame(image.size);
+    io::load(frame, image, names.signals[0].channels);
+    auto const value = [&](std::string const& name) { return image["ViewLayer." + name].values[0]; };
+    CHECK(frame[radiance].get(0, 0).y == value("DiffDir.G") + value("DiffInd.G"));
+    CHECK(frame[albedo].get(0, 0) == glm::vec3(1.f));
+    CHECK(frame[motion].get(2, 2) == glm::vec2(value("Vector.X"), -value("Vector.Y")));
+    CHECK(frame[normal].get(1, 1) == glm::vec3(value("Normal.X"), value("Normal.Y"), value("Normal.Z")));
+    CHECK(frame[depth].get(0, 0) == value("Depth.Z"));
+    CHECK(frame[depth].get(1, 0) == std::numeric_limits<float>::infinity());
+}
+
+TEST_CASE("passes that weren't rendered are done without where that is possible") {
+    Folder const folder;
+    auto const image =
+        cycles_image("V", {{"Combined", "RGBA"}, {"Depth", "Z"}, {"Vector", "XYZW"}, {"DiffInd", "RGB"}, {"DiffCol", "RGB"}});
+    auto const names = names_of(folder, image);
+    REQUIRE(names.signals.size() == 1);
+    CHECK(names.added.empty());
+    REQUIRE(names.remarks.size() == 1);
+    CHECK(contains(names.remarks[0], "Normal"));
+    Frame<Channels<Radiance, Normal>> frame(image.size);
+    io::load(frame, image, names.signals[0].channels);
+    CHECK(frame[normal].get(3, 2) == glm::vec3(0.f, 0.f, 1.f));
+
+    auto const combined =
+        names_of(folder, cycles_image("V", {{"Combined", "RGBA"}, {"Depth", "Z"}, {"Normal", "XYZ"}, {"Vector", "XYZW"}}));
+    REQUIRE(combined.signals.size() == 1);
+    CHECK(combined.signals[0].name == "combined");
+    CHECK(combined.remarks.size() == 1);
+}
+
+TEST_CASE("a missing Vector pass is named") {
+    Folder const folder;
+    auto const image = cycles_image("V", {{"Combined", "RGBA"}, {"Depth", "Z"}, {"Normal", "XYZ"}});
+    auto const names = names_of(folder, image);
+    Frame<Channels<Radiance, Motion>> frame(image.size);
+    check_error([&] { io::load(frame, image, names.signals[0].channels); }, {"no channel 'V.Vector.X'", "V.Depth.Z"});
+}
+
+TEST_CASE("quell's own names go before others, and unknown ones are listed") {
+    Folder const folder;
+    auto own = cycles_image("V", {{"Combined", "RGB"}});
+    for (auto const* const name : {"R", "G", "B"}) own.planes.push_back(plane(name, own.size, [](int, int) { return 1.f; }));
+    CHECK(names_of(folder, own).renderer == "quell");
+    auto const unknown = cycles_image("beauty", {{"colour", "RGB"}});
+    check_error([&] { static_cast<void>(names_of(folder, unknown)); }, {"cycles.exr", "neither quell's", "channel map", "beauty.colour.B"});
+}
+
+TEST_CASE("the Cycles sequence is recognised, and its passes make up its image") {
+    auto const folder = shared("data/sequences/cycles_occlusion");
+    if (folder.empty()) return;
+    io::ExrFile const file(folder / "frame_0040.exr");
+    auto const names = io::recognise(file);
+    CHECK(names.renderer == "Blender Cycles");
+    CHECK(names.signals.size() == 2);
+    auto const image = file.read();
+    double worst = 0;
+    for (std::size_t i = 0; i < image.pixels(); ++i) {
+        double sum = 0;
+        auto const value = [&](io::Source const& source) {
+            double all = 0;
+            for (auto const& name : source.sum) all += static_cast<double>(image[name].values[i] * source.scale);
+            return all;
+        };
+        for (auto const& signal : names.signals) sum += value(signal.channels.sources.at("radiance")[0]) * value(signal.factor[0]);
+        sum += value(names.added[0]);
+        double const combined = static_cast<double>(image["ViewLayer.Combined.R"].values[i]);
+        worst = std::max(worst, std::abs(sum - combined) / std::max(1., combined));
+    }
+    CHECK(worst < 0.01); // passes are half
+}

@@ -1,0 +1,108 @@
+#include "../frames.hpp"
+#include "files.hpp"
+
+using namespace quell;
+using namespace quell::tests;
+
+TEST_CASE("a frame of all channels comes back from a file under the names of SCENES.md") {
+    Folder const folder;
+    Frame<AllChannels> frame({23, 11});
+    fill_randomly(frame, 5);
+    frame.camera.view[3] = {1.f, 2.f, 3.f, 1.f};
+    frame.camera.jitter = {0.25f, -0.125f};
+    io::write_exr(folder / "all.exr", io::image_of(frame));
+    auto const image = io::read_exr(folder / "all.exr");
+    for (auto const* const name : {"R",
+                                   "G",
+                                   "B",
+                                   "albedo.G",
+                                   "normal.Z",
+                                   "depth.Z",
+                                   "position.X",
+                                   "instance.ID",
+                                   "roughness.R",
+                                   "motion.Y",
+                                   "direct.B",
+                                   "visibility.V",
+                                   "light_previous.X",
+                                   "glossy.R",
+                                   "glossy_hit.Y",
+                                   "indirect.G",
+                                   "indirect_direction.Z",
+                                   "sweep.X",
+                                   "time.T",
+                                   "receiver_previous.Y",
+                                   "blocker.Z"})
+        CHECK(image.find(name) != nullptr);
+    CHECK(image["R"].type == io::SampleType::half);
+    CHECK(image["depth.Z"].type == io::SampleType::float32);
+    CHECK(image["instance.ID"].type == io::SampleType::uint32);
+
+    Frame<AllChannels> back(image.size);
+    io::load(back, image);
+    CHECK(back.camera == frame.camera);
+    for_each_channel(AllChannels{}, [&](auto channel) {
+        INFO(channel.name);
+        // Half keeps 11 bits.
+        double const bound = channel.full_precision ? 0. : 1. / 2048.;
+        CHECK(difference(copy_of(frame[channel].view()), copy_of(back[channel].view())) <= bound);
+    });
+}
+
+TEST_CASE("storage of any kind can be filled") {
+    io::ExrImage image{.size = {5, 4}};
+    for (auto const* const name : {"R", "G", "B"})
+        image.planes.push_back(plane(name, image.size, [](int x, int y) { return static_cast<float>(x + 10 * y); }));
+    Frame<Channels<Radiance>, Interleaved<Float16>> frame(image.size);
+    io::load(frame, image);
+    CHECK(frame[radiance].get(3, 2) == glm::vec3(23.f));
+}
+
+TEST_CASE("a frame keeps its camera where the file has none") {
+    io::ExrImage image{.size = {1, 1}};
+    image.planes = {plane("depth.Z", {1, 1}, [](int, int) { return 1.f; })};
+    Frame<Channels<Depth>> frame(image.size);
+    frame.camera.view[3][0] = 9.f;
+    io::load(frame, image);
+    CHECK(frame.camera.view[3][0] == 9.f);
+    CHECK_FALSE(io::camera_of(image).has_value());
+    io::put_camera(image, frame.camera, "_previous");
+    CHECK(io::camera_of(image, "_previous") == frame.camera);
+    CHECK_FALSE(io::camera_of(image).has_value());
+}
+
+TEST_CASE("other names, sums, scales and constants") {
+    io::ExrImage image{.size = {3, 2}};
+    for (auto const* const name : {"a", "b", "c"})
+        image.planes.push_back(plane(name, image.size, [&](int x, int) { return static_cast<float>(x + name[0] - 'a'); }));
+    io::ChannelNames names;
+    names.sources["radiance"] = {{{"a"}, 2.f}, {{"b", "c"}, -1.f}, {{}, 0.5f}};
+    Frame<Channels<Radiance>> frame(image.size);
+    io::load(frame, image, names);
+    CHECK(frame[radiance].get(1, 1) == glm::vec3(2.f, -(2.f + 3.f), 0.5f));
+    CHECK(io::planes_of(Channels<Radiance>{}, names) == std::vector<std::string>{"a", "b", "c"});
+    names.sources["radiance"].pop_back();
+    check_error([&] { io::load(frame, image, names); }, {"channel map: 'radiance'", "2 components", "name 3"});
+}
+
+TEST_CASE("motion of every convention becomes quell's own") {
+    using C = MotionConvention;
+    io::ExrImage image{.size = {200, 100}};
+    // In quell's terms: 4 pixels to the left, 3 down.
+    auto const loaded = [&](glm::vec2 stored, C convention) {
+        image.planes = {plane("motion.X", image.size, [&](int, int) { return stored.x; }),
+                        plane("motion.Y", image.size, [&](int, int) { return stored.y; })};
+        Frame<Channels<Motion>> frame(image.size);
+        io::load(frame, image, io::ChannelNames{.motion = convention});
+        return frame[motion].get(7, 8);
+    };
+    auto const near = [](glm::vec2 a, glm::vec2 b) { return std::abs(a.x - b.x) < 1e-5f && std::abs(a.y - b.y) < 1e-5f; };
+    CHECK(near(loaded({-4.f, 3.f}, {}), {-4.f, 3.f}));
+    CHECK(near(loaded({-4.f, -3.f}, {.y = C::Y::up}), {-4.f, 3.f}));
+    CHECK(near(loaded({4.f, -3.f}, {.points = C::Points::from_previous}), {-4.f, 3.f}));
+    CHECK(near(loaded({-0.02f, 0.03f}, {.unit = C::Unit::uv}), {-4.f, 3.f}));
+    CHECK(near(loaded({0.04f, 0.06f}, {C::Points::from_previous, C::Unit::ndc, C::Y::up}), {-4.f, 3.f}));
+    io::put_camera(image, {glm::mat4(1.f), glm::mat4(1.f), {0.25f, 0.f}});
+    io::put_camera(image, {glm::mat4(1.f), glm::mat4(1.f), {-0.25f, 0.5f}}, "_previous");
+    CHECK(near(loaded({-3.5f, 2.5f}, {.jitter = C::Jitter::left_in}), {-4.f, 3.f}));
+}
