@@ -69,10 +69,10 @@ TEST_CASE("attributes of every type come back") {
                         {"quell:view", matrix}};
     io::write_exr(folder / "attributes.exr", image);
     auto const back = io::read_exr(folder / "attributes.exr");
-    for (auto const& [name, value] : image.attributes) {
-        INFO(name);
-        REQUIRE(back.attributes.contains(name));
-        CHECK(back.attributes.at(name) == value);
+    for (auto const& attribute : image.attributes) {
+        INFO(attribute.first);
+        REQUIRE(back.attributes.contains(attribute.first));
+        CHECK(back.attributes.at(attribute.first) == attribute.second);
     }
     CHECK(back.attribute<float>("whole") == nullptr); // of another type
 }
