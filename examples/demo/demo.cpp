@@ -2,6 +2,8 @@
 
 #include "denoised.hpp"
 
+#include <algorithm>
+#include <cstdio>
 #include <quell/io/exr.hpp>
 #include <quell/metrics/error_map.hpp>
 #include <quell/metrics/flip.hpp>
@@ -10,20 +12,14 @@
 #include <report/report.hpp>
 #include <support/png.hpp>
 #include <support/progress.hpp>
+#include <thread>
 #include <tracer/frame_sink.hpp>
 #include <tracer/gltf/gltf.hpp>
 #include <tracer/reference.hpp>
-#include <tracer/scenes/scenes.hpp>
-
-#include <algorithm>
-#include <cstdio>
-#include <thread>
 
 namespace quell::examples {
 
 namespace {
-
-bool is_file(std::string const& scene) { return scene.ends_with(".gltf") || scene.ends_with(".glb"); }
 
 metrics::Picture picture_of(ImageView auto const& view) {
     metrics::Picture picture{view.size, {}};
@@ -61,14 +57,17 @@ struct Score {
 };
 
 class Demo {
-  public:
+public:
     Demo(DemoOptions const& options_, std::string const& scene_, std::filesystem::path const& folder_)
-        : options(options_), folder(folder_), scene_name(scene_),
-          scene(is_file(scene_) ? tracer::load_gltf(scene_) : tracer::built_in_scene(scene_)), frame(options_.size), denoiser(options_.size, options_.threads) {
+        : options(options_), folder(folder_), scene_name(scene_), scene(tracer::open_scene(scene_)), frame(options_.size),
+          denoiser(options_.size, options_.threads) {
         std::filesystem::create_directories(folder);
         report.title = "quell: " + std::filesystem::path(scene_).stem().string();
         report.subtitle = to_string(options.size) + ", 1 sample per pixel, " + std::to_string(options.frames) + " frames";
-        report.kinds = {{"noisy", "one path per pixel"}, {"denoised", "preset svgf"}, {"reference", "converged"}, {"error (FLIP)", "of the denoised image", flip_color_scale()}};
+        report.kinds = {{"noisy", "one path per pixel"},
+                        {"denoised", "preset svgf"},
+                        {"reference", "converged"},
+                        {"error (FLIP)", "of the denoised image", flip_color_scale()}};
     }
 
     std::filesystem::path all() {
@@ -83,7 +82,7 @@ class Demo {
         return page;
     }
 
-  private:
+private:
     DemoOptions const& options;
     std::filesystem::path folder;
     std::string scene_name;
@@ -106,11 +105,10 @@ class Demo {
     }
 
     void trace(int i) {
-        scene.move_to(static_cast<float>(i));
         tracer::RenderSettings settings{.size = options.size, .frame = i, .seed = options.seed, .threads = options.threads};
         tracer::FrameSink<DemoFrame> sink{frame};
         tracer::render<Denoise::reads>(scene, settings, sink);
-        frame.camera = tracer::camera_of(scene.camera(0, tracer::When::now), options.size);
+        frame.camera = scene.description().camera_at(static_cast<float>(i), options.size);
         frame.number = i;
     }
 
@@ -122,7 +120,9 @@ class Demo {
         Planar<>::Image<3> copy(linear.size);
         for (int y = 0; y < linear.size.height; ++y)
             for (int x = 0; x < linear.size.width; ++x)
-                copy.set(x, y, linear.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(linear.size.width) + static_cast<std::size_t>(x)]);
+                copy.set(
+                    x, y,
+                    linear.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(linear.size.width) + static_cast<std::size_t>(x)]);
         io::put(image, radiance, copy.view());
         io::put_camera(image, frame.camera);
         io::write_exr(folder / file_name(kind, i, "exr"), image);
@@ -153,12 +153,20 @@ class Demo {
     }
 
     void summarise() {
-        std::nth_element(milliseconds.begin(), milliseconds.begin() + static_cast<std::ptrdiff_t>(milliseconds.size() / 2), milliseconds.end());
+        std::nth_element(milliseconds.begin(), milliseconds.begin() + static_cast<std::ptrdiff_t>(milliseconds.size() / 2),
+                         milliseconds.end());
         if (noisy_score.frames > 0)
-            report.tables = {{"Mean over the " + std::to_string(noisy_score.frames) + " frames that have a reference", {"image", "RMSE", "SSIM", "FLIP"}, {noisy_score.row("noisy"), denoised_score.row("denoised")}}};
-        report.notes = {{"denoising", number(milliseconds[milliseconds.size() / 2], 1) + " ms per frame (median), " + number(denoiser.history.bytes_per_pixel(), 1) + " bytes per pixel of history and scratch"},
-                        {"machine", std::to_string(std::thread::hardware_concurrency()) + " hardware threads, packs of " + std::to_string(width_of<Pack>) + " floats"},
-                        {"command", "quell-demo --scene " + scene_name + " --size " + to_string(options.size) + " --frames " + std::to_string(options.frames), true}};
+            report.tables = {{"Mean over the " + std::to_string(noisy_score.frames) + " frames that have a reference",
+                              {"image", "RMSE", "SSIM", "FLIP"},
+                              {noisy_score.row("noisy"), denoised_score.row("denoised")}}};
+        report.notes = {
+            {"denoising", number(milliseconds[milliseconds.size() / 2], 1) + " ms per frame (median), " +
+                              number(denoiser.history.bytes_per_pixel(), 1) + " bytes per pixel of history and scratch"},
+            {"machine", std::to_string(std::thread::hardware_concurrency()) + " hardware threads, packs of " +
+                            std::to_string(width_of<Pack>) + " floats"},
+            {"command",
+             "quell-demo --scene " + scene_name + " --size " + to_string(options.size) + " --frames " + std::to_string(options.frames),
+             true}};
         for (auto& metric : report.metrics) metric.hint = metric.name == "SSIM" ? "higher is better" : "lower is better";
     }
 };

@@ -153,8 +153,8 @@ struct Sequence {
     void write(char const* name, int frame, io::ExrImage image) const {
         char file[64];
         std::snprintf(file, sizeof file, "%s.%04d.exr", name, frame);
-        io::put_camera(image, camera_of(scene.camera(0, When::now), image.size));
-        io::put_camera(image, camera_of(scene.camera(0, When::before), image.size), "_previous");
+        io::put_camera(image, scene.description().camera_at(static_cast<float>(frame), image.size));
+        io::put_camera(image, scene.description().camera_at(static_cast<float>(frame - 1), image.size), "_previous");
         try {
             io::write_exr(folder / file, image);
         } catch (Error const& error) { // a full disk is no fault of the command line
