@@ -29,7 +29,8 @@ struct Cuda {
     template <class Job> void for_each_pixel(Region r, Job const& job) const {
         static_assert(std::is_trivially_copyable_v<Job>, "a job is copied to the device: policies and views must be trivially copyable");
         if (r.x1 <= r.x0 || r.y1 <= r.y0) return;
-        dim3 const block(count(block_width), count(block_height)), grid(blocks(r.x1 - r.x0, block_width), blocks(r.y1 - r.y0, block_height));
+        dim3 const block(count(block_width), count(block_height)),
+            grid(blocks(r.x1 - r.x0, block_width), blocks(r.y1 - r.y0, block_height));
         detail::each_pixel<<<grid, block, 0, stream>>>(r, job);
         check(cudaGetLastError(), job.name, "compile for this device's architecture");
         check(cudaStreamSynchronize(stream), job.name, "keep all images in memory that the device can reach");

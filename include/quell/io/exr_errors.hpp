@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/core/error.hpp>
+#include <quell/io/exr_header_check.hpp>
 
 #include <OpenEXR/ImfTestFile.h>
 
@@ -36,6 +37,7 @@ inline void check_is_exr(std::filesystem::path const& path) {
     if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(path, why) == 0)
         throw Error(path.string(), "it is empty", "render or copy it again");
     if (!Imf::isOpenExrFile(path.string().c_str())) throw Error(path.string(), "it isn't an EXR file", "give an OpenEXR file");
+    if (!HeaderCheck(path).passes()) throw Error(path.string(), "its header is truncated or damaged", "render or copy it again");
 }
 
 } // namespace quell::io::detail

@@ -1,4 +1,4 @@
-// error: Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{} or SuppressFireflies{}, see quell/pipeline/stage.hpp
+// error: Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{} or SuppressFireflies{}
 #include <quell/quell.hpp>
 
 #ifdef CORRECT
