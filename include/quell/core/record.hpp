@@ -36,13 +36,16 @@ template <class V, class Set = Channels<>> struct Result {
     Record<Real, Set> more{};
 
     /// The same with one more channel, or with another value for one that it has.
-    template <ChannelTag C> QUELL_KERNEL auto with(C c, Value<C::components, Real> v) const {
+    template <class C, class T> QUELL_KERNEL auto with(C c, T const& v) const {
+        static_assert(ChannelTag<C>, "with(channel, value): the first must be a channel, such as history_length");
+        static_assert(std::is_convertible_v<T, Value<C::components, Real>>,
+                      "with(channel, value): the value must have as many components as the channel");
         using Wider = decltype(Set{} + c);
         return Result<V, Wider>{value, alpha,
                                 make_record<Real>(
                                     Wider{}, [&](auto d) __attribute__((always_inline)) {
                                         if constexpr (std::is_same_v<decltype(d), C>)
-                                            return v;
+                                            return Value<C::components, Real>(v);
                                         else
                                             return more[d];
                                     })};

@@ -47,6 +47,9 @@ struct Simd {
             for (int x = r.x0; x < r.x1; x += width) job(at_once<Pack>, x, y, r.x1 - x < width ? r.x1 - x : width);
     }
 };
+#else
+/// nvcc knows no packs: its host code runs pixel after pixel.
+using Simd = Serial;
 #endif
 
 } // namespace quell

@@ -4,6 +4,13 @@
 
 namespace quell {
 
+namespace detail {
+/// Accepts any pass. A struct, since nvcc takes no lambda inside a concept.
+struct AnyPass {
+    constexpr void operator()(auto const&) const {}
+};
+} // namespace detail
+
 /// Replaces a pixel by something made of its surroundings. A filter that is one pass has
 ///     auto filter(auto px) const -> the new value, or Result{value}.with(channel that it `emits`, value)...
 /// A filter of several passes has
@@ -15,7 +22,7 @@ concept OnePassFilter = std::is_trivially_copyable_v<F> && requires(F const f, d
     { detail::as_result(f.filter(px)).value } -> std::convertible_to<vec3<float>>;
 };
 template <class F>
-concept FilterKernel = std::is_trivially_copyable_v<F> &&(OnePassFilter<F> || requires(F const f) { f.for_each_pass([](auto const&) {}); });
+concept FilterKernel = std::is_trivially_copyable_v<F> &&(OnePassFilter<F> || requires(F const f) { f.for_each_pass(detail::AnyPass{}); });
 
 /// Says how much a neighbour may contribute: exp(-distance). `around(px)` prepares what depends on the centre alone; `toward(dx, dy)` of
 /// that, what depends on the tap's place, up to its sign; and of that

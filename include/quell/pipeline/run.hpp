@@ -86,7 +86,7 @@ private:
         (detail::for_each_pass(std::get<i>(pipeline.stages),
                                [&, first = i == 0](auto const& kernel) mutable {
                                    // Only the first pass sees the marks of missing samples; a Temporal in first place always is that pass.
-                                   constexpr bool alone = is_temporal<std::remove_cvref_t<decltype(kernel)>>;
+                                   [[maybe_unused]] constexpr bool alone = is_temporal<std::remove_cvref_t<decltype(kernel)>>;
                                    if constexpr (i > 0)
                                        pass<false>(kernel);
                                    else if (alone || first)
@@ -112,7 +112,7 @@ private:
     template <bool raw, class Pass> void run(Pass const& kernel, bool last, std::atomic<long long>* missing) {
         using S = ScopeOf<Pass, raw>;
         using Made = decltype(emits_of<Pass>{} | keeps_of<Pass>{});
-        constexpr bool makes_signal = !requires(Pass const p, Pixel<float, S> px) { p.emit(px); };
+        constexpr bool makes_signal = makes_signal_of<Pass, S>;
         bool const goes_on = !last || is_temporal<Pass> || feeds_back(kernel);
 
         Handles<Storage, Made> next_made;

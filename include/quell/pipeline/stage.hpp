@@ -9,6 +9,8 @@ namespace quell {
 /// Accumulates over time: a motion source finds the past, a fetch interpolates it, a blend policy joins it with the present.
 ///     Temporal{SurfaceMotion{}, Clamped{RunningMean{.cap = 16}}}
 template <class M, class B, class Fetch = Bilinear> struct Temporal {
+    static_assert(std::is_trivially_copyable_v<M> && std::is_trivially_copyable_v<B>,
+                  "Temporal{motion, blend}: a policy must be trivially copyable, so that it can be sent to a device: plain numbers only");
     static_assert(MotionSource<M>, "Temporal{motion, blend}: `motion` must have previous(px), see quell/motion/motion_source.hpp");
     static_assert(BlendPolicy<B>, "Temporal{motion, blend}: `blend` must have blend(px, past), see quell/blend/blend_policy.hpp");
 
@@ -52,6 +54,8 @@ template <class M, class B, class F> Temporal(M, B, F) -> Temporal<M, B, F>;
 
 /// Filters over space: Spatial{Atrous{}}.
 template <class F> struct Spatial {
+    static_assert(std::is_trivially_copyable_v<F>,
+                  "Spatial{kernel}: a policy must be trivially copyable, so that it can be sent to a device: plain numbers only");
     static_assert(FilterKernel<F>,
                   "Spatial{kernel}: `kernel` must have filter(px) or for_each_pass(pass), see quell/filter/filter_kernel.hpp");
     using reads = reads_of<F>;
