@@ -8,11 +8,10 @@ namespace {
 // Counted from the kernels' source. Paths that few pixels take (missing samples, rescue, spatial variance of short histories) are left out:
 // the bound must not be above what is possible.
 
-constexpr Cost luminance_cost{5.};   // fma, fma, *
-constexpr Cost divisor{18.};         // Demodulate::divisor: 3 x (finite 2, clamp 2), luminance 5, < 1
-constexpr Cost slope{9.};            // depth_slope: 2 -, 2 x finite 2, min, 2 <
-constexpr Cost edge_weight_cost{4.}; // fma, max, to int
-constexpr Cost pack_normal{20.};     // 2 +, max, 2 /, <, 2 x fold 2, 2 x quantise 5
+constexpr Cost luminance_cost{5.};      // fma, fma, *
+constexpr Cost divisor{18.};            // Demodulate::divisor: 3 x (finite 2, clamp 2), luminance 5, < 1
+constexpr double edge_weight_cost = 4.; // fma, max, to int
+constexpr Cost pack_normal{20.};        // 2 +, max, 2 /, <, 2 x fold 2, 2 x quantise 5
 
 /// Demodulate at the end and the output: reads the albedo, writes the output.
 constexpr Cost output = divisor + Cost{3., 3., 3.};
@@ -27,8 +26,7 @@ constexpr double depth_distance = 3.;          // -, fma
 constexpr double normal_distance = 7.;         // +, 3 fma
 constexpr double tap_weight = 2.;              // across * down, * edge weight
 constexpr double accumulate_colour = 7.;       // 3 fma, +
-constexpr double geometry_tap = toward_depth + depth_distance + normal_distance + 4. + tap_weight + accumulate_colour;
-static_assert(edge_weight_cost.operations == 4.);
+constexpr double geometry_tap = toward_depth + depth_distance + normal_distance + edge_weight_cost + tap_weight + accumulate_colour;
 
 constexpr double guided_tap = geometry_tap + 5. + 3. + 3.; // luminance, -, fma; w * w, fma for the variance
 constexpr double variance_around = 8. * 4. + 12.;          // 8 taps: weight *, +, fma; /, max, sqrt, fma, /, luminance

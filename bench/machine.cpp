@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <barrier>
-#include <chrono>
+#include <ctime>
 #include <map>
 #include <thread>
 #include <vector>
@@ -13,30 +13,34 @@
 namespace quell::bench {
 namespace {
 
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+/// Of this thread alone: other programs that share the machine do not count.
+double processor_time() {
+    timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
 
-/// The shortest of several tries of `work(thread)` on so many threads together, in seconds.
-template <class Work> double fastest(int threads, int tries, Work const& work) {
-    double best = 1e30, begun = 0.;
-    bool begins = true;
-    auto const stamp = [&]() noexcept {
-        double const t = now();
-        if (!begins) best = std::min(best, t - begun);
-        begun = t;
-        begins = !begins;
-    };
-    std::barrier together(threads, stamp);
+/// How often a second `work(thread)` is done by so many threads together: the sum of each thread's best try.
+template <class Work> double rate(int threads, int tries, Work const& work) {
+    std::barrier together(threads);
+    std::vector<double> best(static_cast<std::size_t>(threads), 1e30);
     auto const body = [&](int thread) {
         for (int i = 0; i < tries; ++i) {
             together.arrive_and_wait();
+            auto const before = processor_time();
             work(thread);
-            together.arrive_and_wait();
+            auto& mine = best[static_cast<std::size_t>(thread)];
+            mine = std::min(mine, processor_time() - before);
         }
     };
-    std::vector<std::jthread> others;
-    for (int i = 1; i < threads; ++i) others.emplace_back(body, i);
-    body(0);
-    return best;
+    {
+        std::vector<std::jthread> others;
+        for (int i = 1; i < threads; ++i) others.emplace_back(body, i);
+        body(0);
+    }
+    double sum = 0.;
+    for (double const seconds : best) sum += 1. / seconds;
+    return sum;
 }
 
 // Enough chains to hide an addition's latency on every multiplier there is (5 cycles x 2), few enough for 16 registers: more would spill.
@@ -55,8 +59,7 @@ float multiply_and_add(float start) {
 
 double measure_operations(int threads) {
     std::atomic<float> sink = 0.f; // somebody must want the result
-    double const seconds = fastest(threads, 12, [&](int) { sink = multiply_and_add(sink * 1e-6f); });
-    return 2. * chains * turns * width_of<Pack> * threads / seconds;
+    return 2. * chains * turns * width_of<Pack> * rate(threads, 12, [&](int) { sink = multiply_and_add(sink * 1e-6f); });
 }
 
 /// Triad: a = b + s c. Each thread has its own arrays, placed by the thread that uses them.
@@ -67,7 +70,7 @@ double measure_bandwidth(int threads) {
         std::vector<float> a, b, c;
     };
     std::vector<Arrays> arrays(static_cast<std::size_t>(threads));
-    double const seconds = fastest(threads, 8, [&](int thread) {
+    double const passes = rate(threads, 8, [&](int thread) {
         auto& mine = arrays[static_cast<std::size_t>(thread)];
         if (mine.a.empty()) mine = {std::vector<float>(count), std::vector<float>(count, 1.f), std::vector<float>(count, 2.f)};
         auto* const a = mine.a.data();
@@ -75,7 +78,7 @@ double measure_bandwidth(int threads) {
         for (std::size_t i = 0; i + width_of<Pack> <= count; i += width_of<Pack>)
             fma(Pack::load_unaligned(c + i), Pack(0.5f), Pack::load_unaligned(b + i)).store_unaligned(a + i);
     });
-    return 3. * sizeof(float) * static_cast<double>(count) * threads / seconds;
+    return 3. * sizeof(float) * static_cast<double>(count) * passes;
 }
 
 } // namespace

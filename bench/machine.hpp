@@ -8,7 +8,8 @@ struct Machine {
     double bytes_per_second = 0.;      ///< read and written, from memory larger than the caches
 };
 
-/// Measured at the first call for a number of threads: best of several tries, since a shared machine can only make them worse.
+/// Measured at the first call for a number of threads: best of several tries by processor time, since a shared machine can only make them
+/// worse.
 Machine const& machine(int threads);
 
 /// Threads that this process can run at once.

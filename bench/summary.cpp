@@ -72,9 +72,10 @@ void print_preset(Family const& family, std::vector<Series> const& s, double byt
     auto const& one = s[2];
     auto const& many = s[3];
     auto const ms = [](Series const& series) { return 1e3 * median(series.wall); };
-    std::printf("| %s | %.1f | %.2f | %.2f | %.2f | %.2f | %.2f | %.1f | %.2f | %.2f | %.2f | %.1f | %lld |\n", family.preset.c_str(),
-                ms(serial), ms(simd), 1e3 * median(simd.processor), ms(one), ms(many), 1e3 * *std::ranges::min_element(many.wall),
-                ratio(serial.processor, simd.processor), ratio(one.wall, many.wall), family.bound(size, 1) / median(simd.processor),
+    std::printf("| %s | %.1f | %.2f | %.2f | %.2f | %.2f | %.2f | %.1f | %.2f | %.2f | %.2f | %.2f | %.1f | %lld |\n",
+                family.preset.c_str(), ms(serial), ms(simd), 1e3 * median(simd.processor), ms(one), ms(many),
+                1e3 * *std::ranges::min_element(many.wall), ratio(serial.processor, simd.processor), ratio(one.wall, many.wall),
+                many.how.threads * ratio(one.processor, many.processor), family.bound(size, 1) / median(simd.processor),
                 family.bound(size, many.how.threads) / median(many.wall), bytes, simd.allocated);
 }
 
@@ -127,10 +128,11 @@ void print_storages(std::vector<Measured> const& all) {
 void print_summary(std::string_view wanted, int rounds) {
     print_machine();
     auto const all = measure(wanted, rounds);
-    std::printf("\n## Presets, %s, %s, medians of %d; cpu: processor time, which others on the machine do not lengthen\n",
+    std::printf("\n## Presets, %s, %s, medians of %d; cpu: processor time, which others on the machine hardly lengthen\n",
                 to_string(size).c_str(), reference_storage, rounds);
     std::printf(
-        "| preset | serial ms | simd ms | simd cpu ms | threads:1 ms | threads:%d ms | best | serial/simd | threads 1/%d | of bound, simd "
+        "| preset | serial ms | simd ms | simd cpu ms | threads:1 ms | threads:%d ms | best | serial/simd | threads 1/%d | the same by cpu "
+        "| of bound, simd "
         "| of "
         "bound, threads | bytes/pixel | allocations (simd) |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- "
         "| --- |\n",

@@ -74,7 +74,7 @@ void describe(CLI::App& app, Options& o) {
     app.add_option("--scene", o.scenes, "A built-in scene's name, a .gltf or .glb file, or all; may be given several times (default: room)")
         ->take_all();
     app.add_option("--out", o.out, "Folder for frame.0000.exr and so on; of several scenes, each gets a folder of its own in there");
-    app.add_option("--size", o.size, "Pixels (default: " + o.size + ")");
+    app.add_option("--size", o.size, "Pixels (default: " + o.size + ")")->take_last();
     app.add_option("--frames", o.frames, "How many frames (default: " + std::to_string(o.frames) + ")");
     app.add_option("--first", o.first, "Number of the first frame (default: 0)");
     app.add_option("--spp", o.spp, "Samples per pixel (default: 1)");

@@ -28,7 +28,7 @@ public:
         do {
             while (skip_text() > 0) // an attribute's name; an empty one ends the header
                 if (skip_text(); !skip(number())) return false;
-        } while (several_parts && in.peek() != 0); // and an empty header ends them all
+        } while (several_parts && in.good() && in.peek() != 0); // and an empty header ends them all
         return in.good();
     }
 

@@ -1,0 +1,60 @@
+#include "programs.hpp"
+
+using namespace quell;
+using namespace quell::tests;
+
+TEST_CASE("help and lists end well") {
+    CHECK(denoise("--help").code == 0);
+    CHECK(contains(denoise("--help").out, "--warmup"));
+    CHECK(denoise("--list").lines() == std::vector<std::string>{"none", "surface", "surface-clamp", "atrous", "svgf"});
+    CHECK(trace("--help").code == 0);
+    CHECK(trace("--list").code == 0);
+    CHECK(contains(trace("--list").out, "room\n"));
+}
+
+TEST_CASE("quell-denoise refuses what it can't use in one line") {
+    Folder const folder;
+    write_sequence(folder, 1, 3);
+    auto const in = input(folder), both = in + output(folder);
+    check_refused(denoise(""), {"--in is missing"});
+    check_refused(denoise(in), {"neither --out nor --reference"});
+    check_refused(denoise(both + "--nonsense"), {"--nonsense", "--help"});
+    check_refused(denoise(both + "--first x"), {"--first"});
+    check_refused(denoise(both + "--preset best"), {"'best'", "none, surface, surface-clamp, atrous, svgf"});
+    check_refused(denoise(both + "--threads=-2"), {"--threads", "-2"});
+    check_refused(denoise(both + "--warmup=-1"), {"--warmup", "-1"});
+    check_refused(denoise(both + "--first 3 --last 2"), {"the first is 3 and the last is 2", "1 to 3"});
+    check_refused(denoise("--in frame.exr " + output(folder)), {"frame.exr", "%04d"});
+    check_refused(denoise("--in '" + (folder / "g.%d.exr").string() + "' " + output(folder)), {"g.%d.exr", "no such file"});
+    check_refused(denoise(in + output(folder, "frame.")), {"--out", "input's own files"});
+    check_refused(denoise(both + "--reference '" + (folder / "ref.%d.exr").string() + "'"), {"ref.%d.exr", "none for frames 1 to 3"});
+    check_refused(denoise(both + "--map '" + (folder / "map.json").string() + "'"), {"map.json", "can't be read"});
+    CHECK(folder.files() == 3);
+}
+
+TEST_CASE("quell-trace refuses what it can't use in one line") {
+    Folder const folder;
+    auto const out = "--out '" + (folder / "t").string() + "' ";
+    check_refused(trace(""), {"--out is missing"});
+    check_refused(trace(out + "--size 16"), {"--size", "1920x1080"});
+    check_refused(trace(out + "--size 0x5"), {"--size", "'0x5'"});
+    check_refused(trace(out + "--scene cellar"), {"cellar", "room"});
+    check_refused(trace(out + "--scene cellar.gltf"), {"cellar.gltf", "no such file"});
+    check_refused(trace(out + "--effects shadow,smoke"), {"'smoke'", "shadow, glossy, indirect, blur"});
+    check_refused(trace(out + "--effects blur --shutter 0"), {"--shutter"});
+    check_refused(trace(out + "--shutter 2"), {"shutter", "0 to 1"});
+    check_refused(trace(out + "--spp 0"), {"--spp"});
+    check_refused(trace(out + "--frames 0"), {"--frames"});
+    check_refused(trace(out + "--reference 1"), {"--reference"});
+    check_refused(trace(out + "--eye 1,2"), {"--eye", "three"});
+}
+
+TEST_CASE("what is no fault of the arguments or the input is exit code 1") {
+    Folder const folder;
+    write_sequence(folder, 1, 2);
+    std::filesystem::create_directory(folder / "out.0001.exr"); // can't be replaced by a file
+    auto const ran = denoise(input(folder) + output(folder));
+    CHECK(ran.code == 1);
+    CHECK(contains(ran.err, "out.0001.exr"));
+    CHECK(contains(ran.err, "can't be written"));
+}

@@ -1,0 +1,92 @@
+#include "../io/files.hpp"
+
+#include <denoise/map_file.hpp>
+
+using namespace quell;
+using namespace quell::tests;
+using quell::examples::parse_map;
+
+namespace {
+io::SequenceNames map(std::string const& text) { return parse_map(text, "map.json"); }
+using Names = std::vector<std::string>;
+} // namespace
+
+TEST_CASE("an empty map stands for quell's own names") {
+    auto const names = map("{}");
+    REQUIRE(names.signals.size() == 1);
+    CHECK(io::planes_of(Channels<Radiance, Depth>{}, names.signals[0].channels) == Names{"R", "G", "B", "depth.Z"});
+    CHECK(names.added.empty());
+}
+
+TEST_CASE("layers, whole names, sums, scales and constants") {
+    auto const names = map(R"({
+        // comments are welcome
+        "channels": {"depth": "Z", "normal": "N", "albedo": 1, "radiance": {"from": ["direct", "indirect"], "scale": 2},
+                     "motion": ["speed.x", {"from": "speed.y", "scale": -1}], "position": [{"from": ["a", "b"]}, "c", 0.5]},
+        "miss_from": 1e6})");
+    auto const& channels = names.signals[0].channels;
+    CHECK(io::planes_of(Channels<Depth, Normal, Albedo>{}, channels) == Names{"Z", "N.X", "N.Y", "N.Z"});
+    CHECK(channels.sources.at("albedo")[2].scale == 1.f);
+    CHECK(channels.sources.at("radiance")[1].sum == Names{"direct.G", "indirect.G"});
+    CHECK(channels.sources.at("radiance")[1].scale == 2.f);
+    CHECK(channels.sources.at("motion")[1].sum == Names{"speed.y"});
+    CHECK(channels.sources.at("motion")[1].scale == -1.f);
+    CHECK(channels.sources.at("position")[0].sum == Names{"a", "b"});
+    CHECK(channels.sources.at("position")[2].scale == 0.5f);
+    CHECK(channels.miss_from == 1e6f);
+}
+
+TEST_CASE("the layer without a name is the image itself") {
+    CHECK(io::planes_of(map(R"({"channels": {"albedo": ""}})").signals[0].channels.sources.at("albedo")) == Names{"R", "G", "B"});
+}
+
+TEST_CASE("motion in another convention") {
+    using C = MotionConvention;
+    auto const names = map(R"({"motion": {"points": "from_previous", "unit": "ndc", "y": "up", "jitter": "left_in"}})");
+    CHECK(names.signals[0].channels.motion == C{C::Points::from_previous, C::Unit::ndc, C::Y::up, C::Jitter::left_in});
+    CHECK(map(R"({"motion": {}})").signals[0].channels.motion == C{});
+}
+
+TEST_CASE("signals with and without their albedo, and what is added") {
+    auto const names = map(R"({
+        "channels": {"depth": "Z"},
+        "signals": [{"name": "all", "radiance": "beauty", "albedo": "colour"},
+                    {"irradiance": "light", "albedo": "paint", "normal": "N2"}],
+        "added": {"from": ["emission", "sky"]}})");
+    REQUIRE(names.signals.size() == 2);
+    auto const& all = names.signals[0];
+    CHECK(all.name == "all");
+    CHECK(all.factor.empty());
+    CHECK(io::planes_of(Channels<Radiance, Albedo, Depth>{}, all.channels) ==
+          Names{"beauty.R", "beauty.G", "beauty.B", "colour.R", "colour.G", "colour.B", "Z"});
+    auto const& light = names.signals[1];
+    CHECK(io::planes_of(light.factor) == Names{"paint.R", "paint.G", "paint.B"});
+    CHECK(io::planes_of(Channels<Radiance, Albedo>{}, light.channels) == Names{"light.R", "light.G", "light.B"});
+    CHECK(light.channels.sources.at("normal")[2].sum == Names{"N2.Z"});
+    CHECK_FALSE(all.channels.sources.contains("normal"));
+    CHECK(names.added[1].sum == Names{"emission.G", "sky.G"});
+}
+
+TEST_CASE("mistakes are named with their place and what to write") {
+    auto const check = [](std::string const& text, std::initializer_list<std::string> parts) {
+        INFO(text);
+        check_error([&] { static_cast<void>(map(text)); }, parts);
+    };
+    check("", {"map.json", "isn't JSON"});
+    check("{\"channels\": ", {"map.json", "isn't JSON"});
+    check("[1]", {"map.json", "it is [1]", "write an object"});
+    check(R"({"chanels": {}})", {"map.json", "chanels is {}", "no member of that name", "channels, motion, miss_from, signals, added"});
+    check(R"({"channels": {"dept": "Z"}})", {"channels.dept is \"Z\"", "no such channel"});
+    check(R"({"channels": 3})", {"channels is 3", "write an object"});
+    check(R"({"channels": {"normal": ["a", "b"]}})", {"channels.normal is [\"a\",\"b\"]", "a list of 3"});
+    check(R"({"channels": {"motion": ["a", true]}})", {"channels.motion[1] is true", "write a name, a number"});
+    check(R"({"channels": {"depth": {"scale": 2}}})", {"channels.depth", "name the channel"});
+    check(R"({"channels": {"depth": {"from": 5}}})", {"channels.depth.from is 5", "a name or a list"});
+    check(R"({"channels": {"depth": {"from": "Z", "scale": "x"}}})", {"channels.depth.scale is \"x\"", "write a number"});
+    check(R"({"motion": {"y": "left"}})", {"motion.y is \"left\"", "write down or up"});
+    check(R"({"motion": {"unit": 1}})", {"motion.unit is 1", "pixel or uv or ndc"});
+    check(R"({"signals": []})", {"signals is []", "at least one signal"});
+    check(R"({"signals": ["beauty"]})", {"signals[0] is \"beauty\"", "\"radiance\" or \"irradiance\""});
+    check(R"({"signals": [{"radiance": "a", "irradiance": "b"}]})", {"signals[0]", "not both"});
+    check_error([] { static_cast<void>(examples::read_map("/nowhere/map.json")); }, {"/nowhere/map.json", "can't be read"});
+}

@@ -1,0 +1,85 @@
+#include "programs.hpp"
+
+using namespace quell;
+using namespace quell::tests;
+
+namespace {
+std::vector<std::string> channels_of(std::filesystem::path const& file) {
+    std::vector<std::string> names;
+    for (auto const& channel : io::ExrFile(file).channels) names.push_back(channel.name);
+    return names;
+}
+std::string to(Folder const& folder) { return "--out '" + folder.path.string() + "' --size 24x16 "; }
+using Names = std::vector<std::string>;
+} // namespace
+
+TEST_CASE("quell-trace writes what quell-denoise reads") {
+    Folder const folder;
+    auto const ran = trace(to(folder) + "--scene room --frames 3 --first 5 --reference 4");
+    INFO(ran.err);
+    CHECK(ran.code == 0);
+    CHECK(contains(ran.out, "room: 3 frames of 24x16; rays: 1152 primary"));
+    CHECK(folder.files() == 6);
+    CHECK(channels_of(folder / "frame.0005.exr") ==
+          Names{"B", "G", "R", "albedo.B", "albedo.G", "albedo.R", "depth.Z", "motion.X", "motion.Y", "normal.X", "normal.Y", "normal.Z"});
+    CHECK(channels_of(folder / "reference.0007.exr") == Names{"B", "G", "R"});
+    auto const done = denoise(input(folder) + output(folder) + "--reference '" + (folder / "reference.%04d.exr").string() + "'");
+    CHECK(done.code == 0);
+    CHECK(done.lines().size() == 5);
+}
+
+TEST_CASE("only the channels and the rays of the chosen effects") {
+    Folder const folder;
+    auto const ran = trace(to(folder) + "--frames 1 --effects shadow");
+    CHECK(contains(ran.out, " 0 glossy, 0 indirect"));
+    auto const shadow = channels_of(folder / "frame.0000.exr");
+    for (auto const* const name : {"visibility.V", "direct.R", "light.X", "light_previous.Y", "blocker.Z", "blocker_previous.X",
+                                   "receiver_previous.X", "depth.Z", "normal.X", "motion.X", "position.X"})
+        CHECK(std::ranges::find(shadow, name) != shadow.end());
+    for (auto const* const name : {"R", "albedo.R", "glossy.R", "indirect.R", "sweep.X", "time.T"})
+        CHECK(std::ranges::find(shadow, name) == shadow.end());
+    CHECK(trace(to(folder) + "--frames 1 --effects blur,indirect,glossy --reference 4").code == 0);
+    auto const others = channels_of(folder / "frame.0000.exr"), converged = channels_of(folder / "reference.0000.exr");
+    for (auto const* const name : {"R", "sweep.Y", "time.T", "indirect_direction.Z", "glossy_hit_previous.X", "roughness.R"})
+        CHECK(std::ranges::find(others, name) != others.end());
+    for (auto const* const name : {"R", "indirect.B", "albedo.G", "glossy.R"}) CHECK(std::ranges::find(converged, name) != converged.end());
+    CHECK(std::ranges::find(others, "visibility.V") == others.end());
+}
+
+TEST_CASE("the previous camera is the last frame's") {
+    Folder const folder;
+    CHECK(trace(to(folder) + "--scene temple --frames 2 --quiet").out.empty());
+    auto const first = io::read_exr(folder / "frame.0000.exr"), second = io::read_exr(folder / "frame.0001.exr");
+    REQUIRE(io::camera_of(first).has_value());
+    CHECK(io::camera_of(second, "_previous") == io::camera_of(first));
+    CHECK_FALSE(io::camera_of(second) == io::camera_of(first));
+}
+
+TEST_CASE("the same seed and any number of threads give the same files, another seed other noise") {
+    Folder const folder;
+    auto const run = [&](std::string const& more) {
+        CHECK(trace(to(folder) + "--frames 1 " + more).code == 0);
+        return bytes_of(folder / "frame.0000.exr");
+    };
+    auto const one = run("--threads 1");
+    CHECK(run("--threads 3") == one);
+    CHECK(run("--seed 9") != one);
+}
+
+TEST_CASE("several scenes get a folder each") {
+    Folder const folder;
+    CHECK(trace(to(folder) + "--frames 1 --scene room --scene boxes --quiet").code == 0);
+    CHECK(std::filesystem::exists(folder / "room/frame.0000.exr"));
+    CHECK(std::filesystem::exists(folder / "boxes/frame.0000.exr"));
+}
+
+TEST_CASE("a glTF file with a camera of one's own") {
+    auto const scene = shared("data/scenes/cornell_box/cornell_bevy.glb");
+    if (scene.empty()) return;
+    Folder const folder;
+    auto const ran =
+        trace(to(folder) + "--frames 1 --scene '" + scene.string() + "' --eye 0,1,-4 --target 0,1,0 --fov 40 --orbit 2 --dolly -0.1,0,0");
+    INFO(ran.err);
+    CHECK(ran.code == 0);
+    CHECK(std::filesystem::exists(folder / "frame.0000.exr"));
+}
