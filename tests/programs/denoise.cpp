@@ -175,8 +175,7 @@ TEST_CASE("another renderer's files by a map are denoised as quell's own") {
                   {"other.0001.exr", "channel map", "beauty.R"});
 }
 
-// Issue 2 wants this; what is reached is 0.092 of 0.171, a ratio of 0.54. It reports until the target holds.
-TEST_CASE("svgf at least halves the FLIP of the Cycles sequence" * doctest::may_fail()) {
+TEST_CASE("svgf at least halves the FLIP of the Cycles sequence") {
     auto const folder = shared("data/sequences/cycles_occlusion");
     if (folder.empty()) return;
     auto const flip = [&](std::string const& preset) {

@@ -65,7 +65,7 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct VarianceGuidedAtro
     using emits = Channels<Variance>;
     Edge edge{};
     int levels = 5;
-    float sigma_luminance = 1.5f; ///< deviations of a pixel's mean that a neighbour may be off at weight 1/e; SVGF's 4 deviations of a
+    float sigma_luminance = 3.f; ///< deviations of a pixel's mean that a neighbour may be off at weight 1/e; SVGF's 4 deviations of a
                                   ///< sample at alpha 0.2 are 1.33
     bool feedback = true;         ///< whether the first level's output becomes the history
 
