@@ -10,7 +10,6 @@ using namespace quell;
 namespace {
 /// Counts how often each pixel is computed.
 struct Count {
-    static constexpr auto name = "count";
     std::vector<std::atomic<int>>* hits;
     int width;
     template <class Real> void operator()(AtOnce<Real>, int x, int y, int count) const {
