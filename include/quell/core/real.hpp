@@ -39,6 +39,9 @@ QUELL_KERNEL std::int32_t select_index(bool condition, std::int32_t a, std::int3
 QUELL_KERNEL bool any(bool mask) { return mask; }
 QUELL_KERNEL bool all(bool mask) { return mask; }
 QUELL_KERNEL bool invert(bool mask) { return !mask; }
+/// Where all of the masks hold, and where at least one does. (Written with & and |, compilers would suspect a slip for && of bools.)
+template <class Mask, class... Masks> QUELL_KERNEL Mask both(Mask first, Masks... more) { return (first & ... & more); }
+template <class Mask, class... Masks> QUELL_KERNEL Mask either(Mask first, Masks... more) { return (first | ... | more); }
 QUELL_KERNEL std::int32_t bits(float a) { return std::bit_cast<std::int32_t>(a); }
 QUELL_KERNEL float from_bits(std::int32_t a) { return std::bit_cast<float>(a); }
 QUELL_KERNEL std::int32_t truncate(float a) { return static_cast<std::int32_t>(a); }

@@ -116,7 +116,7 @@ QUELL_KERNEL V select(Mask mask, V const& a, V const& b) {
 template <class V> QUELL_KERNEL auto all_finite(V const& v) {
     // Adding up first would be cheaper, and wrong: inf - inf, and overflow of large finite values.
     return fold(
-        [](auto sofar, auto a) __attribute__((always_inline)) { return sofar & is_finite(a); }, is_finite(component<0>(v)), v);
+        [](auto sofar, auto a) __attribute__((always_inline)) { return both(sofar, is_finite(a)); }, is_finite(component<0>(v)), v);
 }
 template <class Real> QUELL_KERNEL Real dot(vec3<Real> const& a, vec3<Real> const& b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
 

@@ -7,6 +7,16 @@ namespace quell {
 namespace detail {
 inline constexpr float b3_spline[3] = {0.375f, 0.25f, 0.0625f};
 
+/// What edge_weight wants to know of the spline's weights, by |column| and |row|.
+struct SplineBits {
+    float at[3][3];
+    constexpr SplineBits() : at{} {
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) at[i][j] = static_cast<float>(std::bit_cast<std::int32_t>(b3_spline[i] * b3_spline[j]));
+    }
+};
+inline constexpr SplineBits spline_bits;
+
 /// Gives back the centre where arithmetic went wrong: a NaN in a guide, under flags that let the compiler assume there is none.
 template <class V> QUELL_KERNEL V finite_or(V const& v, V const& centre) { return select(all_finite(v), v, centre); }
 
@@ -26,18 +36,19 @@ template <class Edge, bool guided> struct AtrousLevel {
         auto sum = scale(px.signal(), Real(b3_spline[0] * b3_spline[0]));
         Real weights(b3_spline[0] * b3_spline[0]), noise(0.f);
         if constexpr (guided) noise = px[variance] * (weights * weights);
-        auto const add = [&](auto near, auto weight, auto const& toward) __attribute__((always_inline)) {
-            auto const w = usable(near, weight) * edge_weight(toward.distance(near, Real(0.f)));
+        auto const add = [&](auto near, auto start, auto const& toward, float weight) __attribute__((always_inline)) {
+            auto const w = edge_weight(toward.distance(near, usable(near, start)), weight);
             sum = add_scaled(sum, near.signal(), w);
             weights = weights + w;
             if constexpr (guided) noise = fma(near[variance], w * w, noise);
         };
-        for_each_tap_pair<2>(
-            px, step,
-            b3_spline, [&](auto near, auto weight, auto opposite, auto its_weight, int dx, int dy) __attribute__((always_inline)) {
-                auto const toward = around.toward(dx, dy);
-                add(near, weight, toward);
-                add(opposite, its_weight, toward);
+        for_each_opposite_taps<2>(
+            px, step, detail::edge_offset(around),
+            [&](auto near, auto start, auto opposite, auto its_start, int dx, int dy, int i, int j) __attribute__((always_inline)) {
+                auto const& toward = detail::edge_toward(around, dx, dy);
+                float const weight = spline_bits.at[i < 0 ? -i : i][j];
+                add(near, start, toward, weight);
+                add(opposite, its_start, toward, weight);
             });
         auto const inverse = 1.f / weights;
         auto const result = Result{finite_or(scale(sum, inverse), px.signal())};
@@ -49,11 +60,11 @@ template <class Edge, bool guided> struct AtrousLevel {
 
 private:
     /// A missing sample, where they are still marked, weighs nothing.
-    template <class Px, class Real> QUELL_KERNEL static Real usable(Px const& near, Real weight) {
+    template <class Px, class Real> QUELL_KERNEL static Real usable(Px const& near, Real start) {
         if constexpr (Px::Scope::marks_missing)
-            return select(near.missing(), Real(0.f), weight);
+            return select(near.missing(), Real(too_far), start);
         else
-            return weight;
+            return start;
     }
 };
 } // namespace detail

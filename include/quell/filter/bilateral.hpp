@@ -7,7 +7,6 @@ namespace quell {
 /// Every neighbour counts the same: makes a bilateral filter a plain one.
 struct NoEdge {
     struct Around {
-        QUELL_KERNEL Around toward(int, int) const { return *this; }
         QUELL_KERNEL auto distance(auto, auto sum) const { return sum; }
     };
     QUELL_KERNEL auto around(auto) const { return Around{}; }
@@ -44,11 +43,11 @@ template <class Edge, class Deviation> struct BilateralLine {
         GaussianSteps<Real> gaussian(deviation.of(px));
         for (int i = 1; i <= radius; ++i) {
             int const dx = vertical ? 0 : i, dy = vertical ? i : 0;
-            auto const toward = around.toward(dx, dy);
+            auto const& toward = detail::edge_toward(around, dx, dy);
             auto const falloff = gaussian.next();
             auto const add = [&](auto near) __attribute__((always_inline)) {
-                auto const counts = near.inside() & invert(near.missing());
-                auto const w = select(counts, falloff * edge_weight(toward.distance(near, Real(0.f))), Real(0.f));
+                auto const counts = both(near.inside(), invert(near.missing()));
+                auto const w = select(counts, falloff * edge_weight(toward.distance(near, Real(detail::edge_offset(around)))), Real(0.f));
                 sum = add_scaled(sum, near.signal(), w);
                 weights = weights + w;
             };

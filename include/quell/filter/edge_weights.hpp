@@ -38,10 +38,10 @@ struct NormalEdge {
     template <class Real> struct Around {
         vec3<Real> n; // times -sharpness
         float sharpness;
-        QUELL_KERNEL Around toward(int, int) const { return *this; }
+        QUELL_KERNEL float offset() const { return sharpness; }
         QUELL_KERNEL Real distance(auto near, Real sum) const {
             auto const there = near[normal];
-            return fma(n.x, there.x, fma(n.y, there.y, fma(n.z, there.z, sum + sharpness)));
+            return fma(n.x, there.x, fma(n.y, there.y, fma(n.z, there.z, sum)));
         }
     };
     QUELL_KERNEL auto around(auto px) const {
@@ -57,7 +57,6 @@ struct LuminanceEdge {
     template <class Real> struct Around {
         Real centre;
         float inverse;
-        QUELL_KERNEL Around toward(int, int) const { return *this; }
         QUELL_KERNEL Real distance(auto near, Real sum) const { return fma(abs(luminance(near.signal()) - centre), Real(inverse), sum); }
     };
     QUELL_KERNEL auto around(auto px) const { return Around<typename decltype(px)::Real>{luminance(px.signal()), 1.f / sigma}; }
@@ -71,7 +70,6 @@ struct VarianceGuidedEdge {
 
     template <class Real> struct Around {
         Real centre, inverse;
-        QUELL_KERNEL Around toward(int, int) const { return *this; }
         QUELL_KERNEL Real distance(auto near, Real sum) const { return fma(abs(luminance(near.signal()) - centre), Real(inverse), sum); }
     };
     QUELL_KERNEL auto around(auto px) const {
@@ -93,15 +91,20 @@ template <class... Edges> struct Product : Edges... {
     static_assert((EdgeWeight<Edges> && ...), "Product{edges...}: each must have around(px), see quell/filter/filter_kernel.hpp");
     using reads = reads_of<Edges...>;
 
-    template <class... Prepared> struct Toward : Prepared... {
-        QUELL_KERNEL auto distance(auto near, auto sum) const {
-            ((sum = Prepared::distance(near, sum)), ...);
+    /// What an edge prepares for a tap, or a reference to what it prepared for the centre: copies of GLM's vectors (they are unions) go
+    /// through memory.
+    template <class T> struct Held { T held; };
+    template <class... Prepared> struct Toward : Held<Prepared>... {
+        QUELL_KERNEL auto distance(auto const& near, auto sum) const {
+            ((sum = Held<Prepared>::held.distance(near, sum)), ...);
             return sum;
         }
     };
     template <class... Prepared> struct Around : Prepared... {
+        QUELL_KERNEL float offset() const { return (detail::edge_offset(static_cast<Prepared const&>(*this)) + ... + 0.f); }
         QUELL_KERNEL auto toward(int dx, int dy) const {
-            return Toward<decltype(Prepared::toward(dx, dy))...>{Prepared::toward(dx, dy)...};
+            return Toward<decltype(detail::edge_toward(static_cast<Prepared const&>(*this), dx, dy))...>{
+                {detail::edge_toward(static_cast<Prepared const&>(*this), dx, dy)}...};
         }
     };
     QUELL_KERNEL auto around(auto px) const { return Around<decltype(Edges::around(px))...>{Edges::around(px)...}; }

@@ -24,14 +24,32 @@ concept OnePassFilter = std::is_trivially_copyable_v<F> && requires(F const f, d
 template <class F>
 concept FilterKernel = std::is_trivially_copyable_v<F> &&(OnePassFilter<F> || requires(F const f) { f.for_each_pass(detail::AnyPass{}); });
 
-/// Says how much a neighbour may contribute: exp(-distance). `around(px)` prepares what depends on the centre alone; `toward(dx, dy)` of
-/// that, what depends on the tap's place, up to its sign; and of that
-///     Real distance(auto near, Real sum) const
-/// adds what the neighbour itself makes of it, at least 0, to a sum of distances. A filter takes the exponential of the sum once
-/// (edge_weight).
+namespace detail {
+/// What an edge weight prepares for a tap's place: itself, unless it has something that depends on the place.
+template <class Around> QUELL_KERNEL decltype(auto) edge_toward(Around const& around, int dx, int dy) {
+    if constexpr (requires { around.toward(dx, dy); })
+        return around.toward(dx, dy);
+    else
+        return (around);
+}
+/// What is added to every tap's distance.
+template <class Around> QUELL_KERNEL float edge_offset(Around const& around) {
+    if constexpr (requires { around.offset(); })
+        return around.offset();
+    else
+        return 0.f;
+}
+} // namespace detail
+
+/// Says how much a neighbour may contribute: exp(-distance). `around(px)` prepares what depends on the centre alone; that has
+///     Real distance(auto near, Real sum) const        sum + the neighbour's distance
+/// and may have
+///     auto toward(int dx, int dy) const               prepares what depends on the tap's place, up to its sign; then this has distance()
+///     float offset() const                            is added to each distance, which is at least 0 with it: for a sum that starts there
+/// A filter adds up the distances of all its edges, and takes the exponential once (edge_weight).
 template <class W>
 concept EdgeWeight = std::is_trivially_copyable_v<W> && requires(W const w, detail::Probe<W> px) {
-    { w.around(px).toward(1, 1).distance(px, 0.f) } -> std::convertible_to<float>;
+    { detail::edge_toward(w.around(px), 1, 1).distance(px, 0.f) } -> std::convertible_to<float>;
 };
 
 namespace detail {
@@ -43,12 +61,19 @@ template <class Default, class First, class... Rest> struct EdgeAmong<Default, F
 };
 } // namespace detail
 
+/// What edge_weight wants to know of a weight.
+QUELL_KERNEL float weight_bits(float weight) { return static_cast<float>(std::bit_cast<std::int32_t>(weight)); }
+template <class Real> QUELL_KERNEL Real edge_weight(Real distance, float bits_of_weight);
+
 /// exp(-distance) in four operations: the float whose bits are a linear function of the exponent (Schraudolph 1999). Exactly 1 at 0, on the
 /// chords between powers of two elsewhere, so at most 6.2 % above the exponential and monotonic. Never under 2^-62, so that its square is
 /// no denormal; a NaN gives that too.
-template <class Real> QUELL_KERNEL Real edge_weight(Real distance) {
-    constexpr float per_unit = 12102203.16f, one = 1065353216.f, least = 545259520.f; // 2^23 / ln 2, and the bits of 1 and of 2^-62
-    return from_bits(truncate(max(fma(distance, Real(-per_unit), Real(one)), Real(least))));
+template <class Real> QUELL_KERNEL Real edge_weight(Real distance) { return edge_weight(distance, weight_bits(1.f)); }
+
+/// weight * exp(-distance) for the price of exp(-distance): the bits of `weight` take the place of the bits of 1.
+template <class Real> QUELL_KERNEL Real edge_weight(Real distance, float bits_of_weight) {
+    constexpr float per_unit = 12102203.16f, least = 545259520.f; // 2^23 / ln 2, and the bits of 2^-62
+    return from_bits(truncate(max(fma(distance, Real(-per_unit), Real(bits_of_weight)), Real(least))));
 }
 
 } // namespace quell

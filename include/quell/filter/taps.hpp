@@ -67,6 +67,31 @@ QUELL_KERNEL void for_each_tap_pair(Px const& px, int step, float const (&profil
     (std::make_integer_sequence<int, pairs>{});
 }
 
+/// A distance so far that its edge_weight is the least there is.
+inline constexpr float too_far = 1e9f;
+
+/// For filters whose weights are edge weights: opposite taps without the centre, `body(near, start, opposite, its start, dx, dy, i, j)`,
+/// where tap (i, j) stands `step` times as far away, at (dx, dy). A tap's distances are to be added to `start`, which is `base` in the
+/// image and too_far outside, so that borders cost nothing. A loop: unrolled, it took longer to compile and no less to run.
+template <int radius, class Px, class Body> QUELL_KERNEL void for_each_opposite_taps(Px const& px, int step, float base, Body&& body) {
+    using Real = typename Px::Real;
+    constexpr int side = 2 * radius + 1;
+    Real start[side];
+    int column[side];
+    for (int i = 0; i < side; ++i) {
+        auto const beside = px.at((i - radius) * step, 0);
+        start[i] = select(beside.inside(), Real(base), Real(too_far));
+        column[i] = beside.x;
+    }
+    for (int j = 0; j <= radius; ++j) {
+        auto const below = px.at(0, j * step), above = px.at(0, -j * step);
+        Real const below_far(below.row_inside ? 0.f : too_far), above_far(above.row_inside ? 0.f : too_far);
+        for (int i = j == 0 ? 1 : -radius; i <= radius; ++i)
+            body(Px{px.scope, column[radius + i], below.y}, start[radius + i] + below_far, Px{px.scope, column[radius - i], above.y},
+                 start[radius - i] + above_far, i * step, j * step, i, j);
+    }
+}
+
 /// The same as for_each_tap with equal weights of 1.
 template <int radius, class Px, class Body> QUELL_KERNEL void for_each_neighbour(Px const& px, Body&& body) {
     float ones[radius + 1];

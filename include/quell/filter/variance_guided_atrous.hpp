@@ -30,7 +30,8 @@ private:
     static constexpr float unknown = 1e8f;
 
     /// Variance of everything seen around: each pixel's own, and how far the means lie apart. Distances from the centre don't cancel.
-    template <class Px> QUELL_KERNEL auto spatial_variance(Px const& px) const {
+    /// Outlined: few histories are short.
+    template <class Px> QUELL_RARE auto spatial_variance(Px const& px) const {
         using Real = typename Px::Real;
         constexpr float box[4] = {1.f, 1.f, 1.f, 1.f};
         auto const around = edge.around(px);
@@ -39,8 +40,10 @@ private:
         for_each_tap<3>(
             px, 1, box, [&](auto near, auto inside, int dx, int dy) __attribute__((always_inline)) {
                 auto const sampled = min(near[history_length], Real(1.f));
-                auto const w =
-                    dx == 0 && dy == 0 ? inside * sampled : inside * sampled * edge_weight(around.toward(dx, dy).distance(near, Real(0.f)));
+                auto const w = dx == 0 && dy == 0
+                                   ? inside * sampled
+                                   : inside * sampled *
+                                         edge_weight(detail::edge_toward(around, dx, dy).distance(near, Real(detail::edge_offset(around))));
                 auto const off = near[luminance_mean] - centre;
                 weights = weights + w;
                 first = first + off * w;
@@ -66,8 +69,8 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct VarianceGuidedAtro
     Edge edge{};
     int levels = 5;
     float sigma_luminance = 3.f; ///< deviations of a pixel's mean that a neighbour may be off at weight 1/e; SVGF's 4 deviations of a
-                                  ///< sample at alpha 0.2 are 1.33
-    bool feedback = true;         ///< whether the first level's output becomes the history
+                                 ///< sample at alpha 0.2 are 1.33
+    bool feedback = true;        ///< whether the first level's output becomes the history
 
     constexpr void for_each_pass(auto&& pass) const {
         pass(detail::VarianceEstimate<Edge>{edge});

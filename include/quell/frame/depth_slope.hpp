@@ -12,7 +12,7 @@ template <class Px> QUELL_KERNEL auto depth_slope(Px const& px, int dx, int dy) 
     auto const z = px[depth], back = z - before[depth], forth = after[depth] - z;
     Real const none(3e38f);
     auto const size = [&](Real difference, auto inside) __attribute__((always_inline)) {
-        return select(inside & is_finite(difference), abs(difference), none);
+        return select(both(inside, is_finite(difference)), abs(difference), none);
     };
     auto const behind = size(back, before.inside()), ahead = size(forth, after.inside());
     return select(min(behind, ahead) < none, select(behind < ahead, back, forth), Real(0.f));

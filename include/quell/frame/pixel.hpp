@@ -105,7 +105,7 @@ template <class R, class S> struct Pixel {
     QUELL_KERNEL auto inside() const {
         auto const column = Real(static_cast<float>(x)) + lanes<Real>();
         auto const width = Real(row_inside ? static_cast<float>(scope.size.width) : 0.f);
-        return (column >= Real(0.f)) & (column < width);
+        return both(column >= Real(0.f), column < width);
     }
     /// The pixel's centre, in pixels.
     QUELL_KERNEL vec2<Real> position() const {
@@ -153,14 +153,14 @@ private:
 /// A pixel of the previous frame: what it remembers, what was kept there, and its signal.
 template <class Real, class S> struct PastPixel {
     S const& scope;
-    PastPlace<Real> place;
+    PastPlace<Real> const& place; ///< not a copy: g++ makes those 16 bytes at a time and then waits for the stores
     int dx, dy;
 
     /// True where the image has such a pixel.
     QUELL_KERNEL auto inside() const {
         auto const column = place.column + static_cast<float>(dx), row = place.row + static_cast<float>(dy);
-        return (column >= Real(0.f)) & (column < Real(static_cast<float>(scope.size.width))) & (row >= Real(0.f)) &
-               (row < Real(static_cast<float>(scope.size.height)));
+        return both(column >= Real(0.f), column < Real(static_cast<float>(scope.size.width)), row >= Real(0.f),
+                    row < Real(static_cast<float>(scope.size.height)));
     }
 
     template <ChannelTag C> QUELL_KERNEL auto operator[](C c) const {

@@ -68,18 +68,26 @@ template <class Real, ImageView View> QUELL_KERNEL auto gather_pixels(View const
         });
 }
 
+/// Stores the first `count` lanes one by one. Outlined for packs: at a row's end only, and inlined it is half of a kernel's code.
+template <class Real, ImageView View>
+QUELL_RARE void store_lanes(View const& view, int x, int y, Value<View::components, Real> const& value, int count) {
+    alignas(64) float stored[View::components][width_of<Real>];
+    [&]<int... c>(std::integer_sequence<int, c...>) { (component<c>(value).store_aligned(stored[c]), ...); }
+    (std::make_integer_sequence<int, View::components>{});
+    for (int c = 0; c < View::components; ++c)
+        for (int k = 0; k < count; ++k) view.set(c, x + k, y, stored[c][k]);
+}
+
 /// Stores the first `count` lanes.
 template <class Real, ImageView View>
 QUELL_KERNEL void store_pixels(View const& view, int x, int y, Value<View::components, Real> const& value, int count) {
     if constexpr (requires { view.template store<Real>(x, y, value); }) {
         if (count == width_of<Real>) return view.template store<Real>(x, y, value);
     }
-    [&]<int... c>(std::integer_sequence<int, c...>) {
-        auto each = [&](auto i, auto component_value) {
-            for (int k = 0; k < count; ++k) view.set(i, x + k, y, lane(component_value, k));
-        };
-        (each(std::integral_constant<int, c>{}, component<c>(value)), ...);
-    }
+    if constexpr (width_of < Real >> 1)
+        store_lanes<Real>(view, x, y, value, count);
+    else
+        [&]<int... c>(std::integer_sequence<int, c...>) { (view.set(c, x, y, component<c>(value)), ...); }
     (std::make_integer_sequence<int, View::components>{});
 }
 } // namespace detail

@@ -21,7 +21,7 @@ struct CatmullRom {
         for (int j = 0; j < 4; ++j)
             for (int i = 0; i < 4; ++i) {
                 auto const then = px.past(place, i - 1, j - 1);
-                accepted = accepted & detail::counts<Real>(then, found);
+                accepted = both(accepted, detail::counts<Real>(then, found));
                 sum = add_scaled(sum, then.signal(), across.at[i] * down.at[j]);
             }
         // The negative lobes overshoot at bright edges; light is never negative.

@@ -18,9 +18,9 @@ template <class Real, class A, class B> struct FirstFound {
     Real validity;
     A a;
     B b;
-    QUELL_KERNEL auto accepts(auto then, Real dx, Real dy) const {
+    QUELL_KERNEL auto accepts(auto const& then, Real dx, Real dy) const {
         auto const first = a.validity > Real(0.f);
-        return (first & detail::accepts(a, then, dx, dy)) | (invert(first) & detail::accepts(b, then, dx, dy));
+        return either(both(first, detail::accepts(a, then, dx, dy)), both(invert(first), detail::accepts(b, then, dx, dy)));
     }
 };
 } // namespace detail

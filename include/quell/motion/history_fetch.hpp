@@ -53,30 +53,30 @@ template <class Px> struct PastSum {
 template <class Real, class Then, class FoundPlace> QUELL_KERNEL auto counts(Then const& then, FoundPlace const& found) {
     auto const dx = then.place.column - found.where.x + (static_cast<float>(then.dx) + 0.5f);
     auto const dy = then.place.row - found.where.y + (static_cast<float>(then.dy) + 0.5f);
-    return then.inside() & accepts(found, then, dx, dy);
+    return both(then.inside(), accepts(found, then, dx, dy));
 }
 
 /// A position that is not finite or not in the image becomes a harmless one with validity 0: what was outside was never seen.
 template <class Px, class FoundPlace> QUELL_KERNEL auto sane(Px const& px, FoundPlace found) {
     using Real = typename Px::Real;
     Real const right(static_cast<float>(px.size().width)), bottom(static_cast<float>(px.size().height));
-    auto const usable = is_finite(found.where.x) & is_finite(found.where.y) & is_finite(found.validity) & (found.validity > Real(0.f)) &
-                        (found.where.x >= Real(0.f)) & (found.where.x <= right) & (found.where.y >= Real(0.f)) & (found.where.y <= bottom);
+    auto const usable = both(is_finite(found.where.x), is_finite(found.where.y), is_finite(found.validity), found.validity > Real(0.f),
+                             found.where.x >= Real(0.f), found.where.x <= right, found.where.y >= Real(0.f), found.where.y <= bottom);
     found.where = vec2<Real>{select(usable, found.where.x, Real(0.f)), select(usable, found.where.y, Real(0.f))};
     found.validity = select(usable, found.validity, Real(0.f));
     return found;
 }
 
 /// Looks for any acceptable past pixel in the 3x3 around the position: for lanes where interpolation found none.
-template <class Px, class FoundPlace> QUELL_KERNEL PastSum<Px> rescued(Px const& px, FoundPlace const& found, PastSum<Px> sum) {
+template <class Px, class FoundPlace> QUELL_RARE PastSum<Px> rescued(Px const& px, FoundPlace const& found, PastSum<Px> sum) {
     using Real = typename Px::Real;
-    auto const wanted = (sum.weight <= Real(0.f)) & (found.validity > Real(0.f));
+    auto const wanted = both(sum.weight <= Real(0.f), found.validity > Real(0.f));
     if (!any(wanted)) return sum;
     PastPlace<Real> const nearest(floor(found.where.x), floor(found.where.y));
     for (int j = -1; j <= 1; ++j)
         for (int i = -1; i <= 1; ++i) {
             auto const then = px.past(nearest, i, j);
-            sum.add(then, select(wanted & counts<Real>(then, found), Real(1.f), Real(0.f)));
+            sum.add(then, select(both(wanted, counts<Real>(then, found)), Real(1.f), Real(0.f)));
         }
     return sum;
 }
@@ -107,7 +107,7 @@ struct Bilinear {
         auto kept = sum;
         kept.weight = select(enough, sum.weight, Real(0.f));
         if (!rescue) return kept.mean(found.validity);
-        if (!any(invert(enough) & (found.validity > Real(0.f)))) return kept.mean(found.validity);
+        if (!any(both(invert(enough), found.validity > Real(0.f)))) return kept.mean(found.validity);
         auto const wider = detail::rescued(px, found, clear(kept, enough));
         return wider.mean(found.validity);
     }

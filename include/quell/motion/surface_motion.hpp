@@ -10,7 +10,7 @@ template <class Real, class Prepared> struct TestedReprojection {
     vec2<Real> where;
     Real validity;
     Prepared test;
-    QUELL_KERNEL auto accepts(auto then, Real dx, Real dy) const { return test.accepts(then, dx, dy); }
+    QUELL_KERNEL auto accepts(auto const& then, Real dx, Real dy) const { return test.accepts(then, dx, dy); }
 };
 } // namespace detail
 

@@ -16,11 +16,11 @@ struct SameDepth {
 
     template <class Real> struct Plane {
         Real z, slope_x, slope_y, allowed;
-        QUELL_KERNEL auto accepts(auto then, Real dx, Real dy) const {
+        QUELL_KERNEL auto accepts(auto const& then, Real dx, Real dy) const {
             auto const z_then = then[depth];
             auto const near = abs(z_then - (z + slope_x * dx + slope_y * dy)) < allowed;
             auto const hit = is_finite(z), hit_then = is_finite(z_then);
-            return (hit & hit_then & near) | invert(hit | hit_then);
+            return either(both(hit, hit_then, near), invert(either(hit, hit_then)));
         }
     };
     QUELL_KERNEL auto around(auto px) const {
@@ -40,7 +40,7 @@ struct SameNormal {
     template <class Real> struct Facing {
         vec3<Real> n;
         float least_cosine;
-        QUELL_KERNEL auto accepts(auto then, Real, Real) const { return dot(n, then[normal]) > Real(least_cosine); }
+        QUELL_KERNEL auto accepts(auto const& then, Real, Real) const { return dot(n, then[normal]) > Real(least_cosine); }
     };
     QUELL_KERNEL auto around(auto px) const { return Facing<typename decltype(px)::Real>{px[normal], least_cosine}; }
 };
@@ -52,7 +52,7 @@ struct SameInstance {
 
     template <class Real> struct Object {
         Real id;
-        QUELL_KERNEL auto accepts(auto then, Real, Real) const { return then[instance] == id; }
+        QUELL_KERNEL auto accepts(auto const& then, Real, Real) const { return then[instance] == id; }
     };
     QUELL_KERNEL auto around(auto px) const { return Object<typename decltype(px)::Real>{px[instance]}; }
 };
@@ -63,7 +63,7 @@ template <class... Tests> struct AllOf : Tests... {
     using remembers = remembers_of<Tests...>;
 
     template <class... Prepared> struct Every : Prepared... {
-        QUELL_KERNEL auto accepts(auto then, auto dx, auto dy) const { return (... & Prepared::accepts(then, dx, dy)); }
+        QUELL_KERNEL auto accepts(auto const& then, auto dx, auto dy) const { return both(Prepared::accepts(then, dx, dy)...); }
     };
     QUELL_KERNEL auto around(auto px) const { return Every<decltype(Tests::around(px))...>{Tests::around(px)...}; }
 };

@@ -21,7 +21,7 @@ struct SuppressFireflies {
             });
         auto const here = luminance(value), allowed = brightest * limit;
         // Alone in the dark is how a correct 1-sample image looks too: without a bright neighbour there is nothing to measure by.
-        auto const excessive = (here > allowed) & (brightest > Real(0.f));
+        auto const excessive = both(here > allowed, brightest > Real(0.f));
         return select(excessive, allowed / max(here, Real(1e-30f)), Real(1.f));
     }
 };

@@ -51,7 +51,7 @@ private:
         auto const raw = px[Signal{}];
         auto const usable = fold(
             [](auto sofar, auto a)
-                __attribute__((always_inline)) { return sofar & is_finite(a) & (a >= Real(0.f)) & (a <= Real(brightest_sample)); },
+                __attribute__((always_inline)) { return both(sofar, is_finite(a), a >= Real(0.f), a <= Real(brightest_sample)); },
             Real(0.f) == Real(0.f), raw);
         auto const safe = select(usable, raw, zero<typename Px::Signal>());
         if constexpr (std::is_same_v<Modulation, NoModulation>)
@@ -61,7 +61,8 @@ private:
                         [](auto a, auto d) __attribute__((always_inline)) { return a / d; }, safe, modulation.divisor(px)),
                     usable};
     }
-    template <class Px> QUELL_KERNEL typename Px::Signal around(Px const& px) const {
+    /// Outlined: few samples are missing.
+    template <class Px> QUELL_RARE typename Px::Signal around(Px const& px) const {
         using Real = typename Px::Real;
         auto sum = zero<typename Px::Signal>();
         Real weights(0.f);

@@ -15,7 +15,7 @@ struct Demodulate {
         auto const a = px[albedo];
         auto const colour = map(
             [&](auto c) __attribute__((always_inline)) { return select(is_finite(c), clamp(c, Real(least), Real(1e4f)), Real(1.f)); }, a);
-        auto const black = invert(all_finite(a)) | (luminance(a) < Real(least));
+        auto const black = either(invert(all_finite(a)), luminance(a) < Real(least));
         return select(black, splat<decltype(a + a)>(Real(1.f)), colour);
     }
 };
