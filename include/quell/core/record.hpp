@@ -65,6 +65,13 @@ template <class T> QUELL_KERNEL auto as_result(T const& t) {
     else
         return Result<T>{t, real_of<T>(1.f), {}};
 }
+/// What `make()` returns, as a Result, and without a copy (g++ makes those by memcpy).
+template <class F> QUELL_KERNEL auto result_of(F&& make) {
+    if constexpr (is_result<decltype(make())>)
+        return make();
+    else
+        return as_result(make());
+}
 } // namespace detail
 
 } // namespace quell

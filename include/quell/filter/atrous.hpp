@@ -36,20 +36,23 @@ template <class Edge, bool guided> struct AtrousLevel {
         auto sum = scale(px.signal(), Real(b3_spline[0] * b3_spline[0]));
         Real weights(b3_spline[0] * b3_spline[0]), noise(0.f);
         if constexpr (guided) noise = px[variance] * (weights * weights);
-        auto const add = [&](auto near, auto start, auto const& toward, float weight) __attribute__((always_inline)) {
-            auto const w = edge_weight(toward.distance(near, usable(near, start)), weight);
+        auto const add = [&](auto const& near, auto w) __attribute__((always_inline)) {
             sum = add_scaled(sum, near.signal(), w);
             weights = weights + w;
             if constexpr (guided) noise = fma(near[variance], w * w, noise);
         };
+        // Both distances come first, so that two chains of dependent operations are under way at a time.
         for_each_opposite_taps<2>(
             px, step, detail::edge_offset(around),
-            [&](auto near, auto start, auto opposite, auto its_start, int dx, int dy, int i, int j) __attribute__((always_inline)) {
-                auto const& toward = detail::edge_toward(around, dx, dy);
-                float const weight = spline_bits.at[i < 0 ? -i : i][j];
-                add(near, start, toward, weight);
-                add(opposite, its_start, toward, weight);
-            });
+            [&](auto const& near, auto start, float row, auto const& opposite, auto its_start, float its_row, int dx, int dy, int i, int j)
+                __attribute__((always_inline)) {
+                    auto const& toward = detail::edge_toward(around, dx, dy);
+                    float const weight = spline_bits.at[i < 0 ? -i : i][j];
+                    auto const distance = toward.distance(near, usable(near, start));
+                    auto const its_distance = toward.distance(opposite, usable(opposite, its_start));
+                    add(near, edge_weight(distance, weight + row));
+                    add(opposite, edge_weight(its_distance, weight + its_row));
+                });
         auto const inverse = 1.f / weights;
         auto const result = Result{finite_or(scale(sum, inverse), px.signal())};
         if constexpr (guided)

@@ -67,12 +67,13 @@ QUELL_KERNEL void for_each_tap_pair(Px const& px, int step, float const (&profil
     (std::make_integer_sequence<int, pairs>{});
 }
 
-/// A distance so far that its edge_weight is the least there is.
-inline constexpr float too_far = 1e9f;
+/// A distance so far, and a weight's bits so low, that edge_weight is the least there is.
+inline constexpr float too_far = 1e9f, too_little = -1e10f;
 
-/// For filters whose weights are edge weights: opposite taps without the centre, `body(near, start, opposite, its start, dx, dy, i, j)`,
-/// where tap (i, j) stands `step` times as far away, at (dx, dy). A tap's distances are to be added to `start`, which is `base` in the
-/// image and too_far outside, so that borders cost nothing. A loop: unrolled, it took longer to compile and no less to run.
+/// For filters whose weights are edge weights: opposite taps without the centre, `body(near, start, row, opposite, its start, its row, dx,
+/// dy, i, j)`, where tap (i, j) stands `step` times as far away, at (dx, dy). A tap's distances are to be added to `start`, which is `base`
+/// or, in columns outside the image, too_far; `row` is to be added to its weight's bits and is 0 or, in rows outside, too_little: so
+/// borders cost nothing. A loop: unrolled, it took longer to compile and no less to run.
 template <int radius, class Px, class Body> QUELL_KERNEL void for_each_opposite_taps(Px const& px, int step, float base, Body&& body) {
     using Real = typename Px::Real;
     constexpr int side = 2 * radius + 1;
@@ -85,10 +86,10 @@ template <int radius, class Px, class Body> QUELL_KERNEL void for_each_opposite_
     }
     for (int j = 0; j <= radius; ++j) {
         auto const below = px.at(0, j * step), above = px.at(0, -j * step);
-        Real const below_far(below.row_inside ? 0.f : too_far), above_far(above.row_inside ? 0.f : too_far);
+        float const row = below.row_inside ? 0.f : too_little, opposite_row = above.row_inside ? 0.f : too_little;
         for (int i = j == 0 ? 1 : -radius; i <= radius; ++i)
-            body(Px{px.scope, column[radius + i], below.y}, start[radius + i] + below_far, Px{px.scope, column[radius - i], above.y},
-                 start[radius - i] + above_far, i * step, j * step, i, j);
+            body(Px{px.scope, column[radius + i], below.y}, start[radius + i], row, Px{px.scope, column[radius - i], above.y},
+                 start[radius - i], opposite_row, i * step, j * step, i, j);
     }
 }
 

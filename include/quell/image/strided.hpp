@@ -35,7 +35,21 @@ template <class Format, int N, int pixel_step> struct StridedView {
     QUELL_KERNEL void set(int c, int x, int y, float a) const { Format::set(at(c, x, y), a); }
 
     template <class Real> QUELL_KERNEL Value<N, Real> load(int x, int y) const {
-        return make_value<N, Real>([&](auto c) __attribute__((always_inline)) { return pack<Real>(at(c, x, y)); });
+        if constexpr (pixel_step == 1 || width_of<Real> == 1)
+            return make_value<N, Real>([&](auto c) __attribute__((always_inline)) { return Format::template load<Real>(at(c, x, y)); });
+        else {
+            auto const every_pixel = truncate(lanes<Real>()) * Index<Real>(pixel_step);
+            float const* run = nullptr;
+            alignas(64) float converted[N * width_of<Real>];
+            if constexpr (std::is_same_v<Element, float>)
+                run = at(0, x, y);
+            else {
+                for (int k = 0; k < N; ++k)
+                    Format::template load<Real>(at(0, x, y) + k * width_of<Real>).store_aligned(converted + k * width_of<Real>);
+                run = converted;
+            }
+            return make_value<N, Real>([&](auto c) __attribute__((always_inline)) { return Real::gather(run + c, every_pixel); });
+        }
     }
     template <class Real> QUELL_KERNEL Value<N, Real> gather(Index<Real> x, Index<Real> y) const {
         auto const offset = y * Index<Real>(static_cast<std::int32_t>(row_stride())) + x * Index<Real>(pixel_step);
@@ -43,23 +57,23 @@ template <class Format, int N, int pixel_step> struct StridedView {
             return Format::template gather<Real>(data + c * component_stride(), offset);
         });
     }
-    template <class Real>
-        requires(pixel_step == 1 || width_of<Real> == 1)
-    QUELL_KERNEL void store(int x, int y, Value<N, Real> const& value) const {
+    template <class Real> QUELL_KERNEL void store(int x, int y, Value<N, Real> const& value) const {
         [&]<int... c>(std::integer_sequence<int, c...>) __attribute__((always_inline)) {
-            (Format::store(at(c, x, y), component<c>(value)), ...);
+            if constexpr (pixel_step == 1 || width_of<Real> == 1)
+                (Format::store(at(c, x, y), component<c>(value)), ...);
+            else {
+                constexpr int width = width_of<Real>;
+                alignas(64) float apart[N][width], run[N * width];
+                (component<c>(value).store_aligned(apart[c]), ...);
+                for (int i = 0; i < width; ++i) ((run[i * N + c] = apart[c][i]), ...);
+                (Format::store(at(0, x, y) + c * width, Real::load_aligned(run + c * width)), ...);
+            }
         }
         (std::make_integer_sequence<int, N>{});
     }
 
 private:
     QUELL_KERNEL Element* at(int c, int x, int y) const { return data + (c * component_stride() + y * row_stride() + x * pixel_step); }
-    template <class Real> QUELL_KERNEL static Real pack(Element const* p) {
-        if constexpr (pixel_step == 1 || width_of<Real> == 1)
-            return Format::template load<Real>(p);
-        else
-            return Format::template gather<Real>(p, truncate(lanes<Real>()) * Index<Real>(pixel_step));
-    }
 };
 
 /// An image that owns zero-initialised, 64-byte aligned memory.

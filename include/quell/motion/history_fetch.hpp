@@ -40,6 +40,15 @@ template <class Px> struct PastSum {
             typename Px::Scope::kept_channels{}, [&](auto c)
                                                      __attribute__((always_inline)) { return add_scaled(sum.kept[c], then[c], w); });
     }
+    /// Starts again from nothing in the other lanes.
+    QUELL_KERNEL void keep_only(auto enough) {
+        weight = select(enough, weight, Real(0.f));
+        sum.signal = select(enough, sum.signal, zero<typename Px::Signal>());
+        sum.kept = make_record<Real>(
+            typename Px::Scope::kept_channels{}, [&](auto c) __attribute__((always_inline)) {
+                return select(enough, sum.kept[c], zero<Value<decltype(c)::components, Real>>());
+            });
+    }
     QUELL_KERNEL PastOf<Px> mean(Real validity) const {
         auto const scale_by = select(weight > Real(0.f), 1.f / weight, Real(0.f));
         return {
@@ -67,18 +76,20 @@ template <class Px, class FoundPlace> QUELL_KERNEL auto sane(Px const& px, Found
     return found;
 }
 
-/// Looks for any acceptable past pixel in the 3x3 around the position: for lanes where interpolation found none.
-template <class Px, class FoundPlace> QUELL_RARE PastSum<Px> rescued(Px const& px, FoundPlace const& found, PastSum<Px> sum) {
+/// For lanes where interpolation did not find enough: the mean of what is acceptable in the 3x3 around the position.
+template <class Px, class FoundPlace, class Mask>
+QUELL_RARE PastSum<Px> rescued(Px const& px, FoundPlace const& found, PastSum<Px> const& sum, Mask enough) {
     using Real = typename Px::Real;
-    auto const wanted = both(sum.weight <= Real(0.f), found.validity > Real(0.f));
-    if (!any(wanted)) return sum;
+    auto wider = sum;
+    wider.keep_only(enough);
+    auto const wanted = both(invert(enough), found.validity > Real(0.f));
     PastPlace<Real> const nearest(floor(found.where.x), floor(found.where.y));
     for (int j = -1; j <= 1; ++j)
         for (int i = -1; i <= 1; ++i) {
             auto const then = px.past(nearest, i, j);
-            sum.add(then, select(both(wanted, counts<Real>(then, found)), Real(1.f), Real(0.f)));
+            wider.add(then, select(both(wanted, counts<Real>(then, found)), Real(1.f), Real(0.f)));
         }
-    return sum;
+    return wider;
 }
 } // namespace detail
 
@@ -104,24 +115,13 @@ struct Bilinear {
             }
         // A sliver of a tap is no interpolation: let the wider search decide.
         auto const enough = sum.weight > Real(0.01f);
-        auto kept = sum;
-        kept.weight = select(enough, sum.weight, Real(0.f));
-        if (!rescue) return kept.mean(found.validity);
-        if (!any(both(invert(enough), found.validity > Real(0.f)))) return kept.mean(found.validity);
-        auto const wider = detail::rescued(px, found, clear(kept, enough));
-        return wider.mean(found.validity);
-    }
-
-private:
-    /// The sums of lanes that found too little start again from nothing.
-    template <class Sum, class Mask> QUELL_KERNEL static Sum clear(Sum sum, Mask enough) {
-        using Real = typename Sum::Real;
-        sum.sum.signal = select(enough, sum.sum.signal, zero<decltype(sum.sum.signal)>());
-        sum.sum.kept = make_record<Real>(
-            typename decltype(sum.sum.kept)::channels{}, [&](auto c) __attribute__((always_inline)) {
-                return select(enough, sum.sum.kept[c], zero<decltype(sum.sum.kept[c])>());
-            });
-        return sum;
+        if (rescue && any(both(invert(enough), found.validity > Real(0.f)))) {
+            // A copy, since what is handed to a function lives in memory.
+            auto const narrow = sum;
+            return detail::rescued(px, found, narrow, enough).mean(found.validity);
+        }
+        sum.weight = select(enough, sum.weight, Real(0.f));
+        return sum.mean(found.validity);
     }
 };
 

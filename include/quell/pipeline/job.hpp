@@ -56,7 +56,7 @@ template <class Pass, class Scope, class SignalView, class MadeViews, class Fini
     std::atomic<long long>* missing = nullptr; ///< where the ingest counts
 
     template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
-        auto const result = as_result(evaluate(Pixel<Real, Scope>{scope, x, y}));
+        auto const result = result_of([&]() __attribute__((always_inline)) { return evaluate(Pixel<Real, Scope>{scope, x, y}); });
         if constexpr (makes_signal) {
             if (store_signal) store_pixels<Real>(signal, x, y, result.value, count);
             if (store_output) finish.template store_output<Real>(x, y, count, result.value);

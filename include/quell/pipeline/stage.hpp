@@ -26,27 +26,23 @@ template <class M, class B, class Fetch = Bilinear> struct Temporal {
 
     QUELL_KERNEL auto operator()(auto px) const {
         using Px = decltype(px);
-        auto past = detail::no_past<Px>();
-        if (px.has_past()) past = fetch.fetch(px, motion.previous(px));
-        return without_missing(px, past, detail::as_result(blending.blend(px, past)));
+        auto const past = px.has_past() ? fetch.fetch(px, motion.previous(px)) : detail::no_past<Px>();
+        auto result = detail::result_of([&]() __attribute__((always_inline)) { return blending.blend(px, past); });
+        if (auto const missing = px.missing(); any(missing)) keep_past(missing, px, past, result);
+        return result;
     }
 
 private:
     /// Where the host's sample is missing, the past goes on unchanged; where there is no past either, the neighbours' mean stands in and
     /// nothing is kept, so that the next sample counts fully.
-    template <class Px, class P, class R> QUELL_KERNEL static auto without_missing(Px const& px, P const& past, R const& result) {
-        using Real = typename Px::Real;
-        auto const missing = px.missing();
-        if (!any(missing)) return result;
-        auto const present = past.validity > Real(0.f);
-        auto filled = result;
-        filled.value = select(missing, select(present, past.signal, px.signal()), result.value);
+    template <class R> QUELL_KERNEL static void keep_past(auto missing, auto const& px, auto const& past, R& result) {
+        auto const present = past.validity > decltype(past.validity)(0.f);
+        result.value = select(missing, select(present, past.signal, px.signal()), result.value);
         for_each_channel(
-            typename Px::Scope::kept_channels{}, [&](auto c) __attribute__((always_inline)) {
+            typename decltype(past.kept)::channels{}, [&](auto c) __attribute__((always_inline)) {
                 if constexpr (decltype(result.more)::channels::template has<decltype(c)>)
-                    filled.more.set(c, select(missing, select(present, past[c], zero<decltype(past[c])>()), result.more[c]));
+                    result.more.set(c, select(missing, select(present, past[c], zero<decltype(past[c])>()), result.more[c]));
             });
-        return filled;
     }
 };
 template <class M, class B> Temporal(M, B) -> Temporal<M, B>;
