@@ -168,13 +168,4 @@ template <class Real> QUELL_KERNEL Real approximate_reciprocal(Real a) {
     return guess * fma(-a, guess, Real(2.001f));
 }
 
-/// a^32 by five squarings.
-template <class Real> QUELL_KERNEL Real power_of_32(Real a) {
-    a = a * a;
-    a = a * a;
-    a = a * a;
-    a = a * a;
-    return a * a;
-}
-
 } // namespace quell

@@ -31,7 +31,7 @@ private:
 
     /// Variance of everything seen around: each pixel's own, and how far the means lie apart. Distances from the centre don't cancel.
     /// Outlined: few histories are short.
-    template <class Px> QUELL_RARE auto spatial_variance(Px const& px) const {
+    template <class Px> [[gnu::noinline]] constexpr auto spatial_variance(Px const& px) const {
         using Real = typename Px::Real;
         constexpr float box[4] = {1.f, 1.f, 1.f, 1.f};
         auto const around = edge.around(px);

@@ -70,7 +70,7 @@ template <class Real, ImageView View> QUELL_KERNEL auto gather_pixels(View const
 
 /// Stores the first `count` lanes one by one. Outlined for packs: at a row's end only, and inlined it is half of a kernel's code.
 template <class Real, ImageView View>
-QUELL_RARE void store_lanes(View const& view, int x, int y, Value<View::components, Real> const& value, int count) {
+[[gnu::noinline]] constexpr void store_lanes(View const& view, int x, int y, Value<View::components, Real> const& value, int count) {
     alignas(64) float stored[View::components][width_of<Real>];
     [&]<int... c>(std::integer_sequence<int, c...>) { (component<c>(value).store_aligned(stored[c]), ...); }
     (std::make_integer_sequence<int, View::components>{});

@@ -78,7 +78,7 @@ template <class Px, class FoundPlace> QUELL_KERNEL auto sane(Px const& px, Found
 
 /// For lanes where interpolation did not find enough: the mean of what is acceptable in the 3x3 around the position.
 template <class Px, class FoundPlace, class Mask>
-QUELL_RARE PastSum<Px> rescued(Px const& px, FoundPlace const& found, PastSum<Px> const& sum, Mask enough) {
+[[gnu::noinline]] constexpr PastSum<Px> rescued(Px const& px, FoundPlace const& found, PastSum<Px> const& sum, Mask enough) {
     using Real = typename Px::Real;
     auto wider = sum;
     wider.keep_only(enough);

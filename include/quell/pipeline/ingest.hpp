@@ -62,7 +62,7 @@ private:
                     usable};
     }
     /// Outlined: few samples are missing.
-    template <class Px> QUELL_RARE typename Px::Signal around(Px const& px) const {
+    template <class Px> [[gnu::noinline]] constexpr typename Px::Signal around(Px const& px) const {
         using Real = typename Px::Real;
         auto sum = zero<typename Px::Signal>();
         Real weights(0.f);
