@@ -1,5 +1,5 @@
-# A project that uses quell, once from an installed package and once from its sources.
-foreach(way package subdirectory)
+# A project that uses quell: from an installed package, from one whose user has GLM and xsimd only, and from its sources.
+foreach(way package package_bare subdirectory)
     add_test(NAME consumer/${way}
         COMMAND ${CMAKE_COMMAND} -D WAY=${way} -D SOURCE=${PROJECT_SOURCE_DIR} -D BUILT=${PROJECT_BINARY_DIR}
             -D WORK=${CMAKE_CURRENT_BINARY_DIR}/consumer_${way} -D COMPILER=${CMAKE_CXX_COMPILER} -D "GENERATOR=${CMAKE_GENERATOR}"
