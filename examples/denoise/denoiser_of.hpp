@@ -32,7 +32,7 @@ public:
 private:
     /// Signals of one component become grey.
     metrics::Picture picture(ImageView auto const& out) const {
-        constexpr int last = P::Signal::components - 1;
+        constexpr int last = P::Output::components - 1;
         metrics::Picture result{frame.size, {}};
         result.pixels.reserve(static_cast<std::size_t>(frame.size.pixels()));
         for (int y = 0; y < frame.size.height; ++y)

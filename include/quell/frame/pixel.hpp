@@ -1,7 +1,9 @@
 #pragma once
 
+#include <quell/core/random.hpp>
 #include <quell/frame/frame.hpp>
 #include <quell/frame/kept_channels.hpp>
+#include <quell/frame/pixel_rays.hpp>
 #include <quell/frame/remembered.hpp>
 
 #include <glm/mat4x4.hpp>
@@ -39,7 +41,9 @@ template <class FrameViews, class MadeViews, class SignalView, class PastSignalV
     KeptViews kept_then;
     typename Then::type remembered;
     glm::mat4 clip_from_world_then;
+    PixelRays rays, rays_then;
     glm::vec2 jitter, jitter_then;
+    std::int32_t frame_index; ///< for random numbers
     bool has_past;
 };
 
@@ -60,6 +64,17 @@ template <class Real> struct PastPlace {
 };
 
 template <class Real, class Scope> struct PastPixel;
+
+namespace detail {
+/// The values of a view at a place.
+template <class Real, class View> QUELL_KERNEL auto fetch(View view, Extent size, PastPlace<Real> const& place, int dx, int dy) {
+    view.size = size;
+    if (place.together) return load_pixels<Real>(view, place.x + dx, clamp_to(place.y + dy, size.height - 1));
+    Real const last_column(static_cast<float>(size.width - 1)), last_row(static_cast<float>(size.height - 1));
+    return gather_pixels<Real>(view, truncate(clamp(place.column + static_cast<float>(dx), Real(0.f), last_column)),
+                               truncate(clamp(place.row + static_cast<float>(dy), Real(0.f), last_row)));
+}
+} // namespace detail
 
 /// The cursor that every policy is written against: one pixel if Real is float, neighbours in a row if it is a pack.
 template <class R, class S> struct Pixel {
@@ -119,6 +134,19 @@ template <class R, class S> struct Pixel {
     QUELL_KERNEL bool has_past() const { return scope.has_past; }
     /// The pixel of the previous frame at an offset from a place there; outside the image it shows something finite of no meaning.
     QUELL_KERNEL PastPixel<Real, S> past(PastPlace<Real> const& place, int dx = 0, int dy = 0) const { return {scope, place, dx, dy}; }
+    /// A channel of this frame at any place, which may lie outside the image: then it shows the border.
+    template <ChannelTag C> QUELL_KERNEL auto elsewhere(PastPlace<Real> const& place, C c) const {
+        static_assert(S::frame_channels::template has<C>,
+                      "a policy looks at a channel that it does not list: add the channel to its `reads`");
+        return detail::fetch<Real>(scope.frame.view(c), scope.size, place, 0, 0);
+    }
+    /// From pixels to the world, in this frame and in the previous one. Wants `needs_camera`.
+    QUELL_KERNEL PixelRays const& rays() const { return scope.rays; }
+    QUELL_KERNEL PixelRays const& rays_then() const { return scope.rays_then; }
+    /// Two normally distributed random numbers, other ones in each pixel and frame, always the same in the same.
+    QUELL_KERNEL std::pair<Real, Real> random_normals() const {
+        return normal_pair(Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)), scope.frame_index);
+    }
     /// Where a point of the world was on the previous frame's screen (pixels), and its linear depth there (not positive: behind the
     /// camera).
     QUELL_KERNEL vec3<Real> project_to_past(vec3<Real> const& p) const {
@@ -175,13 +203,7 @@ template <class Real, class S> struct PastPixel {
     QUELL_KERNEL auto signal() const { return fetch(scope.signal_then); }
 
 private:
-    template <class View> QUELL_KERNEL auto fetch(View view) const {
-        view.size = scope.size;
-        if (place.together) return detail::load_pixels<Real>(view, place.x + dx, detail::clamp_to(place.y + dy, scope.size.height - 1));
-        Real const last_column(static_cast<float>(scope.size.width - 1)), last_row(static_cast<float>(scope.size.height - 1));
-        return detail::gather_pixels<Real>(view, truncate(clamp(place.column + static_cast<float>(dx), Real(0.f), last_column)),
-                                           truncate(clamp(place.row + static_cast<float>(dy), Real(0.f), last_row)));
-    }
+    QUELL_KERNEL auto fetch(auto const& view) const { return detail::fetch<Real>(view, scope.size, place, dx, dy); }
 };
 
 namespace detail {

@@ -25,7 +25,8 @@ template <class Real, class A, class B> struct FirstFound {
 };
 } // namespace detail
 
-/// Asks several sources in order and takes, for each pixel, the first with any validity.
+/// Asks several sources in order and takes, for each pixel, the first with any validity. In a Temporal stage, the next one is asked also
+/// where the history at the place that a source names turns out not to be valid.
 template <class First, class... Rest> struct FirstValid {
     static_assert(MotionSource<First>, "FirstValid{sources...}: each must have previous(px), see quell/motion/motion_source.hpp");
     using reads = reads_of<First, Rest...>;

@@ -8,11 +8,22 @@ namespace quell {
 template <class V, class Kept> struct Past {
     using Real = real_of<V>;
     V signal;
+    vec2<Real> where; ///< in the previous frame, in pixels
     Real validity;
     Real clamped; ///< how much a clamp has moved the signal, relative to itself (TRMV eq. 8)
     Kept kept;
 
     template <ChannelTag C> QUELL_KERNEL auto operator[](C c) const { return kept[c]; }
+
+    /// Takes another past in some lanes.
+    QUELL_KERNEL void replace(auto lanes, Past const& other) {
+        signal = select(lanes, other.signal, signal);
+        where = select(lanes, other.where, where);
+        validity = select(lanes, other.validity, validity);
+        clamped = select(lanes, other.clamped, clamped);
+        kept = make_record<Real>(
+            typename Kept::channels{}, [&](auto c) __attribute__((always_inline)) { return select(lanes, other.kept[c], kept[c]); });
+    }
 };
 
 namespace detail {
@@ -21,7 +32,7 @@ template <class Px> using PastOf = Past<typename Px::Signal, KeptRecord<Px>>;
 
 template <class Px> QUELL_KERNEL PastOf<Px> no_past() {
     using Real = typename Px::Real;
-    return {zero<typename Px::Signal>(), Real(0.f), Real(0.f),
+    return {zero<typename Px::Signal>(), vec2<Real>{Real(0.f), Real(0.f)}, Real(0.f), Real(0.f),
             make_record<Real>(
                 typename Px::Scope::kept_channels{},
                 [](auto c) __attribute__((always_inline)) { return zero<Value<decltype(c)::components, Real>>(); })};
@@ -49,10 +60,10 @@ template <class Px> struct PastSum {
                 return select(enough, sum.kept[c], zero<Value<decltype(c)::components, Real>>());
             });
     }
-    QUELL_KERNEL PastOf<Px> mean(Real validity) const {
+    QUELL_KERNEL PastOf<Px> mean(auto const& found) const {
         auto const scale_by = select(weight > Real(0.f), 1.f / weight, Real(0.f));
         return {
-            scale(sum.signal, scale_by), select(weight > Real(0.f), validity, Real(0.f)), Real(0.f),
+            scale(sum.signal, scale_by), found.where, select(weight > Real(0.f), found.validity, Real(0.f)), Real(0.f),
             make_record<Real>(
                 typename Px::Scope::kept_channels{}, [&](auto c) __attribute__((always_inline)) { return scale(sum.kept[c], scale_by); })};
     }
@@ -118,10 +129,10 @@ struct Bilinear {
         if (rescue && any(both(invert(enough), found.validity > Real(0.f)))) {
             // A copy, since what is handed to a function lives in memory.
             auto const narrow = sum;
-            return detail::rescued(px, found, narrow, enough).mean(found.validity);
+            return detail::rescued(px, found, narrow, enough).mean(found);
         }
         sum.weight = select(enough, sum.weight, Real(0.f));
-        return sum.mean(found.validity);
+        return sum.mean(found);
     }
 };
 

@@ -44,7 +44,8 @@ private:
     using Remembered = typename detail::StoredChannels<typename P::remembers>::type;
 
     detail::ImagePool pool;
-    std::shared_ptr<ImageOf<Storage, typename P::Signal>> signal, output;
+    std::shared_ptr<ImageOf<Storage, typename P::Signal>> signal;
+    std::shared_ptr<ImageOf<Storage, typename P::Output>> output;
     detail::Handles<Storage, typename P::keeps> kept;
     detail::Handles<Storage, Remembered> remembered;
     Camera camera;

@@ -9,13 +9,14 @@ namespace quell::detail {
 /// The largest sample that is taken for light: its square, and sums of that, are still finite.
 inline constexpr float brightest_sample = 1e16f;
 
-/// The first pass: reads the host's samples, decides which are usable, demodulates, and suppresses fireflies. A sample with a component
+/// The first pass: reads the host's samples, decides which are usable, brings them into the form in which they are denoised, and suppresses
+/// fireflies. A sample with a component
 /// that is NaN, infinite, negative or beyond 1e16 is missing: it is marked by the sign of component 0, and carries the mean of its usable
 /// neighbours.
-template <ChannelTag Signal, class Modulation, class Suppression> struct Ingest {
+template <ChannelTag Input, Modulation Form, class Suppression> struct Ingest {
     static constexpr auto name = "ingest";
-    using reads = decltype(Channels<Signal>{} | reads_of<Modulation>{});
-    Modulation modulation;
+    using reads = decltype(Channels<Input>{} | reads_of<Form>{});
+    Form modulation;
     Suppression suppression;
 
     template <class Px> struct Sample {
@@ -45,21 +46,16 @@ template <ChannelTag Signal, class Modulation, class Suppression> struct Ingest 
     }
 
 private:
-    /// The demodulated sample of one pixel; 0 where it is not usable.
+    /// The sample of one pixel as the pipeline sees it; of nothing where it is not usable.
     template <class Px> QUELL_KERNEL Sample<Px> sample(Px const& px) const {
         using Real = typename Px::Real;
-        auto const raw = px[Signal{}];
+        auto const raw = px[Input{}];
         auto const usable = fold(
             [](auto sofar, auto a)
                 __attribute__((always_inline)) { return both(sofar, is_finite(a), a >= Real(0.f), a <= Real(brightest_sample)); },
             Real(0.f) == Real(0.f), raw);
-        auto const safe = select(usable, raw, zero<typename Px::Signal>());
-        if constexpr (std::is_same_v<Modulation, NoModulation>)
-            return {safe, usable};
-        else
-            return {map(
-                        [](auto a, auto d) __attribute__((always_inline)) { return a / d; }, safe, modulation.divisor(px)),
-                    usable};
+        auto const value = modulation.inward(px, select(usable, raw, zero<decltype(raw + raw)>()));
+        return {select(usable, value, zero<typename Px::Signal>()), usable};
     }
     /// Outlined: few samples are missing.
     template <class Px> [[gnu::noinline]] constexpr typename Px::Signal around(Px const& px) const {

@@ -7,23 +7,16 @@
 
 namespace quell::detail {
 
-/// What is left to do with a pixel when its last pass is done, so that no further pass reads it again: multiply the albedo back, store the
-/// output, and copy what the next frame must remember of this one.
-template <class Modulation, class Scope, class Output, class RememberedViews> struct Finish {
-    Modulation modulation;
+/// What is left to do with a pixel when its last pass is done, so that no further pass reads it again: bring the value back into the host's
+/// form, store the output, and copy what the next frame must remember of this one.
+template <class Form, class Scope, class Output, class RememberedViews> struct Finish {
+    Form modulation;
     Scope scope; ///< of the modulation's and the remembered channels
     Output output;
     RememberedViews remembered;
 
     template <class Real, class V> QUELL_KERNEL void store_output(int x, int y, int count, V const& value) const {
-        if constexpr (std::is_same_v<Modulation, NoModulation>)
-            store_pixels<Real>(output, x, y, value, count);
-        else
-            store_pixels<Real>(output, x, y,
-                               map(
-                                   [](auto a, auto d) __attribute__((always_inline)) { return a * d; }, value,
-                                   modulation.divisor(Pixel<Real, Scope>{scope, x, y})),
-                               count);
+        store_pixels<Real>(output, x, y, modulation.outward(Pixel<Real, Scope>{scope, x, y}, value), count);
     }
     template <class Real, class... Cs> QUELL_KERNEL void remember(int x, int y, [[maybe_unused]] int count, Channels<Cs...>) const {
         [[maybe_unused]] Pixel<Real, Scope> const px{scope, x, y};

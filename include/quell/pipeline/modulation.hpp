@@ -4,14 +4,35 @@
 
 namespace quell {
 
+/// What a signal's values are while they are denoised. A modulation has
+///     template <ChannelTag S> using Signal = ...                     the channel that stands for the signal inside the pipeline
+///     auto inward(auto px, auto const& sample) const                 from a sample, which is finite and not negative, to the signal's
+///     value auto outward(auto px, auto const& value) const                 from the final value to what the host gets
+/// Models: Demodulate, Cones (quell/radiance/cones.hpp), and NoModulation.
+template <class M>
+concept Modulation = std::is_trivially_copyable_v<M> && requires {
+    typename M::template Signal<Radiance>;
+};
+
 /// Divides the signal by the albedo before anything else sees it and multiplies the result by the same divisor at the end, so that texture
 /// is not filtered. The divisor is never small: a black surface and a miss (whose albedo hosts leave at anything) pass through unchanged.
 struct Demodulate {
     using reads = Channels<Albedo>;
+    template <ChannelTag S> using Signal = S;
     float least = 0.02f; ///< a component's divisor is at least this; a surface whose luminance is less divides by 1
 
-    QUELL_KERNEL auto divisor(auto px) const {
-        using Real = typename decltype(px)::Real;
+    QUELL_KERNEL auto inward(auto const& px, auto const& sample) const {
+        return map(
+            [](auto a, auto d) __attribute__((always_inline)) { return a / d; }, sample, divisor(px));
+    }
+    QUELL_KERNEL auto outward(auto const& px, auto const& value) const {
+        return map(
+            [](auto a, auto d) __attribute__((always_inline)) { return a * d; }, value, divisor(px));
+    }
+
+private:
+    QUELL_KERNEL auto divisor(auto const& px) const {
+        using Real = typename std::remove_cvref_t<decltype(px)>::Real;
         auto const a = px[albedo];
         auto const colour = map(
             [&](auto c) __attribute__((always_inline)) { return select(is_finite(c), clamp(c, Real(least), Real(1e4f)), Real(1.f)); }, a);
@@ -21,6 +42,12 @@ struct Demodulate {
 };
 
 /// Leaves the signal as it is.
-struct NoModulation {};
+struct NoModulation {
+    template <ChannelTag S> using Signal = S;
+    QUELL_KERNEL auto inward(auto const&, auto const& sample) const { return sample; }
+    QUELL_KERNEL auto outward(auto const&, auto const& value) const { return value; }
+};
+
+static_assert(Modulation<Demodulate> && Modulation<NoModulation>);
 
 } // namespace quell

@@ -9,7 +9,7 @@ namespace quell {
 
 namespace detail {
 template <class T> inline constexpr bool is_stage = is_temporal<T> || is_spatial<T>;
-template <class T> inline constexpr bool is_input_option = std::is_same_v<T, Demodulate> || std::is_same_v<T, SuppressFireflies>;
+template <class T> inline constexpr bool is_input_option = Modulation<T> || std::is_same_v<T, SuppressFireflies>;
 
 /// The option of a type among the parts of a pipeline, or the one that does nothing.
 template <class Wanted, class Nothing, class... Parts> constexpr auto option_of(Parts const&... parts) {
@@ -18,6 +18,13 @@ template <class Wanted, class Nothing, class... Parts> constexpr auto option_of(
     else
         return Nothing{};
 }
+template <class... Rest> constexpr auto modulation_of(Rest const&...) { return NoModulation{}; }
+template <class First, class... Rest> constexpr auto modulation_of(First const& first, Rest const&... rest) {
+    if constexpr (Modulation<First>)
+        return first;
+    else
+        return modulation_of(rest...);
+}
 template <class Part> constexpr auto stage_or_nothing(Part const& part) {
     if constexpr (is_stage<Part>)
         return std::tuple<Part>(part);
@@ -25,35 +32,38 @@ template <class Part> constexpr auto stage_or_nothing(Part const& part) {
         return std::tuple<>();
 }
 template <class P> constexpr bool needs_camera() {
-    if constexpr (requires { P::motion; })
-        return needs_camera<decltype(P::motion)>();
-    else if constexpr (requires { P::needs_camera; })
-        return P::needs_camera;
-    else if constexpr (requires {
-                           P::first;
-                           P::rest;
-                       })
-        return needs_camera<decltype(P::first)>() || needs_camera<decltype(P::rest)>();
-    else
-        return false;
+    bool needed = false;
+    if constexpr (requires { P::needs_camera; }) needed = P::needs_camera;
+    // A combinator needs what its parts need.
+    if constexpr (requires { P::motion; }) needed = needed || needs_camera<decltype(P::motion)>();
+    if constexpr (requires { P::blending; }) needed = needed || needs_camera<decltype(P::blending)>();
+    if constexpr (requires { P::kernel; }) needed = needed || needs_camera<decltype(P::kernel)>();
+    if constexpr (requires { P::inner; }) needed = needed || needs_camera<decltype(P::inner)>();
+    if constexpr (requires { P::first; }) needed = needed || needs_camera<decltype(P::first)>();
+    if constexpr (requires { P::rest; }) needed = needed || needs_camera<decltype(P::rest)>();
+    return needed;
 }
 } // namespace detail
 
 /// How one signal is denoised: a constant description that holds no images.
 ///     constexpr auto denoise = Pipeline{radiance, Demodulate{}, Temporal{SurfaceMotion{}, RunningMean{}}, Spatial{Atrous{}}};
-/// The signal's channel comes first, then Demodulate{} and SuppressFireflies{} where wanted, then the stages in order, at most one of them
-/// Temporal. `reads` is what a host must supply, `remembers` what of it is kept of the last frame, `keeps` what the policies keep of their
-/// own.
+/// The signal's channel comes first, then Demodulate{} or another modulation and SuppressFireflies{} where wanted, then the stages in
+/// order, at most one of them Temporal. `reads` is what a host must supply, `remembers` what of it is kept of the last frame, `keeps` what
+/// the policies keep of their own.
 template <ChannelTag S, class... Parts> struct Pipeline {
-    static_assert(((detail::is_stage<Parts> || detail::is_input_option<Parts>)&&...),
-                  "Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{} or SuppressFireflies{}, see "
-                  "quell/pipeline/stage.hpp");
+    static_assert(
+        ((detail::is_stage<Parts> || detail::is_input_option<Parts>)&&...),
+        "Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{} or SuppressFireflies{}, see "
+        "quell/pipeline/stage.hpp");
     static_assert(
         (0 + ... + int(detail::is_temporal<Parts>)) <= 1,
         "Pipeline{channel, parts...}: one Temporal at most, since there is one history; use FirstValid to combine motion sources");
 
-    using Signal = S;
-    using Modulation = decltype(detail::option_of<Demodulate, NoModulation>(std::declval<Parts>()...));
+    static_assert((0 + ... + int(Modulation<Parts>)) <= 1, "Pipeline{channel, parts...}: one modulation at most");
+
+    using Output = S; ///< what goes in and comes out
+    using Form = decltype(detail::modulation_of(std::declval<Parts>()...));
+    using Signal = typename Form::template Signal<S>; ///< what it is in between
     using Suppression = decltype(detail::option_of<SuppressFireflies, NoSuppression>(std::declval<Parts>()...));
     using keeps = keeps_of<Parts...>;
     using made = decltype(keeps{} | emits_of<Parts...>{});
@@ -62,11 +72,11 @@ template <ChannelTag S, class... Parts> struct Pipeline {
     static constexpr bool has_past = (detail::is_temporal<Parts> || ...);
     static constexpr bool needs_camera = (detail::needs_camera<Parts>() || ...);
 
-    detail::Ingest<S, Modulation, Suppression> ingest;
+    detail::Ingest<S, Form, Suppression> ingest;
     decltype(std::tuple_cat(detail::stage_or_nothing(std::declval<Parts>())...)) stages;
 
     constexpr explicit Pipeline(S, Parts const&... parts)
-        : ingest{detail::option_of<Demodulate, NoModulation>(parts...), detail::option_of<SuppressFireflies, NoSuppression>(parts...)},
+        : ingest{detail::modulation_of(parts...), detail::option_of<SuppressFireflies, NoSuppression>(parts...)},
           stages(std::tuple_cat(detail::stage_or_nothing(parts)...)) {}
 
     /// Calls `visit(pass)` for each pass behind the ingest, in order.

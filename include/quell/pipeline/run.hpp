@@ -15,13 +15,15 @@ class Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, Into> {
     using Signal = typename P::Signal;
     using SignalImage = ImageOf<Storage, Signal>;
     using SignalView = ViewOf<Storage, Signal>;
+    using Output = ImageOf<Storage, typename P::Output>;
+    using OutputView = ViewOf<Storage, typename P::Output>;
     using Remembers = typename P::remembers;
     using NoViews = Views<Storage, Channels<>>;
 
     template <class Pass, bool raw>
     using ScopeOf = Scope<Views<FrameStorage, common_to<reads_of<Pass>, Set>>, Views<Storage, common_to<reads_of<Pass>, typename P::made>>,
                           SignalView, SignalView, Views<Storage, keeps_of<Pass>>, RememberedViewsOf<Storage, remembers_of<Pass>>, raw>;
-    using FinishReads = decltype(reads_of<typename P::Modulation>{} | Remembers{});
+    using FinishReads = decltype(reads_of<typename P::Form>{} | Remembers{});
     using FinishScope =
         Scope<Views<FrameStorage, FinishReads>, NoViews, SignalView, SignalView, NoViews, RememberedViewsOf<Storage, Channels<>>, false>;
 
@@ -36,12 +38,14 @@ class Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, Into> {
     Handles<Storage, typename History<P, Storage>::Remembered> remembered;
     int passes_left = 0;
     bool past = false;
+    PixelRays rays, rays_then;
+    std::int32_t frame_index = 0;
 
 public:
     Run(P const& p, Frame<Set, FrameStorage> const& f, History<P, Storage>& h, E const& e, Into const& i)
         : pipeline(p), frame(f), history(h), executor(e), into(i) {}
 
-    SignalView all() {
+    OutputView all() {
         check_frame<P>(frame);
         begin();
         pipeline.for_each_pass([&](auto const&) { ++passes_left; });
@@ -51,7 +55,7 @@ public:
         else
             stages(std::make_index_sequence<std::tuple_size_v<decltype(pipeline.stages)>>{});
         end();
-        return history.output ? history.output->view() : SignalView{};
+        return history.output ? history.output->view() : OutputView{};
     }
 
 private:
@@ -64,6 +68,11 @@ private:
         // Until the frame is complete there is no history: an exception on the way must not leave half of one.
         history.empty = true;
         history.output.reset();
+        if constexpr (P::needs_camera) {
+            rays = PixelRays(frame.camera, frame.size);
+            rays_then = PixelRays(past ? history.camera : frame.camera, frame.size);
+        }
+        frame_index = static_cast<std::int32_t>(frame.number.value_or(history.counted.frames));
     }
 
     void end() {
@@ -82,20 +91,27 @@ private:
         history.counted.missing_samples = missing;
     }
 
+    /// Passes see the marks of missing samples until one of them has made a signal of its own.
     template <std::size_t... i> void stages(std::index_sequence<i...>) {
-        (detail::for_each_pass(std::get<i>(pipeline.stages),
-                               [&, first = i == 0](auto const& kernel) mutable {
-                                   // Only the first pass sees the marks of missing samples; a Temporal in first place always is that pass.
-                                   [[maybe_unused]] constexpr bool alone = is_temporal<std::remove_cvref_t<decltype(kernel)>>;
-                                   if constexpr (i > 0)
-                                       pass<false>(kernel);
-                                   else if (alone || first)
-                                       pass<true>(kernel);
-                                   else if constexpr (!alone)
-                                       pass<false>(kernel);
-                                   first = false;
-                               }),
-         ...);
+        [[maybe_unused]] bool marked = true;
+        (stage<marked_at<i>(std::make_index_sequence<i>{})>(std::get<i>(pipeline.stages), marked), ...);
+    }
+    template <std::size_t i, std::size_t... before> static constexpr bool marked_at(std::index_sequence<before...>) {
+        return (leaves_signal<std::tuple_element_t<before, decltype(P::stages)>> && ...);
+    }
+    template <bool may_be_marked, class Stage> void stage(Stage const& s, [[maybe_unused]] bool& marked) {
+        detail::for_each_pass(s, [&](auto const& kernel) {
+            if constexpr (!may_be_marked)
+                pass<false>(kernel);
+            else if constexpr (leaves_signal<Stage> || is_temporal<Stage>)
+                pass<true>(kernel);
+            else if (marked)
+                pass<true>(kernel);
+            else
+                pass<false>(kernel);
+            marked =
+                marked && !makes_signal_of<std::remove_cvref_t<decltype(kernel)>, ScopeOf<std::remove_cvref_t<decltype(kernel)>, true>>;
+        });
     }
 
     template <bool raw, class Pass> void pass(Pass const& kernel) {
@@ -149,13 +165,20 @@ private:
     void prepare_end(bool reads_remembered, std::shared_ptr<SignalImage> const& next) {
         if (!reads_remembered) history.remembered.drop_all();
         remembered.take_all(history.pool);
-        if constexpr (std::is_same_v<Into, NoTarget>)
-            history.output = next && !remodulates ? next : history.pool.template take<SignalImage>();
+        if constexpr (std::is_same_v<Into, NoTarget>) {
+            if constexpr (!remodulates) history.output = next;
+            if (!history.output) history.output = history.pool.template take<Output>();
+        }
         history.remembered.drop_all();
     }
-    static constexpr bool remodulates = !std::is_same_v<typename P::Modulation, NoModulation>;
+    static constexpr bool remodulates = !std::is_same_v<typename P::Form, NoModulation>;
 
-    bool stores_output(std::shared_ptr<SignalImage> const& next) const { return !std::is_same_v<Into, NoTarget> || history.output != next; }
+    bool stores_output(std::shared_ptr<SignalImage> const& next) const {
+        if constexpr (remodulates || !std::is_same_v<Into, NoTarget>)
+            return true;
+        else
+            return history.output != next;
+    }
 
     template <class S, class Pass> S scope() const {
         auto then = RememberedViewsOf<Storage, remembers_of<Pass>>{};
@@ -167,21 +190,23 @@ private:
                 history.kept.views(typename S::kept_channels{}),
                 remembered_views(typename StoredChannels<typename decltype(then)::channels>::type{}),
                 history.camera.clip_from_world(),
+                rays,
+                rays_then,
                 frame.camera.jitter,
                 history.camera.jitter,
+                frame_index,
                 past};
     }
     template <class Stored> auto remembered_views(Stored) const { return history.remembered.views(Stored{}); }
 
     auto finish() const {
-        FinishScope const scope{frame.size, frame.views(FinishReads{}), {}, {}, {}, {}, {}, glm::mat4(1.f), {}, {}, false};
+        FinishScope const scope{frame.size, frame.views(FinishReads{}), {}, {}, {}, {}, {}, glm::mat4(1.f), {}, {}, {}, {}, 0, false};
         auto const views = remembered.views(typename History<P, Storage>::Remembered{});
         if constexpr (std::is_same_v<Into, NoTarget>) {
-            auto const target = history.output ? history.output->view() : SignalView{};
-            return Finish<typename P::Modulation, FinishScope, SignalView, decltype(views)>{pipeline.ingest.modulation, scope, target,
-                                                                                            views};
+            auto const target = history.output ? history.output->view() : OutputView{};
+            return Finish<typename P::Form, FinishScope, OutputView, decltype(views)>{pipeline.ingest.modulation, scope, target, views};
         } else
-            return Finish<typename P::Modulation, FinishScope, Into, decltype(views)>{pipeline.ingest.modulation, scope, into, views};
+            return Finish<typename P::Form, FinishScope, Into, decltype(views)>{pipeline.ingest.modulation, scope, into, views};
     }
 };
 } // namespace detail

@@ -26,13 +26,23 @@ template <class M, class B, class Fetch = Bilinear> struct Temporal {
 
     QUELL_KERNEL auto operator()(auto px) const {
         using Px = decltype(px);
-        auto const past = px.has_past() ? fetch.fetch(px, motion.previous(px)) : detail::no_past<Px>();
+        auto const past = px.has_past() ? find(px, motion) : detail::no_past<Px>();
         auto result = detail::result_of([&]() __attribute__((always_inline)) { return blending.blend(px, past); });
         if (auto const missing = px.missing(); any(missing)) keep_past(missing, px, past, result);
         return result;
     }
 
 private:
+    /// Of several sources, the next one is asked where the history at the first one's place is not valid.
+    QUELL_KERNEL auto find(auto const& px, auto const& source) const {
+        if constexpr (requires { source.rest; }) {
+            auto past = fetch.fetch(px, source.first.previous(px));
+            auto const lost = past.validity <= decltype(past.validity)(0.f);
+            if (any(lost)) past.replace(lost, find(px, source.rest));
+            return past;
+        } else
+            return fetch.fetch(px, source.previous(px));
+    }
     /// Where the host's sample is missing, the past goes on unchanged; where there is no past either, the neighbours' mean stands in and
     /// nothing is kept, so that the next sample counts fully.
     template <class R> QUELL_KERNEL static void keep_past(auto missing, auto const& px, auto const& past, R& result) {
@@ -65,6 +75,12 @@ template <class T> inline constexpr bool is_temporal = false;
 template <class M, class B, class F> inline constexpr bool is_temporal<Temporal<M, B, F>> = true;
 template <class T> inline constexpr bool is_spatial = false;
 template <class F> inline constexpr bool is_spatial<Spatial<F>> = true;
+
+/// Whether no pass of a stage makes a new signal: a filter says so by `static constexpr bool leaves_signal = true`.
+template <class Stage> inline constexpr bool leaves_signal = false;
+template <class F>
+    requires requires { F::leaves_signal; }
+inline constexpr bool leaves_signal<Spatial<F>> = F::leaves_signal;
 
 /// Calls `visit(pass)` for each pass of a stage.
 template <class Stage, class Visit> constexpr void for_each_pass(Stage const& stage, Visit&& visit) {

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <quell/core/value.hpp>
+#include <quell/frame/camera.hpp>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace quell {
+
+/// From pixels to the world: what is seen at `where` (pixels) in a linear depth lies at eye + depth (forward + where.x right + where.y
+/// down). For perspective cameras.
+struct PixelRays {
+    glm::vec3 eye{0.f};
+    glm::vec3 forward{0.f, 0.f, -1.f}; ///< to the image's top left corner, at depth 1
+    glm::vec3 right{0.f}, down{0.f};   ///< from a pixel to the next, at depth 1
+    float pixel_size = 0.f;            ///< side of a pixel at depth 1, in world units
+
+    PixelRays() = default;
+    PixelRays(Camera const& camera, Extent size) {
+        auto const unproject = glm::inverse(camera.projection);
+        auto const to_world = glm::inverse(camera.view);
+        auto const direction = [&](float x, float y) {
+            auto const p = unproject * glm::vec4(x, y, 0.5f, 1.f);
+            auto const in_view = glm::vec3(p) / p.w;
+            return glm::vec3(to_world * glm::vec4(in_view / -in_view.z, 0.f));
+        };
+        eye = glm::vec3(to_world[3]);
+        forward = direction(-1.f, 1.f);
+        right = (direction(1.f, 1.f) - forward) / static_cast<float>(size.width);
+        down = (direction(-1.f, -1.f) - forward) / static_cast<float>(size.height);
+        pixel_size = 0.5f * (glm::length(right) + glm::length(down));
+    }
+
+    template <class Real> QUELL_KERNEL vec3<Real> direction(vec2<Real> const& where) const {
+        return {fma(where.x, Real(right.x), fma(where.y, Real(down.x), Real(forward.x))),
+                fma(where.x, Real(right.y), fma(where.y, Real(down.y), Real(forward.y))),
+                fma(where.x, Real(right.z), fma(where.y, Real(down.z), Real(forward.z)))};
+    }
+    template <class Real> QUELL_KERNEL vec3<Real> position(vec2<Real> const& where, Real depth) const {
+        auto const d = direction(where);
+        return {fma(d.x, depth, Real(eye.x)), fma(d.y, depth, Real(eye.y)), fma(d.z, depth, Real(eye.z))};
+    }
+};
+
+} // namespace quell
