@@ -1,26 +1,60 @@
 #!/usr/bin/env bash
 # shellcheck disable=SC2034 # the lists are for the scripts that source this
-# For scripts to source: installs what they need on a fresh Debian or Ubuntu machine.
+# For scripts to source: installs what they need on a fresh Debian or Ubuntu machine. The names hold from Debian 12 and Ubuntu 22.04 on;
+# libembree-dev is Embree 3 in Debian 12, Embree 4 in Ubuntu 24.04 and Debian 13, and either will do.
 
 build_packages=(g++ cmake ninja-build)
 library_packages=(libglm-dev libxsimd-dev libtbb-dev)
 program_packages=(libembree-dev libopenexr-dev libtinygltf-dev libstb-dev libcli11-dev nlohmann-json3-dev libpng-dev zlib1g-dev)
 test_packages=(doctest-dev libbenchmark-dev clang)
 
+# oldest_version package: the oldest one that will do. Ubuntu 22.04 has xsimd 7 and OpenEXR 2, with other interfaces.
+oldest_version() {
+    case $1 in
+    cmake) echo 3.22 ;;
+    libxsimd-dev) echo 8 ;;
+    libtbb-dev) echo 2021 ;;
+    libembree-dev | libopenexr-dev) echo 3 ;;
+    *) echo 0 ;;
+    esac
+}
+
+# project_of package: what to install by hand where apt has nothing that will do.
+project_of() {
+    case $1 in
+    libglm-dev) echo "GLM (github.com/g-truc/glm)" ;;
+    libxsimd-dev) echo "xsimd (github.com/xtensor-stack/xsimd)" ;;
+    libtbb-dev) echo "oneTBB (github.com/uxlfoundation/oneTBB)" ;;
+    libembree-dev) echo "Embree (github.com/RenderKit/embree)" ;;
+    libopenexr-dev) echo "OpenEXR and Imath (github.com/AcademySoftwareFoundation/openexr)" ;;
+    libtinygltf-dev) echo "tinygltf (github.com/syoyo/tinygltf)" ;;
+    libstb-dev) echo "stb (github.com/nothings/stb)" ;;
+    libcli11-dev) echo "CLI11 (github.com/CLIUtils/CLI11)" ;;
+    nlohmann-json3-dev) echo "JSON for Modern C++ (github.com/nlohmann/json)" ;;
+    doctest-dev) echo "doctest (github.com/doctest/doctest)" ;;
+    libbenchmark-dev) echo "Google Benchmark (github.com/google/benchmark)" ;;
+    cmake) echo "CMake (cmake.org)" ;;
+    *) echo "$1" ;;
+    esac
+}
+
+# will_do package version: whether that version is one, and new enough.
+will_do() { [ -n "$2" ] && [ "$2" != "(none)" ] && dpkg --compare-versions "$2" ge "$(oldest_version "$1")"; }
+
 # need_packages package...: installs those that are missing, or names them and ends the script with status 2.
 need_packages() {
+    # Who installed them by hand says so; CMake then names what it does not find.
+    [ -z "${QUELL_PACKAGES_INSTALLED:-}" ] || return 0
     if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-        # Another system knows them by other names; CMake says which it does not find.
-        [ -n "${QUELL_PACKAGES_INSTALLED:-}" ] && return
         echo "This system has no apt. Install what Debian calls $*, then set QUELL_PACKAGES_INSTALLED=1 and run this again." >&2
         exit 2
     fi
     local package missing=()
     for package in "$@"; do
-        [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+        will_do "$package" "$(dpkg-query -W -f='${db:Status-Status} ${Version}' "$package" 2>/dev/null | sed -n 's/^installed //p')" ||
+            missing+=("$package")
     done
-    [ ${#missing[@]} -eq 0 ] && return
-    install_packages "${missing[@]}"
+    [ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
 }
 
 install_packages() {
@@ -33,8 +67,26 @@ install_packages() {
         as_root=(sudo)
     fi
     echo "Installing $*"
-    "${as_root[@]}" apt-get update -q &&
-        "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y "$@" && return
+    "${as_root[@]}" apt-get update -q || echo "apt could not update its lists; trying with those that it has." >&2
+    check_candidates "$@"
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y "$@" && return
     echo "apt could not install all of: $*. See its message above." >&2
+    exit 2
+}
+
+# check_candidates package...: ends the script, naming what to install by hand, where apt has no package of the name or too old a one.
+check_candidates() {
+    local package candidate by_hand=()
+    for package in "$@"; do
+        candidate=$(LC_ALL=C apt-cache policy "$package" | sed -n 's/^ *Candidate: //p')
+        will_do "$package" "$candidate" && continue
+        [ "$candidate" != "(none)" ] || candidate=""
+        by_hand+=("$(project_of "$package")$([ "$(oldest_version "$package")" = 0 ] || echo " $(oldest_version "$package") or newer"): apt has $package ${candidate:-in no version}")
+    done
+    [ ${#by_hand[@]} -gt 0 ] || return 0
+    echo "This distribution lacks some of what quell needs. Install by hand, where CMake finds it:" >&2
+    printf '  %s\n' "${by_hand[@]}" >&2
+    echo "and the rest with: apt-get install $*" >&2
+    echo "Then set QUELL_PACKAGES_INSTALLED=1 and run this again." >&2
     exit 2
 }
