@@ -1,42 +1,15 @@
 #pragma once
 
+#include "../temporary_folder.hpp"
+
 #include <doctest/doctest.h>
 #include <quell/io/exr.hpp>
 
 #include <cstdlib>
-#include <fstream>
 #include <functional>
-#include <iterator>
 
 // Files and images to test with.
 namespace quell::tests {
-
-/// A folder of the test's own, removed with all that it holds.
-struct Folder {
-    std::filesystem::path path = make();
-
-    Folder() = default;
-    Folder(Folder const&) = delete;
-    Folder& operator=(Folder const&) = delete;
-    ~Folder() { std::filesystem::remove_all(path); }
-
-    [[nodiscard]] std::filesystem::path operator/(std::string const& name) const { return path / name; }
-    [[nodiscard]] int files() const { return static_cast<int>(std::distance(std::filesystem::directory_iterator(path), {})); }
-
-    static std::filesystem::path make() {
-        std::string name = (std::filesystem::temp_directory_path() / "quell_io_XXXXXX").string();
-        return mkdtemp(name.data());
-    }
-};
-
-inline std::string bytes_of(std::filesystem::path const& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-inline void write_bytes(std::filesystem::path const& file, std::string const& bytes) {
-    std::ofstream out(file, std::ios::binary);
-    out << bytes;
-}
 
 /// A plane whose value at (x, y) is f(x, y).
 inline io::Plane plane(std::string name, Extent size, std::function<float(int, int)> const& f,

@@ -1,9 +1,7 @@
+#include "../temporary_folder.hpp"
 #include "pictures.hpp"
 
 #include <support/png.hpp>
-
-#include <fstream>
-#include <random>
 
 using namespace pictures;
 using namespace quell::examples;
@@ -12,12 +10,9 @@ namespace {
 
 /// A file of this test alone, gone at the end of the test.
 struct File {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / ("quell_png_" + std::to_string(std::random_device{}()) + ".png");
-    ~File() { std::filesystem::remove(path); }
-    void hold(std::vector<unsigned char> const& bytes) const {
-        std::ofstream(path, std::ios::binary)
-            .write(reinterpret_cast<char const*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    }
+    quell::tests::Folder folder;
+    std::filesystem::path path = folder / "picture.png";
+    void hold(std::vector<unsigned char> const& bytes) const { quell::tests::write_bytes(path, {bytes.begin(), bytes.end()}); }
 };
 
 } // namespace

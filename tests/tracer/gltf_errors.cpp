@@ -1,10 +1,11 @@
+#include "../temporary_folder.hpp"
+
 #include <quell/core/error.hpp>
 #include <tracer/gltf/gltf.hpp>
 
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 using namespace quell;
@@ -12,13 +13,9 @@ using namespace quell::tracer;
 
 namespace {
 
-/// A folder that lives as long as the test.
-struct Folder {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / "quell_test_gltf";
-    Folder() { std::filesystem::create_directories(path); }
-    ~Folder() { std::filesystem::remove_all(path); }
+struct Folder : quell::tests::Folder {
     [[nodiscard]] std::filesystem::path write(std::string const& name, std::string const& content) const {
-        std::ofstream{path / name, std::ios::binary} << content;
+        quell::tests::write_bytes(path / name, content);
         return path / name;
     }
 };

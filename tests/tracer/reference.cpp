@@ -1,3 +1,4 @@
+#include "../temporary_folder.hpp"
 #include "worlds.hpp"
 
 #include <tracer/reference.hpp>
@@ -23,10 +24,10 @@ SceneDescription little_world(float height = 2) {
     return scene;
 }
 
+/// A cache of the test's own, which is not there yet.
 struct Cache {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / "quell_test_references";
-    Cache() { std::filesystem::remove_all(path); }
-    ~Cache() { std::filesystem::remove_all(path); }
+    quell::tests::Folder folder;
+    std::filesystem::path path = folder / "cache";
     [[nodiscard]] std::vector<std::filesystem::path> files() const {
         std::vector<std::filesystem::path> found;
         if (std::filesystem::exists(path))
