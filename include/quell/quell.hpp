@@ -4,20 +4,25 @@
 
 #include <quell/blend/clamped.hpp>
 #include <quell/blend/exponential.hpp>
+#include <quell/blend/non_planar_falloff.hpp>
 #include <quell/blend/running_mean.hpp>
 #include <quell/blend/with_clean_up.hpp>
 #include <quell/blend/with_moments.hpp>
 #include <quell/execute/executor.hpp>
 #include <quell/filter/atrous.hpp>
 #include <quell/filter/bilateral.hpp>
+#include <quell/filter/shadow_splat.hpp>
 #include <quell/filter/variance_guided_atrous.hpp>
 #include <quell/image/borrowed.hpp>
 #include <quell/image/interleaved.hpp>
 #include <quell/image/planar.hpp>
 #include <quell/motion/catmull_rom.hpp>
+#include <quell/motion/dual_motion.hpp>
 #include <quell/motion/first_valid.hpp>
+#include <quell/motion/glossy_motion.hpp>
 #include <quell/motion/supplied_motion.hpp>
 #include <quell/motion/surface_motion.hpp>
+#include <quell/motion/thin_lens.hpp>
 #include <quell/pipeline/pipeline.hpp>
 #include <quell/pipeline/presets.hpp>
 #include <quell/pipeline/run.hpp>

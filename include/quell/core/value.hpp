@@ -91,6 +91,9 @@ template <class V> QUELL_KERNEL V splat(real_of<V> a) {
 }
 template <class V> QUELL_KERNEL V zero() { return splat<V>(real_of<V>(0.f)); }
 
+/// The same vector in every lane.
+template <class Real> QUELL_KERNEL vec3<Real> broadcast(glm::vec3 const& v) { return {Real(v.x), Real(v.y), Real(v.z)}; }
+
 /// sum + v * weight.
 template <class V> QUELL_KERNEL V add_scaled(V const& sum, V const& v, real_of<V> weight) {
     return map(

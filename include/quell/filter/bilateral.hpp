@@ -95,18 +95,32 @@ struct Gaussian {
     constexpr void for_each_pass(auto&& pass) const { Bilateral<NoEdge>{NoEdge{}, radius, deviation}.for_each_pass(pass); }
 };
 
+/// A bilateral filter whose width each pixel chooses.
+///     AdaptiveBilateral<PenumbraWidth>{.radius = 15}
+/// @tparam Width says of(px): the deviation of the Gaussian, in pixels, above 0
+/// @tparam Edge  an EdgeWeight
+template <class Width, class Edge = Product<DepthEdge, NormalEdge>> struct AdaptiveBilateral {
+    static_assert(EdgeWeight<Edge>, "AdaptiveBilateral{width, edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    using Line = detail::BilateralLine<Edge, Width>;
+    using reads = reads_of<Line>;
+    Width width{};
+    Edge edge{};
+    int radius = 4; ///< pixels; wider Gaussians are cut off there
+
+    constexpr void for_each_pass(auto&& pass) const {
+        pass(Line{edge, width, radius, false});
+        pass(Line{edge, width, radius, true});
+    }
+};
+
 /// Removes what noise a short or clamped history leaves: a joint bilateral of at most 9x9 whose width each pixel chooses (TRMV section 5).
 /// Wants a blend policy WithCleanUp before it.
 template <class Edge = Product<DepthEdge, NormalEdge>> struct CleanUp {
     static_assert(EdgeWeight<Edge>, "CleanUp{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
-    using reads = decltype(reads_of<Edge>{} | Channels<CleanUpDeviation>{});
+    using reads = reads_of<detail::BilateralLine<Edge, detail::DeviationChannel>>;
     Edge edge{};
 
-    constexpr void for_each_pass(auto&& pass) const {
-        using Line = detail::BilateralLine<Edge, detail::DeviationChannel>;
-        pass(Line{edge, {}, 4, false});
-        pass(Line{edge, {}, 4, true});
-    }
+    constexpr void for_each_pass(auto&& pass) const { AdaptiveBilateral<detail::DeviationChannel, Edge>{{}, edge, 4}.for_each_pass(pass); }
 };
 template <class Edge> CleanUp(Edge) -> CleanUp<Edge>;
 

@@ -40,7 +40,7 @@ template <class FrameViews, class MadeViews, class SignalView, class PastSignalV
     PastSignalView signal_then;
     KeptViews kept_then;
     typename Then::type remembered;
-    glm::mat4 clip_from_world_then;
+    glm::mat4 clip_from_world, clip_from_world_then;
     PixelRays rays, rays_then;
     glm::vec2 jitter, jitter_then;
     std::int32_t frame_index; ///< for random numbers
@@ -149,15 +149,17 @@ template <class R, class S> struct Pixel {
     }
     /// Where a point of the world was on the previous frame's screen (pixels), and its linear depth there (not positive: behind the
     /// camera).
-    QUELL_KERNEL vec3<Real> project_to_past(vec3<Real> const& p) const {
-        auto const& m = scope.clip_from_world_then;
+    QUELL_KERNEL vec3<Real> project_to_past(vec3<Real> const& p) const { return project(scope.clip_from_world_then, p); }
+    /// The same on this frame's screen.
+    QUELL_KERNEL vec3<Real> project(vec3<Real> const& p) const { return project(scope.clip_from_world, p); }
+
+private:
+    QUELL_KERNEL vec3<Real> project(glm::mat4 const& m, vec3<Real> const& p) const {
         auto row = [&](int r) { return p.x * m[0][r] + p.y * m[1][r] + p.z * m[2][r] + m[3][r]; };
         auto const w = row(3), inverse = 1.f / w;
         return {(row(0) * inverse + 1.f) * (0.5f * static_cast<float>(scope.size.width)),
                 (1.f - row(1) * inverse) * (0.5f * static_cast<float>(scope.size.height)), w};
     }
-
-private:
     /// Every image of a pass has the pass's size; saying so lets the compiler use one address computation for all of them.
     QUELL_KERNEL auto load(auto view) const {
         view.size = scope.size;

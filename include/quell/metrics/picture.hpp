@@ -177,8 +177,8 @@ template <class Number> Plane<Number> along_columns(Plane<Number> const& in, Tap
     auto const radius = static_cast<int>(taps.size() / 2);
     std::vector<Number const*> sources(taps.size());
     for (int y = 0; y < in.size.height; ++y) {
-        for (int t = -radius; t <= radius; ++t)
-            sources[static_cast<std::size_t>(t + radius)] = in.row(std::clamp(y + t, 0, in.size.height - 1));
+        int from = y - radius;
+        for (auto& source : sources) source = in.row(std::clamp(from++, 0, in.size.height - 1));
         weighted_row<Number>(sources, taps, result.row(y), static_cast<std::size_t>(in.size.width));
     }
     return result;

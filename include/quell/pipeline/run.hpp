@@ -189,6 +189,7 @@ private:
                 history.signal ? history.signal->view() : SignalView{},
                 history.kept.views(typename S::kept_channels{}),
                 remembered_views(typename StoredChannels<typename decltype(then)::channels>::type{}),
+                frame.camera.clip_from_world(),
                 history.camera.clip_from_world(),
                 rays,
                 rays_then,
@@ -200,7 +201,7 @@ private:
     template <class Stored> auto remembered_views(Stored) const { return history.remembered.views(Stored{}); }
 
     auto finish() const {
-        FinishScope const scope{frame.size, frame.views(FinishReads{}), {}, {}, {}, {}, {}, glm::mat4(1.f), {}, {}, {}, {}, 0, false};
+        FinishScope const scope{frame.size, frame.views(FinishReads{}), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, 0, false};
         auto const views = remembered.views(typename History<P, Storage>::Remembered{});
         if constexpr (std::is_same_v<Into, NoTarget>) {
             auto const target = history.output ? history.output->view() : OutputView{};

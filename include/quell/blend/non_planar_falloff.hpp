@@ -1,0 +1,42 @@
+#pragma once
+
+#include <quell/blend/blend_policy.hpp>
+#include <quell/motion/tangent_plane.hpp>
+
+namespace quell {
+
+/// Trusts a past less that was found on a surface which doesn't continue this one's plane (TRMV eq. 4): alpha becomes
+/// 1 - G(theta - pi / 2) (1 - alpha), where theta lies between the normal here and the direction to the surface that the previous frame
+/// shows where the past was found. For shadows, whose motion is worked out as if their receivers were planes.
+///     NonPlanarFalloff{Exponential{.alpha = 0.1f}}
+template <class Inner> struct NonPlanarFalloff {
+    static_assert(BlendPolicy<Inner>, "NonPlanarFalloff{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
+    using reads = decltype(detail::TangentPlaneChannels{} | Channels<Depth>{} | reads_of<Inner>{});
+    using remembers = decltype(Channels<Depth>{} | remembers_of<Inner>{});
+    using keeps = keeps_of<Inner>;
+    using emits = emits_of<Inner>;
+    static constexpr bool needs_camera = true;
+    Inner inner{};
+    float deviation = 0.1f; ///< of the angle, in radians
+
+    QUELL_KERNEL auto blend(auto px, auto past) const {
+        using Real = typename decltype(px)::Real;
+        if (!any(past.validity > Real(0.f))) return inner.blend(px, past);
+        PastPlace<Real> const place(floor(past.where.x), floor(past.where.y));
+        auto const z = px.past(place)[depth];
+        auto const plane = detail::tangent_plane_then(px);
+        vec2<Real> const centre{place.column + 0.5f, place.row + 0.5f};
+        auto const way = px.rays_then().position(centre, z) - plane.point;
+        auto const distance = detail::length(way);
+        // Within two pixels the direction is that of rounding, not of the surface.
+        auto const near = distance < px[depth] * (2.f * px.rays().pixel_size);
+        // For small angles off the plane, theta - pi / 2 is the sine.
+        auto const sine = dot(way, plane.normal) / max(distance, Real(1e-20f));
+        auto const g = exp(sine * sine * (-0.5f / (deviation * deviation)));
+        past.validity = past.validity * select(near, Real(1.f), select(is_finite(z), g, Real(0.f)));
+        return inner.blend(px, past);
+    }
+};
+template <class Inner> NonPlanarFalloff(Inner) -> NonPlanarFalloff<Inner>;
+
+} // namespace quell

@@ -1,0 +1,147 @@
+#pragma once
+
+#include <quell/filter/edge_weights.hpp>
+#include <quell/motion/shadow_motion.hpp>
+
+namespace quell {
+
+/// The shadow around a pixel: where it moves to in the previous frame (from this pixel, in pixels), how wide its penumbra is (pixels), and
+/// how much of the neighbourhood knows. Each of the first three is a mean weighted by the last.
+struct ShadowTrack : Channel<4> {
+    static constexpr auto name = "shadow_track";
+};
+inline constexpr ShadowTrack shadow_track;
+
+namespace detail {
+/// What a shadowed pixel by itself knows of its shadow.
+template <class Source> struct OwnShadowTrack {
+    static constexpr auto name = "shadow motion";
+    using reads = decltype(reads_of<Source>{} | Channels<Position, Depth, Light, Blocker>{});
+    using emits = Channels<ShadowTrack>;
+    Source source;
+    float light_size;
+
+    QUELL_KERNEL auto emit(auto px) const {
+        using Real = typename decltype(px)::Real;
+        auto const found = source.previous(px);
+        auto const p = px.position();
+        auto const valid = both(found.validity > Real(0.f), is_finite(found.where.x), is_finite(found.where.y));
+        auto const width = penumbra(px);
+        auto const known = select(both(valid, is_finite(width)), Real(1.f), Real(0.f));
+        auto const lit = invert(valid);
+        return Result<Real>{Real(0.f), Real(1.f), {}}.with(shadow_track, Value<4, Real>{select(lit, Real(0.f), found.where.x - p.x),
+                                                                                        select(lit, Real(0.f), found.where.y - p.y),
+                                                                                        select(lit, Real(0.f), width), known});
+    }
+
+private:
+    /// From similar triangles: (d_receiver - d_blocker) * light size / d_blocker, seen from the light, in pixels at the receiver.
+    template <class Px> QUELL_KERNEL auto penumbra(Px const& px) const {
+        using Real = typename Px::Real;
+        auto const l = px[light], s = px[position], b = px[blocker];
+        auto const to_receiver = length(s - l), to_blocker = length(b - l);
+        auto const size = light_size > 0.f ? Real(light_size) : spread(px, l);
+        auto const world = max(to_receiver - to_blocker, Real(0.f)) * size / max(to_blocker, Real(1e-6f));
+        return world / max(px[depth] * px.rays().pixel_size, Real(1e-12f));
+    }
+    /// The side of a square light whose points lie as far from each other as those that the 3x3 around has drawn.
+    template <class Px, class V> QUELL_KERNEL static auto spread(Px const& px, V const& centre) {
+        using Real = typename Px::Real;
+        Real sum(0.f), count(1e-6f);
+        for_each_neighbour<1>(
+            px, [&](auto near, auto inside, int, int) __attribute__((always_inline)) {
+                auto const off = near[light] - centre;
+                auto const square = dot(off, off);
+                auto const w = select(is_finite(square), inside, Real(0.f));
+                sum = fma(select(is_finite(square), square, Real(0.f)), w, sum);
+                count = count + w;
+            });
+        // Two points of a square are sqrt(side^2 / 3) apart, in the mean of squares; the centre itself is one of the nine.
+        return sqrt(sum / count * (3.f * 9.f / 8.f));
+    }
+};
+
+/// Spreads what is known to the pixels around, as far as edges let it.
+template <class Edge> struct SplatLevel {
+    static constexpr auto name = "shadow splat";
+    using reads = decltype(reads_of<Edge>{} | Channels<ShadowTrack>{});
+    using emits = Channels<ShadowTrack>;
+    Edge edge;
+    int step;
+
+    QUELL_KERNEL auto emit(auto px) const {
+        using Real = typename decltype(px)::Real;
+        auto const around = edge.around(px);
+        auto const own = px[shadow_track];
+        Value<4, Real> sum{own.x * own.w, own.y * own.w, own.z * own.w, own.w};
+        auto const add = [&](auto const& near, auto w) __attribute__((always_inline)) {
+            auto const track = near[shadow_track];
+            auto const weight = track.w * w;
+            sum = Value<4, Real>{fma(track.x, weight, sum.x), fma(track.y, weight, sum.y), fma(track.z, weight, sum.z), sum.w + weight};
+        };
+        for_each_opposite_taps<2>(
+            px, step, edge_offset(around),
+            [&](auto const& near, auto start, float row, auto const& opposite, auto its_start, float its_row, int dx, int dy, int, int)
+                __attribute__((always_inline)) {
+                    auto const& toward = edge_toward(around, dx, dy);
+                    auto const distance = toward.distance(near, start), its_distance = toward.distance(opposite, its_start);
+                    add(near, edge_weight(distance, weight_bits(1.f) + row));
+                    add(opposite, edge_weight(its_distance, weight_bits(1.f) + its_row));
+                });
+        auto const known = sum.w > Real(1e-4f);
+        auto const inverse = 1.f / select(known, sum.w, Real(1.f));
+        return Result<Real>{Real(0.f), Real(1.f), {}}.with(
+            shadow_track, Value<4, Real>{sum.x * inverse, sum.y * inverse, sum.z * inverse, select(known, sum.w, Real(0.f))});
+    }
+};
+} // namespace detail
+
+/// Lets every pixel in or near a shadow know how the shadow moves and how wide its penumbra is (TRMV section 4.1, which calls this
+/// splatting): only pixels whose own shadow ray was blocked know by themselves. Two sparse 5x5 means reach 12 pixels. Goes before whatever
+/// uses ShadowTrack: Bilateral with PenumbraWidth, and SplattedShadowMotion.
+/// @tparam Source a MotionSource that is valid in shadowed pixels only
+/// @tparam Edge   an EdgeWeight that keeps surfaces apart
+template <class Source = ShadowMotion, class Edge = DepthEdge> struct ShadowSplat {
+    static_assert(EdgeWeight<Edge>, "ShadowSplat{source, edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    using reads = without<reads_of<detail::OwnShadowTrack<Source>, detail::SplatLevel<Edge>>, Channels<ShadowTrack>>;
+    using emits = Channels<ShadowTrack>;
+    static constexpr bool needs_camera = true;
+    static constexpr bool leaves_signal = true;
+    Source source{};
+    Edge edge{};
+    float light_size = 0.f; ///< side of the lights, in world units; 0: estimated from the light samples of neighbouring pixels
+
+    constexpr void for_each_pass(auto&& pass) const {
+        pass(detail::OwnShadowTrack<Source>{source, light_size});
+        pass(detail::SplatLevel<Edge>{edge, 1});
+        pass(detail::SplatLevel<Edge>{edge, 5});
+    }
+};
+
+/// How wide a Bilateral is to filter shadows: a part of the penumbra's width. Where no shadow is near, as narrow as it gets.
+struct PenumbraWidth {
+    using reads = Channels<ShadowTrack>;
+    float part = 0.25f; ///< deviation of the Gaussian, as a part of the penumbra
+    float least = 0.5f; ///< pixels
+    float most = 7.5f;  ///< pixels
+
+    QUELL_KERNEL auto of(auto px) const {
+        using Real = typename decltype(px)::Real;
+        return clamp(px[shadow_track].z * part, Real(least), Real(most));
+    }
+};
+
+/// Follows the shadow that ShadowSplat has found around the pixel; invalid where there is none.
+struct SplattedShadowMotion {
+    using reads = Channels<ShadowTrack>;
+    static constexpr bool needs_camera = true;
+
+    QUELL_KERNEL auto previous(auto px) const {
+        using Real = typename decltype(px)::Real;
+        auto const track = px[shadow_track];
+        auto const p = px.position();
+        return Reprojection<Real>{{p.x + track.x, p.y + track.y}, select(track.w > Real(0.f), Real(1.f), Real(0.f))};
+    }
+};
+
+} // namespace quell

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <quell/motion/tangent_plane.hpp>
+
+namespace quell {
+
+/// The virtual image in a curved mirror, for MirrorMotion, ImageMotion and GlossyMotion: the thin-lens equation 1 / image = 1 / object + 2
+/// / radius, in each of two directions of the surface by its own curvature, which neighbouring normals tell. Convex mirrors draw the image
+/// towards themselves. The curvature is taken from this frame for the previous one too. (TRMV section 7; Hirvonen 2019)
+struct ThinLens {
+    using reads = Channels<Position, ReceiverPrevious, Normal>;
+    float most = 50.f; ///< curvature that is believed, in 1 / world units
+
+    template <class Px, class Plane, class V> QUELL_KERNEL V image(Px const& px, Plane const& plane, V const& point) const {
+        auto const offset = point - plane.point;
+        auto const mirrored = add_scaled(offset, plane.normal, dot(offset, plane.normal) * -2.f);
+        auto const distance = detail::length(offset);
+        auto const here = px[position];
+        detail::SurfaceEdge<Px> const across(px, here, here, 1, 0), down(px, here, here, 0, 1);
+        auto const first = detail::normalized(add_scaled(across.now, plane.normal, -dot(across.now, plane.normal)));
+        auto const second = detail::cross(plane.normal, first);
+        auto const along_first = shrink(curvature(px, across.now, 1, 0), distance);
+        auto const along_second = shrink(curvature(px, down.now, 0, 1), distance);
+        auto const image = add_scaled(
+            add_scaled(add_scaled(plane.point, first, dot(mirrored, first) * along_first), second, dot(mirrored, second) * along_second),
+            plane.normal, dot(mirrored, plane.normal) * (along_first + along_second) * 0.5f);
+        auto const flat = plane.point + mirrored;
+        return select(both(all_finite(image), is_finite(distance)), image, flat);
+    }
+
+private:
+    /// Of the surface along one direction of the screen; positive where it is convex.
+    template <class Px, class V> QUELL_KERNEL auto curvature(Px const& px, V const& edge, int dx, int dy) const {
+        using Real = typename Px::Real;
+        auto const forth = px.at(dx, dy), back = px.at(-dx, -dy);
+        auto const span = forth[position] - back[position], turn = forth[normal] - back[normal];
+        // Across a silhouette the span is far longer than the edge.
+        auto const smooth = both(forth.inside(), back.inside(), dot(span, span) < dot(edge, edge) * 9.f);
+        auto const bend = dot(turn, span) / max(dot(span, span), Real(1e-20f));
+        return select(both(smooth, is_finite(bend)), clamp(bend, Real(-most), Real(most)), Real(0.f));
+    }
+    /// How much nearer to the surface the image is than the object.
+    template <class Real> QUELL_KERNEL static Real shrink(Real curvature, Real distance) {
+        // A concave mirror's image may lie at infinity and turn round: then the lens says nothing that could be followed.
+        return 1.f / max(fma(curvature * 2.f, distance, Real(1.f)), Real(0.2f));
+    }
+};
+
+} // namespace quell
