@@ -77,8 +77,8 @@ void add_sliders(SceneDescription& scene) {
         };
     };
     scene.place(scene.add(box({0.6f, 1.25f, 0.4f})), bright, sliding(-0.35f, 0.625f, 1.7f, 110, 30));
-    scene.place(scene.add(box({0.5f, 0.6f, 0.4f})), checked, sliding(0.25f, 0.3f, 1.5f, 90, 62));
-    scene.place(scene.add(box({0.4f, 1.7f, 0.15f})), dark, sliding(-0.75f, 0.85f, 2.1f, 130, -20));
+    scene.place(scene.add(box({0.5f, 0.6f, 0.4f})), checked, sliding(0.25f, 0.3f, 1.5f, 90, 71));
+    scene.place(scene.add(box({0.4f, 1.7f, 0.15f})), dark, sliding(-0.75f, 0.85f, 2.1f, 130, -41));
 }
 
 } // namespace

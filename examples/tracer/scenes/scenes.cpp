@@ -13,7 +13,10 @@ struct Entry {
     SceneDescription (*make)();
 };
 
-constexpr std::array entries{Entry{"room", room}, Entry{"temple", temple}, Entry{"boxes", boxes}};
+constexpr std::array entries{
+    Entry{"room", room},         Entry{"fence", fence},   Entry{"fence-lights", fence_with_lights}, Entry{"apples", apples},
+    Entry{"pinkroom", pinkroom}, Entry{"temple", temple}, Entry{"restaurant", restaurant},          Entry{"boxes", boxes},
+    Entry{"disk", disk}};
 
 std::string listed(std::vector<std::string> const& names) {
     std::string list;

@@ -14,9 +14,15 @@ namespace quell::tracer {
 /// Throws quell::Error, listing the names, where there is no such scene.
 [[nodiscard]] SceneDescription built_in_scene(std::string_view name);
 
-// One function and one file per scene; scenes.cpp lists them.
+// One function per scene, and one file but for variants; scenes.cpp lists them.
 [[nodiscard]] SceneDescription room();
-[[nodiscard]] SceneDescription boxes();
+[[nodiscard]] SceneDescription fence();
+[[nodiscard]] SceneDescription fence_with_lights();
+[[nodiscard]] SceneDescription apples();
+[[nodiscard]] SceneDescription pinkroom();
 [[nodiscard]] SceneDescription temple();
+[[nodiscard]] SceneDescription restaurant();
+[[nodiscard]] SceneDescription boxes();
+[[nodiscard]] SceneDescription disk();
 
 } // namespace quell::tracer
