@@ -22,7 +22,10 @@ struct RandomValue {
     float next(float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); }
 
     float of(Depth, int x, int y) { return x % 11 < 7 ? 5.f + 0.02f * static_cast<float>(x + y) : next(2.f, 9.f); }
-    float of(Instance, int x, int) { return static_cast<float>(x / 9); }
+    float of(Instance, int x, int) {
+        int const strip = x / 9;
+        return static_cast<float>(strip);
+    }
     glm::vec3 of(Normal, int x, int) {
         glm::vec3 const n(next(-0.2f, 0.2f), next(-0.2f, 0.2f), x % 13 < 9 ? 1.f : -1.f);
         float const length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
