@@ -26,3 +26,5 @@
 #include <quell/pipeline/pipeline.hpp>
 #include <quell/pipeline/presets.hpp>
 #include <quell/pipeline/run.hpp>
+#include <quell/radiance/cone_atrous.hpp>
+#include <quell/radiance/cone_fetch.hpp>

@@ -14,8 +14,8 @@ template <class M, class B, class Fetch = Bilinear> struct Temporal {
     static_assert(MotionSource<M>, "Temporal{motion, blend}: `motion` must have previous(px), see quell/motion/motion_source.hpp");
     static_assert(BlendPolicy<B>, "Temporal{motion, blend}: `blend` must have blend(px, past), see quell/blend/blend_policy.hpp");
 
-    using reads = reads_of<M, B>;
-    using remembers = remembers_of<M, B>;
+    using reads = reads_of<M, B, Fetch>;
+    using remembers = remembers_of<M, B, Fetch>;
     using keeps = keeps_of<M, B>;
     using emits = emits_of<B>;
     static constexpr auto name = "temporal";

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <quell/filter/edge_weights.hpp>
+#include <quell/radiance/cones.hpp>
+
+namespace quell {
+
+namespace detail {
+/// One level of an a-trous wavelet over cones. Where the normals agree, cone by cone; elsewhere by the overlap of all pairs.
+template <class Edge> struct ConeLevel {
+    static constexpr auto name = "cone a-trous";
+    using reads = decltype(reads_of<Edge>{} | Channels<Normal>{});
+    Edge edge;
+    int step = 1;
+    float least_cosine = 0.f;
+
+    QUELL_KERNEL auto filter(auto px) const {
+        using Px = decltype(px);
+        using Real = typename Px::Real;
+        constexpr int taps = 25;
+        constexpr float spline[] = {0.0625f, 0.25f, 0.375f, 0.25f, 0.0625f};
+        auto const around = edge.around(px);
+        auto const n = px[normal];
+        Real same[taps], other[taps];
+        bool turned = false;
+        Real sum_of_weights(0.f);
+        for (int t = 0; t < taps; ++t) {
+            int const dx = (t % 5 - 2) * step, dy = (t / 5 - 2) * step;
+            auto const near = px.at(dx, dy);
+            float const start = spline[t % 5] * spline[t / 5];
+            auto w = Real(start);
+            if (t != taps / 2) {
+                auto const& toward = edge_toward(around, dx, dy);
+                w = start * edge_weight(toward.distance(near, Real(edge_offset(around))));
+                w = select(both(near.inside(), invert(near.missing())), w, Real(0.f));
+            }
+            auto const there = near[normal];
+            auto const agree = cone::same_axes(n, there);
+            same[t] = select(agree, w, Real(0.f));
+            other[t] = select(either(agree, dot(n, there) < Real(least_cosine)), Real(0.f), w);
+            turned = turned || any(other[t] > Real(1e-4f));
+            sum_of_weights = sum_of_weights + same[t];
+        }
+        // The samples of turned surfaces count like all others, but they come in other cones.
+        auto value = make_value<24, Real>([&](auto c) __attribute__((always_inline)) {
+            Real sum(0.f);
+            for (int t = 0; t < taps; ++t) sum = fma(component<c>(px.at((t % 5 - 2) * step, (t / 5 - 2) * step).signal()), same[t], sum);
+            return sum;
+        });
+        if (turned) add_turned(px, n, other, value, sum_of_weights);
+        auto const inverse = 1.f / max(sum_of_weights, Real(1e-12f));
+        auto const result = scale(value, inverse);
+        return select(both(all_finite(result), sum_of_weights > Real(0.f)), result, px.signal());
+    }
+
+private:
+    template <class Px, class Real>
+    [[gnu::noinline]] constexpr void add_turned(Px const& px, vec3<Real> const& n, Real const (&weights)[25], Components<24, Real>& value,
+                                                Real& sum_of_weights) const {
+        for (int t = 0; t < 25; ++t) {
+            if (!any(weights[t] > Real(1e-4f))) continue;
+            auto const near = px.at((t % 5 - 2) * step, (t / 5 - 2) * step);
+            auto const there = near.signal();
+            value = add_scaled(value, cone::transferred(there, near[normal], n), weights[t]);
+            sum_of_weights = sum_of_weights + weights[t];
+        }
+    }
+};
+} // namespace detail
+
+/// The a-trous wavelet over the six cones of Cones: `levels` passes of a 5x5 B3 spline (TRMV section 5: four). Surfaces that face another
+/// way contribute what their cones have in common with this pixel's.
+/// @tparam Edge an EdgeWeight that keeps places apart; the normals are dealt with by the cones
+template <class Edge = DepthEdge> struct ConeAtrous {
+    static_assert(EdgeWeight<Edge>, "ConeAtrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    using Level = detail::ConeLevel<Edge>;
+    using reads = reads_of<Level>;
+    Edge edge{};
+    int levels = 4;
+    float least_cosine = 0.f; ///< surfaces turned further away than this contribute nothing
+
+    constexpr void for_each_pass(auto&& pass) const {
+        for (int i = 0; i < levels; ++i) pass(Level{edge, 1 << i, least_cosine});
+    }
+};
+
+} // namespace quell

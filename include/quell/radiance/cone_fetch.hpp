@@ -1,0 +1,29 @@
+#pragma once
+
+#include <quell/motion/history_fetch.hpp>
+#include <quell/radiance/cones.hpp>
+
+namespace quell {
+
+/// A history fetch for Cones: what was found on a surface with another normal is passed from its cones to this pixel's, by their overlap.
+///     Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, RunningMean{}, ConeFetch{}}
+struct ConeFetch {
+    using reads = Channels<Normal>;
+    using remembers = Channels<Normal>;
+    Bilinear inner{};
+
+    template <class Px, class FoundPlace> QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& found) const {
+        using Real = typename Px::Real;
+        auto past = inner.fetch(px, found);
+        PastPlace<Real> const place(floor(past.where.x), floor(past.where.y));
+        auto const now = px[normal], then = px.past(place)[normal];
+        auto const differs = both(past.validity > Real(0.f), invert(cone::same_axes(now, then)));
+        if (any(differs)) {
+            auto const before = past.signal;
+            past.signal = select(differs, cone::transferred(before, then, now), past.signal);
+        }
+        return past;
+    }
+};
+
+} // namespace quell
