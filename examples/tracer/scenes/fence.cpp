@@ -81,7 +81,7 @@ SceneDescription fence_with_lights() {
         // Different speeds and directions: no two of the shadows on one spot move alike.
         scene.place(panel, scene.add(Material{.emission = colours[i]}), [side](float frame) {
             float const phase = 2 * pi * (frame - 26) / (90 + 20 * side) + side;
-            glm::vec3 const place{1.2f * side - 0.8f * std::sin(phase), 1.2f + 0.25f * std::cos(phase), 5};
+            glm::vec3 const place{1.6f * side - 0.8f * std::sin(phase), 1.2f + 0.25f * std::cos(phase), 5};
             return Transform{place, facing(glm::vec3{0, 0.6f, -2} - place)}.matrix();
         });
     }

@@ -1,0 +1,116 @@
+#include "mask_tests.hpp"
+#include "trace.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace quell::tracer::detail {
+namespace {
+
+constexpr int shadow_samples = 32, lobe_samples = 16;
+/// A shadow that fewer of the samples find is too faint to see.
+constexpr int least_shadowed = 2;
+/// In pixels per frame: what moves less than that, bilinear history follows well enough.
+constexpr float least_motion = 0.1f;
+/// Stands for infinitely far away: the motion of its image is the camera's rotation.
+constexpr float far_away = 1e4f;
+/// Random numbers that no picture uses.
+constexpr std::uint32_t mask_seed = 0x3a5c;
+
+struct Plane {
+    glm::vec3 point, normal;
+
+    [[nodiscard]] glm::vec3 mirrored(glm::vec3 position) const { return position - 2 * glm::dot(position - point, normal) * normal; }
+};
+
+/// The plane that touches the surface, now and where the point's object had it one frame ago.
+struct TangentPlanes {
+    Plane now, before;
+
+    TangentPlanes(MaskPoint const& point, Surface const& surface)
+        : now{surface.position, surface.normal}, before{point.scene.point(point.hit, 0, When::before), surface.normal} {
+        auto const placement = point.scene.placement(point.hit.instance, 0, When::now);
+        auto const placement_before = point.scene.placement(point.hit.instance, 0, When::before);
+        if (placement == placement_before) return; // exactly the same, without rounding
+        auto const motion = glm::mat3(placement_before) * glm::inverse(glm::mat3(placement));
+        before.normal = glm::normalize(glm::transpose(glm::inverse(motion)) * surface.normal);
+    }
+};
+
+/// How far apart two places in the image are; infinite where one of them isn't before the camera.
+float apart(glm::vec2 a, glm::vec2 b) {
+    float const distance = glm::distance(a, b);
+    return distance >= 0 ? distance : infinity;
+}
+
+/// Where the line from the light through the blocker meets the plane, if it does so beyond the blocker.
+glm::vec3 shadow_on(Plane const& plane, glm::vec3 light, glm::vec3 blocker) {
+    auto const direction = blocker - light;
+    float const towards = glm::dot(direction, plane.normal), part = glm::dot(plane.point - light, plane.normal) / towards;
+    return part >= 1 ? light + part * direction : glm::vec3{not_a_number};
+}
+
+/// In pixels of the previous frame: where the shadow that falls on the point now was then, against where the point itself was.
+float shadow_motion(MaskPoint const& point, TangentPlanes const& planes, Signals const& signals) {
+    bool const stands_still = signals.light == signals.light_previous && signals.blocker == signals.blocker_previous &&
+                              planes.now.point == planes.before.point && planes.now.normal == planes.before.normal;
+    if (stands_still) return 0;
+    auto const shadow = shadow_on(planes.before, signals.light_previous, signals.blocker_previous);
+    // What moves as one, light, blocker and receiver, keeps its shadow where it is.
+    if (glm::distance(shadow, planes.before.point) < 1e-4f * glm::distance(planes.now.point, signals.light)) return 0;
+    return apart(point.view_before.project(shadow), point.view_before.project(planes.before.point));
+}
+
+/// In pixels: the motion of the virtual image of what is reflected, less the motion of the reflector.
+float reflection_motion(MaskPoint const& point, TangentPlanes const& planes, Signals const& signals, glm::vec3 mirror_direction) {
+    bool const is_miss = !(glm::length(signals.glossy_hit) >= 0);
+    auto const now = is_miss ? planes.now.point + far_away * mirror_direction : signals.glossy_hit;
+    auto const before = is_miss ? now : signals.glossy_hit_previous;
+    auto const image = point.view_before.project(planes.before.mirrored(before)) - point.view.project(planes.now.mirrored(now));
+    return apart(image, point.view_before.project(planes.before.point) - point.view.project(planes.now.point));
+}
+
+SampleKey key_of(MaskPoint const& point, int sample) { return {point.pixel, static_cast<std::uint32_t>(sample), mask_seed}; }
+
+} // namespace
+
+bool has_moving_shadow(MaskPoint const& point) {
+    auto const surface = revisit(point.scene, point.view, point.hit).surface;
+    if (surface.is_emitter) return false;
+    TangentPlanes const planes{point, surface};
+    RayCounts counts;
+    for (int i = 0, shadowed = 0; i < shadow_samples; ++i) {
+        PathContext const path{key_of(point, i), 0, 1, &counts};
+        Signals signals;
+        auto const light = sample_lighting(point.scene, surface, 0, sample_pair(path.key, SampleUse::light_point),
+                                           sample_pair(path.key, SampleUse::light_choice).x)
+                               .sample;
+        if (!light.exists) return false;
+        signals.light = light.position;
+        signals.light_previous = light.position_before;
+        trace_shadow(point.scene, surface, path, true, signals);
+        if (signals.visibility > 0 || shadow_motion(point, planes, signals) < least_motion) continue;
+        if (++shadowed == least_shadowed) return true;
+    }
+    return false;
+}
+
+bool has_moving_reflection(MaskPoint const& point) {
+    auto const seen = revisit(point.scene, point.view, point.hit);
+    if (seen.surface.is_emitter || !(seen.surface.metallic > 0)) return false;
+    TangentPlanes const planes{point, seen.surface};
+    RayCounts counts;
+    for (int i = 0; i < lobe_samples; ++i) {
+        PathContext const path{key_of(point, i), 0, 1, &counts};
+        Signals signals;
+        trace_glossy(point.scene, seen.surface, -seen.ray.direction, path, 0, false, signals);
+        if (reflection_motion(point, planes, signals, glm::reflect(seen.ray.direction, seen.surface.normal)) >= least_motion) return true;
+    }
+    return false;
+}
+
+bool is_hidden(MaskPoint const& point) {
+    return !is_seen(point.scene, point.view, point.size, revisit(point.scene, point.view, point.hit));
+}
+
+} // namespace quell::tracer::detail
