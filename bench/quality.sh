@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# The README's figures of quality: RMSE, SSIM and FLIP of the presets on `room` (frame 32, 480x270, against a converged reference, which takes
+# long the first time and is kept in ~/.cache/quell), svgf with its history in float and in half, and the Cycles sequence where it is there:
+#   bench/quality.sh [folder of the built programs] [folder of the Cycles sequence]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+source .ci/packages.sh
+
+build=${1:-build/release}
+cycles=${2:-../shared/data/sequences/cycles_occlusion}
+trace=$build/examples/tracer/quell-trace
+denoise=$build/examples/denoise/quell-denoise
+work=out/quality
+presets=(none surface surface-clamp atrous svgf)
+need_packages g++ libglm-dev libxsimd-dev libopenexr-dev pkg-config
+for program in "$trace" "$denoise"; do
+    [ -x "$program" ] || { echo "There is no $program. Build it: cmake --preset release && cmake --build --preset release" >&2; exit 2; }
+done
+
+# row label quell-denoise-option...: the means that quell-denoise prints last.
+row() {
+    local label=$1
+    shift
+    printf '%-14s %s\n' "$label" "$("$denoise" --quiet "$@" | sed -n 's/^mean,//p' | tr ',' ' ')"
+}
+
+"$trace" --quiet --scene room --size 480x270 --frames 33 --out "$work/room"
+"$trace" --scene room --size 480x270 --first 32 --frames 1 --reference 65536 --out "$work/reference"
+echo "room, frame 32:  RMSE SSIM FLIP"
+for preset in "${presets[@]}"; do
+    row "$preset" --preset "$preset" --in "$work/room/frame.%04d.exr" --reference "$work/reference/reference.%04d.exr"
+done
+
+echo "svgf, history in float and in half"
+# shellcheck disable=SC2046 # several flags
+g++ -std=c++20 -O2 -DNDEBUG -march=native -I include bench/half_history.cpp $(pkg-config --cflags --libs OpenEXR) -o "$work/half_history"
+"$work/half_history" "$work/room/frame.%04d.exr" 32 "$work/reference/reference.0032.exr"
+
+[ -d "$cycles" ] || { echo "skipped: there is no Cycles sequence at $cycles"; exit 0; }
+echo "Cycles, mean of frames 40 and 48:  RMSE SSIM FLIP"
+for preset in "${presets[@]}"; do
+    row "$preset" --preset "$preset" --in "$cycles/frame_%04d.exr" --reference "$cycles/reference_%04d.exr"
+done
