@@ -70,7 +70,7 @@ void add_touched(PreparedScene const& scene, Seen const& seen, Effect effect, in
     seen.for_each_pixel([&](int x, int y) {
         auto const i = seen.index(x, y);
         if (mask[i] != 0 || !seen.hits[i] || seen.surfaces[i].is_emitter) return;
-        if (is_touched(effect, ago, {scene, seen.size, {x, y}, view, view_before, seen.hits[i]})) mask[i] = 1;
+        if (is_touched(effect, ago, {scene, seen.size, view, view_before, seen.hits[i]})) mask[i] = 1;
     });
 }
 

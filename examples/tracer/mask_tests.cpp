@@ -8,14 +8,12 @@ namespace quell::tracer::detail {
 namespace {
 
 constexpr int shadow_samples = 32, lobe_samples = 16;
-/// A shadow that fewer of the samples find is too faint to see.
-constexpr int least_shadowed = 2;
+/// What fewer of the samples find is too faint to see.
+constexpr int least_shadowed = 2, least_reflected = 2;
 /// In pixels per frame: what moves less than that, bilinear history follows well enough.
 constexpr float least_motion = 0.1f;
 /// Stands for infinitely far away: the motion of its image is the camera's rotation.
 constexpr float far_away = 1e4f;
-/// Random numbers that no picture uses.
-constexpr std::uint32_t mask_seed = 0x3a5c;
 
 struct Plane {
     glm::vec3 point, normal;
@@ -70,7 +68,8 @@ float reflection_motion(MaskPoint const& point, TangentPlanes const& planes, Sig
     return apart(image, point.view_before.project(planes.before.point) - point.view.project(planes.now.point));
 }
 
-SampleKey key_of(MaskPoint const& point, int sample) { return {point.pixel, static_cast<std::uint32_t>(sample), mask_seed}; }
+/// The same stratified samples in all pixels: masks have clean edges then instead of noisy ones.
+SampleKey key_of(int sample) { return {glm::ivec2{0}, static_cast<std::uint32_t>(sample), 0}; }
 
 } // namespace
 
@@ -80,7 +79,7 @@ bool has_moving_shadow(MaskPoint const& point) {
     TangentPlanes const planes{point, surface};
     RayCounts counts;
     for (int i = 0, shadowed = 0; i < shadow_samples; ++i) {
-        PathContext const path{key_of(point, i), 0, 1, &counts};
+        PathContext const path{key_of(i), 0, 1, &counts};
         Signals signals;
         auto const light = sample_lighting(point.scene, surface, 0, sample_pair(path.key, SampleUse::light_point),
                                            sample_pair(path.key, SampleUse::light_choice).x)
@@ -100,11 +99,12 @@ bool has_moving_reflection(MaskPoint const& point) {
     if (seen.surface.is_emitter || !(seen.surface.metallic > 0)) return false;
     TangentPlanes const planes{point, seen.surface};
     RayCounts counts;
-    for (int i = 0; i < lobe_samples; ++i) {
-        PathContext const path{key_of(point, i), 0, 1, &counts};
+    for (int i = 0, reflected = 0; i < lobe_samples; ++i) {
+        PathContext const path{key_of(i), 0, 1, &counts};
         Signals signals;
         trace_glossy(point.scene, seen.surface, -seen.ray.direction, path, 0, false, signals);
-        if (reflection_motion(point, planes, signals, glm::reflect(seen.ray.direction, seen.surface.normal)) >= least_motion) return true;
+        float const motion = reflection_motion(point, planes, signals, glm::reflect(seen.ray.direction, seen.surface.normal));
+        if (motion >= least_motion && ++reflected == least_reflected) return true;
     }
     return false;
 }

@@ -10,7 +10,6 @@ namespace quell::tracer::detail {
 struct MaskPoint {
     PreparedScene const& scene;
     Extent size;
-    glm::ivec2 pixel;
     View const &view, &view_before;
     Hit const& hit;
 };

@@ -58,8 +58,8 @@ SceneDescription disk() {
     add_lights(scene);
     // Upright, facing the camera; it starts before the animal and leaves it to the right.
     int const painted = scene.add(Material{.base_texture = scene.add(stripes({0.85f, 0.82f, 0.76f}, {0.12f, 0.1f, 0.1f}, 10))});
-    scene.place(scene.add(moved(cylinder(0.7f, 0.7f, 0.08f, 96), {0, -0.04f, 0})), painted, [](float frame) {
-        return Transform{{0.15f + 0.035f * (frame - 16), 0.72f, 0.35f}, turn(90, {1, 0, 0})}.matrix();
+    scene.place(scene.add(moved(cylinder(0.8f, 0.8f, 0.08f, 96), {0, -0.04f, 0})), painted, [](float frame) {
+        return Transform{{0.35f + 0.05f * (frame - 24), 0.82f, 0.35f}, turn(90, {1, 0, 0})}.matrix();
     });
     scene.camera = [](float) { return look_at({0.05f, 1.3f, 2.3f}, {0, 0.85f, -0.6f}, 50); };
     return scene;

@@ -44,18 +44,24 @@ void add_flat_metal(SceneDescription& scene) {
 }
 
 void add_curved_metal(SceneDescription& scene) {
-    scene.place(scene.add(cylinder(0.36f, 0.36f, 0.95f, 96)), scene.add(metal(glm::vec3{0.9f}, 0.15f)),
+    scene.place(scene.add(cylinder(0.45f, 0.45f, 0.95f, 128)), scene.add(metal(glm::vec3{0.9f}, 0.15f)),
                 {.translation = {-1.4f, 0.75f, -2}});
     scene.place(scene.add_sphere(), scene.add(metal({0.95f, 0.8f, 0.5f}, 0.2f)),
-                {.translation = {1.35f, 1.25f, -1.75f}, .scale = glm::vec3{0.5f}});
+                {.translation = {1.4f, 1.3f, -1.98f}, .scale = glm::vec3{0.55f}});
 }
 
-/// Someone walks past behind the camera and shows in the metal alone.
-void add_waiter(SceneDescription& scene) {
-    int const jacket = scene.add(Material{.base = {0.75f, 0.05f, 0.08f}}), skin = scene.add(Material{.base = {0.75f, 0.5f, 0.36f}});
-    int const waiter = scene.add_node([](float frame) { return Transform{{0.13f * (frame - 26), 0, 1.9f}}.matrix(); });
-    scene.place(scene.add(cylinder(0.3f, 0.36f, 1.45f)), jacket, {}, waiter);
-    scene.place(scene.add_sphere(), skin, {.translation = {0, 1.68f, 0}, .scale = glm::vec3{0.2f}}, waiter);
+/// Two people pass each other behind the camera and show in the metal alone.
+void add_waiters(SceneDescription& scene) {
+    int const red = scene.add(Material{.base = {0.75f, 0.05f, 0.08f}}), blue = scene.add(Material{.base = {0.08f, 0.12f, 0.5f}});
+    int const skin = scene.add(Material{.base = {0.75f, 0.5f, 0.36f}});
+    int const body = scene.add(cylinder(0.34f, 0.42f, 1.5f)), head = scene.add_sphere();
+    for (float side : {-1.f, 1.f}) {
+        int const waiter = scene.add_node([side](float frame) {
+            return Transform{{-0.9f + side * 0.1f * (frame - 26), 0, 2 + 0.4f * side}}.matrix();
+        });
+        scene.place(body, side < 0 ? red : blue, {}, waiter);
+        scene.place(head, skin, {.translation = {0, 1.75f, 0}, .scale = glm::vec3{0.24f}}, waiter);
+    }
 }
 
 /// What is on and above the bar slides along it, and shows both by itself and in the metal.
@@ -67,11 +73,11 @@ void add_moving(SceneDescription& scene) {
             return Transform{centre + glm::vec3{reach * std::sin(2 * pi * (frame - 26) / period), 0, 0}, turn(0, {0, 1, 0})}.matrix();
         };
     };
-    scene.place(scene.add(box(glm::vec3{0.42f})), blue, along(1.7f, 120, {0, 0.97f, -1.15f}));
+    scene.place(scene.add(box(glm::vec3{0.36f})), blue, along(1.7f, 120, {0, 0.93f, -1.02f}));
     int const ball = scene.add_sphere();
-    auto const rolling = along(-0.9f, 90, {0, 1.02f, -2.1f});
-    scene.place(ball, tomato, [=](float frame) { return rolling(frame) * Transform{.scale = glm::vec3{0.26f}}.matrix(); });
-    auto const hanging = along(1.5f, 140, {0, 1.9f, -2.3f});
+    auto const rolling = along(-0.9f, 90, {0, 0.97f, -1.45f});
+    scene.place(ball, tomato, [=](float frame) { return rolling(frame) * Transform{.scale = glm::vec3{0.22f}}.matrix(); });
+    auto const hanging = along(1.5f, 140, {0, 2.15f, -2.3f});
     scene.place(ball, lime, [=](float frame) { return hanging(frame) * Transform{.scale = glm::vec3{0.24f}}.matrix(); });
 }
 
@@ -83,7 +89,7 @@ SceneDescription restaurant() {
     add_flat_metal(scene);
     add_curved_metal(scene);
     add_moving(scene);
-    add_waiter(scene);
+    add_waiters(scene);
     scene.place(scene.add(rectangle(6.6f, 6.6f)), scene.add(Material{.emission = {2.7f, 2.4f, 2.05f}}),
                 {.translation = {0, 2.98f, 0}, .rotation = turn(180, {1, 0, 0})});
     scene.camera = [](float) { return look_at({-1, 1.95f, 1.1f}, {0.15f, 1.28f, -2.4f}, 50); };
