@@ -2,6 +2,9 @@
 
 #include <quell/core/channel.hpp>
 
+#include <array>
+#include <string_view>
+
 namespace quell {
 
 // What a renderer can hand over. A pipeline asks for only those that its policies read. Names are those of SCENES.md's EXR layers.
@@ -104,6 +107,24 @@ struct Sweep : Channel<2> {
 struct Time : Channel<1> {
     static constexpr auto name = "time";
     static constexpr bool full_precision = true;
+};
+
+namespace detail {
+/// The channel's name with something behind it, without a terminating zero.
+template <ChannelTag C, std::size_t Size> constexpr auto extended_name(char const (&behind)[Size]) {
+    constexpr std::string_view name = C::name;
+    std::array<char, name.size() + Size - 1> letters{};
+    for (std::size_t i = 0; i < letters.size(); ++i) letters[i] = i < name.size() ? name[i] : behind[i - name.size()];
+    return letters;
+}
+template <ChannelTag C> inline constexpr auto gradient_name = extended_name<C>("_gradient");
+} // namespace detail
+
+/// How much a signal changed by itself from the last frame to this one (A-SVGF, Schied 2018): one pixel of each 3x3 shades its surface
+/// point with the same random numbers in both frames. First the luminance now less the luminance before, then the larger of the two; both
+/// 0 in all other pixels, and where the point was not seen before.
+template <ChannelTag Signal> struct GradientOf : Channel<2> {
+    static constexpr std::string_view name{detail::gradient_name<Signal>.data(), detail::gradient_name<Signal>.size()};
 };
 
 inline constexpr Radiance radiance;
