@@ -15,8 +15,6 @@ constexpr float pi = std::numbers::pi_v<float>;
 /// Scattered rays see a blurred world: coarse texels make them less noisy, and they touch less memory.
 constexpr float scattered_footprint = 0.1f;
 
-float luminance(glm::vec3 colour) { return glm::dot(colour, glm::vec3{0.2126f, 0.7152f, 0.0722f}); }
-
 /// Reflected light at a hit of a path: one light sample, then the next bounce.
 glm::vec3 scattered(PreparedScene const& scene, Surface const& surface, PathContext const& path, std::uint32_t depth) {
     auto const point = sample_pair(path.key, SampleUse::second_light_point, depth);

@@ -3,7 +3,11 @@
 #include "sampler.hpp"
 #include "surface.hpp"
 
+#include <glm/geometric.hpp>
+
 namespace quell::tracer {
+
+[[nodiscard]] inline float luminance(glm::vec3 colour) { return glm::dot(colour, glm::vec3{0.2126f, 0.7152f, 0.0722f}); }
 
 /// The one point on one light that stands for all lights at a surface point.
 struct LightSample {

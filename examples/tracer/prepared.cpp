@@ -85,6 +85,12 @@ void PreparedScene::move_to(float frame, float shutter) {
     light_up();
 }
 
+PreparedScene const& PreparedScene::one_frame_earlier() {
+    if (!earlier) earlier = std::make_unique<PreparedScene>(scene);
+    earlier->move_to(current_frame - 1, current_shutter);
+    return *earlier;
+}
+
 std::vector<float> PreparedScene::moments_before(float earlier) const {
     if (!(current_shutter > 0)) return {current_frame - earlier};
     std::vector<float> frames;

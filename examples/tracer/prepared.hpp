@@ -6,6 +6,7 @@
 #include "scene.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace quell::tracer {
@@ -29,6 +30,9 @@ public:
     /// Moves everything to a frame. The shutter opens at the frame's moment and stays open for this part of the frame time; 0 freezes
     /// time. Free of cost where nothing changes.
     void move_to(float frame, float shutter = 0);
+
+    /// The same scene standing one frame before this one, for what has to be traced in both. It is made when first asked for.
+    [[nodiscard]] PreparedScene const& one_frame_earlier();
 
     [[nodiscard]] Hit intersect(Ray const& ray) const;
     [[nodiscard]] bool occluded(Ray const& ray) const { return acceleration.occluded(ray); }
@@ -87,6 +91,7 @@ private:
     std::vector<Moments<TriangleMesh>> deformations; // per shape; empty for rigid ones
     std::vector<std::vector<Emitter>> emitters;      // per moment
     float current_frame = -infinity, current_shutter = 0;
+    std::unique_ptr<PreparedScene> earlier;
 };
 
 } // namespace quell::tracer

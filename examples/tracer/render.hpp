@@ -1,7 +1,6 @@
 #pragma once
 
-#include "trace.hpp"
-#include "view.hpp"
+#include "gradient.hpp"
 
 #include <quell/core/error.hpp>
 
@@ -40,9 +39,10 @@ template <class Wanted, Sink S> class PixelRenderer {
     using rays = Rays<Wanted>;
 
 public:
-    PixelRenderer(PreparedScene const& scene_, RenderSettings const& settings_, S& sink_, RayCounts& counts_)
-        : scene(scene_), settings(settings_), sink(sink_), counts(counts_), still(scene_.camera(0, When::now), settings_.size),
-          still_before(scene_.camera(0, When::before), settings_.size) {}
+    /// `earlier`: the scene standing one frame before, where gradients are wanted and there is one.
+    PixelRenderer(PreparedScene const& scene_, PreparedScene const* earlier_, RenderSettings const& settings_, S& sink_, RayCounts& counts_)
+        : scene(scene_), earlier(earlier_), settings(settings_), sink(sink_), counts(counts_),
+          still(scene_.camera(0, When::now), settings_.size), still_before(scene_.camera(0, When::before), settings_.size) {}
 
     void render(int x, int y) {
         x_ = x, y_ = y;
@@ -63,6 +63,7 @@ private:
     void render_frozen() {
         auto const seen = look(still, 0);
         put_guides(seen, still, still_before);
+        if constexpr (wants_gradients<Wanted>) put_gradients(seen, still, still_before);
         Signals mean = signals_of(seen, 0);
         for (int i = 1; i < settings.samples_per_pixel; ++i) accumulate(mean, signals_of(seen, i), i);
         put_signals(mean);
@@ -77,7 +78,11 @@ private:
             float const time = sample_pair(key(i), SampleUse::time).x;
             View const view{scene.camera(time, When::now), settings.size};
             auto const seen = look(view, time);
-            if (i == 0) put_guides(seen, view, View{scene.camera(time, When::before), settings.size});
+            if (i == 0) {
+                View const before{scene.camera(time, When::before), settings.size};
+                put_guides(seen, view, before);
+                if constexpr (wants_gradients<Wanted>) put_gradients(seen, view, before);
+            }
             auto const signals = signals_of(seen, i);
             if (i == 0)
                 mean = signals;
@@ -91,9 +96,10 @@ private:
 
     [[nodiscard]] glm::vec2 centre() const { return {static_cast<float>(x_) + 0.5f, static_cast<float>(y_) + 0.5f}; }
 
-    [[nodiscard]] SampleKey key(int sample) const {
+    [[nodiscard]] SampleKey key(int sample, int frames_ago = 0) const {
         // Frame after frame continues one sequence per pixel.
-        auto const index = static_cast<std::uint32_t>(settings.frame * settings.samples_per_pixel + settings.first_sample + sample);
+        int const frame = settings.frame - frames_ago;
+        auto const index = static_cast<std::uint32_t>(frame * settings.samples_per_pixel + settings.first_sample + sample);
         return {{x_, y_}, index, settings.seed};
     }
 
@@ -130,9 +136,10 @@ private:
     static bool has_reflectance(Seen const& seen) { return seen.hit && !seen.surface.is_emitter; }
     static glm::vec3 albedo_of(Seen const& seen) { return has_reflectance(seen) ? seen.surface.diffuse() : glm::vec3{1.f}; }
 
-    static glm::vec3 composite(Seen const& seen, Signals const& signals) {
-        return signals.direct * signals.visibility + signals.glossy + albedo_of(seen) * signals.indirect;
+    static glm::vec3 composite(glm::vec3 diffuse, Signals const& signals) {
+        return signals.direct * signals.visibility + signals.glossy + diffuse * signals.indirect;
     }
+    static glm::vec3 composite(Seen const& seen, Signals const& signals) { return composite(albedo_of(seen), signals); }
 
     template <class C, class Value> void put([[maybe_unused]] C channel, [[maybe_unused]] Value const& value) {
         if constexpr (Wanted::template has<C>) sink.put(channel, x_, y_, value);
@@ -167,6 +174,32 @@ private:
         return closing.project(scene.point(seen.hit, 1, When::now)) - still.project(scene.point(seen.hit, 0, When::now));
     }
 
+    template <class Signal> static float luminance_of(Signal, Surface const& surface, Signals const& signals) {
+        if constexpr (std::is_same_v<Signal, Visibility>) return signals.visibility;
+        if constexpr (std::is_same_v<Signal, Glossy>) return luminance(signals.glossy);
+        if constexpr (std::is_same_v<Signal, Indirect>) return luminance(signals.indirect);
+        if constexpr (std::is_same_v<Signal, Radiance>) return luminance(composite(surface.diffuse(), signals));
+    }
+
+    /// With the random numbers that this pixel's first sample had in the last frame.
+    void put_gradients(Seen const& seen, View const& view, View const& before) {
+        using signals = gradient_signals<Wanted>;
+        bool const chosen = seen.hit && earlier != nullptr && has_gradient({x_, y_}, settings.size, settings.frame, settings.seed);
+        if (chosen && shade_in_both_frames(seen, view, before)) return;
+        for_each_channel(signals{}, [&]<class Signal>(Signal) { put(GradientOf<Signal>{}, glm::vec2{0.f}); });
+    }
+
+    bool shade_in_both_frames(Seen const& seen, View const& view, View const& before) {
+        PathContext const path{key(0, 1), seen.ray.time, settings.bounces, &counts};
+        TwoFrames const frames{scene, *earlier, view, before, settings.size};
+        return shade_twice<Wanted>(frames, seen.hit, path,
+                                   [&](Surface const& a, Signals const& now, Surface const& b, Signals const& then) {
+                                       for_each_channel(gradient_signals<Wanted>{}, [&]<class Signal>(Signal s) {
+                                           put(GradientOf<Signal>{}, gradient_of(luminance_of(s, a, now), luminance_of(s, b, then)));
+                                       });
+                                   });
+    }
+
     void put_signals(Signals const& signals) {
         put(direct, signals.direct);
         put(visibility, signals.visibility);
@@ -182,6 +215,7 @@ private:
     }
 
     PreparedScene const& scene;
+    PreparedScene const* earlier;
     RenderSettings const& settings;
     S& sink;
     RayCounts& counts;
@@ -201,10 +235,12 @@ inline void check(RenderSettings const& settings) {
 
 /// Traces the channels in `Wanted`, exactly the rays that they need, and hands every pixel to the sink. Primary rays go through pixel
 /// centres whatever the number of samples per pixel, so signals always match the guides; visibility, direct, glossy, indirect and
-/// radiance are means over the samples, all other channels are those of the first one. The picture doesn't depend on the number of threads.
+/// radiance are means over the samples, all other channels are those of the first one. Frame 0 has nothing before it: no gradients. The
+/// picture doesn't depend on the number of threads.
 template <class Wanted, Sink S> RayCounts render(PreparedScene& scene, RenderSettings const& settings, S& sink) {
     detail::check(settings);
     scene.move_to(static_cast<float>(settings.frame), settings.shutter);
+    PreparedScene const* const earlier = wants_gradients<Wanted> && settings.frame > 0 ? &scene.one_frame_earlier() : nullptr;
     constexpr int tile = 16;
     RayCounts total;
     std::mutex mutex;
@@ -212,7 +248,7 @@ template <class Wanted, Sink S> RayCounts render(PreparedScene& scene, RenderSet
     arena.execute([&] {
         tbb::parallel_for(tbb::blocked_range2d<int>{0, settings.size.height, tile, 0, settings.size.width, tile}, [&](auto const& range) {
             RayCounts counts;
-            detail::PixelRenderer<Wanted, S> renderer{scene, settings, sink, counts};
+            detail::PixelRenderer<Wanted, S> renderer{scene, earlier, settings, sink, counts};
             for (int y = range.rows().begin(); y != range.rows().end(); ++y)
                 for (int x = range.cols().begin(); x != range.cols().end(); ++x) renderer.render(x, y);
             std::lock_guard const lock{mutex};

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "revisit.hpp"
+#include "trace.hpp"
+
+namespace quell::tracer {
+
+namespace detail {
+
+template <class C> struct GradientSignal { using type = Channels<>; };
+template <ChannelTag Signal> struct GradientSignal<GradientOf<Signal>> { using type = Channels<Signal>; };
+
+template <class Set> struct GradientSignals;
+template <class... Cs> struct GradientSignals<Channels<Cs...>> { using type = union_of<typename GradientSignal<Cs>::type...>; };
+
+} // namespace detail
+
+/// The signals whose temporal gradients are in a set.
+template <class Wanted> using gradient_signals = typename detail::GradientSignals<Wanted>::type;
+template <class Wanted> inline constexpr bool wants_gradients = gradient_signals<Wanted>::size > 0;
+
+/// Whether this is the pixel of its 3x3 stratum whose gradient is traced in a frame. Strata that the image cuts off have one as well.
+[[nodiscard]] bool has_gradient(glm::ivec2 pixel, Extent size, int frame, std::uint32_t seed);
+
+/// Luminance now less luminance before, and the larger of the two.
+[[nodiscard]] glm::vec2 gradient_of(float now, float before);
+
+/// One surface point in two frames: the scene with its camera, standing at this frame, and another standing at the frame before.
+struct TwoFrames {
+    PreparedScene const &now, &before;
+    View const &view, &view_before;
+    Extent size;
+};
+
+/// Shades the point that was hit with the same random numbers in both frames, and hands take() the surface and the signals now, and those
+/// before. False, and nothing shaded, where the point was not seen before. Such points that were not seen before are left out: there is
+/// nothing that their history could be compared with, and as they add nothing to either of the sums that A-SVGF divides by each other,
+/// their neighbours' gradients speak for them.
+template <class Wanted> bool shade_twice(TwoFrames const& frames, Hit const& hit, PathContext const& path, auto&& take) {
+    auto const before = revisit(frames.before, frames.view_before, hit, path.time);
+    ++path.counts->primary;
+    if (!is_seen(frames.before, frames.view_before, frames.size, before)) return false;
+    auto const shaded = [&](PreparedScene const& scene, Revisited const& point) {
+        return trace_signals<gradient_signals<Wanted>>(scene, point.surface, -point.ray.direction, path, frames.view.pixel_angle());
+    };
+    auto const now = revisit(frames.now, frames.view, hit, path.time);
+    take(now.surface, shaded(frames.now, now), before.surface, shaded(frames.before, before));
+    return true;
+}
+
+} // namespace quell::tracer
