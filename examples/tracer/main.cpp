@@ -2,10 +2,12 @@
 
 #include "frame_sink.hpp"
 #include "gltf/gltf.hpp"
+#include "mask.hpp"
 #include "reference.hpp"
 #include "render.hpp"
 #include "scenes/scenes.hpp"
 
+#include <support/png.hpp>
 #include <support/program.hpp>
 #include <support/progress.hpp>
 
@@ -15,8 +17,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <array>
 #include <cstdio>
 #include <iostream>
+#include <set>
 
 using namespace quell;
 using namespace quell::tracer;
@@ -24,34 +28,39 @@ using quell::examples::Progress;
 
 namespace {
 
-// What is written for an effect, and what its converged reference is made of.
+// What is written for an effect, what its converged reference is made of, and the masks of the pixels that it touches.
 
 struct Composite {
     static constexpr auto name = "composite";
     using channels = union_of<decltype(presets::none(radiance))::reads, decltype(presets::surface_clamp(radiance, Demodulate{}))::reads,
                               decltype(presets::svgf(radiance, Demodulate{}))::reads>;
     using reference = Channels<Radiance>;
+    static constexpr std::array masks{Effect::shadow, Effect::glossy, Effect::curved, Effect::indirect};
 };
 struct Shadow {
     static constexpr auto name = "shadow";
     using channels =
         Channels<Normal, Depth, Position, Motion, Direct, Visibility, Light, LightPrevious, Blocker, BlockerPrevious, ReceiverPrevious>;
     using reference = Channels<Direct, Visibility>;
+    static constexpr std::array masks{Effect::shadow};
 };
 struct GlossyReflection {
     static constexpr auto name = "glossy";
     using channels = Channels<Normal, Depth, Position, Roughness, Motion, ReceiverPrevious, Glossy, GlossyHit, GlossyHitPrevious>;
     using reference = Channels<Glossy>;
+    static constexpr std::array masks{Effect::glossy, Effect::curved};
 };
 struct IndirectLight {
     static constexpr auto name = "indirect";
     using channels = Channels<Albedo, Normal, Depth, Motion, Indirect, IndirectDirection>;
     using reference = Channels<Albedo, Indirect>;
+    static constexpr std::array masks{Effect::indirect};
 };
 struct Blur {
     static constexpr auto name = "blur";
     using channels = Channels<Radiance, Albedo, Normal, Depth, Motion, Sweep, Time>;
     using reference = Channels<Radiance>;
+    static constexpr std::array<Effect, 0> masks{};
 };
 
 /// Calls f(effect) for each.
@@ -65,7 +74,7 @@ struct Options {
     std::optional<float> shutter, fov;
     std::vector<float> eye, target, dolly;
     float orbit = 0;
-    bool quiet = false, list = false;
+    bool masks = false, quiet = false, list = false;
 
     [[nodiscard]] bool has(std::string const& effect) const { return std::ranges::find(effects, effect) != effects.end(); }
 };
@@ -81,6 +90,8 @@ void describe(CLI::App& app, Options& o) {
     app.add_option(
         "--reference", o.reference,
         "Write converged frames too, reference.0000.exr and so on: at most so many samples per pixel, fewer where two halves agree");
+    app.add_flag("--masks", o.masks,
+                 "Write masks of the pixels that the effects touch too: mask_shadow.0000.png and so on, also glossy, curved and indirect");
     app.add_option("--shutter", o.shutter, "Part of the frame time during which the shutter is open (default: 0.5 for blur, otherwise 0)");
     app.add_option("--effects", o.effects, "Which channels to write: any of composite,shadow,glossy,indirect,blur (default: composite)")
         ->delimiter(',');
@@ -151,12 +162,14 @@ struct Sequence {
     }
 
     void write(char const* name, int frame, io::ExrImage image) const {
-        char file[64];
-        std::snprintf(file, sizeof file, "%s.%04d.exr", name, frame);
         io::put_camera(image, scene.description().camera_at(static_cast<float>(frame), image.size));
         io::put_camera(image, scene.description().camera_at(static_cast<float>(frame - 1), image.size), "_previous");
+        store([&] { io::write_exr(folder / numbered(name, frame, "exr"), image); });
+    }
+
+    static void store(auto&& write_file) {
         try {
-            io::write_exr(folder / file, image);
+            write_file();
         } catch (Error const& error) { // a full disk is no fault of the command line
             throw std::runtime_error(error.what());
         }
@@ -173,19 +186,39 @@ struct Sequence {
             rays += render<Wanted>(scene, how, sink);
             write("frame", frame, io::image_of(traced));
             if (options.reference > 0) write_reference(how);
+            if (options.masks) write_masks(how);
         }
         return rays;
     }
 
     void write_reference(RenderSettings const& how) {
         io::ExrImage image{.size = how.size};
-        for_each_effect([&]<class Effect>(Effect) {
-            if (!options.has(Effect::name)) return;
+        for_each_effect([&]<class Chosen>(Chosen) {
+            if (!options.has(Chosen::name)) return;
             ReferenceSettings const until{.most_samples = options.reference, .samples_per_pass = std::min(options.reference / 2, 16)};
-            auto const converged = tracer::reference<typename Effect::reference>(scene, how, until);
-            for_each_channel(typename Effect::reference{}, [&](auto channel) { put(image, channel, converged); });
+            auto const converged = tracer::reference<typename Chosen::reference>(scene, how, until);
+            for_each_channel(typename Chosen::reference{}, [&](auto channel) { put(image, channel, converged); });
         });
         write("reference", how.frame, std::move(image));
+    }
+
+    void write_masks(RenderSettings const& how) {
+        std::set<Effect> touching; // each once, whatever the number of effects that ask for it
+        for_each_effect([&]<class Chosen>(Chosen) {
+            if (options.has(Chosen::name)) touching.insert(Chosen::masks.begin(), Chosen::masks.end());
+        });
+        for (auto const effect : touching) {
+            metrics::Picture picture{how.size, {}};
+            for (auto const entry : effect_mask(scene, how, effect)) picture.pixels.emplace_back(entry != 0 ? 1.f : 0.f);
+            store([&] { examples::write_png(folder / numbered("mask_" + std::string(name_of(effect)), how.frame, "png"), picture); });
+        }
+    }
+
+    /// As in frame.0000.exr.
+    static std::string numbered(std::string const& name, int frame, char const* ending) {
+        char number[16];
+        std::snprintf(number, sizeof number, ".%04d.", frame);
+        return name + number + ending;
     }
 
     /// Adds a channel of the reference, unless another effect did already.
@@ -203,7 +236,7 @@ struct Sequence {
 /// Calls f with the set of all channels of the chosen effects. There is one instance of f for each set that may come of it.
 template <class Set> RayCounts with_channels(Options const&, auto&& f, Set) {
     if constexpr (Set::size > 0)
-        return f(common_to<AllChannels, Set>{}); // in one order, so that equal sets are the same type
+        return f(common_to<AllChannels, Set>{} | without<Set, AllChannels>{}); // in one order, so that equal sets are the same type
     else
         return {};
 }

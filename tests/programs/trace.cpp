@@ -46,6 +46,19 @@ TEST_CASE("only the channels and the rays of the chosen effects") {
     CHECK(std::ranges::find(others, "visibility.V") == others.end());
 }
 
+TEST_CASE("masks lie beside the frames, those of the chosen effects") {
+    Folder const folder;
+    auto const ran = trace(to(folder) + "--scene restaurant --first 30 --frames 1 --effects glossy --masks");
+    INFO(ran.err);
+    CHECK(ran.code == 0);
+    CHECK(folder.files() == 3);
+    CHECK(std::filesystem::exists(folder / "mask_glossy.0030.png"));
+    CHECK(std::filesystem::exists(folder / "mask_curved.0030.png"));
+    CHECK(trace(to(folder) + "--scene fence --frames 1 --effects shadow,indirect --masks").code == 0);
+    CHECK(std::filesystem::exists(folder / "mask_shadow.0000.png"));
+    CHECK(std::filesystem::exists(folder / "mask_indirect.0000.png"));
+}
+
 TEST_CASE("the previous camera is the last frame's") {
     Folder const folder;
     CHECK(trace(to(folder) + "--scene temple --frames 2 --quiet").out.empty());
