@@ -64,8 +64,8 @@ SceneDescription apples() {
     add_apples(scene);
     // The light swings over the table from one side to the other; in the middle of its way, at frame 26, it is at its fastest.
     scene.place(scene.add(rectangle(0.7f, 0.7f)), scene.add(Material{.emission = {84, 77, 66}}), [](float frame) {
-        float const phase = (frame - 26) / 24;
-        glm::vec3 const place{2.9f * std::sin(phase), 2.1f + 0.35f * std::cos(phase), 0.5f + 0.9f * std::sin(phase)};
+        float const phase = (frame - 26) / 16;
+        glm::vec3 const place{2.9f * std::sin(phase), 1.9f + 0.35f * std::cos(phase), 0.5f + 0.9f * std::sin(phase)};
         return Transform{place, facing(-place)}.matrix();
     });
     scene.background = {{0.05f, 0.05f, 0.06f}, {0.2f, 0.22f, 0.26f}};

@@ -73,10 +73,10 @@ SceneDescription pinkroom() {
     add_furniture(scene);
     int const china = scene.add(Material{.base = {0.75f, 0.82f, 0.88f}});
     scene.place(scene.add(vase_mesh()), china, [](float frame) {
-        return Transform{{0.1f + 0.55f * std::sin((frame - 26) / 20), 0.74f, -0.9f}}.matrix();
+        return Transform{{0.1f + 0.55f * std::sin((frame - 26) / 16), 0.74f, -0.9f}}.matrix();
     });
     scene.place(scene.add(rectangle(0.6f, 0.6f)), scene.add(Material{.emission = {120, 108, 92}}), [](float frame) {
-        float const phase = (frame - 26) / 22;
+        float const phase = (frame - 26) / 15;
         glm::vec3 const place{1.8f * std::sin(phase), 2.1f, 1.1f + 0.3f * std::cos(phase)};
         return Transform{place, facing(glm::vec3{0, 0.3f, -1.4f} - place)}.matrix();
     });
