@@ -71,6 +71,12 @@ template <class A> struct IndexOf<xsimd::batch<float, A>> { using type = xsimd::
 template <class A> using PackOf = xsimd::batch<float, A>;
 template <class A> using LanesOf = xsimd::batch<std::int32_t, A>;
 template <class A> using MaskOf = xsimd::batch_bool<float, A>;
+// What bitwise_cast is told: up to xsimd 10 the pack that comes out, since then its element.
+#if XSIMD_VERSION_MAJOR < 11
+template <class T, class A> using CastTo = xsimd::batch<T, A>;
+#else
+template <class T, class A> using CastTo = T;
+#endif
 } // namespace detail
 
 template <class A> QUELL_KERNEL auto min(xsimd::batch<float, A> a, xsimd::batch<float, A> b) { return xsimd::min(a, b); }
@@ -98,8 +104,8 @@ template <class A> QUELL_KERNEL auto fma(xsimd::batch<float, A> a, xsimd::batch<
     return xsimd::fma(a, b, c);
 }
 template <class A> QUELL_KERNEL auto invert(xsimd::batch_bool<float, A> m) { return !m; }
-template <class A> QUELL_KERNEL auto bits(xsimd::batch<float, A> a) { return xsimd::bitwise_cast<detail::LanesOf<A>>(a); }
-template <class A> QUELL_KERNEL auto from_bits(xsimd::batch<std::int32_t, A> a) { return xsimd::bitwise_cast<detail::PackOf<A>>(a); }
+template <class A> QUELL_KERNEL auto bits(xsimd::batch<float, A> a) { return xsimd::bitwise_cast<detail::CastTo<std::int32_t, A>>(a); }
+template <class A> QUELL_KERNEL auto from_bits(xsimd::batch<std::int32_t, A> a) { return xsimd::bitwise_cast<detail::CastTo<float, A>>(a); }
 template <class A> QUELL_KERNEL auto truncate(xsimd::batch<float, A> a) { return xsimd::to_int(a); }
 template <class A> QUELL_KERNEL auto to_real(xsimd::batch<std::int32_t, A> a) { return xsimd::to_float(a); }
 template <class A>

@@ -85,10 +85,10 @@ template <class Edge> struct SplatLevel {
                 __attribute__((always_inline)) {
                     auto const& toward = edge_toward(around, dx, dy);
                     auto const distance = toward.distance(near, start), its_distance = toward.distance(opposite, its_start);
-                    add(near, edge_weight(distance, weight_bits(1.f) + row));
-                    add(opposite, edge_weight(its_distance, weight_bits(1.f) + its_row));
+                    add(near, edge_weight(distance, weight_bits(0.01f) + row));
+                    add(opposite, edge_weight(its_distance, weight_bits(0.01f) + its_row));
                 });
-        auto const known = sum.w > Real(1e-4f);
+        auto const known = sum.w > Real(1e-5f);
         auto const inverse = 1.f / select(known, sum.w, Real(1.f));
         return Result<Real>{Real(0.f), Real(1.f), {}}.with(
             shadow_track, Value<4, Real>{sum.x * inverse, sum.y * inverse, sum.z * inverse, select(known, sum.w, Real(0.f))});
@@ -121,7 +121,7 @@ template <class Source = ShadowMotion, class Edge = DepthEdge> struct ShadowSpla
 /// How wide a Bilateral is to filter shadows: a part of the penumbra's width. Where no shadow is near, as narrow as it gets.
 struct PenumbraWidth {
     using reads = Channels<ShadowTrack>;
-    float part = 0.25f; ///< deviation of the Gaussian, as a part of the penumbra
+    float part = 0.15f; ///< deviation of the Gaussian, as a part of the penumbra
     float least = 0.5f; ///< pixels
     float most = 7.5f;  ///< pixels
 

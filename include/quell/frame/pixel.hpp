@@ -103,6 +103,16 @@ template <class R, class S> struct Pixel {
         else
             return v;
     }
+    /// One component of it.
+    template <int c> QUELL_KERNEL Real signal_component() const {
+        auto view = scope.signal;
+        view.size = scope.size;
+        auto const a = detail::load_one<R, c>(view, x, y);
+        if constexpr (S::marks_missing && c == 0)
+            return without_sign_bit(a);
+        else
+            return a;
+    }
     /// True where the host's sample was not usable (NaN, infinite, negative): it must weigh nothing. Known to the first stage only.
     QUELL_KERNEL auto missing() const {
         if constexpr (S::marks_missing)

@@ -14,6 +14,7 @@ namespace quell {
 /// A view that knows how its pixels lie also offers packs of them, else they are put together lane by lane:
 ///     Value<N, Real> load<Real>(int x, int y) const    `width_of<Real>` pixels from (x, y) to the right; x may lie up to that many pixels
 ///                                                      outside the row on either side: lanes outside are finite, their value is not used
+///     Real load_component<Real>(int c, int x, int y) const                       the same of one component
 ///     Value<N, Real> gather<Real>(Index x, Index y) const        scattered pixels, all of them inside
 ///     void store<Real>(int x, int y, Value<N, Real>) const       all lanes inside, or in the row's own padding
 template <class V>
@@ -52,6 +53,14 @@ template <class Real, ImageView View> QUELL_KERNEL auto load_pixels(View const& 
             else
                 return Real::load_aligned(lane);
         });
+}
+
+/// One component, for values of many of which a kernel looks at a few at a time.
+template <class Real, int c, ImageView View> QUELL_KERNEL Real load_one(View const& view, int x, int y) {
+    if constexpr (requires { view.template load_component<Real>(c, x, y); })
+        return view.template load_component<Real>(c, x, y);
+    else
+        return component<c>(load_pixels<Real>(view, x, y));
 }
 
 template <class Real, ImageView View> QUELL_KERNEL auto gather_pixels(View const& view, Index<Real> x, Index<Real> y) {

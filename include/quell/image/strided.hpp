@@ -51,6 +51,10 @@ template <class Format, int N, int pixel_step> struct StridedView {
             return make_value<N, Real>([&](auto c) __attribute__((always_inline)) { return Real::gather(run + c, every_pixel); });
         }
     }
+    template <class Real>
+        requires(pixel_step == 1)
+    QUELL_KERNEL Real load_component(int c, int x, int y)
+    const { return Format::template load<Real>(at(c, x, y)); }
     template <class Real> QUELL_KERNEL Value<N, Real> gather(Index<Real> x, Index<Real> y) const {
         auto const offset = y * Index<Real>(static_cast<std::int32_t>(row_stride())) + x * Index<Real>(pixel_step);
         return make_value<N, Real>([&](auto c) __attribute__((always_inline)) {

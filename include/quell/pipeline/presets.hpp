@@ -2,12 +2,22 @@
 
 #include <quell/blend/clamped.hpp>
 #include <quell/blend/exponential.hpp>
+#include <quell/blend/non_planar_falloff.hpp>
 #include <quell/blend/running_mean.hpp>
+#include <quell/blend/with_clean_up.hpp>
 #include <quell/blend/with_moments.hpp>
 #include <quell/filter/atrous.hpp>
+#include <quell/filter/bilateral.hpp>
+#include <quell/filter/shadow_splat.hpp>
+#include <quell/filter/temporal_gradient.hpp>
 #include <quell/filter/variance_guided_atrous.hpp>
+#include <quell/motion/dual_motion.hpp>
+#include <quell/motion/glossy_motion.hpp>
 #include <quell/motion/surface_motion.hpp>
+#include <quell/pipeline/composite.hpp>
 #include <quell/pipeline/pipeline.hpp>
+#include <quell/radiance/cone_atrous.hpp>
+#include <quell/radiance/cone_fetch.hpp>
 
 /// Ready pipelines, one line each, for any signal: presets::svgf(radiance, Demodulate{}). Extra parts go before the stages.
 namespace quell::presets {
@@ -30,6 +40,68 @@ constexpr auto atrous(ChannelTag auto signal, auto... parts) {
 constexpr auto svgf(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, parts..., Temporal{SurfaceMotion{}, WithMoments{RunningMean{.cap = 5.f}}},
                     Spatial{VarianceGuidedAtrous{Product{DepthEdge{}, NormalEdge{}}}}};
+}
+
+/// svgf whose history shortens where the host's temporal gradients say that the light itself has changed (Schied 2018).
+template <ChannelTag S> constexpr auto asvgf(S signal, auto... parts) {
+    return Pipeline{signal, parts..., Spatial{TemporalGradient<S>{}},
+                    Temporal{SurfaceMotion{}, WithMoments{Antilag{RunningMean{.cap = 5.f}}}},
+                    Spatial{VarianceGuidedAtrous{Product{DepthEdge{}, NormalEdge{}}}}};
+}
+/// History along the image in a mirror, clamped (Zimmer 2015, Mara 2017).
+constexpr auto mirror_clamp(ChannelTag auto signal, auto... parts) {
+    return Pipeline{
+        signal, parts...,
+        Temporal{FirstValid{MirrorMotion{}, SurfaceMotion{}}, Clamped{Exponential{.alpha = 0.1f}, MeanDeviation{.sigmas = 1.f}}}};
+}
+
+/// Shadows, with history that follows them (TRMV section 4.1): visibility filtered as wide as its penumbra, then accumulated. The
+/// parameters are those with the least error over the scenes fence, fence-lights, apples and pinkroom; shadow_paper has the paper's.
+constexpr auto shadow(ChannelTag auto signal, auto... parts) {
+    return Pipeline{signal,
+                    parts...,
+                    Spatial{ShadowSplat{}},
+                    Spatial{AdaptiveBilateral<PenumbraWidth>{.radius = 15}},
+                    Temporal{FirstValid{SplattedShadowMotion{}, SurfaceMotion{}},
+                             Clamped{WithCleanUp{NonPlanarFalloff{Exponential{.alpha = 0.3f}}}, MeanDeviation{.sigmas = 1.f}}},
+                    Spatial{CleanUp<>{}}};
+}
+constexpr auto shadow_paper(ChannelTag auto signal, auto... parts) {
+    return Pipeline{signal,
+                    parts...,
+                    Spatial{ShadowSplat{}},
+                    Spatial{AdaptiveBilateral<PenumbraWidth>{.width = {.part = 0.25f}, .radius = 15}},
+                    Temporal{FirstValid{SplattedShadowMotion{}, SurfaceMotion{}},
+                             Clamped{WithCleanUp{NonPlanarFalloff{Exponential{.alpha = 0.1f}}}, MeanDeviation{.sigmas = 3.f}}},
+                    Spatial{CleanUp<>{}}};
+}
+/// Glossy reflections, with history that follows the virtual image (TRMV section 4.2), then a variance-guided filter. History is short: one
+/// vector a pixel can't follow all that a rough lobe shows. glossy_paper draws its vectors from the lobe.
+constexpr auto glossy(ChannelTag auto signal, auto... parts) {
+    return Pipeline{signal, parts..., Temporal{FirstValid{ImageMotion{}, SurfaceMotion{}}, WithMoments{RunningMean{.cap = 3.f}}},
+                    Spatial{VarianceGuidedAtrous<>{.feedback = false}}};
+}
+constexpr auto glossy_paper(ChannelTag auto signal, auto... parts) {
+    return Pipeline{signal, parts...,
+                    Temporal{FirstValid{GlossyMotion{}, SurfaceMotion{}},
+                             Clamped{WithCleanUp{Exponential{.alpha = 0.1f}}, MeanDeviation{.sigmas = 3.f}}},
+                    Spatial{CleanUp<>{}}};
+}
+/// Diffuse indirect light with history even for what has just been uncovered (TRMV section 4.3), as a colour.
+constexpr auto dual_color(ChannelTag auto signal, auto... parts) {
+    return Pipeline{signal, parts...,
+                    Temporal{FirstValid{SurfaceMotion{}, DualMotion{AllOf{SimilarDepth{}, SameNormal{}}}}, RunningMean{.cap = 32.f}},
+                    Spatial{Atrous<>{.levels = 3}}};
+}
+/// The same as incident radiance in six cones, so that what was seen on a surface of another direction serves as well.
+constexpr auto dual_cone(ChannelTag auto signal, auto... parts) {
+    return Pipeline{signal, Cones{}, parts..., Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, RunningMean{.cap = 32.f}, ConeFetch{}},
+                    Spatial{ConeAtrous<Product<DepthEdge, NormalEdge>>{.levels = 3, .least_cosine = 0.9f}}};
+}
+/// All effects, each by its own preset: direct * visibility + glossy + albedo * indirect.
+template <class = void> constexpr auto trmv() { return Composite{shadow(visibility), glossy(quell::glossy), dual_cone(indirect)}; }
+template <class = void> constexpr auto trmv_paper() {
+    return Composite{shadow_paper(visibility), glossy_paper(quell::glossy), dual_cone(indirect)};
 }
 
 } // namespace quell::presets

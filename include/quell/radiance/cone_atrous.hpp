@@ -22,11 +22,13 @@ template <class Edge> struct ConeLevel {
         auto const around = edge.around(px);
         auto const n = px[normal];
         Real same[taps], other[taps];
+        int column[taps], row[taps];
         bool turned = false;
         Real sum_of_weights(0.f);
         for (int t = 0; t < taps; ++t) {
             int const dx = (t % 5 - 2) * step, dy = (t / 5 - 2) * step;
             auto const near = px.at(dx, dy);
+            column[t] = near.x, row[t] = near.y;
             float const start = spline[t % 5] * spline[t / 5];
             auto w = Real(start);
             if (t != taps / 2) {
@@ -42,11 +44,9 @@ template <class Edge> struct ConeLevel {
             sum_of_weights = sum_of_weights + same[t];
         }
         // The samples of turned surfaces count like all others, but they come in other cones.
-        auto value = make_value<24, Real>([&](auto c) __attribute__((always_inline)) {
-            Real sum(0.f);
-            for (int t = 0; t < taps; ++t) sum = fma(component<c>(px.at((t % 5 - 2) * step, (t / 5 - 2) * step).signal()), same[t], sum);
-            return sum;
-        });
+        Components<24, Real> value{};
+        [&]<int... k>(std::integer_sequence<int, k...>) __attribute__((always_inline)) { (add_cone<k>(px, column, row, same, value), ...); }
+        (std::make_integer_sequence<int, cone::count>{});
         if (turned) add_turned(px, n, other, value, sum_of_weights);
         auto const inverse = 1.f / max(sum_of_weights, Real(1e-12f));
         auto const result = scale(value, inverse);
@@ -54,6 +54,20 @@ template <class Edge> struct ConeLevel {
     }
 
 private:
+    /// One cone at a time, so that its sums stay in registers.
+    template <int k, class Px, class Real>
+    QUELL_KERNEL static void add_cone(Px const& px, int const (&column)[25], int const (&row)[25], Real const (&weights)[25],
+                                      Components<24, Real>& value) {
+        Real red(0.f), green(0.f), blue(0.f), samples(0.f);
+        for (int t = 0; t < 25; ++t) {
+            Px const near{px.scope, column[t], row[t]};
+            red = fma(near.template signal_component<4 * k>(), weights[t], red);
+            green = fma(near.template signal_component<4 * k + 1>(), weights[t], green);
+            blue = fma(near.template signal_component<4 * k + 2>(), weights[t], blue);
+            samples = fma(near.template signal_component<4 * k + 3>(), weights[t], samples);
+        }
+        value.at[4 * k] = red, value.at[4 * k + 1] = green, value.at[4 * k + 2] = blue, value.at[4 * k + 3] = samples;
+    }
     template <class Px, class Real>
     [[gnu::noinline]] constexpr void add_turned(Px const& px, vec3<Real> const& n, Real const (&weights)[25], Components<24, Real>& value,
                                                 Real& sum_of_weights) const {

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <quell/blend/blend_policy.hpp>
+#include <quell/filter/edge_weights.hpp>
+
+namespace quell {
+
+/// How much light changed at a pixel's place since the previous frame, and how much there is, as means over the surroundings: luminance now
+/// minus luminance before, and the larger of the two.
+struct FilteredGradient : Channel<2> {
+    static constexpr auto name = "filtered_gradient";
+};
+inline constexpr FilteredGradient filtered_gradient;
+
+namespace detail {
+/// One level of a wavelet over the gradients. The first one gathers the single samples of the 3x3 strata.
+template <class Source, class Edge> struct GradientLevel {
+    static constexpr auto name = "temporal gradient";
+    using reads = decltype(reads_of<Edge>{} | Channels<Source>{});
+    using emits = Channels<FilteredGradient>;
+    Edge edge;
+    int step;
+
+    QUELL_KERNEL auto emit(auto px) const {
+        using Real = typename decltype(px)::Real;
+        auto const around = edge.around(px);
+        auto sum = px[Source{}];
+        sum = select(all_finite(sum), sum, zero<vec2<Real>>());
+        Real weights(1.f);
+        auto const add = [&](auto const& near, auto w) __attribute__((always_inline)) {
+            auto const there = near[Source{}];
+            auto const usable = select(all_finite(there), w, Real(0.f));
+            sum = add_scaled(sum, select(all_finite(there), there, zero<vec2<Real>>()), usable);
+            weights = weights + usable;
+        };
+        for_each_opposite_taps<2>(
+            px, step, edge_offset(around),
+            [&](auto const& near, auto start, float row, auto const& opposite, auto its_start, float its_row, int dx, int dy, int, int)
+                __attribute__((always_inline)) {
+                    auto const& toward = edge_toward(around, dx, dy);
+                    auto const distance = toward.distance(near, start), its_distance = toward.distance(opposite, its_start);
+                    add(near, edge_weight(distance, weight_bits(1.f) + row));
+                    add(opposite, edge_weight(its_distance, weight_bits(1.f) + its_row));
+                });
+        return Result<Real>{Real(0.f), Real(1.f), {}}.with(filtered_gradient, scale(sum, 1.f / weights));
+    }
+};
+} // namespace detail
+
+/// Makes of the gradient samples, one in each 3x3 pixels, a gradient everywhere (A-SVGF, Schied 2018). Goes before a Temporal{...,
+/// Antilag}.
+/// @tparam Signal the signal whose gradient the host supplies, as GradientOf<Signal>
+/// @tparam Edge   an EdgeWeight
+template <ChannelTag Signal, class Edge = DepthEdge> struct TemporalGradient {
+    static_assert(EdgeWeight<Edge>, "TemporalGradient{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    using reads = decltype(reads_of<Edge>{} | Channels<GradientOf<Signal>>{});
+    using emits = Channels<FilteredGradient>;
+    static constexpr bool leaves_signal = true;
+    Edge edge{};
+    int levels = 3; ///< after the first; each reaches twice as far
+
+    constexpr void for_each_pass(auto&& pass) const {
+        pass(detail::GradientLevel<GradientOf<Signal>, Edge>{edge, 1});
+        for (int i = 0; i < levels; ++i) pass(detail::GradientLevel<FilteredGradient, Edge>{edge, 3 << i});
+    }
+};
+
+/// Shortens the history where the light itself has changed: alpha = (1 - lambda) alpha_0 + lambda, with lambda = min(1, |change| / light)
+/// (A-SVGF, Schied 2018, eq. 4). Decorates a RunningMean or any policy that goes by the validity of the past.
+template <class Inner> struct Antilag {
+    static_assert(BlendPolicy<Inner>, "Antilag{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
+    using reads = decltype(reads_of<Inner>{} | Channels<FilteredGradient>{});
+    using remembers = remembers_of<Inner>;
+    using keeps = keeps_of<Inner>;
+    using emits = emits_of<Inner>;
+    Inner inner{};
+
+    QUELL_KERNEL auto blend(auto px, auto past) const {
+        using Real = typename decltype(px)::Real;
+        auto const gradient = px[filtered_gradient];
+        auto const change = min(abs(gradient.x) / max(gradient.y, Real(1e-6f)), Real(1.f));
+        past.validity = past.validity * (1.f - change);
+        return inner.blend(px, past);
+    }
+};
+template <class Inner> Antilag(Inner) -> Antilag<Inner>;
+
+} // namespace quell
