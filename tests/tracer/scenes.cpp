@@ -1,6 +1,7 @@
 #include "worlds.hpp"
 
 #include <tracer/gltf/gltf.hpp>
+#include <tracer/mask.hpp>
 #include <tracer/scenes/scenes.hpp>
 
 #include <algorithm>
@@ -41,6 +42,27 @@ TEST_CASE("every built-in scene renders finite light that moves") {
             if (frame > 0) CHECK((surfaces_move || lights_move));
         }
     }
+}
+
+TEST_CASE("what a scene stands for is in full swing from frame 8 to 44") {
+    struct Case {
+        std::string scene;
+        Effect effect;
+        double least;
+    };
+    for (auto const& [scene, effect, least] :
+         {Case{"fence", Effect::shadow, 0.3}, Case{"fence-lights", Effect::shadow, 0.3}, Case{"apples", Effect::shadow, 0.15},
+          Case{"pinkroom", Effect::shadow, 0.08}, Case{"temple", Effect::glossy, 0.15}, Case{"restaurant", Effect::glossy, 0.05},
+          Case{"restaurant", Effect::curved, 0.01}, Case{"boxes", Effect::indirect, 0.05}, Case{"disk", Effect::indirect, 0.06}})
+        for (int frame : {8, 44}) {
+            CAPTURE(scene);
+            CAPTURE(name_of(effect));
+            CAPTURE(frame);
+            PreparedScene prepared{built_in_scene(scene)};
+            auto const share = share_of(effect_mask(prepared, {.size = {64, 36}, .frame = frame}, effect, {.use_cache = false}));
+            CHECK(share > least);
+            CHECK(share < 0.65);
+        }
 }
 
 TEST_CASE("a brightness over time switches a light") {
