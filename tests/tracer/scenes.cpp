@@ -50,17 +50,17 @@ TEST_CASE("what a scene stands for is in full swing from frame 8 to 44") {
         Effect effect;
         double least;
     };
-    for (auto const& [scene, effect, least] :
+    for (auto const& each :
          {Case{"fence", Effect::shadow, 0.3}, Case{"fence-lights", Effect::shadow, 0.3}, Case{"apples", Effect::shadow, 0.15},
           Case{"pinkroom", Effect::shadow, 0.08}, Case{"temple", Effect::glossy, 0.15}, Case{"restaurant", Effect::glossy, 0.05},
           Case{"restaurant", Effect::curved, 0.01}, Case{"boxes", Effect::indirect, 0.05}, Case{"disk", Effect::indirect, 0.06}})
         for (int frame : {8, 44}) {
-            CAPTURE(scene);
-            CAPTURE(name_of(effect));
+            CAPTURE(each.scene);
+            CAPTURE(name_of(each.effect));
             CAPTURE(frame);
-            PreparedScene prepared{built_in_scene(scene)};
-            auto const share = share_of(effect_mask(prepared, {.size = {64, 36}, .frame = frame}, effect, {.use_cache = false}));
-            CHECK(share > least);
+            PreparedScene prepared{built_in_scene(each.scene)};
+            auto const share = share_of(effect_mask(prepared, {.size = {64, 36}, .frame = frame}, each.effect, {.use_cache = false}));
+            CHECK(share > each.least);
             CHECK(share < 0.65);
         }
 }
