@@ -65,7 +65,7 @@ public:
         report.title = "quell: " + std::filesystem::path(scene_).stem().string();
         report.subtitle = to_string(options.size) + ", 1 sample per pixel, " + std::to_string(options.frames) + " frames";
         report.kinds = {{"noisy", "one path per pixel"},
-                        {"denoised", "preset svgf"},
+                        {"denoised", "preset trmv"},
                         {"reference", "converged"},
                         {"error (FLIP)", "of the denoised image", flip_color_scale()}};
     }
@@ -107,7 +107,7 @@ private:
     void trace(int i) {
         tracer::RenderSettings settings{.size = options.size, .frame = i, .seed = options.seed, .threads = options.threads};
         tracer::FrameSink<DemoFrame> sink{frame};
-        tracer::render<Denoise::reads>(scene, settings, sink);
+        tracer::render<DemoFrame::channels>(scene, settings, sink);
         frame.camera = scene.description().camera_at(static_cast<float>(i), options.size);
         frame.number = i;
     }

@@ -5,12 +5,12 @@
 
 namespace quell::examples {
 
-/// What the demo runs: the whole image as one signal.
-inline constexpr auto denoise = presets::svgf(radiance, Demodulate{});
+/// What the demo runs: every effect by its own pipeline. The frame has the noisy image too, to be shown beside the clean one.
+inline constexpr auto denoise = presets::trmv();
 using Denoise = std::remove_const_t<decltype(denoise)>;
-using DemoFrame = Frame<Denoise::reads>;
+using DemoFrame = Frame<decltype(Denoise::reads{} | Channels<Radiance>{})>;
 
-/// Fills the frame with frame `number` of the scene that the tracer stands at.
+/// The pipelines with their histories.
 struct DemoDenoiser {
     History<Denoise> history;
     Threads<> threads;

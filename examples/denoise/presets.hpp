@@ -13,5 +13,7 @@ namespace quell::examples {
 [[nodiscard]] std::vector<Preset> temporal_presets();
 [[nodiscard]] std::vector<Preset> spatial_presets();
 [[nodiscard]] std::vector<Preset> spatiotemporal_presets();
+[[nodiscard]] std::vector<Preset> effect_presets();
+[[nodiscard]] std::vector<Preset> trmv_presets();
 
 } // namespace quell::examples

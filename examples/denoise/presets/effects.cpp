@@ -1,0 +1,18 @@
+#include <denoise/denoiser_of.hpp>
+#include <denoise/presets.hpp>
+
+namespace quell::examples {
+
+/// One effect each: what comes out is the part of the picture that the effect makes.
+std::vector<Preset> effect_presets() {
+    return {
+        preset("shadow", [] { return Composite{quell::presets::shadow(visibility)}; }),
+        preset("shadow-paper", [] { return Composite{quell::presets::shadow_paper(visibility)}; }),
+        preset("glossy", [] { return Composite{quell::presets::glossy(glossy)}; }),
+        preset("glossy-paper", [] { return Composite{quell::presets::glossy_paper(glossy)}; }),
+        preset("mirror-clamp", [] { return Composite{quell::presets::mirror_clamp(glossy)}; }),
+        preset("dual-cone", [] { return Composite{quell::presets::dual_cone(indirect)}; }),
+    };
+}
+
+} // namespace quell::examples
