@@ -1,0 +1,194 @@
+#include "../frames.hpp"
+
+#include <numbers>
+
+using namespace quell;
+
+namespace {
+using Six = Components<24, float>;
+std::mt19937 generator(17);
+
+float uniform(float low, float high) { return std::uniform_real_distribution<float>(low, high)(generator); }
+glm::vec3 any_direction() {
+    float const z = uniform(-1, 1), angle = uniform(0, 2 * std::numbers::pi_v<float>), r = std::sqrt(std::max(0.f, 1 - z * z));
+    return {r * std::cos(angle), r * std::sin(angle), z};
+}
+/// Cosine-distributed around a normal: the normal plus a point of the unit sphere.
+glm::vec3 cosine_direction(glm::vec3 n) {
+    for (;;) {
+        auto const d = n + any_direction();
+        if (glm::dot(d, d) > 1e-6f) return d * (1 / std::sqrt(glm::dot(d, d)));
+    }
+}
+/// What a cone has gathered, and how much it weighs.
+glm::vec3 radiance_in(Six const& a, int k) { return glm::vec3(a.at[4 * k], a.at[4 * k + 1], a.at[4 * k + 2]) / a.at[4 * k + 3]; }
+/// The same radiance in all cones, whatever their weights.
+Six even(glm::vec3 radiance) {
+    Six a{};
+    for (int k = 0; k < cone::count; ++k) {
+        float const w = uniform(0.1f, 5);
+        a.at[4 * k] = radiance.x * w, a.at[4 * k + 1] = radiance.y * w, a.at[4 * k + 2] = radiance.z * w, a.at[4 * k + 3] = w;
+    }
+    return a;
+}
+double const half_angle = std::acos(5.0 / 6.0);
+
+/// METHODS section 5: the part of a cone that two cones share, whose axes are `alpha` apart.
+double overlap_in_closed_form(double alpha) {
+    double const full = 2 * std::numbers::pi * (1 - std::cos(half_angle));
+    if (alpha >= 2 * half_angle) return 0;
+    if (alpha <= 0) return 1;
+    double const gamma = alpha / 2;
+    double const beta = std::acos(std::sin(gamma) / std::sin(half_angle)), phi = std::acos(std::tan(gamma) / std::tan(half_angle));
+    return 4 * (beta - phi * std::cos(half_angle)) / full;
+}
+} // namespace
+
+TEST_CASE("six unit axes: one along the normal, five at 60 degrees from it, 72 degrees apart, for every normal") {
+    for (int i = 0; i < 2000; ++i) {
+        auto const n = i == 0 ? glm::vec3(0, 0, -1) : i == 1 ? glm::vec3(0, 0, 1) : any_direction();
+        cone::Axes<float> const axes(n);
+        for (int k = 0; k < 5; ++k) {
+            CHECK(glm::length(axes.at[k + 1]) == doctest::Approx(1).epsilon(1e-5));
+            CHECK(glm::dot(axes.at[k + 1], n) == doctest::Approx(0.5).epsilon(1e-4));
+            auto const a = axes.at[k + 1] - n * 0.5f, b = axes.at[(k + 1) % 5 + 1] - n * 0.5f;
+            CHECK(glm::dot(a, b) == doctest::Approx(0.75 * std::cos(0.4 * std::numbers::pi)).epsilon(1e-4));
+        }
+    }
+}
+
+TEST_CASE("a sample falls into exactly one cone, the nearest, for any direction and normal") {
+    for (int i = 0; i < 20000; ++i) {
+        auto const n = any_direction(), d = i % 2 ? any_direction() : cosine_direction(n);
+        glm::vec3 const colour(1, 2, 3);
+        auto const a = cone::deposit(colour, d, n);
+        cone::Axes<float> const axes(n);
+        float samples = 0, closest = -2;
+        int fullest = -1;
+        for (int k = 0; k < cone::count; ++k) {
+            samples += a.at[4 * k + 3], closest = std::max(closest, glm::dot(axes.at[k], d));
+            if (a.at[4 * k + 3] == 1.f) fullest = k;
+        }
+        REQUIRE(samples == 1.f);
+        REQUIRE(glm::dot(axes.at[fullest], d) == doctest::Approx(closest).epsilon(1e-5));
+        REQUIRE(radiance_in(a, fullest) == colour);
+    }
+}
+
+TEST_CASE("a direction that is not finite still counts once and colours nothing that it should not") {
+    float const bad = std::bit_cast<float>(0x7fc00000u);
+    auto const a = cone::deposit(glm::vec3(1), glm::vec3(bad), glm::vec3(0, 0, 1));
+    float samples = 0;
+    for (int k = 0; k < cone::count; ++k) samples += a.at[4 * k + 3];
+    CHECK(samples == 1.f);
+    auto const shaded = cone::shade(a);
+    CHECK(shaded.x == doctest::Approx(1).epsilon(1e-5));
+}
+
+TEST_CASE("constant radiance shades to itself; cones without a sample borrow and don't read black") {
+    glm::vec3 const colour(0.25f, 1, 30);
+    for (int i = 0; i < 1000; ++i) {
+        auto a = even(colour);
+        for (int k = 0; k < cone::count; ++k)
+            if (i % 3 && uniform(0, 1) < 0.6f && k != i % cone::count)
+                for (int c = 0; c < 4; ++c) a.at[4 * k + c] = 0;
+        auto const out = cone::shade(a);
+        CHECK(out.x == doctest::Approx(colour.x).epsilon(1e-6));
+        CHECK(out.y == doctest::Approx(colour.y).epsilon(1e-6));
+        CHECK(out.z == doctest::Approx(colour.z).epsilon(1e-6));
+    }
+    auto const nothing = cone::shade(Six{});
+    CHECK(nothing == glm::vec3(0));
+}
+
+TEST_CASE("the parts of the cosine-weighted hemisphere are what numerical integration gives") {
+    // Around each of many directions of the compass, the edge of the middle cell by bisection; below it lies sin^2 of its angle.
+    double sum = 0;
+    int const steps = 3600;
+    cone::Axes<float> const axes({0, 0, 1});
+    for (int i = 0; i < steps; ++i) {
+        double const around = (i + 0.5) * 2 * std::numbers::pi / steps;
+        double low = 0, high = 1.5;
+        for (int j = 0; j < 50; ++j) {
+            double const middle = 0.5 * (low + high), s = std::sin(middle), c = std::cos(middle);
+            double ring = -2;
+            for (int k = 1; k < cone::count; ++k)
+                ring = std::max(ring, axes.at[k].x * s * std::cos(around) + axes.at[k].y * s * std::sin(around) + axes.at[k].z * c);
+            (c > ring ? low : high) = middle;
+        }
+        sum += std::sin(low) * std::sin(low) / steps;
+    }
+    CHECK(std::abs(cone::middle_part - sum) < 1e-5);
+    CHECK(std::abs(cone::part(0) + 5 * cone::part(3) - 1) < 1e-6);
+}
+
+TEST_CASE("the overlap of two cones is the closed form's to a thousandth") {
+    double worst = 0;
+    for (double alpha = 0; alpha < std::numbers::pi; alpha += 0.0005)
+        worst = std::max(worst, std::abs(cone::overlap(static_cast<float>(std::cos(alpha))) - overlap_in_closed_form(alpha)));
+    CHECK(worst < 1e-3);
+    CHECK(cone::overlap(1.f) == 1.f);
+    CHECK(cone::overlap(static_cast<float>(std::cos(2 * half_angle + 1e-3))) == 0.f);
+    CHECK(cone::overlap(-1.f) == 0.f);
+    CHECK(cone::overlap(1.0001f) == 1.f);
+}
+
+TEST_CASE("the mean of many cosine-distributed samples shades to the irradiance of the environment") {
+    for (auto const& [n, w] : {std::pair{glm::vec3(0, 0, 1), glm::vec3(0, 0, 1)}, std::pair{glm::vec3(0.6f, 0, 0.8f), glm::vec3(0, 1, 0)},
+                               std::pair{glm::vec3(0, -0.6f, -0.8f), glm::vec3(0.8f, -0.6f, 0)}}) {
+        auto const light = [&](glm::dvec3 d) { return std::pow(std::max(0.0, glm::dot(glm::dvec3(w), d)), 2) + 0.1; };
+        // The irradiance over pi, on a grid of the disc below the hemisphere.
+        cone::Axes<float> const axes(n);
+        glm::dvec3 const up(n), across = glm::normalize(glm::dvec3(axes.at[1]) - 0.5 * up), along = glm::cross(up, across);
+        double wanted = 0;
+        int const grid = 400;
+        for (int i = 0; i < grid; ++i)
+            for (int j = 0; j < grid; ++j) {
+                double const r = std::sqrt((i + 0.5) / grid), a = (j + 0.5) * 2 * std::numbers::pi / grid;
+                wanted += light(across * (r * std::cos(a)) + along * (r * std::sin(a)) + up * std::sqrt(1 - r * r)) / (grid * grid);
+            }
+        std::vector<double> sums(24);
+        int const samples = 200000;
+        for (int i = 0; i < samples; ++i) {
+            auto const d = cosine_direction(n);
+            auto const a = cone::deposit(glm::vec3(static_cast<float>(light(d))), d, n);
+            for (int c = 0; c < 24; ++c) sums[static_cast<std::size_t>(c)] += a.at[c];
+        }
+        Six mean{};
+        for (int c = 0; c < 24; ++c) mean.at[c] = static_cast<float>(sums[static_cast<std::size_t>(c)] / samples);
+        CHECK(cone::shade(mean).x == doctest::Approx(wanted).epsilon(0.005));
+        for (int k = 0; k < cone::count; ++k) CHECK(mean.at[4 * k + 3] == doctest::Approx(cone::part(k)).epsilon(0.02));
+    }
+}
+
+TEST_CASE("constant radiance stays constant when it is passed to another normal's cones") {
+    glm::vec3 const colour(0.5f, 2, 7);
+    for (int i = 0; i < 2000; ++i) {
+        auto const from = any_direction();
+        auto const to = i % 3 ? cosine_direction(from) : from;
+        auto const before = even(colour);
+        auto const after = cone::transferred(before, from, to);
+        for (int k = 0; k < cone::count; ++k) {
+            // A cone that no cone of the other normal touches has nothing.
+            if (after.at[4 * k + 3] < 1e-4f) continue;
+            auto const there = radiance_in(after, k);
+            CHECK(glm::length(there - colour) < 1e-5f * 7);
+        }
+        auto const shaded = cone::shade(after);
+        CHECK(glm::length(shaded - colour) < 1e-5f * 7);
+    }
+}
+
+TEST_CASE("radiance passed to the same normal's cones stays where it is") {
+    for (int i = 0; i < 200; ++i) {
+        auto const n = any_direction();
+        Six before{};
+        for (int k = 0; k < cone::count; ++k) before.at[4 * k] = uniform(0, 9), before.at[4 * k + 3] = 1;
+        auto const after = cone::transferred(before, n, n);
+        // Neighbours share a few hundredths of each other.
+        for (int k = 0; k < cone::count; ++k) {
+            CHECK(after.at[4 * k + 3] >= 1);
+            CHECK(std::abs(after.at[4 * k] / after.at[4 * k + 3] - before.at[4 * k]) < 0.15f * 9);
+        }
+    }
+}
