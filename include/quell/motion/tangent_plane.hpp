@@ -43,7 +43,7 @@ template <class Px> QUELL_KERNEL auto tangent_plane_then(Px const& px) {
     auto const has_moved = dot(moved, moved) > dot(from_eye, from_eye) * 1e-12f;
     if (any(has_moved)) {
         SurfaceEdge<Px> const across(px, now, then, 1, 0), down(px, now, then, 0, 1);
-        auto const turned = n + normalized(cross(across.then, down.then)) - normalized(cross(across.now, down.now));
+        auto const turned = n + normalized(cross(down.then, across.then)) - normalized(cross(down.now, across.now));
         n = select(both(has_moved, all_finite(turned)), normalized(turned), n);
     }
     return Plane<Real>{then, n};
