@@ -90,6 +90,7 @@ struct VarianceGuidedEdge {
 template <class... Edges> struct Product : Edges... {
     static_assert((EdgeWeight<Edges> && ...), "Product{edges...}: each must have around(px), see quell/filter/filter_kernel.hpp");
     using reads = reads_of<Edges...>;
+    static constexpr bool needs_camera = (needs_camera_of<Edges> || ...);
 
     /// What an edge prepares for a tap, or a reference to what it prepared for the centre: copies of GLM's vectors (they are unions) go
     /// through memory.

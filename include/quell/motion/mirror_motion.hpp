@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/filter/taps.hpp>
 #include <quell/motion/on_plane.hpp>
 
 namespace quell {
@@ -70,6 +71,7 @@ template <class Mirror = FlatMirror> struct ImageMotion {
     Mirror mirror{};
     float tolerance = 0.02f;   ///< how far off the plane a past pixel may be, as a part of its depth
     float least_cosine = 0.9f; ///< between the normals, now and then
+    float among_moving = 0.5f; ///< validity where neighbouring pixels reflect something that moves: their mixture follows no single vector
 
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
@@ -79,8 +81,20 @@ template <class Mirror = FlatMirror> struct ImageMotion {
         auto const p = px.position();
         auto const x = p.x + (image.screen.x - now.x), y = p.y + (image.screen.y - now.y);
         auto const valid = both(image.valid, now.z > Real(0.f), is_finite(x), is_finite(y));
-        return detail::ReprojectionOnPlane<Real>{{x, y},      select(valid, Real(1.f), Real(0.f)), image.plane, px.rays_then(), tolerance,
+        return detail::ReprojectionOnPlane<Real>{{x, y},      select(valid, trust(px), Real(0.f)), image.plane, px.rays_then(), tolerance,
                                                  least_cosine};
+    }
+
+private:
+    template <class Px> QUELL_KERNEL auto trust(Px const& px) const {
+        using Real = typename Px::Real;
+        Real moving(0.f);
+        for_each_neighbour<1>(
+            px, [&](auto near, auto inside, int, int) __attribute__((always_inline)) {
+                auto const hit = near[glossy_hit], way = hit - near[glossy_hit_previous], far = hit - near[position];
+                moving = max(moving, select(dot(way, way) > dot(far, far) * 1e-8f, inside, Real(0.f)));
+            });
+        return select(moving > Real(0.f), Real(among_moving), Real(1.f));
     }
 };
 template <class Mirror> ImageMotion(Mirror) -> ImageMotion<Mirror>;

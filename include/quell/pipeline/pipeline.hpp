@@ -31,18 +31,6 @@ template <class Part> constexpr auto stage_or_nothing(Part const& part) {
     else
         return std::tuple<>();
 }
-template <class P> constexpr bool needs_camera() {
-    bool needed = false;
-    if constexpr (requires { P::needs_camera; }) needed = P::needs_camera;
-    // A combinator needs what its parts need.
-    if constexpr (requires { P::motion; }) needed = needed || needs_camera<decltype(P::motion)>();
-    if constexpr (requires { P::blending; }) needed = needed || needs_camera<decltype(P::blending)>();
-    if constexpr (requires { P::kernel; }) needed = needed || needs_camera<decltype(P::kernel)>();
-    if constexpr (requires { P::inner; }) needed = needed || needs_camera<decltype(P::inner)>();
-    if constexpr (requires { P::first; }) needed = needed || needs_camera<decltype(P::first)>();
-    if constexpr (requires { P::rest; }) needed = needed || needs_camera<decltype(P::rest)>();
-    return needed;
-}
 } // namespace detail
 
 /// How one signal is denoised: a constant description that holds no images.
@@ -70,7 +58,7 @@ template <ChannelTag S, class... Parts> struct Pipeline {
     using remembers = remembers_of<Parts...>;
     using reads = decltype(Channels<S>{} | without<reads_of<Parts...>, made>{} | remembers{});
     static constexpr bool has_past = (detail::is_temporal<Parts> || ...);
-    static constexpr bool needs_camera = (detail::needs_camera<Parts>() || ...);
+    static constexpr bool needs_camera = (needs_camera_of<Parts> || ...);
 
     detail::Ingest<S, Form, Suppression> ingest;
     decltype(std::tuple_cat(detail::stage_or_nothing(std::declval<Parts>())...)) stages;

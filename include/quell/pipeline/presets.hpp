@@ -8,6 +8,7 @@
 #include <quell/blend/with_moments.hpp>
 #include <quell/filter/atrous.hpp>
 #include <quell/filter/bilateral.hpp>
+#include <quell/filter/lobe_edge.hpp>
 #include <quell/filter/shadow_splat.hpp>
 #include <quell/filter/temporal_gradient.hpp>
 #include <quell/filter/variance_guided_atrous.hpp>
@@ -75,11 +76,11 @@ constexpr auto shadow_paper(ChannelTag auto signal, auto... parts) {
                              Clamped{WithCleanUp{NonPlanarFalloff{Exponential{.alpha = 0.1f}}}, MeanDeviation{.sigmas = 3.f}}},
                     Spatial{CleanUp<>{}}};
 }
-/// Glossy reflections, with history that follows the virtual image (TRMV section 4.2), then a variance-guided filter. History is short: one
-/// vector a pixel can't follow all that a rough lobe shows. glossy_paper draws its vectors from the lobe.
+/// Glossy reflections, with history that follows the virtual image (TRMV section 4.2), then a variance-guided filter as wide as the lobe.
+/// History is short: one vector a pixel can't follow all that a rough lobe shows. glossy_paper draws its vectors from the lobe.
 constexpr auto glossy(ChannelTag auto signal, auto... parts) {
-    return Pipeline{signal, parts..., Temporal{FirstValid{ImageMotion{}, SurfaceMotion{}}, WithMoments{RunningMean{.cap = 3.f}}},
-                    Spatial{VarianceGuidedAtrous<>{.feedback = false}}};
+    return Pipeline{signal, parts..., Temporal{FirstValid{ImageMotion{}, SurfaceMotion{}}, WithMoments{RunningMean{.cap = 4.f}}},
+                    Spatial{VarianceGuidedAtrous<Product<DepthEdge, NormalEdge, LobeEdge>>{.feedback = false}}};
 }
 constexpr auto glossy_paper(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, parts...,
