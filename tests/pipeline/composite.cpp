@@ -1,0 +1,118 @@
+#include "../frames.hpp"
+
+using namespace quell;
+
+namespace {
+constexpr Extent size{37, 11};
+constexpr auto shadows = presets::none(visibility);
+constexpr auto reflections = presets::none(glossy);
+constexpr auto bounced = presets::none(indirect);
+float const not_a_number = std::bit_cast<float>(0x7fc00000u), infinite = std::bit_cast<float>(0x7f800000u);
+
+template <class C, class F> std::vector<float> once(C const& composite, F const& frame) {
+    History history{size, composite};
+    return tests::copy_of(run(composite, frame, history));
+}
+/// The picture worked out by f(x, y).
+std::vector<float> by_hand(auto&& f) {
+    std::vector<float> all;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            glm::vec3 const a = f(x, y);
+            all.insert(all.end(), {a.x, a.y, a.z});
+        }
+    return all;
+}
+} // namespace
+
+TEST_CASE("a composite is direct * visibility + glossy + albedo * indirect") {
+    constexpr auto all = Composite{shadows, reflections, bounced};
+    Frame frame{size, all};
+    tests::fill_randomly(frame, 5);
+    auto const wanted = by_hand([&](int x, int y) {
+        return frame[direct].get(x, y) * frame[visibility].get(x, y) + frame[glossy].get(x, y) +
+               frame[albedo].get(x, y) * frame[indirect].get(x, y);
+    });
+    CHECK(tests::difference(wanted, once(all, frame)) < 1e-6);
+    // The order makes no difference.
+    CHECK(tests::difference(wanted, once(Composite{bounced, shadows, reflections}, frame)) < 1e-6);
+}
+
+TEST_CASE("any subset is a picture of its own and asks for no other channel") {
+    constexpr auto lit = Composite{shadows};
+    using Lit = decltype(lit)::reads;
+    static_assert(Lit::has<Direct> && Lit::has<Visibility> && Lit::size == 2);
+    using Shiny = decltype(Composite{reflections})::reads;
+    static_assert(Shiny::has<Glossy> && Shiny::size == 1);
+    using Bounced = decltype(Composite{bounced})::reads;
+    static_assert(Bounced::has<Albedo> && Bounced::has<Indirect> && Bounced::size == 2);
+
+    constexpr auto two = Composite{shadows, bounced};
+    Frame frame{size, two, lit};
+    tests::fill_randomly(frame, 6);
+    auto const from_light = [&](int x, int y) { return frame[direct].get(x, y) * frame[visibility].get(x, y); };
+    CHECK(tests::difference(by_hand(from_light), once(lit, frame)) < 1e-6);
+    CHECK(tests::difference(by_hand([&](int x, int y) { return from_light(x, y) + frame[albedo].get(x, y) * frame[indirect].get(x, y); }),
+                            once(two, frame)) < 1e-6);
+}
+
+TEST_CASE("a signal that is no light of its own kind is added as it is") {
+    constexpr auto all = Composite{presets::none(radiance), reflections};
+    Frame frame{size, all};
+    tests::fill_randomly(frame, 7);
+    CHECK(tests::difference(by_hand([&](int x, int y) { return frame[radiance].get(x, y) + frame[glossy].get(x, y); }), once(all, frame)) <
+          1e-6);
+}
+
+TEST_CASE("direct light and albedo that are not finite add nothing, and only there") {
+    constexpr auto all = Composite{shadows, reflections, bounced};
+    for (float const a : {not_a_number, infinite, -infinite}) {
+        Frame frame{size, all};
+        tests::fill_randomly(frame, 8);
+        auto const before = once(all, frame);
+        frame[direct].set(3, 4, {1, a, 1});
+        frame[albedo].set(20, 9, {a, 0.5f, 0.5f});
+        auto const after = once(all, frame);
+        CHECK(tests::all_finite(after));
+        auto const at = [](int x, int y) { return static_cast<std::size_t>((y * size.width + x) * 3); };
+        auto const lit = frame[glossy].get(3, 4) + frame[albedo].get(3, 4) * frame[indirect].get(3, 4);
+        auto const bounced_none = frame[glossy].get(20, 9) + frame[direct].get(20, 9) * frame[visibility].get(20, 9);
+        CHECK(after[at(3, 4)] == doctest::Approx(lit.x));
+        CHECK(after[at(3, 4) + 1] == doctest::Approx(lit.y));
+        CHECK(after[at(20, 9)] == doctest::Approx(bounced_none.x));
+        CHECK(after[at(20, 9) + 2] == doctest::Approx(bounced_none.z));
+        for (std::size_t i = 0; i < after.size(); ++i)
+            if (i / 3 * 3 != at(3, 4) && i / 3 * 3 != at(20, 9)) REQUIRE(after[i] == before[i]);
+    }
+}
+
+TEST_CASE("a composite's memory is that of its pipelines and one picture; missing samples add up") {
+    constexpr auto a = presets::surface(visibility);
+    constexpr auto b = presets::none(glossy);
+    constexpr auto both = Composite{a, b};
+    Frame frame{size, both};
+    tests::fill_randomly(frame, 9);
+    frame[visibility].set(1, 1, not_a_number), frame[glossy].set(2, 2, glm::vec3(not_a_number)), frame[glossy].set(5, 2, glm::vec3(-1));
+    History history{size, both};
+    History alone{size, a};
+    History other{size, b};
+    for (int i = 0; i < 3; ++i) run(both, frame, history), run(a, frame, alone), run(b, frame, other);
+    CHECK(history.bytes() == alone.bytes() + other.bytes() + ImageOf<Planar<>, Radiance>(size).bytes());
+    CHECK(history.part<0>().bytes() == alone.bytes());
+    CHECK(history.part<1>().bytes() == other.bytes());
+    CHECK(history.statistics().missing_samples == 3);
+    CHECK(history.statistics().frames == 3);
+    history.forget();
+    run(both, frame, history);
+    CHECK(history.statistics().frames == 1);
+}
+
+TEST_CASE("a composite follows a frame of another size") {
+    constexpr auto all = Composite{shadows, reflections};
+    History history{size, all};
+    Frame frame{Extent{8, 5}, all};
+    tests::fill_randomly(frame, 10);
+    auto const out = run(all, frame, history);
+    CHECK(out.size == Extent{8, 5});
+    CHECK(out.get(0, 7, 4) == doctest::Approx((frame[direct].get(7, 4) * frame[visibility].get(7, 4) + frame[glossy].get(7, 4)).x));
+}
