@@ -39,8 +39,9 @@ template <class Edge> struct ConeLevel {
             auto const there = near[normal];
             auto const agree = cone::same_axes(n, there);
             same[t] = select(agree, w, Real(0.f));
-            other[t] = select(either(agree, dot(n, there) < Real(least_cosine)), Real(0.f), w);
-            turned = turned || any(other[t] > Real(1e-4f));
+            // Too small ones are none in every lane alike: what a pixel becomes must not depend on its neighbours in the pack.
+            other[t] = select(either(agree, dot(n, there) < Real(least_cosine), w < Real(1e-4f)), Real(0.f), w);
+            turned = turned || any(other[t] > Real(0.f));
             sum_of_weights = sum_of_weights + same[t];
         }
         // The samples of turned surfaces count like all others, but they come in other cones.
@@ -72,10 +73,11 @@ private:
     [[gnu::noinline]] constexpr void add_turned(Px const& px, vec3<Real> const& n, Real const (&weights)[25], Components<24, Real>& value,
                                                 Real& sum_of_weights) const {
         for (int t = 0; t < 25; ++t) {
-            if (!any(weights[t] > Real(1e-4f))) continue;
+            auto const counts = weights[t] > Real(0.f);
+            if (!any(counts)) continue;
             auto const near = px.at((t % 5 - 2) * step, (t / 5 - 2) * step);
             auto const there = near.signal();
-            value = add_scaled(value, cone::transferred(there, near[normal], n), weights[t]);
+            value = select(counts, add_scaled(value, cone::transferred(there, near[normal], n), weights[t]), value);
             sum_of_weights = sum_of_weights + weights[t];
         }
     }
