@@ -41,7 +41,7 @@ template <class S> std::vector<glm::vec3> track(S const& splat, ShowTrack show, 
     Frame frame{size, pipeline};
     History history{size, pipeline};
     fill_ground(frame, blocked);
-    run(pipeline, frame, history);
+    // In a first frame the previous camera is this one.
     auto const out = run(pipeline, frame, history);
     std::vector<glm::vec3> all;
     for (int y = 0; y < size.height; ++y)

@@ -190,7 +190,7 @@ private:
                 history.kept.views(typename S::kept_channels{}),
                 remembered_views(typename StoredChannels<typename decltype(then)::channels>::type{}),
                 frame.camera.clip_from_world(),
-                history.camera.clip_from_world(),
+                (past ? history.camera : frame.camera).clip_from_world(),
                 rays,
                 rays_then,
                 frame.camera.jitter,
