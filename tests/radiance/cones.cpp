@@ -134,9 +134,13 @@ TEST_CASE("the overlap of two cones is the closed form's to a thousandth") {
 }
 
 TEST_CASE("the mean of many cosine-distributed samples shades to the irradiance of the environment") {
-    for (auto const& [n, w] : {std::pair{glm::vec3(0, 0, 1), glm::vec3(0, 0, 1)}, std::pair{glm::vec3(0.6f, 0, 0.8f), glm::vec3(0, 1, 0)},
-                               std::pair{glm::vec3(0, -0.6f, -0.8f), glm::vec3(0.8f, -0.6f, 0)}}) {
-        auto const light = [&](glm::dvec3 d) { return std::pow(std::max(0.0, glm::dot(glm::dvec3(w), d)), 2) + 0.1; };
+    struct Case {
+        glm::vec3 normal, brightest;
+    };
+    for (Case const& c : {Case{{0, 0, 1}, {0, 0, 1}}, Case{{0.6f, 0, 0.8f}, {0, 1, 0}}, Case{{0, -0.6f, -0.8f}, {0.8f, -0.6f, 0}}}) {
+        glm::vec3 const n = c.normal;
+        glm::dvec3 const w(c.brightest);
+        auto const light = [&](glm::dvec3 d) { return std::pow(std::max(0.0, glm::dot(w, d)), 2) + 0.1; };
         // The irradiance over pi, on a grid of the disc below the hemisphere.
         cone::Axes<float> const axes(n);
         glm::dvec3 const up(n), across = glm::normalize(glm::dvec3(axes.at[1]) - 0.5 * up), along = glm::cross(up, across);
@@ -152,10 +156,10 @@ TEST_CASE("the mean of many cosine-distributed samples shades to the irradiance 
         for (int i = 0; i < samples; ++i) {
             auto const d = cosine_direction(n);
             auto const a = cone::deposit(glm::vec3(static_cast<float>(light(d))), d, n);
-            for (int c = 0; c < 24; ++c) sums[static_cast<std::size_t>(c)] += a.at[c];
+            for (std::size_t k = 0; k < 24; ++k) sums[k] += a.at[k];
         }
         Six mean{};
-        for (int c = 0; c < 24; ++c) mean.at[c] = static_cast<float>(sums[static_cast<std::size_t>(c)] / samples);
+        for (std::size_t k = 0; k < 24; ++k) mean.at[k] = static_cast<float>(sums[k] / samples);
         CHECK(cone::shade(mean).x == doctest::Approx(wanted).epsilon(0.005));
         for (int k = 0; k < cone::count; ++k) CHECK(mean.at[4 * k + 3] == doctest::Approx(cone::part(k)).epsilon(0.02));
     }
