@@ -4,9 +4,9 @@ namespace quell::bench {
 namespace {
 metrics::Picture share(tracer::Reference const& r) { return r[glossy]; }
 
-/// The glossy preset with the virtual image where a thin lens has it.
-constexpr auto with_thin_lens() {
-    return Pipeline{glossy, Temporal{FirstValid{ImageMotion{ThinLens{}}, SurfaceMotion{}}, WithMoments{RunningMean{.cap = 4.f}}},
+/// The glossy preset with the virtual image where a flat mirror has it.
+constexpr auto with_flat_mirror() {
+    return Pipeline{glossy, Temporal{FirstValid{ImageMotion{}, SurfaceMotion{}}, WithMoments{RunningMean{.cap = 4.f}}},
                     Spatial{VarianceGuidedAtrous<Product<DepthEdge, NormalEdge, LobeEdge>>{.feedback = false}}};
 }
 } // namespace
@@ -22,7 +22,7 @@ void chart_glossy(ChartOptions const& options, bool curved) {
     add(methods, options, "svgf", presets::svgf(glossy));
     add(methods, options, "asvgf", presets::asvgf(glossy));
     add(methods, options, "glossy", presets::glossy(glossy));
-    add(methods, options, "glossy-thin-lens", with_thin_lens());
+    add(methods, options, "glossy-flat-mirror", with_flat_mirror());
     add(methods, options, "glossy-paper", presets::glossy_paper(glossy));
     chart_effect<FrameT, Glossy>(options, curved ? tracer::Effect::curved : tracer::Effect::glossy, std::move(methods), share);
 }

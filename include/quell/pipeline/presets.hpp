@@ -15,6 +15,7 @@
 #include <quell/motion/dual_motion.hpp>
 #include <quell/motion/glossy_motion.hpp>
 #include <quell/motion/surface_motion.hpp>
+#include <quell/motion/thin_lens.hpp>
 #include <quell/pipeline/composite.hpp>
 #include <quell/pipeline/pipeline.hpp>
 #include <quell/radiance/cone_atrous.hpp>
@@ -76,10 +77,11 @@ constexpr auto shadow_paper(ChannelTag auto signal, auto... parts) {
                              Clamped{WithCleanUp{NonPlanarFalloff{Exponential{.alpha = 0.1f}}}, MeanDeviation{.sigmas = 3.f}}},
                     Spatial{CleanUp<>{}}};
 }
-/// Glossy reflections, with history that follows the virtual image (TRMV section 4.2), then a variance-guided filter as wide as the lobe.
-/// History is short: one vector a pixel can't follow all that a rough lobe shows. glossy_paper draws its vectors from the lobe.
+/// Glossy reflections, with history that follows the virtual image, in curved mirrors too (TRMV sections 4.2 and 7), then a variance-guided
+/// filter as wide as the lobe. History is short: one vector a pixel can't follow all that a rough lobe shows. glossy_paper draws its
+/// vectors from the lobe.
 constexpr auto glossy(ChannelTag auto signal, auto... parts) {
-    return Pipeline{signal, parts..., Temporal{FirstValid{ImageMotion{}, SurfaceMotion{}}, WithMoments{RunningMean{.cap = 4.f}}},
+    return Pipeline{signal, parts..., Temporal{FirstValid{ImageMotion{ThinLens{}}, SurfaceMotion{}}, WithMoments{RunningMean{.cap = 4.f}}},
                     Spatial{VarianceGuidedAtrous<Product<DepthEdge, NormalEdge, LobeEdge>>{.feedback = false}}};
 }
 constexpr auto glossy_paper(ChannelTag auto signal, auto... parts) {
