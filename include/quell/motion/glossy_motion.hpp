@@ -55,7 +55,9 @@ private:
     template <class Px, class Real>
     QUELL_KERNEL static vec2<Real> end_point(Px const& px, detail::VirtualImage<Real> const& image, vec3<Real> const& point) {
         auto const screen = px.project_to_past(point);
-        return {screen.x - image.screen.x, screen.y - image.screen.y};
+        // At grazing angles the far end of the ellipse may lie behind the camera.
+        auto const before = screen.z > Real(0.f);
+        return {select(before, screen.x - image.screen.x, Real(0.f)), select(before, screen.y - image.screen.y, Real(0.f))};
     }
 };
 template <class Mirror> GlossyMotion(Mirror) -> GlossyMotion<Mirror>;
