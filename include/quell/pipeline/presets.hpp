@@ -90,11 +90,13 @@ constexpr auto glossy_paper(ChannelTag auto signal, auto... parts) {
                              Clamped{WithCleanUp{Exponential{.alpha = 0.1f}}, MeanDeviation{.sigmas = 3.f}}},
                     Spatial{CleanUp<>{}}};
 }
-/// Diffuse indirect light with history even for what has just been uncovered (TRMV section 4.3), as a colour.
+/// Diffuse indirect light with history even for what has just been uncovered (TRMV section 4.3), as a colour: svgf with a second source.
+/// Little trust is best for colours: what is alike is not the same.
 constexpr auto dual_color(ChannelTag auto signal, auto... parts) {
+    using Alike = AllOf<SimilarDepth, SameNormal>;
     return Pipeline{signal, parts...,
-                    Temporal{FirstValid{SurfaceMotion{}, DualMotion{AllOf{SimilarDepth{}, SameNormal{}}}}, RunningMean{.cap = 32.f}},
-                    Spatial{Atrous<>{.levels = 3}}};
+                    Temporal{FirstValid{SurfaceMotion{}, DualMotion<Alike>{.trust = 0.1f}}, WithMoments{RunningMean{.cap = 5.f}}},
+                    Spatial{VarianceGuidedAtrous{Product{DepthEdge{}, NormalEdge{}}}}};
 }
 /// The same as incident radiance in six cones, so that what was seen on a surface of another direction serves as well.
 constexpr auto dual_cone(ChannelTag auto signal, auto... parts) {
