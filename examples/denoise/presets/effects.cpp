@@ -7,9 +7,7 @@ namespace quell::examples {
 std::vector<Preset> effect_presets() {
     return {
         preset("shadow", [] { return Composite{quell::presets::shadow(visibility)}; }),
-        preset("shadow-paper", [] { return Composite{quell::presets::shadow_paper(visibility)}; }),
         preset("glossy", [] { return Composite{quell::presets::glossy(glossy)}; }),
-        preset("glossy-paper", [] { return Composite{quell::presets::glossy_paper(glossy)}; }),
         preset("mirror-clamp", [] { return Composite{quell::presets::mirror_clamp(glossy)}; }),
         preset("dual-cone", [] { return Composite{quell::presets::dual_cone(indirect)}; }),
     };
