@@ -6,7 +6,8 @@ using namespace quell::tests;
 TEST_CASE("help and lists end well") {
     CHECK(denoise("--help").code == 0);
     CHECK(contains(denoise("--help").out, "--warmup"));
-    CHECK(denoise("--list").lines() == std::vector<std::string>{"none", "surface", "surface-clamp", "atrous", "svgf"});
+    CHECK(denoise("--list").lines() == std::vector<std::string>{"none", "surface", "surface-clamp", "atrous", "svgf", "asvgf", "dual-color",
+                                                                "shadow", "glossy", "mirror-clamp", "dual-cone", "trmv", "trmv-paper"});
     CHECK(trace("--help").code == 0);
     CHECK(trace("--list").code == 0);
     CHECK(contains(trace("--list").out, "room\n"));

@@ -119,7 +119,8 @@ inline std::vector<SignalNames> cycles_signals(ViewLayer const& layer) {
 /// @throws Error naming the file and what is in it
 [[nodiscard]] inline SequenceNames recognise(ExrFile const& file) {
     auto const has = [&](char const* name) { return file.find(name) != nullptr; };
-    if (has("R") && has("G") && has("B")) return own_sequence();
+    // A sequence traced for single effects has no composite; every one has its depth.
+    if ((has("R") && has("G") && has("B")) || has("depth.Z")) return own_sequence();
     if (auto const names = cycles_sequence(file.channels)) return *names;
     throw Error(file.name, "its channels are neither quell's (R, G, B, depth.Z, ...) nor Blender's (ViewLayer.Combined.R, ...)",
                 "name them with a channel map; it has: " + detail::list_of_names(file.channels));

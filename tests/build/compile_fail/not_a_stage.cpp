@@ -1,4 +1,4 @@
-// error: Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{} or SuppressFireflies{}
+// error: Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{} or SuppressFireflies{}
 #include <quell/quell.hpp>
 
 #ifdef CORRECT
