@@ -26,7 +26,8 @@ struct Folder {
     [[nodiscard]] int files() const { return static_cast<int>(std::distance(std::filesystem::directory_iterator(path), {})); }
 
     static std::filesystem::path make() {
-        std::string name = (std::filesystem::temp_directory_path() / "quell_test_XXXXXX").string();
+        // mkdtemp makes six letters X at the end into a name that nobody has.
+        std::string name = (std::filesystem::temp_directory_path() / ("quell_test_" + std::string(6, 'X'))).string();
         if (::mkdtemp(name.data()) == nullptr) throw std::system_error(errno, std::generic_category(), name);
         return name;
     }

@@ -41,33 +41,14 @@ template <class Edge, bool guided> struct AtrousLevel {
             weights = weights + w;
             if constexpr (guided) noise = fma(near[variance], w * w, noise);
         };
-        // Both distances come first, so that two chains of dependent operations are under way at a time.
-        for_each_opposite_taps<2>(
-            px, step, detail::edge_offset(around),
-            [&](auto const& near, auto start, float row, auto const& opposite, auto its_start, float its_row, int dx, int dy, int i, int j)
-                __attribute__((always_inline)) {
-                    auto const& toward = detail::edge_toward(around, dx, dy);
-                    float const weight = spline_bits.at[i < 0 ? -i : i][j];
-                    auto const distance = toward.distance(near, usable(near, start));
-                    auto const its_distance = toward.distance(opposite, usable(opposite, its_start));
-                    add(near, edge_weight(distance, weight + row));
-                    add(opposite, edge_weight(its_distance, weight + its_row));
-                });
+        for_each_edge_tap<true>(
+            px, step, around, [](int i, int j) __attribute__((always_inline)) { return spline_bits.at[i][j]; }, add);
         auto const inverse = 1.f / weights;
         auto const result = Result{finite_or(scale(sum, inverse), px.signal())};
         if constexpr (guided)
             return result.with(variance, finite_or(noise * (inverse * inverse), px[variance]));
         else
             return result;
-    }
-
-private:
-    /// A missing sample, where they are still marked, weighs nothing.
-    template <class Px, class Real> QUELL_KERNEL static Real usable(Px const& near, Real start) {
-        if constexpr (Px::Scope::marks_missing)
-            return select(near.missing(), Real(too_far), start);
-        else
-            return start;
     }
 };
 } // namespace detail

@@ -76,4 +76,31 @@ template <class Real> QUELL_KERNEL Real edge_weight(Real distance, float bits_of
     return from_bits(truncate(max(fma(distance, Real(-per_unit), Real(bits_of_weight)), Real(least))));
 }
 
+namespace detail {
+/// Calls add(near, w) for the 24 neighbours in a 5x5 whose taps stand `step` pixels apart. w is the tap's edge weight times the weight
+/// whose bits (weight_bits) are bits_of(|column|, |row|).
+/// @tparam skips_missing missing samples, where they are still marked, weigh nothing
+template <bool skips_missing, class Px, class Around, class Bits, class Add>
+QUELL_KERNEL void for_each_edge_tap(Px const& px, int step, Around const& around, Bits&& bits_of, Add&& add) {
+    auto const usable = [](auto const& near, auto start) __attribute__((always_inline)) {
+        if constexpr (skips_missing && Px::Scope::marks_missing)
+            return select(near.missing(), decltype(start)(too_far), start);
+        else
+            return start;
+    };
+    // Both distances come first, so that two chains of dependent operations are under way at a time.
+    for_each_opposite_taps<2>(
+        px, step, edge_offset(around),
+        [&](auto const& near, auto start, float row, auto const& opposite, auto its_start, float its_row, int dx, int dy, int i, int j)
+            __attribute__((always_inline)) {
+                auto const& toward = edge_toward(around, dx, dy);
+                float const weight = bits_of(i < 0 ? -i : i, j);
+                auto const distance = toward.distance(near, usable(near, start));
+                auto const its_distance = toward.distance(opposite, usable(opposite, its_start));
+                add(near, edge_weight(distance, weight + row));
+                add(opposite, edge_weight(its_distance, weight + its_row));
+            });
+}
+} // namespace detail
+
 } // namespace quell

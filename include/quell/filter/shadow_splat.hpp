@@ -79,15 +79,9 @@ template <class Edge> struct SplatLevel {
             auto const weight = track.w * w;
             sum = Value<4, Real>{fma(track.x, weight, sum.x), fma(track.y, weight, sum.y), fma(track.z, weight, sum.z), sum.w + weight};
         };
-        for_each_opposite_taps<2>(
-            px, step, edge_offset(around),
-            [&](auto const& near, auto start, float row, auto const& opposite, auto its_start, float its_row, int dx, int dy, int, int)
-                __attribute__((always_inline)) {
-                    auto const& toward = edge_toward(around, dx, dy);
-                    auto const distance = toward.distance(near, start), its_distance = toward.distance(opposite, its_start);
-                    add(near, edge_weight(distance, weight_bits(0.01f) + row));
-                    add(opposite, edge_weight(its_distance, weight_bits(0.01f) + its_row));
-                });
+        // Neighbours are little beside what a pixel knows itself: the mean of a moving and a resting shadow is neither.
+        for_each_edge_tap<false>(
+            px, step, around, [](int, int) __attribute__((always_inline)) { return weight_bits(0.01f); }, add);
         auto const known = sum.w > Real(1e-5f);
         auto const inverse = 1.f / select(known, sum.w, Real(1.f));
         return Result<Real>{Real(0.f), Real(1.f), {}}.with(

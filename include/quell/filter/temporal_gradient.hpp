@@ -33,15 +33,8 @@ template <class Source, class Edge> struct GradientLevel {
             sum = add_scaled(sum, select(all_finite(there), there, zero<vec2<Real>>()), usable);
             weights = weights + usable;
         };
-        for_each_opposite_taps<2>(
-            px, step, edge_offset(around),
-            [&](auto const& near, auto start, float row, auto const& opposite, auto its_start, float its_row, int dx, int dy, int, int)
-                __attribute__((always_inline)) {
-                    auto const& toward = edge_toward(around, dx, dy);
-                    auto const distance = toward.distance(near, start), its_distance = toward.distance(opposite, its_start);
-                    add(near, edge_weight(distance, weight_bits(1.f) + row));
-                    add(opposite, edge_weight(its_distance, weight_bits(1.f) + its_row));
-                });
+        for_each_edge_tap<false>(
+            px, step, around, [](int, int) __attribute__((always_inline)) { return weight_bits(1.f); }, add);
         return Result<Real>{Real(0.f), Real(1.f), {}}.with(filtered_gradient, scale(sum, 1.f / weights));
     }
 };
@@ -66,7 +59,7 @@ template <ChannelTag Signal, class Edge = DepthEdge> struct TemporalGradient {
 };
 
 /// Shortens the history where the light itself has changed: alpha = (1 - lambda) alpha_0 + lambda, with lambda = min(1, |change| / light)
-/// (A-SVGF, Schied 2018, eq. 4). Decorates a RunningMean or any policy that goes by the validity of the past.
+/// (A-SVGF, Schied 2018). Decorates a RunningMean or any policy that goes by the validity of the past.
 template <class Inner> struct Antilag {
     static_assert(BlendPolicy<Inner>, "Antilag{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
     using reads = decltype(reads_of<Inner>{} | Channels<FilteredGradient>{});

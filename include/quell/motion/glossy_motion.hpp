@@ -10,23 +10,18 @@ namespace quell {
 /// Roughness 0 is MirrorMotion exactly. The random numbers are the same in every run.
 template <class Mirror = FlatMirror> struct GlossyMotion {
     using reads = decltype(detail::VirtualImageChannels{} | reads_of<Mirror>{} | Channels<Roughness>{});
-    using remembers = Channels<Depth, Normal>;
+    using remembers = remembers_of<SamePlane>;
     static constexpr bool needs_camera = true;
     Mirror mirror{};
-    float tolerance = 0.02f;   ///< how far off the plane a past pixel may be, as a part of its depth
-    float least_cosine = 0.9f; ///< between the normals, now and then
-    float spread = 1.f;        ///< deviation of the lobe's directions, in GGX alphas
+    SamePlane test{};
+    float spread = 1.f; ///< deviation of the lobe's directions, in GGX alphas
 
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const image = detail::virtual_image_then(px, mirror);
         auto const jitter = offset(px, image);
-        return detail::ReprojectionOnPlane<Real>{{image.screen.x + jitter.x, image.screen.y + jitter.y},
-                                                 select(image.valid, Real(1.f), Real(0.f)),
-                                                 image.plane,
-                                                 px.rays_then(),
-                                                 tolerance,
-                                                 least_cosine};
+        return test.found(px, vec2<Real>{image.screen.x + jitter.x, image.screen.y + jitter.y}, select(image.valid, Real(1.f), Real(0.f)),
+                          image.plane);
     }
 
 private:

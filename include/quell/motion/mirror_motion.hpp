@@ -1,7 +1,7 @@
 #pragma once
 
 #include <quell/filter/taps.hpp>
-#include <quell/motion/on_plane.hpp>
+#include <quell/motion/same_plane.hpp>
 
 namespace quell {
 
@@ -42,21 +42,15 @@ template <class Px> QUELL_KERNEL auto virtual_image_then(Px const& px, auto cons
 /// @tparam Mirror where the virtual image is: FlatMirror, or ThinLens for curved mirrors
 template <class Mirror = FlatMirror> struct MirrorMotion {
     using reads = decltype(detail::VirtualImageChannels{} | reads_of<Mirror>{});
-    using remembers = Channels<Depth, Normal>;
+    using remembers = remembers_of<SamePlane>;
     static constexpr bool needs_camera = true;
     Mirror mirror{};
-    float tolerance = 0.02f;   ///< how far off the plane a past pixel may be, as a part of its depth
-    float least_cosine = 0.9f; ///< between the normals, now and then
+    SamePlane test{};
 
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const image = detail::virtual_image_then(px, mirror);
-        return detail::ReprojectionOnPlane<Real>{{image.screen.x, image.screen.y},
-                                                 select(image.valid, Real(1.f), Real(0.f)),
-                                                 image.plane,
-                                                 px.rays_then(),
-                                                 tolerance,
-                                                 least_cosine};
+        return test.found(px, vec2<Real>{image.screen.x, image.screen.y}, select(image.valid, Real(1.f), Real(0.f)), image.plane);
     }
 };
 template <class Mirror> MirrorMotion(Mirror) -> MirrorMotion<Mirror>;
@@ -66,11 +60,10 @@ template <class Mirror> MirrorMotion(Mirror) -> MirrorMotion<Mirror>;
 /// stands still stays exactly where it is, with no noise in the vectors.
 template <class Mirror = FlatMirror> struct ImageMotion {
     using reads = decltype(detail::VirtualImageChannels{} | reads_of<Mirror>{});
-    using remembers = Channels<Depth, Normal>;
+    using remembers = remembers_of<SamePlane>;
     static constexpr bool needs_camera = true;
     Mirror mirror{};
-    float tolerance = 0.02f;   ///< how far off the plane a past pixel may be, as a part of its depth
-    float least_cosine = 0.9f; ///< between the normals, now and then
+    SamePlane test{};
     float among_moving = 0.5f; ///< validity where neighbouring pixels reflect something that moves: their mixture follows no single vector
 
     QUELL_KERNEL auto previous(auto px) const {
@@ -81,8 +74,7 @@ template <class Mirror = FlatMirror> struct ImageMotion {
         auto const p = px.position();
         auto const x = p.x + (image.screen.x - now.x), y = p.y + (image.screen.y - now.y);
         auto const valid = both(image.valid, now.z > Real(0.f), is_finite(x), is_finite(y));
-        return detail::ReprojectionOnPlane<Real>{{x, y},      select(valid, trust(px), Real(0.f)), image.plane, px.rays_then(), tolerance,
-                                                 least_cosine};
+        return test.found(px, vec2<Real>{x, y}, select(valid, trust(px), Real(0.f)), image.plane);
     }
 
 private:
