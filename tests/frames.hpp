@@ -75,6 +75,23 @@ template <ImageView View> std::vector<float> copy_of(View const& view) {
     return all;
 }
 
+/// What a pipeline makes of the last of three frames of random guides and signals. `change` is called with each frame, once it is filled,
+/// and its number: it sets the camera, for instance.
+template <class P> std::vector<float> sequence(P const& denoise, Extent size, auto const& executor, auto&& change) {
+    Frame frame{size, denoise};
+    History history{size, denoise};
+    std::vector<float> out;
+    for (unsigned i = 0; i < 3; ++i) {
+        fill_randomly(frame, i);
+        change(frame, i);
+        out = copy_of(run(denoise, frame, history, executor));
+    }
+    return out;
+}
+template <class P> std::vector<float> sequence(P const& denoise, Extent size, auto const& executor) {
+    return sequence(denoise, size, executor, [](auto&, unsigned) {});
+}
+
 /// The greatest difference relative to max(1, |a|).
 inline double difference(std::vector<float> const& a, std::vector<float> const& b) {
     REQUIRE(a.size() == b.size());

@@ -40,6 +40,51 @@ inline glm::dvec3 meet(glm::dvec3 from, glm::dvec3 direction, glm::dvec3 point, 
 }
 inline glm::dvec3 mirrored(glm::dvec3 a, glm::dvec3 point, glm::dvec3 normal) { return a - normal * (2 * glm::dot(a - point, normal)); }
 
+/// Where a pixel sees the ground, which is the plane y = 0.
+inline glm::dvec3 ground(View const& view, int x, int y) { return meet(view.eye, view.direction(centre(x, y)), {}, {0, 1, 0}); }
+/// A frame in which nothing moves, in front of a camera that sees the ground and nothing else.
+template <class F> void fill_ground(F& frame, View const& view) {
+    fill_still(frame);
+    frame.camera = view.camera();
+    auto const seen = [&](int x, int y) { return glm::vec3(ground(view, x, y)); };
+    fill(frame[position], seen);
+    fill(frame[receiver_previous], seen);
+    fill(frame[normal], [](int, int) { return glm::vec3(0, 1, 0); });
+    fill(frame[depth], [&](int x, int y) { return static_cast<float>(view.depth(ground(view, x, y))); });
+}
+
+/// What a pipeline makes of the last of two frames, in which nothing moves but what `then` and `now` say.
+template <class P> std::vector<float> last_of_two(P const& pipeline, auto&& frame, auto&& then, auto&& now) {
+    History history{frame.size, pipeline};
+    fill_still(frame);
+    then(frame);
+    run(pipeline, frame, history);
+    now(frame);
+    return copy_of(run(pipeline, frame, history));
+}
+/// The same of visibility, a pattern, in a world that knows how to fill a frame as it was then and as it is now. `change` is made to the
+/// last frame. The first shows the surfaces of now from the camera of then, so that they are found in the history.
+template <class P> std::vector<float> after(P const& pipeline, auto&& frame, auto const& world, auto&& change) {
+    return last_of_two(
+        pipeline, frame,
+        [&](auto& first) {
+            fill(first[visibility], [](int x, int y) { return static_cast<float>((x * 7 + y * 3) % 5); });
+            world.fill_now(first);
+            world.fill_then(first);
+        },
+        [&](auto& last) {
+            world.fill_now(last);
+            change(last);
+        });
+}
+
+/// Components, three at a time.
+inline std::vector<glm::vec3> in_threes(std::vector<float> const& components) {
+    std::vector<glm::vec3> all;
+    for (std::size_t i = 0; i + 2 < components.size(); i += 3) all.emplace_back(components[i], components[i + 1], components[i + 2]);
+    return all;
+}
+
 /// A history fetch that shows what the motion source has said: place and validity. Wants a signal of three components.
 struct ShowPlace {
     template <class Px, class Found> QUELL_KERNEL auto fetch(Px const&, Found const& found) const {
@@ -59,17 +104,7 @@ template <class M> constexpr auto places_of(M const& source) { return Pipeline{r
 /// The places that a source says in the last of two frames.
 template <class M> std::vector<glm::vec3> places(M const& source, Extent size, auto&& then, auto&& now) {
     auto const show = places_of(source);
-    Frame frame{size, show};
-    History history{size, show};
-    fill_still(frame);
-    then(frame);
-    run(show, frame, history);
-    now(frame);
-    auto const out = run(show, frame, history);
-    std::vector<glm::vec3> all;
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) all.emplace_back(out.get(0, x, y), out.get(1, x, y), out.get(2, x, y));
-    return all;
+    return in_threes(last_of_two(show, Frame{size, show}, then, now));
 }
 
 /// The greatest distance, in pixels, from f(x, y); infinite where a place is not valid.

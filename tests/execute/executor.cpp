@@ -6,6 +6,7 @@
 #include <mutex>
 
 using namespace quell;
+using tests::sequence;
 
 namespace {
 /// Counts how often each pixel is computed.
@@ -40,17 +41,6 @@ TEST_CASE("every executor computes each pixel of a region once and none outside"
 }
 
 namespace {
-template <class P> std::vector<float> sequence(P const& denoise, Extent size, auto const& executor) {
-    Frame frame{size, denoise};
-    History history{size, denoise};
-    std::vector<float> out;
-    for (unsigned i = 0; i < 3; ++i) {
-        tests::fill_randomly(frame, i);
-        out = tests::copy_of(run(denoise, frame, history, executor));
-    }
-    return out;
-}
-
 // Every policy of the house, several to a pipeline.
 constexpr auto everything = std::tuple{
     presets::none(radiance, Demodulate{}, SuppressFireflies{}),

@@ -18,16 +18,11 @@ struct ShowTrack {
         return known ? vec3<Real>{t.w, t.w, t.w} : vec3<Real>{t.x, t.y, t.z};
     }
 };
-glm::dvec3 receiver(int x, int y) { return tests::meet(view.eye, view.direction(tests::centre(x, y)), {}, {0, 1, 0}); }
+glm::dvec3 receiver(int x, int y) { return tests::ground(view, x, y); }
 glm::dvec3 const lamp(0, 4, 0), moved(0.4, 0, 0);
 /// The shadow of something 2 above the ground, which is all in shadow or only where `blocked` says.
-template <class F> void fill_ground(F& frame, auto&& blocked) {
-    tests::fill_still(frame);
-    frame.camera = view.camera();
-    tests::fill(frame[position], [](int x, int y) { return glm::vec3(receiver(x, y)); });
-    tests::fill(frame[receiver_previous], [](int x, int y) { return glm::vec3(receiver(x, y)); });
-    tests::fill(frame[normal], [](int, int) { return glm::vec3(0, 1, 0); });
-    tests::fill(frame[depth], [](int x, int y) { return static_cast<float>(view.depth(receiver(x, y))); });
+template <class F> void fill_shadow(F& frame, auto&& blocked) {
+    tests::fill_ground(frame, view);
     tests::fill(frame[light], [](int, int) { return glm::vec3(lamp); });
     tests::fill(frame[light_previous], [](int, int) { return glm::vec3(lamp); });
     auto const blocker_at = [&](int x, int y, glm::dvec3 by) {
@@ -40,13 +35,9 @@ template <class S> std::vector<glm::vec3> track(S const& splat, ShowTrack show, 
     auto const pipeline = Pipeline{radiance, Spatial{splat}, Spatial{show}};
     Frame frame{size, pipeline};
     History history{size, pipeline};
-    fill_ground(frame, blocked);
+    fill_shadow(frame, blocked);
     // In a first frame the previous camera is this one.
-    auto const out = run(pipeline, frame, history);
-    std::vector<glm::vec3> all;
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) all.emplace_back(out.get(0, x, y), out.get(1, x, y), out.get(2, x, y));
-    return all;
+    return tests::in_threes(tests::copy_of(run(pipeline, frame, history)));
 }
 auto const at = [](auto const& all, int x, int y) { return all[static_cast<std::size_t>(y * size.width + x)]; };
 /// Light 4, blocker 2 above the ground: the shadow moves twice as far as the blocker.
@@ -95,7 +86,7 @@ TEST_CASE("the size of a light is estimated from its samples; a point has none")
     History history{size, pipeline};
     std::mt19937 random(8);
     auto const width_for = [&](float side) {
-        fill_ground(frame, [](int, int) { return true; });
+        fill_shadow(frame, [](int, int) { return true; });
         std::uniform_real_distribution<float> part(-0.5f, 0.5f);
         tests::fill(frame[light], [&](int, int) { return glm::vec3(lamp) + glm::vec3(part(random) * side, 0, part(random) * side); });
         tests::fill(frame[light_previous], [&](int x, int y) { return frame[light].get(x, y); });
@@ -120,14 +111,14 @@ TEST_CASE("a lit picture uses no history, and gets wider filters nowhere; bad sa
     constexpr auto pipeline = Pipeline{visibility, Spatial{ShadowSplat{}}, Temporal{SplattedShadowMotion{}, Exponential{.alpha = 0.1f}}};
     Frame frame{size, pipeline};
     History history{size, pipeline};
-    fill_ground(frame, [](int, int) { return false; });
+    fill_shadow(frame, [](int, int) { return false; });
     run(pipeline, frame, history); // black: fill_still
     tests::fill(frame[visibility], [](int, int) { return 1.f; });
     for (float const a : tests::copy_of(run(pipeline, frame, history))) REQUIRE(a == 1.f);
 
     for (float const bad : {not_a_number, nothing, 1e38f, 0.f}) {
         auto const breaks = [&](auto channel) {
-            fill_ground(frame, [](int, int) { return true; });
+            fill_shadow(frame, [](int, int) { return true; });
             tests::fill(frame[visibility], [](int x, int) { return x % 2 ? 1.f : 0.f; });
             for (int x = 0; x < size.width; x += 3)
                 frame[channel].set(x, x % size.height, Value<decltype(channel)::components, float>(bad));

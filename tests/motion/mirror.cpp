@@ -15,7 +15,7 @@ struct Reflection {
     View now{{0, 6, 6}, {0, 0, 1}, size}, then{now};
 
     glm::dmat3 turn() const { return glm::dmat3(glm::rotate(glm::dmat4(1), mirror_turned, glm::dvec3(1, 0, 0))); }
-    glm::dvec3 seen(int x, int y) const { return tests::meet(now.eye, now.direction(tests::centre(x, y)), {}, {0, 1, 0}); }
+    glm::dvec3 seen(int x, int y) const { return tests::ground(now, x, y); }
     glm::dvec3 hit(int x, int y) const {
         auto const towards = now.direction(tests::centre(x, y));
         if (near > 0) return seen(x, y) + glm::dvec3(towards.x, -towards.y, towards.z) * near;
@@ -155,16 +155,7 @@ TEST_CASE("where a reflection can't be followed the next source is asked, roughn
     constexpr auto without = Pipeline{visibility, Temporal{StillMotion{}, Exponential{.alpha = 0.5f}}};
     Reflection const world{.wall_moved{0.9, 0, 0}};
     auto const after = [&](auto const& pipeline, auto&& change) {
-        Frame frame{size, with, without};
-        History history{size, pipeline};
-        tests::fill_still(frame);
-        tests::fill(frame[visibility], [](int x, int y) { return static_cast<float>((x * 7 + y * 3) % 5); });
-        world.fill_now(frame);
-        world.fill_then(frame);
-        run(pipeline, frame, history);
-        world.fill_now(frame);
-        change(frame);
-        return tests::copy_of(run(pipeline, frame, history));
+        return tests::after(pipeline, Frame{size, with, without}, world, change);
     };
     auto const still = after(without, [](auto&) {});
     CHECK(tests::difference(after(with, [](auto&) {}), still) > 0.1);

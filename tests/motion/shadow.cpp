@@ -15,7 +15,7 @@ struct Shadow {
 
     static constexpr glm::dvec3 light{1, 6, -1};
     glm::dmat3 turn() const { return glm::dmat3(glm::rotate(glm::dmat4(1), ground_turned, glm::dvec3(0, 0, 1))); }
-    glm::dvec3 receiver(int x, int y) const { return tests::meet(now.eye, now.direction(tests::centre(x, y)), {}, {0, 1, 0}); }
+    glm::dvec3 receiver(int x, int y) const { return tests::ground(now, x, y); }
     glm::dvec3 receiver_then(int x, int y) const { return turn() * receiver(x, y) + ground_moved; }
     /// The blocker is a plane 2.5 above the ground.
     glm::dvec3 blocker(int x, int y) const { return tests::meet(light, receiver(x, y) - light, {0, 2.5, 0}, {0, 1, 0}); }
@@ -108,15 +108,7 @@ TEST_CASE("where a shadow can't be followed, the next source is asked, and nothi
     constexpr auto without = Pipeline{visibility, Temporal{StillMotion{}, Exponential{.alpha = 0.5f}}};
     Shadow const world{.blocker_moved{0.9, 0, 0}};
     auto const after = [&](auto const& pipeline, auto&& change) {
-        Frame frame{size, with, without};
-        History history{size, pipeline};
-        tests::fill_still(frame);
-        tests::fill(frame[visibility], [](int x, int y) { return static_cast<float>((x * 7 + y * 3) % 5); });
-        world.fill_then(frame);
-        run(pipeline, frame, history);
-        world.fill_now(frame);
-        change(frame);
-        return tests::copy_of(run(pipeline, frame, history));
+        return tests::after(pipeline, Frame{size, with, without}, world, change);
     };
     auto const still = after(without, [](auto&) {});
     CHECK(tests::difference(after(with, [](auto&) {}), still) > 0.1);

@@ -5,17 +5,11 @@
 using namespace quell;
 
 namespace {
-/// Three frames of random guides and signals, seen by a camera that moves.
+/// Seen by a camera that moves.
 template <class P> std::vector<float> sequence(P const& denoise, Extent size, auto const& executor) {
-    Frame frame{size, denoise};
-    History history{size, denoise};
-    std::vector<float> out;
-    for (unsigned i = 0; i < 3; ++i) {
-        tests::fill_randomly(frame, i);
+    return tests::sequence(denoise, size, executor, [&](auto& frame, unsigned i) {
         frame.camera = tests::View({0.1 * i, 1, 8}, {1, 1, 0}, size).camera();
-        out = tests::copy_of(run(denoise, frame, history, executor));
-    }
-    return out;
+    });
 }
 template <class P> void same_everywhere(P const& denoise) {
     for (Extent const size : {Extent{61, 24}, Extent{16, 5}, Extent{3, 7}}) {

@@ -13,7 +13,7 @@ constexpr auto paper = presets::shadow_paper(visibility);
 View const view({0, 6, 5}, {0, 0, 0}, size);
 constexpr double light_side = 1.2, light_height = 4, blocker_height = 2;
 
-glm::dvec3 receiver(int x, int y) { return tests::meet(view.eye, view.direction(tests::centre(x, y)), {}, {0, 1, 0}); }
+glm::dvec3 receiver(int x, int y) { return tests::ground(view, x, y); }
 /// Hangs half way between a square light and the ground, from one x to another.
 struct Bar {
     double from, to;
@@ -31,12 +31,7 @@ template <class P> std::array<double, 3> means(P const& pipeline, Bar bar, auto&
     History history{size, pipeline};
     std::mt19937 random(21);
     std::uniform_real_distribution<double> part(-0.5 * light_side, 0.5 * light_side);
-    tests::fill_still(frame);
-    frame.camera = view.camera();
-    tests::fill(frame[position], [](int x, int y) { return glm::vec3(receiver(x, y)); });
-    tests::fill(frame[receiver_previous], [](int x, int y) { return glm::vec3(receiver(x, y)); });
-    tests::fill(frame[normal], [](int, int) { return glm::vec3(0, 1, 0); });
-    tests::fill(frame[depth], [](int x, int y) { return static_cast<float>(view.depth(receiver(x, y))); });
+    tests::fill_ground(frame, view);
     double sum = 0, in = 0, wanted = 0;
     long long count = 0;
     for (int i = -20; i < 200; ++i) {
