@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
+#include <tuple>
 
 namespace quell::bench {
 
@@ -32,14 +34,42 @@ struct Errors {
     }
 };
 
-/// Runs all methods side by side over a scene and prints a row of chart.csv for each (SCENES.md). Errors are those of the effect's share of
-/// the picture, displayed.
-/// @tparam FrameT  with every channel that any of the methods reads
-/// @tparam Signals of the reference: Visibility, Glossy or Indirect
-/// @param share makes the effect's share of the picture from the reference's pictures
-template <class FrameT, ChannelTag Signal>
-void chart_effect(ChartOptions const& options, tracer::Effect effect, Methods<FrameT> methods,
-                  metrics::Picture (*share)(tracer::Reference const&)) {
+/// A pipeline to chart, by the name that its row has.
+template <class P> struct Named {
+    char const* name;
+    P pipeline;
+};
+template <class P> Named(char const*, P) -> Named<P>;
+
+/// The effect's share of the picture, as a Composite puts it together from the denoised signal.
+template <ChannelTag Signal> metrics::Picture share(tracer::Reference const& reference) {
+    auto picture = reference[Signal{}];
+    for_each_channel(typename quell::detail::Share<Signal>::factor{}, [&](auto factor) {
+        auto const& pixels = reference[factor].pixels;
+        std::ranges::transform(picture.pixels, pixels, picture.pixels.begin(), std::multiplies{});
+    });
+    return picture;
+}
+
+/// Prints a method's row of chart.csv (SCENES.md). Its time is the median after the first eight frames.
+template <class FrameT> void print_row(ChartOptions const& options, Method<FrameT> const& method, Errors const& e) {
+    auto times = method.milliseconds;
+    times.erase(times.begin(), times.begin() + std::min<std::ptrdiff_t>(8, static_cast<std::ptrdiff_t>(times.size()) - 1));
+    std::ranges::nth_element(times, times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2));
+    double const n = std::max(1, e.frames), k = std::max(1, e.masked_frames);
+    std::printf("%s,%s,%s,%d,%d,%d,%d,%.2f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.1f\n", options.scene.c_str(), options.effect.c_str(),
+                method.name.c_str(), options.size.width, options.size.height, options.frames, options.threads, times[times.size() / 2],
+                e.rmse / n, e.ssim / n, e.flip / n, e.flip_median / n, e.mask_rmse / k, e.mask_ssim / k, e.mask_flip / k,
+                e.flicker.frames > 1 ? e.flicker.mean() : 0., method.bytes_per_pixel());
+    std::fflush(stdout);
+}
+
+/// Runs methods side by side over a scene and prints a row for each. Errors are those of the effect's share of the picture, displayed.
+template <ChannelTag Signal, class... Ps>
+void chart_methods(ChartOptions const& options, Signal, tracer::Effect effect, Named<Ps> const&... named) {
+    using FrameT = Frame<reads_of<Composite<Ps>...>>;
+    Methods<FrameT> methods;
+    (methods.push_back(std::make_unique<MethodOf<FrameT, Ps>>(named.name, named.pipeline, options.size, options.threads)), ...);
     tracer::PreparedScene scene(tracer::open_scene(options.scene));
     FrameT frame(options.size);
     std::vector<Errors> errors(methods.size());
@@ -54,7 +84,7 @@ void chart_effect(ChartOptions const& options, tracer::Effect effect, Methods<Fr
         metrics::Picture reference;
         metrics::Mask mask;
         if (score) {
-            reference = share(tracer::reference<Channels<Signal>>(scene, settings, {.tolerance = options.tolerance}));
+            reference = share<Signal>(tracer::reference<Channels<Signal>>(scene, settings, {.tolerance = options.tolerance}));
             mask = tracer::effect_mask(scene, settings, effect);
         }
         for (std::size_t m = 0; m < methods.size(); ++m) {
@@ -62,23 +92,20 @@ void chart_effect(ChartOptions const& options, tracer::Effect effect, Methods<Fr
             if (score) errors[m].add(i, reference, picture, mask);
         }
     }
-    for (std::size_t m = 0; m < methods.size(); ++m) {
-        auto const& e = errors[m];
-        auto& times = methods[m]->milliseconds;
-        times.erase(times.begin(), times.begin() + std::min<std::ptrdiff_t>(8, static_cast<std::ptrdiff_t>(times.size()) - 1));
-        std::ranges::nth_element(times, times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2));
-        double const n = std::max(1, e.frames), k = std::max(1, e.masked_frames);
-        std::printf("%s,%s,%s,%d,%d,%d,%d,%.2f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.1f\n", options.scene.c_str(),
-                    options.effect.c_str(), methods[m]->name.c_str(), options.size.width, options.size.height, options.frames,
-                    options.threads, times[times.size() / 2], e.rmse / n, e.ssim / n, e.flip / n, e.flip_median / n, e.mask_rmse / k,
-                    e.mask_ssim / k, e.mask_flip / k, e.flicker.frames > 1 ? e.flicker.mean() : 0., methods[m]->bytes_per_pixel());
-        std::fflush(stdout);
-    }
+    for (std::size_t m = 0; m < methods.size(); ++m) print_row(options, *methods[m], errors[m]);
 }
 
-/// Adds a method to a list.
-template <class FrameT, class P> void add(Methods<FrameT>& methods, ChartOptions const& options, std::string name, P const& pipeline) {
-    methods.push_back(std::make_unique<MethodOf<FrameT, P>>(std::move(name), pipeline, options.size, options.threads));
+/// The methods that serve any signal.
+template <ChannelTag Signal>
+constexpr std::tuple baselines{Named{"none", presets::none(Signal{})}, Named{"surface", presets::surface(Signal{})},
+                               Named{"surface-clamp", presets::surface_clamp(Signal{})}, Named{"svgf", presets::svgf(Signal{})},
+                               Named{"asvgf", presets::asvgf(Signal{})}};
+
+/// Charts the baselines, and the methods that are for this effect only.
+/// @param signal visibility, glossy or indirect
+template <ChannelTag Signal, class... Ps>
+void chart_effect(ChartOptions const& options, Signal signal, tracer::Effect effect, Named<Ps> const&... own) {
+    std::apply([&](auto const&... named) { chart_methods(options, signal, effect, named..., own...); }, baselines<Signal>);
 }
 
 void chart_shadow(ChartOptions const& options);
