@@ -28,3 +28,5 @@
 #include <quell/pipeline/run.hpp>
 #include <quell/radiance/cone_atrous.hpp>
 #include <quell/radiance/cone_fetch.hpp>
+#include <quell/radiance/cone_gather.hpp>
+#include <quell/radiance/with_cones.hpp>

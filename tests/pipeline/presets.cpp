@@ -28,5 +28,6 @@ TEST_CASE("serial, SIMD and threads compute the same: glossy_paper") { same_ever
 TEST_CASE("serial, SIMD and threads compute the same: mirror_clamp") { same_everywhere(presets::mirror_clamp(glossy)); }
 TEST_CASE("serial, SIMD and threads compute the same: dual_color") { same_everywhere(presets::dual_color(indirect)); }
 TEST_CASE("serial, SIMD and threads compute the same: dual_cone") { same_everywhere(presets::dual_cone(indirect)); }
+TEST_CASE("serial, SIMD and threads compute the same: dual_cone_paper") { same_everywhere(presets::dual_cone_paper(indirect)); }
 TEST_CASE("serial, SIMD and threads compute the same: asvgf") { same_everywhere(presets::asvgf(radiance, Demodulate{})); }
 TEST_CASE("serial, SIMD and threads compute the same: trmv") { same_everywhere(presets::trmv()); }

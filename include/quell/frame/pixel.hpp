@@ -95,6 +95,13 @@ template <class R, class S> struct Pixel {
         else if constexpr (given)
             return load(scope.frame.view(c));
     }
+    /// One component of it, for channels of many.
+    template <int c, ChannelTag C> QUELL_KERNEL Real channel_component(C channel) const {
+        if constexpr (S::made_channels::template has<C>)
+            return load_one<c>(scope.made.view(channel));
+        else
+            return load_one<c>(scope.frame.view(channel));
+    }
     /// The value, here, of the signal being denoised. Always finite and not negative; a missing sample shows what its neighbours suggest.
     QUELL_KERNEL Signal signal() const {
         auto const v = load(scope.signal);
@@ -105,9 +112,7 @@ template <class R, class S> struct Pixel {
     }
     /// One component of it.
     template <int c> QUELL_KERNEL Real signal_component() const {
-        auto view = scope.signal;
-        view.size = scope.size;
-        auto const a = detail::load_one<R, c>(view, x, y);
+        auto const a = load_one<c>(scope.signal);
         if constexpr (S::marks_missing && c == 0)
             return without_sign_bit(a);
         else
@@ -174,6 +179,10 @@ private:
     QUELL_KERNEL auto load(auto view) const {
         view.size = scope.size;
         return detail::load_pixels<R>(view, x, y);
+    }
+    template <int c> QUELL_KERNEL Real load_one(auto view) const {
+        view.size = scope.size;
+        return detail::load_one<R, c>(view, x, y);
     }
     /// As far outside as a pack may reach: there, no lane is inside any more, so it does not matter where it reads.
     QUELL_KERNEL int column(int i) const {

@@ -20,6 +20,8 @@
 #include <quell/pipeline/pipeline.hpp>
 #include <quell/radiance/cone_atrous.hpp>
 #include <quell/radiance/cone_fetch.hpp>
+#include <quell/radiance/cone_gather.hpp>
+#include <quell/radiance/with_cones.hpp>
 
 /// Ready pipelines, one line each, for any signal: presets::svgf(radiance, Demodulate{}). Extra parts go before the stages.
 namespace quell::presets {
@@ -99,15 +101,25 @@ constexpr auto dual_color(ChannelTag auto signal, auto... parts) {
                     Temporal{FirstValid{SurfaceMotion{}, DualMotion<Alike>{.trust = 0.1f}}, WithMoments{RunningMean{.cap = 5.f}}},
                     Spatial{VarianceGuidedAtrous{Product{DepthEdge{}, NormalEdge{}}}}};
 }
-/// The same as incident radiance in six cones, so that what was seen on a surface of another direction serves as well.
+/// The same with history as incident radiance in six cones, so that what was seen on a surface of another direction serves as well. Cones
+/// are added up over the 3x3 around, and what they shade to is filtered as a colour: as good as filtering them all the way, which
+/// dual_cone_paper does, and several times as fast.
 constexpr auto dual_cone(ChannelTag auto signal, auto... parts) {
+    return Pipeline{
+        signal, parts...,
+        Temporal{FirstValid{SurfaceMotion{}, DualMotion<>{.trust = 0.25f}}, WithCones{WithMoments{RunningMean{.cap = 24.f}}}, ConeFetch{}},
+        Spatial{ConeGather{}},
+        Spatial{VarianceGuidedAtrous<>{
+            .edge = {DepthEdge{}, NormalEdge{.sharpness = 32.f}}, .levels = 4, .sigma_luminance = 4.f, .feedback = false}}};
+}
+constexpr auto dual_cone_paper(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, Cones{}, parts..., Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, RunningMean{.cap = 32.f}, ConeFetch{}},
-                    Spatial{ConeAtrous<Product<DepthEdge, NormalEdge>>{.levels = 3, .least_cosine = 0.9f}}};
+                    Spatial{ConeAtrous<Product<DepthEdge, NormalEdge>>{.least_cosine = 0.9f}}};
 }
 /// All effects, each by its own preset: direct * visibility + glossy + albedo * indirect.
 template <class = void> constexpr auto trmv() { return Composite{shadow(visibility), glossy(quell::glossy), dual_cone(indirect)}; }
 template <class = void> constexpr auto trmv_paper() {
-    return Composite{shadow_paper(visibility), glossy_paper(quell::glossy), dual_cone(indirect)};
+    return Composite{shadow_paper(visibility), glossy_paper(quell::glossy), dual_cone_paper(indirect)};
 }
 
 } // namespace quell::presets

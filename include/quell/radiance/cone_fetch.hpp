@@ -19,8 +19,13 @@ struct ConeFetch {
         auto const now = px[normal], then = px.past(place)[normal];
         auto const differs = both(past.validity > Real(0.f), invert(cone::same_axes(now, then)));
         if (any(differs)) {
-            auto const before = past.signal;
-            past.signal = select(differs, cone::transferred(before, then, now), past.signal);
+            if constexpr (Px::Scope::kept_channels::template has<ConeRadiance>) {
+                auto const before = past[cone_radiance];
+                past.kept.set(cone_radiance, select(differs, cone::transferred(before, then, now), before));
+            } else {
+                auto const before = past.signal;
+                past.signal = select(differs, cone::transferred(before, then, now), before);
+            }
         }
         return past;
     }

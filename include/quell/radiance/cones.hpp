@@ -11,6 +11,7 @@ namespace quell {
 struct ConeRadiance : Channel<24> {
     static constexpr auto name = "cone_radiance";
 };
+inline constexpr ConeRadiance cone_radiance;
 
 namespace cone {
 
@@ -73,8 +74,9 @@ template <class Real>
     return result;
 }
 
-/// Whether two pixels have the same cones, so that radiance passes from cone to cone as it is.
-template <class Real> QUELL_KERNEL auto same_axes(vec3<Real> const& a, vec3<Real> const& b) { return dot(a, b) > Real(0.9995f); }
+/// Whether two pixels have nearly the same cones (6 degrees are little beside the cones' 67), so that radiance passes from cone to cone as
+/// it is.
+template <class Real> QUELL_KERNEL auto same_axes(vec3<Real> const& a, vec3<Real> const& b) { return dot(a, b) > Real(0.995f); }
 
 /// One sample from a direction: it falls into the nearest cone.
 template <class Real>
@@ -96,18 +98,22 @@ QUELL_KERNEL Components<24, Real> deposit(vec3<Real> const& radiance, vec3<Real>
     });
 }
 
+/// How many samples there are in all cones together.
+template <class Real> QUELL_KERNEL Real samples(Components<24, Real> const& value) {
+    Real sum(0.f);
+    for (int k = 0; k < count; ++k) sum = sum + value.at[4 * k + 3];
+    return sum;
+}
+
 /// The mean of the radiance weighted by the cosine: what a white diffuse surface gives back (TRMV eq. 11, with cosine integrals for
 /// weights, so that constant light is itself). A cone that has hardly a sample borrows from all of them together.
 template <class Real> QUELL_KERNEL vec3<Real> shade(Components<24, Real> const& value) {
     vec3<Real> all{Real(0.f), Real(0.f), Real(0.f)};
-    Real samples(0.f);
-    for (int k = 0; k < count; ++k) {
-        all = vec3<Real>{all.x + value.at[4 * k], all.y + value.at[4 * k + 1], all.z + value.at[4 * k + 2]};
-        samples = samples + value.at[4 * k + 3];
-    }
-    auto const mean = scale(all, 1.f / max(samples, Real(1e-12f)));
+    for (int k = 0; k < count; ++k) all = vec3<Real>{all.x + value.at[4 * k], all.y + value.at[4 * k + 1], all.z + value.at[4 * k + 2]};
+    auto const there_are = samples(value);
+    auto const mean = scale(all, 1.f / max(there_are, Real(1e-12f)));
     // A thousandth of the samples that there are: too little to weigh beside real ones.
-    auto const lent = max(samples * 1e-3f, Real(1e-12f));
+    auto const lent = max(there_are * 1e-3f, Real(1e-12f));
     vec3<Real> sum{Real(0.f), Real(0.f), Real(0.f)};
     for (int k = 0; k < count; ++k) {
         auto const inverse = part(k) / (value.at[4 * k + 3] + lent);

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <quell/filter/atrous.hpp>
+#include <quell/radiance/cones.hpp>
+
+namespace quell {
+
+/// Shades each pixel by its own cones and those of the 3x3 around, added up cone by cone: few frames after a pixel has been uncovered most
+/// of its cones are still empty, and its neighbours have samples there. For behind a Temporal{motion, WithCones{...}, ConeFetch{}}; a
+/// filter for colours does the rest. Neighbours whose cones lie otherwise must be kept apart by the edge.
+///     Spatial{ConeGather{}}, Spatial{VarianceGuidedAtrous{}}
+/// @tparam Edge an EdgeWeight
+template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
+    static_assert(EdgeWeight<Edge>, "ConeGather{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    static constexpr auto name = "cone gather";
+    using reads = decltype(reads_of<Edge>{} | Channels<ConeRadiance>{});
+    Edge edge{};
+
+    QUELL_KERNEL auto filter(auto px) const {
+        using Px = decltype(px);
+        using Real = typename Px::Real;
+        auto const around = edge.around(px);
+        Taps<Px> near;
+        near.add(px, Real(profile[0] * profile[0]));
+        for_each_opposite_taps<1>(
+            px, 1, detail::edge_offset(around),
+            [&](auto const& one, auto start, float row, auto const& other, auto its_start, float its_row, int dx, int dy, int, int)
+                __attribute__((always_inline)) {
+                    auto const& toward = detail::edge_toward(around, dx, dy);
+                    float const bits = weight_bits(profile[dx != 0] * profile[dy != 0]);
+                    near.add(one, edge_weight(toward.distance(one, start), bits + row));
+                    near.add(other, edge_weight(toward.distance(other, its_start), bits + its_row));
+                });
+        Components<24, Real> sum;
+        detail::repeat<3>([&](auto i) __attribute__((always_inline)) { add_two_cones<2 * i>(px, near, sum); });
+        auto const shaded = cone::shade(sum);
+        // Around a missing sample without a past there may be next to nothing to shade by.
+        return select(both(cone::samples(sum) > Real(1e-6f), all_finite(shaded)), shaded, px.signal());
+    }
+
+private:
+    static constexpr float profile[2] = {0.5f, 0.25f};
+
+    template <class Px> struct Taps {
+        int column[9], row[9];
+        typename Px::Real weight[9];
+        int count = 0;
+        QUELL_KERNEL void add(Px const& near, typename Px::Real w) { column[count] = near.x, row[count] = near.y, weight[count++] = w; }
+    };
+    /// As many at a time as have all their sums in registers.
+    template <int k, class Px, class Real>
+    QUELL_KERNEL static void add_two_cones(Px const& px, Taps<Px> const& taps, Components<24, Real>& sum) {
+        [&]<int... c>(std::integer_sequence<int, c...>) __attribute__((always_inline)) {
+            Real part[] = {((void)c, Real(0.f))...};
+            for (int t = 0; t < 9; ++t) {
+                Px const near{px.scope, taps.column[t], taps.row[t]};
+                ((part[c] = fma(near.template channel_component<4 * k + c>(cone_radiance), taps.weight[t], part[c])), ...);
+            }
+            ((sum.at[4 * k + c] = part[c]), ...);
+        }
+        (std::make_integer_sequence<int, 8>{});
+    }
+};
+template <class Edge> ConeGather(Edge) -> ConeGather<Edge>;
+
+} // namespace quell
