@@ -25,6 +25,7 @@ glm::vec3 scattered(PreparedScene const& scene, Surface const& surface, PathCont
         ++path.counts->shadow;
         if (scene.occluded(shadow_ray(surface, lighting.sample.position, path.time))) light = glm::vec3{0.f};
     }
+    if (!scene.description().has_indirect_rays()) light += scene.description().background.ambient(surface.normal);
     return light;
 }
 

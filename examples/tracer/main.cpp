@@ -74,7 +74,7 @@ struct Options {
     std::optional<float> shutter, fov;
     std::vector<float> eye, target, dolly;
     float orbit = 0;
-    bool masks = false, quiet = false, list = false;
+    bool masks = false, primary_only = false, quiet = false, list = false;
 
     [[nodiscard]] bool has(std::string const& effect) const { return std::ranges::find(effects, effect) != effects.end(); }
 };
@@ -92,6 +92,8 @@ void describe(CLI::App& app, Options& o) {
         "Write converged frames too, reference.0000.exr and so on: at most so many samples per pixel, fewer where two halves agree");
     app.add_flag("--masks", o.masks,
                  "Write masks of the pixels that the effects touch too: mask_shadow.0000.png and so on, also glossy, curved and indirect");
+    app.add_flag("--primary-only", o.primary_only,
+                 "Trace no shadows, reflections and indirect light: unshadowed direct light and ambient light");
     app.add_option("--shutter", o.shutter, "Part of the frame time during which the shutter is open (default: 0.5 for blur, otherwise 0)");
     app.add_option("--effects", o.effects, "Which channels to write: any of composite,shadow,glossy,indirect,blur (default: composite)")
         ->delimiter(',');
@@ -263,7 +265,10 @@ void trace_all(Options const& options) {
     CameraChoice const camera{vector_in("--eye", options.eye), vector_in("--target", options.target), options.fov, options.orbit,
                               vector_in("--dolly", options.dolly).value_or(glm::vec3(0.f))};
     std::vector<SceneDescription> scenes; // all of them, before the first is rendered: a misspelt name shows at once
-    for (auto const& name : options.scenes) scenes.push_back(open_scene(name, camera));
+    for (auto const& name : options.scenes) {
+        scenes.push_back(open_scene(name, camera));
+        if (options.primary_only) scenes.back().secondary_rays = false;
+    }
     static_cast<void>(size_in(options.size));
     Progress progress("quell-trace", static_cast<long long>(scenes.size()) * options.frames, !options.quiet);
     long long frames_done = 0;

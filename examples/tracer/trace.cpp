@@ -45,6 +45,10 @@ void trace_glossy(PreparedScene const& scene, Surface const& surface, glm::vec3 
 
 void trace_indirect(PreparedScene const& scene, Surface const& surface, PathContext const& path, bool shade, Signals& signals) {
     signals.indirect_direction = cosine_direction(surface.normal, sample_pair(path.key, SampleUse::indirect));
+    if (!scene.description().has_indirect_rays()) {
+        signals.indirect = scene.description().background.ambient(surface.normal);
+        return;
+    }
     // Directions that the shading normal allows but the surface itself is in the way of see nothing.
     bool const free = glm::dot(signals.indirect_direction, surface.geometric_normal) > 0;
     if (!shade || !free) return;

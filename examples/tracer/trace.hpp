@@ -43,7 +43,8 @@ void trace_shadow(PreparedScene const& scene, Surface const& surface, PathContex
 void trace_glossy(PreparedScene const& scene, Surface const& surface, glm::vec3 to_viewer, PathContext const& path, float footprint_angle,
                   bool shade, Signals& signals);
 
-/// Picks the direction of the indirect sample, and traces it if `shade`.
+/// Picks the direction of the indirect sample, and traces it if `shade`. Where the scene wants no such rays, the background's ambient light
+/// takes the sample's place.
 void trace_indirect(PreparedScene const& scene, Surface const& surface, PathContext const& path, bool shade, Signals& signals);
 
 /// Light sample, shadow and unshadowed direct light.
@@ -57,7 +58,7 @@ template <class Wanted> void trace_direct(PreparedScene const& scene, Surface co
         signals.light = lighting.sample.position;
         signals.light_previous = lighting.sample.position_before;
         if constexpr (rays::shadow)
-            if (lighting.sample.exists) trace_shadow(scene, surface, path, rays::blocker, signals);
+            if (lighting.sample.exists && scene.description().secondary_rays) trace_shadow(scene, surface, path, rays::blocker, signals);
     } else if constexpr (rays::direct) {
         signals.direct = reflectance * unshadowed_irradiance(scene, surface, path.time);
     }
@@ -76,7 +77,8 @@ Signals trace_signals(PreparedScene const& scene, Surface const& surface, glm::v
     }
     trace_direct<Wanted>(scene, surface, path, signals);
     if constexpr (rays::glossy)
-        if (surface.metallic > 0) trace_glossy(scene, surface, to_viewer, path, footprint_angle, rays::reflected_radiance, signals);
+        if (surface.metallic > 0 && scene.description().secondary_rays)
+            trace_glossy(scene, surface, to_viewer, path, footprint_angle, rays::reflected_radiance, signals);
     if constexpr (rays::indirect_direction) trace_indirect(scene, surface, path, rays::indirect, signals);
     return signals;
 }
