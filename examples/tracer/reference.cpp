@@ -85,7 +85,7 @@ Reference converged(RenderPass const& render_pass, ReferenceSettings const& sett
 Reference cached_or_converged(PreparedScene& scene, RenderSettings const& render_settings, ReferenceSettings const& settings,
                               std::string const& channels, RenderPass const& render_pass) {
     if (!settings.use_cache) return converged(render_pass, settings);
-    scene.move_to(static_cast<float>(render_settings.frame), render_settings.shutter);
+    scene.move_to(static_cast<float>(render_settings.frame), render_settings.shutter, render_settings.shutter_keys);
     Digest key;
     key.add(scene.content_hash());
     key.add(channels);

@@ -99,11 +99,18 @@ struct IndirectDirection : Channel<3> {
     static constexpr auto name = "indirect_direction";
 };
 
-/// Displacement over the open shutter, position(t = 1) - position(t = 0), and the sample's time in [0, 1].
+/// Displacement over the open shutter, position(t = 1) - position(t = 0).
 struct Sweep : Channel<2> {
     static constexpr auto name = "sweep";
     static constexpr bool full_precision = true;
 };
+/// How far the way over the open shutter bends: to second order, position(t) = position(0) + sweep t + bend 4 t (1 - t), so that it is
+/// position(0.5) less the mean of both ends. 0 for straight motion at an even speed.
+struct SweepBend : Channel<2> {
+    static constexpr auto name = "sweep_bend";
+    static constexpr bool full_precision = true;
+};
+/// The sample's time in [0, 1] over the open shutter.
 struct Time : Channel<1> {
     static constexpr auto name = "time";
     static constexpr bool full_precision = true;
@@ -148,6 +155,7 @@ inline constexpr GlossyHitPrevious glossy_hit_previous;
 inline constexpr Indirect indirect;
 inline constexpr IndirectDirection indirect_direction;
 inline constexpr Sweep sweep;
+inline constexpr SweepBend sweep_bend;
 inline constexpr Time time;
 
 /// Every channel that SCENES.md names, in the order in which files list them.
