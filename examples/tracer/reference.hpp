@@ -64,6 +64,12 @@ template <class Traced> Reference converge(PreparedScene& scene, RenderSettings 
         // Seeds that no noisy frame uses, and different ones for the halves.
         settings.seed = combine(seed, half == 0 ? 0x5eed0001u : 0x5eed0002u);
         settings.first_sample = first_sample;
+        // A frame over time starts the sequence from its beginning: the first 2^n samples fill 2^n strata of the open shutter, one each,
+        // which those amid the sequence don't. Frames differ by their seeds instead.
+        if (settings.shutter > 0) {
+            settings.first_sample -= settings.frame * settings.samples_per_pixel;
+            settings.seed = combine(settings.seed, static_cast<std::uint32_t>(settings.frame));
+        }
         return render_pass<Traced>(scene, settings);
     };
     return cached_or_converged(scene, settings, reference_settings, names, pass);

@@ -17,7 +17,8 @@ template <class Wanted> struct Rays {
 
     static constexpr bool blocker = any<Blocker, BlockerPrevious>;
     static constexpr bool shadow = blocker || any<Visibility, Radiance>;
-    static constexpr bool light_sample = shadow || any<Light, LightPrevious>;
+    static constexpr bool light_channels = any<Light, LightPrevious>;
+    static constexpr bool light_sample = shadow || light_channels;
     static constexpr bool direct = any<Direct, Radiance>;
     static constexpr bool reflected_radiance = any<Glossy, Radiance>;
     static constexpr bool glossy = reflected_radiance || any<GlossyHit, GlossyHitPrevious>;
@@ -51,15 +52,16 @@ void trace_indirect(PreparedScene const& scene, Surface const& surface, PathCont
 template <class Wanted> void trace_direct(PreparedScene const& scene, Surface const& surface, PathContext const& path, Signals& signals) {
     using rays = Rays<Wanted>;
     auto const reflectance = surface.diffuse() * std::numbers::inv_pi_v<float>;
-    if constexpr (rays::light_sample) {
+    bool const has_shadows = scene.description().secondary_rays;
+    if (rays::light_channels || (rays::light_sample && has_shadows)) {
         auto const point = sample_pair(path.key, SampleUse::light_point);
         auto const lighting = sample_lighting(scene, surface, path.time, point, sample_pair(path.key, SampleUse::light_choice).x);
         signals.direct = reflectance * lighting.irradiance;
         signals.light = lighting.sample.position;
         signals.light_previous = lighting.sample.position_before;
         if constexpr (rays::shadow)
-            if (lighting.sample.exists && scene.description().secondary_rays) trace_shadow(scene, surface, path, rays::blocker, signals);
-    } else if constexpr (rays::direct) {
+            if (lighting.sample.exists && has_shadows) trace_shadow(scene, surface, path, rays::blocker, signals);
+    } else if (rays::direct) {
         signals.direct = reflectance * unshadowed_irradiance(scene, surface, path.time);
     }
 }
