@@ -146,8 +146,9 @@ TEST_CASE("a reference of blur ends when its halves agree, and its frames have n
     };
     PreparedScene scene{std::move(description)};
     auto const at = [&](int frame, double tolerance) {
-        return reference<Channels<Radiance>>(scene, {.size = size, .frame = frame, .shutter = 0.9f},
-                                             {.tolerance = tolerance, .samples_per_pass = 2, .use_cache = false});
+        return reference<Channels<Radiance>>(
+            scene, {.size = size, .frame = frame, .shutter = 0.9f},
+            {.tolerance = tolerance, .least_samples_of_blur = 0, .samples_per_pass = 2, .use_cache = false});
     };
     auto const rough = at(0, 0.03), later = at(1, 0.03), fine = at(0, 0.005);
     CHECK(rough.half_difference < 0.03);
@@ -155,4 +156,5 @@ TEST_CASE("a reference of blur ends when its halves agree, and its frames have n
     CHECK(fine.samples > rough.samples);
     CHECK(fine.samples < 2000);
     CHECK(later[radiance].pixels != rough[radiance].pixels);
+    CHECK(reference<Channels<Radiance>>(scene, {.size = size, .shutter = 0.9f}, {.tolerance = 0.5, .use_cache = false}).samples == 128);
 }
