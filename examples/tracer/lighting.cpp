@@ -52,9 +52,10 @@ Lighting sample_lighting(PreparedScene const& scene, Surface const& surface, flo
         weights.push_back(luminance(part));
     }
     if (!(luminance(lighting.irradiance) > 0)) return lighting;
-    auto const emitter = scene.emitter(choose(weights, point.x), time);
+    auto const chosen = choose(weights, point.x);
+    auto const emitter = scene.emitter(chosen, time);
     auto const position = sample_point(emitter, surface.position, surface.normal, point, choice);
-    lighting.sample = {position, emitter.before(position), true};
+    lighting.sample = {position, emitter.before(position), chosen, true};
     return lighting;
 }
 

@@ -261,4 +261,15 @@ Emitter PreparedScene::emitter(std::size_t index, float time) const {
     return result;
 }
 
+glm::vec3 PreparedScene::emitter_point(std::size_t index, glm::vec3 position, float time, float other) const {
+    int const instance = sources[index].instance;
+    auto const at_first = placement(instance, time, When::now), at_other = placement(instance, other, When::now);
+    auto const there = emitter(index, other);
+    auto moving = emitter(index, time);
+    moving.corners_before = there.corners;
+    moving.centre_before = there.centre;
+    moving.turned_before = at_first == at_other ? glm::mat3{1.f} : glm::mat3(at_other) * glm::inverse(glm::mat3(at_first));
+    return moving.before(position);
+}
+
 } // namespace quell::tracer

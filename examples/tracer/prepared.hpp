@@ -53,6 +53,8 @@ public:
 
     [[nodiscard]] std::size_t emitter_count() const { return sources.size(); }
     [[nodiscard]] Emitter emitter(std::size_t index, float time) const;
+    /// Where a point of an emitter is at another time of the open shutter.
+    [[nodiscard]] glm::vec3 emitter_point(std::size_t index, glm::vec3 position, float time, float other) const;
     /// Whether light from this instance is part of `direct`, so that indirect rays must not count it again.
     [[nodiscard]] bool is_light(int instance) const { return lights[static_cast<std::size_t>(instance)]; }
     /// Factor on its material's emission at this frame.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "effect_sweep.hpp"
 #include "gradient.hpp"
 
 #include <quell/core/error.hpp>
@@ -68,6 +69,7 @@ private:
         if constexpr (wants_gradients<Wanted>) put_gradients(seen, still, still_before);
         Signals mean = signals_of(seen, 0);
         for (int i = 1; i < settings.samples_per_pixel; ++i) accumulate(mean, signals_of(seen, i), i);
+        put_sweeps(seen, mean);
         put_signals(mean);
         put(radiance, composite(seen, mean));
     }
@@ -86,10 +88,12 @@ private:
                 if constexpr (wants_gradients<Wanted>) put_gradients(seen, view, before);
             }
             auto const signals = signals_of(seen, i);
-            if (i == 0)
+            if (i == 0) {
                 mean = signals;
-            else
+                put_sweeps(seen, signals);
+            } else {
                 accumulate(mean, signals, i);
+            }
             sum += composite(seen, signals);
         }
         put_signals(mean);
@@ -157,9 +161,6 @@ private:
         put(instance, static_cast<float>(seen.hit.instance + 1));
         put(time, seen.ray.time);
         if constexpr (rays::previous) put_previous(seen, view, before);
-        if constexpr (Wanted::template has<Sweep>) put(sweep, place_of(seen, closing, 1) - place_of(seen, still, 0));
-        if constexpr (Wanted::template has<SweepBend>)
-            put(sweep_bend, place_of(seen, halfway, 0.5f) - (place_of(seen, still, 0) + place_of(seen, closing, 1)) * 0.5f);
     }
 
     void put_previous(Seen const& seen, View const& view, View const& before) {
@@ -175,6 +176,25 @@ private:
     /// Where the image shows the point that was seen, or the direction of the sky, at a time of the open shutter.
     [[nodiscard]] glm::vec2 place_of(Seen const& seen, View const& view, float time) const {
         return seen.hit ? view.project(scene.point(seen.hit, time, When::now)) : view.project(seen.ray.direction, 0);
+    }
+
+    [[nodiscard]] glm::vec2 sweep_of(Seen const& seen) const { return place_of(seen, closing, 1) - place_of(seen, still, 0); }
+
+    /// Of the first sample, which the signals belong to.
+    void put_sweeps(Seen const& seen, Signals const& signals) {
+        if constexpr (Wanted::template has<Sweep>) put(sweep, sweep_of(seen));
+        if constexpr (Wanted::template has<SweepBend>)
+            put(sweep_bend, place_of(seen, halfway, 0.5f) - (place_of(seen, still, 0) + place_of(seen, closing, 1)) * 0.5f);
+        if constexpr (Wanted::template has<SweepOf<Visibility>>)
+            put_effect_sweep(SweepOf<Visibility>{}, seen, [&](auto const& moment) { return shadow_place(moment, signals, seen.ray.time); });
+        if constexpr (Wanted::template has<SweepOf<Glossy>>)
+            put_effect_sweep(SweepOf<Glossy>{}, seen, [&](auto const& moment) { return reflection_place(moment, signals); });
+    }
+
+    /// `place` at the shutter's closing less that at its opening; where either isn't anywhere, the surface's own sweep.
+    template <class C> void put_effect_sweep(C channel, Seen const& seen, auto const& place) {
+        auto const way = place(ShutterMoment{scene, seen.hit, closing, 1}) - place(ShutterMoment{scene, seen.hit, still, 0});
+        put(channel, std::isfinite(way.x + way.y) ? way : sweep_of(seen));
     }
 
     template <class Signal> static float luminance_of(Signal, Surface const& surface, Signals const& signals) {

@@ -16,6 +16,7 @@ void trace_shadow(PreparedScene const& scene, Surface const& surface, PathContex
     auto const hit = scene.intersect(ray);
     if (!hit) return;
     signals.visibility = 0;
+    signals.shadow_hit = hit;
     signals.blocker = scene.point(hit, path.time, When::now);
     signals.blocker_previous = scene.point(hit, path.time, When::before);
 }
@@ -39,6 +40,7 @@ void trace_glossy(PreparedScene const& scene, Surface const& surface, glm::vec3 
         arrived.hit = scene.intersect(ray);
     signals.glossy = metal.weight(out, in, microfacet) * arrived.radiance;
     if (!arrived.hit) return;
+    signals.glossy_ray_hit = arrived.hit;
     signals.glossy_hit = scene.point(arrived.hit, path.time, When::now);
     signals.glossy_hit_previous = scene.point(arrived.hit, path.time, When::before);
 }

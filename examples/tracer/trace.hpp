@@ -15,13 +15,13 @@ namespace quell::tracer {
 template <class Wanted> struct Rays {
     template <class... Cs> static constexpr bool any = (Wanted::template has<Cs> || ...);
 
-    static constexpr bool blocker = any<Blocker, BlockerPrevious>;
+    static constexpr bool blocker = any<Blocker, BlockerPrevious, SweepOf<Visibility>>;
     static constexpr bool shadow = blocker || any<Visibility, Radiance>;
     static constexpr bool light_channels = any<Light, LightPrevious>;
     static constexpr bool light_sample = shadow || light_channels;
     static constexpr bool direct = any<Direct, Radiance>;
     static constexpr bool reflected_radiance = any<Glossy, Radiance>;
-    static constexpr bool glossy = reflected_radiance || any<GlossyHit, GlossyHitPrevious>;
+    static constexpr bool glossy = reflected_radiance || any<GlossyHit, GlossyHitPrevious, SweepOf<Glossy>>;
     static constexpr bool indirect = any<Indirect, Radiance>;
     static constexpr bool indirect_direction = indirect || any<IndirectDirection>;
     static constexpr bool previous = any<Motion, ReceiverPrevious>;
@@ -35,6 +35,8 @@ struct Signals {
     glm::vec3 blocker{not_a_number}, blocker_previous{not_a_number};
     glm::vec3 glossy_hit{not_a_number}, glossy_hit_previous{not_a_number};
     glm::vec3 indirect_direction{0.f};
+    Hit shadow_hit, glossy_ray_hit; ///< what the shadow ray and the reflected ray met
+    std::size_t emitter = 0;        ///< the one that `light` lies on
 };
 
 /// Traces the shadow ray towards `signals.light`; `find_blocker` also asks what is in the way (nearest to the receiver).
@@ -59,6 +61,7 @@ template <class Wanted> void trace_direct(PreparedScene const& scene, Surface co
         signals.direct = reflectance * lighting.irradiance;
         signals.light = lighting.sample.position;
         signals.light_previous = lighting.sample.position_before;
+        signals.emitter = lighting.sample.emitter;
         if constexpr (rays::shadow)
             if (lighting.sample.exists && has_shadows) trace_shadow(scene, surface, path, rays::blocker, signals);
     } else if (rays::direct) {

@@ -47,10 +47,11 @@ Texture foliage() {
 
 } // namespace
 
-void add_daylight(SceneDescription& scene, glm::vec3 sun_direction) {
-    constexpr float distance = 900, radius = 20;
+void add_daylight(SceneDescription& scene, glm::vec3 sun_direction, float degrees) {
+    constexpr float distance = 900;
+    float const sine = std::sin(degrees / 2 * pi / 180), radius = distance * sine;
     glm::vec3 const irradiance{2.7f, 2.45f, 2.05f};
-    auto const radiance = irradiance / (pi * radius * radius / (distance * distance));
+    auto const radiance = irradiance / (pi * sine * sine);
     scene.place(scene.add_sphere(), scene.add(Material{.emission = radiance}),
                 {.translation = glm::normalize(sun_direction) * distance, .scale = glm::vec3{radius}});
     scene.background = {{0.22f, 0.21f, 0.2f}, {0.4f, 0.62f, 1}};

@@ -6,8 +6,9 @@
 
 namespace quell::tracer {
 
-/// A sky and a sun that shines from this direction, far away.
-void add_daylight(SceneDescription& scene, glm::vec3 sun_direction);
+/// A sky and a sun that shines from this direction, far away. `degrees`: how wide the sun is, and so how soft its shadows are; its light
+/// is the same for all.
+void add_daylight(SceneDescription& scene, glm::vec3 sun_direction, float degrees = 2.5f);
 
 /// A column that stands on y = 0, 3.3 high.
 [[nodiscard]] TriangleMesh column_mesh();

@@ -27,7 +27,8 @@ constexpr std::array entries{Entry{"room", room},
                              Entry{"colonnade-slow", colonnade_slow},
                              Entry{"propeller", propeller},
                              Entry{"roll", roll},
-                             Entry{"mixed", mixed}};
+                             Entry{"mixed", mixed},
+                             Entry{"flyby", flyby}};
 
 std::string listed(std::vector<std::string> const& names) {
     std::string list;

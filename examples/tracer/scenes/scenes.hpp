@@ -30,5 +30,6 @@ namespace quell::tracer {
 [[nodiscard]] SceneDescription propeller();
 [[nodiscard]] SceneDescription roll();
 [[nodiscard]] SceneDescription mixed();
+[[nodiscard]] SceneDescription flyby();
 
 } // namespace quell::tracer
