@@ -37,6 +37,9 @@ std::uint64_t hash_of(SceneDescription const& scene) {
     for (auto const& instance : scene.instances) digest.add(glm::ivec2{instance.shape, instance.material});
     digest.add(scene.background.below);
     digest.add(scene.background.above);
+    // Only what differs from the rule counts, so that references of other scenes stay what they are.
+    if (!scene.indirect_rays) digest.add(1);
+    if (!scene.secondary_rays) digest.add(2);
     return digest.value();
 }
 

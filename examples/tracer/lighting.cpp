@@ -25,6 +25,7 @@ glm::vec3 scattered(PreparedScene const& scene, Surface const& surface, PathCont
         ++path.counts->shadow;
         if (scene.occluded(shadow_ray(surface, lighting.sample.position, path.time))) light = glm::vec3{0.f};
     }
+    if (!scene.description().has_indirect_rays()) light += scene.description().background.ambient(surface.normal);
     return light;
 }
 
@@ -51,9 +52,10 @@ Lighting sample_lighting(PreparedScene const& scene, Surface const& surface, flo
         weights.push_back(luminance(part));
     }
     if (!(luminance(lighting.irradiance) > 0)) return lighting;
-    auto const emitter = scene.emitter(choose(weights, point.x), time);
+    auto const chosen = choose(weights, point.x);
+    auto const emitter = scene.emitter(chosen, time);
     auto const position = sample_point(emitter, surface.position, surface.normal, point, choice);
-    lighting.sample = {position, emitter.before(position), true};
+    lighting.sample = {position, emitter.before(position), chosen, true};
     return lighting;
 }
 

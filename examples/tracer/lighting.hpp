@@ -12,7 +12,8 @@ namespace quell::tracer {
 /// The one point on one light that stands for all lights at a surface point.
 struct LightSample {
     glm::vec3 position{not_a_number}, position_before{not_a_number};
-    bool exists = false; ///< false: no light is above the horizon
+    std::size_t emitter = 0; ///< which of the scene's lights
+    bool exists = false;     ///< false: no light is above the horizon
 };
 
 /// Irradiance from all lights without shadows, free of noise, and the light sample: a light in proportion to the luminance of what it

@@ -58,7 +58,7 @@ struct IndirectLight {
 };
 struct Blur {
     static constexpr auto name = "blur";
-    using channels = Channels<Radiance, Albedo, Normal, Depth, Motion, Sweep, Time>;
+    using channels = Channels<Radiance, Albedo, Normal, Depth, Motion, Sweep, SweepBend, Time>;
     using reference = Channels<Radiance>;
     static constexpr std::array<Effect, 0> masks{};
 };
@@ -69,12 +69,12 @@ void for_each_effect(auto&& f) { f(Composite{}), f(Shadow{}), f(GlossyReflection
 struct Options {
     std::vector<std::string> scenes, effects;
     std::string out, size = "480x270";
-    int frames = 48, first = 0, spp = 1, reference = 0, threads = 0;
+    int frames = 48, first = 0, spp = 1, reference = 0, threads = 0, shutter_keys = default_shutter_keys;
     std::uint32_t seed = 0;
     std::optional<float> shutter, fov;
     std::vector<float> eye, target, dolly;
     float orbit = 0;
-    bool masks = false, quiet = false, list = false;
+    bool masks = false, primary_only = false, quiet = false, list = false;
 
     [[nodiscard]] bool has(std::string const& effect) const { return std::ranges::find(effects, effect) != effects.end(); }
 };
@@ -92,7 +92,12 @@ void describe(CLI::App& app, Options& o) {
         "Write converged frames too, reference.0000.exr and so on: at most so many samples per pixel, fewer where two halves agree");
     app.add_flag("--masks", o.masks,
                  "Write masks of the pixels that the effects touch too: mask_shadow.0000.png and so on, also glossy, curved and indirect");
+    app.add_flag("--primary-only", o.primary_only,
+                 "Trace no shadows, reflections and indirect light: unshadowed direct light and ambient light");
     app.add_option("--shutter", o.shutter, "Part of the frame time during which the shutter is open (default: 0.5 for blur, otherwise 0)");
+    app.add_option("--shutter-keys", o.shutter_keys,
+                   "Moments of the open shutter between which everything moves in a straight line: 2 to " +
+                       std::to_string(most_shutter_keys) + " (default: " + std::to_string(o.shutter_keys) + ")");
     app.add_option("--effects", o.effects, "Which channels to write: any of composite,shadow,glossy,indirect,blur (default: composite)")
         ->delimiter(',');
     app.add_option("--eye", o.eye, "Where the camera stands: x,y,z")->delimiter(',');
@@ -140,6 +145,8 @@ void complete(Options& o) {
     if (!o.shutter) o.shutter = o.has(Blur::name) ? 0.5f : 0.f;
     if (o.has(Blur::name) && !(*o.shutter > 0))
         refuse("--shutter", std::to_string(*o.shutter), "give more than 0: without time there is no blur");
+    if (o.shutter_keys < 2 || o.shutter_keys > most_shutter_keys)
+        refuse("--shutter-keys", std::to_string(o.shutter_keys), "give 2 to " + std::to_string(most_shutter_keys));
     if (o.scenes.empty()) o.scenes = {"room"};
     if (std::ranges::find(o.scenes, "all") != o.scenes.end()) o.scenes = scene_names();
 }
@@ -158,7 +165,8 @@ struct Sequence {
                 .samples_per_pixel = options.spp,
                 .seed = options.seed,
                 .threads = options.threads,
-                .shutter = *options.shutter};
+                .shutter = *options.shutter,
+                .shutter_keys = options.shutter_keys};
     }
 
     void write(char const* name, int frame, io::ExrImage image) const {
@@ -263,7 +271,10 @@ void trace_all(Options const& options) {
     CameraChoice const camera{vector_in("--eye", options.eye), vector_in("--target", options.target), options.fov, options.orbit,
                               vector_in("--dolly", options.dolly).value_or(glm::vec3(0.f))};
     std::vector<SceneDescription> scenes; // all of them, before the first is rendered: a misspelt name shows at once
-    for (auto const& name : options.scenes) scenes.push_back(open_scene(name, camera));
+    for (auto const& name : options.scenes) {
+        scenes.push_back(open_scene(name, camera));
+        if (options.primary_only) scenes.back().secondary_rays = false;
+    }
     static_cast<void>(size_in(options.size));
     Progress progress("quell-trace", static_cast<long long>(scenes.size()) * options.frames, !options.quiet);
     long long frames_done = 0;

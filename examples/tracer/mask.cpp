@@ -140,7 +140,7 @@ std::string_view name_of(Effect effect) {
 Mask effect_mask(PreparedScene& scene, RenderSettings const& settings, Effect effect, MaskSettings const& how) {
     detail::check(settings);
     auto mask = how.use_cache ? cached_or_computed(scene, settings, effect, how) : computed(scene, settings, effect);
-    scene.move_to(static_cast<float>(settings.frame), settings.shutter);
+    scene.move_to(static_cast<float>(settings.frame), settings.shutter, settings.shutter_keys);
     return mask;
 }
 

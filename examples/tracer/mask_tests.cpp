@@ -1,4 +1,5 @@
 #include "mask_tests.hpp"
+#include "plane.hpp"
 #include "trace.hpp"
 
 #include <glm/geometric.hpp>
@@ -14,12 +15,6 @@ constexpr int least_shadowed = 2, least_reflected = 2;
 constexpr float least_motion = 0.1f;
 /// Stands for infinitely far away: the motion of its image is the camera's rotation.
 constexpr float far_away = 1e4f;
-
-struct Plane {
-    glm::vec3 point, normal;
-
-    [[nodiscard]] glm::vec3 mirrored(glm::vec3 position) const { return position - 2 * glm::dot(position - point, normal) * normal; }
-};
 
 /// The plane that touches the surface, now and where the point's object had it one frame ago.
 struct TangentPlanes {
@@ -39,13 +34,6 @@ struct TangentPlanes {
 float apart(glm::vec2 a, glm::vec2 b) {
     float const distance = glm::distance(a, b);
     return distance >= 0 ? distance : infinity;
-}
-
-/// Where the line from the light through the blocker meets the plane, if it does so beyond the blocker.
-glm::vec3 shadow_on(Plane const& plane, glm::vec3 light, glm::vec3 blocker) {
-    auto const direction = blocker - light;
-    float const towards = glm::dot(direction, plane.normal), part = glm::dot(plane.point - light, plane.normal) / towards;
-    return part >= 1 ? light + part * direction : glm::vec3{not_a_number};
 }
 
 /// In pixels of the previous frame: where the shadow that falls on the point now was then, against where the point itself was.

@@ -10,14 +10,22 @@
 namespace quell::tracer {
 namespace {
 
-/// Enough moments for a quarter turn within the shutter to look round: the chord then errs by 0.5% of the radius.
-constexpr int moment_count = 9;
-
 /// Unshadowed light sums over all lights at every hit. Finely tessellated emitters would make that slow; they only glow.
 constexpr std::size_t most_light_triangles = 512;
 
 glm::mat4 between(glm::mat4 const& a, glm::mat4 const& b, float part) { return a + (b - a) * part; }
 glm::vec3 between(glm::vec3 a, glm::vec3 b, float part) { return a + (b - a) * part; }
+
+/// A camera stays rigid on its way: its axes are made orthonormal again.
+CameraPose between(CameraPose const& a, CameraPose const& b, float part) {
+    if (a.world_from_camera == b.world_from_camera && a.vertical_field_of_view == b.vertical_field_of_view) return a;
+    auto matrix = between(a.world_from_camera, b.world_from_camera, part);
+    glm::vec3 const back = glm::normalize(glm::vec3(matrix[2])), right{matrix[0]}, up{matrix[1]};
+    auto const across = glm::normalize(right - glm::dot(right, back) * back);
+    auto const upright = glm::normalize(up - glm::dot(up, back) * back - glm::dot(up, across) * across);
+    matrix[0] = glm::vec4(across, 0.f), matrix[1] = glm::vec4(upright, 0.f), matrix[2] = glm::vec4(back, 0.f);
+    return {matrix, glm::mix(a.vertical_field_of_view, b.vertical_field_of_view, part)};
+}
 
 /// Interpolates `value_at(i)` over evenly spaced moments.
 template <class ValueAt> auto at_time(std::size_t count, float time, ValueAt const& value_at) {
@@ -72,13 +80,16 @@ Material const& PreparedScene::material(int instance) const {
 }
 
 CameraPose PreparedScene::camera(float time, When when) const {
-    return scene.camera(current_frame + time * current_shutter - (when == When::before ? 1.f : 0.f));
+    auto const& moments = cameras.at(when);
+    return at_time(moments.size(), time, [&](std::size_t i) { return moments[i]; });
 }
 
-void PreparedScene::move_to(float frame, float shutter) {
-    if (frame == current_frame && shutter == current_shutter) return;
+void PreparedScene::move_to(float frame, float shutter, int keys) {
+    if (frame == current_frame && shutter == current_shutter && keys == current_keys) return;
     current_frame = frame;
     current_shutter = shutter;
+    current_keys = keys;
+    place_camera();
     place_instances();
     deform_shapes();
     acceleration.commit();
@@ -87,16 +98,22 @@ void PreparedScene::move_to(float frame, float shutter) {
 
 PreparedScene const& PreparedScene::one_frame_earlier() {
     if (!earlier) earlier = std::make_unique<PreparedScene>(scene);
-    earlier->move_to(current_frame - 1, current_shutter);
+    earlier->move_to(current_frame - 1, current_shutter, current_keys);
     return *earlier;
 }
 
 std::vector<float> PreparedScene::moments_before(float earlier) const {
     if (!(current_shutter > 0)) return {current_frame - earlier};
     std::vector<float> frames;
-    for (int i = 0; i < moment_count; ++i)
-        frames.push_back(current_frame - earlier + current_shutter * static_cast<float>(i) / (moment_count - 1));
+    for (int i = 0; i < current_keys; ++i)
+        frames.push_back(current_frame - earlier + current_shutter * static_cast<float>(i) / static_cast<float>(current_keys - 1));
     return frames;
+}
+
+void PreparedScene::place_camera() {
+    cameras = {};
+    for (float frame : moments_before(0)) cameras.now.push_back(scene.camera(frame));
+    for (float frame : moments_before(1)) cameras.before.push_back(scene.camera(frame));
 }
 
 void PreparedScene::place_instances() {
@@ -242,6 +259,17 @@ Emitter PreparedScene::emitter(std::size_t index, float time) const {
     result.centre = between(result.centre, next.centre, part);
     result.centre_before = between(result.centre_before, next.centre_before, part);
     return result;
+}
+
+glm::vec3 PreparedScene::emitter_point(std::size_t index, glm::vec3 position, float time, float other) const {
+    int const instance = sources[index].instance;
+    auto const at_first = placement(instance, time, When::now), at_other = placement(instance, other, When::now);
+    auto const there = emitter(index, other);
+    auto moving = emitter(index, time);
+    moving.corners_before = there.corners;
+    moving.centre_before = there.centre;
+    moving.turned_before = at_first == at_other ? glm::mat3{1.f} : glm::mat3(at_other) * glm::inverse(glm::mat3(at_first));
+    return moving.before(position);
 }
 
 } // namespace quell::tracer

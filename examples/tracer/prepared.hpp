@@ -13,6 +13,11 @@ namespace quell::tracer {
 
 enum class When { now, before };
 
+/// Enough moments for a quarter turn within the shutter to look round: the chord then errs by 0.5% of the radius.
+inline constexpr int default_shutter_keys = 9;
+/// As many as Embree allows.
+inline constexpr int most_shutter_keys = 129;
+
 /// Something at evenly spaced moments of the open shutter (one moment while the shutter is closed), and the same one frame earlier.
 template <class Value> struct Moments {
     std::vector<Value> now, before;
@@ -28,8 +33,9 @@ public:
     PreparedScene& operator=(PreparedScene const&) = delete;
 
     /// Moves everything to a frame. The shutter opens at the frame's moment and stays open for this part of the frame time; 0 freezes
-    /// time. Free of cost where nothing changes.
-    void move_to(float frame, float shutter = 0);
+    /// time. Placements, vertices and the camera are those of the description at so many evenly spaced moments of the open shutter, the
+    /// first and the last included, and move in a straight line from one to the next. Free of cost where nothing changes.
+    void move_to(float frame, float shutter = 0, int keys = default_shutter_keys);
 
     /// The same scene standing one frame before this one, for what has to be traced in both. It is made when first asked for.
     [[nodiscard]] PreparedScene const& one_frame_earlier();
@@ -47,6 +53,8 @@ public:
 
     [[nodiscard]] std::size_t emitter_count() const { return sources.size(); }
     [[nodiscard]] Emitter emitter(std::size_t index, float time) const;
+    /// Where a point of an emitter is at another time of the open shutter.
+    [[nodiscard]] glm::vec3 emitter_point(std::size_t index, glm::vec3 position, float time, float other) const;
     /// Whether light from this instance is part of `direct`, so that indirect rays must not count it again.
     [[nodiscard]] bool is_light(int instance) const { return lights[static_cast<std::size_t>(instance)]; }
     /// Factor on its material's emission at this frame.
@@ -57,6 +65,7 @@ public:
     [[nodiscard]] Material const& material(int instance) const;
     [[nodiscard]] float frame() const { return current_frame; }
     [[nodiscard]] float shutter() const { return current_shutter; }
+    [[nodiscard]] int shutter_keys() const { return current_keys; }
     /// The camera at a time of the open shutter, in this frame or the one before.
     [[nodiscard]] CameraPose camera(float time, When when) const;
 
@@ -76,6 +85,7 @@ private:
     void find_emitters_of(int instance);
     void deform_shapes();
     void place_instances();
+    void place_camera();
     void light_up();
     [[nodiscard]] glm::vec3 mean_emission_texel(int instance, glm::uvec3 corners) const;
     [[nodiscard]] std::vector<float> moments_before(float earlier) const;
@@ -90,7 +100,9 @@ private:
     std::vector<Moments<glm::mat4>> placements;      // per instance
     std::vector<Moments<TriangleMesh>> deformations; // per shape; empty for rigid ones
     std::vector<std::vector<Emitter>> emitters;      // per moment
+    Moments<CameraPose> cameras;
     float current_frame = -infinity, current_shutter = 0;
+    int current_keys = default_shutter_keys;
     std::unique_ptr<PreparedScene> earlier;
 };
 

@@ -65,7 +65,7 @@ Reference joined(Half const& first, Half const& second, int samples, double half
 
 } // namespace
 
-Reference converged(RenderPass const& render_pass, ReferenceSettings const& settings) {
+Reference converged(RenderPass const& render_pass, int least_samples, ReferenceSettings const& settings) {
     Half halves[2];
     double apart = 1;
     // Comparing costs as much as several samples, so it's done only after every growth by a quarter.
@@ -78,25 +78,27 @@ Reference converged(RenderPass const& render_pass, ReferenceSettings const& sett
             next_comparison = std::max(passes + 1, static_cast<int>(std::lround(1.25 * passes)));
         }
         if (settings.progress) settings.progress({samples, apart, settings.tolerance});
-        if (apart < settings.tolerance || is_last) return joined(halves[0], halves[1], samples, apart);
+        if ((apart < settings.tolerance && samples >= least_samples) || is_last) return joined(halves[0], halves[1], samples, apart);
     }
 }
 
 Reference cached_or_converged(PreparedScene& scene, RenderSettings const& render_settings, ReferenceSettings const& settings,
                               std::string const& channels, RenderPass const& render_pass) {
-    if (!settings.use_cache) return converged(render_pass, settings);
-    scene.move_to(static_cast<float>(render_settings.frame), render_settings.shutter);
+    int const least_samples = render_settings.shutter > 0 ? settings.least_samples_of_blur : 0;
+    if (!settings.use_cache) return converged(render_pass, least_samples, settings);
+    scene.move_to(static_cast<float>(render_settings.frame), render_settings.shutter, render_settings.shutter_keys);
     Digest key;
     key.add(scene.content_hash());
     key.add(channels);
     for (int number : {version, render_settings.size.width, render_settings.size.height, render_settings.frame, render_settings.bounces,
                        settings.most_samples, settings.samples_per_pass})
         key.add(number);
+    if (least_samples > 0) key.add(least_samples);
     key.add(render_settings.seed);
     key.add(settings.tolerance);
     ReferenceCache const cache{settings.cache, scene.description().name, render_settings.frame, key.value()};
     if (auto found = cache.load(render_settings.size)) return *found;
-    auto result = converged(render_pass, settings);
+    auto result = converged(render_pass, least_samples, settings);
     cache.store(result);
     return result;
 }

@@ -17,8 +17,11 @@ struct ReferenceProgress {
 };
 
 struct ReferenceSettings {
-    double tolerance = 0.005;      ///< converged when the mean FLIP between two independent halves is below it, for every effect
-    int most_samples = 16384;      ///< per pixel, both halves together; the end even where it hasn't converged
+    double tolerance = 0.005; ///< converged when the mean FLIP between two independent halves is below it, for every effect
+    int most_samples = 16384; ///< per pixel, both halves together; the end even where it hasn't converged
+    /// Per pixel, both halves together, with an open shutter: what moves may be so small that the mean over the image is below the
+    /// tolerance while the blur itself is not smooth yet.
+    int least_samples_of_blur = 128;
     int samples_per_pass = 16;     ///< per pixel and half, between two looks at the clock
     std::filesystem::path cache{}; ///< empty: $QUELL_CACHE, else ~/.cache/quell
     bool use_cache = true;
@@ -42,7 +45,7 @@ using PassPictures = std::map<std::string, metrics::Picture, std::less<>>;
 /// Renders a pass of one half (0 or 1), starting at this sample.
 using RenderPass = std::function<PassPictures(int half, int first_sample)>;
 
-[[nodiscard]] Reference converged(RenderPass const& render_pass, ReferenceSettings const& settings);
+[[nodiscard]] Reference converged(RenderPass const& render_pass, int least_samples, ReferenceSettings const& settings);
 [[nodiscard]] Reference cached_or_converged(PreparedScene& scene, RenderSettings const& render_settings, ReferenceSettings const& settings,
                                             std::string const& channels, RenderPass const& render_pass);
 
@@ -64,6 +67,12 @@ template <class Traced> Reference converge(PreparedScene& scene, RenderSettings 
         // Seeds that no noisy frame uses, and different ones for the halves.
         settings.seed = combine(seed, half == 0 ? 0x5eed0001u : 0x5eed0002u);
         settings.first_sample = first_sample;
+        // A frame over time starts the sequence from its beginning: the first 2^n samples fill 2^n strata of the open shutter, one each,
+        // which those amid the sequence don't. Frames differ by their seeds instead.
+        if (settings.shutter > 0) {
+            settings.first_sample -= settings.frame * settings.samples_per_pixel;
+            settings.seed = combine(settings.seed, static_cast<std::uint32_t>(settings.frame));
+        }
         return render_pass<Traced>(scene, settings);
     };
     return cached_or_converged(scene, settings, reference_settings, names, pass);

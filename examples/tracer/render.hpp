@@ -1,5 +1,6 @@
 #pragma once
 
+#include "effect_sweep.hpp"
 #include "gradient.hpp"
 
 #include <quell/core/error.hpp>
@@ -19,10 +20,11 @@ struct RenderSettings {
     int frame = 0;
     int samples_per_pixel = 1;
     std::uint32_t seed = 0;
-    int threads = 0;      ///< 0: as many as the machine has
-    float shutter = 0;    ///< part of the frame time during which the shutter is open; 0: a frozen moment
-    int first_sample = 0; ///< number of the first sample, to continue an earlier rendering of the same frame
-    int bounces = 1;      ///< how often indirect light is scattered on its way
+    int threads = 0;                         ///< 0: as many as the machine has
+    float shutter = 0;                       ///< part of the frame time during which the shutter is open; 0: a frozen moment
+    int first_sample = 0;                    ///< number of the first sample, to continue an earlier rendering of the same frame
+    int bounces = 1;                         ///< how often indirect light is scattered on its way
+    int shutter_keys = default_shutter_keys; ///< moments of the open shutter between which all moves straight: 2 as in MB, more for arcs
 };
 
 /// Takes what was rendered: `sink.put(quell::normal, x, y, value)` with a float, glm::vec2 or glm::vec3 by the channel's components.
@@ -42,7 +44,8 @@ public:
     /// `earlier`: the scene standing one frame before, where gradients are wanted and there is one.
     PixelRenderer(PreparedScene const& scene_, PreparedScene const* earlier_, RenderSettings const& settings_, S& sink_, RayCounts& counts_)
         : scene(scene_), earlier(earlier_), settings(settings_), sink(sink_), counts(counts_),
-          still(scene_.camera(0, When::now), settings_.size), still_before(scene_.camera(0, When::before), settings_.size) {}
+          still(scene_.camera(0, When::now), settings_.size), still_before(scene_.camera(0, When::before), settings_.size),
+          halfway(scene_.camera(0.5f, When::now), settings_.size), closing(scene_.camera(1, When::now), settings_.size) {}
 
     void render(int x, int y) {
         x_ = x, y_ = y;
@@ -66,6 +69,7 @@ private:
         if constexpr (wants_gradients<Wanted>) put_gradients(seen, still, still_before);
         Signals mean = signals_of(seen, 0);
         for (int i = 1; i < settings.samples_per_pixel; ++i) accumulate(mean, signals_of(seen, i), i);
+        put_sweeps(seen, mean);
         put_signals(mean);
         put(radiance, composite(seen, mean));
     }
@@ -84,10 +88,12 @@ private:
                 if constexpr (wants_gradients<Wanted>) put_gradients(seen, view, before);
             }
             auto const signals = signals_of(seen, i);
-            if (i == 0)
+            if (i == 0) {
                 mean = signals;
-            else
+                put_sweeps(seen, signals);
+            } else {
                 accumulate(mean, signals, i);
+            }
             sum += composite(seen, signals);
         }
         put_signals(mean);
@@ -155,7 +161,6 @@ private:
         put(instance, static_cast<float>(seen.hit.instance + 1));
         put(time, seen.ray.time);
         if constexpr (rays::previous) put_previous(seen, view, before);
-        if constexpr (Wanted::template has<Sweep>) put(sweep, sweep_of(seen));
     }
 
     void put_previous(Seen const& seen, View const& view, View const& before) {
@@ -168,10 +173,28 @@ private:
             put(motion, before.project(seen.ray.direction, 0) - view.project(seen.ray.direction, 0));
     }
 
-    [[nodiscard]] glm::vec2 sweep_of(Seen const& seen) const {
-        View const closing{scene.camera(1, When::now), settings.size};
-        if (!seen.hit) return closing.project(seen.ray.direction, 0) - still.project(seen.ray.direction, 0);
-        return closing.project(scene.point(seen.hit, 1, When::now)) - still.project(scene.point(seen.hit, 0, When::now));
+    /// Where the image shows the point that was seen, or the direction of the sky, at a time of the open shutter.
+    [[nodiscard]] glm::vec2 place_of(Seen const& seen, View const& view, float time) const {
+        return seen.hit ? view.project(scene.point(seen.hit, time, When::now)) : view.project(seen.ray.direction, 0);
+    }
+
+    [[nodiscard]] glm::vec2 sweep_of(Seen const& seen) const { return place_of(seen, closing, 1) - place_of(seen, still, 0); }
+
+    /// Of the first sample, which the signals belong to.
+    void put_sweeps(Seen const& seen, Signals const& signals) {
+        if constexpr (Wanted::template has<Sweep>) put(sweep, sweep_of(seen));
+        if constexpr (Wanted::template has<SweepBend>)
+            put(sweep_bend, place_of(seen, halfway, 0.5f) - (place_of(seen, still, 0) + place_of(seen, closing, 1)) * 0.5f);
+        if constexpr (Wanted::template has<SweepOf<Visibility>>)
+            put_effect_sweep(SweepOf<Visibility>{}, seen, [&](auto const& moment) { return shadow_place(moment, signals, seen.ray.time); });
+        if constexpr (Wanted::template has<SweepOf<Glossy>>)
+            put_effect_sweep(SweepOf<Glossy>{}, seen, [&](auto const& moment) { return reflection_place(moment, signals); });
+    }
+
+    /// `place` at the shutter's closing less that at its opening; where either isn't anywhere, the surface's own sweep.
+    template <class C> void put_effect_sweep(C channel, Seen const& seen, auto const& place) {
+        auto const way = place(ShutterMoment{scene, seen.hit, closing, 1}) - place(ShutterMoment{scene, seen.hit, still, 0});
+        put(channel, std::isfinite(way.x + way.y) ? way : sweep_of(seen));
     }
 
     template <class Signal> static float luminance_of(Signal, Surface const& surface, Signals const& signals) {
@@ -219,7 +242,7 @@ private:
     RenderSettings const& settings;
     S& sink;
     RayCounts& counts;
-    View still, still_before;
+    View still, still_before, halfway, closing; // at the beginning of the open shutter, a frame before, in its middle and at its end
     int x_ = 0, y_ = 0;
 };
 
@@ -229,6 +252,8 @@ inline void check(RenderSettings const& settings) {
     if (settings.samples_per_pixel <= 0) throw Error{"samples per pixel", std::to_string(settings.samples_per_pixel), "give at least 1"};
     if (!(settings.shutter >= 0 && settings.shutter <= 1))
         throw Error{"shutter", std::to_string(settings.shutter), "give a part of the frame time from 0 to 1"};
+    if (settings.shutter_keys < 2 || settings.shutter_keys > most_shutter_keys)
+        throw Error{"shutter keys", std::to_string(settings.shutter_keys), "give 2 to " + std::to_string(most_shutter_keys)};
 }
 
 } // namespace detail
@@ -239,7 +264,7 @@ inline void check(RenderSettings const& settings) {
 /// picture doesn't depend on the number of threads.
 template <class Wanted, Sink S> RayCounts render(PreparedScene& scene, RenderSettings const& settings, S& sink) {
     detail::check(settings);
-    scene.move_to(static_cast<float>(settings.frame), settings.shutter);
+    scene.move_to(static_cast<float>(settings.frame), settings.shutter, settings.shutter_keys);
     PreparedScene const* const earlier = wants_gradients<Wanted> && settings.frame > 0 ? &scene.one_frame_earlier() : nullptr;
     constexpr int tile = 16;
     RayCounts total;

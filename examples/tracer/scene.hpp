@@ -47,6 +47,8 @@ struct Background {
     glm::vec3 below{0.f}, above{0.f};
 
     [[nodiscard]] glm::vec3 radiance(glm::vec3 direction) const { return below + (above - below) * (0.5f + 0.5f * direction.y); }
+    /// Its mean over the hemisphere around a normal, weighted by the cosine: what a surface that nothing stands before receives.
+    [[nodiscard]] glm::vec3 ambient(glm::vec3 normal) const { return below + (above - below) * (0.5f + normal.y / 3); }
 };
 
 /// Where the camera stands at a moment. It looks down its own -z axis, y up.
@@ -66,6 +68,11 @@ struct SceneDescription {
     std::vector<SceneInstance> instances;
     std::function<CameraPose(float frame)> camera;
     Background background;
+    /// False: indirect light is what the background sends, whatever is in its way: exact, so without noise, and without rays.
+    bool indirect_rays = true;
+    /// False: a picture is unshadowed direct light and the background's ambient light, and no ray follows the primary one. Such a picture
+    /// is noisy in nothing but time, as the input of SVGF for motion blur is (MB section 3). `indirect_rays` doesn't matter then.
+    bool secondary_rays = true;
 
     int add(Shape shape);
     int add(TriangleMesh mesh);
@@ -80,6 +87,7 @@ struct SceneDescription {
         return static_cast<int>(instances.size()) - 1;
     }
 
+    [[nodiscard]] bool has_indirect_rays() const { return secondary_rays && indirect_rays; }
     [[nodiscard]] glm::mat4 node_matrix(int node, float frame) const;
     /// A shape's vertices at a moment; texture coordinates are left out.
     [[nodiscard]] TriangleMesh vertices_at(Shape const& shape, float frame) const;

@@ -16,6 +16,7 @@ void trace_shadow(PreparedScene const& scene, Surface const& surface, PathContex
     auto const hit = scene.intersect(ray);
     if (!hit) return;
     signals.visibility = 0;
+    signals.shadow_hit = hit;
     signals.blocker = scene.point(hit, path.time, When::now);
     signals.blocker_previous = scene.point(hit, path.time, When::before);
 }
@@ -39,12 +40,17 @@ void trace_glossy(PreparedScene const& scene, Surface const& surface, glm::vec3 
         arrived.hit = scene.intersect(ray);
     signals.glossy = metal.weight(out, in, microfacet) * arrived.radiance;
     if (!arrived.hit) return;
+    signals.glossy_ray_hit = arrived.hit;
     signals.glossy_hit = scene.point(arrived.hit, path.time, When::now);
     signals.glossy_hit_previous = scene.point(arrived.hit, path.time, When::before);
 }
 
 void trace_indirect(PreparedScene const& scene, Surface const& surface, PathContext const& path, bool shade, Signals& signals) {
     signals.indirect_direction = cosine_direction(surface.normal, sample_pair(path.key, SampleUse::indirect));
+    if (!scene.description().has_indirect_rays()) {
+        signals.indirect = scene.description().background.ambient(surface.normal);
+        return;
+    }
     // Directions that the shading normal allows but the surface itself is in the way of see nothing.
     bool const free = glm::dot(signals.indirect_direction, surface.geometric_normal) > 0;
     if (!shade || !free) return;

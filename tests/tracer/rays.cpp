@@ -49,6 +49,51 @@ TEST_CASE("exactly the rays that the wanted channels need are traced") {
     CHECK(bounced.glossy == 0);
 }
 
+TEST_CASE("without secondary rays a picture is unshadowed direct light and ambient light, exactly") {
+    auto description = built_in_scene("room");
+    description.background = {{0.1f, 0.2f, 0.3f}, {0.5f, 0.4f, 0.9f}};
+    auto const background = description.background;
+    PreparedScene scene{description};
+    description.secondary_rays = false;
+    PreparedScene plain{std::move(description)};
+    using Wanted = Channels<Radiance, Direct, Visibility, Glossy, Indirect, Albedo, Normal, Instance, Blocker, GlossyHit>;
+    Pictures<Wanted> pictures{size}, traced{size};
+    render<Wanted>(scene, {.size = size, .frame = 32}, traced);
+    CHECK(render<Wanted>(plain, {.size = size, .frame = 32, .samples_per_pixel = 3}, pictures) == RayCounts{.primary = pixels});
+    int unlike = 0;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            CHECK(glm::distance(pixel(pictures[direct], x, y), pixel(traced[direct], x, y)) < 1e-5f);
+            auto const ambient = pixel(pictures[albedo], x, y) * background.ambient(pixel(pictures[normal], x, y));
+            bool const emits = pixel(pictures[indirect], x, y) == glm::vec3{0.f};
+            auto const expected = pixel(pictures[direct], x, y) + (emits ? glm::vec3{0.f} : ambient);
+            CHECK(glm::distance(pixel(pictures[radiance], x, y), expected) < 1e-5f * (1 + glm::length(expected)));
+            unlike += glm::distance(pixel(pictures[radiance], x, y), pixel(traced[radiance], x, y)) > 0.01f ? 1 : 0;
+        }
+    CHECK(unlike > pixels / 4);
+}
+
+TEST_CASE("without indirect rays only those are missing") {
+    auto description = built_in_scene("room");
+    description.indirect_rays = false;
+    PreparedScene scene{std::move(description)};
+    auto const counts = counts_for<Channels<Radiance>>(scene);
+    CHECK(counts.indirect == 0);
+    CHECK(counts.shadow > pixels / 2);
+    CHECK(counts.glossy > 0);
+}
+
+TEST_CASE("ambient light is the mean of the background over the hemisphere, weighted by the cosine") {
+    Background const background{{0.2f, 0.5f, 0.1f}, {0.8f, 0.1f, 0.4f}};
+    for (auto normal : {glm::vec3{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {0.48f, 0.6f, -0.64f}}) {
+        glm::vec3 sum{0.f};
+        constexpr std::uint32_t count = 4096;
+        for (std::uint32_t i = 0; i < count; ++i)
+            sum += background.radiance(cosine_direction(normal, sample_pair({{3, 4}, i, 0}, SampleUse::indirect)));
+        CHECK(glm::distance(sum / static_cast<float>(count), background.ambient(normal)) < 1e-3f);
+    }
+}
+
 TEST_CASE("a channel's values do not depend on which others are traced") {
     PreparedScene scene{built_in_scene("room")};
     Pictures<AllChannels> all{size};

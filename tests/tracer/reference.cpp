@@ -3,6 +3,8 @@
 
 #include <tracer/reference.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -108,4 +110,51 @@ TEST_CASE("a damaged cache file is computed again") {
 TEST_CASE("a cache that can't be written doesn't matter") {
     PreparedScene scene{little_world()};
     CHECK_NOTHROW(reference<Channels<Indirect>>(scene, {.size = size}, {.tolerance = 0.1, .cache = "/proc/nowhere"}));
+}
+
+TEST_CASE("references of blur are stratified in time") {
+    auto scene = world({0, 0, 4}, {0, 0, 0}, 40);
+    auto const facing_viewer = glm::angleAxis(glm::radians(90.f), glm::vec3{1, 0, 0});
+    scene.place(scene.add(rectangle(0.8f, 0.8f)), scene.add(Material{.emission = glm::vec3{1.f}}), [=](float frame) {
+        return Transform{{frame - 3.3f, 0, 0}, facing_viewer}.matrix();
+    });
+    PreparedScene prepared{std::move(scene)};
+    RenderSettings const settings{.size = {48, 32}, .frame = 3, .shutter = 0.6f};
+    auto const found = reference<Channels<Radiance>>(prepared, settings, {.tolerance = 0, .most_samples = 64, .use_cache = false});
+    CHECK(found.samples == 64);
+    float const pixels_per_unit = 16 / std::tan(glm::radians(20.f)) / 4;
+    int blurred = 0;
+    for (int x = 0; x < 48; ++x) {
+        // The plate's middle goes from -0.3 to 0.3; the pixel is covered while that is within 0.4 of it.
+        float const place = (static_cast<float>(x) + 0.5f - 24) / pixels_per_unit;
+        float const covered = std::max(0.f, std::min(place + 0.4f, 0.3f) - std::max(place - 0.4f, -0.3f)) / 0.6f;
+        bool const has_both_edges = place - 0.4f > -0.3f && place + 0.4f < 0.3f;
+        // Each half has 32 strata, and an edge is in one of them: random times would miss by three times as much in one pixel of three.
+        CHECK(std::abs(pixel(found[radiance], x, 16).x - covered) < (has_both_edges ? 2 : 1) / 32.f + 1e-4f);
+        blurred += covered > 0.05f && covered < 0.95f ? 1 : 0;
+    }
+    CHECK(blurred > 10);
+}
+
+TEST_CASE("a reference of blur ends when its halves agree, and its frames have noise of their own") {
+    auto description = little_world();
+    description.secondary_rays = false;
+    // Every frame shows the same: a quick start from the same place.
+    description.camera = [](float frame) {
+        float const x = 0.8f * (frame - std::floor(frame));
+        return look_at({x, 1, 3}, {x, 0.3f, 0}, 45);
+    };
+    PreparedScene scene{std::move(description)};
+    auto const at = [&](int frame, double tolerance) {
+        return reference<Channels<Radiance>>(
+            scene, {.size = size, .frame = frame, .shutter = 0.9f},
+            {.tolerance = tolerance, .least_samples_of_blur = 0, .samples_per_pass = 2, .use_cache = false});
+    };
+    auto const rough = at(0, 0.03), later = at(1, 0.03), fine = at(0, 0.005);
+    CHECK(rough.half_difference < 0.03);
+    CHECK(fine.half_difference < 0.005);
+    CHECK(fine.samples > rough.samples);
+    CHECK(fine.samples < 2000);
+    CHECK(later[radiance].pixels != rough[radiance].pixels);
+    CHECK(reference<Channels<Radiance>>(scene, {.size = size, .shutter = 0.9f}, {.tolerance = 0.5, .use_cache = false}).samples == 128);
 }

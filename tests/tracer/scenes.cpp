@@ -4,6 +4,8 @@
 #include <tracer/mask.hpp>
 #include <tracer/scenes/scenes.hpp>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <string>
 
@@ -63,6 +65,39 @@ TEST_CASE("what a scene stands for is in full swing from frame 8 to 44") {
             CHECK(share > each.least);
             CHECK(share < 0.65);
         }
+}
+
+TEST_CASE("blur scenes sweep as far as they stand for, noisy in nothing but time") {
+    struct Case {
+        std::string scene;
+        float least, most;      ///< of the longest sweeps, in pixels at 480x270
+        double moving, resting; ///< least parts of the image
+    };
+    constexpr Extent size{96, 54};
+    for (auto const& each :
+         {Case{"spheres", 35, 50, 0.02, 0.8}, Case{"colonnade", 60, 90, 0.6, 0.05}, Case{"colonnade-slow", 5, 8, 0.6, 0.05},
+          Case{"propeller", 110, 150, 0.04, 0.8}, Case{"roll", 30, 42, 0.99, 0}, Case{"mixed", 25, 60, 0.99, 0}}) {
+        PreparedScene scene{built_in_scene(each.scene)};
+        for (int frame : {0, 24, 40, 60}) {
+            CAPTURE(each.scene);
+            CAPTURE(frame);
+            using Wanted = Channels<Radiance, Sweep>;
+            Pictures<Wanted> pictures{size};
+            auto const rays = render<Wanted>(scene, {.size = size, .frame = frame, .shutter = 0.5f}, pictures);
+            CHECK(rays == RayCounts{.primary = size.pixels()});
+            std::vector<float> lengths;
+            for (auto const& value : pictures[sweep].pixels) lengths.push_back(glm::length(value) * 5);
+            std::ranges::sort(lengths);
+            auto const count = static_cast<double>(lengths.size());
+            auto const moving = static_cast<double>(std::ranges::count_if(lengths, [](float length) { return length > 0.1f; })) / count;
+            CHECK(moving > each.moving);
+            CHECK(1 - moving >= each.resting);
+            // But for the few pixels at the end, which may be a speck close to the camera.
+            float const longest = lengths[static_cast<std::size_t>(0.998 * count)];
+            CHECK(longest > each.least);
+            CHECK(longest < each.most);
+        }
+    }
 }
 
 TEST_CASE("a brightness over time switches a light") {

@@ -13,10 +13,22 @@ struct Entry {
     SceneDescription (*make)();
 };
 
-constexpr std::array entries{
-    Entry{"room", room},         Entry{"fence", fence},   Entry{"fence-lights", fence_with_lights}, Entry{"apples", apples},
-    Entry{"pinkroom", pinkroom}, Entry{"temple", temple}, Entry{"restaurant", restaurant},          Entry{"boxes", boxes},
-    Entry{"disk", disk}};
+constexpr std::array entries{Entry{"room", room},
+                             Entry{"fence", fence},
+                             Entry{"fence-lights", fence_with_lights},
+                             Entry{"apples", apples},
+                             Entry{"pinkroom", pinkroom},
+                             Entry{"temple", temple},
+                             Entry{"restaurant", restaurant},
+                             Entry{"boxes", boxes},
+                             Entry{"disk", disk},
+                             Entry{"spheres", spheres},
+                             Entry{"colonnade", colonnade},
+                             Entry{"colonnade-slow", colonnade_slow},
+                             Entry{"propeller", propeller},
+                             Entry{"roll", roll},
+                             Entry{"mixed", mixed},
+                             Entry{"flyby", flyby}};
 
 std::string listed(std::vector<std::string> const& names) {
     std::string list;

@@ -24,5 +24,12 @@ namespace quell::tracer {
 [[nodiscard]] SceneDescription restaurant();
 [[nodiscard]] SceneDescription boxes();
 [[nodiscard]] SceneDescription disk();
+[[nodiscard]] SceneDescription spheres();
+[[nodiscard]] SceneDescription colonnade();
+[[nodiscard]] SceneDescription colonnade_slow();
+[[nodiscard]] SceneDescription propeller();
+[[nodiscard]] SceneDescription roll();
+[[nodiscard]] SceneDescription mixed();
+[[nodiscard]] SceneDescription flyby();
 
 } // namespace quell::tracer

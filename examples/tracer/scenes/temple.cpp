@@ -1,5 +1,6 @@
 #include "../patterns.hpp"
 #include "../shapes.hpp"
+#include "outdoors.hpp"
 #include "scenes.hpp"
 #include "turn.hpp"
 
@@ -25,19 +26,6 @@ void add_floor(SceneDescription& scene) {
         scene.place(scene.add(box({0.3f, 4.6f, 38.4f}, 0.3f)), step, {.translation = {side * 4.6f, 2.3f, -10}});
     }
     scene.place(scene.add(box({9.6f, 4.6f, 0.3f}, 0.3f)), step, {.translation = {0, 2.3f, -20}});
-}
-
-TriangleMesh column_mesh() {
-    auto mesh = moved(box({0.72f, 0.16f, 0.72f}), {0, 0.22f, 0});
-    mesh = joined(std::move(mesh), moved(torus(0.26f, 0.07f, 32, 12), {0, 0.36f, 0}));
-    // Fluted: the radius dips twelve times around.
-    auto const shaft = surface(96, 8, [](float u, float v) {
-        float const radius = (0.27f - 0.05f * v) * (1 - 0.06f * std::abs(std::sin(12 * pi * u)));
-        return glm::vec3{radius * std::sin(2 * pi * u), 0.4f + 2.7f * v, radius * std::cos(2 * pi * u)};
-    });
-    mesh = joined(std::move(mesh), shaft);
-    mesh = joined(std::move(mesh), moved(torus(0.23f, 0.06f, 32, 12), {0, 3.12f, 0}));
-    return joined(std::move(mesh), moved(box({0.7f, 0.14f, 0.7f}), {0, 3.24f, 0}));
 }
 
 void add_columns(SceneDescription& scene) {

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include <cmath>
 #include <numbers>
 
 namespace quell::tracer {
@@ -17,6 +18,13 @@ inline constexpr float pi = std::numbers::pi_v<float>;
     auto const to = glm::normalize(direction);
     if (to.y < -0.9999f) return turn(180, {1, 0, 0});
     return glm::normalize(glm::quat(1 + to.y, glm::cross(glm::vec3{0, 1, 0}, to)));
+}
+
+/// To and fro between -1 and 1, at a nearly constant speed but for the ends, where it turns smoothly. One turn is once there and back; it
+/// starts in the middle, upwards.
+[[nodiscard]] inline float shuttle(float turns) {
+    constexpr float roundness = 0.98f; // 1 would be a triangle, 0 a sine
+    return std::asin(roundness * std::sin(2 * pi * turns)) / std::asin(roundness);
 }
 
 } // namespace quell::tracer

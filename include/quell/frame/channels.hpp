@@ -99,25 +99,36 @@ struct IndirectDirection : Channel<3> {
     static constexpr auto name = "indirect_direction";
 };
 
-/// Displacement over the open shutter, position(t = 1) - position(t = 0), and the sample's time in [0, 1].
+/// Displacement over the open shutter, position(t = 1) - position(t = 0).
 struct Sweep : Channel<2> {
     static constexpr auto name = "sweep";
     static constexpr bool full_precision = true;
 };
+/// How far the way over the open shutter bends: to second order, position(t) = position(0) + sweep t + bend 4 t (1 - t), so that it is
+/// position(0.5) less the mean of both ends. 0 for straight motion at an even speed.
+struct SweepBend : Channel<2> {
+    static constexpr auto name = "sweep_bend";
+    static constexpr bool full_precision = true;
+};
+/// The sample's time in [0, 1] over the open shutter.
 struct Time : Channel<1> {
     static constexpr auto name = "time";
     static constexpr bool full_precision = true;
 };
 
 namespace detail {
-/// The channel's name with something behind it, without a terminating zero.
-template <ChannelTag C, std::size_t Size> constexpr auto extended_name(char const (&behind)[Size]) {
+/// The channel's name between two other words, without a terminating zero.
+template <ChannelTag C, std::size_t Before, std::size_t Behind>
+constexpr auto extended_name(char const (&before)[Before], char const (&behind)[Behind]) {
     constexpr std::string_view name = C::name;
-    std::array<char, name.size() + Size - 1> letters{};
-    for (std::size_t i = 0; i < letters.size(); ++i) letters[i] = i < name.size() ? name[i] : behind[i - name.size()];
+    std::array<char, Before - 1 + name.size() + Behind - 1> letters{};
+    std::size_t count = 0;
+    for (std::string_view part : {std::string_view(before), name, std::string_view(behind)})
+        for (char letter : part) letters[count++] = letter;
     return letters;
 }
-template <ChannelTag C> inline constexpr auto gradient_name = extended_name<C>("_gradient");
+template <ChannelTag C> inline constexpr auto gradient_name = extended_name<C>("", "_gradient");
+template <ChannelTag C> inline constexpr auto sweep_name = extended_name<C>("sweep_", "");
 } // namespace detail
 
 /// How much a signal changed by itself from the last frame to this one (A-SVGF, Schied 2018): one pixel of each 3x3 shades its surface
@@ -125,6 +136,14 @@ template <ChannelTag C> inline constexpr auto gradient_name = extended_name<C>("
 /// 0 in all other pixels, and where the point was not seen before.
 template <ChannelTag Signal> struct GradientOf : Channel<2> {
     static constexpr std::string_view name{detail::gradient_name<Signal>.data(), detail::gradient_name<Signal>.size()};
+};
+
+/// How far that moves over the open shutter which a signal's sample saw, in pixels like Sweep: for Visibility the shadow that falls on the
+/// pixel, along the receiver's tangent plane (see ShadowMotion); for Glossy the virtual image of what is reflected, in a flat mirror (see
+/// ImageMotion). Where the sample saw no blocker, or reflected nothing, it is the surface's own sweep.
+template <ChannelTag Signal> struct SweepOf : Channel<2> {
+    static constexpr std::string_view name{detail::sweep_name<Signal>.data(), detail::sweep_name<Signal>.size()};
+    static constexpr bool full_precision = true;
 };
 
 inline constexpr Radiance radiance;
@@ -148,6 +167,7 @@ inline constexpr GlossyHitPrevious glossy_hit_previous;
 inline constexpr Indirect indirect;
 inline constexpr IndirectDirection indirect_direction;
 inline constexpr Sweep sweep;
+inline constexpr SweepBend sweep_bend;
 inline constexpr Time time;
 
 /// Every channel that SCENES.md names, in the order in which files list them.
