@@ -34,12 +34,29 @@ template <class Real> QUELL_KERNEL Real normal_from_bits(Index<Real> const& bits
 }
 } // namespace detail
 
+namespace detail {
+/// Two independent sets of 32 random bits, always the same for the same three whole numbers.
+template <class Real> QUELL_KERNEL auto random_bits(Real column, Real row, std::int32_t frame) {
+    auto const seed = scrambled(truncate(row) + Index<Real>(wrapping_product(frame, 0x51ed270b)));
+    auto const first = scrambled(truncate(column) ^ seed);
+    return std::pair{first, scrambled(first + Index<Real>(1))};
+}
+/// A uniformly distributed number in [0, 1) from the upper 23 of random bits.
+template <class Real> QUELL_KERNEL Real uniform_from_bits(Index<Real> const& bits) {
+    return from_bits(logical_shift<9>(bits) | Index<Real>(0x3f800000)) - 1.f;
+}
+} // namespace detail
+
 /// Two independent, normally distributed numbers of mean 0 and deviation 1, always the same for the same three whole numbers.
 /// @param column, row whole numbers
 template <class Real> QUELL_KERNEL std::pair<Real, Real> normal_pair(Real column, Real row, std::int32_t frame) {
-    auto const seed = detail::scrambled(truncate(row) + Index<Real>(detail::wrapping_product(frame, 0x51ed270b)));
-    auto const first = detail::scrambled(truncate(column) ^ seed);
-    return {detail::normal_from_bits<Real>(first), detail::normal_from_bits<Real>(detail::scrambled(first + Index<Real>(1)))};
+    auto const [first, second] = detail::random_bits(column, row, frame);
+    return {detail::normal_from_bits<Real>(first), detail::normal_from_bits<Real>(second)};
+}
+/// The same, uniformly distributed in [0, 1).
+template <class Real> QUELL_KERNEL std::pair<Real, Real> uniform_pair(Real column, Real row, std::int32_t frame) {
+    auto const [first, second] = detail::random_bits(column, row, frame);
+    return {detail::uniform_from_bits<Real>(first), detail::uniform_from_bits<Real>(second)};
 }
 
 } // namespace quell

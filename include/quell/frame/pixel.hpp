@@ -149,11 +149,22 @@ template <class R, class S> struct Pixel {
     QUELL_KERNEL bool has_past() const { return scope.has_past; }
     /// The pixel of the previous frame at an offset from a place there; outside the image it shows something finite of no meaning.
     QUELL_KERNEL PastPixel<Real, S> past(PastPlace<Real> const& place, int dx = 0, int dy = 0) const { return {scope, place, dx, dy}; }
-    /// A channel of this frame at any place, which may lie outside the image: then it shows the border.
+    /// A channel of this frame, or one that an earlier pass made, at any place; outside the image it shows the border.
     template <ChannelTag C> QUELL_KERNEL auto elsewhere(PastPlace<Real> const& place, C c) const {
-        static_assert(S::frame_channels::template has<C>,
-                      "a policy looks at a channel that it does not list: add the channel to its `reads`");
-        return detail::fetch<Real>(scope.frame.view(c), scope.size, place, 0, 0);
+        constexpr bool made = S::made_channels::template has<C>, given = S::frame_channels::template has<C>;
+        static_assert(made || given, "a policy looks at a channel that it does not list: add the channel to its `reads`");
+        if constexpr (made)
+            return detail::fetch<Real>(scope.made.view(c), scope.size, place, 0, 0);
+        else if constexpr (given)
+            return detail::fetch<Real>(scope.frame.view(c), scope.size, place, 0, 0);
+    }
+    /// The signal at any place, and whether the host's sample there was missing.
+    QUELL_KERNEL auto signal_elsewhere(PastPlace<Real> const& place) const {
+        auto const v = detail::fetch<Real>(scope.signal, scope.size, place, 0, 0);
+        if constexpr (S::marks_missing)
+            return std::pair{clear_mark(v), sign_bit(component<0>(v))};
+        else
+            return std::pair{v, Real(0.f) != Real(0.f)};
     }
     /// From pixels to the world, in this frame and in the previous one. Wants `needs_camera`.
     QUELL_KERNEL PixelRays const& rays() const { return scope.rays; }
@@ -161,6 +172,10 @@ template <class R, class S> struct Pixel {
     /// Two normally distributed random numbers, other ones in each pixel and frame, always the same in the same.
     QUELL_KERNEL std::pair<Real, Real> random_normals() const {
         return normal_pair(Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)), scope.frame_index);
+    }
+    /// Two uniformly distributed random numbers in [0, 1), likewise.
+    QUELL_KERNEL std::pair<Real, Real> random_uniforms() const {
+        return uniform_pair(Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)), scope.frame_index);
     }
     /// Where a point of the world was on the previous frame's screen (pixels), and its linear depth there (not positive: behind the
     /// camera).

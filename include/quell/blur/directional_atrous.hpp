@@ -1,0 +1,86 @@
+#pragma once
+
+#include <quell/blur/layers.hpp>
+#include <quell/blur/motion_guide.hpp>
+
+namespace quell {
+
+namespace detail {
+/// One level; the last one also puts the layers together.
+/// @tparam From the channel with the moving layer that it starts from
+template <ChannelTag Signal, ChannelTag From> struct DirectionalLevel {
+    static constexpr auto name = "directional a-trous";
+    using reads = Channels<GuideAxis, GuideSpread, From>;
+    using emits = Channels<FilteredLayer<Signal>>;
+    float part;      ///< of the sweep's length, from tap to tap
+    float fixed;     ///< pixels from tap to tap, instead, where it is above 0
+    int taps_across; ///< to either side
+    bool weighs_axis_variance = true;
+
+    template <class Px> QUELL_KERNEL auto emit(Px const& px) const { return Result<typename Px::Real>{typename Px::Real(0.f), typename Px::Real(1.f), {}}.with(FilteredLayer<Signal>{}, filtered(px)); }
+
+    template <class Px> QUELL_KERNEL auto filtered(Px const& px) const {
+        using Real = typename Px::Real;
+        constexpr float spline[] = {0.375f, 0.25f, 0.0625f};
+        auto const own = px[From{}], axis = px[guide_axis];
+        auto const length = sqrt(fma(axis.x, axis.x, axis.y * axis.y));
+        auto const moves = length > Real(Path<Real>::least);
+        if (!any(moves)) return own;
+        auto const inverse = 1.f / max(length, Real(1e-6f));
+        auto const along = fixed > 0.f ? Real(fixed) : length * part;
+        auto const across = fma(px[guide_spread].y, max(along - 1.f, Real(0.f)), Real(1.f));
+        vec2<Real> const step{axis.x * inverse * along, axis.y * inverse * along}, aside{-axis.y * inverse * across, axis.x * inverse * across};
+        auto const p = px.position();
+        Real const right(static_cast<float>(px.size().width)), bottom(static_cast<float>(px.size().height));
+        auto sum = scale(own, Real(spline[0] * spline[0]));
+        Real weights(spline[0] * spline[0]);
+        for (int j = -taps_across; j <= taps_across; ++j)
+            for (int i = -2; i <= 2; ++i) {
+                if (i == 0 && j == 0) continue;
+                auto const fi = static_cast<float>(i), fj = static_cast<float>(j);
+                auto const x = floor(p.x + step.x * fi + aside.x * fj), y = floor(p.y + step.y * fi + aside.y * fj);
+                float const w = spline[i < 0 ? -i : i] * spline[j < 0 ? -j : j];
+                auto const inside = select(both(x >= Real(0.f), x < right, y >= Real(0.f), y < bottom), Real(w), Real(0.f));
+                PastPlace<Real> const place(x, y);
+                sum = add_scaled(sum, px.elsewhere(place, From{}), inside);
+                weights = weights + inside;
+            }
+        return select(moves, scale(sum, 1.f / weights), own);
+    }
+};
+template <ChannelTag Signal, ChannelTag From> struct LastDirectionalLevel {
+    static constexpr auto name = "directional a-trous and composite";
+    using reads = decltype(reads_of<DirectionalLevel<Signal, From>>{} | Channels<StaticLayer<Signal>>{});
+    DirectionalLevel<Signal, From> level;
+
+    template <class Px> QUELL_KERNEL auto filter(Px const& px) const {
+        return layers_together(level.filtered(px), px[StaticLayer<Signal>{}], px.signal());
+    }
+};
+} // namespace detail
+
+/// A wavelet along the motion over the moving layer: `levels` passes of five taps along the axis, and as many rows of them across as asked for,
+/// which stand apart as far as sweeps are long and doubly as far in each level as in the one before (MB section 4.3). Then puts the layers
+/// together. Wants a MotionGuide and a LayerBlend before it.
+template <ChannelTag Signal> struct DirectionalAtrous {
+    using First = detail::DirectionalLevel<Signal, MovingLayer<Signal>>;
+    using Next = detail::DirectionalLevel<Signal, FilteredLayer<Signal>>;
+    using reads = decltype(reads_of<detail::LastDirectionalLevel<Signal, FilteredLayer<Signal>>>{} | reads_of<First>{});
+    using emits = emits_of<First>;
+    int levels = 3;         ///< at least 2
+    float reach = 0.2f;     ///< of the last level: distance between taps as a part of the sweep
+    float fixed_step = 0.f; ///< pixels between the taps of the first level, in place of `reach`, where above 0: an ordinary a-trous
+    int taps_across = 2;    ///< to either side of the axis: 0 to 2
+
+    constexpr void for_each_pass(auto&& pass) const {
+        pass(First{step(0), fixed(0), taps_across});
+        for (int i = 1; i + 1 < levels; ++i) pass(Next{step(i), fixed(i), taps_across});
+        pass(detail::LastDirectionalLevel<Signal, FilteredLayer<Signal>>{{step(levels - 1), fixed(levels - 1), taps_across}});
+    }
+
+private:
+    constexpr float step(int level) const { return reach / static_cast<float>(1 << (levels - 1 - level)); }
+    constexpr float fixed(int level) const { return fixed_step * static_cast<float>(1 << level); }
+};
+
+} // namespace quell

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <quell/blend/blend_policy.hpp>
+#include <quell/blur/layers.hpp>
+
+namespace quell {
+
+/// History of a picture in two layers: what moves comes from where the motion source says, what stands still from the pixel itself.
+/// @tparam Signal the pipeline's
+/// @tparam Moving a history fetch
+template <ChannelTag Signal, class Moving = Bilinear> struct LayerFetch {
+    Moving moving{};
+
+    template <class Px, class Found> QUELL_KERNEL auto fetch(Px const& px, Found const& found) const {
+        using Real = typename Px::Real;
+        auto past = moving.fetch(px, found);
+        auto const p = px.position();
+        PastPlace<Real> const here(p.x - 0.5f, p.y - 0.5f);
+        past.kept.set(StaticLayer<Signal>{}, px.past(here)[StaticLayer<Signal>{}]);
+        return past;
+    }
+};
+
+/// Accumulates both layers, each for itself, and puts them together. What moves: the running mean of its coverage and of the signal in it.
+/// What stands still keeps its value while it is seen, and is remembered while it is covered.
+template <ChannelTag Signal> struct LayerBlend {
+    using reads = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep>;
+    using keeps = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep, HistoryLength>;
+    float cap = 8.f; ///< frames that the moving layer is the mean of, at most; at least 1
+
+    template <class Px, class P> QUELL_KERNEL auto blend(Px const& px, P const& past) const {
+        using Real = typename Px::Real;
+        constexpr MovingLayer<Signal> moving;
+        constexpr StaticLayer<Signal> still;
+        auto const length = min(select(past.validity > Real(0.f), past[history_length], Real(0.f)) + 1.f, Real(cap));
+        auto const alpha = 1.f / length;
+        auto const layer = mix(past[moving], px[moving], alpha);
+        auto const seen = px[still], remembered = past[still];
+        auto const background = select(detail::weight_of(remembered) > detail::weight_of(seen), remembered, seen);
+        return Result{detail::layers_together(layer, background, px.signal()), alpha}
+            .with(moving, layer)
+            .with(still, background)
+            .with(mean_sweep, px[mean_sweep])
+            .with(history_length, length);
+    }
+};
+
+} // namespace quell

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <quell/blur/path.hpp>
+#include <quell/filter/filter_kernel.hpp>
+
+namespace quell {
+
+/// The mean sweep around a pixel, opposite directions cancelling out. In pixels; 0 where nothing moves.
+struct GuideSweep : Channel<2> {
+    static constexpr auto name = "guide_sweep";
+};
+/// The line along which things move around a pixel, opposite directions being one: a vector along it, as long as the sweeps are in the
+/// mean. In pixels; 0 where nothing moves.
+struct GuideAxis : Channel<2> {
+    static constexpr auto name = "guide_axis";
+};
+/// How different the sweeps around a pixel are: variance of their lengths (pixels^2), of their axes (0: one, 1: all alike), and the part
+/// of the samples that move.
+struct GuideSpread : Channel<3> {
+    static constexpr auto name = "guide_spread";
+};
+inline constexpr GuideSweep guide_sweep;
+inline constexpr GuideAxis guide_axis;
+inline constexpr GuideSpread guide_spread;
+
+namespace detail {
+/// Sums over the moving samples of a row: their number, sweeps, lengths, squared lengths, doubled angles as unit vectors, and depths.
+struct MotionSums : Channel<8> {
+    static constexpr auto name = "motion_sums";
+};
+inline constexpr MotionSums motion_sums;
+
+/// Whether something at a depth can't be seen here, since what is here stands still before it.
+template <class Real> QUELL_KERNEL auto hidden_behind(Real depth, Real here, float tolerance) { return depth > here * (1.f + tolerance); }
+
+struct MotionRow {
+    static constexpr auto name = "motion guide, rows";
+    static constexpr bool leaves_signal = true;
+    using reads = Channels<Sweep, Depth>;
+    using emits = Channels<MotionSums>;
+    int radius;
+    float depth_tolerance;
+
+    template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
+        using Real = typename Px::Real;
+        auto const here = Path<Real>::of(px[sweep], Real(0.f)).moves();
+        auto const nearest = select(here, Real(1e30f), px[depth]);
+        auto sums = zero<Components<8, Real>>();
+        for (int i = -radius; i <= radius; ++i) {
+            auto const near = px.at(i, 0);
+            auto const path = Path<Real>::of(near[sweep], Real(0.f));
+            auto const z = near[depth];
+            auto const counts = both(near.inside(), path.moves(), invert(near.missing()), invert(hidden_behind(z, nearest, depth_tolerance)));
+            if (!any(counts)) continue;
+            auto const inverse = 1.f / max(path.squared, Real(1e-6f));
+            auto const x = path.sweep.x, y = path.sweep.y;
+            Components<8, Real> const sample{Real(1.f), x, y, path.length(), path.squared, (x * x - y * y) * inverse, 2.f * x * y * inverse,
+                                             select(is_finite(z), min(z, Real(1e6f)), Real(1e6f))};
+            sums = map([&](auto s, auto a) __attribute__((always_inline)) { return s + select(counts, a, Real(0.f)); }, sums, sample);
+        }
+        return Result<Real>{Real(0.f), Real(1.f), {}}.with(motion_sums, sums);
+    }
+};
+
+struct MotionColumn {
+    static constexpr auto name = "motion guide, columns";
+    static constexpr bool leaves_signal = true;
+    using reads = Channels<Sweep, Depth, MotionSums>;
+    using emits = Channels<GuideSweep, GuideAxis, GuideSpread>;
+    int radius;
+    float depth_tolerance;
+
+    template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
+        using Real = typename Px::Real;
+        auto const nearest = select(Path<Real>::of(px[sweep], Real(0.f)).moves(), Real(1e30f), px[depth]);
+        auto sums = zero<Components<8, Real>>();
+        for (int i = -radius; i <= radius; ++i) {
+            auto const near = px.at(0, i);
+            if (!near.row_inside) continue;
+            auto const row = near[motion_sums];
+            auto const mean_depth = row.at[7] / max(row.at[0], Real(1.f));
+            auto const counts = invert(hidden_behind(mean_depth, nearest, depth_tolerance));
+            sums = map([&](auto s, auto a) __attribute__((always_inline)) { return s + select(counts, a, Real(0.f)); }, sums, row);
+        }
+        auto const some = sums.at[0] > Real(0.5f);
+        auto const inverse = select(some, 1.f / max(sums.at[0], Real(1.f)), Real(0.f));
+        auto const length = sums.at[3] * inverse;
+        auto const side = static_cast<float>(2 * radius + 1);
+        vec3<Real> const spread{max(sums.at[4] * inverse - length * length, Real(0.f)), Real(0.f), sums.at[0] * (1.f / (side * side))};
+        return Result<Real>{Real(0.f), Real(1.f), {}}
+            .with(guide_sweep, vec2<Real>{sums.at[1] * inverse, sums.at[2] * inverse})
+            .with(guide_axis, axis(sums.at[5], sums.at[6], length))
+            .with(guide_spread, vec3<Real>{spread.x, variance(sums.at[5] * inverse, sums.at[6] * inverse, some), spread.z});
+    }
+
+private:
+    /// Half of the doubled angle's direction.
+    template <class Real> QUELL_KERNEL static vec2<Real> axis(Real c, Real s, Real length) {
+        auto const norm = sqrt(fma(c, c, s * s));
+        // Where all directions are alike, none is better than another.
+        auto const cosine = select(norm > Real(1e-6f), c / max(norm, Real(1e-6f)), Real(1.f));
+        auto const x = sqrt(max(0.5f + 0.5f * cosine, Real(0.f))), y = sqrt(max(0.5f - 0.5f * cosine, Real(0.f)));
+        return {x * length, select(s < Real(0.f), -y, y) * length};
+    }
+    template <class Real, class Mask> QUELL_KERNEL static Real variance(Real c, Real s, Mask some) {
+        return select(some, clamp(1.f - sqrt(fma(c, c, s * s)), Real(0.f), Real(1.f)), Real(0.f));
+    }
+};
+} // namespace detail
+
+/// Mean and variance of the motion around each pixel, which say where and how far to look for samples (MB section 4.1). Samples that stand
+/// still don't count, nor does what moves behind something that stands still. Angles are doubled before they are averaged, so that opposite
+/// directions count as one and the result depends neither on where 0 degrees is nor on the centre's own noisy sample.
+/// Emits GuideSweep, GuideAxis and GuideSpread.
+struct MotionGuide {
+    static constexpr bool leaves_signal = true;
+    using reads = decltype(reads_of<detail::MotionRow, detail::MotionColumn>{});
+    using emits = decltype(emits_of<detail::MotionRow, detail::MotionColumn>{});
+    int radius = 7;                ///< pixels; 7 is the paper's 15x15
+    float depth_tolerance = 0.02f; ///< how much farther, relatively, something is that stands behind something else
+
+    constexpr void for_each_pass(auto&& pass) const {
+        pass(detail::MotionRow{radius, depth_tolerance});
+        pass(detail::MotionColumn{radius, depth_tolerance});
+    }
+};
+
+} // namespace quell
