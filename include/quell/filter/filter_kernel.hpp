@@ -15,8 +15,9 @@ struct AnyPass {
 ///     auto filter(auto px) const -> the new value, or Result{value}.with(channel that it `emits`, value)...
 /// A filter of several passes has
 ///     void for_each_pass(auto&& pass) const       which calls pass(kernel) in order, each kernel being a one-pass filter
-/// A kernel that leaves the signal alone and only makes other channels has `emit(px) -> Result` instead of filter. One marked
-/// `feedback` makes the signal that history remembers (SVGF); without such a mark that is what the last Temporal stage made.
+/// A kernel that leaves the signal alone and only makes other channels has `emit(px)` instead of filter, which returns
+/// emitted<Real>(channel, value). One marked `feedback` makes the signal that history remembers (SVGF); without such a mark that is what
+/// the last Temporal stage made.
 template <class F>
 concept OnePassFilter = std::is_trivially_copyable_v<F> && requires(F const f, detail::Probe<F> px) {
     { detail::as_result(f.filter(px)).value } -> std::convertible_to<vec3<float>>;
