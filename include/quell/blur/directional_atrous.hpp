@@ -17,7 +17,7 @@ template <ChannelTag Signal, ChannelTag From> struct DirectionalLevel {
     int taps_across; ///< to either side
     bool weighs_axis_variance = true;
 
-    template <class Px> QUELL_KERNEL auto emit(Px const& px) const { return Result<typename Px::Real>{typename Px::Real(0.f), typename Px::Real(1.f), {}}.with(FilteredLayer<Signal>{}, filtered(px)); }
+    template <class Px> QUELL_KERNEL auto emit(Px const& px) const { return emitted<typename Px::Real>(FilteredLayer<Signal>{}, filtered(px)); }
 
     template <class Px> QUELL_KERNEL auto filtered(Px const& px) const {
         using Real = typename Px::Real;

@@ -58,7 +58,7 @@ struct MotionRow {
                                              select(is_finite(z), min(z, Real(1e6f)), Real(1e6f))};
             sums = map([&](auto s, auto a) __attribute__((always_inline)) { return s + select(counts, a, Real(0.f)); }, sums, sample);
         }
-        return Result<Real>{Real(0.f), Real(1.f), {}}.with(motion_sums, sums);
+        return emitted<Real>(motion_sums, sums);
     }
 };
 
@@ -87,8 +87,7 @@ struct MotionColumn {
         auto const length = sums.at[3] * inverse;
         auto const side = static_cast<float>(2 * radius + 1);
         vec3<Real> const spread{max(sums.at[4] * inverse - length * length, Real(0.f)), Real(0.f), sums.at[0] * (1.f / (side * side))};
-        return Result<Real>{Real(0.f), Real(1.f), {}}
-            .with(guide_sweep, vec2<Real>{sums.at[1] * inverse, sums.at[2] * inverse})
+        return emitted<Real>(guide_sweep, vec2<Real>{sums.at[1] * inverse, sums.at[2] * inverse})
             .with(guide_axis, axis(sums.at[5], sums.at[6], length))
             .with(guide_spread, vec3<Real>{spread.x, variance(sums.at[5] * inverse, sums.at[6] * inverse, some), spread.z});
     }

@@ -78,8 +78,7 @@ template <ChannelTag Signal, class Places = AlongGuide> struct PathGather {
         auto const still_here = both(seen, invert(own.moves()));
         auto still = detail::layer_of(select(still_here, signal, zero<typename Px::Signal>()), select(still_here, Real(1.f), Real(0.f)));
         if (any(invert(still_here))) still = select(still_here, still, guessed(px, z, own.moves()));
-        return Result<Real>{Real(0.f), Real(1.f), {}}
-            .with(MovingLayer<Signal>{}, detail::layer_of(select(moving, mean_signal, zero<typename Px::Signal>()), coverage))
+        return emitted<Real>(MovingLayer<Signal>{}, detail::layer_of(select(moving, mean_signal, zero<typename Px::Signal>()), coverage))
             .with(StaticLayer<Signal>{}, still)
             .with(mean_sweep, mean);
     }

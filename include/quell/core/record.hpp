@@ -54,6 +54,12 @@ template <class V, class Set = Channels<>> struct Result {
 template <class V> Result(V) -> Result<V>;
 template <class V, class A> Result(V, A) -> Result<V>;
 
+/// What a kernel that leaves the signal alone makes of a pixel: the value of a channel, and more where .with() follows.
+///     return emitted<Real>(shadow_track, track);
+template <class Real, class C, class T> QUELL_KERNEL auto emitted(C channel, T const& value) {
+    return Result<Real>{Real(0.f), Real(1.f), {}}.with(channel, value);
+}
+
 namespace detail {
 template <class T> inline constexpr bool is_result = false;
 template <class V, class Set> inline constexpr bool is_result<Result<V, Set>> = true;

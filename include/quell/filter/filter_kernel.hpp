@@ -15,7 +15,8 @@ struct AnyPass {
 ///     auto filter(auto px) const -> the new value, or Result{value}.with(channel that it `emits`, value)...
 /// A filter of several passes has
 ///     void for_each_pass(auto&& pass) const       which calls pass(kernel) in order, each kernel being a one-pass filter
-/// A kernel that leaves the signal alone and only makes other channels has `emit(px) -> Result` instead of filter, and says
+/// A kernel that leaves the signal alone and only makes other channels has `emit(px)` instead of filter, which returns
+/// emitted<Real>(channel, value), and says
 ///     static constexpr bool leaves_signal = true
 /// One marked `feedback` makes the signal that history remembers (SVGF); without such a mark that is what the last Temporal stage made.
 template <class F>

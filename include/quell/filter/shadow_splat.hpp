@@ -29,9 +29,9 @@ template <class Source> struct OwnShadowTrack {
         auto const width = penumbra(px);
         auto const known = select(both(valid, is_finite(width)), Real(1.f), Real(0.f));
         auto const lit = invert(valid);
-        return Result<Real>{Real(0.f), Real(1.f), {}}.with(shadow_track, Value<4, Real>{select(lit, Real(0.f), found.where.x - p.x),
-                                                                                        select(lit, Real(0.f), found.where.y - p.y),
-                                                                                        select(lit, Real(0.f), width), known});
+        return emitted<Real>(shadow_track,
+                             Value<4, Real>{select(lit, Real(0.f), found.where.x - p.x), select(lit, Real(0.f), found.where.y - p.y),
+                                            select(lit, Real(0.f), width), known});
     }
 
 private:
@@ -84,8 +84,8 @@ template <class Edge> struct SplatLevel {
             px, step, around, [](int, int) __attribute__((always_inline)) { return weight_bits(0.01f); }, add);
         auto const known = sum.w > Real(1e-5f);
         auto const inverse = 1.f / select(known, sum.w, Real(1.f));
-        return Result<Real>{Real(0.f), Real(1.f), {}}.with(
-            shadow_track, Value<4, Real>{sum.x * inverse, sum.y * inverse, sum.z * inverse, select(known, sum.w, Real(0.f))});
+        return emitted<Real>(shadow_track,
+                             Value<4, Real>{sum.x * inverse, sum.y * inverse, sum.z * inverse, select(known, sum.w, Real(0.f))});
     }
 };
 } // namespace detail

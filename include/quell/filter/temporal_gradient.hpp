@@ -35,7 +35,7 @@ template <class Source, class Edge> struct GradientLevel {
         };
         for_each_edge_tap<false>(
             px, step, around, [](int, int) __attribute__((always_inline)) { return weight_bits(1.f); }, add);
-        return Result<Real>{Real(0.f), Real(1.f), {}}.with(filtered_gradient, scale(sum, 1.f / weights));
+        return emitted<Real>(filtered_gradient, scale(sum, 1.f / weights));
     }
 };
 } // namespace detail

@@ -20,9 +20,9 @@ template <class Edge> struct VarianceEstimate {
         auto const n = px[history_length];
         auto const temporal = px[luminance_variance] / max(n, Real(1.f));
         auto const brief = n < Real(enough);
-        if (!any(brief)) return Result<Real>{Real(0.f), Real(1.f), {}}.with(variance, temporal);
+        if (!any(brief)) return emitted<Real>(variance, temporal);
         auto const spatial = spatial_variance(px) / max(n, Real(1.f));
-        return Result<Real>{Real(0.f), Real(1.f), {}}.with(variance, select(brief, finite_or(spatial, temporal), temporal));
+        return emitted<Real>(variance, select(brief, finite_or(spatial, temporal), temporal));
     }
 
 private:
