@@ -17,7 +17,9 @@ template <ChannelTag Signal, ChannelTag From> struct DirectionalLevel {
     int taps_across; ///< to either side
     bool weighs_axis_variance = true;
 
-    template <class Px> QUELL_KERNEL auto emit(Px const& px) const { return emitted<typename Px::Real>(FilteredLayer<Signal>{}, filtered(px)); }
+    template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
+        return emitted<typename Px::Real>(FilteredLayer<Signal>{}, filtered(px));
+    }
 
     template <class Px> QUELL_KERNEL auto filtered(Px const& px) const {
         using Real = typename Px::Real;
@@ -29,7 +31,8 @@ template <ChannelTag Signal, ChannelTag From> struct DirectionalLevel {
         auto const inverse = 1.f / max(length, Real(1e-6f));
         auto const along = fixed > 0.f ? Real(fixed) : length * part;
         auto const across = fma(px[guide_spread].y, max(along - 1.f, Real(0.f)), Real(1.f));
-        vec2<Real> const step{axis.x * inverse * along, axis.y * inverse * along}, aside{-axis.y * inverse * across, axis.x * inverse * across};
+        vec2<Real> const step{axis.x * inverse * along, axis.y * inverse * along},
+            aside{-axis.y * inverse * across, axis.x * inverse * across};
         auto const p = px.position();
         Real const right(static_cast<float>(px.size().width)), bottom(static_cast<float>(px.size().height));
         auto sum = scale(own, Real(spline[0] * spline[0]));
@@ -59,9 +62,9 @@ template <ChannelTag Signal, ChannelTag From> struct LastDirectionalLevel {
 };
 } // namespace detail
 
-/// A wavelet along the motion over the moving layer: `levels` passes of five taps along the axis, and as many rows of them across as asked for,
-/// which stand apart as far as sweeps are long and doubly as far in each level as in the one before (MB section 4.3). Then puts the layers
-/// together. Wants a MotionGuide and a LayerBlend before it.
+/// A wavelet along the motion over the moving layer: `levels` passes of five taps along the axis, and as many rows of them across as asked
+/// for, which stand apart as far as sweeps are long and doubly as far in each level as in the one before (MB section 4.3). Then puts the
+/// layers together. Wants a MotionGuide and a LayerBlend before it.
 template <ChannelTag Signal> struct DirectionalAtrous {
     using First = detail::DirectionalLevel<Signal, MovingLayer<Signal>>;
     using Next = detail::DirectionalLevel<Signal, FilteredLayer<Signal>>;

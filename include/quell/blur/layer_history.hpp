@@ -2,21 +2,28 @@
 
 #include <quell/blend/blend_policy.hpp>
 #include <quell/blur/layers.hpp>
+#include <quell/motion/catmull_rom.hpp>
 
 namespace quell {
 
 /// History of a picture in two layers: what moves comes from where the motion source says, what stands still from the pixel itself.
 /// @tparam Signal the pipeline's
-/// @tparam Moving a history fetch
-template <ChannelTag Signal, class Moving = Bilinear> struct LayerFetch {
-    Moving moving{};
+template <ChannelTag Signal> struct LayerFetch {
+    bool sharp = true; ///< a Catmull-Rom spline for what moves; false: bilinear, which blurs a little more in each frame
 
     template <class Px, class Found> QUELL_KERNEL auto fetch(Px const& px, Found const& found) const {
         using Real = typename Px::Real;
-        auto past = moving.fetch(px, found);
+        constexpr MovingLayer<Signal> moving;
+        constexpr StaticLayer<Signal> still;
+        auto past = Bilinear{}.fetch(px, found);
+        if (auto const valid = past.validity > Real(0.f); sharp && any(valid)) {
+            auto const spline = CatmullRom::interpolated(
+                px, found, valid, [](auto const& then) __attribute__((always_inline)) { return then[MovingLayer<Signal>{}]; });
+            past.kept.set(moving, select(spline.accepted, detail::covering(spline.value), past.kept[moving]));
+        }
         auto const p = px.position();
         PastPlace<Real> const here(p.x - 0.5f, p.y - 0.5f);
-        past.kept.set(StaticLayer<Signal>{}, px.past(here)[StaticLayer<Signal>{}]);
+        past.kept.set(still, px.past(here)[still]);
         return past;
     }
 };

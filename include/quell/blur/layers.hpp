@@ -7,18 +7,12 @@ namespace quell {
 // The two layers of a picture with motion blur (MB section 3): what moves, and what stands still behind it.
 
 /// What moves: the signal times how much of the open shutter it covers the pixel, and that coverage, in [0, 1].
-template <ChannelTag Signal> struct MovingLayer : Channel<Signal::components + 1> {
-    static constexpr auto name = "moving_layer";
-};
+template <ChannelTag Signal> struct MovingLayer : Channel<Signal::components + 1> { static constexpr auto name = "moving_layer"; };
 /// What stands still: the signal, and how far it is known: 1 where it was seen in the pixel itself, less where it was guessed from
 /// neighbours, 0 where nothing is known of it.
-template <ChannelTag Signal> struct StaticLayer : Channel<Signal::components + 1> {
-    static constexpr auto name = "static_layer";
-};
+template <ChannelTag Signal> struct StaticLayer : Channel<Signal::components + 1> { static constexpr auto name = "static_layer"; };
 /// The moving layer behind the filters that history has nothing of.
-template <ChannelTag Signal> struct FilteredLayer : Channel<Signal::components + 1> {
-    static constexpr auto name = "filtered_layer";
-};
+template <ChannelTag Signal> struct FilteredLayer : Channel<Signal::components + 1> { static constexpr auto name = "filtered_layer"; };
 /// The mean sweep of what moves, in pixels.
 struct MeanSweep : Channel<2> {
     static constexpr auto name = "mean_sweep";
@@ -41,7 +35,10 @@ template <class L> QUELL_KERNEL auto signal_of(L const& layer) {
 }
 template <class L> QUELL_KERNEL auto weight_of(L const& layer) { return component<components_of<L> - 1>(layer); }
 
-/// What moves over what stands still; where nothing is known of the latter, what moves alone, and where nothing is known at all, `otherwise`.
+/// A moving layer whose coverage is no more than all.
+template <class L> QUELL_KERNEL L covering(L const& moving) { return layer_of(signal_of(moving), min(weight_of(moving), real_of<L>(1.f))); }
+/// What moves over what stands still; where nothing is known of the latter, what moves alone, and where nothing is known at all,
+/// `otherwise`.
 template <class L, class V> QUELL_KERNEL V layers_together(L const& moving, L const& still, V const& otherwise) {
     using Real = real_of<V>;
     auto const coverage = weight_of(moving), uncovered = 1.f - coverage;

@@ -50,13 +50,21 @@ struct MotionRow {
             auto const near = px.at(i, 0);
             auto const path = Path<Real>::of(near[sweep], Real(0.f));
             auto const z = near[depth];
-            auto const counts = both(near.inside(), path.moves(), invert(near.missing()), invert(hidden_behind(z, nearest, depth_tolerance)));
+            auto const counts =
+                both(near.inside(), path.moves(), invert(near.missing()), invert(hidden_behind(z, nearest, depth_tolerance)));
             if (!any(counts)) continue;
             auto const inverse = 1.f / max(path.squared, Real(1e-6f));
             auto const x = path.sweep.x, y = path.sweep.y;
-            Components<8, Real> const sample{Real(1.f), x, y, path.length(), path.squared, (x * x - y * y) * inverse, 2.f * x * y * inverse,
+            Components<8, Real> const sample{Real(1.f),
+                                             x,
+                                             y,
+                                             path.length(),
+                                             path.squared,
+                                             (x * x - y * y) * inverse,
+                                             2.f * x * y * inverse,
                                              select(is_finite(z), min(z, Real(1e6f)), Real(1e6f))};
-            sums = map([&](auto s, auto a) __attribute__((always_inline)) { return s + select(counts, a, Real(0.f)); }, sums, sample);
+            sums = map(
+                [&](auto s, auto a) __attribute__((always_inline)) { return s + select(counts, a, Real(0.f)); }, sums, sample);
         }
         return emitted<Real>(motion_sums, sums);
     }
@@ -80,7 +88,8 @@ struct MotionColumn {
             auto const row = near[motion_sums];
             auto const mean_depth = row.at[7] / max(row.at[0], Real(1.f));
             auto const counts = invert(hidden_behind(mean_depth, nearest, depth_tolerance));
-            sums = map([&](auto s, auto a) __attribute__((always_inline)) { return s + select(counts, a, Real(0.f)); }, sums, row);
+            sums = map(
+                [&](auto s, auto a) __attribute__((always_inline)) { return s + select(counts, a, Real(0.f)); }, sums, row);
         }
         auto const some = sums.at[0] > Real(0.5f);
         auto const inverse = select(some, 1.f / max(sums.at[0], Real(1.f)), Real(0.f));

@@ -8,7 +8,7 @@ namespace quell {
 /// time. Bad input has a meaning: a sweep that is not finite is none, a longer one than `longest` is as long as that, a time that is not
 /// finite is the middle, and one outside [0, 1] the nearer end.
 template <class Real> struct Path {
-    static constexpr float least = 0.5f;      ///< pixels; what sweeps less stands still
+    static constexpr float least = 0.5f;     ///< pixels; what sweeps less stands still
     static constexpr float longest = 1024.f; ///< pixels
 
     vec2<Real> sweep; ///< from where it is when the shutter opens to where it is when it closes, in pixels

@@ -18,7 +18,8 @@ struct AlongGuide {
         float spacing, across;
 
         QUELL_KERNEL vec2<Real> at(Px const&, int i) const {
-            auto const along = fma(fraction(first + static_cast<float>(i) * 0.618034f) + static_cast<float>(i), Real(2.f * spacing), Real(-1.f));
+            auto const along =
+                fma(fraction(first + static_cast<float>(i) * 0.618034f) + static_cast<float>(i), Real(2.f * spacing), Real(-1.f));
             auto const aside = fma(fraction(second + static_cast<float>(i) * 0.7548777f), Real(2.f * across), Real(-across));
             return {centre.x + axis.x * along + beside.x * aside, centre.y + axis.y * along + beside.y * aside};
         }
@@ -98,7 +99,8 @@ private:
             sweep = add_scaled(sweep, path.sweep, counted);
         }
     };
-    /// What stands still is looked at as if it moved like all around it: how many samples there are in all must not depend on what they show.
+    /// What stands still is looked at as if it moved like all around it: how many samples there are in all must not depend on what they
+    /// show.
     template <class Px, class Real>
     QUELL_KERNEL void add_sample(Px const& px, Gathered<Px>& sums, vec2<Real> const& at, Path<Real> const& own, Path<Real> const& guide,
                                  Real own_depth, Real reach) const {
@@ -108,7 +110,8 @@ private:
         auto const [value, missing] = px.signal_elsewhere(place);
         auto const hidden = both(invert(own.moves()), detail::hidden_behind(px.elsewhere(place, depth), own_depth, depth_tolerance));
         auto const moves = both(path.moves(), invert(hidden));
-        Path<Real> const looked_at{select(path.moves(), path.sweep, guide.sweep), path.time, select(path.moves(), path.squared, guide.squared)};
+        Path<Real> const looked_at{select(path.moves(), path.sweep, guide.sweep), path.time,
+                                   select(path.moves(), path.squared, guide.squared)};
         auto const centre = px.position();
         auto const passing = looked_at.passing({centre.x - column - 0.5f, centre.y - row - 0.5f});
         Real const right(static_cast<float>(px.size().width)), bottom(static_cast<float>(px.size().height));
@@ -117,7 +120,8 @@ private:
         sums.add(value, path, select(usable, w * guide.length(), Real(0.f)), moves);
     }
     /// The mean of what stands still in the 5x5 around, and behind what moves here. Outlined: few pixels are covered.
-    template <class Px, class Real, class Mask> [[gnu::noinline]] constexpr auto guessed(Px const& px, Real own_depth, Mask own_moves) const {
+    template <class Px, class Real, class Mask>
+    [[gnu::noinline]] constexpr auto guessed(Px const& px, Real own_depth, Mask own_moves) const {
         auto sum = zero<typename Px::Signal>();
         Real weights(0.f);
         for_each_neighbour<2>(

@@ -5,6 +5,21 @@
 
 namespace quell {
 
+namespace detail {
+/// A place in the past, and the sweep that its taps must have.
+template <class Real> struct PathFound {
+    vec2<Real> where;
+    Real validity;
+    vec2<Real> sweep;
+    Real tolerance_squared;
+    QUELL_KERNEL auto accepts(auto const& then, Real, Real) const {
+        auto const there = then[mean_sweep];
+        auto const x = there.x - sweep.x, y = there.y - sweep.y;
+        return fma(x, x, y * y) <= tolerance_squared;
+    }
+};
+} // namespace detail
+
 /// Finds the past of what moves over a pixel by looking from both sides: going back half a frame from here and forward half a frame from
 /// the place in the past should meet (MB section 4.4). Where they miss, the place is moved by the difference and tried again. No depth or
 /// normal serves as a test, as no two frames show the same in pixels that are blurred.
@@ -13,26 +28,31 @@ struct PathSearch {
     using keeps = Channels<MeanSweep>;
     float shutter = 0.5f; ///< part of the frame time during which the shutter is open: sweeps last so long
     int iterations = 2;   ///< how often the place may be moved; 0: plain reprojection
-    float accept = 1.f;   ///< pixels; a difference below it will do
+    float accept = 0.25f; ///< pixels; a difference below it will do
     float give_up = 32.f; ///< pixels; a difference beyond it will not be mended
+    float agree = 0.2f;   ///< how much a past pixel's sweep may differ from this one's, relatively
 
     template <class Px> QUELL_KERNEL auto previous(Px const& px) const {
         using Real = typename Px::Real;
         auto const p = px.position(), v = scale(px[mean_sweep], Real(1.f / shutter));
         auto const moves = fma(v.x, v.x, v.y * v.y) > Real(0.01f);
-        Reprojection<Real> found{{p.x - v.x, p.y - v.y}, Real(0.f)};
+        auto const own = px[mean_sweep];
+        auto const squared_tolerance = max(Real(accept * accept), fma(own.x, own.x, own.y * own.y) * (agree * agree));
+        detail::PathFound<Real> found{{p.x - v.x, p.y - v.y}, Real(0.f), own, squared_tolerance};
         if (!any(moves)) return found;
         Real const right(static_cast<float>(px.size().width)), bottom(static_cast<float>(px.size().height));
         auto searching = moves;
         for (int i = 0; i <= iterations; ++i) {
-            PastPlace<Real> const place(clamp(floor(found.where.x), Real(0.f), right - 1.f), clamp(floor(found.where.y), Real(0.f), bottom - 1.f));
+            PastPlace<Real> const place(clamp(floor(found.where.x), Real(0.f), right - 1.f),
+                                        clamp(floor(found.where.y), Real(0.f), bottom - 1.f));
             auto const there = scale(px.past(place)[mean_sweep], Real(1.f / shutter));
             auto const x = fma(v.x + there.x, Real(-0.5f), p.x - found.where.x), y = fma(v.y + there.y, Real(-0.5f), p.y - found.where.y);
             auto const squared = fma(x, x, y * y);
             found.validity = select(both(searching, squared < Real(accept * accept)), Real(1.f), found.validity);
             searching = both(searching, squared < Real(give_up * give_up));
             // Also what is near enough already: it costs nothing, and half the difference would stay as a blur.
-            found.where = vec2<Real>{select(searching, found.where.x + x, found.where.x), select(searching, found.where.y + y, found.where.y)};
+            found.where =
+                vec2<Real>{select(searching, found.where.x + x, found.where.x), select(searching, found.where.y + y, found.where.y)};
             searching = both(searching, found.validity <= Real(0.f));
             if (!any(searching)) break;
         }

@@ -15,7 +15,8 @@ struct PathWeight {
     template <class Px> QUELL_KERNEL auto reach(Px const& px) const {
         using Real = typename Px::Real;
         auto const spread = px[guide_spread];
-        auto const by_length = 1.f + min(spread.x * length_influence, Real(1.f)), by_angle = 1.f + min(spread.y * angle_influence, Real(1.f));
+        auto const by_length = 1.f + min(spread.x * length_influence, Real(1.f)),
+                   by_angle = 1.f + min(spread.y * angle_influence, Real(1.f));
         return by_length * by_angle;
     }
     template <class Passing, class Real> QUELL_KERNEL static Real weight(Passing const& passing, Real reach) {

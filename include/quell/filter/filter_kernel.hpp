@@ -25,11 +25,11 @@ concept OnePassFilter = std::is_trivially_copyable_v<F> && requires(F const f, d
 };
 template <class F>
 concept EmittingKernel = std::is_trivially_copyable_v<F> && requires(F const f, detail::Probe<F> px) {
-    { f.emit(px).more };
+    {f.emit(px).more};
 };
 template <class F>
-concept FilterKernel =
-    std::is_trivially_copyable_v<F> &&(OnePassFilter<F> || EmittingKernel<F> || requires(F const f) { f.for_each_pass(detail::AnyPass{}); });
+concept FilterKernel = std::is_trivially_copyable_v<F> &&
+    (OnePassFilter<F> || EmittingKernel<F> || requires(F const f) { f.for_each_pass(detail::AnyPass{}); });
 
 namespace detail {
 /// What an edge weight prepares for a tap's place: itself, unless it has something that depends on the place.

@@ -12,23 +12,36 @@ struct CatmullRom {
     template <class Px, class FoundPlace> QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& unchecked) const {
         using Real = typename Px::Real;
         auto past = elsewhere.fetch(px, unchecked);
+        auto const spline = interpolated(
+            px, unchecked, past.validity > Real(0.f), [](auto const& then) __attribute__((always_inline)) { return then.signal(); });
+        past.signal = select(spline.accepted, spline.value, past.signal);
+        return past;
+    }
+
+    /// Any value of past pixels, interpolated, and where all of them are accepted.
+    template <class V, class Mask> struct Interpolated {
+        V value;
+        Mask accepted;
+    };
+    template <class Px, class FoundPlace, class Mask, class ValueOf>
+    QUELL_KERNEL static auto interpolated(Px const& px, FoundPlace const& unchecked, Mask accepted, ValueOf&& value_of) {
+        using Real = typename Px::Real;
         auto const found = detail::sane(px, unchecked);
         auto const column = floor(found.where.x - 0.5f), row = floor(found.where.y - 0.5f);
         auto const across = weights(found.where.x - 0.5f - column), down = weights(found.where.y - 0.5f - row);
         PastPlace<Real> const place(column, row);
-        auto sum = zero<typename Px::Signal>();
-        auto accepted = past.validity > Real(0.f);
+        using V = std::remove_cvref_t<decltype(value_of(px.past(place)))>;
+        auto sum = zero<V>();
         for (int j = 0; j < 4; ++j)
             for (int i = 0; i < 4; ++i) {
                 auto const then = px.past(place, i - 1, j - 1);
                 accepted = both(accepted, detail::counts<Real>(then, found));
-                sum = add_scaled(sum, then.signal(), across.at[i] * down.at[j]);
+                sum = add_scaled(sum, value_of(then), across.at[i] * down.at[j]);
             }
         // The negative lobes overshoot at bright edges; light is never negative.
         auto const bounded = map(
             [](auto a) __attribute__((always_inline)) { return max(a, Real(0.f)); }, sum);
-        past.signal = select(accepted, bounded, past.signal);
-        return past;
+        return Interpolated<V, Mask>{bounded, accepted};
     }
 
 private:
