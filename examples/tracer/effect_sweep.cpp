@@ -2,6 +2,8 @@
 #include "plane.hpp"
 #include "revisit.hpp"
 
+#include <cmath>
+
 namespace quell::tracer {
 namespace {
 

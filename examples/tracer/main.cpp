@@ -60,7 +60,7 @@ struct Blur {
     static constexpr auto name = "blur";
     using channels = Channels<Radiance, Albedo, Normal, Depth, Motion, Sweep, SweepBend, Time>;
     using reference = Channels<Radiance>;
-    static constexpr std::array<Effect, 0> masks{};
+    static constexpr std::array masks{Effect::blur};
 };
 
 /// Calls f(effect) for each.
@@ -90,8 +90,9 @@ void describe(CLI::App& app, Options& o) {
     app.add_option(
         "--reference", o.reference,
         "Write converged frames too, reference.0000.exr and so on: at most so many samples per pixel, fewer where two halves agree");
-    app.add_flag("--masks", o.masks,
-                 "Write masks of the pixels that the effects touch too: mask_shadow.0000.png and so on, also glossy, curved and indirect");
+    app.add_flag(
+        "--masks", o.masks,
+        "Write masks of the pixels that the effects touch too: mask_shadow.0000.png and so on, also glossy, curved, indirect and blur");
     app.add_flag("--primary-only", o.primary_only,
                  "Trace no shadows, reflections and indirect light: unshadowed direct light and ambient light");
     app.add_option("--shutter", o.shutter, "Part of the frame time during which the shutter is open (default: 0.5 for blur, otherwise 0)");

@@ -1,5 +1,6 @@
 #include "mask.hpp"
 #include "digest.hpp"
+#include "mask_blur.hpp"
 #include "mask_tests.hpp"
 #include "reference_cache.hpp"
 
@@ -21,7 +22,20 @@ constexpr int trail = 4;
 /// Uncovered pixels take longer: their history starts with a single sample.
 constexpr int uncovering = 8;
 
-int frames_back(Effect effect) { return effect == Effect::indirect ? uncovering : trail; }
+int frames_back(Effect effect) {
+    if (effect == Effect::blur) return 0;
+    return effect == Effect::indirect ? uncovering : trail;
+}
+
+/// Calls f(x, y) for every pixel, from several threads.
+void for_each_pixel(Extent size, int threads, auto const& f) {
+    tbb::task_arena arena{threads > 0 ? threads : tbb::task_arena::automatic};
+    arena.execute([&] {
+        tbb::parallel_for(0, size.height, [&](int y) {
+            for (int x = 0; x < size.width; ++x) f(x, y);
+        });
+    });
+}
 
 /// What every pixel sees at the frame of the mask; later steps follow these points back in time.
 struct Seen {
@@ -33,15 +47,7 @@ struct Seen {
     [[nodiscard]] std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
     }
-    /// Calls f(x, y) for every pixel, from several threads.
-    void for_each_pixel(auto const& f) const {
-        tbb::task_arena arena{threads > 0 ? threads : tbb::task_arena::automatic};
-        arena.execute([&] {
-            tbb::parallel_for(0, size.height, [&](int y) {
-                for (int x = 0; x < size.width; ++x) f(x, y);
-            });
-        });
-    }
+    void for_each_pixel(auto const& f) const { tracer::for_each_pixel(size, threads, f); }
 };
 
 Seen look(PreparedScene const& scene, RenderSettings const& settings) {
@@ -88,7 +94,19 @@ bool is_curved(Seen const& seen, int x, int y) {
            (y > 0 && turns(seen, i, seen.index(x, y - 1))) || (y + 1 < height && turns(seen, i, seen.index(x, y + 1)));
 }
 
+Mask blurred(PreparedScene& scene, RenderSettings const& settings) {
+    scene.move_to(static_cast<float>(settings.frame), settings.shutter, settings.shutter_keys);
+    detail::OpenShutter const shutter{scene, settings.size};
+    Mask mask(static_cast<std::size_t>(settings.size.pixels()));
+    for_each_pixel(settings.size, settings.threads, [&](int x, int y) {
+        auto const i = static_cast<std::size_t>(y) * static_cast<std::size_t>(settings.size.width) + static_cast<std::size_t>(x);
+        mask[i] = shutter.has_motion({x, y}) ? 1 : 0;
+    });
+    return mask;
+}
+
 Mask computed(PreparedScene& scene, RenderSettings const& settings, Effect effect) {
+    if (effect == Effect::blur) return blurred(scene, settings);
     scene.move_to(static_cast<float>(settings.frame));
     auto const seen = look(scene, settings);
     Mask mask(seen.hits.size());
@@ -108,7 +126,7 @@ std::uint64_t key_of(PreparedScene& scene, RenderSettings const& settings, Effec
     Digest key;
     for (int number : {version, static_cast<int>(effect), settings.size.width, settings.size.height}) key.add(number);
     for (int ago = 0; ago <= frames_back(effect) + 1; ++ago) {
-        scene.move_to(static_cast<float>(settings.frame - ago));
+        scene.move_to(static_cast<float>(settings.frame - ago), effect == Effect::blur ? settings.shutter : 0, settings.shutter_keys);
         key.add(scene.content_hash());
     }
     return key.value();
@@ -133,7 +151,7 @@ Mask cached_or_computed(PreparedScene& scene, RenderSettings const& settings, Ef
 } // namespace
 
 std::string_view name_of(Effect effect) {
-    constexpr std::string_view names[]{"shadow", "glossy", "indirect", "curved"};
+    constexpr std::string_view names[]{"shadow", "glossy", "indirect", "curved", "blur"};
     return names[static_cast<std::size_t>(effect)];
 }
 

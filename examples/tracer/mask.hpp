@@ -16,6 +16,7 @@ enum class Effect {
     glossy,   ///< now or in one of the last four frames, it reflects something whose image moves differently from the reflector itself
     indirect, ///< what it shows was hidden, or outside the image, in one of the last eight frames
     curved,   ///< the part of `glossy` on reflectors that aren't flat
+    blur,     ///< while the shutter is open, something that moves in the image passes over it, or such a thing's shadow or reflection
 };
 
 [[nodiscard]] std::string_view name_of(Effect effect);
@@ -26,7 +27,7 @@ struct MaskSettings {
 };
 
 /// The pixels of a frame that an effect touches, from the scene alone, so that no denoiser has a say in where it is judged. Non-zero
-/// entries count; all are zero where nothing moves. The shutter counts as closed. Afterwards the scene stands at the frame.
+/// entries count; all are zero where nothing moves. The shutter counts as closed, but for `blur`. Afterwards the scene stands at the frame.
 [[nodiscard]] metrics::Mask effect_mask(PreparedScene& scene, RenderSettings const& settings, Effect effect, MaskSettings const& how = {});
 
 /// The part of all pixels that count.

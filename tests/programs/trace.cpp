@@ -59,6 +59,36 @@ TEST_CASE("masks lie beside the frames, those of the chosen effects") {
     CHECK(std::filesystem::exists(folder / "mask_indirect.0000.png"));
 }
 
+TEST_CASE("blur of a scene in which nothing is noisy but time") {
+    Folder const folder;
+    auto const ran = trace(to(folder) + "--scene spheres --first 32 --frames 1 --effects blur --shutter 0.5 --masks");
+    INFO(ran.err);
+    CHECK(ran.code == 0);
+    CHECK(contains(ran.out, "384 primary, 0 shadow, 0 glossy, 0 indirect"));
+    CHECK(std::filesystem::exists(folder / "mask_blur.0032.png"));
+    auto const channels = channels_of(folder / "frame.0032.exr");
+    for (auto const* const name :
+         {"R", "G", "B", "depth.Z", "motion.X", "motion.Y", "sweep.X", "sweep.Y", "sweep_bend.X", "sweep_bend.Y", "time.T"})
+        CHECK(std::ranges::find(channels, name) != channels.end());
+}
+
+TEST_CASE("any scene without secondary rays, and with straight motion") {
+    Folder const folder;
+    auto const run = [&](std::string const& more) {
+        auto const ran = trace(to(folder) + "--frames 1 --first 20 --effects blur " + more);
+        INFO(ran.err);
+        CHECK(ran.code == 0);
+        return ran.out;
+    };
+    CHECK_FALSE(contains(run("--scene room"), " 0 shadow"));
+    CHECK(contains(run("--scene room --primary-only"), "384 primary, 0 shadow, 0 glossy, 0 indirect"));
+    run("--scene propeller");
+    auto const curved = bytes_of(folder / "frame.0020.exr");
+    run("--scene propeller --shutter-keys 2");
+    CHECK(bytes_of(folder / "frame.0020.exr") != curved);
+    check_refused(trace(to(folder) + "--effects blur --shutter-keys 1"), {"--shutter-keys", "1", "give 2 to 129"});
+}
+
 TEST_CASE("the previous camera is the last frame's") {
     Folder const folder;
     CHECK(trace(to(folder) + "--scene temple --frames 2 --quiet").out.empty());

@@ -16,7 +16,7 @@ MaskSettings const fresh{.use_cache = false};
 
 metrics::Mask mask_of(SceneDescription scene, Effect effect) {
     PreparedScene prepared{std::move(scene)};
-    return effect_mask(prepared, {.size = size, .frame = 20}, effect, fresh);
+    return effect_mask(prepared, {.size = size, .frame = 20, .shutter = effect == Effect::blur ? 0.5f : 0.f}, effect, fresh);
 }
 
 bool is_set(metrics::Mask const& mask, int x, int y) { return mask[static_cast<std::size_t>(y * size.width + x)] != 0; }
@@ -61,7 +61,7 @@ glm::ivec2 pixel_of(SceneDescription const& scene, glm::vec3 point) { return pro
 } // namespace
 
 TEST_CASE("where nothing moves no pixel is touched") {
-    for (auto effect : {Effect::shadow, Effect::glossy, Effect::indirect, Effect::curved}) {
+    for (auto effect : {Effect::shadow, Effect::glossy, Effect::indirect, Effect::curved, Effect::blur}) {
         CAPTURE(name_of(effect));
         auto scene = with_plate(fixed({{0, 1, 0}}), still_light());
         scene.place(scene.add_sphere(), scene.add(Material{.metallic = 1, .roughness = 0.2f}), {.translation = {1, 0.5f, 0.5f}});
@@ -152,6 +152,51 @@ TEST_CASE("a camera that moves touches all reflections that are not of things at
     scene.place(scene.add(rectangle(40, 40)), scene.add(Material{}), {.translation = {0, 0, -8}, .rotation = turn(90, {1, 0, 0})});
     scene.camera = [](float frame) { return look_at({0.05f * frame, 1, 4}, {0.05f * frame, 0, 0}, 40); };
     CHECK(share_of(mask_of(std::move(scene), Effect::glossy)) > 0.2);
+}
+
+TEST_CASE("a box is blurred from where it is when the shutter opens to where it is when the shutter closes") {
+    auto scene = before_wall(sliding({-0.4f, 0, 0}, {1.6f, 0, 0}));
+    auto const mask = mask_of(scene, Effect::blur);
+    float const first = projected(scene.camera_at(20, size), {-0.65f, 0, 0.05f}, size).x;
+    float const last = projected(scene.camera_at(20, size), {0.65f, 0, 0.05f}, size).x; // 0.8 to the right
+    for (int x = 0; x < size.width; ++x) {
+        float const centre = static_cast<float>(x) + 0.5f;
+        if (std::min(std::abs(centre - first), std::abs(centre - last)) < 0.6f) continue;
+        CAPTURE(x);
+        CHECK(is_set(mask, x, size.height / 2) == (centre > first && centre < last));
+    }
+    PreparedScene prepared{std::move(scene)};
+    CHECK(share_of(effect_mask(prepared, {.size = size, .frame = 20}, Effect::blur, fresh)) == 0); // the shutter is closed
+}
+
+TEST_CASE("a camera that moves while the shutter is open blurs everything, the sky too") {
+    auto scene = before_wall(fixed({}));
+    scene.instances.erase(scene.instances.begin());
+    scene.camera = [](float frame) { return look_at({0.1f * frame, 0, 4}, {0.2f * frame, 0, 0}, 40); };
+    CHECK(share_of(mask_of(std::move(scene), Effect::blur)) == 1);
+}
+
+TEST_CASE("shadows and reflections of what moves are blurred with it, where they are traced") {
+    glm::vec3 const step{1.2f, 0, 0};
+    // The light stands aside, so that the plate doesn't hide its shadow.
+    auto scene = with_plate(sliding({-0.9f, 1, 0}, step), fixed({{0, 20, -10}, turn(180, {1, 0, 0})}));
+    auto const shadow = pixel_of(scene, {-0.6f, 0, 0.6f});
+    auto const everything = mask_of(scene, Effect::blur);
+    scene.secondary_rays = false;
+    auto const plate_alone = mask_of(scene, Effect::blur);
+    CHECK(share_of(plate_alone) > 0);
+    CHECK(share_of(everything) > share_of(plate_alone));
+    for (std::size_t i = 0; i < everything.size(); ++i) CHECK(plate_alone[i] <= everything[i]);
+    CHECK(is_set(everything, shadow.x, shadow.y));
+    CHECK_FALSE(is_set(plate_alone, shadow.x, shadow.y));
+
+    auto mirror = world({0, 2, 4}, {0, 0, 0}, 40);
+    add_floor(mirror, Material{.metallic = 1, .roughness = 0});
+    mirror.place(mirror.add(box(glm::vec3{0.5f})), mirror.add(Material{}), sliding({-0.3f, 0.9f, 0}, step));
+    auto const image = pixel_of(mirror, {0, -0.9f, 0});
+    CHECK(is_set(mask_of(mirror, Effect::blur), image.x, image.y));
+    mirror.secondary_rays = false;
+    CHECK_FALSE(is_set(mask_of(mirror, Effect::blur), image.x, image.y));
 }
 
 TEST_CASE("the scene stands at its frame again, and a mask is the same from the cache") {
