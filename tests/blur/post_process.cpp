@@ -104,8 +104,7 @@ TEST_CASE("gather: a picture that moves as a whole becomes a box blur along the 
     for (float& v : values) v = std::uniform_real_distribution<float>(0.f, 3.f)(random);
     auto const picture = [&](int x, int y) { return values[static_cast<std::size_t>(y * size.width + x)]; };
     // As many samples as the sweep has pixels lie one pixel apart.
-    for (auto const& [step, count] : {std::pair(glm::ivec2(1, 0), 15), std::pair(glm::ivec2(0, -1), 9), std::pair(glm::ivec2(-1, 1), 21),
-                                      std::pair(glm::ivec2(2, 1), 7), std::pair(glm::ivec2(3, 0), 41)}) {
+    auto const check = [&](glm::ivec2 step, int count) {
         auto const out = once(alone(GatherBlur{.samples = count}), size, [&](auto& frame) {
             tests::fill(frame[sweep], [&](int, int) { return glm::vec2(step * count); });
             tests::fill(frame[radiance], [&](int x, int y) { return glm::vec3(picture(x, y)); });
@@ -113,7 +112,8 @@ TEST_CASE("gather: a picture that moves as a whole becomes a box blur along the 
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x)
                 REQUIRE(red(out, size, x, y) == doctest::Approx(mean_along(picture, size, {x, y}, step, count)).epsilon(1e-5));
-    }
+    };
+    check({1, 0}, 15), check({0, -1}, 9), check({-1, 1}, 21), check({2, 1}, 7), check({3, 0}, 41);
 }
 
 TEST_CASE("gather: an even number of samples lies evenly around the middle too") {
