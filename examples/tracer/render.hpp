@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <mutex>
+#include <optional>
 #include <string>
 
 namespace quell::tracer {
@@ -25,6 +26,9 @@ struct RenderSettings {
     int first_sample = 0;                    ///< number of the first sample, to continue an earlier rendering of the same frame
     int bounces = 1;                         ///< how often indirect light is scattered on its way
     int shutter_keys = default_shutter_keys; ///< moments of the open shutter between which all moves straight: 2 as in MB, more for arcs
+    /// The time of every sample, in [0, 1] over the open shutter: a sharp picture, whose sweeps still last as long as the shutter is open.
+    /// References are blurred nevertheless.
+    std::optional<float> frozen_at{};
 };
 
 /// Takes what was rendered: `sink.put(quell::normal, x, y, value)` with a float, glm::vec2 or glm::vec3 by the channel's components.
@@ -74,12 +78,12 @@ private:
         put(radiance, composite(seen, mean));
     }
 
-    /// Every sample has its own time, and so its own primary ray. Guides are those of the first one.
+    /// Every sample has its own time, unless all are frozen at one, and so its own primary ray. Guides are those of the first one.
     void render_over_time() {
         Signals mean;
         glm::vec3 sum{0.f};
         for (int i = 0; i < settings.samples_per_pixel; ++i) {
-            float const time = sample_pair(key(i), SampleUse::time).x;
+            float const time = settings.frozen_at.value_or(sample_pair(key(i), SampleUse::time).x);
             View const view{scene.camera(time, When::now), settings.size};
             auto const seen = look(view, time);
             if (i == 0) {
@@ -254,6 +258,8 @@ inline void check(RenderSettings const& settings) {
         throw Error{"shutter", std::to_string(settings.shutter), "give a part of the frame time from 0 to 1"};
     if (settings.shutter_keys < 2 || settings.shutter_keys > most_shutter_keys)
         throw Error{"shutter keys", std::to_string(settings.shutter_keys), "give 2 to " + std::to_string(most_shutter_keys)};
+    if (settings.frozen_at && !(*settings.frozen_at >= 0 && *settings.frozen_at <= 1))
+        throw Error{"time of a frozen frame", std::to_string(*settings.frozen_at), "give a time from 0 to 1 over the open shutter"};
 }
 
 } // namespace detail

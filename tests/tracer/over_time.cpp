@@ -2,6 +2,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <limits>
+
 using namespace quell;
 using namespace quell::tracer;
 
@@ -156,6 +158,42 @@ TEST_CASE("with an open shutter what stands still has neither sweep nor bend, ex
     for (auto const& value : pictures[sweep].pixels) CHECK(value == glm::vec3{0.f});
     for (auto const& value : pictures[sweep_bend].pixels) CHECK(value == glm::vec3{0.f});
     for (auto const& value : pictures[motion].pixels) CHECK(value == glm::vec3{0.f});
+}
+
+TEST_CASE("a frozen frame shows one moment, with sweeps over the whole shutter") {
+    float const t = 0.25f;
+    RenderSettings const settings{.size = size, .frame = 2, .samples_per_pixel = 16, .shutter = 0.5f, .frozen_at = t};
+    auto description = moving_plate();
+    auto const camera = description.camera_at(0, size);
+    auto const pictures = pictures_of<Wanted>(std::move(description), settings);
+    auto const x_of = [&](float x) { return projected(camera, {x, 0, 0}, size).x; };
+    // The plate stands still amid its way; at the edges' pixels either is right.
+    float const centre = 1 + 0.25f * t, left = x_of(centre - 0.4f), right = x_of(centre + 0.4f);
+    auto const way = x_of(1.25f) - x_of(1);
+    int hits = 0;
+    for (int x = 0; x < size.width; ++x) {
+        float const place = static_cast<float>(x) + 0.5f;
+        CHECK(pixel(pictures[quell::time], x, 16).x == t);
+        if (std::abs(place - left) < 0.01f || std::abs(place - right) < 0.01f) continue;
+        bool const on_plate = place > left && place < right;
+        hits += on_plate ? 1 : 0;
+        CHECK(pixel(pictures[radiance], x, 16).x == (on_plate ? 1 : 0));
+        CHECK(pixel(pictures[sweep], x, 16).x == doctest::Approx(on_plate ? way : 0).epsilon(1e-3));
+    }
+    CHECK(hits > 5);
+    CHECK(way > 2);
+}
+
+TEST_CASE("a frozen frame lies within the open shutter, or is refused") {
+    PreparedScene scene{moving_plate()};
+    Pictures<Channels<Sweep>> pictures{size};
+    for (float const time : {-0.01f, 1.01f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        CAPTURE(time);
+        RenderSettings const settings{.size = size, .shutter = 0.5f, .frozen_at = time};
+        CHECK_THROWS_AS(render<Channels<Sweep>>(scene, settings, pictures), Error);
+    }
+    for (float const time : {0.f, 1.f})
+        CHECK_NOTHROW(render<Channels<Sweep>>(scene, {.size = size, .shutter = 0.5f, .frozen_at = time}, pictures));
 }
 
 TEST_CASE("a shutter without two keys, or with more than there can be, is refused") {

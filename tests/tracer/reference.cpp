@@ -136,6 +136,25 @@ TEST_CASE("references of blur are stratified in time") {
     CHECK(blurred > 10);
 }
 
+TEST_CASE("a frozen frame has the reference of the open shutter, and its file") {
+    Cache const cache;
+    ReferenceSettings const how{.tolerance = 0.5, .least_samples_of_blur = 0, .samples_per_pass = 4, .cache = cache.path};
+    auto description = little_world();
+    description.secondary_rays = false;
+    description.camera = [](float frame) { return look_at({frame, 1, 3}, {frame, 0.3f, 0}, 45); };
+    PreparedScene scene{std::move(description)};
+    RenderSettings settings{.size = size, .shutter = 0.5f, .frozen_at = 0.5f};
+    auto const frozen = reference<Channels<Radiance>>(scene, settings, how);
+    CHECK(!frozen.from_cache);
+    settings.frozen_at.reset();
+    auto const blurred = reference<Channels<Radiance>>(scene, settings, how);
+    CHECK(blurred.from_cache);
+    CHECK(blurred[radiance].pixels == frozen[radiance].pixels);
+    auto uncached = how;
+    uncached.use_cache = false;
+    CHECK(reference<Channels<Radiance>>(scene, settings, uncached)[radiance].pixels == frozen[radiance].pixels);
+}
+
 TEST_CASE("a reference of blur ends when its halves agree, and its frames have noise of their own") {
     auto description = little_world();
     description.secondary_rays = false;

@@ -6,6 +6,8 @@
 #include <quell/blend/running_mean.hpp>
 #include <quell/blend/with_clean_up.hpp>
 #include <quell/blend/with_moments.hpp>
+#include <quell/blur/gather_blur.hpp>
+#include <quell/blur/tile_max_blur.hpp>
 #include <quell/filter/atrous.hpp>
 #include <quell/filter/bilateral.hpp>
 #include <quell/filter/lobe_edge.hpp>
@@ -116,6 +118,10 @@ constexpr auto dual_cone_paper(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, Cones{}, parts..., Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, RunningMean{.cap = 32.f}, ConeFetch{}},
                     Spatial{ConeAtrous<Product<DepthEdge, NormalEdge>>{.least_cosine = 0.9f}}};
 }
+/// Motion blur of a picture without any, that of the middle of the open shutter: along each pixel's own sweep (GPU Gems 3, ch. 27), and
+/// along the longest one around it (McGuire 2012).
+constexpr auto gather_blur(ChannelTag auto signal, auto... parts) { return Pipeline{signal, parts..., Spatial{GatherBlur{}}}; }
+constexpr auto tilemax_blur(ChannelTag auto signal, auto... parts) { return Pipeline{signal, parts..., Spatial{TileMaxBlur{}}}; }
 /// All effects, each by its own preset: direct * visibility + glossy + albedo * indirect.
 template <class = void> constexpr auto trmv() { return Composite{shadow(visibility), glossy(quell::glossy), dual_cone(indirect)}; }
 template <class = void> constexpr auto trmv_paper() {
