@@ -11,11 +11,11 @@ template <class Real> struct PathFound {
     vec2<Real> where;
     Real validity;
     vec2<Real> sweep;
-    Real tolerance_squared;
+    Real length, length_tolerance, turn_squared;
     QUELL_KERNEL auto accepts(auto const& then, Real, Real) const {
         auto const there = then[mean_sweep];
         auto const x = there.x - sweep.x, y = there.y - sweep.y;
-        return fma(x, x, y * y) <= tolerance_squared;
+        return both(abs(sqrt(fma(there.x, there.x, there.y * there.y)) - length) <= length_tolerance, fma(x, x, y * y) <= turn_squared);
     }
 };
 } // namespace detail
@@ -30,15 +30,18 @@ struct PathSearch {
     int iterations = 2;   ///< how often the place may be moved; 0: plain reprojection
     float accept = 0.25f; ///< pixels; a difference below it will do
     float give_up = 32.f; ///< pixels; a difference beyond it will not be mended
-    float agree = 0.2f;   ///< how much a past pixel's sweep may differ from this one's, relatively
+    // The place half way between two motions satisfies both directions as well: what differs in length is another thing.
+    float longer = 0.1f; ///< how much longer or shorter, relatively, a past pixel's sweep may be
+    float turned = 0.5f; ///< how far it may have turned: the tangent of the angle, about
 
     template <class Px> QUELL_KERNEL auto previous(Px const& px) const {
         using Real = typename Px::Real;
         auto const p = px.position(), v = scale(px[mean_sweep], Real(1.f / shutter));
         auto const moves = fma(v.x, v.x, v.y * v.y) > Real(0.01f);
         auto const own = px[mean_sweep];
-        auto const squared_tolerance = max(Real(accept * accept), fma(own.x, own.x, own.y * own.y) * (agree * agree));
-        detail::PathFound<Real> found{{p.x - v.x, p.y - v.y}, Real(0.f), own, squared_tolerance};
+        auto const length = sqrt(fma(own.x, own.x, own.y * own.y)), slack = Real(accept);
+        auto const turn = max(slack, length * turned);
+        detail::PathFound<Real> found{{p.x - v.x, p.y - v.y}, Real(0.f), own, length, max(slack, length * longer), turn * turn};
         if (!any(moves)) return found;
         Real const right(static_cast<float>(px.size().width)), bottom(static_cast<float>(px.size().height));
         auto searching = moves;
