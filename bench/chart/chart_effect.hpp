@@ -64,35 +64,71 @@ template <class FrameT> void print_row(ChartOptions const& options, Method<Frame
     std::fflush(stdout);
 }
 
-/// Runs methods side by side over a scene and prints a row for each. Errors are those of the effect's share of the picture, displayed.
-template <ChannelTag Signal, class... Ps>
-void chart_methods(ChartOptions const& options, Signal, tracer::Effect effect, Named<Ps> const&... named) {
-    using FrameT = Frame<reads_of<Composite<Ps>...>>;
-    Methods<FrameT> methods;
-    (methods.push_back(std::make_unique<MethodOf<FrameT, Ps>>(named.name, named.pipeline, options.size, options.threads)), ...);
-    tracer::PreparedScene scene(tracer::open_scene(options.scene));
-    FrameT frame(options.size);
-    std::vector<Errors> errors(methods.size());
-    std::vector<int> const scored = options.every_scored_frame ? std::vector{24, 28, 31, 32, 33, 34, 36, 40} : std::vector{24, 32, 40};
-    for (int i = 0; i < options.frames; ++i) {
-        tracer::RenderSettings settings{.size = options.size, .frame = i, .threads = options.threads};
+/// Methods, and how the frames are rendered that they get.
+template <class... Ps> struct Feed {
+    using reads = reads_of<Composite<Ps>...>;
+    tracer::RenderSettings rendered; ///< but for the frame's number
+    std::tuple<Named<Ps>...> methods;
+    bool scored_frames_only = false; ///< for what has no history and whose time doesn't matter
+};
+template <class... Ps> Feed(tracer::RenderSettings, std::tuple<Named<Ps>...>, bool = false) -> Feed<Ps...>;
+
+/// A feed's methods at work, and how they do.
+template <class FrameT> struct Contest {
+    tracer::RenderSettings rendered;
+    bool scored_frames_only;
+    Methods<FrameT> methods{};
+    std::vector<Errors> errors{};
+
+    template <class... Ps>
+    Contest(ChartOptions const& options, Feed<Ps...> const& feed)
+        : rendered(feed.rendered), scored_frames_only(feed.scored_frames_only), errors(sizeof...(Ps)) {
+        auto const add = [&]<class P>(Named<P> const& named) {
+            methods.push_back(std::make_unique<MethodOf<FrameT, P>>(named.name, named.pipeline, options.size, options.threads));
+        };
+        std::apply([&](auto const&... named) { (add(named), ...); }, feed.methods);
+    }
+
+    /// Renders a frame and lets the methods denoise it; `judge(errors, picture)` is called with what each has made.
+    void run(tracer::PreparedScene& scene, int number, FrameT& frame, auto const& judge) {
+        auto settings = rendered;
+        settings.frame = number;
         tracer::FrameSink<FrameT> sink{frame};
         tracer::render<typename FrameT::channels>(scene, settings, sink);
-        frame.camera = scene.description().camera_at(static_cast<float>(i), options.size);
-        frame.number = i;
+        frame.camera = scene.description().camera_at(static_cast<float>(number), frame.size);
+        frame.number = number;
+        for (std::size_t m = 0; m < methods.size(); ++m) judge(errors[m], methods[m]->run(frame));
+    }
+};
+
+/// Runs the methods of all feeds side by side over a scene and prints a row for each. Errors are those of the effect's share of the
+/// picture, displayed; reference and mask are those of the first feed's frames.
+template <ChannelTag Signal, class... Feeds>
+void chart_feeds(ChartOptions const& options, Signal, tracer::Effect effect, Feeds const&... feeds) {
+    using FrameT = Frame<reads_of<Feeds...>>;
+    std::vector<Contest<FrameT>> contests;
+    (contests.emplace_back(options, feeds), ...);
+    tracer::PreparedScene scene(tracer::open_scene(options.scene));
+    FrameT frame(options.size);
+    std::vector<int> const scored = options.every_scored_frame ? std::vector{24, 28, 31, 32, 33, 34, 36, 40} : std::vector{24, 32, 40};
+    for (int i = 0; i < options.frames; ++i) {
         bool const score = std::ranges::find(scored, i) != scored.end();
         metrics::Picture reference;
         metrics::Mask mask;
         if (score) {
+            auto settings = contests.front().rendered;
+            settings.frame = i;
             reference = share<Signal>(tracer::reference<Channels<Signal>>(scene, settings, {.tolerance = options.tolerance}));
             mask = tracer::effect_mask(scene, settings, effect);
         }
-        for (std::size_t m = 0; m < methods.size(); ++m) {
-            auto const picture = methods[m]->run(frame);
-            if (score) errors[m].add(i, reference, picture, mask);
-        }
+        for (auto& contest : contests)
+            if (score || !contest.scored_frames_only)
+                contest.run(scene, i, frame, [&](Errors& errors, metrics::Picture const& picture) {
+                    if (score) errors.add(i, reference, picture, mask);
+                });
     }
-    for (std::size_t m = 0; m < methods.size(); ++m) print_row(options, *methods[m], errors[m]);
+    for (auto const& contest : contests)
+        for (std::size_t m = 0; m < contest.methods.size(); ++m) print_row(options, *contest.methods[m], contest.errors[m]);
 }
 
 /// The methods that serve any signal.
@@ -105,11 +141,13 @@ constexpr std::tuple baselines{Named{"none", presets::none(Signal{})}, Named{"su
 /// @param signal visibility, glossy or indirect
 template <ChannelTag Signal, class... Ps>
 void chart_effect(ChartOptions const& options, Signal signal, tracer::Effect effect, Named<Ps> const&... own) {
-    std::apply([&](auto const&... named) { chart_methods(options, signal, effect, named..., own...); }, baselines<Signal>);
+    Feed const feed{{.size = options.size, .threads = options.threads}, std::tuple_cat(baselines<Signal>, std::tuple(own...))};
+    chart_feeds(options, signal, effect, feed);
 }
 
 void chart_shadow(ChartOptions const& options);
 void chart_glossy(ChartOptions const& options, bool curved);
 void chart_indirect(ChartOptions const& options);
+void chart_blur(ChartOptions const& options);
 
 } // namespace quell::bench

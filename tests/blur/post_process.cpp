@@ -155,6 +155,25 @@ TEST_CASE("a bar that moves before what stands still: tile-max spreads it half a
     }
 }
 
+TEST_CASE("tile-max spreads a slow thing by its own sweep, also where a fast one says how far to look") {
+    constexpr Extent size{64, 5};
+    auto const bar = [](int x) { return x >= 24 && x < 40; };
+    auto const out = once(alone(tile_max), size, [&](auto& frame) {
+        tests::fill(frame[radiance], [&](int x, int) { return glm::vec3(bar(x) ? 1.f : 0.f); });
+        tests::fill(frame[sweep], [&](int x, int) { return glm::vec2(bar(x) ? 4.f : x == 10 || x == 54 ? 30.f : 0.f, 0.f); });
+        tests::fill(frame[depth], [&](int x, int) { return bar(x) ? 3.f : 5.f; });
+    });
+    for (int y = 0; y < size.height; ++y)
+        for (int const distance : {3, 4, 6, 9}) {
+            CHECK(red(out, size, 24 - distance, y) == 0.f);
+            CHECK(red(out, size, 39 + distance, y) == 0.f);
+        }
+    // Few of the samples, if any, land on the pixel next to it.
+    float beside = 0;
+    for (int y = 0; y < size.height; ++y) beside += red(out, size, 23, y) + red(out, size, 40, y);
+    CHECK(beside > 0.f);
+}
+
 TEST_CASE("tile-max looks along the longest sweep that is no farther away than a tile") {
     for (int const tile : {1, 2, 3, 5, 20})
         for (Extent const size : {Extent{61, 24}, Extent{13, 5}, Extent{1, 9}}) {
