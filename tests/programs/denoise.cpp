@@ -62,6 +62,17 @@ TEST_CASE("the effects' presets run on what quell-trace writes for these effects
     check_refused(denoise(input(folder) + output(folder) + "--quiet --preset asvgf"), {"frame.0000.exr", "R"});
 }
 
+TEST_CASE("the presets of motion blur run on what quell-trace writes for it") {
+    Folder const folder;
+    CHECK(trace("--scene spheres --size 48x32 --frames 3 --quiet --effects blur --out '" + folder.path.string() + "'").code == 0);
+    for (std::string const preset : {"blur", "blur-fixed-step", "blur-one-step"}) {
+        auto const ran = denoise(input(folder) + output(folder, preset + ".") + "--preset " + preset);
+        INFO(preset, ran.err);
+        CHECK(ran.code == 0);
+        CHECK(readable(folder / (preset + ".0002.exr")));
+    }
+}
+
 TEST_CASE("with references there is a table") {
     Folder const folder;
     write_sequence(folder, 1, 4);

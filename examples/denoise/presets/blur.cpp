@@ -1,0 +1,15 @@
+#include <denoise/denoiser_of.hpp>
+#include <denoise/presets.hpp>
+
+namespace quell::examples {
+
+/// Motion blur from one sample per pixel at a random time; the shutter is open for half of the frame time, as quell-trace has it.
+std::vector<Preset> blur_presets() {
+    return {
+        preset("blur", [] { return quell::presets::blur(radiance); }),
+        preset("blur-fixed-step", [] { return quell::presets::blur_fixed_step(radiance); }),
+        preset("blur-one-step", [] { return quell::presets::blur_one_step(radiance); }),
+    };
+}
+
+} // namespace quell::examples
