@@ -24,7 +24,8 @@ template <ChannelTag Signal, ChannelTag From> struct DirectionalLevel {
     template <class Px> QUELL_KERNEL auto filtered(Px const& px) const {
         using Real = typename Px::Real;
         constexpr float spline[] = {0.375f, 0.25f, 0.0625f};
-        auto const own = px[From{}], axis = px[guide_axis];
+        auto const own = px[From{}];
+        auto const axis = px[guide_axis];
         auto const length = sqrt(fma(axis.x, axis.x, axis.y * axis.y));
         auto const moves = length > Real(Path<Real>::least);
         if (!any(moves)) return own;
@@ -40,8 +41,8 @@ template <ChannelTag Signal, ChannelTag From> struct DirectionalLevel {
         for (int j = -taps_across; j <= taps_across; ++j)
             for (int i = -2; i <= 2; ++i) {
                 if (i == 0 && j == 0) continue;
-                auto const fi = static_cast<float>(i), fj = static_cast<float>(j);
-                auto const x = floor(p.x + step.x * fi + aside.x * fj), y = floor(p.y + step.y * fi + aside.y * fj);
+                Real const fi(static_cast<float>(i)), fj(static_cast<float>(j));
+                auto const x = floor(fma(aside.x, fj, fma(step.x, fi, p.x))), y = floor(fma(aside.y, fj, fma(step.y, fi, p.y)));
                 float const w = spline[i < 0 ? -i : i] * spline[j < 0 ? -j : j];
                 auto const inside = select(both(x >= Real(0.f), x < right, y >= Real(0.f), y < bottom), Real(w), Real(0.f));
                 PastPlace<Real> const place(x, y);

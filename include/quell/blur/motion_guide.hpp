@@ -60,7 +60,7 @@ struct MotionRow {
                                              y,
                                              path.length(),
                                              path.squared,
-                                             (x * x - y * y) * inverse,
+                                             fma(x, x, -(y * y)) * inverse,
                                              2.f * x * y * inverse,
                                              select(is_finite(z), min(z, Real(1e6f)), Real(1e6f))};
             sums = map(
@@ -95,7 +95,7 @@ struct MotionColumn {
         auto const inverse = select(some, 1.f / max(sums.at[0], Real(1.f)), Real(0.f));
         auto const length = sums.at[3] * inverse;
         auto const side = static_cast<float>(2 * radius + 1);
-        vec3<Real> const spread{max(sums.at[4] * inverse - length * length, Real(0.f)), Real(0.f), sums.at[0] * (1.f / (side * side))};
+        vec3<Real> const spread{max(fma(-length, length, sums.at[4] * inverse), Real(0.f)), Real(0.f), sums.at[0] * (1.f / (side * side))};
         return emitted<Real>(guide_sweep, vec2<Real>{sums.at[1] * inverse, sums.at[2] * inverse})
             .with(guide_axis, axis(sums.at[5], sums.at[6], length))
             .with(guide_spread, vec3<Real>{spread.x, variance(sums.at[5] * inverse, sums.at[6] * inverse, some), spread.z});
@@ -107,7 +107,8 @@ private:
         auto const norm = sqrt(fma(c, c, s * s));
         // Where all directions are alike, none is better than another.
         auto const cosine = select(norm > Real(1e-6f), c / max(norm, Real(1e-6f)), Real(1.f));
-        auto const x = sqrt(max(0.5f + 0.5f * cosine, Real(0.f))), y = sqrt(max(0.5f - 0.5f * cosine, Real(0.f)));
+        auto const x = sqrt(max(fma(cosine, Real(0.5f), Real(0.5f)), Real(0.f))),
+                   y = sqrt(max(fma(cosine, Real(-0.5f), Real(0.5f)), Real(0.f)));
         return {x * length, select(s < Real(0.f), -y, y) * length};
     }
     template <class Real, class Mask> QUELL_KERNEL static Real variance(Real c, Real s, Mask some) {

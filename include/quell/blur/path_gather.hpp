@@ -17,11 +17,13 @@ struct AlongGuide {
         Real first, second; ///< random in [0, 1)
         float spacing, across;
 
+        // Every rounding is spelled out: where it ends decides which pixel is looked at.
         QUELL_KERNEL vec2<Real> at(Px const&, int i) const {
-            auto const along =
-                fma(fraction(first + static_cast<float>(i) * 0.618034f) + static_cast<float>(i), Real(2.f * spacing), Real(-1.f));
-            auto const aside = fma(fraction(second + static_cast<float>(i) * 0.7548777f), Real(2.f * across), Real(-across));
-            return {centre.x + axis.x * along + beside.x * aside, centre.y + axis.y * along + beside.y * aside};
+            auto const number = Real(static_cast<float>(i));
+            auto const stratum = fraction(fma(number, Real(0.618034f), first)) + number;
+            auto const along = fma(stratum, Real(2.f * spacing), Real(-1.f));
+            auto const aside = fma(fraction(fma(number, Real(0.7548777f), second)), Real(2.f * across), Real(-across));
+            return {fma(beside.x, aside, fma(axis.x, along, centre.x)), fma(beside.y, aside, fma(axis.y, along, centre.y))};
         }
         QUELL_KERNEL static Real fraction(Real a) { return a - floor(a); }
     };
@@ -53,7 +55,8 @@ template <ChannelTag Signal, class Places = AlongGuide> struct PathGather {
     template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
         using Real = typename Px::Real;
         auto const own = Path<Real>::of(px[sweep], px[time]);
-        auto const around = px[guide_sweep], z = px[depth];
+        auto const around = px[guide_sweep];
+        auto const z = px[depth];
         auto const signal = px.signal();
         auto const seen = invert(px.missing());
         Gathered<Px> sums;
