@@ -71,10 +71,12 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct VarianceGuidedAtro
     float sigma_luminance = 3.f; ///< deviations of a pixel's mean that a neighbour may be off at weight 1/e; SVGF's 4 deviations of a
                                  ///< sample at alpha 0.2 are 1.33
     bool feedback = true;        ///< whether the first level's output becomes the history
+    int first_step = 1;          ///< pixels between the taps of the first level; 2 behind a filter that has dealt with the nearest
 
     constexpr void for_each_pass(auto&& pass) const {
         pass(detail::VarianceEstimate<Edge>{edge});
-        for (int i = 0; i < levels; ++i) pass(Level{Guided{edge, VarianceGuidedEdge{sigma_luminance}}, 1 << i, feedback && i == 0});
+        for (int i = 0; i < levels; ++i)
+            pass(Level{Guided{edge, VarianceGuidedEdge{sigma_luminance}}, first_step << i, feedback && i == 0});
     }
 };
 template <class... Fields>

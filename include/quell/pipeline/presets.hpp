@@ -91,7 +91,7 @@ constexpr auto shadow_paper(ChannelTag auto signal, auto... parts) {
 /// vectors from the lobe.
 constexpr auto glossy(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, parts..., Temporal{FirstValid{ImageMotion{ThinLens{}}, SurfaceMotion{}}, WithMoments{RunningMean{.cap = 4.f}}},
-                    Spatial{VarianceGuidedAtrous<Product<DepthEdge, NormalEdge, LobeEdge>>{.feedback = false}}};
+                    Spatial{VarianceGuidedAtrous<Product<DepthEdge, NormalEdge, LobeEdge>>{.levels = 4, .feedback = false}}};
 }
 constexpr auto glossy_paper(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, parts...,
@@ -115,8 +115,11 @@ constexpr auto dual_cone(ChannelTag auto signal, auto... parts) {
         signal, parts...,
         Temporal{FirstValid{SurfaceMotion{}, DualMotion<>{.trust = 0.25f}}, WithCones{WithMoments{RunningMean{.cap = 24.f}}}, ConeFetch{}},
         Spatial{ConeGather{}},
-        Spatial{VarianceGuidedAtrous<>{
-            .edge = {DepthEdge{}, NormalEdge{.sharpness = 32.f}}, .levels = 4, .sigma_luminance = 4.f, .feedback = false}}};
+        Spatial{VarianceGuidedAtrous<>{.edge = {DepthEdge{}, NormalEdge{.sharpness = 32.f}},
+                                       .levels = 3,
+                                       .sigma_luminance = 4.f,
+                                       .feedback = false,
+                                       .first_step = 2}}};
 }
 constexpr auto dual_cone_paper(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, Cones{}, parts..., Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, RunningMean{.cap = 32.f}, ConeFetch{}},
