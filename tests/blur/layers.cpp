@@ -140,6 +140,14 @@ TEST_CASE("the search finds the past of what slides and of what turns, which pla
     CHECK(with_history(plain) < 0.7 * with_history(searched));
 }
 
+TEST_CASE("sweeps longer than the image look at nothing outside it, and a constant stays one") {
+    World const world{.size = {40, 9}, .frames = 2};
+    for (glm::vec2 const longer : {glm::vec2(1000, 0), glm::vec2(-1000, 0), glm::vec2(0, 700), glm::vec2(-600, -600)})
+        for (float const a : world.last(
+                 denoise, [](int, int, int, float) { return 0.3f; }, [&](int, int, int, float) { return longer; }))
+            REQUIRE(a == doctest::Approx(0.3).epsilon(1e-4));
+}
+
 TEST_CASE("bad input: nothing that is not finite comes out or stays in the history") {
     for (Extent const size : {Extent{40, 20}, Extent{1, 1}}) {
         Frame frame{size, denoise};

@@ -2,6 +2,7 @@
 
 #include <quell/blur/layers.hpp>
 #include <quell/blur/motion_guide.hpp>
+#include <quell/blur/pixel_under.hpp>
 
 namespace quell {
 
@@ -35,18 +36,16 @@ template <ChannelTag Signal, ChannelTag From> struct DirectionalLevel {
         vec2<Real> const step{axis.x * inverse * along, axis.y * inverse * along},
             aside{-axis.y * inverse * across, axis.x * inverse * across};
         auto const p = px.position();
-        Real const right(static_cast<float>(px.size().width)), bottom(static_cast<float>(px.size().height));
         auto sum = scale(own, Real(spline[0] * spline[0]));
         Real weights(spline[0] * spline[0]);
         for (int j = -taps_across; j <= taps_across; ++j)
             for (int i = -2; i <= 2; ++i) {
                 if (i == 0 && j == 0) continue;
                 Real const fi(static_cast<float>(i)), fj(static_cast<float>(j));
-                auto const x = floor(fma(aside.x, fj, fma(step.x, fi, p.x))), y = floor(fma(aside.y, fj, fma(step.y, fi, p.y)));
+                PixelUnder<Px> const tap(px, {fma(aside.x, fj, fma(step.x, fi, p.x)), fma(aside.y, fj, fma(step.y, fi, p.y))});
                 float const w = spline[i < 0 ? -i : i] * spline[j < 0 ? -j : j];
-                auto const inside = select(both(x >= Real(0.f), x < right, y >= Real(0.f), y < bottom), Real(w), Real(0.f));
-                PastPlace<Real> const place(x, y);
-                sum = add_scaled(sum, px.elsewhere(place, From{}), inside);
+                auto const inside = select(tap.inside, Real(w), Real(0.f));
+                sum = add_scaled(sum, px.elsewhere(tap.place, From{}), inside);
                 weights = weights + inside;
             }
         return select(moves, scale(sum, 1.f / weights), own);

@@ -2,6 +2,7 @@
 
 #include <quell/blur/layers.hpp>
 #include <quell/blur/path_weight.hpp>
+#include <quell/blur/pixel_under.hpp>
 
 namespace quell {
 
@@ -107,18 +108,16 @@ private:
     template <class Px, class Real>
     QUELL_KERNEL void add_sample(Px const& px, Gathered<Px>& sums, vec2<Real> const& at, Path<Real> const& own, Path<Real> const& guide,
                                  Real own_depth, Real reach) const {
-        auto const column = floor(at.x), row = floor(at.y);
-        PastPlace<Real> const place(column, row);
-        auto const path = Path<Real>::of(px.elsewhere(place, quell::sweep), px.elsewhere(place, time));
-        auto const [value, missing] = px.signal_elsewhere(place);
-        auto const hidden = both(invert(own.moves()), detail::hidden_behind(px.elsewhere(place, depth), own_depth, depth_tolerance));
+        PixelUnder<Px> const there(px, at);
+        auto const path = Path<Real>::of(px.elsewhere(there.place, quell::sweep), px.elsewhere(there.place, time));
+        auto const [value, missing] = px.signal_elsewhere(there.place);
+        auto const hidden = both(invert(own.moves()), detail::hidden_behind(px.elsewhere(there.place, depth), own_depth, depth_tolerance));
         auto const moves = both(path.moves(), invert(hidden));
         Path<Real> const looked_at{select(path.moves(), path.sweep, guide.sweep), path.time,
                                    select(path.moves(), path.squared, guide.squared)};
         auto const centre = px.position();
-        auto const passing = looked_at.passing({centre.x - column - 0.5f, centre.y - row - 0.5f});
-        Real const right(static_cast<float>(px.size().width)), bottom(static_cast<float>(px.size().height));
-        auto const usable = both(invert(missing), at.x >= Real(0.f), at.x < right, at.y >= Real(0.f), at.y < bottom);
+        auto const passing = looked_at.passing({centre.x - there.column - 0.5f, centre.y - there.row - 0.5f});
+        auto const usable = both(invert(missing), there.inside);
         auto const w = weight.weight(passing, reach) / max(looked_at.length(), Real(Path<Real>::least));
         sums.add(value, path, select(usable, w * guide.length(), Real(0.f)), moves);
     }
