@@ -3,9 +3,9 @@
 namespace quell::bench {
 namespace {
 /// Get one sample per pixel, each at a time of its own.
-constexpr std::tuple denoisers{Named{"none", presets::none(radiance)}, Named{"blur", presets::blur(radiance)},
-                               Named{"blur-fixed-step", presets::blur_fixed_step(radiance)},
-                               Named{"blur-one-step", presets::blur_one_step(radiance)}};
+constexpr std::tuple denoisers{
+    Named{"none", presets::none(radiance)}, Named{"blur", presets::blur(radiance)}, Named{"blur-bent", presets::blur<BentPaths>(radiance)},
+    Named{"blur-fixed-step", presets::blur_fixed_step(radiance)}, Named{"blur-one-step", presets::blur_one_step(radiance)}};
 /// Get a picture of the middle of the open shutter.
 constexpr std::tuple post_processes{Named{"gather-blur", presets::gather_blur(radiance)},
                                     Named{"tilemax-blur", presets::tilemax_blur(radiance)}};

@@ -50,6 +50,7 @@ template <class P> void same_everywhere(P const& pipeline) {
 TEST_CASE("serial, SIMD and threads compute the same: blur") {
     same_everywhere(denoise);
     same_everywhere(presets::blur_fixed_step(radiance));
+    same_everywhere(presets::blur<BentPaths>(radiance));
 }
 
 TEST_CASE("a constant stays constant, whatever moves") {
@@ -150,8 +151,9 @@ TEST_CASE("sweeps longer than the image look at nothing outside it, and a consta
 
 TEST_CASE("bad input: nothing that is not finite comes out or stays in the history") {
     for (Extent const size : {Extent{40, 20}, Extent{1, 1}}) {
-        Frame frame{size, denoise};
-        History history{size, denoise};
+        constexpr auto bent = presets::blur<BentPaths>(radiance);
+        Frame frame{size, bent};
+        History history{size, bent};
         for (float const bad : {not_a_number, infinite, -infinite, 1e30f, -1e30f, 0.f, 2.f}) {
             auto const breaks = [&](auto channel) {
                 tests::fill_randomly(frame, 3);
@@ -160,11 +162,11 @@ TEST_CASE("bad input: nothing that is not finite comes out or stays in the histo
                     using V = Value<decltype(channel)::components, float>;
                     return x % 2 ? V(bad) : V(1.f);
                 });
-                CHECK(tests::all_finite(tests::copy_of(run(denoise, frame, history))));
+                CHECK(tests::all_finite(tests::copy_of(run(bent, frame, history))));
                 tests::fill_randomly(frame, 4);
-                CHECK(tests::all_finite(tests::copy_of(run(denoise, frame, history))));
+                CHECK(tests::all_finite(tests::copy_of(run(bent, frame, history))));
             };
-            breaks(sweep), breaks(quell::time), breaks(depth), breaks(radiance);
+            breaks(sweep), breaks(sweep_bend), breaks(quell::time), breaks(depth), breaks(radiance);
         }
     }
 }

@@ -47,6 +47,24 @@ TEST_CASE("a path passes a point where plain geometry says") {
     }
 }
 
+TEST_CASE("a path that bends passes points of its own arc, at their times") {
+    // A point turns by 70 degrees within the shutter, at a distance of 60 pixels from the centre.
+    auto const place = [](double t) { return 60. * glm::dvec2(std::cos(1.2 * t), std::sin(1.2 * t)); };
+    auto const sweep = place(1) - place(0), bend = place(0.5) - (place(0) + place(1)) * 0.5;
+    for (double const seen : {0., 0.3, 0.8})
+        for (double const t : {0.05, 0.4, 0.95}) {
+            auto const straight = Path<float>::of(glm::vec2(sweep), static_cast<float>(seen));
+            auto const path = BentPath<float>::of(straight, glm::vec2(bend));
+            auto const passing = path.passing(glm::vec2(place(t) - place(seen)));
+            // A parabola is no circle: 0.6 pixels off on such an arc, where a straight path would be 10.
+            CHECK(passing.distance < 0.65f);
+            CHECK(std::abs(passing.when - t) < 0.02);
+            // Without a bend it is the straight path.
+            auto const flat = BentPath<float>::of(straight, {not_a_number, 3.f}).passing({3.f, 4.f});
+            CHECK(flat.distance == doctest::Approx(straight.passing({3.f, 4.f}).distance).epsilon(1e-4));
+        }
+}
+
 TEST_CASE("bad sweeps and times have a meaning") {
     for (float const bad : {not_a_number, infinite, -infinite}) {
         CHECK(!Path<float>::of({bad, 3.f}, 0.5f).moves());

@@ -19,43 +19,46 @@ struct GuideAxis : Channel<2> {
 struct GuideSpread : Channel<3> {
     static constexpr auto name = "guide_spread";
 };
+/// The mean bend of the paths around a pixel, in pixels: made where paths are bent.
+struct GuideBend : Channel<2> {
+    static constexpr auto name = "guide_bend";
+};
 inline constexpr GuideSweep guide_sweep;
 inline constexpr GuideAxis guide_axis;
 inline constexpr GuideSpread guide_spread;
+inline constexpr GuideBend guide_bend;
 
 namespace detail {
-/// Sums over the moving samples of a row: their number, sweeps, lengths, squared lengths, doubled angles as unit vectors, and depths.
-struct MotionSums : Channel<8> {
-    static constexpr auto name = "motion_sums";
-};
-inline constexpr MotionSums motion_sums;
+/// Sums over the moving samples of a row: their number, sweeps, lengths, squared lengths, doubled angles as unit vectors, depths, and bends
+/// where paths are bent.
+template <class Paths> struct MotionSums : Channel<Paths::bent ? 10 : 8> { static constexpr auto name = "motion_sums"; };
+template <class Paths, class Real> using MotionSumsOf = Components<MotionSums<Paths>::components, Real>;
 
 /// Whether something at a depth can't be seen here, since what is here stands still before it.
 template <class Real> QUELL_KERNEL auto hidden_behind(Real depth, Real here, float tolerance) { return depth > here * (1.f + tolerance); }
 
-struct MotionRow {
+template <class Paths> struct MotionRow {
     static constexpr auto name = "motion guide, rows";
     static constexpr bool leaves_signal = true;
-    using reads = Channels<Sweep, Depth>;
-    using emits = Channels<MotionSums>;
+    using reads = decltype(Channels<Depth>{} | reads_of<Paths>{});
+    using emits = Channels<MotionSums<Paths>>;
     int radius;
     float depth_tolerance;
 
     template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
         using Real = typename Px::Real;
-        auto const here = Path<Real>::of(px[sweep], Real(0.f)).moves();
-        auto const nearest = select(here, Real(1e30f), px[depth]);
-        auto sums = zero<Components<8, Real>>();
+        auto const nearest = select(Paths::here(px).moves(), Real(1e30f), px[depth]);
+        auto sums = zero<MotionSumsOf<Paths, Real>>();
         for (int i = -radius; i <= radius; ++i) {
             auto const near = px.at(i, 0);
-            auto const path = Path<Real>::of(near[sweep], Real(0.f));
+            auto const path = Paths::here(near);
             auto const z = near[depth];
             auto const counts =
                 both(near.inside(), path.moves(), invert(near.missing()), invert(hidden_behind(z, nearest, depth_tolerance)));
             if (!any(counts)) continue;
             auto const inverse = 1.f / max(path.squared, Real(1e-6f));
             auto const x = path.sweep.x, y = path.sweep.y;
-            Components<8, Real> const sample{Real(1.f),
+            MotionSumsOf<Paths, Real> sample{Real(1.f),
                                              x,
                                              y,
                                              path.length(),
@@ -63,29 +66,31 @@ struct MotionRow {
                                              fma(x, x, -(y * y)) * inverse,
                                              2.f * x * y * inverse,
                                              select(is_finite(z), min(z, Real(1e6f)), Real(1e6f))};
+            if constexpr (Paths::bent) sample.at[8] = path.bend.x, sample.at[9] = path.bend.y;
             sums = map(
                 [&](auto s, auto a) __attribute__((always_inline)) { return s + select(counts, a, Real(0.f)); }, sums, sample);
         }
-        return emitted<Real>(motion_sums, sums);
+        return emitted<Real>(MotionSums<Paths>{}, sums);
     }
 };
 
-struct MotionColumn {
+template <class Paths> struct MotionColumn {
     static constexpr auto name = "motion guide, columns";
     static constexpr bool leaves_signal = true;
-    using reads = Channels<Sweep, Depth, MotionSums>;
-    using emits = Channels<GuideSweep, GuideAxis, GuideSpread>;
+    using reads = decltype(Channels<Depth, MotionSums<Paths>>{} | reads_of<Paths>{});
+    using emits = std::conditional_t<Paths::bent, Channels<GuideSweep, GuideAxis, GuideSpread, GuideBend>,
+                                     Channels<GuideSweep, GuideAxis, GuideSpread>>;
     int radius;
     float depth_tolerance;
 
     template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
         using Real = typename Px::Real;
-        auto const nearest = select(Path<Real>::of(px[sweep], Real(0.f)).moves(), Real(1e30f), px[depth]);
-        auto sums = zero<Components<8, Real>>();
+        auto const nearest = select(Paths::here(px).moves(), Real(1e30f), px[depth]);
+        auto sums = zero<MotionSumsOf<Paths, Real>>();
         for (int i = -radius; i <= radius; ++i) {
             auto const near = px.at(0, i);
             if (!near.row_inside) continue;
-            auto const row = near[motion_sums];
+            auto const row = near[MotionSums<Paths>{}];
             auto const mean_depth = row.at[7] / max(row.at[0], Real(1.f));
             auto const counts = invert(hidden_behind(mean_depth, nearest, depth_tolerance));
             sums = map(
@@ -95,10 +100,15 @@ struct MotionColumn {
         auto const inverse = select(some, 1.f / max(sums.at[0], Real(1.f)), Real(0.f));
         auto const length = sums.at[3] * inverse;
         auto const side = static_cast<float>(2 * radius + 1);
-        vec3<Real> const spread{max(fma(-length, length, sums.at[4] * inverse), Real(0.f)), Real(0.f), sums.at[0] * (1.f / (side * side))};
-        return emitted<Real>(guide_sweep, vec2<Real>{sums.at[1] * inverse, sums.at[2] * inverse})
-            .with(guide_axis, axis(sums.at[5], sums.at[6], length))
-            .with(guide_spread, vec3<Real>{spread.x, variance(sums.at[5] * inverse, sums.at[6] * inverse, some), spread.z});
+        vec3<Real> const spread{max(fma(-length, length, sums.at[4] * inverse), Real(0.f)),
+                                variance(sums.at[5] * inverse, sums.at[6] * inverse, some), sums.at[0] * (1.f / (side * side))};
+        auto const guide = emitted<Real>(guide_sweep, vec2<Real>{sums.at[1] * inverse, sums.at[2] * inverse})
+                               .with(guide_axis, axis(sums.at[5], sums.at[6], length))
+                               .with(guide_spread, spread);
+        if constexpr (Paths::bent)
+            return guide.with(guide_bend, vec2<Real>{sums.at[8] * inverse, sums.at[9] * inverse});
+        else
+            return guide;
     }
 
 private:
@@ -120,17 +130,20 @@ private:
 /// Mean and variance of the motion around each pixel, which say where and how far to look for samples (MB section 4.1). Samples that stand
 /// still don't count, nor does what moves behind something that stands still. Angles are doubled before they are averaged, so that opposite
 /// directions count as one and the result depends neither on where 0 degrees is nor on the centre's own noisy sample.
-/// Emits GuideSweep, GuideAxis and GuideSpread.
-struct MotionGuide {
+/// Emits GuideSweep, GuideAxis and GuideSpread, and GuideBend for bent paths.
+/// @tparam Paths StraightPaths or BentPaths
+template <class Paths = StraightPaths> struct MotionGuide {
+    using Row = detail::MotionRow<Paths>;
+    using Column = detail::MotionColumn<Paths>;
     static constexpr bool leaves_signal = true;
-    using reads = decltype(reads_of<detail::MotionRow, detail::MotionColumn>{});
-    using emits = decltype(emits_of<detail::MotionRow, detail::MotionColumn>{});
+    using reads = reads_of<Row, Column>;
+    using emits = emits_of<Row, Column>;
     int radius = 7;                ///< pixels; 7 is the paper's 15x15
     float depth_tolerance = 0.02f; ///< how much farther, relatively, something is that stands behind something else
 
     constexpr void for_each_pass(auto&& pass) const {
-        pass(detail::MotionRow{radius, depth_tolerance});
-        pass(detail::MotionColumn{radius, depth_tolerance});
+        pass(Row{radius, depth_tolerance});
+        pass(Column{radius, depth_tolerance});
     }
 };
 

@@ -38,4 +38,63 @@ template <class Real> struct Path {
     }
 };
 
+/// A path that bends: to second order, sample(t) = where it is when the shutter opens + sweep t + 4 bend t (1 - t).
+template <class Real> struct BentPath : Path<Real> {
+    vec2<Real> bend; ///< how far from the middle of the sweep it is at half time, in pixels; one that is not finite is none
+
+    QUELL_KERNEL static BentPath of(Path<Real> const& path, vec2<Real> const& bend) {
+        constexpr auto most = Path<Real>::longest;
+        auto const usable = both(is_finite(bend.x), is_finite(bend.y));
+        return {path,
+                {clamp(select(usable, bend.x, Real(0.f)), Real(-most), Real(most)),
+                 clamp(select(usable, bend.y, Real(0.f)), Real(-most), Real(most))}};
+    }
+    /// By Newton's method from where the straight path passes.
+    QUELL_KERNEL typename Path<Real>::Passing passing(vec2<Real> const& offset) const {
+        auto const& v = this->sweep;
+        auto const t = this->time, begin = fma(-t, t, t) * 4.f;
+        auto when = clamp(Path<Real>::passing(offset).when, Real(-0.5f), Real(1.5f));
+        vec2<Real> off{Real(0.f), Real(0.f)};
+        for (int i = 0; i < 3; ++i) {
+            auto const bent = fma(-when, when, when) * 4.f - begin, since = when - t;
+            off = {fma(-bend.x, bent, fma(-v.x, since, offset.x)), fma(-bend.y, bent, fma(-v.y, since, offset.y))};
+            if (i == 2) break;
+            auto const turned = fma(when, Real(-8.f), Real(4.f));
+            vec2<Real> const speed{fma(bend.x, turned, v.x), fma(bend.y, turned, v.y)};
+            auto const squared_speed = max(fma(speed.x, speed.x, speed.y * speed.y), Real(1e-6f));
+            when = clamp(when + fma(off.x, speed.x, off.y * speed.y) / squared_speed, Real(-0.5f), Real(1.5f));
+        }
+        return {sqrt(fma(off.x, off.x, off.y * off.y)), when};
+    }
+};
+
+/// Where the mask holds, a; elsewhere b's motion with a's time.
+template <class Mask, class Real> QUELL_KERNEL Path<Real> moving_as(Mask mask, Path<Real> const& a, Path<Real> const& b) {
+    return {select(mask, a.sweep, b.sweep), a.time, select(mask, a.squared, b.squared)};
+}
+template <class Mask, class Real> QUELL_KERNEL BentPath<Real> moving_as(Mask mask, BentPath<Real> const& a, BentPath<Real> const& b) {
+    return {moving_as(mask, static_cast<Path<Real> const&>(a), static_cast<Path<Real> const&>(b)), select(mask, a.bend, b.bend)};
+}
+
+/// Whether samples move in straight lines while the shutter is open, as in the paper, or in arcs.
+struct StraightPaths {
+    static constexpr bool bent = false;
+    using reads = Channels<Sweep, Time>;
+    /// What the pixel shows, and what is shown elsewhere.
+    template <class Px> QUELL_KERNEL static auto here(Px const& px) { return Path<typename Px::Real>::of(px[sweep], px[time]); }
+    template <class Px, class Place> QUELL_KERNEL static auto there(Px const& px, Place const& place) {
+        return Path<typename Px::Real>::of(px.elsewhere(place, sweep), px.elsewhere(place, time));
+    }
+};
+struct BentPaths {
+    static constexpr bool bent = true;
+    using reads = Channels<Sweep, SweepBend, Time>;
+    template <class Px> QUELL_KERNEL static auto here(Px const& px) {
+        return BentPath<typename Px::Real>::of(StraightPaths::here(px), px[sweep_bend]);
+    }
+    template <class Px, class Place> QUELL_KERNEL static auto there(Px const& px, Place const& place) {
+        return BentPath<typename Px::Real>::of(StraightPaths::there(px, place), px.elsewhere(place, sweep_bend));
+    }
+};
+
 } // namespace quell

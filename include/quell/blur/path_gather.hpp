@@ -6,15 +6,16 @@
 
 namespace quell {
 
-/// Where to look for samples that may pass a pixel: stratified along the line along which things move around, as far as they sweep.
-struct AlongGuide {
-    using reads = Channels<GuideAxis>;
+/// Where to look for samples that may pass a pixel: stratified along the line, or arc, along which things move around, as far as they
+/// sweep.
+template <class Paths = StraightPaths> struct AlongGuide {
+    using reads = std::conditional_t<Paths::bent, Channels<GuideAxis, GuideBend>, Channels<GuideAxis>>;
     int count = 24;
     float across = 1.f; ///< how far from the line, in pixels, to either side
 
     template <class Px> struct Places {
         using Real = typename Px::Real;
-        vec2<Real> centre, axis, beside;
+        vec2<Real> centre, axis, beside, bend;
         Real first, second; ///< random in [0, 1)
         float spacing, across;
 
@@ -24,7 +25,12 @@ struct AlongGuide {
             auto const stratum = fraction(fma(number, Real(0.618034f), first)) + number;
             auto const along = fma(stratum, Real(2.f * spacing), Real(-1.f));
             auto const aside = fma(fraction(fma(number, Real(0.7548777f), second)), Real(2.f * across), Real(-across));
-            return {fma(beside.x, aside, fma(axis.x, along, centre.x)), fma(beside.y, aside, fma(axis.y, along, centre.y))};
+            vec2<Real> const on_line{fma(beside.x, aside, fma(axis.x, along, centre.x)),
+                                     fma(beside.y, aside, fma(axis.y, along, centre.y))};
+            if constexpr (!Paths::bent) return on_line;
+            // A path that goes through here: to second order, on whichever side it was sampled.
+            auto const bent = along * along * -4.f;
+            return {fma(bend.x, bent, on_line.x), fma(bend.y, bent, on_line.y)};
         }
         QUELL_KERNEL static Real fraction(Real a) { return a - floor(a); }
     };
@@ -33,7 +39,16 @@ struct AlongGuide {
         auto const axis = px[guide_axis];
         auto const inverse = 1.f / max(sqrt(fma(axis.x, axis.x, axis.y * axis.y)), Real(1e-6f));
         auto const [first, second] = px.random_uniforms();
-        return {px.position(), axis, {-axis.y * inverse, axis.x * inverse}, first, second, 1.f / static_cast<float>(count), across};
+        return {px.position(), axis,   {-axis.y * inverse, axis.x * inverse}, bend(px),
+                first,         second, 1.f / static_cast<float>(count),       across};
+    }
+
+private:
+    template <class Px> QUELL_KERNEL static vec2<typename Px::Real> bend([[maybe_unused]] Px const& px) {
+        if constexpr (Paths::bent)
+            return px[guide_bend];
+        else
+            return zero<vec2<typename Px::Real>>();
     }
 };
 
@@ -43,11 +58,12 @@ struct AlongGuide {
 /// pixels around. (After MB sections 4.2 and 4.3.)
 /// Emits MovingLayer, StaticLayer and MeanSweep; leaves the signal alone. Wants a MotionGuide before it.
 /// @tparam Signal the pipeline's
+/// @tparam Paths  StraightPaths or BentPaths, as the MotionGuide's
 /// @tparam Places where it looks
-template <ChannelTag Signal, class Places = AlongGuide> struct PathGather {
+template <ChannelTag Signal, class Paths = StraightPaths, class Places = AlongGuide<Paths>> struct PathGather {
     static constexpr auto name = "path gather";
     static constexpr bool leaves_signal = true;
-    using reads = decltype(Channels<Sweep, Time, Depth, GuideSweep, GuideAxis>{} | reads_of<Places, PathWeight>{});
+    using reads = decltype(Channels<Depth, GuideSweep, GuideAxis>{} | reads_of<Paths, Places, PathWeight>{});
     using emits = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep>;
     Places where{};
     PathWeight weight{};
@@ -55,71 +71,100 @@ template <ChannelTag Signal, class Places = AlongGuide> struct PathGather {
 
     template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
         using Real = typename Px::Real;
-        auto const own = Path<Real>::of(px[sweep], px[time]);
+        auto const own = Paths::here(px);
         auto const around = px[guide_sweep];
         auto const z = px[depth];
         auto const signal = px.signal();
         auto const seen = invert(px.missing());
-        Gathered<Px> sums;
-        auto const guide = Path<Real>::of(px[guide_axis], Real(0.5f));
-        auto const spread = px[guide_spread];
-        auto const near_motion = spread.z > Real(0.f);
-        if (any(near_motion)) {
+        auto const guide = guide_path(px);
+        Gathered<Px> sums(guide.length());
+        if (any(px[guide_spread].z > Real(0.f))) {
             auto const reach = weight.reach(px);
             auto const share = select(own.moves(), guide.length() / max(own.length(), Real(Path<Real>::least)), Real(1.f));
-            sums.add(signal, own, select(seen, share, Real(0.f)), own.moves());
+            sums.add(signal, own, select(seen, share, Real(0.f)), own.moves(), own.time);
             auto const places = where.places(px);
             for (int i = 0; i < where.count; ++i) {
                 auto const place = places.at(px, i);
                 add_sample(px, sums, place, own, guide, z, reach);
             }
         }
-        auto const moving = near_motion;
-        auto const coverage = select(both(moving, sums.all > Real(0.f)), sums.weight / max(sums.all, Real(1e-6f)), Real(0.f));
-        auto const inverse = select(sums.weight > Real(0.f), 1.f / max(sums.weight, Real(1e-6f)), Real(0.f));
-        auto const found = both(moving, sums.weight > Real(0.f));
-        vec2<Real> const mean{select(found, sums.sweep.x * inverse, around.x), select(found, sums.sweep.y * inverse, around.y)};
-        auto const mean_signal = scale(sums.signal, inverse * coverage);
+        auto const found = sums.swept > Real(0.f);
+        auto const inverse = 1.f / max(sums.swept, Real(1e-6f));
+        vec2<Real> const swept{select(found, sums.sweep.x * inverse, around.x), select(found, sums.sweep.y * inverse, around.y)};
         auto const still_here = both(seen, invert(own.moves()));
         auto still = detail::layer_of(select(still_here, signal, zero<typename Px::Signal>()), select(still_here, Real(1.f), Real(0.f)));
         if (any(invert(still_here))) still = select(still_here, still, guessed(px, z, own.moves()));
-        return emitted<Real>(MovingLayer<Signal>{}, detail::layer_of(select(moving, mean_signal, zero<typename Px::Signal>()), coverage))
-            .with(StaticLayer<Signal>{}, still)
-            .with(mean_sweep, mean);
+        return emitted<Real>(MovingLayer<Signal>{}, sums.mean()).with(StaticLayer<Signal>{}, still).with(mean_sweep, swept);
     }
 
 private:
+    /// How things move around.
+    template <class Px> QUELL_KERNEL static auto guide_path(Px const& px) {
+        using Real = typename Px::Real;
+        auto const straight = Path<Real>::of(px[guide_axis], Real(0.5f));
+        if constexpr (Paths::bent)
+            return BentPath<Real>::of(straight, px[guide_bend]);
+        else
+            return straight;
+    }
+    /// Sums over samples, by when they pass: the mean of the means of equal parts of the open shutter has less noise than the mean of all.
     template <class Px> struct Gathered {
         using Real = typename Px::Real;
-        typename Px::Signal signal = zero<typename Px::Signal>(); ///< of what moves
+        static constexpr int parts = 8; ///< at most: they are as long as it takes to pass `pixels_a_part`
+        static constexpr float pixels_a_part = 4.f;
+        struct Part {
+            typename Px::Signal signal = zero<typename Px::Signal>(); ///< of what moves
+            Real weight = Real(0.f), all = Real(0.f);
+        };
+        Real count; ///< of parts, from 1
+        Part part[parts];
         vec2<Real> sweep{Real(0.f), Real(0.f)};
-        Real weight = Real(0.f), all = Real(0.f);
+        Real swept = Real(0.f);
 
-        QUELL_KERNEL void add(typename Px::Signal const& value, Path<Real> const& path, Real w, auto moves) {
+        QUELL_KERNEL explicit Gathered(Real length)
+            : count(floor(clamp(length * (1.f / pixels_a_part), Real(1.f), Real(static_cast<float>(parts))))) {}
+        QUELL_KERNEL void add(typename Px::Signal const& value, auto const& path, Real w, auto moves, Real when) {
             auto const counted = select(moves, w, Real(0.f));
-            all = all + w;
-            weight = weight + counted;
-            signal = add_scaled(signal, value, counted);
             sweep = add_scaled(sweep, path.sweep, counted);
+            swept = swept + counted;
+            // The end of the last part belongs to it.
+            auto const which = min(floor(when * count), count - 1.f);
+            for (int i = 0; i < parts; ++i) {
+                auto const here = abs(which - static_cast<float>(i)) < Real(0.5f);
+                auto const all_here = select(here, w, Real(0.f)), counted_here = select(here, counted, Real(0.f));
+                part[i].all = part[i].all + all_here;
+                part[i].weight = part[i].weight + counted_here;
+                part[i].signal = add_scaled(part[i].signal, value, counted_here);
+            }
+        }
+        QUELL_KERNEL auto mean() const {
+            auto sum = zero<Value<Signal::components + 1, Real>>();
+            Real known(0.f);
+            for (auto const& p : part) {
+                auto const some = p.all > Real(0.f);
+                auto const inverse = select(some, 1.f / max(p.all, Real(1e-6f)), Real(0.f));
+                sum = add_scaled(sum, detail::layer_of(p.signal, p.weight), inverse);
+                known = known + select(some, Real(1.f), Real(0.f));
+            }
+            return scale(sum, 1.f / max(known, Real(1.f)));
         }
     };
     /// What stands still is looked at as if it moved like all around it: how many samples there are in all must not depend on what they
     /// show.
-    template <class Px, class Real>
-    QUELL_KERNEL void add_sample(Px const& px, Gathered<Px>& sums, vec2<Real> const& at, Path<Real> const& own, Path<Real> const& guide,
+    template <class Px, class Real, class PathOf>
+    QUELL_KERNEL void add_sample(Px const& px, Gathered<Px>& sums, vec2<Real> const& at, PathOf const& own, PathOf const& guide,
                                  Real own_depth, Real reach) const {
         PixelUnder<Px> const there(px, at);
-        auto const path = Path<Real>::of(px.elsewhere(there.place, quell::sweep), px.elsewhere(there.place, time));
+        auto const path = Paths::there(px, there.place);
         auto const [value, missing] = px.signal_elsewhere(there.place);
         auto const hidden = both(invert(own.moves()), detail::hidden_behind(px.elsewhere(there.place, depth), own_depth, depth_tolerance));
         auto const moves = both(path.moves(), invert(hidden));
-        Path<Real> const looked_at{select(path.moves(), path.sweep, guide.sweep), path.time,
-                                   select(path.moves(), path.squared, guide.squared)};
+        auto const looked_at = moving_as(path.moves(), path, guide);
         auto const centre = px.position();
         auto const passing = looked_at.passing({centre.x - there.column - 0.5f, centre.y - there.row - 0.5f});
         auto const usable = both(invert(missing), there.inside);
         auto const w = weight.weight(passing, reach) / max(looked_at.length(), Real(Path<Real>::least));
-        sums.add(value, path, select(usable, w * guide.length(), Real(0.f)), moves);
+        sums.add(value, path, select(usable, w * guide.length(), Real(0.f)), moves, passing.when);
     }
     /// The mean of what stands still in the 5x5 around, and behind what moves here. Outlined: few pixels are covered.
     template <class Px, class Real, class Mask>
@@ -129,7 +174,7 @@ private:
         for_each_neighbour<2>(
             px, [&](auto near, auto inside, int, int) __attribute__((always_inline)) {
                 auto const before = both(own_moves, detail::hidden_behind(own_depth, near[depth], depth_tolerance));
-                auto const counts = both(invert(Path<Real>::of(near[sweep], Real(0.f)).moves()), invert(near.missing()), invert(before));
+                auto const counts = both(invert(Paths::here(near).moves()), invert(near.missing()), invert(before));
                 auto const w = select(counts, inside, Real(0.f));
                 sum = add_scaled(sum, near.signal(), w);
                 weights = weights + w;

@@ -129,10 +129,10 @@ constexpr auto dual_cone_paper(ChannelTag auto signal, auto... parts) {
 /// Samples are gathered along the paths around, tested one by one, and accumulated over frames; the wavelet along the motion stays narrower
 /// than the paper's, since what was gathered is blurred as it should be already.
 /// @param search how the past is found; its `shutter` is the part of the frame time during which the shutter is open
-template <ChannelTag S>
+template <class Paths = StraightPaths, ChannelTag S>
 constexpr auto blur(S signal, PathSearch search = {}, DirectionalAtrous<S> along = {.reach = 0.05f, .taps_across = 0}) {
-    return Pipeline{signal, Spatial{MotionGuide{}}, Spatial{PathGather<S>{}}, Temporal{search, LayerBlend<S>{}, LayerFetch<S>{}},
-                    Spatial{along}};
+    return Pipeline{signal, Spatial{MotionGuide<Paths>{}}, Spatial{PathGather<S, Paths>{}},
+                    Temporal{search, LayerBlend<S>{}, LayerFetch<S>{}}, Spatial{along}};
 }
 /// blur with an ordinary a-trous wavelet, whose steps don't follow the motion; and with plain reprojection instead of the search.
 template <ChannelTag S> constexpr auto blur_fixed_step(S signal, PathSearch search = {}) {
