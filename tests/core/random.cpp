@@ -39,3 +39,25 @@ TEST_CASE("one number and a pack of numbers agree to the last bit, and come agai
     CHECK(normal_pair(3.f, 4.f, 5) != normal_pair(4.f, 3.f, 5));
     CHECK(normal_pair(3.f, 4.f, 5) != normal_pair(3.f, 4.f, 6));
 }
+
+TEST_CASE("uniform numbers fill [0, 1) evenly, and a pack has the same") {
+    int const side = 200, parts = 10;
+    int count[parts] = {};
+    double products = 0;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            auto const [a, b] = uniform_pair(static_cast<float>(x), static_cast<float>(y), 3);
+            REQUIRE((a >= 0 && a < 1 && b >= 0 && b < 1));
+            ++count[static_cast<int>(a * parts)];
+            products += (a - 0.5) * (b - 0.5);
+        }
+    // 4,000 in each part: a deviation of 60. A product has a deviation of 1/12.
+    for (int const n : count) CHECK(std::abs(n - side * side / parts) < 240);
+    CHECK(std::abs(products / (side * side)) < 0.002);
+    auto const pack = uniform_pair(Pack(7.f) + lanes<Pack>(), Pack(9.f), 5);
+    for (int i = 0; i < width_of<Pack>; ++i) {
+        auto const one = uniform_pair(static_cast<float>(7 + i), 9.f, 5);
+        CHECK(lane(pack.first, i) == one.first);
+        CHECK(lane(pack.second, i) == one.second);
+    }
+}

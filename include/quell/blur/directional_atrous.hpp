@@ -16,7 +16,6 @@ template <ChannelTag Signal, ChannelTag From> struct DirectionalLevel {
     float part;      ///< of the sweep's length, from tap to tap
     float fixed;     ///< pixels from tap to tap, instead, where it is above 0
     int taps_across; ///< to either side
-    bool weighs_axis_variance = true;
 
     template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
         return emitted<typename Px::Real>(FilteredLayer<Signal>{}, filtered(px));

@@ -29,10 +29,20 @@ inline constexpr GuideSpread guide_spread;
 inline constexpr GuideBend guide_bend;
 
 namespace detail {
-/// Sums over the moving samples of a row: their number, sweeps, lengths, squared lengths, doubled angles as unit vectors, depths, and bends
-/// where paths are bent.
-template <class Paths> struct MotionSums : Channel<Paths::bent ? 10 : 8> { static constexpr auto name = "motion_sums"; };
+/// Sums over the moving samples of a row, in this order; bends where paths are bent.
+template <class Paths> struct MotionSums : Channel<Paths::bent ? 10 : 8> {
+    static constexpr auto name = "motion_sums";
+    enum { number, sweep_x, sweep_y, length, squared_length, doubled_cosine, doubled_sine, depth, bend_x, bend_y };
+};
 template <class Paths, class Real> using MotionSumsOf = Components<MotionSums<Paths>::components, Real>;
+template <class Sums, class Mask> QUELL_KERNEL void add_where(Mask counts, Sums& sums, Sums const& more) {
+    sums = map(
+        [&](auto s, auto a) __attribute__((always_inline)) { return s + select(counts, a, decltype(a)(0.f)); }, sums, more);
+}
+/// The depth behind which nothing counts that moves: of what stands still here.
+template <class Paths, class Px> QUELL_KERNEL auto still_depth(Px const& px) {
+    return select(Paths::here(px).moves(), typename Px::Real(1e30f), px[depth]);
+}
 
 /// Whether something at a depth can't be seen here, since what is here stands still before it.
 template <class Real> QUELL_KERNEL auto hidden_behind(Real depth, Real here, float tolerance) { return depth > here * (1.f + tolerance); }
@@ -47,7 +57,7 @@ template <class Paths> struct MotionRow {
 
     template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
         using Real = typename Px::Real;
-        auto const nearest = select(Paths::here(px).moves(), Real(1e30f), px[depth]);
+        auto const nearest = still_depth<Paths>(px);
         auto sums = zero<MotionSumsOf<Paths, Real>>();
         for (int i = -radius; i <= radius; ++i) {
             auto const near = px.at(i, 0);
@@ -66,15 +76,16 @@ template <class Paths> struct MotionRow {
                                              fma(x, x, -(y * y)) * inverse,
                                              2.f * x * y * inverse,
                                              select(is_finite(z), min(z, Real(1e6f)), Real(1e6f))};
-            if constexpr (Paths::bent) sample.at[8] = path.bend.x, sample.at[9] = path.bend.y;
-            sums = map(
-                [&](auto s, auto a) __attribute__((always_inline)) { return s + select(counts, a, Real(0.f)); }, sums, sample);
+            if constexpr (Paths::bent)
+                sample.at[MotionSums<Paths>::bend_x] = path.bend.x, sample.at[MotionSums<Paths>::bend_y] = path.bend.y;
+            add_where(counts, sums, sample);
         }
         return emitted<Real>(MotionSums<Paths>{}, sums);
     }
 };
 
 template <class Paths> struct MotionColumn {
+    using Sums = MotionSums<Paths>;
     static constexpr auto name = "motion guide, columns";
     static constexpr bool leaves_signal = true;
     using reads = decltype(Channels<Depth, MotionSums<Paths>>{} | reads_of<Paths>{});
@@ -85,28 +96,28 @@ template <class Paths> struct MotionColumn {
 
     template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
         using Real = typename Px::Real;
-        auto const nearest = select(Paths::here(px).moves(), Real(1e30f), px[depth]);
+        auto const nearest = still_depth<Paths>(px);
         auto sums = zero<MotionSumsOf<Paths, Real>>();
         for (int i = -radius; i <= radius; ++i) {
             auto const near = px.at(0, i);
             if (!near.row_inside) continue;
-            auto const row = near[MotionSums<Paths>{}];
-            auto const mean_depth = row.at[7] / max(row.at[0], Real(1.f));
-            auto const counts = invert(hidden_behind(mean_depth, nearest, depth_tolerance));
-            sums = map(
-                [&](auto s, auto a) __attribute__((always_inline)) { return s + select(counts, a, Real(0.f)); }, sums, row);
+            auto const row = near[Sums{}];
+            auto const mean_depth = row.at[Sums::depth] / max(row.at[Sums::number], Real(1.f));
+            add_where(invert(hidden_behind(mean_depth, nearest, depth_tolerance)), sums, row);
         }
-        auto const some = sums.at[0] > Real(0.5f);
-        auto const inverse = select(some, 1.f / max(sums.at[0], Real(1.f)), Real(0.f));
-        auto const length = sums.at[3] * inverse;
+        auto const some = sums.at[Sums::number] > Real(0.5f);
+        auto const inverse = select(some, 1.f / max(sums.at[Sums::number], Real(1.f)), Real(0.f));
+        auto const mean = scale(sums, inverse);
+        auto const length = mean.at[Sums::length];
         auto const side = static_cast<float>(2 * radius + 1);
-        vec3<Real> const spread{max(fma(-length, length, sums.at[4] * inverse), Real(0.f)),
-                                variance(sums.at[5] * inverse, sums.at[6] * inverse, some), sums.at[0] * (1.f / (side * side))};
-        auto const guide = emitted<Real>(guide_sweep, vec2<Real>{sums.at[1] * inverse, sums.at[2] * inverse})
-                               .with(guide_axis, axis(sums.at[5], sums.at[6], length))
+        vec3<Real> const spread{max(fma(-length, length, mean.at[Sums::squared_length]), Real(0.f)),
+                                variance(mean.at[Sums::doubled_cosine], mean.at[Sums::doubled_sine], some),
+                                sums.at[Sums::number] * (1.f / (side * side))};
+        auto const guide = emitted<Real>(guide_sweep, vec2<Real>{mean.at[Sums::sweep_x], mean.at[Sums::sweep_y]})
+                               .with(guide_axis, axis(sums.at[Sums::doubled_cosine], sums.at[Sums::doubled_sine], length))
                                .with(guide_spread, spread);
         if constexpr (Paths::bent)
-            return guide.with(guide_bend, vec2<Real>{sums.at[8] * inverse, sums.at[9] * inverse});
+            return guide.with(guide_bend, vec2<Real>{mean.at[Sums::bend_x], mean.at[Sums::bend_y]});
         else
             return guide;
     }

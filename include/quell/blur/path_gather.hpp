@@ -20,7 +20,7 @@ template <class Paths = StraightPaths> struct AlongGuide {
         float spacing, across;
 
         // Every rounding is spelled out: where it ends decides which pixel is looked at.
-        QUELL_KERNEL vec2<Real> at(Px const&, int i) const {
+        QUELL_KERNEL vec2<Real> at(int i) const {
             auto const number = Real(static_cast<float>(i));
             auto const stratum = fraction(fma(number, Real(0.618034f), first)) + number;
             auto const along = fma(stratum, Real(2.f * spacing), Real(-1.f));
@@ -83,10 +83,7 @@ template <ChannelTag Signal, class Paths = StraightPaths, class Places = AlongGu
             auto const share = select(own.moves(), guide.length() / max(own.length(), Real(Path<Real>::least)), Real(1.f));
             sums.add(signal, own, select(seen, share, Real(0.f)), own.moves(), own.time);
             auto const places = where.places(px);
-            for (int i = 0; i < where.count; ++i) {
-                auto const place = places.at(px, i);
-                add_sample(px, sums, place, own, guide, z, reach);
-            }
+            for (int i = 0; i < where.count; ++i) add_sample(px, sums, places.at(i), own, guide, z, reach);
         }
         auto const found = sums.swept > Real(0.f);
         auto const inverse = 1.f / max(sums.swept, Real(1e-6f));

@@ -30,15 +30,16 @@ struct PathSearch {
     int iterations = 2;   ///< how often the place may be moved; 0: plain reprojection
     float accept = 0.25f; ///< pixels; a difference below it will do
     float give_up = 32.f; ///< pixels; a difference beyond it will not be mended
-    // The place half way between two motions satisfies both directions as well: what differs in length is another thing.
+    // The place half way between two motions satisfies both directions as well: what differs in length is another thing. `accept` is always
+    // allowed.
     float longer = 0.1f; ///< how much longer or shorter, relatively, a past pixel's sweep may be
     float turned = 0.5f; ///< how far it may have turned: the tangent of the angle, about
 
     template <class Px> QUELL_KERNEL auto previous(Px const& px) const {
         using Real = typename Px::Real;
-        auto const p = px.position(), v = scale(px[mean_sweep], Real(1.f / shutter));
-        auto const moves = fma(v.x, v.x, v.y * v.y) > Real(0.01f);
         auto const own = px[mean_sweep];
+        auto const p = px.position(), v = scale(own, Real(1.f / shutter));
+        auto const moves = fma(v.x, v.x, v.y * v.y) > Real(0.01f);
         auto const length = sqrt(fma(own.x, own.x, own.y * own.y)), slack = Real(accept);
         auto const turn = max(slack, length * turned);
         detail::PathFound<Real> found{{p.x - v.x, p.y - v.y}, Real(0.f), own, length, max(slack, length * longer), turn * turn};

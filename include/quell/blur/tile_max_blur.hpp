@@ -33,7 +33,7 @@ template <ChannelTag From> struct LongestSweep {
         };
         take_longer(-1.f);
         take_longer(1.f);
-        return Result<Real>{Real(0.f), Real(1.f), {}}.with(dominant_sweep, longest.sweep);
+        return emitted<Real>(dominant_sweep, longest.sweep);
     }
 
 private:

@@ -32,9 +32,6 @@ template <class Real> QUELL_KERNEL Real normal_from_bits(Index<Real> const& bits
     auto const sum = (bits & byte) + ((bits >> 8) & byte) + ((bits >> 16) & byte) + ((bits >> 24) & byte);
     return (to_real(sum) - 510.f) * (1.f / 147.8022f);
 }
-} // namespace detail
-
-namespace detail {
 /// Two independent sets of 32 random bits, always the same for the same three whole numbers.
 template <class Real> QUELL_KERNEL auto random_bits(Real column, Real row, std::int32_t frame) {
     auto const seed = scrambled(truncate(row) + Index<Real>(wrapping_product(frame, 0x51ed270b)));
