@@ -18,6 +18,19 @@ struct MotionConvention {
     friend constexpr bool operator==(MotionConvention, MotionConvention) = default;
 };
 
+namespace detail {
+/// What a vector of this convention is multiplied by to become one of quell's.
+QUELL_KERNEL glm::vec2 to_pixels(MotionConvention convention, Extent size) {
+    using C = MotionConvention;
+    float const sign = convention.points == C::Points::to_previous ? 1.f : -1.f;
+    float const flip = convention.y == C::Y::down ? 1.f : -1.f;
+    float const part = convention.unit == C::Unit::ndc ? 0.5f : 1.f;
+    float const width = convention.unit == C::Unit::pixel ? 1.f : part * static_cast<float>(size.width);
+    float const height = convention.unit == C::Unit::pixel ? 1.f : part * static_cast<float>(size.height);
+    return {sign * width, sign * flip * height};
+}
+} // namespace detail
+
 /// SurfaceMotion for a host whose vectors follow another convention, converted at compile time:
 ///     Supplied<MotionConvention{.points = MotionConvention::Points::from_previous, .unit = MotionConvention::Unit::uv}>
 /// Past this type nothing knows another convention.
@@ -29,22 +42,13 @@ template <MotionConvention convention, class Test = AllOf<SameDepth, SameNormal>
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const p = px.position(), m = px[motion];
-        auto const scale = factor(px.size());
+        auto const scale = detail::to_pixels(convention, px.size());
         auto const jitter = offset(px);
         return detail::TestedReprojection<Real, decltype(test.around(px))>{
             {p.x + m.x * scale.x + jitter.x, p.y + m.y * scale.y + jitter.y}, Real(1.f), test.around(px)};
     }
 
 private:
-    QUELL_KERNEL static glm::vec2 factor(Extent size) {
-        using C = MotionConvention;
-        float const sign = convention.points == C::Points::to_previous ? 1.f : -1.f;
-        float const flip = convention.y == C::Y::down ? 1.f : -1.f;
-        float const part = convention.unit == C::Unit::ndc ? 0.5f : 1.f;
-        float const width = convention.unit == C::Unit::pixel ? 1.f : part * static_cast<float>(size.width);
-        float const height = convention.unit == C::Unit::pixel ? 1.f : part * static_cast<float>(size.height);
-        return {sign * width, sign * flip * height};
-    }
     /// A sample offset by +jitter shows the image shifted by -jitter, so a vector between jittered images is off by the change of jitter.
     QUELL_KERNEL static glm::vec2 offset(auto const& px) {
         if constexpr (convention.jitter == MotionConvention::Jitter::left_out)

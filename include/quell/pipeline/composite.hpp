@@ -58,6 +58,7 @@ public:
 
 private:
     friend struct detail::CompositeRun;
+    friend struct detail::Inspect;
 
     std::tuple<History<Ps, Storage>...> parts;
     ImageOf<Storage, Radiance> picture;

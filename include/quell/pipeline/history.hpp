@@ -19,6 +19,8 @@ namespace detail {
 template <class Set> struct StoredChannels;
 template <class... Cs> struct StoredChannels<Channels<Cs...>> { using type = Channels<typename Remembered<Cs>::Stored...>; };
 template <class P, class FrameT, class H, class E, class Into> class Run;
+struct Inspect;
+struct DiagnosisNotes;
 } // namespace detail
 
 /// All the state there is between frames: the signal, what the pipeline remembers of the last frame, what its policies keep, and scratch.
@@ -41,6 +43,7 @@ public:
 
 private:
     template <class, class, class, class, class> friend class detail::Run;
+    friend struct detail::Inspect;
     using Remembered = typename detail::StoredChannels<typename P::remembers>::type;
 
     detail::ImagePool pool;
@@ -52,6 +55,7 @@ private:
     std::optional<long long> number;
     bool empty = true;
     Statistics counted;
+    std::shared_ptr<detail::DiagnosisNotes> notes; ///< of quell::diagnose, where it is called
 
     /// Another size: nothing of the old is worth keeping.
     void restart(Extent size) {

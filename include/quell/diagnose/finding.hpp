@@ -1,0 +1,78 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace quell {
+
+/// What hosts get wrong, as far as it shows in a frame and in the one before it.
+enum class Mistake {
+    motion_sign,
+    motion_unit,
+    motion_y,
+    motion_zero,
+    motion_jitter,
+    projection_jitter,
+    projection_transposed,
+    view_transposed,
+    view_inverted,
+    matrices_swapped,
+    camera_faces_backwards,
+    camera_never_moves,
+    depth_not_positive,
+    depth_not_linear,
+    normal_packed,
+    normal_not_unit,
+    normal_in_view_space,
+    albedo_above_one,
+    albedo_black,
+    bad_samples,
+    bad_guides,
+    identical_frames,
+    resets_every_frame,
+    output_is_input,
+};
+
+/// In a few words.
+[[nodiscard]] constexpr std::string_view name_of(Mistake mistake) {
+    constexpr std::string_view names[] = {
+        "motion points the wrong way",
+        "motion is in another unit than pixels",
+        "motion's y points up",
+        "motion is zero although the camera moves",
+        "motion has the jitter in it",
+        "camera.projection has the jitter in it",
+        "camera.projection is transposed",
+        "camera.view is transposed",
+        "camera.view is the camera's pose and not its inverse",
+        "camera.view and camera.projection are swapped",
+        "camera.projection looks down +z",
+        "frame.camera stays the same although everything moves",
+        "depth is not positive",
+        "depth is not linear",
+        "normals are packed into [0, 1]",
+        "normals are not of unit length",
+        "normals are in view space",
+        "albedo is above 1",
+        "albedo is black",
+        "samples are not finite or negative",
+        "guides are not finite",
+        "the signal is the same in every frame",
+        "history starts afresh in every frame",
+        "the output is the input",
+    };
+    return names[static_cast<int>(mistake)];
+}
+
+/// What quell::diagnose found.
+struct Finding {
+    Mistake mistake;
+    std::string evidence; ///< what was seen, in numbers
+    std::string remedy;   ///< what the host can change
+};
+
+[[nodiscard]] inline std::string to_string(Finding const& finding) {
+    return std::string(name_of(finding.mistake)) + ": " + finding.evidence + "; " + finding.remedy;
+}
+
+} // namespace quell

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <quell/diagnose/observation.hpp>
+#include <quell/pipeline/composite.hpp>
+
+#include <memory>
+
+namespace quell::detail {
+
+/// Reads what a history holds between runs.
+struct Inspect {
+    template <class H> static bool has_past(H const& history) { return !history.empty; }
+    template <class H> static Camera const& camera(H const& history) { return history.camera; }
+    template <class H> static std::optional<long long> number(H const& history) { return history.number; }
+    template <class H> static Extent size(H const& history) { return history.pool.size(); }
+    template <class H> static auto const& output(H const& history) { return history.output; }
+    template <class H> static auto& parts(H& composite) { return composite.parts; }
+    /// A channel of the last frame that the pipeline remembers as it is.
+    template <class H, ChannelTag C> static auto const& remembered(H const& history, C) { return slot<C>(history.remembered); }
+    /// What its policies keep.
+    template <class H, ChannelTag C> static auto const& kept(H const& history, C) { return slot<C>(history.kept); }
+
+    template <class H> static DiagnosisNotes& notes(H& history) {
+        if (!history.notes) history.notes = std::make_shared<DiagnosisNotes>();
+        return *history.notes;
+    }
+};
+
+/// Calls f(pipeline's type, history) for a pipeline, or for each of a composite's.
+template <class P, class Storage> void for_each_history(History<P, Storage>& history, auto&& f) { f(std::type_identity<P>{}, history); }
+template <class... Ps, class Storage> void for_each_history(History<Composite<Ps...>, Storage>& history, auto&& f) {
+    [&]<std::size_t... i>(std::index_sequence<i...>) { (f(std::type_identity<Ps>{}, std::get<i>(Inspect::parts(history))), ...); }
+    (std::index_sequence_for<Ps...>{});
+}
+
+inline Lookup lookup(ImageView auto const& view) {
+    return [view](int c, int x, int y) { return view.get(c, x, y); };
+}
+/// Of a handle that may hold no image.
+template <class Image> Lookup lookup_in(std::shared_ptr<Image> const& image) { return image ? lookup(image->view()) : Lookup{}; }
+
+/// Of a channel that both the frame has and the pipeline reads.
+template <class P, ChannelTag C, class Set, class Storage> Lookup lookup_of(Frame<Set, Storage> const& frame, C channel) {
+    if constexpr (P::reads::template has<C> && Set::template has<C>)
+        return lookup(frame[channel].view());
+    else
+        return {};
+}
+
+template <class P, class F, class H> SignalSeen signal_seen(F const& frame, H& history) {
+    using Output = typename P::Output;
+    auto const& counted = history.statistics();
+    SignalSeen seen{.name = std::string(Output::name), .components = Output::components, .has_past = P::has_past};
+    seen.has_stages = std::tuple_size_v<decltype(P::stages)> > 0;
+    seen.input = lookup_of<P>(frame, Output{});
+    if (Inspect::size(history) == frame.size) seen.output_then = lookup_in(Inspect::output(history));
+    seen.frames = counted.frames, seen.resets = counted.resets;
+    seen.number_then = Inspect::number(history), seen.size_then = Inspect::size(history);
+    seen.notes = &Inspect::notes(history);
+    return seen;
+}
+
+/// The last frame's camera and depth, of the first history that has them.
+template <class P, class H> void see_past(Observation& seen, std::type_identity<P>, H const& history) {
+    if (!Inspect::has_past(history) || !(Inspect::size(history) == seen.size)) return;
+    if (!seen.has_then) seen.has_then = true, seen.camera_then = Inspect::camera(history);
+    if constexpr (P::remembers::template has<Depth>)
+        if (!seen.depth_then) seen.depth_then = lookup_in(Inspect::remembered(history, depth));
+}
+
+template <class P, class Set, class FrameStorage, class H> Observation observe(Frame<Set, FrameStorage> const& frame, H& history) {
+    Observation seen{.size = frame.size, .number = frame.number, .camera = frame.camera};
+    seen.depth = lookup_of<P>(frame, depth), seen.normal = lookup_of<P>(frame, normal);
+    seen.motion = lookup_of<P>(frame, motion), seen.albedo = lookup_of<P>(frame, albedo);
+    for_each_history(history, [&]<class Part>(std::type_identity<Part> part, auto& of_part) {
+        seen.signals.push_back(signal_seen<Part>(frame, of_part));
+        see_past(seen, part, of_part);
+    });
+    return seen;
+}
+
+} // namespace quell::detail

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include <vector>
+
+namespace quell::detail {
+
+/// What diagnose remembers from one call to the next. It lives in the history, and only once diagnose has been called.
+struct DiagnosisNotes {
+    std::vector<float> input;  ///< the signal of the last call's frame, at the places that are looked at
+    long long resets = 0;      ///< of the history, at the last call
+    int resets_in_a_row = 0;   ///< of the runs before this call
+    glm::vec2 motion_offset{}; ///< what all still pixels had in common, in pixels
+    glm::vec2 shift{};         ///< how the projection's centre moved, in pixels
+};
+
+} // namespace quell::detail

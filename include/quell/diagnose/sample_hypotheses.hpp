@@ -1,0 +1,112 @@
+#pragma once
+
+#include <quell/diagnose/observation.hpp>
+#include <quell/diagnose/statistics.hpp>
+
+#include <cmath>
+
+namespace quell::detail {
+
+/// Counted in every pixel, since one is enough to tell of a mistake in shading.
+inline void find_bad_samples(Observation const& seen, SignalSeen const& signal, std::vector<Finding>& findings) {
+    long long not_finite = 0, negative = 0;
+    int first_x = 0, first_y = 0;
+    for (int y = 0; y < seen.size.height; ++y)
+        for (int x = 0; x < seen.size.width; ++x)
+            for (int c = 0; c < signal.components; ++c) {
+                auto const a = signal.input(c, x, y);
+                bool const good = is_finite(a), below = good && a < 0.f;
+                if (not_finite + negative == 0 && (!good || below)) first_x = x, first_y = y;
+                not_finite += !good, negative += below;
+            }
+    if (not_finite + negative == 0) return;
+    findings.push_back(
+        {Mistake::bad_samples,
+         "'" + signal.name + "' has " + std::to_string(not_finite) + " components that are NaN or infinite and " +
+             std::to_string(negative) + " that are negative, the first at pixel (" + std::to_string(first_x) + ", " +
+             std::to_string(first_y) + ")",
+         "look for divisions by a probability of 0 and for roots of negative numbers where it is shaded; quell leaves them out"});
+}
+
+/// Guides that are not finite where there is a surface. A surface that was behind the camera may well have no motion.
+inline void find_bad_guides(Observation const& seen, std::vector<Finding>& findings) {
+    auto const look = [&](char const* name, Lookup const& image, int components, double allowed) {
+        if (!image) return;
+        Tally bad;
+        for_each_hit(seen, [&](int x, int y) {
+            bool good = true;
+            for (int c = 0; c < components; ++c) good = good && is_finite(image(c, x, y));
+            bad.add(!good);
+        });
+        if (bad.share() > allowed)
+            findings.push_back({Mistake::bad_guides,
+                                "'" + std::string(name) + "' is NaN or infinite in " + percent(bad.share()) + " of the surface pixels",
+                                "fill the channel wherever depth is finite"});
+    };
+    look("normal", seen.normal, 3, 0.001), look("albedo", seen.albedo, 3, 0.001), look("motion", seen.motion, 2, 0.1);
+}
+
+/// The signal at the places that are looked at.
+inline std::vector<float> values_of(Observation const& seen, SignalSeen const& signal, Lookup const& image) {
+    std::vector<float> values;
+    for_each_place(seen.size, [&](int x, int y) {
+        for (int c = 0; c < signal.components; ++c) values.push_back(image(c, x, y));
+    });
+    return values;
+}
+
+/// Noise that is the same again: the renderer was not asked for a new frame, or its random numbers don't change.
+inline void find_identical_frames(SignalSeen const& signal, std::vector<float> const& now, std::vector<Finding>& findings) {
+    if (signal.notes->input.size() != now.size()) return;
+    Tally same, uneven;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        same.add(bits(now[i]) == bits(signal.notes->input[i]));
+        if (auto const step = static_cast<std::size_t>(signal.components); i >= step) uneven.add(bits(now[i]) != bits(now[i - step]));
+    }
+    // What has no noise may well stay as it is.
+    if (same.yes < same.asked || uneven.yes < 100 || uneven.share() < 0.3) return;
+    findings.push_back({Mistake::identical_frames,
+                        "'" + signal.name + "' is the last frame's, bit for bit, at all " + std::to_string(same.asked / signal.components) +
+                            " places that were looked at",
+                        "give the random numbers a new seed in every frame, and fill the frame before every run()"});
+}
+
+/// Compares the last run's output with what went in, wherever that is noisy: where it isn't what it was a frame before.
+inline void find_output_is_input(Observation const& seen, SignalSeen const& signal, std::vector<float> const& now,
+                                 std::vector<Finding>& findings) {
+    auto const& in = signal.notes->input;
+    // The first frame of a history has nothing to be joined with.
+    if (!signal.has_stages || !signal.output_then || in.size() != now.size() || (signal.has_past && signal.frames < 2)) return;
+    auto const out = values_of(seen, signal, signal.output_then);
+    Tally same;
+    for (std::size_t i = 0; i < in.size(); ++i)
+        if (is_finite(in[i]) && in[i] >= 0.f && std::abs(now[i] - in[i]) > 0.1f * in[i] + 1e-4f)
+            same.add(std::abs(out[i] - in[i]) <= 2e-3f * in[i]);
+    if (same.asked < 100 || same.share() < 0.95) return;
+    findings.push_back(
+        {Mistake::output_is_input,
+         percent(same.share()) + " of the values of '" + signal.name + "' that change from frame to frame came out as they went in",
+         "look at what keeps the past and the neighbours out: motion that leads nowhere, depth or normals that never match, "
+         "weights of 0"});
+}
+
+/// What each signal's samples show by themselves.
+inline void find_sample_mistakes(Observation const& seen, std::vector<Finding>& findings) {
+    find_bad_guides(seen, findings);
+    for (auto const& signal : seen.signals) {
+        find_bad_samples(seen, signal, findings);
+        if (seen.has_then) find_identical_frames(signal, values_of(seen, signal, signal.input), findings);
+    }
+}
+
+/// What came of the last frame; to be asked last, since most other mistakes lead to it. Remembers this frame for the next call.
+inline void find_output_mistakes(Observation const& seen, std::vector<Finding>& findings) {
+    bool const explained = !findings.empty();
+    for (auto const& signal : seen.signals) {
+        auto now = values_of(seen, signal, signal.input);
+        if (!explained) find_output_is_input(seen, signal, now, findings);
+        signal.notes->input = std::move(now);
+    }
+}
+
+} // namespace quell::detail

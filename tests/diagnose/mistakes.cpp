@@ -1,0 +1,150 @@
+#include "sequences.hpp"
+
+using namespace quell;
+using namespace quell::tests;
+
+namespace {
+
+/// Four frames of the good sequence, each with the same mistake.
+template <class F> void check_named(std::set<Mistake> const& wanted, F&& change, Shot const& shot = {}) {
+    check_found(findings(shot.size, 4,
+                         [&](GoodFrame& frame, int i) {
+                             fill_well(frame, shot, i);
+                             change(frame, i);
+                         }),
+                wanted);
+}
+constexpr auto nothing = [](GoodFrame&, int) {};
+
+} // namespace
+
+TEST_CASE("nothing is said of a good sequence") {
+    for (bool moves : {false, true})
+        for (bool jitters : {false, true}) check_named({}, nothing, {moves, jitters});
+    check_named({}, nothing, {.size = {33, 21}});
+}
+
+TEST_CASE("motion of another convention is named, in all that it differs in") {
+    for (auto const convention : detail::motion_conventions()) {
+        auto const factor = detail::to_pixels(convention, Shot{}.size);
+        auto const wrong = detail::mistakes_of(convention);
+        check_named({wrong.begin(), wrong.end()},
+                    [&](GoodFrame& frame, int) { each(frame, motion, [&](glm::vec2 m) { return m / factor; }); });
+    }
+}
+
+TEST_CASE("motion of zero under a moving camera is named") {
+    check_named({Mistake::motion_zero}, [](GoodFrame& frame, int) { each(frame, motion, [](glm::vec2) { return glm::vec2(0.f); }); });
+}
+
+TEST_CASE("jitter in the motion is named, whether the camera moves, stands still, is known or not") {
+    auto const change = [](Shot const& shot, bool known) {
+        return [=](GoodFrame& frame, int i) {
+            auto const left_in = shot.camera_at(i).jitter - shot.camera_at(i + 3).jitter;
+            each(frame, motion, [&](glm::vec2 m) { return m + left_in; });
+            if (!known) frame.camera = {};
+        };
+    };
+    for (bool moves : {false, true}) check_named({Mistake::motion_jitter}, change({.moves = moves}, true), {.moves = moves});
+    check_named({Mistake::motion_jitter}, change({.moves = false}, false), {.moves = false});
+}
+
+TEST_CASE("jitter in the projection is named") {
+    check_named({Mistake::projection_jitter}, [](GoodFrame& frame, int) {
+        frame.camera.projection[2][0] += 2.f * frame.camera.jitter.x / static_cast<float>(frame.size.width);
+        frame.camera.projection[2][1] -= 2.f * frame.camera.jitter.y / static_cast<float>(frame.size.height);
+        frame.camera.jitter = {};
+    });
+}
+
+TEST_CASE("matrices that are transposed, swapped, inverted or face backwards are named") {
+    check_named({Mistake::view_transposed}, [](GoodFrame& frame, int) { frame.camera.view = glm::transpose(frame.camera.view); });
+    check_named({Mistake::projection_transposed},
+                [](GoodFrame& frame, int) { frame.camera.projection = glm::transpose(frame.camera.projection); });
+    check_named({Mistake::matrices_swapped}, [](GoodFrame& frame, int) { std::swap(frame.camera.view, frame.camera.projection); });
+    check_named({Mistake::view_inverted}, [](GoodFrame& frame, int) { frame.camera.view = glm::inverse(frame.camera.view); });
+    check_named({Mistake::camera_faces_backwards}, [](GoodFrame& frame, int) {
+        auto const mirror = glm::scale(glm::mat4(1.f), {1, 1, -1});
+        frame.camera.view = mirror * frame.camera.view, frame.camera.projection = frame.camera.projection * mirror;
+    });
+}
+
+TEST_CASE("a camera that is never set anew is named") {
+    check_named({Mistake::camera_never_moves}, [](GoodFrame& frame, int) { frame.camera = Shot{.jitters = false}.camera_at(0); },
+                {.jitters = false});
+}
+
+TEST_CASE("depth that is not positive or not linear is named") {
+    check_named({Mistake::depth_not_positive}, [](GoodFrame& frame, int) { each(frame, depth, [](float z) { return -z; }); });
+    check_named({Mistake::depth_not_positive},
+                [](GoodFrame& frame, int) { each(frame, depth, [](float z) { return z > 6.f ? 0.f : z; }); });
+    for (bool moves : {false, true}) {
+        constexpr float close = 0.1f, far = 30.f;
+        check_named({Mistake::depth_not_linear},
+                    [](GoodFrame& frame, int) { each(frame, depth, [](float z) { return far * (1.f - close / z) / (far - close); }); },
+                    {.moves = moves});
+        check_named({Mistake::depth_not_linear}, [](GoodFrame& frame, int) { each(frame, depth, [](float z) { return close / z; }); },
+                    {.moves = moves});
+    }
+}
+
+TEST_CASE("normals that are packed, not unit or in view space are named") {
+    check_named({Mistake::normal_packed}, [](GoodFrame& frame, int) { each(frame, normal, [](glm::vec3 n) { return n * 0.5f + 0.5f; }); });
+    check_named({Mistake::normal_not_unit}, [](GoodFrame& frame, int) { each(frame, normal, [](glm::vec3 n) { return n * 0.9f; }); });
+    check_named({Mistake::normal_in_view_space},
+                [](GoodFrame& frame, int) { each(frame, normal, [&](glm::vec3 n) { return glm::mat3(frame.camera.view) * n; }); });
+}
+
+TEST_CASE("albedo above 1 and black albedo are named") {
+    check_named({Mistake::albedo_above_one}, [](GoodFrame& frame, int) { each(frame, albedo, [](glm::vec3 a) { return a * 255.f; }); });
+    check_named({Mistake::albedo_black}, [](GoodFrame& frame, int) { each(frame, albedo, [](glm::vec3) { return glm::vec3(0.f); }); });
+}
+
+TEST_CASE("samples and guides that are not finite are counted") {
+    auto const found = findings({64, 48}, 2, [](GoodFrame& frame, int i) {
+        fill_well(frame, {.size = frame.size}, i);
+        frame[radiance].set(5, 7, {1.f, std::nanf(""), -2.f});
+    });
+    check_found(found, {Mistake::bad_samples});
+    CHECK(found[0].evidence.find("1 components that are NaN or infinite and 1 that are negative, the first at pixel (5, 7)") !=
+          std::string::npos);
+    check_named({Mistake::bad_guides}, [](GoodFrame& frame, int) {
+        frame[normal].set(80, 45, glm::vec3(std::nanf(""))), frame[albedo].set(1, 1, glm::vec3(1e30f * 1e30f));
+        for (int x = 0; x < 40; ++x) frame[normal].set(x, 3, glm::vec3(std::nanf("")));
+    });
+}
+
+TEST_CASE("a signal that is the same in every frame is named, but not one without noise") {
+    check_named({Mistake::identical_frames}, [](GoodFrame& frame, int) {
+        GoodFrame first(frame.size);
+        fill_well(first, {}, 0);
+        fill(frame[radiance], [&](int x, int y) { return first[radiance].get(x, y); });
+    });
+    check_named({}, [](GoodFrame& frame, int) { each(frame, radiance, [](glm::vec3) { return glm::vec3(1.f); }); });
+}
+
+TEST_CASE("a history that never lasts is named, with the reason") {
+    auto const found = findings({64, 48}, 6, [](GoodFrame& frame, int i) {
+        fill_well(frame, {.size = frame.size}, i);
+        frame.number = 7;
+    });
+    check_found(found, {Mistake::resets_every_frame});
+    CHECK(found[0].evidence.find("from 7 to 7") != std::string::npos);
+}
+
+TEST_CASE("a few cuts are no mistake") {
+    check_found(findings({64, 48}, 6,
+                         [](GoodFrame& frame, int i) {
+                             fill_well(frame, {.size = frame.size}, i);
+                             frame.number = i < 2 ? i : i < 4 ? 100 + i : 200 + i;
+                         }),
+                {});
+}
+
+TEST_CASE("output that is the input is named") {
+    // What was outside of the last frame has no past.
+    check_named({Mistake::output_is_input}, [](GoodFrame& frame, int) {
+        frame.camera = {};
+        each(frame, motion, [](glm::vec2) { return glm::vec2(1e6f, 3e4f); });
+    });
+}
