@@ -39,7 +39,6 @@ struct Evenness {
 };
 
 inline Evenness evenness_of(Observation const& seen) {
-    int const reach = std::max(1, seen.size.width / 64);
     Evenness evenness;
     auto const add = [&](int x, int y, int dx, int dy) {
         if (x < dx || y < dy || x + dx >= seen.size.width || y + dy >= seen.size.height) return;
@@ -48,7 +47,11 @@ inline Evenness evenness_of(Observation const& seen) {
         auto const surface = [](float z) { return is_finite(z) && z > 0.f && z < 1.f; };
         if (surface(l) && surface(c) && surface(r)) evenness.add(l, c, r);
     };
-    for_each_place(seen.size, [&](int x, int y) { add(x, y, reach, 0), add(x, y, 0, reach); });
+    // Near steps stay on one plane, far ones stand out from rounding.
+    for (int const part : {64, 32, 16}) {
+        int const reach = std::max(1, seen.size.width / part);
+        for_each_place(seen.size, [&](int x, int y) { add(x, y, reach, 0), add(x, y, 0, reach); });
+    }
     return evenness;
 }
 

@@ -54,9 +54,10 @@ struct NormalSpace {
     }
 
 private:
-    /// Only where the camera is turned so far that they differ, and only what is nearer to one of them than to the others.
+    /// Only where the camera is turned so far that they differ, and only what is nearer to one of them than to the others. What faces the
+    /// camera may just be a depth that says nothing.
     void add(glm::vec3 n, glm::vec3 as_world, glm::vec3 as_view, glm::vec3 as_inverted) {
-        if (std::abs(glm::dot(as_world, as_view)) > 0.97f) return;
+        if (std::abs(glm::dot(as_world, as_view)) > 0.97f || std::abs(as_view.z) > 0.97f) return;
         float const a = std::abs(glm::dot(n, as_world)), b = std::abs(glm::dot(n, as_view)), c = std::abs(glm::dot(n, as_inverted));
         auto const is = [](float one, float other, float third) { return one > 0.9f && one > std::max(other, third) + 0.01f; };
         world.add(is(a, b, c)), view.add(is(b, a, c)), inverted.add(is(c, a, b));
