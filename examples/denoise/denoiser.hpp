@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/diagnose/finding.hpp>
 #include <quell/io/channel_names.hpp>
 #include <quell/io/exr_image.hpp>
 #include <quell/metrics/picture.hpp>
@@ -17,6 +18,10 @@ public:
 
     /// The planes that it wants of each file.
     [[nodiscard]] virtual std::vector<std::string> planes(io::ChannelNames const& names) const = 0;
+    /// From now on each frame is looked at for what its renderer got wrong.
+    virtual void diagnose() = 0;
+    /// What was found in the last frame.
+    [[nodiscard]] virtual std::vector<Finding> const& findings() const = 0;
     /// The next frame, denoised: linear, row by row.
     [[nodiscard]] virtual metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number) = 0;
     /// How many samples of the last frame were not finite, or negative.

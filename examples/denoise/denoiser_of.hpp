@@ -2,6 +2,7 @@
 
 #include <denoise/denoiser.hpp>
 
+#include <quell/diagnose/diagnose.hpp>
 #include <quell/execute/threads.hpp>
 #include <quell/io/frame_image.hpp>
 #include <quell/quell.hpp>
@@ -13,6 +14,8 @@ template <class P> class DenoiserOf final : public Denoiser {
     Frame<typename P::reads> frame;
     History<P> history;
     Threads<> threads;
+    bool looks = false;
+    std::vector<Finding> found;
 
 public:
     DenoiserOf(P const& p, Extent size, int thread_count) : pipeline(p), frame(size), history(size, p), threads{thread_count} {}
@@ -25,8 +28,11 @@ public:
                         "write the 4x4 attributes quell:view and quell:projection, or choose another preset");
         io::load(frame, image, names);
         frame.number = number;
+        if (looks) found = quell::diagnose(frame, history);
         return picture(quell::run(pipeline, frame, history, threads));
     }
+    void diagnose() override { looks = true; }
+    std::vector<Finding> const& findings() const override { return found; }
     long long missing_samples() const override { return history.statistics().missing_samples; }
 
 private:

@@ -108,11 +108,15 @@ void denoise(DenoiseOptions const& options) {
     Output const output(options.out, in, range);
     Comparison comparison(options.reference, range);
     SequenceDenoiser denoiser(preset, options.threads, map);
+    if (options.diagnose) denoiser.diagnose();
+    int findings = 0;
     {
         Progress progress(options.preset, range.last - range.begin + 1, !options.quiet);
         for (auto number = range.begin; number <= range.last; ++number) {
             progress.show(number - range.begin, in.path(number).filename().string());
             auto const picture = denoiser.next(in.path(number), number);
+            for (auto const& finding : denoiser.findings())
+                progress.say("quell-denoise: frame " + std::to_string(number) + ": " + to_string(finding)), ++findings;
             if (number < range.first) continue;
             output.write(number, picture);
             comparison.add(number, picture, map);
@@ -120,6 +124,7 @@ void denoise(DenoiseOptions const& options) {
     }
     comparison.finish();
     if (options.quiet) return;
+    if (options.diagnose && findings == 0) std::fprintf(stderr, "quell-denoise: --diagnose found nothing wrong\n");
     for (auto const& remark : denoiser.names()->remarks) std::fprintf(stderr, "quell-denoise: %s\n", remark.c_str());
     std::fprintf(stderr, "quell-denoise: %lld frames of %s; %lld samples were missing (not finite, or negative)\n",
                  range.last - range.first + 1, denoiser.names()->renderer.c_str(), denoiser.missing_samples());

@@ -32,6 +32,9 @@ void describe(CLI::App& app, DenoiseOptions& options) {
     app.add_option("--map", options.map, "JSON file that names the channels of another renderer, see below");
     app.add_option("--warmup", options.warmup, "Frames before the first to denoise without writing them (default: 0)");
     app.add_option("--threads", options.threads, "Threads (default: all)");
+    app.add_flag("--diagnose", options.diagnose,
+                 "Say on stderr what the renderer seems to have got wrong (motion, cameras, depth, normals, albedo, samples) and in which "
+                 "frame that first shows");
     app.add_flag("--quiet", options.quiet, "Say nothing on stderr but errors");
     app.add_flag("--list", options.list, "Print the names of the presets");
     app.footer(footer);

@@ -12,7 +12,7 @@ struct DenoiseOptions {
     std::optional<long long> first, last;
     long long warmup = 0;
     int threads = 0;
-    bool quiet = false, list = false;
+    bool quiet = false, list = false, diagnose = false;
 };
 
 /// Nothing where help was asked for, which has then been printed.

@@ -10,6 +10,14 @@ void SequenceDenoiser::begin(io::ExrFile const& file) {
     if (!sequence) sequence = io::recognise(file);
     size = file.size;
     for (std::size_t s = 0; s < sequence->signals.size(); ++s) denoisers.push_back(preset.make(size, threads));
+    for (auto const& denoiser : denoisers)
+        if (looks) denoiser->diagnose();
+}
+
+/// Each mistake once: it is most often in every frame, and guides are the same for all signals.
+void SequenceDenoiser::collect(std::vector<Finding> const& findings) {
+    for (auto const& finding : findings)
+        if (known.insert(finding.mistake).second) found.push_back(finding);
 }
 
 std::vector<std::string> SequenceDenoiser::planes() const {
@@ -28,11 +36,13 @@ metrics::Picture SequenceDenoiser::next(std::filesystem::path const& path, long 
         throw Error(file.name, "it is " + to_string(file.size) + " but the frames before it are " + to_string(size),
                     "denoise frames of one size, or each size by itself (--first, --last)");
     auto const image = file.read(planes());
+    found.clear();
     return composite(
         image, *sequence,
         [&](std::size_t s) {
             auto result = denoisers[s]->denoise(image, sequence->signals[s].channels, number);
             missing += denoisers[s]->missing_samples();
+            collect(denoisers[s]->findings());
             return result;
         },
         missing);

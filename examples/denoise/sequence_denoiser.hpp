@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 
 namespace quell::examples {
 
@@ -14,6 +15,11 @@ class SequenceDenoiser {
 public:
     /// @param map how the files name their channels; without one, that is recognised from the first file
     SequenceDenoiser(Preset preset, int threads, std::optional<io::SequenceNames> map);
+
+    /// From now on each frame is looked at for what its renderer got wrong.
+    void diagnose() { looks = true; }
+    /// What the last frame showed for the first time.
+    [[nodiscard]] std::vector<Finding> const& findings() const { return found; }
 
     /// Reads, denoises and puts together one frame: a linear picture.
     /// @throws Error naming the file and what is wrong with it
@@ -29,8 +35,12 @@ private:
     Extent size;
     std::vector<std::unique_ptr<Denoiser>> denoisers; ///< one per signal
     long long missing = 0;
+    bool looks = false;
+    std::set<Mistake> known; ///< those that were found already
+    std::vector<Finding> found;
 
     void begin(io::ExrFile const& file);
+    void collect(std::vector<Finding> const& findings);
     [[nodiscard]] std::vector<std::string> planes() const;
 };
 

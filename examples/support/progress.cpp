@@ -46,6 +46,11 @@ Progress::~Progress() {
     if (visible) std::fputs(wipe, stderr);
 }
 
+void Progress::say(std::string const& line) {
+    std::fprintf(stderr, "%s%s\n", visible ? wipe : "", line.c_str());
+    visible = false;
+}
+
 void Progress::show(long long done, std::string const& what) {
     using std::chrono::duration;
     auto const now = std::chrono::steady_clock::now();

@@ -18,6 +18,9 @@ public:
     /// Tells that this many steps of all are done, and perhaps what comes next.
     void show(long long done, std::string const& what = {});
 
+    /// Writes a line on stderr, on a terminal in place of the bar until that shows again. It appears in any case.
+    void say(std::string const& line);
+
 private:
     std::string label;
     long long total;

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <quell/diagnose/inspect.hpp>
+#include <quell/diagnose/watched.hpp>
+
+namespace quell {
+
+/// One number per pixel of what a Temporal stage did in the last run.
+struct DebugImage {
+    std::string signal; ///< whose pipeline it is
+    Extent size;
+    std::vector<float> values; ///< row by row
+};
+
+/// Of each pipeline in this history that keeps the channel: all of DebugChannels where the pipeline is watched() (the clamp only where it
+/// has one), and whatever its policies keep, such as history_length. Empty before the first run.
+template <ChannelTag C, class P, class Storage>
+[[nodiscard]] std::vector<DebugImage> debug_images(C channel, History<P, Storage>& history) {
+    std::vector<DebugImage> images;
+    detail::for_each_history(history, [&]<class Part>(std::type_identity<Part>, auto& of_part) {
+        if constexpr (Part::keeps::template has<C>) {
+            auto const& image = detail::Inspect::kept(of_part, channel);
+            if (!image) return;
+            auto const view = image->view();
+            DebugImage result{std::string(Part::Output::name), view.size, {}};
+            for (int y = 0; y < view.size.height; ++y)
+                for (int x = 0; x < view.size.width; ++x) result.values.push_back(view.get(0, x, y));
+            images.push_back(std::move(result));
+        }
+    });
+    return images;
+}
+
+} // namespace quell

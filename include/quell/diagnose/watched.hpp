@@ -1,0 +1,195 @@
+#pragma once
+
+#include <quell/blend/clamped.hpp>
+#include <quell/blend/with_clean_up.hpp>
+#include <quell/blend/with_moments.hpp>
+#include <quell/filter/temporal_gradient.hpp>
+#include <quell/pipeline/composite.hpp>
+#include <quell/radiance/with_cones.hpp>
+
+namespace quell {
+
+// What happens inside a Temporal stage, as images: made by a pipeline that does the same and keeps these beside, for debugging.
+
+/// How many frames a pixel's value goes back, whether or not the blend policy counts them.
+struct DebugLength : Channel<1> {
+    static constexpr auto name = "history_length";
+};
+/// Which motion source found the past: 1 the first, 2 the second and so on, 0 none.
+struct DebugSource : Channel<1> {
+    static constexpr auto name = "motion_source";
+};
+/// Why the first motion source's place gives no past; a Rejection.
+struct DebugRejection : Channel<1> {
+    static constexpr auto name = "rejection";
+};
+/// How much a clamp moved the past, relative to itself (TRMV eq. 8).
+struct DebugClamp : Channel<1> {
+    static constexpr auto name = "clamp";
+};
+inline constexpr DebugLength debug_length;
+inline constexpr DebugSource debug_source;
+inline constexpr DebugRejection debug_rejection;
+inline constexpr DebugClamp debug_clamp;
+using DebugChannels = Channels<DebugLength, DebugSource, DebugRejection, DebugClamp>;
+
+/// Why the first motion source gives no past, in the order in which that is looked for.
+enum class Rejection {
+    none,      ///< it does
+    no_frame,  ///< there is no last frame
+    no_motion, ///< the source has nothing to say of this pixel
+    outside,   ///< what is seen here was not in the picture
+    depth,     ///< all four neighbours there have another depth; or another
+    normal,
+    instance,
+    other, ///< another test refuses them, or several tests some each
+};
+
+namespace detail {
+template <class Real> QUELL_KERNEL Real code_of(Rejection rejection) { return Real(static_cast<float>(rejection)); }
+
+/// What a test compares.
+template <class Test> constexpr Rejection rejection_by() {
+    if constexpr (remembers_of<Test>::template has<Depth>)
+        return Rejection::depth;
+    else if constexpr (remembers_of<Test>::template has<Normal>)
+        return Rejection::normal;
+    else if constexpr (remembers_of<Test>::template has<Instance>)
+        return Rejection::instance;
+    else
+        return Rejection::other;
+}
+
+/// Whether a test refuses all four past pixels around a place.
+template <class Px, class Test> QUELL_KERNEL auto refuses(Px const& px, vec2<typename Px::Real> where, Test const& test) {
+    using Real = typename Px::Real;
+    TestedReprojection<Real, decltype(test.around(px))> const found{where, Real(1.f), test.around(px)};
+    PastPlace<Real> const place(floor(where.x - 0.5f), floor(where.y - 0.5f));
+    auto accepted = Real(0.f) > Real(0.f);
+    for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < 2; ++i) accepted = either(accepted, counts<Real>(px.past(place, i, j), found));
+    return invert(accepted);
+}
+template <class Px, class Test> QUELL_KERNEL auto refusal(Px const& px, vec2<typename Px::Real> where, Test const& test) {
+    using Real = typename Px::Real;
+    return select(refuses(px, where, test), code_of<Real>(rejection_by<Test>()), code_of<Real>(Rejection::other));
+}
+template <class Px, class... Tests> QUELL_KERNEL auto refusal(Px const& px, vec2<typename Px::Real> where, AllOf<Tests...> const& all) {
+    using Real = typename Px::Real;
+    Real reason = code_of<Real>(Rejection::other);
+    auto const unless_earlier = [&]<class Test>(Test const& test) __attribute__((always_inline)) {
+        auto const open = reason > code_of<Real>(Rejection::instance);
+        reason = select(both(open, refuses(px, where, test)), code_of<Real>(rejection_by<Test>()), reason);
+    };
+    (unless_earlier(static_cast<Tests const&>(all)), ...);
+    return reason;
+}
+
+/// Why there is no past at the place that a source names, if there is none.
+template <class Px, class Source> QUELL_KERNEL auto rejection_of(Px const& px, Source const& source) {
+    using Real = typename Px::Real;
+    auto const found = source.previous(px);
+    auto const place = sane(px, found);
+    auto reason = code_of<Real>(Rejection::other);
+    if constexpr (requires { source.test.around(px); }) reason = refusal(px, place.where, source.test);
+    auto const says = both(is_finite(found.where.x), is_finite(found.where.y), found.validity > Real(0.f));
+    reason = select(place.validity > Real(0.f), reason, code_of<Real>(Rejection::outside));
+    return select(says, reason, code_of<Real>(Rejection::no_motion));
+}
+
+/// The first source that finds a past: counted from `index`, 0 for none.
+template <class Px, class Source, class Fetch>
+QUELL_KERNEL auto source_of(Px const& px, Source const& source, Fetch const& fetch, float index) {
+    using Real = typename Px::Real;
+    if constexpr (requires { source.rest; }) {
+        auto const here = fetch.fetch(px, source.first.previous(px)).validity > Real(0.f);
+        return select(here, Real(index), source_of(px, source.rest, fetch, index + 1.f));
+    } else
+        return select(fetch.fetch(px, source.previous(px)).validity > Real(0.f), Real(index), Real(0.f));
+}
+template <class Source> QUELL_KERNEL auto const& first_of(Source const& source) {
+    if constexpr (requires { source.rest; })
+        return source.first;
+    else
+        return source;
+}
+} // namespace detail
+
+/// The policy inside a clamp, which says by how much that moved the past.
+template <class Inner> struct WatchedClamp {
+    using reads = reads_of<Inner>;
+    using remembers = remembers_of<Inner>;
+    using keeps = decltype(keeps_of<Inner>{} | Channels<DebugClamp>{});
+    using emits = emits_of<Inner>;
+    Inner inner{};
+
+    QUELL_KERNEL auto blend(auto px, auto past) const {
+        auto const result = detail::result_of([&]() __attribute__((always_inline)) { return inner.blend(px, past); });
+        return result.with(debug_clamp, select(past.validity > decltype(past.validity)(0.f), past.clamped, decltype(past.clamped)(0.f)));
+    }
+};
+
+/// A blend policy as it is, which keeps what the motion sources did.
+template <class M, class Inner, class Fetch> struct Watched {
+    using reads = reads_of<M, Inner, Fetch>;
+    using remembers = remembers_of<M, Inner, Fetch>;
+    using keeps = decltype(keeps_of<M, Inner>{} | Channels<DebugLength, DebugSource, DebugRejection>{});
+    using emits = emits_of<Inner>;
+    M motion{};
+    Inner inner{};
+    Fetch fetch{};
+
+    QUELL_KERNEL auto blend(auto px, auto past) const {
+        using Real = typename decltype(px)::Real;
+        auto const result = detail::result_of([&]() __attribute__((always_inline)) { return inner.blend(px, past); });
+        auto const source = px.has_past() ? detail::source_of(px, motion, fetch, 1.f) : Real(0.f);
+        auto const refused =
+            px.has_past() ? detail::rejection_of(px, detail::first_of(motion)) : detail::code_of<Real>(Rejection::no_frame);
+        auto const length = select(past.validity > Real(0.f), past[debug_length], Real(0.f)) + 1.f;
+        auto const first = both(source > Real(0.5f), source < Real(1.5f));
+        return result.with(debug_length, length).with(debug_source, source).with(debug_rejection, select(first, Real(0.f), refused));
+    }
+};
+
+namespace detail {
+// A policy with its clamps watched; through those that may stand around one.
+template <class B> constexpr auto with_watched_clamps(B const& blend) { return blend; }
+template <class B, class R, class A, int radius> constexpr auto with_watched_clamps(Clamped<B, R, A, radius> const& clamped) {
+    return Clamped<WatchedClamp<B>, R, A, radius>{{clamped.inner}, clamped.range, clamped.axes};
+}
+template <class B> constexpr auto with_watched_clamps(WithMoments<B> const& around) {
+    return WithMoments<decltype(with_watched_clamps(around.inner))>{with_watched_clamps(around.inner)};
+}
+template <class B> constexpr auto with_watched_clamps(WithCones<B> const& around) {
+    return WithCones<decltype(with_watched_clamps(around.inner))>{with_watched_clamps(around.inner)};
+}
+template <class B> constexpr auto with_watched_clamps(Antilag<B> const& around) {
+    return Antilag<decltype(with_watched_clamps(around.inner))>{with_watched_clamps(around.inner)};
+}
+
+template <class Stage> constexpr auto watched_stage(Stage const& stage) { return stage; }
+template <class M, class B, class F> constexpr auto watched_stage(Temporal<M, B, F> const& stage) {
+    auto const blending = with_watched_clamps(stage.blending);
+    using Blend = Watched<M, std::remove_const_t<decltype(blending)>, F>;
+    return Temporal<M, Blend, F>{stage.motion, Blend{stage.motion, blending, stage.fetch}, stage.fetch};
+}
+} // namespace detail
+
+/// A pipeline that does the same and keeps DebugChannels in its history, for debug_image() to show: `constexpr auto debug =
+/// watched(denoise);` It costs about three times as much and needs frames of the same channels.
+template <ChannelTag S, class... Parts> constexpr auto watched(Pipeline<S, Parts...> const& pipeline) {
+    return std::apply(
+        [&](auto const&... stages) {
+            if constexpr (std::is_same_v<typename Pipeline<S, Parts...>::Suppression, NoSuppression>)
+                return Pipeline{S{}, pipeline.ingest.modulation, detail::watched_stage(stages)...};
+            else
+                return Pipeline{S{}, pipeline.ingest.modulation, pipeline.ingest.suppression, detail::watched_stage(stages)...};
+        },
+        pipeline.stages);
+}
+/// Each pipeline of a composite.
+template <class... Ps> constexpr auto watched(Composite<Ps...> const& composite) {
+    return std::apply([](auto const&... pipelines) { return Composite{watched(pipelines)...}; }, composite.pipelines);
+}
+
+} // namespace quell
