@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/diagnose/debug_channels.hpp>
 #include <quell/diagnose/finding.hpp>
 #include <quell/io/channel_names.hpp>
 #include <quell/io/exr_image.hpp>
@@ -22,6 +23,8 @@ public:
     virtual void diagnose() = 0;
     /// What was found in the last frame.
     [[nodiscard]] virtual std::vector<Finding> const& findings() const = 0;
+    /// What a channel of DebugChannels shows of the last frame, by its name: none where this is no watched denoiser.
+    [[nodiscard]] virtual std::vector<DebugImage> debug_images(std::string const& view) = 0;
     /// The next frame, denoised: linear, row by row.
     [[nodiscard]] virtual metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number) = 0;
     /// How many samples of the last frame were not finite, or negative.
@@ -32,6 +35,8 @@ public:
 struct Preset {
     std::string name;
     std::unique_ptr<Denoiser> (*make)(Extent size, int threads);
+    /// The same with debug images, slower; null where there is none.
+    std::unique_ptr<Denoiser> (*make_watched)(Extent size) = nullptr;
 };
 
 } // namespace quell::examples

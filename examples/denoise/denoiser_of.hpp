@@ -2,6 +2,7 @@
 
 #include <denoise/denoiser.hpp>
 
+#include <quell/diagnose/debug_images.hpp>
 #include <quell/diagnose/diagnose.hpp>
 #include <quell/execute/threads.hpp>
 #include <quell/io/frame_image.hpp>
@@ -9,16 +10,16 @@
 
 namespace quell::examples {
 
-template <class P> class DenoiserOf final : public Denoiser {
+template <class P, class E = Threads<>> class DenoiserOf final : public Denoiser {
     P pipeline;
     Frame<typename P::reads> frame;
     History<P> history;
-    Threads<> threads;
+    E executor;
     bool looks = false;
     std::vector<Finding> found;
 
 public:
-    DenoiserOf(P const& p, Extent size, int thread_count) : pipeline(p), frame(size), history(size, p), threads{thread_count} {}
+    DenoiserOf(P const& p, Extent size, E const& e) : pipeline(p), frame(size), history(size, p), executor(e) {}
 
     std::vector<std::string> planes(io::ChannelNames const& names) const override { return io::planes_of(typename P::reads{}, names); }
 
@@ -29,10 +30,17 @@ public:
         io::load(frame, image, names);
         frame.number = number;
         if (looks) found = quell::diagnose(frame, history);
-        return picture(quell::run(pipeline, frame, history, threads));
+        return picture(quell::run(pipeline, frame, history, executor));
     }
     void diagnose() override { looks = true; }
     std::vector<Finding> const& findings() const override { return found; }
+    std::vector<DebugImage> debug_images(std::string const& view) override {
+        std::vector<DebugImage> images;
+        for_each_channel(DebugChannels{}, [&](auto channel) {
+            if (view == channel.name) images = quell::debug_images(channel, history);
+        });
+        return images;
+    }
     long long missing_samples() const override { return history.statistics().missing_samples; }
 
 private:
@@ -52,8 +60,17 @@ private:
 template <class Make> Preset preset(std::string name, Make) {
     return {std::move(name), [](Extent size, int threads) -> std::unique_ptr<Denoiser> {
                 constexpr auto pipeline = Make{}();
-                return std::make_unique<DenoiserOf<std::remove_const_t<decltype(pipeline)>>>(pipeline, size, threads);
+                return std::make_unique<DenoiserOf<std::remove_const_t<decltype(pipeline)>>>(pipeline, size, Threads<>{threads});
             }};
+}
+/// One with debug images. These are made pixel by pixel: packs would be as much again to compile, for what nobody waits for.
+template <class Make> Preset watched_preset(std::string name, Make make) {
+    auto result = preset(std::move(name), make);
+    result.make_watched = [](Extent size) -> std::unique_ptr<Denoiser> {
+        constexpr auto pipeline = watched(Make{}());
+        return std::make_unique<DenoiserOf<std::remove_const_t<decltype(pipeline)>, Serial>>(pipeline, size, Serial{});
+    };
+    return result;
 }
 
 } // namespace quell::examples

@@ -1,4 +1,5 @@
 #include <denoise/composite.hpp>
+#include <denoise/debug_view.hpp>
 #include <denoise/map_file.hpp>
 #include <denoise/options.hpp>
 #include <denoise/presets.hpp>
@@ -59,8 +60,18 @@ public:
             image.planes.push_back(std::move(plane));
             ++c;
         }
+        store([&] { io::write_exr(image.name, image); });
+    }
+
+    void write_views(long long number, std::string const& view, std::vector<std::pair<std::string, DebugImage>> const& images) const {
+        if (images.empty()) throw Error("--debug-view", "this preset has no " + view, "leave it out, or choose a preset that clamps");
+        for (auto const& [name, image] : images) store([&] { write_debug_view(pattern->path(number), view, name, image); });
+    }
+
+private:
+    static void store(auto&& write_file) {
         try {
-            io::write_exr(image.name, image);
+            write_file();
         } catch (Error const& error) { // a full disk is no fault of the input
             throw std::runtime_error(error.what());
         }
@@ -107,7 +118,7 @@ void denoise(DenoiseOptions const& options) {
     if (!options.map.empty()) map = read_map(options.map);
     Output const output(options.out, in, range);
     Comparison comparison(options.reference, range);
-    SequenceDenoiser denoiser(preset, options.threads, map);
+    SequenceDenoiser denoiser(preset, options.threads, !options.debug_views.empty(), map);
     if (options.diagnose) denoiser.diagnose();
     int findings = 0;
     {
@@ -119,6 +130,7 @@ void denoise(DenoiseOptions const& options) {
                 progress.say("quell-denoise: frame " + std::to_string(number) + ": " + to_string(finding)), ++findings;
             if (number < range.first) continue;
             output.write(number, picture);
+            for (auto const& view : options.debug_views) output.write_views(number, view, denoiser.debug_images(view));
             comparison.add(number, picture, map);
         }
     }

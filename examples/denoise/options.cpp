@@ -1,3 +1,4 @@
+#include <denoise/debug_view.hpp>
 #include <denoise/options.hpp>
 #include <support/program.hpp>
 
@@ -35,9 +36,20 @@ void describe(CLI::App& app, DenoiseOptions& options) {
     app.add_flag("--diagnose", options.diagnose,
                  "Say on stderr what the renderer seems to have got wrong (motion, cameras, depth, normals, albedo, samples) and in which "
                  "frame that first shows");
+    app.add_option("--debug-view", options.debug_views,
+                   "Write what happened in each pixel beside the output, as EXR and PNG: any of " + debug_view_names() +
+                       "; slower, and on one thread")
+        ->delimiter(',');
     app.add_flag("--quiet", options.quiet, "Say nothing on stderr but errors");
     app.add_flag("--list", options.list, "Print the names of the presets");
     app.footer(footer);
+}
+
+void check_debug_views(DenoiseOptions const& options) {
+    for (auto const& view : options.debug_views)
+        if (!is_debug_view(view)) throw Error("--debug-view", "there is no view '" + view + "'", "choose any of: " + debug_view_names());
+    if (!options.debug_views.empty() && options.out.empty())
+        throw Error("--debug-view", "--out is missing", "say where the result goes: views are written beside it");
 }
 
 void check(DenoiseOptions const& options) {
@@ -45,6 +57,7 @@ void check(DenoiseOptions const& options) {
     if (options.in.empty()) throw Error("command line", "--in is missing", "say where the frames are, as in --in 'dir/frame.%04d.exr'");
     if (options.out.empty() && options.reference.empty())
         throw Error("command line", "neither --out nor --reference is there", "say where the result goes, or what to compare it with");
+    check_debug_views(options);
     if (options.warmup < 0) throw Error("--warmup", std::to_string(options.warmup), "give 0 or more frames");
     if (options.threads < 0) throw Error("--threads", std::to_string(options.threads), "give 1 or more, or 0 for all");
 }

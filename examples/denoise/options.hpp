@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace quell::examples {
 
@@ -12,6 +13,7 @@ struct DenoiseOptions {
     std::optional<long long> first, last;
     long long warmup = 0;
     int threads = 0;
+    std::vector<std::string> debug_views;
     bool quiet = false, list = false, diagnose = false;
 };
 

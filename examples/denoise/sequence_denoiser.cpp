@@ -3,13 +3,18 @@
 
 namespace quell::examples {
 
-SequenceDenoiser::SequenceDenoiser(Preset preset_, int threads_, std::optional<io::SequenceNames> map)
-    : preset(std::move(preset_)), threads(threads_), sequence(std::move(map)) {}
+SequenceDenoiser::SequenceDenoiser(Preset preset_, int threads_, bool watched_, std::optional<io::SequenceNames> map)
+    : preset(std::move(preset_)), threads(threads_), watched(watched_), sequence(std::move(map)) {
+    if (watched && !preset.make_watched)
+        throw Error("--debug-view", "preset '" + preset.name + "' has none",
+                    "choose one with a history, such as svgf; of trmv, its parts shadow, glossy and dual-cone");
+}
 
 void SequenceDenoiser::begin(io::ExrFile const& file) {
     if (!sequence) sequence = io::recognise(file);
     size = file.size;
-    for (std::size_t s = 0; s < sequence->signals.size(); ++s) denoisers.push_back(preset.make(size, threads));
+    for (std::size_t s = 0; s < sequence->signals.size(); ++s)
+        denoisers.push_back(watched ? preset.make_watched(size) : preset.make(size, threads));
     for (auto const& denoiser : denoisers)
         if (looks) denoiser->diagnose();
 }
@@ -27,6 +32,19 @@ std::vector<std::string> SequenceDenoiser::planes() const {
         planes.insert(planes.end(), more.begin(), more.end());
     }
     return planes;
+}
+
+std::vector<std::pair<std::string, DebugImage>> SequenceDenoiser::debug_images(std::string const& view) {
+    std::vector<std::pair<std::string, DebugImage>> all;
+    for (std::size_t s = 0; s < denoisers.size(); ++s) {
+        auto images = denoisers[s]->debug_images(view);
+        auto const signal = denoisers.size() > 1 ? sequence->signals[s].name + "." : std::string();
+        for (auto& image : images) {
+            auto const part = images.size() > 1 ? image.signal + "." : std::string();
+            all.emplace_back(signal + part + view, std::move(image));
+        }
+    }
+    return all;
 }
 
 metrics::Picture SequenceDenoiser::next(std::filesystem::path const& path, long long number) {

@@ -13,13 +13,18 @@ namespace quell::examples {
 /// Denoises the frames of a sequence one after the other, whichever renderer wrote them.
 class SequenceDenoiser {
 public:
+    /// @param watched whether debug images are wanted
     /// @param map how the files name their channels; without one, that is recognised from the first file
-    SequenceDenoiser(Preset preset, int threads, std::optional<io::SequenceNames> map);
+    SequenceDenoiser(Preset preset, int threads, bool watched, std::optional<io::SequenceNames> map);
 
     /// From now on each frame is looked at for what its renderer got wrong.
     void diagnose() { looks = true; }
     /// What the last frame showed for the first time.
     [[nodiscard]] std::vector<Finding> const& findings() const { return found; }
+
+    /// What the last frame looked like inside, by a name for each image: that of the view, behind those of the signal and of its pipeline
+    /// where there are several.
+    [[nodiscard]] std::vector<std::pair<std::string, DebugImage>> debug_images(std::string const& view);
 
     /// Reads, denoises and puts together one frame: a linear picture.
     /// @throws Error naming the file and what is wrong with it
@@ -31,6 +36,7 @@ public:
 private:
     Preset preset;
     int threads;
+    bool watched;
     std::optional<io::SequenceNames> sequence;
     Extent size;
     std::vector<std::unique_ptr<Denoiser>> denoisers; ///< one per signal

@@ -1,6 +1,6 @@
 #include "sequences.hpp"
 
-#include <quell/diagnose/debug_image.hpp>
+#include <quell/diagnose/debug_images.hpp>
 
 using namespace quell;
 using namespace quell::tests;

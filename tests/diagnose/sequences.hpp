@@ -104,7 +104,7 @@ template <class F> std::vector<Finding> findings(Extent size, int frames, F&& ma
     for (int i = 0; i < frames; ++i) {
         make(frame, i);
         for (auto& finding : diagnose(frame, history)) all.push_back(std::move(finding));
-        run(denoise, frame, history);
+        run(denoise, frame, history, Serial{});
     }
     return all;
 }

@@ -6,7 +6,7 @@ namespace quell::examples {
 /// Motion blur from one sample per pixel at a random time; the shutter is open for half of the frame time, as quell-trace has it.
 std::vector<Preset> blur_presets() {
     return {
-        preset("blur", [] { return quell::presets::blur(radiance); }),
+        watched_preset("blur", [] { return quell::presets::blur(radiance); }),
         preset("blur-fixed-step", [] { return quell::presets::blur_fixed_step(radiance); }),
         preset("blur-one-step", [] { return quell::presets::blur_one_step(radiance); }),
     };

@@ -5,9 +5,9 @@ namespace quell::examples {
 
 std::vector<Preset> spatiotemporal_presets() {
     return {
-        preset("svgf", [] { return quell::presets::svgf(radiance, Demodulate{}); }),
-        preset("asvgf", [] { return quell::presets::asvgf(radiance, Demodulate{}); }),
-        preset("dual-color", [] { return quell::presets::dual_color(radiance, Demodulate{}); }),
+        watched_preset("svgf", [] { return quell::presets::svgf(radiance, Demodulate{}); }),
+        watched_preset("asvgf", [] { return quell::presets::asvgf(radiance, Demodulate{}); }),
+        watched_preset("dual-color", [] { return quell::presets::dual_color(radiance, Demodulate{}); }),
     };
 }
 

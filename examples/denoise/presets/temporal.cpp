@@ -6,8 +6,8 @@ namespace quell::examples {
 std::vector<Preset> temporal_presets() {
     return {
         preset("none", [] { return quell::presets::none(radiance); }),
-        preset("surface", [] { return quell::presets::surface(radiance, Demodulate{}); }),
-        preset("surface-clamp", [] { return quell::presets::surface_clamp(radiance, Demodulate{}); }),
+        watched_preset("surface", [] { return quell::presets::surface(radiance, Demodulate{}); }),
+        watched_preset("surface-clamp", [] { return quell::presets::surface_clamp(radiance, Demodulate{}); }),
     };
 }
 

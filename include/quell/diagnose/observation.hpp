@@ -8,6 +8,8 @@
 #include <glm/vec3.hpp>
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace quell::detail {

@@ -3,47 +3,13 @@
 #include <quell/blend/clamped.hpp>
 #include <quell/blend/with_clean_up.hpp>
 #include <quell/blend/with_moments.hpp>
+#include <quell/diagnose/debug_channels.hpp>
 #include <quell/filter/temporal_gradient.hpp>
+#include <quell/motion/surface_motion.hpp>
 #include <quell/pipeline/composite.hpp>
 #include <quell/radiance/with_cones.hpp>
 
 namespace quell {
-
-// What happens inside a Temporal stage, as images: made by a pipeline that does the same and keeps these beside, for debugging.
-
-/// How many frames a pixel's value goes back, whether or not the blend policy counts them.
-struct DebugLength : Channel<1> {
-    static constexpr auto name = "history_length";
-};
-/// Which motion source found the past: 1 the first, 2 the second and so on, 0 none.
-struct DebugSource : Channel<1> {
-    static constexpr auto name = "motion_source";
-};
-/// Why the first motion source's place gives no past; a Rejection.
-struct DebugRejection : Channel<1> {
-    static constexpr auto name = "rejection";
-};
-/// How much a clamp moved the past, relative to itself (TRMV eq. 8).
-struct DebugClamp : Channel<1> {
-    static constexpr auto name = "clamp";
-};
-inline constexpr DebugLength debug_length;
-inline constexpr DebugSource debug_source;
-inline constexpr DebugRejection debug_rejection;
-inline constexpr DebugClamp debug_clamp;
-using DebugChannels = Channels<DebugLength, DebugSource, DebugRejection, DebugClamp>;
-
-/// Why the first motion source gives no past, in the order in which that is looked for.
-enum class Rejection {
-    none,      ///< it does
-    no_frame,  ///< there is no last frame
-    no_motion, ///< the source has nothing to say of this pixel
-    outside,   ///< what is seen here was not in the picture
-    depth,     ///< all four neighbours there have another depth; or another
-    normal,
-    instance,
-    other, ///< another test refuses them, or several tests some each
-};
 
 namespace detail {
 template <class Real> QUELL_KERNEL Real code_of(Rejection rejection) { return Real(static_cast<float>(rejection)); }

@@ -5,13 +5,6 @@
 
 namespace quell {
 
-/// One number per pixel of what a Temporal stage did in the last run.
-struct DebugImage {
-    std::string signal; ///< whose pipeline it is
-    Extent size;
-    std::vector<float> values; ///< row by row
-};
-
 /// Of each pipeline in this history that keeps the channel: all of DebugChannels where the pipeline is watched() (the clamp only where it
 /// has one), and whatever its policies keep, such as history_length. Empty before the first run.
 template <ChannelTag C, class P, class Storage>
