@@ -1,6 +1,7 @@
 #pragma once
 
-// Everything that needs GLM and xsimd only. Opt-in: quell/execute/threads.hpp (oneTBB), quell/io/exr.hpp (OpenEXR), quell/metrics/*.hpp.
+// Everything that needs GLM and xsimd only. Opt-in: quell/execute/threads.hpp (oneTBB), quell/io/exr.hpp (OpenEXR), quell/metrics/*.hpp,
+// quell/diagnose/diagnose.hpp.
 
 #include <quell/blend/clamped.hpp>
 #include <quell/blend/exponential.hpp>

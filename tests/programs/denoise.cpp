@@ -166,6 +166,45 @@ TEST_CASE("samples that are not finite are counted and don't come out") {
     }
 }
 
+TEST_CASE("a good sequence is diagnosed without findings, and findings name their first frame once") {
+    Folder const folder;
+    write_sequence(folder, 1, 4);
+    auto const good = denoise(input(folder) + output(folder) + "--diagnose");
+    CHECK(good.code == 0);
+    CHECK(contains(good.err, "--diagnose found nothing wrong"));
+    for (int i = 3; i <= 4; ++i) {
+        auto image = noisy_image({48, 32}, i);
+        for (auto& plane : image.planes)
+            if (plane.name == "normal.X" || plane.name == "normal.Y") plane.values.assign(plane.values.size(), 0.5f);
+        io::write_exr(folder / numbered("frame.", i), image);
+    }
+    auto const bad = denoise(input(folder) + output(folder) + "--diagnose --quiet");
+    INFO(bad.err);
+    CHECK(bad.code == 0);
+    CHECK(std::ranges::count(bad.err, '\n') == 1);
+    CHECK(contains(bad.err, "frame 3: normals are packed into [0, 1]: "));
+    CHECK(contains(bad.err, "2 n - 1"));
+    CHECK(denoise(input(folder) + output(folder) + "--quiet").err.empty());
+}
+
+TEST_CASE("debug views are written beside the output") {
+    Folder const folder;
+    write_sequence(folder, 1, 3);
+    auto const at = input(folder) + output(folder) + "--quiet ";
+    CHECK(denoise(at + "--preset surface-clamp --debug-view history_length,motion_source,rejection,clamp").code == 0);
+    auto const lengths = io::read_exr(folder / "out.0003.history_length.exr")["Y"].values;
+    CHECK(lengths[16 * 48 + 20] == 3.f);
+    CHECK(lengths[16 * 48] < 3.f); // was outside of the picture
+    CHECK(io::read_exr(folder / "out.0003.motion_source.exr")["Y"].values[16 * 48 + 20] == 1.f);
+    for (auto const* const view : {"history_length", "motion_source", "rejection", "clamp"}) {
+        CHECK(std::filesystem::exists(folder / (std::string("out.0001.") + view + ".png")));
+        CHECK(std::filesystem::exists(folder / (std::string("out.0001.") + view + ".exr")));
+    }
+    check_refused(denoise(at + "--debug-view depth"), {"--debug-view", "'depth'", "rejection"});
+    check_refused(denoise(at + "--preset atrous --debug-view clamp"), {"--debug-view", "'atrous'", "svgf"});
+    check_refused(denoise(at + "--preset surface --debug-view clamp"), {"clamp", "a preset that clamps"});
+}
+
 TEST_CASE("another renderer's files by a map are denoised as quell's own") {
     Folder const folder;
     write_sequence(folder, 1, 3);

@@ -96,7 +96,7 @@ inline void find_sample_mistakes(Observation const& seen, std::vector<Finding>& 
     find_bad_guides(seen, findings);
     for (auto const& signal : seen.signals) {
         find_bad_samples(seen, signal, findings);
-        if (seen.has_then) find_identical_frames(signal, values_of(seen, signal, signal.input), findings);
+        find_identical_frames(signal, values_of(seen, signal, signal.input), findings);
     }
 }
 

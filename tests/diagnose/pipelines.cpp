@@ -1,0 +1,79 @@
+#include "sequences.hpp"
+
+using namespace quell;
+using namespace quell::tests;
+
+namespace {
+
+constexpr Extent size{96, 54};
+
+/// What is found in four frames that `good` has filled and `copy` brings into another frame, for another pipeline.
+template <class P, class H> std::vector<Finding> findings_of(P const& pipeline, auto& frame, H& history, auto&& change) {
+    std::vector<Finding> all;
+    for (int i = 0; i < 4; ++i) {
+        GoodFrame good(size);
+        fill_well(good, {.size = size}, i);
+        change(good);
+        frame.camera = good.camera, frame.number = good.number;
+        for_each_channel(common_to<typename std::remove_cvref_t<decltype(frame)>::channels, GoodFrame::channels>{},
+                         [&](auto c) { fill(frame[c], [&](int x, int y) { return good[c].get(x, y); }); });
+        for (auto& finding : diagnose(frame, history)) all.push_back(std::move(finding));
+        run(pipeline, frame, history, Serial{});
+    }
+    return all;
+}
+void flip(GoodFrame& frame) {
+    each(frame, motion, [](glm::vec2 m) { return -m; });
+}
+
+} // namespace
+
+TEST_CASE("composites, half-precision histories and interleaved frames are diagnosed like any others") {
+    constexpr auto both = Composite{presets::surface(radiance), presets::surface(visibility)};
+    std::mt19937 random(1);
+    for (bool wrong : {false, true}) {
+        Frame frame{size, both, Interleaved<>{}};
+        History history{size, both, Planar<Float16>{}};
+        auto const found = findings_of(both, frame, history, [&](GoodFrame& good) {
+            if (wrong) flip(good);
+            fill(frame[visibility], [&](int, int) { return std::uniform_real_distribution<float>(0.f, 1.f)(random); });
+            fill(frame[direct], [](int, int) { return glm::vec3(1.f); });
+        });
+        check_found(found, wrong ? std::set{Mistake::motion_sign} : std::set<Mistake>{});
+    }
+}
+
+TEST_CASE("a host's own memory is read in place, and asked for where there is none") {
+    Frame frame{size, denoise, Borrowed<>{}};
+    History history{size, denoise};
+    CHECK_THROWS_AS(static_cast<void>(diagnose(frame, history)), Error);
+    GoodFrame good(size);
+    fill_well(good, {.size = size}, 0);
+    std::vector<std::vector<float>> memory;
+    for_each_channel(GoodFrame::channels{}, [&](auto c) {
+        memory.push_back(copy_of(good[c].view()));
+        frame[c] = {memory.back().data(), size, c.components, c.components * size.width};
+    });
+    frame.camera = good.camera;
+    CHECK(diagnose(frame, history).empty());
+    for (auto& value : memory[0]) value = -1.f;
+    CHECK(mistakes(diagnose(frame, history)).contains(Mistake::bad_samples));
+}
+
+TEST_CASE("a pose in place of a view shows in motion alone, where there are no normals") {
+    constexpr auto by_depth = Pipeline{radiance, Temporal{SurfaceMotion<SameDepth>{}, RunningMean{}}};
+    Frame frame{size, by_depth};
+    History history{size, by_depth};
+    auto const found = findings_of(by_depth, frame, history, [](GoodFrame& good) { good.camera.view = glm::inverse(good.camera.view); });
+    check_found(found, {Mistake::view_inverted});
+}
+
+TEST_CASE("a pipeline without history has none that starts afresh, and one without stages may give back what it gets") {
+    constexpr auto none = presets::none(radiance);
+    constexpr auto space = Pipeline{radiance, Spatial{Gaussian{}}};
+    Frame frame{size, none, space};
+    History first{size, none};
+    check_found(findings_of(none, frame, first, [](GoodFrame&) {}), {});
+    History second{size, space};
+    check_found(findings_of(space, frame, second, [](GoodFrame&) {}), {});
+}
