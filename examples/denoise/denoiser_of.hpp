@@ -29,7 +29,7 @@ public:
                         "write the 4x4 attributes quell:view and quell:projection, or choose another preset");
         io::load(frame, image, names);
         frame.number = number;
-        if (looks) found = quell::diagnose(frame, history);
+        if (looks) found = quell::diagnose(frame, history, names.motion);
         return picture(quell::run(pipeline, frame, history, executor));
     }
     void diagnose() override { looks = true; }

@@ -37,10 +37,10 @@ TEST_CASE("nothing is said of the Cycles sequence") {
 
 TEST_CASE("mistakes in the Cycles sequence are named, as far as a still camera shows them") {
     CyclesFrames const frames(4);
-    for (auto const convention : detail::motion_conventions()) {
+    for (auto const convention : detail::motion_conventions({})) {
         // Both objects move sideways, which says nothing about y.
         if (convention.y == MotionConvention::Y::up) continue;
-        auto const wrong = detail::mistakes_of(convention);
+        auto const wrong = detail::mistakes_of(convention, {});
         frames.check_named({wrong.begin(), wrong.end()}, [&](GoodFrame& frame, int) {
             each(frame, motion, [&](glm::vec2 m) { return m / detail::to_pixels(convention, frame.size); });
         });

@@ -25,9 +25,9 @@ TEST_CASE("nothing is said of a good sequence") {
 }
 
 TEST_CASE("motion of another convention is named, in all that it differs in") {
-    for (auto const convention : detail::motion_conventions()) {
+    for (auto const convention : detail::motion_conventions({})) {
         auto const factor = detail::to_pixels(convention, Shot{}.size);
-        auto const wrong = detail::mistakes_of(convention);
+        auto const wrong = detail::mistakes_of(convention, {});
         check_named({wrong.begin(), wrong.end()},
                     [&](GoodFrame& frame, int) { each(frame, motion, [&](glm::vec2 m) { return m / factor; }); });
     }

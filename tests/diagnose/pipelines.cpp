@@ -77,3 +77,23 @@ TEST_CASE("a pipeline without history has none that starts afresh, and one witho
     History second{size, space};
     check_found(findings_of(space, frame, second, [](GoodFrame&) {}), {});
 }
+
+TEST_CASE("vectors of a convention that the pipeline declares are no mistake; others are, pixels too") {
+    using C = MotionConvention;
+    constexpr C declared{.points = C::Points::from_previous, .unit = C::Unit::uv, .y = C::Y::up, .jitter = C::Jitter::left_in};
+    constexpr auto other = Pipeline{radiance, Temporal{FirstValid{Supplied<declared>{}, StillMotion{}}, RunningMean{}}};
+    glm::vec2 jitter_then{0.f};
+    auto const as_declared = [&](GoodFrame& good) {
+        auto const change = good.camera.jitter - std::exchange(jitter_then, good.camera.jitter);
+        each(good, motion, [&](glm::vec2 m) { return (m + change) / detail::to_pixels(declared, size); });
+    };
+    Frame frame{size, other};
+    {
+        History history{size, other};
+        check_found(findings_of(other, frame, history, as_declared), {});
+    }
+    History history{size, other};
+    auto const found = findings_of(other, frame, history, [](GoodFrame& good) { good.camera.jitter = {}; });
+    CHECK(mistakes(found).contains(Mistake::motion_unit));
+    CHECK(found[0].remedy.find("Supplied<MotionConvention{}>") != std::string::npos);
+}

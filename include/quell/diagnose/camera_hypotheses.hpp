@@ -88,7 +88,7 @@ inline bool find_inverted_view(Observation const& seen, MotionPairs const& pairs
     if (inverted.size() < fewest_pairs) return false;
     auto const own = agreeing(pairs, {1.f, 1.f}), other = agreeing(inverted, {1.f, 1.f});
     // A camera that only slides looks like motion of the wrong sign, which is more common.
-    if (other.share() < std::max(own.share() + clear_margin, BestConvention(pairs, seen.size).best.share() + 0.02)) return false;
+    if (other.share() < std::max(own.share() + clear_margin, BestConvention(pairs, seen).best.share() + 0.02)) return false;
     findings.push_back({Mistake::view_inverted,
                         percent(own.share()) + " of the surface pixels move as depth and cameras say of what stands still, but " +
                             percent(other.share()) + " with the inverse of camera.view",

@@ -19,7 +19,7 @@ namespace detail {
 inline void find_by_moving_camera(Observation const& seen, MotionPairs const& pairs, std::vector<Finding>& findings) {
     auto const before = findings.size();
     find_zero_motion(pairs, findings);
-    if (findings.size() == before && !find_inverted_view(seen, pairs, findings)) find_motion_convention(pairs, seen.size, findings);
+    if (findings.size() == before && !find_inverted_view(seen, pairs, findings)) find_motion_convention(seen, pairs, findings);
 }
 
 /// What is expected, with what is known of the cameras: of one that is not known nothing is, or that it stands still.
@@ -70,14 +70,19 @@ inline std::vector<Finding> findings_of(Observation const& seen) {
 /// It looks at the channels that the pipeline reads, at some 16,000 of their pixels (at all of them for samples that are not finite), and
 /// keeps notes in the history, so that it also sees what only several calls show. For Pipeline and Composite, any storage.
 /// Perspective cameras only; objects may move, as long as some quarter of the picture does not.
+/// @param converted_from for hosts that convert their motion vectors before they put them into the frame: the convention from which, so
+///                       that the mistake is named in its terms. Pipelines with Supplied<> need no mention.
 /// @throws Error as run() does for a frame that it could not use
 template <class P, class Set, class FrameStorage, class Storage>
-[[nodiscard]] std::vector<Finding> diagnose(Frame<Set, FrameStorage> const& frame, History<P, Storage>& history) {
+[[nodiscard]] std::vector<Finding> diagnose(Frame<Set, FrameStorage> const& frame, History<P, Storage>& history,
+                                            std::optional<MotionConvention> converted_from = {}) {
     static_assert(
         contained_in<typename P::reads, Set>,
         "diagnose(frame, history): the frame lacks a channel that the history's pipeline reads; construct the frame with this pipeline");
     detail::check_frame<P>(frame);
-    return detail::findings_of(detail::observe<P>(frame, history));
+    auto seen = detail::observe<P>(frame, history);
+    if (converted_from) seen.convention = *converted_from;
+    return detail::findings_of(seen);
 }
 
 } // namespace quell

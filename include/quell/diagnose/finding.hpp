@@ -37,8 +37,8 @@ enum class Mistake {
 [[nodiscard]] constexpr std::string_view name_of(Mistake mistake) {
     constexpr std::string_view names[] = {
         "motion points the wrong way",
-        "motion is in another unit than pixels",
-        "motion's y points up",
+        "motion is in another unit",
+        "motion's y points the other way",
         "motion is zero although the camera moves",
         "motion has the jitter in it",
         "camera.projection has the jitter in it",

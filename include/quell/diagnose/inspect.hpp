@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/diagnose/declared_convention.hpp>
 #include <quell/diagnose/observation.hpp>
 #include <quell/pipeline/composite.hpp>
 
@@ -68,14 +69,24 @@ template <class P, class H> void see_past(Observation& seen, std::type_identity<
         if (!seen.depth_then) seen.depth_then = lookup_in(Inspect::remembered(history, depth));
 }
 
+/// Motion as a pipeline that takes it for one of a convention turns it into quell's.
+inline Lookup understood(Lookup const& motion, MotionConvention convention, Extent size, glm::vec2 jitter_change) {
+    if (!motion || convention == MotionConvention{}) return motion;
+    auto const factor = to_pixels(convention, size);
+    auto const offset = convention.jitter == MotionConvention::Jitter::left_in ? jitter_change : glm::vec2(0.f);
+    return [=](int c, int x, int y) { return motion(c, x, y) * factor[c] + offset[c]; };
+}
+
 template <class P, class Set, class FrameStorage, class H> Observation observe(Frame<Set, FrameStorage> const& frame, H& history) {
     Observation seen{.size = frame.size, .number = frame.number, .camera = frame.camera};
     seen.depth = lookup_of<P>(frame, depth), seen.normal = lookup_of<P>(frame, normal);
     seen.motion = lookup_of<P>(frame, motion), seen.albedo = lookup_of<P>(frame, albedo);
+    seen.convention = DeclaredConvention<P>::value;
     for_each_history(history, [&]<class Part>(std::type_identity<Part> part, auto& of_part) {
         seen.signals.push_back(signal_seen<Part>(frame, of_part));
         see_past(seen, part, of_part);
     });
+    seen.motion = understood(seen.motion, seen.convention, seen.size, seen.camera_then.jitter - seen.camera.jitter);
     return seen;
 }
 

@@ -32,14 +32,14 @@ struct Duel {
 /// Sign, unit and direction of y, by what moves before a camera of which nothing is known, or which stands still.
 inline void find_motion_convention_by_history(Observation const& seen, std::vector<Finding>& findings) {
     Duel best(seen, {1.f, 1.f});
-    MotionConvention convention;
-    for (auto const each : motion_conventions()) {
-        Duel const duel(seen, to_pixels(each, seen.size));
+    auto convention = seen.convention;
+    for (auto const each : motion_conventions(seen.convention)) {
+        Duel const duel(seen, correction(each, seen.convention, seen.size));
         if (duel.won() && 2 * (duel.other - duel.own) > 3 * (best.other - best.own)) best = duel, convention = each;
     }
     if (!best.won()) return;
-    auto const factor = to_pixels(convention, seen.size);
-    report_convention(convention, seen.size,
+    auto const factor = correction(convention, seen.convention, seen.size);
+    report_convention(convention, seen,
                       std::to_string(best.own) +
                           " moving pixels find their depth in the last frame by motion as it is and not by motion times " +
                           pair(factor.x, factor.y) + ", " + std::to_string(best.other) + " the other way round",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/diagnose/finding.hpp>
+#include <quell/image/extent.hpp>
 #include <quell/motion/supplied_motion.hpp>
 
 #include <algorithm>
@@ -9,24 +10,29 @@
 
 namespace quell::detail {
 
-/// What this convention has other than quell's own.
-inline std::vector<Mistake> mistakes_of(MotionConvention convention) {
+/// What is wrong with taking vectors of this convention for those of another.
+inline std::vector<Mistake> mistakes_of(MotionConvention convention, MotionConvention taken_for) {
     std::vector<Mistake> mistakes;
-    if (convention.points != MotionConvention{}.points) mistakes.push_back(Mistake::motion_sign);
-    if (convention.unit != MotionConvention{}.unit) mistakes.push_back(Mistake::motion_unit);
-    if (convention.y != MotionConvention{}.y) mistakes.push_back(Mistake::motion_y);
+    if (convention.points != taken_for.points) mistakes.push_back(Mistake::motion_sign);
+    if (convention.unit != taken_for.unit) mistakes.push_back(Mistake::motion_unit);
+    if (convention.y != taken_for.y) mistakes.push_back(Mistake::motion_y);
     return mistakes;
 }
 
-/// All that hosts may follow, but for jitter; those that differ in less from quell's own come first, quell's own at the front.
-inline std::vector<MotionConvention> motion_conventions() {
+/// All that hosts may follow, but for jitter; the one that they are taken for at the front, and those that differ from it in less first.
+inline std::vector<MotionConvention> motion_conventions(MotionConvention taken_for) {
     using C = MotionConvention;
     std::vector<C> all;
     for (auto points : {C::Points::to_previous, C::Points::from_previous})
         for (auto unit : {C::Unit::pixel, C::Unit::uv, C::Unit::ndc})
             for (auto y : {C::Y::down, C::Y::up}) all.push_back({.points = points, .unit = unit, .y = y});
-    std::stable_sort(all.begin(), all.end(), [](C a, C b) { return mistakes_of(a).size() < mistakes_of(b).size(); });
+    std::stable_sort(all.begin(), all.end(), [&](C a, C b) { return mistakes_of(a, taken_for).size() < mistakes_of(b, taken_for).size(); });
     return all;
+}
+
+/// What a vector that was taken for one of a convention, and turned into quell's by that, is multiplied by if it is of another.
+inline glm::vec2 correction(MotionConvention convention, MotionConvention taken_for, Extent size) {
+    return to_pixels(convention, size) / to_pixels(taken_for, size);
 }
 
 /// As code: MotionConvention{.points = MotionConvention::Points::from_previous}.

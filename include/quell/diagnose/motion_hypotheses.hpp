@@ -56,34 +56,36 @@ struct BestConvention {
     MotionConvention convention;
     Tally own, best;
 
-    BestConvention(MotionPairs const& pairs, Extent size) : own(agreeing(pairs, {1.f, 1.f})), best(own) {
-        for (auto const each : motion_conventions()) {
-            auto const tally = agreeing(pairs, to_pixels(each, size));
+    BestConvention(MotionPairs const& pairs, Observation const& seen)
+        : convention(seen.convention), own(agreeing(pairs, {1.f, 1.f})), best(own) {
+        for (auto const each : motion_conventions(seen.convention)) {
+            auto const tally = agreeing(pairs, correction(each, seen.convention, seen.size));
             if (tally.share() > best.share() + 0.02) best = tally, convention = each;
         }
     }
     [[nodiscard]] bool clear() const { return best.share() > own.share() + clear_margin; }
 };
 
-inline void report_convention(MotionConvention convention, Extent size, std::string const& evidence, std::vector<Finding>& findings) {
-    auto const factor = to_pixels(convention, size);
+inline void report_convention(MotionConvention convention, Observation const& seen, std::string const& evidence,
+                              std::vector<Finding>& findings) {
+    auto const factor = correction(convention, seen.convention, seen.size);
     std::string swapped;
-    if (convention.points == MotionConvention::Points::from_previous)
-        swapped = ", or swap the current and the previous matrix where it is computed,";
-    for (auto const mistake : mistakes_of(convention))
+    if (convention.points != seen.convention.points) swapped = ", or swap the current and the previous matrix where it is computed,";
+    for (auto const mistake : mistakes_of(convention, seen.convention))
         findings.push_back({mistake, evidence,
                             "multiply motion by " + pair(factor.x, factor.y) + swapped + " or take Supplied<" + code_of(convention) +
                                 "> for SurfaceMotion<>"});
 }
 
 /// Sign, unit and direction of y, by cameras that move.
-inline void find_motion_convention(MotionPairs const& pairs, Extent size, std::vector<Finding>& findings) {
-    BestConvention const choice(pairs, size);
+inline void find_motion_convention(Observation const& seen, MotionPairs const& pairs, std::vector<Finding>& findings) {
+    BestConvention const choice(pairs, seen);
     if (!choice.clear()) return;
-    report_convention(choice.convention, size,
+    auto const factor = correction(choice.convention, seen.convention, seen.size);
+    report_convention(choice.convention, seen,
                       "of " + std::to_string(pairs.size()) + " surface pixels " + percent(choice.own.share()) +
                           " move as depth and cameras say of what stands still, but " + percent(choice.best.share()) + " times " +
-                          pair(to_pixels(choice.convention, size).x, to_pixels(choice.convention, size).y),
+                          pair(factor.x, factor.y),
                       findings);
 }
 
@@ -123,6 +125,14 @@ struct CommonOffset {
     }
 };
 
+inline std::string jitter_remedy(MotionConvention taken_for) {
+    if (taken_for.jitter == MotionConvention::Jitter::left_in)
+        return "leave .jitter out of the MotionConvention: the vectors have none in them, or camera.jitter is not what they have";
+    taken_for.jitter = MotionConvention::Jitter::left_in;
+    return "project with matrices without jitter where motion is computed, or set camera.jitter and take Supplied<" + code_of(taken_for) +
+           "> for SurfaceMotion<>";
+}
+
 /// The change of jitter in every vector. Returns whether it is there.
 inline bool find_motion_jitter(Observation const& seen, MotionPairs const& pairs, std::vector<Finding>& findings) {
     CommonOffset const common(pairs);
@@ -136,8 +146,7 @@ inline bool find_motion_jitter(Observation const& seen, MotionPairs const& pairs
                         percent(common.sharing.share()) + " of " + std::to_string(pairs.size()) + " surface pixels have " +
                             pair(common.offset.x, common.offset.y) + " pixels too much in their motion; camera.jitter changed by " +
                             pair(change.x, change.y),
-                        "project with matrices without jitter where motion is computed, or set camera.jitter and take Supplied<" +
-                            code_of({.jitter = MotionConvention::Jitter::left_in}) + "> for SurfaceMotion<>"});
+                        jitter_remedy(seen.convention)});
     return true;
 }
 

@@ -4,6 +4,7 @@
 #include <quell/diagnose/finding.hpp>
 #include <quell/diagnose/notes.hpp>
 #include <quell/frame/camera.hpp>
+#include <quell/motion/supplied_motion.hpp>
 
 #include <glm/vec3.hpp>
 
@@ -39,9 +40,11 @@ struct SignalSeen {
 struct Observation {
     Extent size;
     std::optional<long long> number;
-    Lookup depth{}, normal{}, motion{}, albedo{};
-    Lookup depth_then{};   ///< of the last frame, where the history remembers it
-    bool has_then = false; ///< whether camera_then is that of a last frame
+    Lookup depth{}, normal{}, albedo{};
+    Lookup motion{};               ///< as the pipeline understands it
+    MotionConvention convention{}; ///< the one that the host's vectors are taken for
+    Lookup depth_then{};           ///< of the last frame, where the history remembers it
+    bool has_then = false;         ///< whether camera_then is that of a last frame
     Camera camera{}, camera_then{};
     std::vector<SignalSeen> signals{};
 
