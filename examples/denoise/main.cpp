@@ -65,7 +65,7 @@ public:
 
     void write_views(long long number, std::string const& view, std::vector<std::pair<std::string, DebugImage>> const& images) const {
         if (images.empty()) throw Error("--debug-view", "this preset has no " + view, "leave it out, or choose a preset that clamps");
-        for (auto const& [name, image] : images) store([&] { write_debug_view(pattern->path(number), view, name, image); });
+        for (auto const& each : images) store([&] { write_debug_view(pattern->path(number), view, each.first, each.second); });
     }
 
 private:
