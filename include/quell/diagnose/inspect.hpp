@@ -63,7 +63,10 @@ template <class P, class F, class H> SignalSeen signal_seen(F const& frame, H& h
 
 /// The last frame's camera and depth, of the first history that has them.
 template <class P, class H> void see_past(Observation& seen, std::type_identity<P>, H const& history) {
-    if (!Inspect::has_past(history) || !(Inspect::size(history) == seen.size)) return;
+    auto const number = Inspect::number(history);
+    bool const follows = !seen.number || !number || *seen.number == *number + 1;
+    // What run() is going to drop is no past.
+    if (!Inspect::has_past(history) || !follows || !(Inspect::size(history) == seen.size)) return;
     if (!seen.has_then) seen.has_then = true, seen.camera_then = Inspect::camera(history);
     if constexpr (P::remembers::template has<Depth>)
         if (!seen.depth_then) seen.depth_then = lookup_in(Inspect::remembered(history, depth));
