@@ -47,7 +47,7 @@ TEST_CASE("a watched pipeline makes the same picture") {
     for (int i = 0; i < 4; ++i) {
         fill_two_walls(frame, i);
         auto const a = copy_of(run(clamped, frame, plain, Serial{})), b = copy_of(run(debug, frame, history, Serial{}));
-        CHECK(a == b);
+        CHECK(difference(a, b) < 1e-5); // not to the last bit: compilers contract as they inline
     }
     static_assert(contained_in<DebugChannels, decltype(debug)::keeps>);
     static_assert(std::is_same_v<decltype(debug)::reads, decltype(clamped)::reads>);
