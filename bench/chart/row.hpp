@@ -50,7 +50,7 @@ inline constexpr std::array measures{
     Measure{"mask_ssim", &Row::mask_ssim, "structural similarity where the effect is", true},
     Measure{"mask_flip", &Row::mask_flip, "FLIP where the effect is"},
     Measure{"flicker", &Row::flicker, "deviation of the error over frames 31 to 34"},
-    Measure{"bytes_per_pixel", &Row::bytes_per_pixel, "history and scratch"},
+    Measure{"bytes_per_pixel", &Row::bytes_per_pixel, "bytes per pixel of history and scratch"},
 };
 
 /// Marks the rows of one scene and effect that no other is both faster and more accurate (in RMSE) than.
