@@ -1,5 +1,6 @@
 #include "judge.hpp"
 
+#include <quell/core/error.hpp>
 #include <support/png.hpp>
 
 #include <tbb/parallel_for.h>
@@ -29,10 +30,18 @@ Judge::Judge(ChartOptions const& options_, Case const& what, std::vector<Wanted>
 void Judge::measure(int frame, std::span<Entry> entries, std::span<metrics::Picture const> pictures) const {
     auto const found = std::ranges::find(wanted, frame, &Wanted::frame);
     tbb::parallel_for(std::size_t(0), entries.size(), [&](std::size_t i) {
-        auto const shown = metrics::displayed(pictures[i]);
+        auto const shown = displayed(entries[i].method, frame, pictures[i]);
         entries[i].errors.add(*found, shown);
         if (frame == options.pictured_frame()) entries[i].picture = write(entries[i].method, shown);
     });
+}
+
+metrics::Picture Judge::displayed(std::string const& method, int frame, metrics::Picture const& linear) const {
+    try {
+        return metrics::displayed(linear);
+    } catch (Error const& error) {
+        throw Error(method + " on " + scene + ", " + effect, "in frame " + std::to_string(frame) + " " + error.found, error.remedy);
+    }
 }
 
 Row Judge::row_of(Entry const& entry, double ms_per_frame, double bytes_per_pixel) const {

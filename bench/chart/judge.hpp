@@ -36,6 +36,7 @@ private:
     std::vector<Wanted> wanted;
     std::string reference;
 
+    [[nodiscard]] metrics::Picture displayed(std::string const& method, int frame, metrics::Picture const& linear) const;
     std::string write(std::string const& method, metrics::Picture const& shown) const;
 };
 

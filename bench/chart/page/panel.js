@@ -50,14 +50,17 @@ class Panel {
         this.svg.append(point);
     }
 
-    /// Names of the presets, the front's first, each where it covers no other; one that has no room anywhere is left to the tooltip.
+    /// Names of the presets, the front's first, each where it covers no point or at least no name; one that has no room is left to the
+    /// tooltip.
     draw_labels(rows, front) {
-        const taken = rows.map(row => this.place(row)).map(({x, y}) => ({left: x - 6, right: x + 6, top: y - 6, bottom: y + 6}));
+        const points = rows.map(row => this.place(row)).map(({x, y}) => ({left: x - 5, right: x + 5, top: y - 5, bottom: y + 5}));
+        const names = [];
         const named = rows.filter(row => !row.parameter).sort((a, b) => front.includes(b) - front.includes(a));
         for (const row of named) {
-            const box = this.boxes_beside(row).find(one => this.is_inside(one) && !taken.some(other => overlap(one, other)));
+            const free = this.boxes_beside(row).filter(one => this.is_inside(one) && !names.some(other => overlap(one, other)));
+            const box = free.find(one => !points.some(other => overlap(one, other))) ?? free[0];
             if (!box) continue;
-            taken.push(box);
+            names.push(box);
             const style = {class: front.includes(row) ? "label on-front" : "label", x: box.left, y: box.bottom - 3};
             this.svg.append(make_in(this.svg, "text", style, row.method));
         }
