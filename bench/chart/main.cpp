@@ -30,7 +30,6 @@ void chart_all(ChartOptions const& options) {
     long long done = 0;
     for (auto const& what : options.cases)
         chart({options, what, [&](std::string const& doing) { bar.show(done++, what.scene + " " + what.effect + " " + doing); }, results});
-    results.finish();
 }
 
 } // namespace

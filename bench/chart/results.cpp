@@ -29,6 +29,8 @@ void Results::add(std::vector<Row> rows) {
         if (!options.quiet) std::cout << csv_line(row) << std::endl;
     std::ranges::move(rows, std::back_inserter(all));
     write_csv();
+    write_plot(all, options.out);
+    write_chart_page(all, options.out / "index.html");
 }
 
 void Results::write_csv() const {
@@ -38,11 +40,6 @@ void Results::write_csv() const {
     for (auto const& row : all) out << csv_line(row) << '\n';
     out.close();
     if (!out) throw Error(file.string(), std::string("can't be written: ") + std::strerror(errno), "check that its folder has room");
-}
-
-void Results::finish() const {
-    write_plot(all, options.out);
-    write_chart_page(all, options.out / "index.html");
 }
 
 } // namespace quell::bench

@@ -5,16 +5,15 @@
 
 namespace quell::bench {
 
-/// The chart as it grows: chart.csv is there after every case, so that a run that is cut short has not been in vain.
+/// The chart as it grows: all files are there after every case, so that a run that is cut short has not been in vain.
 class Results {
 public:
     /// @throws Error where the folder can't be made
     explicit Results(ChartOptions const& options);
 
-    /// Takes the rows of one scene and effect, marks their front, prints them on standard output, and writes chart.csv anew.
+    /// Takes the rows of one scene and effect, marks their front, prints them on standard output, and writes chart.csv, chart.svg and
+    /// index.html anew.
     void add(std::vector<Row> rows);
-    /// Writes chart.svg and index.html.
-    void finish() const;
 
 private:
     ChartOptions const& options;

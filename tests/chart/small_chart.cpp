@@ -13,5 +13,4 @@ void quell::bench::chart_small(ChartOptions const& options) {
     Results results(options);
     for (auto const& what : options.cases)
         chart_feeds(Job{options, what, [](std::string const&) {}, results}, visibility, {tracer::Effect::shadow}, feed);
-    results.finish();
 }
