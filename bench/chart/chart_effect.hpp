@@ -71,18 +71,11 @@ template <ChannelTag Signal, class FrameT> io::ExrImage image_of(tracer::Prepare
     return image;
 }
 
-/// Runs the methods of all feeds side by side over a scene. Errors are those of the effect's share of the picture, displayed. Reference,
-/// masks and what other programs get are those of the first feed's frames.
-template <ChannelTag Signal, class... Feeds>
-void chart_feeds(Job const& job, Signal signal, std::vector<tracer::Effect> const& effects, Feeds const&... feeds) {
-    // Albedo and so on are what other programs expect.
-    using FrameT = Frame<decltype(reads_of<Feeds...>{} | Channels<Albedo, Normal, Depth, Motion>{})>;
+/// Renders the sequence and runs all methods on it, side by side. What other programs get are the first contest's frames.
+template <class FrameT>
+void run_contests(Job const& job, ChannelTag auto signal, tracer::PreparedScene& scene, std::vector<Contest<FrameT>>& contests,
+                  Judge const& judge, ExternalRuns& others) {
     auto const& options = job.options;
-    std::vector<Contest<FrameT>> contests;
-    (contests.emplace_back(options, feeds), ...);
-    tracer::PreparedScene scene(tracer::open_scene(job.what.scene));
-    Judge const judge(options, job.what, wanted_frames(job, signal, scene, contests.front().rendered, effects));
-    ExternalRuns others;
     FrameT frame(options.size);
     for (int i = 0; i < options.frames; ++i) {
         job.progress("frame " + std::to_string(i));
@@ -93,9 +86,23 @@ void chart_feeds(Job const& job, Signal signal, std::vector<tracer::Effect> cons
             contest.run(frame, options.scores(i) ? &judge : nullptr);
         }
     }
+}
+
+/// Charts the methods of all feeds over a scene. Errors are those of the effect's share of the picture, displayed. Reference and masks are
+/// those of the first feed's frames.
+template <ChannelTag Signal, class... Feeds>
+void chart_feeds(Job const& job, Signal signal, std::vector<tracer::Effect> const& effects, Feeds const&... feeds) {
+    // Albedo and so on are what other programs expect.
+    using FrameT = Frame<decltype(reads_of<Feeds...>{} | Channels<Albedo, Normal, Depth, Motion>{})>;
+    std::vector<Contest<FrameT>> contests;
+    (contests.emplace_back(job.options, feeds), ...);
+    tracer::PreparedScene scene(tracer::open_scene(job.what.scene));
+    Judge const judge(job.options, job.what, wanted_frames(job, signal, scene, contests.front().rendered, effects));
+    ExternalRuns others;
+    run_contests(job, signal, scene, contests, judge, others);
     std::vector<Row> rows;
     for (auto const& contest : contests) contest.put_rows(judge, rows);
-    for (auto const& external : options.externals) {
+    for (auto const& external : job.options.externals) {
         job.progress(external.name);
         rows.push_back(others.run(external, judge));
     }
