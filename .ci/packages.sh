@@ -6,7 +6,7 @@
 build_packages=(g++ cmake ninja-build)
 library_packages=(libglm-dev libxsimd-dev libtbb-dev)
 program_packages=(libembree-dev libopenexr-dev libtinygltf-dev libstb-dev libcli11-dev nlohmann-json3-dev libpng-dev zlib1g-dev)
-test_packages=(doctest-dev libbenchmark-dev clang)
+test_packages=(doctest-dev libbenchmark-dev clang gnuplot-nox)
 
 # oldest_version package: the oldest one that will do. Ubuntu 22.04 has xsimd 7 and OpenEXR 2, with other interfaces.
 oldest_version() {
@@ -31,6 +31,7 @@ project_of() {
     libstb-dev) echo "stb (github.com/nothings/stb)" ;;
     libcli11-dev) echo "CLI11 (github.com/CLIUtils/CLI11)" ;;
     nlohmann-json3-dev) echo "JSON for Modern C++ (github.com/nlohmann/json)" ;;
+    gnuplot-nox) echo "gnuplot (gnuplot.info)" ;;
     doctest-dev) echo "doctest (github.com/doctest/doctest)" ;;
     libbenchmark-dev) echo "Google Benchmark (github.com/google/benchmark)" ;;
     cmake) echo "CMake (cmake.org)" ;;

@@ -1,49 +1,30 @@
 #pragma once
 
-#include "method.hpp"
+#include "contest.hpp"
+#include "external.hpp"
+#include "results.hpp"
 
-#include <quell/metrics/flip.hpp>
-#include <quell/metrics/rmse.hpp>
-#include <quell/metrics/ssim.hpp>
-#include <quell/metrics/stability.hpp>
+#include <quell/io/frame_image.hpp>
+#include <support/progress.hpp>
 #include <tracer/gltf/gltf.hpp>
+#include <tracer/mask.hpp>
+#include <tracer/reference.hpp>
 
-#include <algorithm>
-#include <cstdio>
 #include <functional>
-#include <tuple>
 
 namespace quell::bench {
 
-/// Sums over the scored frames of one method.
-struct Errors {
-    double rmse = 0, ssim = 0, flip = 0, flip_median = 0, mask_rmse = 0, mask_ssim = 0, mask_flip = 0;
-    int frames = 0, masked_frames = 0;
-    metrics::Flicker flicker;
-
-    void add(int frame, metrics::Picture const& reference, metrics::Picture const& output, metrics::Mask const& mask) {
-        auto const wanted = metrics::displayed(reference), shown = metrics::displayed(output);
-        auto const difference = metrics::flip(wanted, shown);
-        rmse += metrics::rmse(wanted, shown), ssim += metrics::ssim(wanted, shown);
-        flip += difference.mean(), flip_median += difference.weighted_median(), ++frames;
-        if (std::ranges::any_of(mask, [](auto m) { return m != 0; })) {
-            mask_rmse += metrics::rmse(wanted, shown, mask), mask_ssim += metrics::ssim(wanted, shown, mask);
-            mask_flip += difference.mean(mask), ++masked_frames;
-        }
-        if (frame >= 31 && frame <= 34) flicker.add(wanted, shown);
-    }
+/// What an effect's chart is asked for.
+struct Job {
+    ChartOptions const& options;
+    Case const& what;
+    std::function<void(std::string const& doing)> const& progress; ///< called before each frame and each reference
+    Results& results;
 };
-
-/// A pipeline to chart, by the name that its row has.
-template <class P> struct Named {
-    char const* name;
-    P pipeline;
-};
-template <class P> Named(char const*, P) -> Named<P>;
 
 /// The effect's share of the picture, as a Composite puts it together from the denoised signal.
-template <ChannelTag Signal> metrics::Picture share(tracer::Reference const& reference) {
-    auto picture = reference[Signal{}];
+template <ChannelTag Signal> metrics::Picture share(tracer::Reference const& reference, Signal signal) {
+    auto picture = reference[signal];
     for_each_channel(typename quell::detail::Share<Signal>::factor{}, [&](auto factor) {
         auto const& pixels = reference[factor].pixels;
         std::ranges::transform(picture.pixels, pixels, picture.pixels.begin(), std::multiplies{});
@@ -51,103 +32,87 @@ template <ChannelTag Signal> metrics::Picture share(tracer::Reference const& ref
     return picture;
 }
 
-/// Prints a method's row of chart.csv (SCENES.md). Its time is the median after the first eight frames.
-template <class FrameT> void print_row(ChartOptions const& options, Method<FrameT> const& method, Errors const& e) {
-    auto times = method.milliseconds;
-    times.erase(times.begin(), times.begin() + std::min<std::ptrdiff_t>(8, static_cast<std::ptrdiff_t>(times.size()) - 1));
-    std::ranges::nth_element(times, times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2));
-    double const n = std::max(1, e.frames), k = std::max(1, e.masked_frames);
-    std::printf("%s,%s,%s,%d,%d,%d,%d,%.2f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.1f\n", options.scene.c_str(), options.effect.c_str(),
-                method.name.c_str(), options.size.width, options.size.height, options.frames, options.threads, times[times.size() / 2],
-                e.rmse / n, e.ssim / n, e.flip / n, e.flip_median / n, e.mask_rmse / k, e.mask_ssim / k, e.mask_flip / k,
-                e.flicker.frames > 1 ? e.flicker.mean() : 0., method.bytes_per_pixel());
-    std::fflush(stdout);
+/// The pixels that any of these effects touches.
+inline metrics::Mask mask_of(tracer::PreparedScene& scene, tracer::RenderSettings const& settings,
+                             std::vector<tracer::Effect> const& effects) {
+    metrics::Mask sum(static_cast<std::size_t>(settings.size.pixels()), 0);
+    for (auto const effect : effects)
+        std::ranges::transform(sum, tracer::effect_mask(scene, settings, effect), sum.begin(), [](int a, int b) { return (a | b) != 0; });
+    return sum;
 }
 
-/// Methods, and how the frames are rendered that they get.
-template <class... Ps> struct Feed {
-    using reads = reads_of<Composite<Ps>...>;
-    tracer::RenderSettings rendered; ///< but for the frame's number
-    std::tuple<Named<Ps>...> methods;
-    bool scored_frames_only = false; ///< for what has no history and whose time doesn't matter
-};
-template <class... Ps> Feed(tracer::RenderSettings, std::tuple<Named<Ps>...>, bool = false) -> Feed<Ps...>;
-
-/// A feed's methods at work, and how they do.
-template <class FrameT> struct Contest {
-    tracer::RenderSettings rendered;
-    bool scored_frames_only;
-    Methods<FrameT> methods{};
-    std::vector<Errors> errors{};
-
-    template <class... Ps>
-    Contest(ChartOptions const& options, Feed<Ps...> const& feed)
-        : rendered(feed.rendered), scored_frames_only(feed.scored_frames_only), errors(sizeof...(Ps)) {
-        auto const add = [&]<class P>(Named<P> const& named) {
-            methods.push_back(std::make_unique<MethodOf<FrameT, P>>(named.name, named.pipeline, options.size, options.threads));
-        };
-        std::apply([&](auto const&... named) { (add(named), ...); }, feed.methods);
-    }
-
-    /// Renders a frame and lets the methods denoise it; `judge(errors, picture)` is called with what each has made.
-    void run(tracer::PreparedScene& scene, int number, FrameT& frame, auto const& judge) {
-        auto settings = rendered;
-        settings.frame = number;
-        tracer::FrameSink<FrameT> sink{frame};
-        tracer::render<typename FrameT::channels>(scene, settings, sink);
-        frame.camera = scene.description().camera_at(static_cast<float>(number), frame.size);
-        frame.number = number;
-        for (std::size_t m = 0; m < methods.size(); ++m) judge(errors[m], methods[m]->run(frame));
-    }
-};
-
-/// Runs the methods of all feeds side by side over a scene and prints a row for each. Errors are those of the effect's share of the
-/// picture, displayed; reference and mask are those of the first feed's frames.
-template <ChannelTag Signal, class... Feeds>
-void chart_feeds(ChartOptions const& options, Signal, tracer::Effect effect, Feeds const&... feeds) {
-    using FrameT = Frame<reads_of<Feeds...>>;
-    std::vector<Contest<FrameT>> contests;
-    (contests.emplace_back(options, feeds), ...);
-    tracer::PreparedScene scene(tracer::open_scene(options.scene));
-    FrameT frame(options.size);
-    std::vector<int> const scored = options.every_scored_frame ? std::vector{24, 28, 31, 32, 33, 34, 36, 40} : std::vector{24, 32, 40};
-    for (int i = 0; i < options.frames; ++i) {
-        bool const score = std::ranges::find(scored, i) != scored.end();
-        metrics::Picture reference;
-        metrics::Mask mask;
-        if (score) {
-            auto settings = contests.front().rendered;
-            settings.frame = i;
-            reference = share<Signal>(tracer::reference<Channels<Signal>>(scene, settings, {.tolerance = options.tolerance}));
-            mask = tracer::effect_mask(scene, settings, effect);
-        }
-        for (auto& contest : contests)
-            if (score || !contest.scored_frames_only)
-                contest.run(scene, i, frame, [&](Errors& errors, metrics::Picture const& picture) {
-                    if (score) errors.add(i, reference, picture, mask);
-                });
-    }
-    for (auto const& contest : contests)
-        for (std::size_t m = 0; m < contest.methods.size(); ++m) print_row(options, *contest.methods[m], contest.errors[m]);
-}
-
-/// The methods that serve any signal.
+/// What the scored frames should be, and where the effects are in them.
 template <ChannelTag Signal>
-constexpr std::tuple baselines{Named{"none", presets::none(Signal{})}, Named{"surface", presets::surface(Signal{})},
-                               Named{"surface-clamp", presets::surface_clamp(Signal{})}, Named{"svgf", presets::svgf(Signal{})},
-                               Named{"asvgf", presets::asvgf(Signal{})}};
-
-/// Charts the baselines, and the methods that are for this effect only.
-/// @param signal visibility, glossy or indirect
-template <ChannelTag Signal, class... Ps>
-void chart_effect(ChartOptions const& options, Signal signal, tracer::Effect effect, Named<Ps> const&... own) {
-    Feed const feed{{.size = options.size, .threads = options.threads}, std::tuple_cat(baselines<Signal>, std::tuple(own...))};
-    chart_feeds(options, signal, effect, feed);
+std::vector<Wanted> wanted_frames(Job const& job, Signal signal, tracer::PreparedScene& scene, tracer::RenderSettings settings,
+                                  std::vector<tracer::Effect> const& effects) {
+    settings.seed = 0; // the same for any noise
+    // What moves is a small part of some blurred pictures.
+    double const usual = settings.shutter > 0 ? 0.005 : 0.01;
+    std::vector<Wanted> all;
+    for (int const frame : job.options.scored_frames()) {
+        job.progress("reference of frame " + std::to_string(frame));
+        settings.frame = frame;
+        auto const reference =
+            tracer::reference<Channels<Signal>>(scene, settings, {.tolerance = job.options.tolerance > 0 ? job.options.tolerance : usual});
+        all.push_back({frame, metrics::displayed(share(reference, signal)), mask_of(scene, settings, effects)});
+    }
+    return all;
 }
 
-void chart_shadow(ChartOptions const& options);
-void chart_glossy(ChartOptions const& options, bool curved);
-void chart_indirect(ChartOptions const& options);
-void chart_blur(ChartOptions const& options);
+/// A frame as quell-trace writes it. R, G, B are the effect's noisy share of the picture.
+template <ChannelTag Signal, class FrameT> io::ExrImage image_of(tracer::PreparedScene const& scene, FrameT const& frame, Signal) {
+    auto image = io::image_of(frame);
+    io::put_camera(image, scene.description().camera_at(static_cast<float>(*frame.number - 1), frame.size), "_previous");
+    if constexpr (!FrameT::channels::template has<Radiance>) {
+        auto const none = whole(presets::none(Signal{}));
+        History<std::remove_const_t<decltype(none)>> history(frame.size, none);
+        io::put(image, radiance, quell::run(none, frame, history));
+    }
+    return image;
+}
+
+/// Renders the sequence and runs all methods on it, side by side. What other programs get are the first contest's frames.
+template <class FrameT>
+void run_contests(Job const& job, ChannelTag auto signal, tracer::PreparedScene& scene, std::vector<Contest<FrameT>>& contests,
+                  Judge const& judge, ExternalRuns& others) {
+    auto const& options = job.options;
+    FrameT frame(options.size);
+    for (int i = 0; i < options.frames; ++i) {
+        job.progress("frame " + std::to_string(i));
+        for (auto& contest : contests) {
+            if (contest.scored_frames_only && !options.scores(i)) continue;
+            contest.render(scene, i, frame);
+            if (!options.externals.empty() && &contest == &contests.front()) others.write(i, image_of(scene, frame, signal));
+            contest.run(frame, options.scores(i) ? &judge : nullptr);
+        }
+    }
+}
+
+/// Charts the methods of all feeds over a scene. Errors are those of the effect's share of the picture, displayed. Reference and masks are
+/// those of the first feed's frames.
+template <ChannelTag Signal, class... Feeds>
+void chart_feeds(Job const& job, Signal signal, std::vector<tracer::Effect> const& effects, Feeds const&... feeds) {
+    // Albedo and so on are what other programs expect.
+    using FrameT = Frame<decltype(reads_of<Feeds...>{} | Channels<Albedo, Normal, Depth, Motion>{})>;
+    std::vector<Contest<FrameT>> contests;
+    (contests.emplace_back(job.options, feeds), ...);
+    tracer::PreparedScene scene(tracer::open_scene(job.what.scene));
+    Judge const judge(job.options, job.what, wanted_frames(job, signal, scene, contests.front().rendered, effects));
+    ExternalRuns others;
+    run_contests(job, signal, scene, contests, judge, others);
+    std::vector<Row> rows;
+    for (auto const& contest : contests) contest.put_rows(judge, rows);
+    for (auto const& external : job.options.externals) {
+        job.progress(external.name);
+        rows.push_back(others.run(external, judge));
+    }
+    job.results.add(std::move(rows));
+}
+
+void chart_shadow(Job const& job);
+void chart_glossy(Job const& job); ///< curved too
+void chart_indirect(Job const& job);
+void chart_blur(Job const& job);
+void chart_composite(Job const& job);
 
 } // namespace quell::bench

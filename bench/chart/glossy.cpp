@@ -1,4 +1,4 @@
-#include "chart_effect.hpp"
+#include "baselines.hpp"
 
 namespace quell::bench {
 namespace {
@@ -9,10 +9,13 @@ constexpr auto with_flat_mirror() {
 }
 } // namespace
 
-void chart_glossy(ChartOptions const& options, bool curved) {
-    chart_effect(options, glossy, curved ? tracer::Effect::curved : tracer::Effect::glossy,
-                 Named{"mirror-clamp", presets::mirror_clamp(glossy)}, Named{"glossy", presets::glossy(glossy)},
-                 Named{"glossy-flat-mirror", with_flat_mirror()}, Named{"glossy-paper", presets::glossy_paper(glossy)});
+void chart_glossy(Job const& job) {
+    auto const effect = job.what.effect == "curved" ? tracer::Effect::curved : tracer::Effect::glossy;
+    auto const own = vary_guided_atrous<0>(Named{"glossy", presets::glossy(glossy)})
+                         .vary(
+                             "cap", caps, [](auto& p) -> auto& { return stage<0>(p).blending.inner.cap; });
+    chart_with_baselines(job, glossy, {effect}, baselines(glossy), Named{"mirror-clamp", presets::mirror_clamp(glossy)}, own, own.in_half(),
+                         Named{"glossy-flat-mirror", with_flat_mirror()}, Named{"glossy-paper", presets::glossy_paper(glossy)});
 }
 
 } // namespace quell::bench

@@ -1,6 +1,7 @@
 #include "report/page_data.hpp"
 
 #include "report/check.hpp"
+#include "report/write_page.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -91,19 +92,6 @@ Json size_json(PageData const& data) {
     if (data.pictures.empty()) return {{"width", 16}, {"height", 9}};
     PictureSize const size = png_size(*data.pictures.front(), "first picture");
     return {{"width", size.width}, {"height", size.height}};
-}
-
-/// In JSON a < can stand in strings only, where its escape means the same; without it no </script> or <!-- can end the element.
-std::string without_angle_brackets(std::string const& json) {
-    std::string text;
-    text.reserve(json.size());
-    for (char const character : json) {
-        if (character == '<')
-            text += "\\u003c";
-        else
-            text += character;
-    }
-    return text;
 }
 
 } // namespace

@@ -5,9 +5,12 @@
 
 namespace quell::examples {
 
-/// The page as written under page/, embedded at build time. Marks such as {{title}} stand where a report's own text goes.
-std::string_view page_html();
-std::string_view page_style();
-std::span<std::string_view const> page_scripts(); ///< in the order in which they stand on the page
+/// A page as written under page/, embedded at build time (embed_page.cmake). Marks such as {{title}} stand where its own text goes.
+struct PageParts {
+    std::string_view html;
+    std::span<std::string_view const> styles, scripts; ///< in the order in which they stand on the page
+};
+
+PageParts report_page();
 
 } // namespace quell::examples

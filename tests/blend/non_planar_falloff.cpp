@@ -17,7 +17,7 @@ struct Shifted {
     }
 };
 /// A wall that faces the camera, then at another depth: history of 1 meets a present of 0, so that what comes out is 1 - alpha.
-template <class B> float kept_of_the_past(B const& blending, glm::vec2 by, float depth_then, int x, int y) {
+template <class B> float kept_of_the_past(B const& blending, glm::vec2 by, float depth_then, int x, int y, float depth_now = 5.f) {
     auto const pipeline = Pipeline{visibility, Temporal{Shifted{by}, blending}};
     Frame frame{size, pipeline};
     History history{size, pipeline};
@@ -34,7 +34,7 @@ template <class B> float kept_of_the_past(B const& blending, glm::vec2 by, float
     };
     see(depth_then, 1.f);
     run(pipeline, frame, history);
-    see(5.f, 0.f);
+    see(depth_now, 0.f);
     return run(pipeline, frame, history).get(0, x, y);
 }
 constexpr auto falloff = NonPlanarFalloff{Exponential{.alpha = 0.1f}};
@@ -66,6 +66,9 @@ TEST_CASE("what is seen at its own place again keeps its past, and a miss or NaN
     CHECK(kept_of_the_past(falloff, {1, 0}, 5.02f, 18, 9) == doctest::Approx(0.9).epsilon(1e-4));
     CHECK(kept_of_the_past(falloff, {10, 0}, std::bit_cast<float>(0x7f800000u), 18, 9) == 0.f);
     CHECK(kept_of_the_past(falloff, {10, 0}, std::bit_cast<float>(0x7fc00000u), 18, 9) == 0.f);
+    // Nor is it one now: where a motion source finds a past for a miss, it is not used, and nothing becomes NaN.
+    CHECK(kept_of_the_past(falloff, {10, 0}, 5.f, 18, 9, std::bit_cast<float>(0x7f800000u)) == 0.f);
+    CHECK(kept_of_the_past(falloff, {10, 0}, 5.f, 18, 9, std::bit_cast<float>(0x7fc00000u)) == 0.f);
     // From outside the image there is no past at all.
     CHECK(kept_of_the_past(falloff, {100, 0}, 5.f, 18, 9) == 0.f);
 }

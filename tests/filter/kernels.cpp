@@ -106,6 +106,29 @@ TEST_CASE("flips and transposes of the input flip and transpose the output") {
         kernels);
 }
 
+TEST_CASE("a wavelet of 3x3 taps spreads an impulse by 1/4, 1/2, 1/4 along each axis, and its second level twice as far") {
+    Extent const size{19, 11};
+    auto const impulse = [](auto& frame) {
+        tests::fill(frame[radiance], [](int x, int y) { return glm::vec3(x == 9 && y == 5 ? 1.f : 0.f); });
+        tests::fill(frame[depth], [](int, int) { return 2.f; });
+        tests::fill(frame[normal], [](int, int) { return glm::vec3(0.f, 0.f, 1.f); });
+    };
+    auto const check = [&](int levels, std::vector<float> const& axis) {
+        Atrous<Product<DepthEdge, NormalEdge>, LinearSpline> const wavelet{.levels = levels};
+        auto const out = filtered(Pipeline{radiance, Spatial{wavelet}}, size, impulse);
+        int const reach = static_cast<int>(axis.size() / 2);
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                bool const reached = std::abs(x - 9) <= reach && std::abs(y - 5) <= reach;
+                float const wanted =
+                    reached ? axis[static_cast<std::size_t>(x - 9 + reach)] * axis[static_cast<std::size_t>(y - 5 + reach)] : 0.f;
+                CHECK(out[static_cast<std::size_t>(y * size.width + x) * 3] == doctest::Approx(wanted).epsilon(1e-5));
+            }
+    };
+    check(1, {0.25f, 0.5f, 0.25f});
+    check(2, {0.0625f, 0.125f, 0.1875f, 0.25f, 0.1875f, 0.125f, 0.0625f});
+}
+
 TEST_CASE("an a-trous level is the sum that the paper writes, computed plainly in double precision") {
     Extent const size{41, 27};
     constexpr auto pipeline = Pipeline{radiance, Spatial{Atrous{Product{NormalEdge{}, LuminanceEdge{.sigma = 0.8f}}, 3}}};

@@ -1,60 +1,17 @@
 // Drives the report page in Chromium: node browser.mjs PATH_OF_report_sample [FOLDER_FOR_SCREENSHOTS]
-// Needs playwright-core, found beside this file, through NODE_PATH, or in the folder named by QUELL_PLAYWRIGHT; where it or Chromium
-// is missing, says so in one line and exits with 77, which CTest takes for skipped.
 import assert from "node:assert/strict";
-import {execFileSync} from "node:child_process";
-import {existsSync, mkdtempSync, rmSync} from "node:fs";
-import {createRequire} from "node:module";
-import {tmpdir} from "node:os";
 import {join} from "node:path";
-import {pathToFileURL} from "node:url";
+import {drawn, open_file, text_of, with_pages} from "../browser.mjs";
 
-function skip(reason) {
-    console.log(`skipped: ${reason}`);
-    process.exit(77);
-}
-
-function find_playwright() {
-    const places = [import.meta.url];
-    if (process.env.QUELL_PLAYWRIGHT) places.unshift(pathToFileURL(join(process.env.QUELL_PLAYWRIGHT, "package.json")));
-    for (const place of places) {
-        try {
-            return createRequire(place)("playwright-core");
-        } catch { /* the next place may have it */ }
-    }
-    return skip("playwright-core isn't installed (npm install playwright-core; name its folder in QUELL_PLAYWRIGHT)");
-}
-
-function find_chromium() {
-    const places = [process.env.QUELL_CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
-    return places.find(place => place && existsSync(place)) ?? skip("Chromium isn't installed (name it in QUELL_CHROMIUM)");
-}
-
-const {chromium} = find_playwright();
-const executablePath = find_chromium();
-const folder = mkdtempSync(join(tmpdir(), "quell_browser_"));
 const screenshots = process.argv[3];
+let folder = "";
 
-const args = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-              "--disable-component-update", "--disable-sync"];
-
-/// Opens one of the sample pages; its problems collect whatever the console or the network complains about.
+/// Opens one of the sample pages.
 async function open_page(browser, name, options = {}) {
-    const context = await browser.newContext({viewport: {width: 1400, height: 900}, ...options});
-    const page = await context.newPage();
-    const problems = [];
-    page.on("pageerror", error => problems.push(`error: ${error.message}`));
-    page.on("console", message => { if (["error", "warning"].includes(message.type())) problems.push(message.text()); });
-    page.on("request", request => { if (!/^(file|data):/.test(request.url())) problems.push(`request: ${request.url()}`); });
-    await page.goto(pathToFileURL(join(folder, name)).href);
-    await page.waitForFunction(() => document.querySelector("#stage").hidden || document.querySelector("#frame-label b"));
-    await drawn(page);
-    return {page, problems};
-}
-
-/// Waits until what was done so far is on the screen: the page draws before the next refresh.
-function drawn(page) {
-    return page.evaluate(() => new Promise(resolve => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    const opened = await open_file(browser, join(folder, name), options);
+    await opened.page.waitForFunction(() => document.querySelector("#stage").hidden || document.querySelector("#frame-label b"));
+    await drawn(opened.page);
+    return opened;
 }
 
 async function picture_of_page(page, name) {
@@ -66,7 +23,6 @@ async function middle_of(page, selector) {
     return {x: box.x + box.width / 2, y: box.y + box.height / 2, width: box.width, left: box.x};
 }
 
-const text_of = (page, selector) => page.locator(selector).innerText();
 const frame_of = page => text_of(page, "#frame-label b");
 const until_frame = (page, number) => page.waitForFunction(
     wanted => document.querySelector("#frame-label b").textContent === `frame ${wanted}`, number, {timeout: 4000});
@@ -196,21 +152,10 @@ async function check_lesser_pages(browser) {
     assert.deepEqual([...bare.problems, ...empty.problems], []);
 }
 
-async function check_all() {
-    execFileSync(process.argv[2], [folder]);
-    const browser = await chromium.launch({executablePath, args});
-    try {
-        await check_full_page(browser);
-        await check_small_screen(browser);
-        await check_lesser_pages(browser);
-    } finally {
-        await browser.close();
-    }
-}
-
-try {
-    await check_all();
-    console.log("the report page works in Chromium");
-} finally {
-    rmSync(folder, {recursive: true});
-}
+await with_pages(process.argv[2], async (browser, pages) => {
+    folder = pages;
+    await check_full_page(browser);
+    await check_small_screen(browser);
+    await check_lesser_pages(browser);
+});
+console.log("the report page works in Chromium");

@@ -13,3 +13,11 @@ function make(tag, attributes = {}, ...children) {
 function fill_select(select, names) {
     select.replaceChildren(...names.map((name, i) => make("option", {value: String(i)}, name)));
 }
+
+/// Makes an SVG element in the namespace of the drawing that it is for.
+function make_in(svg, tag, attributes, text = "") {
+    const element = document.createElementNS(svg.namespaceURI, tag);
+    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+    element.textContent = text;
+    return element;
+}

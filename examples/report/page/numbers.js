@@ -27,3 +27,8 @@ function round_ticks(low, high, count, whole) {
     for (let i = Math.ceil(low / used - 1e-9); i * used <= high + used * 1e-9; ++i) ticks.push(Number((i * used).toPrecision(12)));
     return ticks;
 }
+
+// Spreading a long list into Math.min() would overflow the stack, hence the folds.
+function least(list, otherwise) { return list.length ? list.reduce((a, b) => Math.min(a, b)) : otherwise; }
+
+function most(list, otherwise) { return list.length ? list.reduce((a, b) => Math.max(a, b)) : otherwise; }

@@ -1,13 +1,5 @@
 // The plot's coordinates, its grid and its labels.
 
-/// Makes an SVG element in the namespace of the drawing that it is for.
-function make_in(svg, tag, attributes, text = "") {
-    const element = document.createElementNS(svg.namespaceURI, tag);
-    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
-    element.textContent = text;
-    return element;
-}
-
 class PlotAxes {
     constructor(svg, metric, frames) {
         this.width = Math.max(svg.clientWidth, 120);
@@ -65,8 +57,3 @@ class PlotAxes {
         svg.append(make_in(svg, "text", turned, metric.unit ? `${metric.name} (${metric.unit})` : metric.name));
     }
 }
-
-// Spreading a long list into Math.min() would overflow the stack, hence the folds.
-function least(list, otherwise) { return list.length ? list.reduce((a, b) => Math.min(a, b)) : otherwise; }
-
-function most(list, otherwise) { return list.length ? list.reduce((a, b) => Math.max(a, b)) : otherwise; }

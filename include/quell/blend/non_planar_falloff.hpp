@@ -30,10 +30,10 @@ template <class Inner> struct NonPlanarFalloff {
         auto const distance = detail::length(way);
         // Within two pixels the direction is that of rounding, not of the surface.
         auto const near = distance < px[depth] * (2.f * px.rays().pixel_size);
-        // For small angles off the plane, theta - pi / 2 is the sine.
+        // For small angles off the plane, theta - pi / 2 is the sine. It is no number where now or then nothing is seen.
         auto const sine = dot(way, plane.normal) / max(distance, Real(1e-20f));
         auto const g = exp(sine * sine * (-0.5f / (deviation * deviation)));
-        past.validity = past.validity * select(near, Real(1.f), select(is_finite(z), g, Real(0.f)));
+        past.validity = past.validity * select(near, Real(1.f), select(both(is_finite(z), is_finite(sine)), g, Real(0.f)));
         return inner.blend(px, past);
     }
 };

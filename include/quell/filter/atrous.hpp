@@ -2,26 +2,37 @@
 
 #include <quell/filter/edge_weights.hpp>
 
+#include <iterator>
+
 namespace quell {
 
-namespace detail {
-inline constexpr float b3_spline[3] = {0.375f, 0.25f, 0.0625f};
+/// The taps of a wavelet: the weights of one axis from the centre outwards. This one is 5x5 (Dammertz 2010).
+struct CubicSpline {
+    static constexpr float weights[] = {0.375f, 0.25f, 0.0625f};
+};
+/// 3x3: a third of the taps, and half the reach.
+struct LinearSpline {
+    static constexpr float weights[] = {0.5f, 0.25f};
+};
 
-/// What edge_weight wants to know of the spline's weights, by |column| and |row|.
-struct SplineBits {
-    float at[3][3];
+namespace detail {
+/// What edge_weight wants to know of a spline's weights, by |column| and |row|.
+template <class Spline> struct SplineBits {
+    static constexpr int radius = static_cast<int>(std::size(Spline::weights)) - 1;
+    float at[radius + 1][radius + 1];
     constexpr SplineBits() : at{} {
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) at[i][j] = static_cast<float>(std::bit_cast<std::int32_t>(b3_spline[i] * b3_spline[j]));
+        for (int i = 0; i <= radius; ++i)
+            for (int j = 0; j <= radius; ++j)
+                at[i][j] = static_cast<float>(std::bit_cast<std::int32_t>(Spline::weights[i] * Spline::weights[j]));
     }
 };
-inline constexpr SplineBits spline_bits;
+template <class Spline> inline constexpr SplineBits<Spline> spline_bits;
 
 /// Gives back the centre where arithmetic went wrong: a NaN in a guide, under flags that let the compiler assume there is none.
 template <class V> QUELL_KERNEL V finite_or(V const& v, V const& centre) { return select(all_finite(v), v, centre); }
 
 /// One level of the edge-avoiding wavelet. With `guided` it filters the variance along, by squared weights.
-template <class Edge, bool guided> struct AtrousLevel {
+template <class Edge, bool guided, class Spline = CubicSpline> struct AtrousLevel {
     static constexpr auto name = guided ? "variance-guided a-trous" : "a-trous";
     using reads = std::conditional_t<guided, decltype(reads_of<Edge>{} | Channels<Variance>{}), reads_of<Edge>>;
     using emits = std::conditional_t<guided, Channels<Variance>, Channels<>>;
@@ -33,16 +44,17 @@ template <class Edge, bool guided> struct AtrousLevel {
         using Px = decltype(px);
         using Real = typename Px::Real;
         auto const around = edge.around(px);
-        auto sum = scale(px.signal(), Real(b3_spline[0] * b3_spline[0]));
-        Real weights(b3_spline[0] * b3_spline[0]), noise(0.f);
+        constexpr float centre = Spline::weights[0] * Spline::weights[0];
+        auto sum = scale(px.signal(), Real(centre));
+        Real weights(centre), noise(0.f);
         if constexpr (guided) noise = px[variance] * (weights * weights);
         auto const add = [&](auto const& near, auto w) __attribute__((always_inline)) {
             sum = add_scaled(sum, near.signal(), w);
             weights = weights + w;
             if constexpr (guided) noise = fma(near[variance], w * w, noise);
         };
-        for_each_edge_tap<true>(
-            px, step, around, [](int i, int j) __attribute__((always_inline)) { return spline_bits.at[i][j]; }, add);
+        for_each_edge_tap<true, SplineBits<Spline>::radius>(
+            px, step, around, [](int i, int j) __attribute__((always_inline)) { return spline_bits<Spline>.at[i][j]; }, add);
         auto const inverse = 1.f / weights;
         auto const result = Result{finite_or(scale(sum, inverse), px.signal())};
         if constexpr (guided)
@@ -56,13 +68,14 @@ template <class Edge, bool guided> struct AtrousLevel {
 /// The edge-avoiding a-trous wavelet: `levels` passes of a 5x5 B3 spline whose taps stand 1, 2, 4, ... pixels apart (Dammertz 2010).
 ///     Atrous<>{.levels = 4}    or    Atrous{Product{NormalEdge{}, LuminanceEdge{}}, 4}
 /// @tparam Edge an EdgeWeight
-template <class Edge = Product<DepthEdge, NormalEdge>> struct Atrous {
+/// @tparam Spline CubicSpline, or LinearSpline for 3x3
+template <class Edge = Product<DepthEdge, NormalEdge>, class Spline = CubicSpline> struct Atrous {
     static_assert(EdgeWeight<Edge>, "Atrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
     using reads = reads_of<Edge>;
     Edge edge{};
     int levels = 5;
 
-    using Level = detail::AtrousLevel<Edge, false>;
+    using Level = detail::AtrousLevel<Edge, false, Spline>;
     constexpr void for_each_pass(auto&& pass) const {
         for (int i = 0; i < levels; ++i) pass(Level{edge, 1 << i});
     }

@@ -84,10 +84,10 @@ template <class Real> QUELL_KERNEL Real edge_weight(Real distance, float bits_of
 }
 
 namespace detail {
-/// Calls add(near, w) for the 24 neighbours in a 5x5 whose taps stand `step` pixels apart. w is the tap's edge weight times the weight
-/// whose bits (weight_bits) are bits_of(|column|, |row|).
+/// Calls add(near, w) for the neighbours in a (2 radius + 1)^2 whose taps stand `step` pixels apart. w is the tap's edge weight times the
+/// weight whose bits (weight_bits) are bits_of(|column|, |row|).
 /// @tparam skips_missing missing samples, where they are still marked, weigh nothing
-template <bool skips_missing, class Px, class Around, class Bits, class Add>
+template <bool skips_missing, int radius = 2, class Px, class Around, class Bits, class Add>
 QUELL_KERNEL void for_each_edge_tap(Px const& px, int step, Around const& around, Bits&& bits_of, Add&& add) {
     auto const usable = [](auto const& near, auto start) __attribute__((always_inline)) {
         if constexpr (skips_missing && Px::Scope::marks_missing)
@@ -96,7 +96,7 @@ QUELL_KERNEL void for_each_edge_tap(Px const& px, int step, Around const& around
             return start;
     };
     // Both distances come first, so that two chains of dependent operations are under way at a time.
-    for_each_opposite_taps<2>(
+    for_each_opposite_taps<radius>(
         px, step, edge_offset(around),
         [&](auto const& near, auto start, float row, auto const& opposite, auto its_start, float its_row, int dx, int dy, int i, int j)
             __attribute__((always_inline)) {

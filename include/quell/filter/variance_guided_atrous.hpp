@@ -60,10 +60,11 @@ private:
 /// a-trous wavelet that tells noise from edges by it. The first level's output is what history remembers. Wants a Temporal{motion,
 /// WithMoments{...}} before it, of a policy that keeps the history's length.
 /// @tparam Edge an EdgeWeight for geometry; the weight for luminance is built in
-template <class Edge = Product<DepthEdge, NormalEdge>> struct VarianceGuidedAtrous {
+/// @tparam Spline CubicSpline, or LinearSpline for 3x3
+template <class Edge = Product<DepthEdge, NormalEdge>, class Spline = CubicSpline> struct VarianceGuidedAtrous {
     static_assert(EdgeWeight<Edge>, "VarianceGuidedAtrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
     using Guided = Product<Edge, VarianceGuidedEdge>;
-    using Level = detail::AtrousLevel<Guided, true>;
+    using Level = detail::AtrousLevel<Guided, true, Spline>;
     using reads = reads_of<detail::VarianceEstimate<Edge>, Level>;
     using emits = Channels<Variance>;
     Edge edge{};

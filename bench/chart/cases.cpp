@@ -1,0 +1,72 @@
+#include "cases.hpp"
+
+#include <quell/core/error.hpp>
+#include <tracer/scenes/scenes.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace quell::bench {
+namespace {
+
+using Effects = std::vector<std::string>;
+
+/// What each built-in scene was made for (SCENES.md).
+std::map<std::string, Effects> const& made_for() {
+    static std::map<std::string, Effects> const effects{
+        {"room", {"composite", "shadow", "glossy", "indirect"}},
+        {"fence", {"shadow"}},
+        {"fence-lights", {"shadow"}},
+        {"apples", {"shadow"}},
+        {"pinkroom", {"shadow"}},
+        {"temple", {"glossy"}},
+        {"restaurant", {"glossy"}},
+        {"boxes", {"indirect"}},
+        {"disk", {"indirect"}},
+        {"spheres", {"blur"}},
+        {"colonnade", {"blur"}},
+        {"colonnade-slow", {"blur"}},
+        {"propeller", {"blur"}},
+        {"roll", {"blur"}},
+        {"mixed", {"blur"}},
+        {"flyby", {"blur"}},
+        {"leaves", {"shadow"}},
+        {"thinshadows", {"shadow"}},
+    };
+    return effects;
+}
+
+void check_known(std::string const& effect) {
+    if (std::ranges::find(effect_names(), effect) != effect_names().end()) return;
+    std::string names;
+    for (auto const& name : effect_names()) names += (names.empty() ? "" : ", ") + name;
+    throw Error("--effect", "there is no effect '" + effect + "'", "choose from: " + names);
+}
+
+} // namespace
+
+std::vector<std::string> const& effect_names() {
+    static Effects const names{"shadow", "glossy", "curved", "indirect", "blur", "composite"};
+    return names;
+}
+
+std::vector<std::string> effects_of(std::string const& scene) {
+    auto const found = made_for().find(scene);
+    return found != made_for().end() ? found->second : Effects{"composite"};
+}
+
+std::vector<Case> cases_of(std::vector<std::string> const& scenes, std::vector<std::string> const& effects) {
+    for (auto const& effect : effects) check_known(effect);
+    bool const all = std::ranges::find(scenes, "all") != scenes.end();
+    std::vector<Case> cases;
+    for (auto const& scene : all ? tracer::scene_names() : scenes) {
+        auto const its_own = effects_of(scene);
+        // Of all scenes, only those that have the effect; of a scene that was asked for, whatever was asked for.
+        for (auto const& effect : effects.empty() ? its_own : effects)
+            if (!all || std::ranges::find(its_own, effect) != its_own.end()) cases.push_back({scene, effect});
+    }
+    if (cases.empty()) throw Error("--effect", "no built-in scene was made for it", "name a scene with --scene");
+    return cases;
+}
+
+} // namespace quell::bench

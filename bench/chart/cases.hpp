@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace quell::bench {
+
+/// An effect on a scene.
+struct Case {
+    std::string scene, effect;
+};
+
+/// shadow, glossy, curved (glossy in curved reflectors), indirect, blur and composite (all effects at once).
+[[nodiscard]] std::vector<std::string> const& effect_names();
+
+/// What is worth charting on a scene. One that isn't built in is charted as a whole.
+[[nodiscard]] std::vector<std::string> effects_of(std::string const& scene);
+
+/// These effects on these scenes; without effects, those that the scenes have.
+/// @param scenes built-in names, files, or `all` for every built-in scene
+/// @throws Error for an effect that there isn't
+[[nodiscard]] std::vector<Case> cases_of(std::vector<std::string> const& scenes, std::vector<std::string> const& effects);
+
+} // namespace quell::bench

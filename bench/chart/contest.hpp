@@ -1,0 +1,74 @@
+#pragma once
+
+#include "method.hpp"
+
+#include <tracer/frame_sink.hpp>
+#include <tracer/render.hpp>
+
+#include <tuple>
+
+namespace quell::bench {
+
+/// Methods, and how the frames are rendered that they get.
+template <class... Nameds> struct Feed {
+    using reads = reads_of<typename Nameds::Whole...>;
+    tracer::RenderSettings rendered; ///< but for the frame's number
+    std::tuple<Nameds...> methods;
+    bool scored_frames_only = false; ///< for what has no history and whose time doesn't matter
+};
+template <class... Nameds> Feed(tracer::RenderSettings, std::tuple<Nameds...>, bool = false) -> Feed<Nameds...>;
+
+/// A feed's methods at work, and how they do.
+template <class FrameT> class Contest {
+public:
+    tracer::RenderSettings rendered;
+    bool scored_frames_only;
+
+    template <class... Nameds>
+    Contest(ChartOptions const& options, Feed<Nameds...> const& feed)
+        : rendered(feed.rendered), scored_frames_only(feed.scored_frames_only) {
+        std::apply([&](auto const&... named) { (add(named, options), ...); }, feed.methods);
+    }
+
+    void render(tracer::PreparedScene& scene, int number, FrameT& frame) const {
+        auto settings = rendered;
+        settings.frame = number;
+        tracer::FrameSink<FrameT> sink{frame};
+        tracer::render<typename FrameT::channels>(scene, settings, sink);
+        frame.camera = scene.description().camera_at(static_cast<float>(number), frame.size);
+        frame.number = number;
+    }
+
+    /// Lets the methods denoise a frame, one after the other; without a judge nobody looks at the pictures.
+    void run(FrameT const& frame, Judge const* judge) {
+        std::vector<metrics::Picture> pictures;
+        for (auto const& method : methods) {
+            auto picture = method->run(frame);
+            if (judge) pictures.push_back(std::move(picture));
+        }
+        if (judge) judge->measure(static_cast<int>(*frame.number), entries, pictures);
+    }
+
+    void put_rows(Judge const& judge, std::vector<Row>& rows) const {
+        for (std::size_t m = 0; m < methods.size(); ++m)
+            rows.push_back(judge.row_of(entries[m], methods[m]->ms_per_frame(), methods[m]->bytes_per_pixel()));
+    }
+
+private:
+    std::vector<std::unique_ptr<Method<FrameT>>> methods;
+    std::vector<Entry> entries;
+
+    /// A named pipeline and, in a sweep, its variants.
+    template <class P, class Storage> void add(Named<P, Storage> const& named, ChartOptions const& options) {
+        using Made = MethodOf<FrameT, typename Named<P, Storage>::Whole, Storage>;
+        auto const make = [&](std::optional<Variant> const& variant, P const& pipeline) {
+            methods.push_back(std::make_unique<Made>(whole(pipeline), options));
+            entries.push_back({variant ? name_of(*variant) : named.name, named.competes, variant});
+        };
+        if (!named.variant || options.sweep) make(named.variant, named.pipeline);
+        if (options.sweep)
+            for (auto const& changed : named.variants) make(changed.variant, changed.pipeline);
+    }
+};
+
+} // namespace quell::bench

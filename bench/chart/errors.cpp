@@ -1,0 +1,29 @@
+#include "errors.hpp"
+
+#include <quell/metrics/flip.hpp>
+#include <quell/metrics/rmse.hpp>
+#include <quell/metrics/ssim.hpp>
+
+#include <algorithm>
+
+namespace quell::bench {
+
+void Errors::add(Wanted const& wanted, metrics::Picture const& shown) {
+    auto const difference = metrics::flip(wanted.displayed, shown);
+    rmse += metrics::rmse(wanted.displayed, shown), ssim += metrics::ssim(wanted.displayed, shown);
+    flip += difference.mean(), flip_median += difference.weighted_median(), ++frames;
+    if (std::ranges::any_of(wanted.mask, [](auto m) { return m != 0; })) {
+        mask_rmse += metrics::rmse(wanted.displayed, shown, wanted.mask), mask_ssim += metrics::ssim(wanted.displayed, shown, wanted.mask);
+        mask_flip += difference.mean(wanted.mask), ++masked_frames;
+    }
+    if (wanted.frame >= 31 && wanted.frame <= 34) flicker.add(wanted.displayed, shown);
+}
+
+void Errors::put(Row& row) const {
+    if (frames > 0) row.rmse = rmse / frames, row.ssim = ssim / frames, row.flip = flip / frames, row.flip_median = flip_median / frames;
+    if (masked_frames > 0)
+        row.mask_rmse = mask_rmse / masked_frames, row.mask_ssim = mask_ssim / masked_frames, row.mask_flip = mask_flip / masked_frames;
+    if (flicker.frames > 1) row.flicker = flicker.mean();
+}
+
+} // namespace quell::bench

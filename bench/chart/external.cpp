@@ -1,0 +1,129 @@
+#include "external.hpp"
+
+#include <quell/io/exr.hpp>
+#include <support/frame_pattern.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <sys/wait.h>
+#include <system_error>
+
+namespace quell::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using examples::FramePattern;
+
+fs::path fresh_folder() {
+    // mkdtemp makes six letters X at the end into a name that nobody has.
+    std::string name = (fs::temp_directory_path() / ("quell_chart_" + std::string(6, 'X'))).string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::system_error(errno, std::generic_category(), name);
+    return name;
+}
+
+FramePattern pattern_in(fs::path const& folder) { return FramePattern((folder / "frame.%04d.exr").string()); }
+
+std::string quoted(std::string const& text) {
+    auto const plain = [](unsigned char c) {
+        return std::isalnum(c) != 0 || std::string_view("%+,-./:@_").find(static_cast<char>(c)) != std::string_view::npos;
+    };
+    if (std::ranges::all_of(text, plain)) return text;
+    std::string result = "'";
+    for (char const c : text) result += c == '\'' ? "'\\''" : std::string(1, c);
+    return result + "'";
+}
+
+void replace_all(std::string& text, std::string const& what, std::string const& by) {
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) text.replace(at, what.size(), by);
+}
+
+std::string last_line_of(fs::path const& file) {
+    std::ifstream in(file);
+    std::string last;
+    for (std::string line; std::getline(in, line);)
+        if (!line.empty()) last = line;
+    return last;
+}
+
+std::string how_it_ended(int status) {
+    if (WIFEXITED(status)) return "it ended with " + std::to_string(WEXITSTATUS(status));
+    return "it ended by signal " + std::to_string(WTERMSIG(status));
+}
+
+std::string subject_of(External const& external) { return "--external '" + external.name + "'"; }
+
+io::ExrImage image_in(fs::path const& file, External const& external) {
+    static std::array<std::string, 3> const names{"R", "G", "B"};
+    if (!fs::exists(file))
+        throw Error(subject_of(external), "it wrote no " + file.filename().string(), "let it write a file for each frame, to {out}");
+    try {
+        return io::ExrFile(file).read(names);
+    } catch (Error const& error) {
+        throw Error(subject_of(external), "its " + file.filename().string() + " can't be read: " + error.found, "let it write R, G and B");
+    }
+}
+
+metrics::Picture picture_in(fs::path const& file, External const& external, Extent size) {
+    auto const image = image_in(file, external);
+    if (!(image.size == size))
+        throw Error(subject_of(external), "it wrote " + to_string(image.size) + " for frames of " + to_string(size),
+                    "let it keep their size");
+    metrics::Picture picture{size, std::vector<glm::vec3>(image.pixels())};
+    int c = 0;
+    for (char const* const name : {"R", "G", "B"}) {
+        auto const component = io::component_of(image, {{name}});
+        for (std::size_t i = 0; i < component.size(); ++i) picture.pixels[i][c] = component[i];
+        ++c;
+    }
+    return picture;
+}
+
+} // namespace
+
+std::string filled_in(std::string command, std::string const& in, std::string const& out) {
+    replace_all(command, "{in}", quoted(in));
+    replace_all(command, "{out}", quoted(out));
+    return command;
+}
+
+ExternalRuns::~ExternalRuns() {
+    std::error_code ignored; // a destructor has nobody to tell
+    if (!folder.empty()) fs::remove_all(folder, ignored);
+}
+
+void ExternalRuns::write(int frame, io::ExrImage const& image) {
+    if (folder.empty()) folder = fresh_folder();
+    io::write_exr(pattern_in(folder).path(frame), image);
+    ++frames;
+}
+
+double ExternalRuns::seconds_of(External const& external, fs::path const& out) const {
+    auto const command = filled_in(external.command, pattern_in(folder).text(), pattern_in(out).text());
+    auto const log = out / "log";
+    auto const begin = std::chrono::steady_clock::now();
+    int const status = std::system(("(" + command + "\n) > " + quoted(log.string()) + " 2>&1 < /dev/null").c_str());
+    std::chrono::duration<double> const taken = std::chrono::steady_clock::now() - begin;
+    if (status == 0) return taken.count();
+    auto const said = last_line_of(log);
+    throw Error(subject_of(external), how_it_ended(status) + (said.empty() ? "" : " and said '" + said + "'"),
+                "try it on frames of quell-trace first: " + external.command);
+}
+
+Row ExternalRuns::run(External const& external, Judge const& judge) {
+    auto const out = folder / external.name;
+    fs::create_directory(out);
+    double const seconds = seconds_of(external, out);
+    Entry entry{external.name};
+    for (int const frame : judge.frames()) {
+        auto const picture = picture_in(pattern_in(out).path(frame), external, judge.size());
+        judge.measure(frame, std::span(&entry, 1), std::span(&picture, 1));
+    }
+    fs::remove_all(out);
+    return judge.row_of(entry, 1e3 * seconds / frames, Row::unknown);
+}
+
+} // namespace quell::bench

@@ -1,0 +1,107 @@
+#include "options.hpp"
+
+#include <quell/core/error.hpp>
+#include <support/program.hpp>
+#include <tracer/scenes/scenes.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+#include <thread>
+
+namespace quell::bench {
+namespace {
+
+/// What the command line has in words.
+struct Words {
+    std::vector<std::string> scenes{"all"}, effects, externals;
+    std::string size;
+};
+
+void describe(CLI::App& app, ChartOptions& o, Words& words) {
+    words.size = to_string(o.size);
+    app.add_option("--scene", words.scenes,
+                   "built-in scene or file.gltf, file.glb; repeatable; 'all' for every built-in one (default: all)");
+    app.add_option("--effect", words.effects,
+                   "shadow, glossy, curved, indirect, blur or composite; repeatable (default: what the scene was made for)")
+        ->delimiter(',');
+    app.add_option("--out", o.out, "folder for chart.csv, chart.svg, index.html and pictures")->capture_default_str();
+    app.add_option("--size", words.size, "width x height in pixels")->capture_default_str();
+    app.add_option("--frames", o.frames, "number of frames; 24, 28, 31 to 34, 36 and 40 are scored")
+        ->check(CLI::Range(ChartOptions::first_scored + 1, 100000))
+        ->capture_default_str();
+    app.add_option("--threads", o.threads, "threads; 0: all")->check(CLI::Range(0, 1024))->capture_default_str();
+    app.add_option("--seed", o.seed, "of the noise")->capture_default_str();
+    app.add_option("--tolerance", o.tolerance,
+                   "of the references: mean FLIP between two independent halves (default: 0.01, and 0.005 for blur)")
+        ->check(CLI::Range(0.0001, 1.0));
+    app.add_flag("--few", o.few, "score frames 24, 32 and 40 only");
+    app.add_flag("--sweep", o.sweep, "chart variants of the presets too, one parameter changed at a time");
+    app.add_option("--external", words.externals,
+                   "'name=command {in} {out}': chart a program too; it gets patterns such as dir/frame.%04d.exr in place of {in} and "
+                   "{out}; repeatable");
+    app.add_flag("--quiet", o.quiet, "print nothing but errors");
+    app.add_flag("--list", o.list, "print the built-in scenes, one a line");
+}
+
+Extent size_in(std::string const& text) {
+    Extent size;
+    char behind = 0;
+    bool const two = std::sscanf(text.c_str(), "%5dx%5d%c", &size.width, &size.height, &behind) == 2;
+    if (!two || size.width < 1 || size.height < 1)
+        throw Error("--size", "'" + text + "'", "give width and height in pixels, as in 480x270");
+    return size;
+}
+
+External external_in(std::string const& text) {
+    auto const equals = text.find('=');
+    bool const whole =
+        equals != std::string::npos && equals > 0 && text.find("{in}") != std::string::npos && text.find("{out}") != std::string::npos;
+    if (!whole) throw Error("--external", "'" + text + "'", "write name=command with {in} and {out} in the command");
+    External external{text.substr(0, equals), text.substr(equals + 1)};
+    auto const plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.'; };
+    if (!std::ranges::all_of(external.name, plain))
+        throw Error("--external", "the name '" + external.name + "'", "use letters, digits, '-', '_' and '.' only");
+    return external;
+}
+
+void check_names_differ(std::vector<External> const& externals) {
+    std::set<std::string> names;
+    for (auto const& external : externals)
+        if (!names.insert(external.name).second)
+            throw Error("--external", "two are called '" + external.name + "'", "give each a name of its own");
+}
+
+} // namespace
+
+std::vector<int> ChartOptions::scored_frames() const {
+    std::vector<int> numbers = few ? std::vector{24, 32, 40} : std::vector{24, 28, 31, 32, 33, 34, 36, 40};
+    std::erase_if(numbers, [&](int number) { return number >= frames; });
+    return numbers;
+}
+
+bool ChartOptions::scores(int frame) const {
+    auto const numbers = scored_frames();
+    return std::ranges::find(numbers, frame) != numbers.end();
+}
+
+int ChartOptions::pictured_frame() const { return frames > pictured ? pictured : first_scored; }
+
+ChartOptions chart_options(int argc, char const* const* argv) {
+    ChartOptions options;
+    Words words;
+    CLI::App app("Speed against accuracy: every method on every scene that has its effect.", "quell-chart");
+    describe(app, options, words);
+    options.wants_help = !examples::parse(app, argc, argv);
+    if (options.wants_help) return options;
+    options.size = size_in(words.size);
+    options.cases = cases_of(words.scenes, words.effects);
+    for (auto const& text : words.externals) options.externals.push_back(external_in(text));
+    check_names_differ(options.externals);
+    if (options.threads == 0) options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    return options;
+}
+
+} // namespace quell::bench

@@ -1,0 +1,70 @@
+#include "row.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+namespace quell::bench {
+namespace {
+
+std::string cell(double value, int digits) {
+    if (std::isnan(value)) return "";
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*f", digits, value);
+    return text;
+}
+
+bool beats(Row const& other, Row const& row) { return other.competes && other.ms_per_frame < row.ms_per_frame && other.rmse < row.rmse; }
+
+} // namespace
+
+void mark_pareto_front(std::vector<Row>& rows) {
+    for (auto& row : rows) row.pareto = row.competes && std::ranges::none_of(rows, [&](Row const& other) { return beats(other, row); });
+}
+
+std::string csv_header() {
+    std::string header = "scene,effect,method,width,height,frames,threads,ms_per_frame";
+    for (auto const& measure : measures) header += std::string(",") + measure.name;
+    return header + ",pareto";
+}
+
+std::string csv_line(Row const& row) {
+    std::string line = row.scene + "," + row.effect + "," + row.method;
+    for (int whole : {row.size.width, row.size.height, row.frames, row.threads}) line += "," + std::to_string(whole);
+    line += "," + cell(row.ms_per_frame, 3);
+    for (auto const& measure : measures) line += "," + cell(row.*measure.value, measure.value == &Row::bytes_per_pixel ? 1 : 6);
+    return line + (row.pareto ? ",1" : ",0");
+}
+
+std::vector<std::vector<Row>> by_case(std::vector<Row> const& rows) {
+    std::vector<std::vector<Row>> cases;
+    for (auto const& row : rows) {
+        auto const same = [&](auto const& one) { return one.front().scene == row.scene && one.front().effect == row.effect; };
+        auto const found = std::ranges::find_if(cases, same);
+        if (found != cases.end())
+            found->push_back(row);
+        else
+            cases.push_back({row});
+    }
+    return cases;
+}
+
+std::vector<Curve> curves_of(std::vector<Row> const& rows) {
+    std::map<std::pair<std::string, std::string>, std::map<double, Row>> found;
+    for (auto const& row : rows) {
+        if (!row.variant) continue;
+        auto& points = found[{row.variant->preset, row.variant->parameter}];
+        points.emplace(row.variant->value, row);
+        auto const preset = std::ranges::find(rows, row.variant->preset, &Row::method);
+        if (preset != rows.end()) points.emplace(row.variant->preset_value, *preset);
+    }
+    std::vector<Curve> curves;
+    for (auto const& [name, points] : found) {
+        auto& curve = curves.emplace_back(Curve{name.first, name.second, {}});
+        for (auto const& [value, row] : points) curve.points.push_back(row);
+    }
+    return curves;
+}
+
+} // namespace quell::bench

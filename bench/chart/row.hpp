@@ -1,0 +1,74 @@
+#pragma once
+
+#include <quell/image/extent.hpp>
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace quell::bench {
+
+/// That a method is another with one number changed. All such of one preset and parameter, and the preset itself, are points on a curve.
+struct Variant {
+    std::string preset, parameter;
+    double value = 0, preset_value = 0;
+};
+
+/// One method on one scene and effect: a row of chart.csv (SCENES.md), and what else is shown of it. NaN stands for what isn't known.
+struct Row {
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+    std::string scene, effect, method;
+    Extent size;
+    int frames = 0, threads = 0;
+    double ms_per_frame = unknown;
+    double rmse = unknown, ssim = unknown, flip = unknown, flip_median = unknown;
+    double mask_rmse = unknown, mask_ssim = unknown, mask_flip = unknown;
+    double flicker = unknown, bytes_per_pixel = unknown;
+    bool pareto = false;
+
+    bool competes = true; ///< false for inputs of more samples: what these cost to render isn't counted
+    std::optional<Variant> variant{};
+    std::string picture{}, reference{}; ///< PNG files, from the chart's folder; empty for none
+};
+
+/// A number that a chart can show.
+struct Measure {
+    char const* name; ///< its column
+    double Row::*value;
+    char const* description;
+    bool higher_is_better = false;
+};
+inline constexpr std::array measures{
+    Measure{"rmse", &Row::rmse, "root mean square error, displayed"},
+    Measure{"ssim", &Row::ssim, "structural similarity, displayed", true},
+    Measure{"flip", &Row::flip, "FLIP, mean over the image"},
+    Measure{"flip_median", &Row::flip_median, "FLIP, weighted median"},
+    Measure{"mask_rmse", &Row::mask_rmse, "root mean square error where the effect is"},
+    Measure{"mask_ssim", &Row::mask_ssim, "structural similarity where the effect is", true},
+    Measure{"mask_flip", &Row::mask_flip, "FLIP where the effect is"},
+    Measure{"flicker", &Row::flicker, "deviation of the error over frames 31 to 34"},
+    Measure{"bytes_per_pixel", &Row::bytes_per_pixel, "bytes per pixel of history and scratch"},
+};
+
+/// Marks the rows of one scene and effect that no other is both faster and more accurate (in RMSE) than.
+void mark_pareto_front(std::vector<Row>& rows);
+
+/// The header of chart.csv, and a row of it, without line ends. What isn't known is an empty cell.
+[[nodiscard]] std::string csv_header();
+[[nodiscard]] std::string csv_line(Row const& row);
+
+/// The parts of a list that agree in scene and effect, in the list's order.
+[[nodiscard]] std::vector<std::vector<Row>> by_case(std::vector<Row> const& rows);
+
+/// The points of a parameter's curve, by ascending value.
+struct Curve {
+    std::string preset, parameter;
+    std::vector<Row> points;
+};
+/// All curves among the rows of one scene and effect.
+[[nodiscard]] std::vector<Curve> curves_of(std::vector<Row> const& rows);
+
+} // namespace quell::bench

@@ -1,0 +1,115 @@
+#include "chart/external.hpp"
+#include "chart/plot.hpp"
+#include "made_up_rows.hpp"
+
+#include <quell/core/error.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace quell::bench;
+
+namespace {
+
+Row point(std::string method, double ms, double rmse, bool competes = true) {
+    Row row{.scene = "s", .effect = "e", .method = std::move(method), .size = {2, 1}};
+    row.ms_per_frame = ms, row.rmse = rmse, row.competes = competes;
+    return row;
+}
+
+std::string front(std::vector<Row> rows) {
+    mark_pareto_front(rows);
+    std::string names;
+    for (auto const& row : rows)
+        if (row.pareto) names += row.method;
+    return names;
+}
+
+ChartOptions options_of(std::vector<char const*> words) {
+    words.insert(words.begin(), "quell-chart");
+    return chart_options(static_cast<int>(words.size()), words.data());
+}
+
+} // namespace
+
+TEST_CASE("on the front is what nothing else is both faster and more accurate than") {
+    CHECK(front({point("a", 1, 0.9), point("b", 2, 0.5), point("c", 3, 0.6), point("d", 4, 0.1)}) == "abd");
+    CHECK(front({point("a", 1, 0.5), point("b", 1, 0.6)}) == "ab"); // as fast is not faster
+    CHECK(front({point("a", 1, 0.5), point("b", 2, 0.5)}) == "ab"); // as accurate is not more accurate
+    CHECK(front({point("a", 2, 0.5), point("b", 1, 0.4)}) == "b");
+    CHECK(front({point("a", 2, 0.5), point("input", 1, 0.1, false)}) == "a"); // more samples don't compete
+    CHECK(front({}).empty());
+}
+
+TEST_CASE("a row has the columns of SCENES.md, and nothing where nothing is known") {
+    CHECK(csv_header() == "scene,effect,method,width,height,frames,threads,ms_per_frame,rmse,ssim,flip,flip_median,mask_rmse,mask_ssim,"
+                          "mask_flip,flicker,bytes_per_pixel,pareto");
+    auto row = point("svgf", 12.3456, 0.0123456789);
+    row.frames = 41, row.threads = 2, row.pareto = true, row.bytes_per_pixel = 68.55;
+    CHECK(csv_line(row) == "s,e,svgf,2,1,41,2,12.346,0.012346,,,,,,,,68.5,1");
+}
+
+TEST_CASE("a curve goes through a preset and its variants by their values") {
+    auto rows = made_up_rows();
+    auto const curves = curves_of(by_case(rows).front());
+    REQUIRE(curves.size() == 1);
+    CHECK(curves[0].preset == "svgf");
+    CHECK(curves[0].parameter == "levels");
+    std::string methods;
+    for (auto const& one : curves[0].points) methods += one.method + " ";
+    CHECK(methods == "svgf/levels=1 svgf/levels=3 svgf svgf/levels=6 ");
+}
+
+TEST_CASE("gnuplot draws whatever rows there are") {
+    auto rows = made_up_rows();
+    rows[0].scene = "it's \"quoted\" \\ $x";
+    quell::tests::Folder const folder;
+    SUBCASE("many") {}
+    SUBCASE("none") { rows.clear(); }
+    SUBCASE("one of which nothing is known") { rows = {point("unknown", Row::unknown, Row::unknown)}; }
+    write_plot(rows, folder.path);
+    auto const svg = quell::tests::bytes_of(folder / "chart.svg");
+    CHECK(svg.find("</svg>") != std::string::npos);
+    CHECK((svg.find("svgf") != std::string::npos) == (rows.size() > 1));
+}
+
+TEST_CASE("cases are the effects that the scenes were made for, or those that were asked for") {
+    auto const named = [](std::vector<std::string> const& scenes, std::vector<std::string> const& effects) {
+        std::string text;
+        for (auto const& what : cases_of(scenes, effects)) text += what.scene + ":" + what.effect + " ";
+        return text;
+    };
+    CHECK(named({"fence", "temple"}, {}) == "fence:shadow temple:glossy ");
+    CHECK(named({"fence"}, {"composite"}) == "fence:composite ");
+    CHECK(named({"all"}, {"indirect"}).find("boxes:indirect disk:indirect ") != std::string::npos);
+    CHECK(named({"all"}, {"indirect"}).find("fence") == std::string::npos);
+    CHECK(named({"some/file.glb"}, {}) == "some/file.glb:composite ");
+    CHECK_THROWS_AS(static_cast<void>(cases_of({"fence"}, {"shine"})), quell::Error);
+}
+
+TEST_CASE("the command line is refused where it can't be used") {
+    CHECK(options_of({"--scene", "fence", "--threads", "3"}).threads == 3);
+    CHECK(options_of({"--scene", "fence"}).threads >= 1);
+    CHECK(options_of({"--scene", "fence"}).scored_frames() == std::vector{24, 28, 31, 32, 33, 34, 36, 40});
+    CHECK(options_of({"--scene", "fence", "--frames", "33"}).scored_frames() == std::vector{24, 28, 31, 32});
+    CHECK(options_of({"--scene", "fence", "--scene", "temple", "--few"}).cases.size() == 2);
+    for (auto const& words : std::vector<std::vector<char const*>>{{"--size", "12"},
+                                                                   {"--size", "0x9"},
+                                                                   {"--frames", "24"},
+                                                                   {"--effect", "shine"},
+                                                                   {"--external", "name"},
+                                                                   {"--external", "=x {in} {out}"},
+                                                                   {"--external", "a=x {in}"},
+                                                                   {"--external", "a/b=x {in} {out}"},
+                                                                   {"--external", "a=x {in} {out}", "--external", "a=y {in} {out}"}})
+        CHECK_THROWS_AS(options_of(words), quell::Error);
+}
+
+TEST_CASE("paths take their places in a command, quoted where the shell would take them apart") {
+    CHECK(filled_in("run {in} -o {out} {in}", "/tmp/a.%04d.exr", "/tmp/b.%04d.exr") ==
+          "run /tmp/a.%04d.exr -o /tmp/b.%04d.exr /tmp/a.%04d.exr");
+    CHECK(filled_in("run {in}", "/my files/it's.exr", "") == "run '/my files/it'\\''s.exr'");
+}

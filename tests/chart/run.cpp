@@ -1,0 +1,110 @@
+#include "small_chart.hpp"
+
+#include <quell/core/error.hpp>
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <sstream>
+
+using namespace quell::bench;
+using quell::tests::bytes_of;
+using quell::tests::Folder;
+
+namespace {
+
+using Cells = std::map<std::string, std::string>; ///< by column
+
+std::vector<std::string> split(std::string const& text, char at) {
+    std::vector<std::string> parts;
+    std::istringstream in(text + at);
+    for (std::string part; std::getline(in, part, at);) parts.push_back(part);
+    return parts;
+}
+
+/// The rows of chart.csv by method.
+std::map<std::string, Cells> chart_in(std::filesystem::path const& folder) {
+    auto lines = split(bytes_of(folder / "chart.csv"), '\n');
+    auto const columns = split(lines.at(0), ',');
+    std::map<std::string, Cells> rows;
+    for (std::size_t i = 1; i < lines.size() && !lines[i].empty(); ++i) {
+        auto const cells = split(lines[i], ',');
+        REQUIRE(cells.size() == columns.size());
+        Cells row;
+        for (std::size_t c = 0; c < cells.size(); ++c) row[columns[c]] = cells[c];
+        rows[cells.at(2)] = row;
+    }
+    return rows;
+}
+
+/// All but what depends on the clock.
+void forget_times(std::map<std::string, Cells>& rows) {
+    for (auto& [method, row] : rows) row.erase("ms_per_frame"), row.erase("pareto");
+}
+
+void check_refused(ChartOptions const& options, std::string const& part) {
+    try {
+        chart_small(options);
+        FAIL("nothing was thrown");
+    } catch (quell::Error const& error) {
+        INFO("message: ", error.what());
+        CHECK(std::string(error.what()).find(part) != std::string::npos);
+        CHECK(std::string(error.what()).find("--external 'other'") == 0);
+    }
+}
+
+} // namespace
+
+TEST_CASE("a run writes table, plot, page and pictures, and the next one has every error the same to the last digit") {
+    Folder const first, second;
+    chart_small(small_options(first.path));
+    auto by_one_thread = small_options(second.path);
+    by_one_thread.threads = 1;
+    chart_small(by_one_thread);
+    auto one = chart_in(first.path), other = chart_in(second.path);
+    CHECK(one.size() == 2);
+    for (auto const* column : {"rmse", "ssim", "flip", "flip_median", "mask_rmse", "mask_ssim", "mask_flip", "bytes_per_pixel"})
+        CHECK(std::stod(one["surface"][column]) > 0);
+    CHECK(one["surface"]["flicker"].empty()); // two scored frames, but one of 31 to 34
+    CHECK(std::stod(one["surface"]["ms_per_frame"]) > 0);
+    CHECK(one["none"]["threads"] == "2");
+    CHECK(other["none"]["threads"] == "1");
+    forget_times(one), forget_times(other);
+    for (auto& [method, row] : other) row["threads"] = "2";
+    CHECK(one == other);
+    for (auto const* file : {"chart.svg", "index.html", "pictures/fence-shadow/surface.png", "pictures/fence-shadow/reference.png"})
+        CHECK(std::filesystem::file_size(first / file) > 0);
+    CHECK(bytes_of(first / "pictures/fence-shadow/surface.png") == bytes_of(second / "pictures/fence-shadow/surface.png"));
+}
+
+TEST_CASE("a sweep adds the variants, without the one that is the preset itself; another seed is another noise") {
+    Folder const folder;
+    chart_small(small_options(folder.path, {"--sweep"}));
+    auto const swept = chart_in(folder.path);
+    chart_small(small_options(folder.path, {"--seed", "7"}));
+    auto const reseeded = chart_in(folder.path);
+    CHECK(swept.size() == 4);
+    CHECK(swept.count("surface/alpha=0.1") == 0);
+    // With nothing of the past, it is the input.
+    CHECK(swept.at("surface/alpha=1").at("rmse") == swept.at("none").at("rmse"));
+    CHECK(reseeded.at("none").at("rmse") != swept.at("none").at("rmse"));
+}
+
+TEST_CASE("another program's output is measured as a method's") {
+    Folder const folder;
+    // Frames go through as they are; R, G, B are the noisy share, in half precision.
+    chart_small(small_options(folder.path, {"--external", "copy=for f in $(dirname {in})/*.exr; do cp $f $(dirname {out}); done"}));
+    auto rows = chart_in(folder.path);
+    CHECK(std::stod(rows["copy"]["rmse"]) == doctest::Approx(std::stod(rows["none"]["rmse"])).epsilon(0.01));
+    CHECK(std::stod(rows["copy"]["ms_per_frame"]) > 0);
+    CHECK(rows["copy"]["bytes_per_pixel"].empty());
+}
+
+TEST_CASE("another program that fails is named with what it said last, and so is one that writes nothing") {
+    Folder const folder;
+    auto const run = [&](std::string const& command) { return small_options(folder.path, {"--external", "other=" + command}); };
+    check_refused(run("echo {in} {out}; echo no such filter >&2; exit 3"), "ended with 3 and said 'no such filter'");
+    check_refused(run("kill -9 $$ {in} {out}"), "signal 9");
+    check_refused(run("true {in} {out}"), "it wrote no frame.0024.exr");
+    check_refused(run("for f in {in}; do echo broken > $(dirname {out})/frame.0024.exr; done"), "frame.0024.exr");
+}

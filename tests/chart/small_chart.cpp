@@ -1,0 +1,16 @@
+#include "small_chart.hpp"
+
+#include "chart/chart_effect.hpp"
+
+#include <cstdlib>
+
+void quell::bench::chart_small(ChartOptions const& options) {
+    ::setenv("QUELL_CACHE", (options.out / "cache").c_str(), 1);
+    auto const alpha = [](auto& p) -> auto& { return std::get<0>(p.stages).blending.alpha; };
+    auto const surface = Named{"surface", presets::surface(visibility)}.vary("alpha", {0.1, 0.5, 1.}, alpha);
+    tracer::RenderSettings const rendered{.size = options.size, .seed = options.seed, .threads = options.threads};
+    Feed const feed{rendered, std::tuple(Named{"none", presets::none(visibility)}, surface)};
+    Results results(options);
+    for (auto const& what : options.cases)
+        chart_feeds(Job{options, what, [](std::string const&) {}, results}, visibility, {tracer::Effect::shadow}, feed);
+}
