@@ -35,6 +35,9 @@ template <class L> QUELL_KERNEL auto signal_of(L const& layer) {
 }
 template <class L> QUELL_KERNEL auto weight_of(L const& layer) { return component<components_of<L> - 1>(layer); }
 
+/// Whether something at a depth can't be seen here, since what is here stands still before it.
+template <class Real> QUELL_KERNEL auto hidden_behind(Real depth, Real here, float tolerance) { return depth > here * (1.f + tolerance); }
+
 /// A moving layer whose coverage is no more than all.
 template <class L> QUELL_KERNEL L covering(L const& moving) { return layer_of(signal_of(moving), min(weight_of(moving), real_of<L>(1.f))); }
 /// What moves over what stands still; where nothing is known of the latter, what moves alone, and where nothing is known at all,

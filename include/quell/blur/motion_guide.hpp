@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/blur/layers.hpp>
 #include <quell/blur/path.hpp>
 #include <quell/filter/filter_kernel.hpp>
 
@@ -43,9 +44,6 @@ template <class Sums, class Mask> QUELL_KERNEL void add_where(Mask counts, Sums&
 template <class Paths, class Px> QUELL_KERNEL auto still_depth(Px const& px) {
     return select(Paths::here(px).moves(), typename Px::Real(1e30f), px[depth]);
 }
-
-/// Whether something at a depth can't be seen here, since what is here stands still before it.
-template <class Real> QUELL_KERNEL auto hidden_behind(Real depth, Real here, float tolerance) { return depth > here * (1.f + tolerance); }
 
 template <class Paths> struct MotionRow {
     static constexpr auto name = "motion guide, rows";

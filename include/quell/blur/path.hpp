@@ -24,6 +24,10 @@ template <class Real> struct Path {
     }
     QUELL_KERNEL auto moves() const { return squared > Real(least * least); }
     QUELL_KERNEL Real length() const { return sqrt(squared); }
+    /// In pixels in the time that the shutter is open; a path that bends is not always as fast, nor in the same direction.
+    QUELL_KERNEL vec2<Real> speed_when_seen() const { return sweep; }
+    /// The path of something of a given speed that is seen at a given time.
+    QUELL_KERNEL static Path at_speed(vec2<Real> const& speed, Real time) { return of(speed, time); }
 
     /// How far from a point it passes, in pixels, and when (MB eq. 1). `offset` is the point minus the sample's pixel.
     struct Passing {
@@ -48,6 +52,14 @@ template <class Real> struct BentPath : Path<Real> {
         return {path,
                 {clamp(select(usable, bend.x, Real(0.f)), Real(-most), Real(most)),
                  clamp(select(usable, bend.y, Real(0.f)), Real(-most), Real(most))}};
+    }
+    QUELL_KERNEL vec2<Real> speed_when_seen() const {
+        auto const turned = fma(this->time, Real(-8.f), Real(4.f));
+        return {fma(bend.x, turned, this->sweep.x), fma(bend.y, turned, this->sweep.y)};
+    }
+    QUELL_KERNEL static BentPath at_speed(vec2<Real> const& speed, vec2<Real> const& bend, Real time) {
+        auto const turned = fma(time, Real(8.f), Real(-4.f));
+        return of(Path<Real>::of({fma(bend.x, turned, speed.x), fma(bend.y, turned, speed.y)}, time), bend);
     }
     /// By Newton's method from where the straight path passes.
     QUELL_KERNEL typename Path<Real>::Passing passing(vec2<Real> const& offset) const {

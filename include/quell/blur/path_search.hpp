@@ -10,6 +10,7 @@ namespace detail {
 template <class Real> struct PathFound {
     vec2<Real> where;
     Real validity;
+    decltype(Real(0.f) < Real(0.f)) still;
     vec2<Real> sweep;
     Real length, length_tolerance, turn_squared;
     QUELL_KERNEL auto accepts(auto const& then, Real, Real) const {
@@ -42,7 +43,7 @@ struct PathSearch {
         auto const moves = fma(v.x, v.x, v.y * v.y) > Real(0.01f);
         auto const length = sqrt(fma(own.x, own.x, own.y * own.y)), slack = Real(accept);
         auto const turn = max(slack, length * turned);
-        detail::PathFound<Real> found{{p.x - v.x, p.y - v.y}, Real(0.f), own, length, max(slack, length * longer), turn * turn};
+        detail::PathFound<Real> found{{p.x - v.x, p.y - v.y}, select(moves, Real(0.f), Real(1.f)), invert(moves), own, length, max(slack, length * longer), turn * turn};
         if (!any(moves)) return found;
         Real const right(static_cast<float>(px.size().width)), bottom(static_cast<float>(px.size().height));
         auto searching = moves;
@@ -50,7 +51,11 @@ struct PathSearch {
             PastPlace<Real> const place(clamp(floor(found.where.x), Real(0.f), right - 1.f),
                                         clamp(floor(found.where.y), Real(0.f), bottom - 1.f));
             auto const there = scale(px.past(place)[mean_sweep], Real(1.f / shutter));
-            auto const x = fma(v.x + there.x, Real(-0.5f), p.x - found.where.x), y = fma(v.y + there.y, Real(-0.5f), p.y - found.where.y);
+            // On an arc the way back is a little longer than the mean of the speeds at its ends: by a twelfth of the turn, squared.
+            auto const turn_x = v.x - there.x, turn_y = v.y - there.y;
+            auto const turned_by = fma(turn_x, turn_x, turn_y * turn_y) / max(fma(v.x, v.x, v.y * v.y), Real(1e-6f));
+            auto const half = fma(min(turned_by, Real(1.f)), Real(-0.5f / 12.f), Real(-0.5f));
+            auto const x = fma(v.x + there.x, half, p.x - found.where.x), y = fma(v.y + there.y, half, p.y - found.where.y);
             auto const squared = fma(x, x, y * y);
             found.validity = select(both(searching, squared < Real(accept * accept)), Real(1.f), found.validity);
             searching = both(searching, squared < Real(give_up * give_up));
