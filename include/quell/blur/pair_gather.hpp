@@ -14,78 +14,90 @@ template <ChannelTag Signal> struct BackLayer : Channel<Signal::components + 1> 
 };
 
 namespace detail {
-/// Sums of samples by when they pass: the mean of the means of equal parts of the open shutter has much less noise than the mean of all,
-/// since times are random and crowd.
-/// @tparam V what is summed; its last component is the weight that the mean divides by
-template <class V> struct PartSums {
+/// The mean of the means of equal parts of the open shutter, of samples that pass at their times: it has much less noise than the mean of
+/// all, since times are random and crowd. Samples are held back until it is known how much each part has.
+/// @tparam V what is averaged, times a weight; @tparam most samples, at most
+template <class V, int most> struct PartMeans {
     using Real = real_of<V>;
-    static constexpr int most = 8;              ///< parts: they are as long as it takes to pass `pixels_a_part`, at least
+    static constexpr int most_parts = 8; ///< they are as long as it takes to pass `pixels_a_part`, at least
     static constexpr float pixels_a_part = 2.f;
-    Real count; ///< of parts, from 1
-    V part[most];
+    struct Held {
+        V value;
+        Real part;
+    };
+    Real count;              ///< of parts, from 1
+    Real weight[most_parts]; ///< of all samples in each
+    Held held[most];
+    int size = 0;
 
-    QUELL_KERNEL explicit PartSums(Real pixels)
-        : count(floor(clamp(pixels * (1.f / pixels_a_part), Real(1.f), Real(static_cast<float>(most))))) {
-        for (auto& p : part) p = zero<V>();
+    QUELL_KERNEL explicit PartMeans(Real pixels)
+        : count(floor(clamp(pixels * (1.f / pixels_a_part), Real(1.f), Real(static_cast<float>(most_parts))))) {
+        for (auto& w : weight) w = Real(0.f);
     }
-    QUELL_KERNEL void add(V const& value, Real when) {
+    /// @param weighted the value times its weight, @param w the weight that counts in the mean, @param when in [0, 1]
+    QUELL_KERNEL void add(V const& weighted, Real w, Real when) {
+        if (!any(w > Real(0.f)) || size == most) return;
         // The end of the last part belongs to it.
-        auto const which = min(floor(when * count), count - 1.f);
-        for (int i = 0; i < most; ++i) {
-            auto const here = abs(which - static_cast<float>(i)) < Real(0.5f);
-            part[i] = map(
-                [&](auto sum, auto a) __attribute__((always_inline)) { return sum + select(here, a, Real(0.f)); }, part[i], value);
-        }
+        auto const part = min(floor(when * count), count - 1.f);
+        for_each_part([&](auto i) __attribute__((always_inline)) { weight[i] = weight[i] + select(is(part, i), w, Real(0.f)); });
+        held[size++] = Held{weighted, part};
     }
-    /// The mean without the weight, and how many parts something is known of.
-    QUELL_KERNEL auto mean() const {
-        auto sum = zero<V>();
-        for (auto const& p : part) {
-            auto const weight = weight_of(p);
-            auto const some = weight > Real(0.f);
-            sum = add_scaled(sum, p, select(some, 1.f / max(weight, Real(1e-12f)), Real(0.f)));
+    QUELL_KERNEL V mean() const {
+        Real share[most_parts], known(0.f);
+        for (int i = 0; i < most_parts; ++i) {
+            auto const some = weight[i] > Real(0.f);
+            share[i] = select(some, 1.f / max(weight[i], Real(1e-12f)), Real(0.f));
+            known = known + select(some, Real(1.f), Real(0.f));
         }
-        auto const known = weight_of(sum);
-        return scale(signal_of(sum), 1.f / max(known, Real(1.f)));
+        auto sum = zero<V>();
+        for (int k = 0; k < size; ++k) {
+            auto its = share[0];
+            for_each_part([&](auto i) __attribute__((always_inline)) { its = select(is(held[k].part, i), share[i], its); });
+            sum = add_scaled(sum, held[k].value, its);
+        }
+        return scale(sum, 1.f / max(known, Real(1.f)));
+    }
+
+private:
+    QUELL_KERNEL static auto is(Real part, int i) { return part == Real(static_cast<float>(i)); }
+    /// Unrolled, whatever the host's flags: a loop would make its constants anew each time.
+    template <class Visit> QUELL_KERNEL static void for_each_part(Visit&& visit) {
+        [&]<int... i>(std::integer_sequence<int, i...>) __attribute__((always_inline)) {
+            (visit(std::integral_constant<int, i>{}), ...);
+        }
+        (std::make_integer_sequence<int, most_parts>{});
     }
 };
 
 /// The pixels along a line through a pixel to either side, as far as something moves while the shutter is open: all of them, or as many as
 /// there is time for. A line that is not parallel to an axis passes between two pixels everywhere, and visits both.
-template <class Real> struct LineOfPixels {
-    vec2<Real> speed, bend;
-    decltype(Real(0.f) < Real(0.f)) steep, slanted;
-    Real slope, reach, steps, step, bent;
+struct LineOfPixels {
+    bool steep, slanted;
+    float slope, bent, reach, step;
+    int steps;
 
-    QUELL_KERNEL LineOfPixels(vec2<Real> const& speed_, vec2<Real> const& bend_, int budget) : speed(speed_), bend(bend_) {
-        steep = abs(speed.y) > abs(speed.x);
-        auto const major = select(steep, speed.y, speed.x), minor = select(steep, speed.x, speed.y);
-        slope = minor / select(abs(major) > Real(1e-6f), major, Real(1.f));
-        bent = fma(-slope, select(steep, bend.y, bend.x), select(steep, bend.x, bend.y));
-        slanted = either(abs(slope) > Real(0.02f), abs(bent) > Real(0.1f));
+    constexpr LineOfPixels(glm::vec2 const& speed, glm::vec2 const& bend, int budget)
+        : steep(abs(speed.y) > abs(speed.x)), slanted(false), slope(0), bent(0), reach(0), step(0), steps(0) {
+        float const major = steep ? speed.y : speed.x, minor = steep ? speed.x : speed.y;
+        slope = minor / (abs(major) > 1e-6f ? major : 1.f);
+        bent = fma(-slope, steep ? bend.y : bend.x, steep ? bend.x : bend.y);
+        slanted = abs(slope) > 0.02f || abs(bent) > 0.1f;
         reach = floor(abs(major)) + 1.f;
-        steps = min(select(slanted, Real(static_cast<float>(budget / 2)), Real(static_cast<float>(budget))), fma(reach, Real(2.f), Real(1.f)));
-        step = 2.f * reach / max(steps - 1.f, Real(1.f));
+        float const pixels = fma(reach, 2.f, 1.f), affordable = static_cast<float>(slanted ? budget / 2 : budget);
+        steps = static_cast<int>(min(affordable, pixels));
+        step = 2.f * reach / max(static_cast<float>(steps - 1), 1.f);
     }
-    /// Calls visit(offset, mask) for each.
-    template <class Mask, class Visit> QUELL_KERNEL void for_each(Mask wanted, Visit&& visit) const {
-        for (int i = 0;; ++i) {
-            auto const number = Real(static_cast<float>(i));
-            auto const on = both(wanted, number < steps);
-            if (!any(on)) return;
-            auto const along = floor(fma(number, step, -reach) + 0.5f), part = along / reach;
+    /// Calls visit(dx, dy) for each but the pixel itself.
+    template <class Visit> QUELL_KERNEL void for_each(Visit&& visit) const {
+        for (int i = 0; i < steps; ++i) {
             // Every rounding is spelled out: where it ends decides which pixel is looked at.
-            auto const aside = fma(part * part * bent, Real(-4.f), along * slope);
-            auto const first = floor(select(slanted, aside, aside + 0.5f));
-            // The pixel itself is no part of it.
-            visit(offset(along, first), both(on, abs(along) + abs(first) > Real(0.5f)));
-            if (auto const twice = both(on, slanted); any(twice))
-                visit(offset(along, first + 1.f), both(twice, abs(along) + abs(first + 1.f) > Real(0.5f)));
+            float const along = floor(fma(static_cast<float>(i), step, -reach) + 0.5f), part = along / reach;
+            float const aside = fma(part * part * bent, -4.f, along * slope);
+            int const a = static_cast<int>(along), first = static_cast<int>(floor(slanted ? aside : aside + 0.5f));
+            for (int k = 0; k <= (slanted ? 1 : 0); ++k)
+                if (int const b = first + k; a != 0 || b != 0) steep ? visit(b, a) : visit(a, b);
         }
     }
-
-private:
-    QUELL_KERNEL vec2<Real> offset(Real along, Real aside) const { return {select(steep, aside, along), select(steep, along, aside)}; }
 };
 } // namespace detail
 
@@ -102,7 +114,8 @@ template <ChannelTag Signal, class Paths = StraightPaths> struct PairGather {
     static constexpr bool leaves_signal = true;
     using reads = decltype(Channels<Depth, MotionPair<Paths>>{} | reads_of<Paths>{});
     using emits = Channels<MovingLayer<Signal>, BackLayer<Signal>, MeanSweep>;
-    int count = 96;                ///< samples looked at; with two motions, half of them along each
+    static constexpr int most_samples = 128;
+    int count = 96;                ///< samples looked at, at most `most_samples`; with two motions, half of them along each
     float width = 1.f;             ///< pixels; a sample counts less the farther it passes, and not at all from here on
     float depth_tolerance = 0.02f; ///< how much farther, relatively, something is that stands behind something else
     int tile_width = 8, tile_height = 2; ///< pixels that share their lines, which makes neighbours' samples neighbours in memory
@@ -123,9 +136,10 @@ private:
         static constexpr int n = Signal::components;
         Mover front, back, own;
         Mask two, back_moves, own_in_front, own_still;
+        bool some_two;
         Real per_difference, per_gap;
-        detail::PartSums<Value<n + 2, Real>> in_front; ///< signal of the front, its weight, and the weight of all
-        detail::PartSums<Value<n + 1, Real>> behind;
+        detail::PartMeans<Value<n + 1, Real>, most_samples + 1> in_front; ///< its signal and its coverage
+        detail::PartMeans<Colour, most_samples + 1> behind;
         vec2<Real> swept{Real(0.f), Real(0.f)};
         Real weights = Real(0.f), samples = Real(0.f);
 
@@ -137,7 +151,8 @@ private:
               in_front(sqrt(detail::squared_speed(front))), behind(sqrt(detail::squared_speed(back))) {
             per_difference = 1.f / max(sqrt(detail::squared_difference(front, back)), Real(1e-6f));
             per_gap = 1.f / max(abs(1.f / detail::depth_of(front) - 1.f / detail::depth_of(back)), Real(1e-9f));
-            own_in_front = is_front(own);
+            some_two = any(two);
+            own_in_front = some_two ? is_front(own) : two;
             own_still = detail::squared_speed(own) <= Real(least_squared);
         }
         static constexpr float least_squared = Path<float>::least * Path<float>::least;
@@ -152,21 +167,34 @@ private:
             return both(two, to_front < to_back);
         }
 
+        /// Tile by tile, of which a pack may meet several: within one, all pixels look at the same offsets, so that loads are of
+        /// neighbours.
         QUELL_KERNEL void gather(PairGather const& g, Px const& px) {
-            Real const zero(0.f);
-            look(g, px, {zero, zero}, either(two, back_moves), two);
-            int const half = g.count / 2;
-            if (any(two)) {
-                detail::LineOfPixels<Real> const line(detail::speed_of(front), bend_of(front), all_of(back_moves) ? half : g.count);
-                line.for_each(two, [&](auto const& offset, auto on) __attribute__((always_inline)) { look(g, px, offset, on, two); });
-            }
-            if (any(back_moves)) {
-                detail::LineOfPixels<Real> const line(detail::speed_of(back), bend_of(back), any(two) ? half : g.count);
-                line.for_each(back_moves, [&](auto const& offset, auto on)
-                                              __attribute__((always_inline)) { look(g, px, offset, on, invert(on)); });
+            add(g, px, 0, 0, either(two, back_moves), two);
+            auto const column = Real(static_cast<float>(px.x)) + lanes<Real>();
+            for (int first = px.x; first < px.x + width_of<Real>;) {
+                int const next = (first / g.tile_width + 1) * g.tile_width, k = first - px.x;
+                auto const tile = both(column >= Real(static_cast<float>(first)), column < Real(static_cast<float>(next)));
+                bool const in_two = lane(detail::depth_of(front), k) > 0.f;
+                glm::vec2 const behind_speed = speed_in(back, k);
+                bool const moves = dot(behind_speed, behind_speed) > least_squared;
+                int const half = g.count / 2;
+                if (in_two)
+                    detail::LineOfPixels(speed_in(front, k), bend_in(front, k), moves ? half : g.count)
+                        .for_each([&](int dx, int dy) __attribute__((always_inline)) { add(g, px, dx, dy, tile, tile); });
+                if (moves)
+                    detail::LineOfPixels(behind_speed, bend_in(back, k), in_two ? half : g.count)
+                        .for_each([&](int dx, int dy) __attribute__((always_inline)) { add(g, px, dx, dy, tile, invert(tile)); });
+                first = next;
             }
         }
-        QUELL_KERNEL static bool all_of(Mask m) { return !any(invert(m)); }
+        QUELL_KERNEL static glm::vec2 speed_in(Mover const& m, int k) { return {lane(component<0>(m), k), lane(component<1>(m), k)}; }
+        QUELL_KERNEL static glm::vec2 bend_in([[maybe_unused]] Mover const& m, [[maybe_unused]] int k) {
+            if constexpr (Paths::bent)
+                return {lane(component<3>(m), k), lane(component<4>(m), k)};
+            else
+                return {0.f, 0.f};
+        }
         template <class M> QUELL_KERNEL static vec2<Real> bend_of([[maybe_unused]] M const& mover) {
             if constexpr (Paths::bent)
                 return {component<3>(mover), component<4>(mover)};
@@ -175,18 +203,18 @@ private:
         }
 
         /// Adds the sample at an offset to both layers, as far as it is wanted.
-        QUELL_KERNEL void look(PairGather const& g, Px const& px, vec2<Real> const& offset, Mask wanted, Mask for_front) {
-            auto const p = px.position();
-            PixelUnder<Px> const there(px, {p.x + offset.x, p.y + offset.y});
-            auto const path = Paths::there(px, there.place);
-            auto const [value, missing] = px.signal_elsewhere(there.place);
-            auto const mover = detail::mover_of<Paths>(path, px.elsewhere(there.place, depth));
-            auto const usable = both(wanted, there.inside, invert(missing));
-            vec2<Real> const away{-offset.x, -offset.y};
-            auto const shows_front = is_front(mover);
-            if (auto const counts = both(usable, for_front); any(counts)) add_front(g, value, path, mover, away, shows_front, counts);
+        QUELL_KERNEL void add(PairGather const& g, Px const& px, int dx, int dy, Mask wanted, Mask for_front) {
+            auto const there = px.at(dx, dy);
+            if (!there.row_inside) return;
+            auto const path = Paths::here(there);
+            auto const mover = detail::mover_of<Paths>(path, there[depth]);
+            auto const usable = both(wanted, there.inside(), invert(there.missing()));
+            vec2<Real> const away{Real(static_cast<float>(-dx)), Real(static_cast<float>(-dy))};
+            auto const shows_front = some_two ? is_front(mover) : two;
+            if (auto const counts = both(usable, for_front); any(counts))
+                add_front(g, there.signal(), path, mover, away, shows_front, counts);
             auto const counts = both(usable, invert(shows_front), path.moves());
-            if (any(counts)) add_back(g, value, path, away, counts);
+            if (any(counts)) add_back(g, there.signal(), path, away, counts);
         }
         /// What shows something else is looked at as if it moved like the front: how many samples there are in all must not depend on what
         /// they show.
@@ -194,30 +222,23 @@ private:
                                     Mask shows_front, Mask counts) {
             auto const looked_at = moving_as(shows_front, path, like_front(path.time));
             auto const passing = looked_at.passing(away);
-            auto const w = select(counts, weight(g, passing) / max(looked_at.length(), Real(Path<Real>::least)), Real(0.f));
+            auto const w = select(counts, weight(g, passing) * looked_at.time_per_pixel(), Real(0.f));
             auto const hidden = both(own_still, invert(own_in_front),
                                      detail::hidden_behind(detail::depth_of(mover), detail::depth_of(own), g.depth_tolerance));
             auto const seen = select(both(shows_front, invert(hidden)), w, Real(0.f));
-            in_front.add(make_value<n + 2, Real>([&](auto c) __attribute__((always_inline)) {
-                if constexpr (c < n)
-                    return component<c>(value) * seen;
-                else if constexpr (c == n)
-                    return seen;
-                else
-                    return w;
-            }), clamp(passing.when, Real(0.f), Real(1.f)));
+            in_front.add(detail::layer_of(scale(value, seen), seen), w, clamp(passing.when, Real(0.f), Real(1.f)));
         }
         QUELL_KERNEL void add_back(PairGather const& g, Colour const& value, auto const& path, vec2<Real> const& away, Mask counts) {
             auto const passing = path.passing(away);
             auto const near = select(counts, weight(g, passing), Real(0.f));
-            auto const w = near / max(path.length(), Real(Path<Real>::least));
-            behind.add(detail::layer_of(scale(value, w), w), clamp(passing.when, Real(0.f), Real(1.f)));
+            auto const w = near * path.time_per_pixel();
+            behind.add(scale(value, w), w, clamp(passing.when, Real(0.f), Real(1.f)));
             swept = add_scaled(swept, path.sweep, w);
             weights = weights + w;
             samples = samples + near;
         }
         QUELL_KERNEL static Real weight(PairGather const& g, auto const& passing) {
-            return select(passing.in_time(), max(1.f - passing.distance / g.width, Real(0.f)), Real(0.f));
+            return select(passing.in_time(), max(fma(passing.distance, Real(-1.f / g.width), Real(1.f)), Real(0.f)), Real(0.f));
         }
         QUELL_KERNEL auto like_front(Real time) const {
             using PathType = decltype(Paths::here(std::declval<Px const&>()));

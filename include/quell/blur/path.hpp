@@ -24,6 +24,9 @@ template <class Real> struct Path {
     }
     QUELL_KERNEL auto moves() const { return squared > Real(least * least); }
     QUELL_KERNEL Real length() const { return sqrt(squared); }
+    QUELL_KERNEL Real per_squared() const { return 1.f / max(squared, Real(1e-12f)); }
+    /// The time that it takes to pass a pixel, as a part of the open shutter.
+    QUELL_KERNEL Real time_per_pixel() const { return min(sqrt(per_squared()), Real(1.f / least)); }
     /// In pixels in the time that the shutter is open; a path that bends is not always as fast, nor in the same direction.
     QUELL_KERNEL vec2<Real> speed_when_seen() const { return sweep; }
     /// The path of something of a given speed that is seen at a given time.
@@ -36,7 +39,7 @@ template <class Real> struct Path {
         QUELL_KERNEL auto in_time() const { return both(when >= Real(0.f), when <= Real(1.f)); }
     };
     QUELL_KERNEL Passing passing(vec2<Real> const& offset) const {
-        auto const along = fma(offset.x, sweep.x, offset.y * sweep.y) / max(squared, Real(1e-12f));
+        auto const along = fma(offset.x, sweep.x, offset.y * sweep.y) * per_squared();
         auto const x = fma(-along, sweep.x, offset.x), y = fma(-along, sweep.y, offset.y);
         return {sqrt(fma(x, x, y * y)), time + along};
     }

@@ -6,6 +6,7 @@
 #include <quell/blend/running_mean.hpp>
 #include <quell/blend/with_clean_up.hpp>
 #include <quell/blend/with_moments.hpp>
+#include <quell/blur/back_history.hpp>
 #include <quell/blur/directional_atrous.hpp>
 #include <quell/blur/gather_blur.hpp>
 #include <quell/blur/layer_history.hpp>
@@ -125,22 +126,27 @@ constexpr auto dual_cone_paper(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, Cones{}, parts..., Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, RunningMean{.cap = 32.f}, ConeFetch{}},
                     Spatial{ConeAtrous<Product<DepthEdge, NormalEdge>>{.least_cosine = 0.9f}}};
 }
-/// Motion blur from one sample per pixel at a random time (after Oberberger et al. 2022): what moves and what stands still in two layers.
-/// Samples are gathered along the paths around, tested one by one, and accumulated over frames; the wavelet along the motion stays narrower
-/// than the paper's, since what was gathered is blurred as it should be already.
+/// Motion blur from one sample per pixel at a random time (after Oberberger et al. 2022): samples are gathered along the two motions that
+/// meet around a pixel, tested by their own paths one by one, and what is behind is accumulated over frames.
 /// @param search how the past is found; its `shutter` is the part of the frame time during which the shutter is open
-template <class Paths = StraightPaths, ChannelTag S>
-constexpr auto blur(S signal, PathSearch search = {}, DirectionalAtrous<S> along = {.reach = 0.05f, .taps_across = 0}) {
-    return Pipeline{signal, Spatial{MotionGuide<Paths>{}}, Spatial{PathGather<S, Paths>{}},
-                    Temporal{search, LayerBlend<S>{}, LayerFetch<S>{}}, Spatial{along}};
+template <class Paths = StraightPaths, ChannelTag S> constexpr auto blur(S signal, PathSearch search = {}, PairGather<S, Paths> gather = {}) {
+    return Pipeline{signal, Spatial{MotionPairs<Paths>{}}, Spatial{gather}, Temporal{search, BackBlend<S>{}, BackFetch<S>{}}};
 }
-/// blur with an ordinary a-trous wavelet, whose steps don't follow the motion; and with plain reprojection instead of the search.
-template <ChannelTag S> constexpr auto blur_fixed_step(S signal, PathSearch search = {}) {
-    return blur(signal, search, {.fixed_step = 1.f, .taps_across = 2});
-}
+/// blur with plain reprojection instead of the search.
 template <ChannelTag S> constexpr auto blur_one_step(S signal, PathSearch search = {}) {
     search.iterations = 0;
     return blur(signal, search);
+}
+/// blur as the paper has it: two layers, what moves and what stands still, from a guide of the mean motion around; both accumulated; and a
+/// wavelet along the motion. What was gathered is blurred as it should be already, so that the wavelet stays narrower than the paper's.
+template <ChannelTag S>
+constexpr auto blur_wavelet(S signal, PathSearch search = {}, DirectionalAtrous<S> along = {.reach = 0.05f, .taps_across = 0}) {
+    return Pipeline{signal, Spatial{MotionGuide<>{}}, Spatial{PathGather<S>{}}, Temporal{search, LayerBlend<S>{}, LayerFetch<S>{}},
+                    Spatial{along}};
+}
+/// The same with an ordinary a-trous wavelet, whose steps don't follow the motion.
+template <ChannelTag S> constexpr auto blur_fixed_step(S signal, PathSearch search = {}) {
+    return blur_wavelet(signal, search, {.fixed_step = 1.f, .taps_across = 2});
 }
 /// Motion blur of a picture without any, that of the middle of the open shutter: along each pixel's own sweep (GPU Gems 3, ch. 27), and
 /// along the longest one around it (McGuire 2012).
