@@ -17,7 +17,7 @@ public:
 
     /// The planes that it wants of each file.
     [[nodiscard]] virtual std::vector<std::string> planes(io::ChannelNames const& names) const = 0;
-    /// The next frame, denoised: linear, row by row.
+    /// The next frame, denoised: linear, row by row. Where its size is another one, history starts afresh.
     [[nodiscard]] virtual metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number) = 0;
     /// How many samples of the last frame were not finite, or negative.
     [[nodiscard]] virtual long long missing_samples() const = 0;
