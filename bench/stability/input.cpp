@@ -16,7 +16,7 @@ namespace {
 
 constexpr float light = 0.2f;
 
-/// What hosts hand over by mistake: the first four are no light, the others no guides.
+/// What hosts hand over by mistake: the first four are never light, the others rarely guides.
 constexpr std::array no_numbers{std::numeric_limits<float>::quiet_NaN(),
                                 std::numeric_limits<float>::infinity(),
                                 -std::numeric_limits<float>::infinity(),
@@ -68,6 +68,11 @@ double spread(examples::Preset const& preset, io::ExrImage const& even, Making c
     return farthest;
 }
 
+/// Signals, and what they are divided by: a black surface or light of next to nothing may well be meant.
+bool is_light(std::string const& name) {
+    return name.starts_with("albedo") || std::ranges::find(signal_planes(), name, &SignalPlane::name) != signal_planes().end();
+}
+
 /// A burst in every channel, signals and guides.
 Extremes burst(examples::Preset const& preset, io::ExrImage const& even, Making const& making) {
     auto const denoiser = preset.make(making.size, making.threads);
@@ -78,8 +83,7 @@ Extremes burst(examples::Preset const& preset, io::ExrImage const& even, Making 
         auto frame = even;
         if (i == 4 || i == 5)
             for (auto const& each : even.planes) {
-                bool const is_signal = std::ranges::find(signal_planes(), each.name, &SignalPlane::name) != signal_planes().end();
-                spoil(frame, each.name, is_signal ? 4 : no_numbers.size(), random);
+                spoil(frame, each.name, is_light(each.name) ? 4 : no_numbers.size(), random);
             }
         auto const picture = denoiser->denoise(frame, {}, i);
         if (i == 3) wanted = picture;

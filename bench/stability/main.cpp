@@ -2,7 +2,7 @@
 //   quell-stability [--cheap] [--case cut ...] [--out out/stability] [--check]
 //   quell-stability --soak
 #include "cases.hpp"
-#include "known_limits.hpp"
+#include "judge.hpp"
 #include "options.hpp"
 #include "page.hpp"
 #include "plots.hpp"
@@ -36,23 +36,6 @@ void run_cases(StabilityOptions const& options, Results& results) {
     }
 }
 
-/// Prints what doesn't hold, and what holds though it is known not to; returns how many promises are broken for no known reason.
-int judge(Results const& results) {
-    int broken = 0;
-    for (auto const& p : results.promises) {
-        auto const* const known = known_limit(p);
-        if (p.held() == (known == nullptr)) continue;
-        broken += p.held() ? 0 : known == nullptr ? 1 : 0;
-        std::cout << (p.held()           ? "holds, though it is a known limit: "
-                      : known != nullptr ? "known limit: "
-                                         : "broken: ")
-                  << p.subject << ' ' << p.method << ' ' << p.metric << ' ' << p.value << ", limit " << p.limit << '\n';
-    }
-    auto const held = std::ranges::count_if(results.promises, &Promise::held);
-    std::cout << held << " of " << results.promises.size() << " promises hold\n";
-    return broken;
-}
-
 int run(StabilityOptions const& options) {
     std::filesystem::create_directories(options.out);
     Results results;
@@ -63,7 +46,7 @@ int run(StabilityOptions const& options) {
     write_tables(results, options.out);
     if (!draw_plots(results, options.out)) std::cerr << "no plots: install gnuplot (gnuplot-nox)\n";
     write_page(results, options.out);
-    int const broken = judge(results);
+    int const broken = judge(results, std::cout);
     return options.check && broken > 0 ? 1 : 0;
 }
 

@@ -46,6 +46,7 @@ std::optional<StabilityOptions> stability_options(int argc, char const* const* a
     if (!examples::parse(app, argc, argv)) return std::nullopt;
     options.making.size = size_from(size.value_or(options.cheap ? "96x54" : "160x90"));
     options.making.tolerance = tolerance.value_or(options.cheap ? 0.03 : 0.015);
+    if (options.cheap) options.making.most_samples = 64;
     if (options.cases == std::vector<std::string>{"all"}) options.cases.clear();
     return options;
 }

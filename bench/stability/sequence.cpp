@@ -51,8 +51,8 @@ void keep_share(TracedFrame& frame, Signal signal) {
     if (signal != Signal::whole) fill(frame, albedo, scale);
 }
 
-metrics::Picture share(tracer::PreparedScene& scene, tracer::RenderSettings const& settings, Signal signal, double tolerance) {
-    tracer::ReferenceSettings const how{.tolerance = tolerance};
+metrics::Picture share(tracer::PreparedScene& scene, tracer::RenderSettings const& settings, Signal signal, Making const& making) {
+    tracer::ReferenceSettings const how{.tolerance = making.tolerance, .most_samples = making.most_samples};
     auto const of = [&](auto channel) { return tracer::reference<Channels<decltype(channel)>>(scene, settings, how); };
     switch (signal) {
     case Signal::shadow: {
@@ -91,7 +91,7 @@ Sequence traced(Shot const& shot, Making const& making) {
     for (settings.frame = shot.first; settings.frame <= shot.last; ++settings.frame) {
         sequence.frames.push_back(frame_of(scene, settings, shot.signal));
         if (settings.frame < shot.scored_from) continue;
-        sequence.references.push_back(share(scene, settings, shot.signal, making.tolerance));
+        sequence.references.push_back(share(scene, settings, shot.signal, making));
         if (shot.effect) sequence.masks.push_back(tracer::effect_mask(scene, settings, *shot.effect));
     }
     return sequence;

@@ -47,6 +47,7 @@ struct Making {
     Extent size{160, 90};
     int threads = 0;          ///< 0: all
     double tolerance = 0.015; ///< of references: mean FLIP between two independent halves
+    int most_samples = 1024;  ///< of references, per pixel
 };
 
 [[nodiscard]] Sequence traced(Shot const& shot, Making const& making);

@@ -2,20 +2,19 @@
 #include "own_presets.hpp"
 #include "watch.hpp"
 
+#include <tracer/lighting.hpp>
+
 #include <algorithm>
-#include <glm/geometric.hpp>
 
 namespace quell::stability {
 namespace {
-
-float luminance(glm::vec3 colour) { return glm::dot(colour, glm::vec3{0.2126f, 0.7152f, 0.0722f}); }
 
 /// The lit part of the light, where there is light enough to tell; elsewhere a negative number.
 std::vector<float> visibility_in(metrics::Picture const& share, metrics::Picture const& direct) {
     std::vector<float> result;
     for (std::size_t i = 0; i < share.pixels.size(); ++i) {
-        float const light = luminance(direct.pixels[i]);
-        result.push_back(light > 0.02f ? luminance(share.pixels[i]) / light : -1.f);
+        float const light = tracer::luminance(direct.pixels[i]);
+        result.push_back(light > 0.02f ? tracer::luminance(share.pixels[i]) / light : -1.f);
     }
     return result;
 }
@@ -49,7 +48,10 @@ double contrast_kept(Sequence const& sequence, Pictures const& pictures) {
 }
 
 void thin(std::string const& name, Making const& making, Results& results) {
-    auto const sequence = traced(shot_of("thinshadows"), making);
+    // Rods and beads of a pixel or two: in smaller pictures they would be less.
+    auto finer = making;
+    finer.size = {2 * making.size.width, 2 * making.size.height};
+    auto const sequence = traced(shot_of("thinshadows"), finer);
     for (std::string const method : {"surface", "surface-clamp", "svgf", "shadow"}) {
         auto const pictures = watch(examples::preset_of(method), sequence, {}, making.threads);
         record(results, name, method, errors(sequence, pictures));

@@ -1,11 +1,10 @@
 #include "cases.hpp"
 #include "watch.hpp"
 
+#include <tracer/lighting.hpp>
 #include <tracer/scenes/scenes.hpp>
 
-#include <glm/geometric.hpp>
-
-#include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace quell::stability {
@@ -62,64 +61,30 @@ void pan(std::string const& name, Making const& making, Results& results) {
     results.promises.push_back({name, "dual-color", "strip_over_svgf", mean_ratio(kept["dual-color"], kept["svgf"]), 1});
 }
 
-float luminance(glm::vec3 colour) { return glm::dot(colour, glm::vec3{0.2126f, 0.7152f, 0.0722f}); }
-
-/// The brightest object that moves, by its number.
-float bright_mover(io::ExrImage const& frame) {
-    auto const colours = picture_of(frame, "albedo");
-    auto const &id = frame["instance.ID"].values, &x = frame["motion.X"].values;
-    std::map<float, std::pair<double, int>> sums;
-    for (std::size_t i = 0; i < id.size(); ++i)
-        if (std::abs(x[i]) > 0.1f) sums[id[i]].first += luminance(colours.pixels[i]), ++sums[id[i]].second;
-    auto const mean = [](auto const& entry) { return entry.second.first / entry.second.second; };
-    return std::ranges::max_element(sums, {}, mean)->first;
-}
-
-/// How long ago each pixel showed an object, frame by frame.
-struct Ages {
-    float object;
-    std::vector<int> frames; ///< 0: now; very many: never
-
-    void add(io::ExrImage const& frame) {
-        auto const& id = frame["instance.ID"].values;
-        if (frames.empty()) frames.assign(id.size(), 1 << 20);
-        for (std::size_t i = 0; i < id.size(); ++i) frames[i] = id[i] == object ? 0 : frames[i] + 1;
-    }
-};
-
-/// What is left of an object's light where it was, as a part of what it would be were it still there, by the frames since it left.
-std::vector<double> ghost(Sequence const& sequence, Pictures const& pictures, float object, int oldest) {
-    Ages ages{object, {}};
-    std::vector<double> excess(static_cast<std::size_t>(oldest) + 1), contrast(excess);
-    for (int i = sequence.first; i <= sequence.last(); ++i) {
-        ages.add(sequence.frame(i));
-        if (i < sequence.scored_from) continue;
-        auto const &truth = sequence.reference(i).pixels, &shown = pictures[static_cast<std::size_t>(i - sequence.scored_from)].pixels;
-        double bright = 0, pixels = 0;
-        for (std::size_t p = 0; p < truth.size(); ++p)
-            if (ages.frames[p] == 0) bright += luminance(truth[p]), ++pixels;
+/// How many frames a method lags behind light that fades: where the truth has fallen by a quarter or more within a few frames, what is
+/// shown too brightly, in units of what the truth falls by in a frame. Of light that fades evenly, an exponential history of alpha lags by
+/// 1 / alpha - 1.
+double lag_in_frames(Sequence const& sequence, Pictures const& pictures) {
+    constexpr int step = 4;
+    double excess = 0, fall = 0;
+    for (int i = sequence.scored_from + step; i <= sequence.last(); ++i) {
+        auto const &before = sequence.reference(i - step).pixels, &truth = sequence.reference(i).pixels,
+                   &shown = pictures[static_cast<std::size_t>(i - sequence.scored_from)].pixels;
         for (std::size_t p = 0; p < truth.size(); ++p) {
-            auto const age = static_cast<std::size_t>(ages.frames[p]);
-            if (age == 0 || age >= excess.size()) continue;
-            excess[age] += luminance(shown[p]) - luminance(truth[p]);
-            contrast[age] += bright / pixels - luminance(truth[p]);
+            float const was = tracer::luminance(before[p]), is = tracer::luminance(truth[p]);
+            if (is < 0.75f * was) excess += tracer::luminance(shown[p]) - is, fall += (was - is) / step;
         }
     }
-    for (std::size_t age = 1; age < excess.size(); ++age) excess[age] = contrast[age] > 0 ? excess[age] / contrast[age] : 0;
-    return excess;
+    return excess / fall;
 }
 
 void bright_box(std::string const& name, Making const& making, Results& results) {
-    constexpr int oldest = 24;
-    auto const sequence = traced({.scene = "boxes", .signal = Signal::indirect, .scored_from = 22, .last = 38}, making);
-    float const box = bright_mover(sequence.frame(30));
+    auto const sequence = traced({.scene = "boxes", .signal = Signal::indirect, .scored_from = 24, .last = 36}, making);
     for (std::string const method : {"surface", "surface-clamp", "svgf", "dual-color", "dual-cone"}) {
         auto const pictures = watch(examples::preset_of(method), sequence, {}, making.threads);
         record(results, name, method, errors(sequence, pictures));
-        auto const left = ghost(sequence, pictures, box, oldest);
-        auto const last = std::find_if(left.rbegin(), left.rend() - 1, [](double part) { return part > 0.1; });
-        // As long as the first tenth of a mean over five frames, the cap of svgf, takes to go: log(0.1) / log(0.8).
-        results.promises.push_back({name, method, "frames_until_a_tenth", static_cast<double>(left.rend() - last), 11});
+        // A ghost of which a tenth is left after ten frames has a lag of 10 / log(10) frames.
+        results.promises.push_back({name, method, "frames_until_a_tenth", std::log(10.) * lag_in_frames(sequence, pictures), 10});
     }
 }
 
