@@ -30,7 +30,7 @@ void blurred(std::string const& name, std::string const& scene, Making const& ma
     auto const denoised = errors(sequence, pictures);
     record(results, name, "none", input);
     record(results, name, "blur", denoised);
-    results.promises.push_back({name, "blur", "over_input", mean_ratio(denoised, input), 1});
+    results.promises.push_back({name, "blur", "over_input", mean_ratio(denoised, input), no_worse});
     // Shadows of one sample are black here and there.
     if (is_noisy_in_time_only(scene))
         results.promises.push_back({name, "blur", "holes", static_cast<double>(holes(sequence, pictures)), 0});
@@ -45,11 +45,11 @@ void shadows(std::string const& name, Making const& making, Results& results) { 
 } // namespace
 
 std::vector<Case> blur_cases() {
-    return {{"blur-linear", "What those below are held against: motion in straight lines. No holes, and less error than the input.", false,
+    return {{"blur-linear", "What those below are held against: motion in straight lines. No holes, and less error than the input.", true,
              linear},
-            {"blur-reversing", "Things turn back while the shutter is open.", false, reversing},
-            {"blur-rotating", "A propeller.", false, rotating},
-            {"blur-shadows", "Shadows that move under an open shutter, with the surface's sweep instead of their own.", false, shadows}};
+            {"blur-reversing", "Things turn back while the shutter is open.", true, reversing},
+            {"blur-rotating", "A propeller.", true, rotating},
+            {"blur-shadows", "Shadows that move under an open shutter, with the surface's sweep instead of their own.", true, shadows}};
 }
 
 } // namespace quell::stability

@@ -34,6 +34,9 @@ struct Errors {
 [[nodiscard]] Errors errors(Sequence const& sequence, Pictures const& pictures);
 void record(Results& results, std::string const& subject, std::string const& method, Errors const& errors);
 
+/// The limit of a ratio that promises "no worse": 1, but for rounding.
+inline constexpr double no_worse = 1.0001;
+
 /// The greatest ratio of two methods' RMSE in the same frame, from a frame on.
 [[nodiscard]] double worst_ratio(Errors const& a, Errors const& b, int from = 0);
 /// The ratio of the mean RMSE of two methods.
