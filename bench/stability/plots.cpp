@@ -33,7 +33,7 @@ std::string panel(std::string const& name, Curves const& curves) {
 }
 
 constexpr auto style =
-    "set xlabel 'frame'\nset ylabel 'RMSE'\nset yrange [0:*]\nset key outside right noenhanced\nset title noenhanced\nset grid\n";
+    "set xlabel 'frame'\nset ylabel 'RMSE'\nset yrange [0:*]\nset key outside right noenhanced maxcols 1\nset title noenhanced\nset grid\n";
 
 std::string script(std::map<std::string, Curves> const& cases, std::filesystem::path const& folder) {
     constexpr int width = 720, height = 300;
