@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 
 namespace quell::stability {
 namespace {
@@ -19,8 +20,15 @@ std::string number(double a) {
 
 std::string verdict(Promise const& promise) {
     if (promise.held()) return "held";
-    auto const* const known = known_limit(promise);
-    return known == nullptr ? "broken" : "not held: " + known->reason;
+    return known_limit(promise) == nullptr ? "broken" : "known limit";
+}
+
+/// Why promises of a case are known not to hold, each reason once.
+void explain(examples::Report& report, Results const& results, std::string const& subject) {
+    std::set<std::string> reasons;
+    for (auto const& p : results.promises)
+        if (auto const* const known = known_limit(p); p.subject == subject && !p.held() && known != nullptr)
+            if (reasons.insert(known->reason).second) report.notes.push_back({.label = "known limit of " + subject, .text = known->reason});
 }
 
 } // namespace
@@ -37,6 +45,7 @@ void write_page(Results const& results, std::filesystem::path const& folder) {
             if (p.subject == each.name)
                 table.rows.push_back({p.method, p.metric, number(p.value), (p.at_least ? ">= " : "<= ") + number(p.limit), verdict(p)});
         if (!table.rows.empty()) report.tables.push_back(std::move(table));
+        explain(report, results, each.name);
     }
     examples::write_report(report, folder / "index.html");
 }
