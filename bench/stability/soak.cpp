@@ -97,7 +97,10 @@ void soak(Making const& making, bool quiet, Results& results) {
         results.promises.push_back({"soak", method, "broken_pixels", log.broken, 0});
         // The same frames have the same error, however many came before; both are far from a change of size.
         results.promises.push_back({"soak", method, "drift_of_error", std::abs(log.errors[last] / log.errors[3] - 1), 1e-3});
-        results.promises.push_back({"soak", method, "MiB_more_than_early", log.memory[last] - log.memory[5], 1});
+        // A leak goes on; that the allocator finds its final layout late does not.
+        auto const half = log.memory.begin() + static_cast<std::ptrdiff_t>(log.memory.size() / 2);
+        auto const more = *std::max_element(half, log.memory.end()) - *std::max_element(log.memory.begin(), half);
+        results.promises.push_back({"soak", method, "MiB_more_in_second_half", more, 1});
     }
 }
 
