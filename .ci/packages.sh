@@ -5,8 +5,8 @@
 
 build_packages=(g++ cmake ninja-build)
 library_packages=(libglm-dev libxsimd-dev libtbb-dev)
-program_packages=(libembree-dev libopenexr-dev libtinygltf-dev libstb-dev libcli11-dev nlohmann-json3-dev libpng-dev zlib1g-dev)
-test_packages=(doctest-dev libbenchmark-dev clang gnuplot-nox)
+program_packages=(libembree-dev libopenexr-dev libtinygltf-dev libstb-dev libcli11-dev nlohmann-json3-dev libpng-dev zlib1g-dev gnuplot-nox)
+test_packages=(doctest-dev libbenchmark-dev clang)
 
 # oldest_version package: the oldest one that will do. Ubuntu 22.04 has xsimd 7 and OpenEXR 2, with other interfaces.
 oldest_version() {

@@ -5,8 +5,10 @@ namespace {
 /// Get one sample per pixel, each at a time of its own.
 auto denoisers() {
     return std::tuple(Named{"none", presets::none(radiance)}, Named{"blur", presets::blur(radiance)},
-                      Named{"blur-bent", presets::blur<BentPaths>(radiance)}, Named{"blur-fixed-step", presets::blur_fixed_step(radiance)},
-                      Named{"blur-one-step", presets::blur_one_step(radiance)});
+                      Named{"blur-bent", presets::blur<BentPaths>(radiance)}, Named{"blur-one-step", presets::blur_one_step(radiance)},
+                      Named{"blur-no-history", presets::blur(radiance, {.give_up = 0.f})},
+                      Named{"blur-few-samples", presets::blur(radiance, {}, {.count = 32})},
+                      Named{"blur-wavelet", presets::blur_wavelet(radiance)}, Named{"blur-fixed-step", presets::blur_fixed_step(radiance)});
 }
 /// Get a picture of the middle of the open shutter.
 auto post_processes() {

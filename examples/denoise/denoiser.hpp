@@ -25,7 +25,7 @@ public:
     [[nodiscard]] virtual std::vector<Finding> const& findings() const = 0;
     /// What a channel of DebugChannels shows of the last frame, by its name: none where this is no watched denoiser.
     [[nodiscard]] virtual std::vector<DebugImage> debug_images(std::string const& view) = 0;
-    /// The next frame, denoised: linear, row by row.
+    /// The next frame, denoised: linear, row by row. Where its size is another one, history starts afresh.
     [[nodiscard]] virtual metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number) = 0;
     /// How many samples of the last frame were not finite, or negative.
     [[nodiscard]] virtual long long missing_samples() const = 0;

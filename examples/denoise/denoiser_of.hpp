@@ -10,10 +10,11 @@
 
 namespace quell::examples {
 
-template <class P, class E = Threads<>> class DenoiserOf final : public Denoiser {
+/// @tparam Storage of the history
+template <class P, class E = Threads<>, ImageStorage Storage = Planar<>> class DenoiserOf final : public Denoiser {
     P pipeline;
     Frame<typename P::reads> frame;
-    History<P> history;
+    History<P, Storage> history;
     E executor;
     bool looks = false;
     std::vector<Finding> found;
@@ -27,6 +28,7 @@ public:
         if (P::needs_camera && !io::camera_of(image))
             throw Error(image.name, "it has no camera, which this preset needs",
                         "write the 4x4 attributes quell:view and quell:projection, or choose another preset");
+        if (!(frame.size == image.size)) frame = Frame<typename P::reads>(image.size);
         io::load(frame, image, names);
         frame.number = number;
         if (looks) found = quell::diagnose(frame, history, names.motion);
@@ -57,10 +59,11 @@ private:
 };
 
 /// A preset from a function without state that makes its pipeline: preset("atrous", [] { return presets::atrous(radiance); }).
-template <class Make> Preset preset(std::string name, Make) {
+template <ImageStorage Storage = Planar<>, class Make> Preset preset(std::string name, Make) {
     return {std::move(name), [](Extent size, int threads) -> std::unique_ptr<Denoiser> {
                 constexpr auto pipeline = Make{}();
-                return std::make_unique<DenoiserOf<std::remove_const_t<decltype(pipeline)>>>(pipeline, size, Threads<>{threads});
+                return std::make_unique<DenoiserOf<std::remove_const_t<decltype(pipeline)>, Threads<>, Storage>>(pipeline, size,
+                                                                                                                 Threads<>{threads});
             }};
 }
 /// One with debug images. These are made pixel by pixel: packs would be as much again to compile, for what nobody waits for.

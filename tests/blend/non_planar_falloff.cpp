@@ -16,8 +16,9 @@ struct Shifted {
         return Reprojection<Real>{{p.x + by.x, p.y + by.y}, Real(1.f)};
     }
 };
-/// A wall that faces the camera, then at another depth: history of 1 meets a present of 0, so that what comes out is 1 - alpha.
-template <class B> float kept_of_the_past(B const& blending, glm::vec2 by, float depth_then, int x, int y, float depth_now = 5.f) {
+/// A wall that faces the camera, then at another depth: history of 1 meets a present of 0, so that what comes out is 1 - alpha. `change` is
+/// made to the present.
+template <class B> float kept_of_the_past(B const& blending, glm::vec2 by, float depth_then, int x, int y, auto&& change) {
     auto const pipeline = Pipeline{visibility, Temporal{Shifted{by}, blending}};
     Frame frame{size, pipeline};
     History history{size, pipeline};
@@ -34,8 +35,12 @@ template <class B> float kept_of_the_past(B const& blending, glm::vec2 by, float
     };
     see(depth_then, 1.f);
     run(pipeline, frame, history);
-    see(depth_now, 0.f);
+    see(5.f, 0.f);
+    change(frame);
     return run(pipeline, frame, history).get(0, x, y);
+}
+template <class B> float kept_of_the_past(B const& blending, glm::vec2 by, float depth_then, int x, int y) {
+    return kept_of_the_past(blending, by, depth_then, x, y, [](auto&) {});
 }
 constexpr auto falloff = NonPlanarFalloff{Exponential{.alpha = 0.1f}};
 } // namespace
@@ -67,8 +72,20 @@ TEST_CASE("what is seen at its own place again keeps its past, and a miss or NaN
     CHECK(kept_of_the_past(falloff, {10, 0}, std::bit_cast<float>(0x7f800000u), 18, 9) == 0.f);
     CHECK(kept_of_the_past(falloff, {10, 0}, std::bit_cast<float>(0x7fc00000u), 18, 9) == 0.f);
     // Nor is it one now: where a motion source finds a past for a miss, it is not used, and nothing becomes NaN.
-    CHECK(kept_of_the_past(falloff, {10, 0}, 5.f, 18, 9, std::bit_cast<float>(0x7f800000u)) == 0.f);
-    CHECK(kept_of_the_past(falloff, {10, 0}, 5.f, 18, 9, std::bit_cast<float>(0x7fc00000u)) == 0.f);
+    for (float const nowhere : {std::bit_cast<float>(0x7f800000u), std::bit_cast<float>(0x7fc00000u)})
+        CHECK(kept_of_the_past(falloff, {10, 0}, 5.f, 18, 9, [&](auto& frame) {
+                  tests::fill(frame[depth], [&](int, int) { return nowhere; });
+                  tests::fill(frame[position], [&](int, int) { return glm::vec3(nowhere); });
+                  tests::fill(frame[receiver_previous], [&](int, int) { return glm::vec3(nowhere); });
+              }) == 0.f);
     // From outside the image there is no past at all.
     CHECK(kept_of_the_past(falloff, {100, 0}, 5.f, 18, 9) == 0.f);
+}
+
+TEST_CASE("a receiver that was nowhere has no past, nor has one so far away that its distance is not finite") {
+    for (float const bad : {std::bit_cast<float>(0x7fc00000u), std::bit_cast<float>(0x7f800000u)})
+        CHECK(kept_of_the_past(falloff, {10, 0}, 5.f, 18, 9, [&](auto& frame) {
+                  tests::fill(frame[receiver_previous], [&](int, int) { return glm::vec3(0, bad, 0); });
+              }) == 0.f);
+    CHECK(kept_of_the_past(falloff, {10, 0}, 3e38f, 18, 9) == 0.f);
 }

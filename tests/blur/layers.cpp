@@ -49,6 +49,7 @@ template <class P> void same_everywhere(P const& pipeline) {
 
 TEST_CASE("serial, SIMD and threads compute the same: blur") {
     same_everywhere(denoise);
+    same_everywhere(presets::blur_wavelet(radiance));
     same_everywhere(presets::blur_fixed_step(radiance));
     same_everywhere(presets::blur<BentPaths>(radiance));
 }

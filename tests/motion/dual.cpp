@@ -87,6 +87,18 @@ TEST_CASE("history from outside the image comes from its border, also for motion
     for (auto const& a : places) REQUIRE((is_finite(a.x) && is_finite(a.y)));
 }
 
+TEST_CASE("the border stands for what was a little outside the image, and for nothing that was far away, as after a cut") {
+    auto const from = [](glm::vec2 wall) {
+        return said({.left = -100, .motion = glm::vec2(0)}, {.left = -100, .motion = glm::vec2(0), .wall_motion = wall});
+    };
+    // An eighth of 61 pixels is 7.6.
+    auto const panned = from({7, 0});
+    CHECK(at(panned, size.width - 1, 5).x == doctest::Approx(size.width - 0.5));
+    CHECK(tests::none_valid(from({400, 0})));
+    CHECK(tests::none_valid(from({0, -90})));
+    CHECK(tests::none_valid(from({std::bit_cast<float>(0x7fc00000u), 0})));
+}
+
 TEST_CASE("behind SurfaceMotion, only what it loses is taken from DualMotion, from the wall and not from the strip") {
     constexpr auto pipeline =
         Pipeline{visibility, Temporal{FirstValid{SurfaceMotion{SameDepth{}}, DualMotion{}}, Exponential{.alpha = 1e-6f}}};

@@ -111,6 +111,19 @@ TEST_CASE("demodulation is undone exactly, also for black surfaces, albedo above
             for (int c = 0; c < 3; ++c) CHECK(out.get(c, x, y) == doctest::Approx(frame[radiance].view().get(c, x, y)).epsilon(1e-6));
 }
 
+TEST_CASE("what is no albedo leaves no bright light in the history") {
+    constexpr auto pipeline = presets::surface(radiance, Demodulate{});
+    for (float const bad : {-1.f, -1e30f, infinity, not_a_number}) {
+        Frame frame{size, pipeline};
+        History history{size, pipeline};
+        for (int i = 0; i < 6; ++i) {
+            every_pixel(frame, glm::vec3(0.5f));
+            if (i == 0) tests::fill(frame[albedo], [&](int, int) { return glm::vec3(bad, 1, 1); });
+            CHECK(run(pipeline, frame, history).get(0, 7, 9) == doctest::Approx(0.5));
+        }
+    }
+}
+
 TEST_CASE("a firefly is dimmed before it enters the history") {
     constexpr auto with = Pipeline{radiance, SuppressFireflies{}, Temporal{StillMotion{}, Exponential{}}};
     Frame frame{size, with};

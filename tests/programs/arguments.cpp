@@ -8,7 +8,7 @@ TEST_CASE("help and lists end well") {
     CHECK(contains(denoise("--help").out, "--warmup"));
     CHECK(denoise("--list").lines() == std::vector<std::string>{"none", "surface", "surface-clamp", "atrous", "svgf", "asvgf", "dual-color",
                                                                 "shadow", "glossy", "mirror-clamp", "dual-cone", "trmv", "trmv-paper",
-                                                                "blur", "blur-fixed-step", "blur-one-step"});
+                                                                "blur", "blur-wavelet", "blur-fixed-step", "blur-one-step"});
     CHECK(trace("--help").code == 0);
     CHECK(trace("--list").code == 0);
     CHECK(contains(trace("--list").out, "room\n"));

@@ -54,8 +54,9 @@ TEST_CASE("what a scene stands for is in full swing from frame 8 to 44") {
     };
     for (auto const& each :
          {Case{"fence", Effect::shadow, 0.3}, Case{"fence-lights", Effect::shadow, 0.3}, Case{"apples", Effect::shadow, 0.15},
-          Case{"pinkroom", Effect::shadow, 0.08}, Case{"temple", Effect::glossy, 0.15}, Case{"restaurant", Effect::glossy, 0.05},
-          Case{"restaurant", Effect::curved, 0.01}, Case{"boxes", Effect::indirect, 0.05}, Case{"disk", Effect::indirect, 0.06}})
+          Case{"pinkroom", Effect::shadow, 0.08}, Case{"thinshadows", Effect::shadow, 0.1}, Case{"temple", Effect::glossy, 0.15},
+          Case{"restaurant", Effect::glossy, 0.05}, Case{"restaurant", Effect::curved, 0.01}, Case{"boxes", Effect::indirect, 0.05},
+          Case{"disk", Effect::indirect, 0.06}})
         for (int frame : {8, 44}) {
             CAPTURE(each.scene);
             CAPTURE(name_of(each.effect));
@@ -98,6 +99,50 @@ TEST_CASE("blur scenes sweep as far as they stand for, noisy in nothing but time
             CHECK(longest < each.most);
         }
     }
+}
+
+TEST_CASE("a scene named for an event has it at the event's frame, and not before") {
+    constexpr Extent size{64, 36};
+    constexpr int event = static_cast<int>(event_frame);
+    using Wanted = Channels<Direct, Depth, Motion>;
+    // How much of a channel's picture is another one after the next frame.
+    auto const changed = [&](PreparedScene& scene, auto channel, int frame, float tolerance) {
+        Pictures<Wanted> before{size}, after{size};
+        render<Wanted>(scene, {.size = size, .frame = frame - 1}, before);
+        render<Wanted>(scene, {.size = size, .frame = frame}, after);
+        double count = 0;
+        for (std::size_t i = 0; i < before[channel].pixels.size(); ++i)
+            if (glm::distance(before[channel].pixels[i], after[channel].pixels[i]) > tolerance * glm::length(before[channel].pixels[i]))
+                ++count;
+        return count / static_cast<double>(size.pixels());
+    };
+    auto const check = [&](std::string const& name, auto channel, float tolerance, double most_before, double least) {
+        CAPTURE(name);
+        PreparedScene scene{built_in_scene(name)};
+        CHECK(changed(scene, channel, event - 1, tolerance) <= most_before);
+        CHECK(changed(scene, channel, event, tolerance) >= least);
+    };
+    check("cut", direct, 0.2f, 0.2, 0.8);
+    check("lightswitch", direct, 0.2f, 0, 0.5);
+    check("leaves", depth, 0.2f, 0.1, 0.12);
+    check("pan", depth, 0.01f, 0, 0.3);
+}
+
+TEST_CASE("things turn back amid the event's shutter") {
+    constexpr Extent size{64, 36};
+    using Wanted = Channels<Sweep, Motion>;
+    PreparedScene scene{built_in_scene("reverse")};
+    auto const longest = [&](int frame, auto channel) {
+        Pictures<Wanted> pictures{size};
+        render<Wanted>(scene, {.size = size, .frame = frame, .shutter = 0.5f}, pictures);
+        float most = 0;
+        for (auto const& value : pictures[channel].pixels) most = std::max(most, glm::length(value));
+        return most;
+    };
+    // Back to where they were when the shutter opened, though they move fast before and afterwards.
+    CHECK(longest(static_cast<int>(event_frame), sweep) < 0.05f);
+    CHECK(longest(static_cast<int>(event_frame) + 1, sweep) > 2);
+    CHECK(longest(static_cast<int>(event_frame) - 1, sweep) > 2);
 }
 
 TEST_CASE("a brightness over time switches a light") {

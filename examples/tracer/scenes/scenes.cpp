@@ -28,7 +28,13 @@ constexpr std::array entries{Entry{"room", room},
                              Entry{"propeller", propeller},
                              Entry{"roll", roll},
                              Entry{"mixed", mixed},
-                             Entry{"flyby", flyby}};
+                             Entry{"flyby", flyby},
+                             Entry{"cut", cut},
+                             Entry{"lightswitch", lightswitch},
+                             Entry{"leaves", leaves},
+                             Entry{"pan", pan},
+                             Entry{"thinshadows", thinshadows},
+                             Entry{"reverse", reverse}};
 
 std::string listed(std::vector<std::string> const& names) {
     std::string list;

@@ -14,6 +14,10 @@ namespace quell::tracer {
 /// Throws quell::Error, listing the names, where there is no such scene.
 [[nodiscard]] SceneDescription built_in_scene(std::string_view name);
 
+/// The first frame that shows what happens once in the scenes named for an event: the camera
+/// is somewhere else, the light is on, the leaves begin to open, the camera to turn, and something moves back.
+inline constexpr float event_frame = 24;
+
 // One function per scene, and one file but for variants; scenes.cpp lists them.
 [[nodiscard]] SceneDescription room();
 [[nodiscard]] SceneDescription fence();
@@ -31,5 +35,11 @@ namespace quell::tracer {
 [[nodiscard]] SceneDescription roll();
 [[nodiscard]] SceneDescription mixed();
 [[nodiscard]] SceneDescription flyby();
+[[nodiscard]] SceneDescription cut();
+[[nodiscard]] SceneDescription lightswitch();
+[[nodiscard]] SceneDescription leaves();
+[[nodiscard]] SceneDescription pan();
+[[nodiscard]] SceneDescription thinshadows();
+[[nodiscard]] SceneDescription reverse();
 
 } // namespace quell::tracer

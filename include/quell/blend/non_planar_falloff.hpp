@@ -33,7 +33,9 @@ template <class Inner> struct NonPlanarFalloff {
         // For small angles off the plane, theta - pi / 2 is the sine. It is no number where now or then nothing is seen.
         auto const sine = dot(way, plane.normal) / max(distance, Real(1e-20f));
         auto const g = exp(sine * sine * (-0.5f / (deviation * deviation)));
-        past.validity = past.validity * select(near, Real(1.f), select(both(is_finite(z), is_finite(sine)), g, Real(0.f)));
+        // Nothing is known of a surface that was nowhere, or farther away than numbers reach.
+        auto const known = both(is_finite(z), is_finite(distance), is_finite(sine * sine));
+        past.validity = past.validity * select(known, select(near, Real(1.f), g), Real(0.f));
         return inner.blend(px, past);
     }
 };

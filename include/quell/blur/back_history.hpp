@@ -18,7 +18,8 @@ template <ChannelTag Signal> struct BackFetch {
         auto const between = both(past.validity > real_of<decltype(past.validity)>(0.f), invert(found.still));
         if (sharp && any(between)) {
             auto const spline = CatmullRom::interpolated(
-                px, found, between, [](auto const& then) __attribute__((always_inline)) { return detail::signal_of(then[BackLayer<Signal>{}]); });
+                px, found, between,
+                [](auto const& then) __attribute__((always_inline)) { return detail::signal_of(then[BackLayer<Signal>{}]); });
             auto const smooth = past.kept[back];
             past.kept.set(back, select(spline.accepted, detail::layer_of(spline.value, detail::weight_of(smooth)), smooth));
         }
@@ -46,9 +47,11 @@ template <ChannelTag Signal> struct BackBlend {
         auto const share = select(still, select(samples >= known, Real(1.f), Real(0.f)),
                                   select(both_counted > Real(0.f), samples / max(both_counted, Real(1e-6f)), Real(1.f)));
         auto const signal = mix(detail::signal_of(then), detail::signal_of(now), share);
-        auto const layer = detail::layer_of(select(share >= Real(1.f), detail::signal_of(now), signal),
-                                            select(still, max(samples, known), both_counted));
-        return Result{detail::layers_together(px[MovingLayer<Signal>{}], layer, px.signal()), share}.with(back, layer).with(mean_sweep, sweep);
+        auto const layer =
+            detail::layer_of(select(share >= Real(1.f), detail::signal_of(now), signal), select(still, max(samples, known), both_counted));
+        return Result{detail::layers_together(px[MovingLayer<Signal>{}], layer, px.signal()), share}
+            .with(back, layer)
+            .with(mean_sweep, sweep);
     }
 };
 

@@ -15,9 +15,7 @@ namespace detail {
 /// What a sample shows, as far as motion goes: its speed at the sample's time, its depth, and its bend.
 template <class Paths, class Real> using Mover = Value<Paths::bent ? 5 : 3, Real>;
 
-template <class Real> QUELL_KERNEL Real usable_depth(Real z) {
-    return select(is_finite(z), clamp(z, Real(1e-6f), Real(1e6f)), Real(1e6f));
-}
+template <class Real> QUELL_KERNEL Real usable_depth(Real z) { return select(is_finite(z), clamp(z, Real(1e-6f), Real(1e6f)), Real(1e6f)); }
 template <class Paths, class PathType, class Real> QUELL_KERNEL auto mover_of(PathType const& path, Real z) {
     auto const moves = path.moves();
     auto const speed = path.speed_when_seen();
@@ -29,7 +27,7 @@ template <class Paths, class PathType, class Real> QUELL_KERNEL auto mover_of(Pa
         else
             return select(moves, component<c - 3>(path.bend), Real(0.f));
     };
-    return make_value<Paths::bent ? 5 : 3, Real>(component_of);
+    return make_value < Paths::bent ? 5 : 3, Real > (component_of);
 }
 template <class Paths, class Px> QUELL_KERNEL auto mover_here(Px const& px) { return mover_of<Paths>(Paths::here(px), px[depth]); }
 template <class M> QUELL_KERNEL auto speed_of(M const& mover) { return vec2<real_of<M>>{component<0>(mover), component<1>(mover)}; }
@@ -124,9 +122,11 @@ template <class Paths> struct LocalPairOf {
             take(one_of<0>(row)), take(one_of<1>(row));
         }
         auto const za = depth_of(a), zb = depth_of(b);
+        auto const apart = max(za, zb) > min(za, zb) * (1.f + depth_gap);
+        // What moves over something of its own depth that stands still is in front.
         auto const two = both(difference > max(Real(least * least), squared * (relative * relative)),
-                              max(za, zb) > min(za, zb) * (1.f + depth_gap));
-        auto const a_in_front = both(two, za < zb);
+                              either(apart, squared_speed(b) <= Real(Path<float>::least * Path<float>::least)));
+        auto const a_in_front = both(two, either(invert(apart), za < zb));
         auto const front = select(two, select(a_in_front, a, b), at_depth(a, Real(-1.f)));
         return emitted<Real>(LocalPair<Paths>{}, joined(front, select(a_in_front, b, a)));
     }
@@ -156,8 +156,9 @@ template <class Paths> struct NearestPair {
         auto const own = px[LocalPair<Paths>{}];
         auto pair = own;
         auto const mover = one_of<1>(own);
-        for (auto const [i, j] : {std::pair{0, -1}, {0, 1}, {-1, 0}, {1, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}) {
-            auto const near = px.at(i * across, j * down);
+        constexpr int beside[][2] = {{0, -1}, {0, 1}, {-1, 0}, {1, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
+        for (auto const& step : beside) {
+            auto const near = px.at(step[0] * across, step[1] * down);
             auto const there = near[LocalPair<Paths>{}];
             auto const front = one_of<0>(there), back = one_of<1>(there);
             auto const unlike = min(squared_difference(mover, front), squared_difference(mover, back));
@@ -179,11 +180,11 @@ template <class Paths = StraightPaths> struct MotionPairs {
     using reads = decltype(Channels<Depth>{} | reads_of<Paths>{});
     using emits = Channels<detail::RowExtremes<Paths>, detail::LocalPair<Paths>, MotionPair<Paths>>;
     static constexpr bool leaves_signal = true;
-    int across = 4, down = 1;  ///< how far the window reaches, in pixels
-    float least = 1.f;         ///< pixels; motions that differ less are one
-    float relative = 0.15f;    ///< of the faster's speed; likewise
-    float depth_gap = 0.05f;   ///< relative; what is nearer to each other in depth is one
-    float likeness = 0.5f;     ///< of the difference between two motions beside: what is nearer to one of them than that may be it
+    int across = 4, down = 1; ///< how far the window reaches, in pixels
+    float least = 1.f;        ///< pixels; motions that differ less are one
+    float relative = 0.15f;   ///< of the faster's speed; likewise
+    float depth_gap = 0.05f;  ///< relative; what is nearer to each other in depth is one
+    float likeness = 0.5f;    ///< of the difference between two motions beside: what is nearer to one of them than that may be it
 
     constexpr void for_each_pass(auto&& pass) const {
         pass(detail::RowExtremesOf<Paths>{across});

@@ -62,9 +62,7 @@ private:
     QUELL_KERNEL static auto is(Real part, int i) { return part == Real(static_cast<float>(i)); }
     /// Unrolled, whatever the host's flags: a loop would make its constants anew each time.
     template <class Visit> QUELL_KERNEL static void for_each_part(Visit&& visit) {
-        [&]<int... i>(std::integer_sequence<int, i...>) __attribute__((always_inline)) {
-            (visit(std::integral_constant<int, i>{}), ...);
-        }
+        [&]<int... i>(std::integer_sequence<int, i...>) __attribute__((always_inline)) { (visit(std::integral_constant<int, i>{}), ...); }
         (std::make_integer_sequence<int, most_parts>{});
     }
 };
@@ -115,13 +113,12 @@ template <ChannelTag Signal, class Paths = StraightPaths> struct PairGather {
     using reads = decltype(Channels<Depth, MotionPair<Paths>>{} | reads_of<Paths>{});
     using emits = Channels<MovingLayer<Signal>, BackLayer<Signal>, MeanSweep>;
     static constexpr int most_samples = 128;
-    int count = 96;                ///< samples looked at, at most `most_samples`; with two motions, half of them along each
-    float width = 1.f;             ///< pixels; a sample counts less the farther it passes, and not at all from here on
-    float depth_tolerance = 0.02f; ///< how much farther, relatively, something is that stands behind something else
+    int count = 96;                      ///< samples looked at, at most `most_samples`; with two motions, half of them along each
+    float width = 1.f;                   ///< pixels; a sample counts less the farther it passes, and not at all from here on
+    float depth_tolerance = 0.02f;       ///< how much farther, relatively, something is that stands behind something else
     int tile_width = 8, tile_height = 2; ///< pixels that share their lines, which makes neighbours' samples neighbours in memory
 
     template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
-        using Real = typename Px::Real;
         Work<Px> work(*this, px);
         if (any(either(work.two, work.back_moves))) work.gather(*this, px);
         return work.result(*this, px);
@@ -150,20 +147,23 @@ private:
               two(detail::depth_of(front) > Real(0.f)), back_moves(detail::squared_speed(back) > Real(least_squared)),
               in_front(sqrt(detail::squared_speed(front))), behind(sqrt(detail::squared_speed(back))) {
             per_difference = 1.f / max(sqrt(detail::squared_difference(front, back)), Real(1e-6f));
-            per_gap = 1.f / max(abs(1.f / detail::depth_of(front) - 1.f / detail::depth_of(back)), Real(1e-9f));
+            auto const far = max(detail::depth_of(front), detail::depth_of(back));
+            auto const gap = abs(1.f / detail::depth_of(front) - 1.f / detail::depth_of(back));
+            per_gap = select(gap * far > Real(least_gap), 1.f / max(gap, Real(1e-9f)), Real(0.f));
             some_two = any(two);
             own_in_front = some_two ? is_front(own) : two;
             own_still = detail::squared_speed(own) <= Real(least_squared);
         }
+        static constexpr float least_gap = 0.02f; ///< relative; things nearer in depth are told apart by their motion alone
         static constexpr float least_squared = Path<float>::least * Path<float>::least;
 
         /// Whether something is more like what is in front than like what is behind, by its motion and depth.
         QUELL_KERNEL Mask is_front(Mover const& m) const {
             auto const nearness = 1.f / detail::depth_of(m);
-            auto const to_front = fma(sqrt(detail::squared_difference(m, front)), per_difference,
-                                      abs(nearness - 1.f / detail::depth_of(front)) * per_gap);
-            auto const to_back = fma(sqrt(detail::squared_difference(m, back)), per_difference,
-                                     abs(nearness - 1.f / detail::depth_of(back)) * per_gap);
+            auto const to_front =
+                fma(sqrt(detail::squared_difference(m, front)), per_difference, abs(nearness - 1.f / detail::depth_of(front)) * per_gap);
+            auto const to_back =
+                fma(sqrt(detail::squared_difference(m, back)), per_difference, abs(nearness - 1.f / detail::depth_of(back)) * per_gap);
             return both(two, to_front < to_back);
         }
 

@@ -43,7 +43,13 @@ struct PathSearch {
         auto const moves = fma(v.x, v.x, v.y * v.y) > Real(0.01f);
         auto const length = sqrt(fma(own.x, own.x, own.y * own.y)), slack = Real(accept);
         auto const turn = max(slack, length * turned);
-        detail::PathFound<Real> found{{p.x - v.x, p.y - v.y}, select(moves, Real(0.f), Real(1.f)), invert(moves), own, length, max(slack, length * longer), turn * turn};
+        detail::PathFound<Real> found{{p.x - v.x, p.y - v.y},
+                                      select(moves, Real(0.f), Real(1.f)),
+                                      invert(moves),
+                                      own,
+                                      length,
+                                      max(slack, length * longer),
+                                      turn * turn};
         if (!any(moves)) return found;
         Real const right(static_cast<float>(px.size().width)), bottom(static_cast<float>(px.size().height));
         auto searching = moves;

@@ -2,6 +2,8 @@
 
 #include <quell/motion/surface_test.hpp>
 
+#include <algorithm>
+
 namespace quell {
 
 /// A depth not far from this pixel's: keeps what is near apart from what is behind it, and nothing else.
@@ -22,14 +24,15 @@ struct SimilarDepth {
 
 /// For what has just been uncovered (TRMV eq. 6; Bowles 2012): where this surface would have been, the previous frame shows the occluder.
 /// As far as this pixel is now from the occluder, as far from it then there is a place whose surroundings look alike. Use it behind a
-/// source of the surface itself: FirstValid{SurfaceMotion{}, DualMotion{}}. History that would come from outside the image is taken from
-/// its border.
+/// source of the surface itself: FirstValid{SurfaceMotion{}, DualMotion{}}. History that would come from not far outside the image is taken
+/// from its border; what was farther away, as after a cut, has none.
 /// @tparam Test what a past pixel must pass
 template <class Test = SimilarDepth> struct DualMotion {
     using reads = decltype(Channels<Motion, Depth>{} | reads_of<Test>{});
     using remembers = decltype(Channels<Motion, Depth>{} | remembers_of<Test>{});
     Test test{};
-    float trust = 0.5f; ///< validity of what is found: it is alike, but not the same
+    float trust = 0.5f;   ///< validity of what is found: it is alike, but not the same
+    float reach = 0.125f; ///< how far outside the image the border still stands for, as a part of the image's longer side
 
     template <class Real, class Prepared> struct Found {
         vec2<Real> where;
@@ -44,10 +47,13 @@ template <class Test = SimilarDepth> struct DualMotion {
         Real const right(static_cast<float>(px.size().width) - 0.5f), bottom(static_cast<float>(px.size().height) - 0.5f);
         // What is not finite becomes the border by clamp.
         vec2<Real> const y{clamp(x.x + m.x, Real(0.5f), right), clamp(x.y + m.y, Real(0.5f), bottom)};
-        auto const outside = either(abs(y.x - (x.x + m.x)) > Real(0.f), abs(y.y - (x.y + m.y)) > Real(0.f));
+        auto const beyond_x = abs(y.x - (x.x + m.x)), beyond_y = abs(y.y - (x.y + m.y));
+        auto const outside = either(beyond_x > Real(0.f), beyond_y > Real(0.f));
+        Real const allowed(reach * static_cast<float>(std::max(px.size().width, px.size().height)));
+        auto const near = both(is_finite(m.x), is_finite(m.y), beyond_x < allowed, beyond_y < allowed);
         auto const z = carried_forward(px, y);
         vec2<Real> const where{select(outside, y.x, y.x + (x.x - z.x)), select(outside, y.y, y.y + (x.y - z.y))};
-        return Found<Real, decltype(test.around(px))>{where, Real(trust), test.around(px)};
+        return Found<Real, decltype(test.around(px))>{where, select(near, Real(trust), Real(0.f)), test.around(px)};
     }
 
 private:

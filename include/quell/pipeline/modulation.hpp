@@ -36,7 +36,11 @@ private:
         auto const a = px[albedo];
         auto const colour = map(
             [&](auto c) __attribute__((always_inline)) { return select(is_finite(c), clamp(c, Real(least), Real(1e4f)), Real(1.f)); }, a);
-        auto const black = either(invert(all_finite(a)), luminance(a) < Real(least));
+        // A component below 0 is as little an albedo as one that isn't finite: the least divisor would make it bright light.
+        auto const albedo_like = fold(
+            [](auto sofar, auto c) __attribute__((always_inline)) { return both(sofar, is_finite(c), c >= Real(0.f)); },
+            Real(0.f) == Real(0.f), a);
+        auto const black = either(invert(albedo_like), luminance(a) < Real(least));
         return select(black, splat<decltype(a + a)>(Real(1.f)), colour);
     }
 };

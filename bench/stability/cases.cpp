@@ -1,0 +1,28 @@
+#include "cases.hpp"
+
+#include <quell/core/error.hpp>
+
+#include <algorithm>
+
+namespace quell::stability {
+
+std::vector<Case> const& cases() {
+    static std::vector<Case> const all = [] {
+        std::vector<Case> list;
+        for (auto const& family : {event_cases(), uncovering_cases(), shadow_cases(), reflection_cases(), blur_cases(), firefly_cases(),
+                                   input_cases(), drift_cases()})
+            list.insert(list.end(), family.begin(), family.end());
+        return list;
+    }();
+    return all;
+}
+
+Case const& case_of(std::string const& name) {
+    auto const found = std::ranges::find(cases(), name, &Case::name);
+    if (found != cases().end()) return *found;
+    std::string names;
+    for (auto const& each : cases()) names += (names.empty() ? "" : ", ") + each.name;
+    throw Error("--case", "there is no case '" + name + "'", "choose one of: " + names);
+}
+
+} // namespace quell::stability

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "results.hpp"
+#include "sequence.hpp"
+
+#include <string>
+#include <vector>
+
+namespace quell::stability {
+
+/// A row of the failure catalogue (METHODS.md section 10), or a part of one.
+struct Case {
+    std::string name;
+    std::string about; ///< what happens, and what is promised
+    bool cheap;        ///< belongs to the half that tests run
+    void (*run)(std::string const& name, Making const& making, Results& results);
+};
+
+/// In the catalogue's order.
+[[nodiscard]] std::vector<Case> const& cases();
+/// @throws Error, listing the names, where there is no such case
+[[nodiscard]] Case const& case_of(std::string const& name);
+
+// One function and one file per family.
+[[nodiscard]] std::vector<Case> event_cases();
+[[nodiscard]] std::vector<Case> uncovering_cases();
+[[nodiscard]] std::vector<Case> shadow_cases();
+[[nodiscard]] std::vector<Case> reflection_cases();
+[[nodiscard]] std::vector<Case> blur_cases();
+[[nodiscard]] std::vector<Case> firefly_cases();
+[[nodiscard]] std::vector<Case> input_cases();
+[[nodiscard]] std::vector<Case> drift_cases();
+
+} // namespace quell::stability

@@ -1,0 +1,71 @@
+#include "cases.hpp"
+#include "own_presets.hpp"
+#include "still.hpp"
+#include "watch.hpp"
+
+#include <cmath>
+#include <random>
+
+namespace quell::stability {
+namespace {
+
+/// Means of the picture over early and late frames, as parts of the truth.
+struct Means {
+    double early = 0, late = 0;
+};
+
+constexpr float light = 1000;
+
+/// Frames with noise of a tenth around light of a thousand, on a small tile.
+std::vector<io::ExrImage> noisy_frames(int count) {
+    auto const even = even_frame(light, {.size = {48, 27}});
+    std::mt19937 random(9);
+    std::uniform_real_distribution<float> noise(0.9f, 1.1f);
+    std::vector<io::ExrImage> frames(static_cast<std::size_t>(count), even);
+    for (auto& frame : frames)
+        for (auto const& each : signal_planes())
+            if (each.name != "visibility.V")
+                for (auto& value : plane(frame, each.name)) value *= noise(random);
+    return frames;
+}
+
+/// Of a method whose part of the light is `part`. The frames come over and over, a round number of times in what is counted.
+Means means(examples::Preset const& preset, std::vector<io::ExrImage> const& noisy, float part) {
+    constexpr int frames = 10000, counted = 500;
+    auto const denoiser = preset.make(noisy.front().size, 1);
+    Means result;
+    for (int i = 0; i < frames; ++i) {
+        auto const picture = denoiser->denoise(noisy[static_cast<std::size_t>(i) % noisy.size()], {}, i);
+        bool const early = i >= 100 && i < 100 + counted, late = i >= frames - counted;
+        if (!early && !late) continue;
+        double sum = 0;
+        for (auto const& p : picture.pixels) sum += p.y;
+        (early ? result.early : result.late) +=
+            sum / (static_cast<double>(light * part) * static_cast<double>(picture.pixels.size()) * counted);
+    }
+    return result;
+}
+
+void drift(std::string const& name, Making const&, Results& results) {
+    auto const noisy = noisy_frames(100);
+    auto const add = [&](examples::Preset const& preset, float part) {
+        auto const found = means(preset, noisy, part);
+        // The same frames are counted early and late; of 129,600 samples of deviation 0.06, 1e-3 is six times the mean's.
+        results.promises.push_back({name, preset.name, "late_less_early", std::abs(found.late - found.early), 1e-4});
+        results.promises.push_back({name, preset.name, "late_bias", std::abs(found.late - 1), 1e-3});
+    };
+    add(examples::preset_of("surface"), 1);
+    add(examples::preset_of("surface-clamp"), 1);
+    add(examples::preset_of("svgf"), 1);
+    add(svgf_in_half(), 1);
+    add(examples::preset_of("glossy"), 0.25f);
+    add(examples::preset_of("dual-cone"), 0.25f);
+}
+
+} // namespace
+
+std::vector<Case> drift_cases() {
+    return {{"drift", "10,000 frames in which nothing moves, of light of 1,000. No drift, in float and in half.", true, drift}};
+}
+
+} // namespace quell::stability

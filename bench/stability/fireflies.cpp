@@ -1,0 +1,95 @@
+#include "cases.hpp"
+#include "own_presets.hpp"
+#include "still.hpp"
+#include "watch.hpp"
+
+#include <quell/metrics/picture.hpp>
+
+#include <algorithm>
+#include <random>
+
+namespace quell::stability {
+namespace {
+
+constexpr float light = 0.2f;
+
+/// A method and how much of the light planes it sees.
+struct Watched {
+    examples::Preset preset;
+    float part;
+};
+
+std::vector<Watched> all_methods() {
+    std::vector<Watched> list;
+    for (std::string const name : {"surface", "surface-clamp", "svgf", "dual-color"}) list.push_back({examples::preset_of(name), 1});
+    list.push_back({svgf_without_fireflies(), 1});
+    list.push_back({examples::preset_of("glossy"), 0.25f});
+    list.push_back({examples::preset_of("dual-cone"), 0.25f});
+    return list;
+}
+
+double sum_of(metrics::Picture const& picture) {
+    double sum = 0;
+    for (auto const& p : picture.pixels) sum += p.x;
+    return sum;
+}
+
+double brightest(metrics::Picture const& picture) {
+    double most = 0;
+    for (auto const& p : metrics::displayed(picture).pixels) most = std::max<double>(most, p.x);
+    return most;
+}
+
+/// One sample of ten thousand, once.
+void firefly(std::string const& name, Making const& making, Results& results) {
+    constexpr int flash = 12, last = 60;
+    constexpr float energy = 1e4f;
+    auto const even = even_frame(light, making);
+    auto lit = even;
+    auto const middle = static_cast<std::size_t>(making.size.height / 2 * making.size.width + making.size.width / 2);
+    for (auto const& each : signal_planes())
+        if (each.name != "visibility.V") plane(lit, each.name)[middle] += energy * each.part;
+    for (auto const& [preset, part] : all_methods()) {
+        auto const denoiser = preset.make(making.size, making.threads);
+        double most = 0, usual = 0, base = 0;
+        int alive = 0;
+        for (int i = 0; i <= last; ++i) {
+            auto const picture = denoiser->denoise(i == flash ? lit : even, {}, i);
+            if (i == flash - 1) usual = sum_of(picture), base = brightest(picture);
+            if (i < flash) continue;
+            most = std::max(most, sum_of(picture) - usual);
+            if (i > flash && brightest(picture) > base + 0.1) alive = i - flash;
+        }
+        results.promises.push_back({name, preset.name, "energy_over_input", most / static_cast<double>(energy * part), 1.01});
+        results.promises.push_back({name, preset.name, "frames_alive", static_cast<double>(alive), 2});
+    }
+}
+
+/// Samples of which one in fifty holds all of the light.
+void variance(std::string const& name, Making const& making, Results& results) {
+    auto const even = even_frame(light, making);
+    std::mt19937 random(3);
+    Sequence sequence{making.size, 0, 32, std::vector(64, even), {}, {}};
+    for (auto& frame : sequence.frames) {
+        std::vector<float> factors(frame.pixels());
+        for (auto& factor : factors) factor = random() % 50 == 0 ? 50.f : 0.f;
+        for (auto const& each : signal_planes())
+            if (each.name != "visibility.V")
+                for (std::size_t i = 0; i < factors.size(); ++i) plane(frame, each.name)[i] *= factors[i];
+    }
+    for (auto const& [preset, part] : all_methods()) {
+        double worst = 0;
+        for (auto const& picture : watch(preset, sequence, {}, making.threads)) worst = std::max(worst, sum_of(picture));
+        worst /= static_cast<double>(light * part) * static_cast<double>(making.size.pixels());
+        results.promises.push_back({name, preset.name, "worst_frame_energy_over_truth", worst, 1.25});
+    }
+}
+
+} // namespace
+
+std::vector<Case> firefly_cases() {
+    return {{"firefly", "A single sample of 10,000. Its energy doesn't grow, and it doesn't live on in the history.", true, firefly},
+            {"variance", "One sample in fifty has all the light. Energy stays bounded.", true, variance}};
+}
+
+} // namespace quell::stability

@@ -1,0 +1,44 @@
+#include "known_limits.hpp"
+
+#include <algorithm>
+
+namespace quell::stability {
+namespace {
+
+/// Several methods of one case, for the same reason.
+void add(std::vector<KnownLimit>& list, std::string const& subject, std::string const& metric, std::vector<std::string> const& methods,
+         std::string const& reason) {
+    for (auto const& method : methods) list.push_back({subject, method, metric, reason});
+}
+
+std::vector<KnownLimit> listed() {
+    std::vector<KnownLimit> list;
+    std::string const lag = "light that changes by itself leaves history that is followed rightly and is wrong; nothing but a clamp or the "
+                            "host's gradients tells";
+    add(list, "lightswitch", "first_frame_over_no_history", {"surface", "svgf", "asvgf"}, lag);
+    add(list, "lightswitch", "worst_frame_over_fresh_start", {"surface", "surface-clamp", "svgf", "asvgf", "trmv"}, lag);
+    for (std::string const metric : {"first_frame_over_no_history", "worst_frame_over_fresh_start"})
+        add(list, "cut-unnoticed", metric, {"surface", "svgf", "dual-color"},
+            "depth and normals don't tell two rooms of one shape apart: call history.forget() at a cut");
+    add(list, "thin-shadows", "contrast_over_reference", {"surface", "surface-clamp", "svgf", "shadow"},
+        "a filter in space is wider than the shadow, and history along the surface smears it");
+    add(list, "firefly", "frames_alive", {"surface", "svgf", "dual-color", "glossy", "dual-cone"},
+        "no clamp: put SuppressFireflies{} before the stages");
+    return list;
+}
+
+} // namespace
+
+std::vector<KnownLimit> const& known_limits() {
+    static std::vector<KnownLimit> const all = listed();
+    return all;
+}
+
+KnownLimit const* known_limit(Promise const& promise) {
+    auto const found = std::ranges::find_if(known_limits(), [&](auto const& each) {
+        return each.subject == promise.subject && each.method == promise.method && each.metric == promise.metric;
+    });
+    return found == known_limits().end() ? nullptr : &*found;
+}
+
+} // namespace quell::stability

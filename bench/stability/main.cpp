@@ -1,0 +1,66 @@
+// quell-stability: the catalogue of cases in which methods that reuse earlier frames fail, each held against a promise.
+//   quell-stability [--cheap] [--case cut ...] [--out out/stability] [--check]
+//   quell-stability --soak
+#include "cases.hpp"
+#include "judge.hpp"
+#include "options.hpp"
+#include "page.hpp"
+#include "plots.hpp"
+#include "soak.hpp"
+
+#include <support/program.hpp>
+#include <support/progress.hpp>
+
+#include <algorithm>
+#include <iostream>
+
+using namespace quell::stability;
+
+namespace {
+
+std::vector<Case> chosen(StabilityOptions const& options) {
+    std::vector<Case> list;
+    for (auto const& name : options.cases) list.push_back(case_of(name));
+    if (list.empty())
+        std::ranges::copy_if(cases(), std::back_inserter(list), [&](Case const& each) { return each.cheap || !options.cheap; });
+    return list;
+}
+
+void run_cases(StabilityOptions const& options, Results& results) {
+    auto const list = chosen(options);
+    quell::examples::Progress progress("quell-stability", static_cast<long long>(list.size()), !options.quiet);
+    long long done = 0;
+    for (auto const& each : list) {
+        progress.show(done++, each.name);
+        each.run(each.name, options.making, results);
+    }
+}
+
+int run(StabilityOptions const& options) {
+    std::filesystem::create_directories(options.out);
+    Results results;
+    if (options.soak)
+        soak(options.making, options.quiet, results);
+    else
+        run_cases(options, results);
+    write_tables(results, options.out);
+    if (!draw_plots(results, options.out)) std::cerr << "no plots: install gnuplot (gnuplot-nox)\n";
+    write_page(results, options.out);
+    int const broken = judge(results, std::cout);
+    return options.check && broken > 0 ? 1 : 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    int code = 0;
+    int const failed = quell::examples::exit_code_of("quell-stability", [&] {
+        auto const options = stability_options(argc, argv);
+        if (!options) return;
+        if (!options->list)
+            code = run(*options);
+        else
+            for (auto const& each : cases()) std::cout << each.name << '\n';
+    });
+    return failed != 0 ? failed : code;
+}

@@ -1,0 +1,54 @@
+#include "options.hpp"
+
+#include <quell/core/error.hpp>
+#include <support/program.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+
+namespace quell::stability {
+namespace {
+
+Extent size_from(std::string const& text) {
+    Extent size;
+    char end = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &end) != 2 || size.width < 16 || size.height < 16 ||
+        size.pixels() > (1LL << 24))
+        throw Error("--size", "'" + text + "'", "give a width and a height such as 160x90, each at least 16");
+    return size;
+}
+
+void describe(CLI::App& app, StabilityOptions& options) {
+    app.add_option("--case,--scene", options.cases, "A case that --list names, or all; may be given several times (default: all)")
+        ->take_all();
+    app.add_option("--out", options.out, "Folder for stability.csv, frames.csv, the plots and index.html")->capture_default_str();
+    app.add_option("--threads", options.making.threads, "Threads; 0: all")->check(CLI::Range(0, 1024))->capture_default_str();
+    app.add_flag("--cheap", options.cheap, "Small pictures, and only the half of the cases that take little time: tests run it");
+    app.add_flag("--check", options.check, "Exit code 1 where a promise is broken that isn't among the known limits");
+    app.add_flag("--soak", options.soak, "10,000 frames of `room` with cuts, bursts and other sizes instead of the cases");
+    app.add_flag("--quiet", options.quiet, "No progress");
+    app.add_flag("--list", options.list, "Print the names of the cases");
+}
+
+} // namespace
+
+std::optional<StabilityOptions> stability_options(int argc, char const* const* argv) {
+    CLI::App app("Tries every method where methods of its kind fail, over time, and compares what happens with what is promised.",
+                 "quell-stability");
+    StabilityOptions options;
+    std::optional<std::string> size;
+    std::optional<double> tolerance;
+    describe(app, options);
+    app.add_option("--size", size, "Width x height in pixels (default: 160x90; cheap: 96x54)");
+    app.add_option("--tolerance", tolerance, "Of references: mean FLIP between two independent halves (default: 0.015; cheap: 0.03)")
+        ->check(CLI::Range(0.001, 1.0));
+    if (!examples::parse(app, argc, argv)) return std::nullopt;
+    options.making.size = size_from(size.value_or(options.cheap ? "96x54" : "160x90"));
+    options.making.tolerance = tolerance.value_or(options.cheap ? 0.03 : 0.015);
+    if (options.cheap) options.making.most_samples = 64;
+    if (options.cases == std::vector<std::string>{"all"}) options.cases.clear();
+    return options;
+}
+
+} // namespace quell::stability

@@ -1,0 +1,33 @@
+#include "own_presets.hpp"
+
+#include <denoise/denoiser_of.hpp>
+
+namespace quell::stability {
+
+using examples::preset;
+
+examples::Preset shadow_without_falloff() {
+    return preset("shadow-without-falloff", [] {
+        return Composite{Pipeline{visibility, Spatial{ShadowSplat{}}, Spatial{AdaptiveBilateral<PenumbraWidth>{.radius = 15}},
+                                  Temporal{FirstValid{SplattedShadowMotion{}, SurfaceMotion{}},
+                                           Clamped{WithCleanUp{Exponential{.alpha = 0.3f}}, MeanDeviation{.sigmas = 1.f}}},
+                                  Spatial{CleanUp<>{}}}};
+    });
+}
+
+examples::Preset glossy_with_flat_mirror() {
+    return preset("glossy-flat-mirror", [] {
+        return Composite{Pipeline{glossy, Temporal{FirstValid{ImageMotion{}, SurfaceMotion{}}, WithMoments{RunningMean{.cap = 4.f}}},
+                                  Spatial{VarianceGuidedAtrous<Product<DepthEdge, NormalEdge, LobeEdge>>{.levels = 4, .feedback = false}}}};
+    });
+}
+
+examples::Preset svgf_without_fireflies() {
+    return preset("svgf-suppress-fireflies", [] { return presets::svgf(radiance, Demodulate{}, SuppressFireflies{}); });
+}
+
+examples::Preset svgf_in_half() {
+    return preset<Planar<Float16>>("svgf-half", [] { return presets::svgf(radiance, Demodulate{}); });
+}
+
+} // namespace quell::stability

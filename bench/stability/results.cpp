@@ -1,0 +1,43 @@
+#include "results.hpp"
+
+#include <quell/core/error.hpp>
+
+#include <cstdio>
+#include <fstream>
+
+namespace quell::stability {
+namespace {
+
+/// Enough digits to be compared from run to run, and no more.
+std::string number(double a) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", a);
+    return text;
+}
+
+std::ofstream file_for(std::filesystem::path const& path, char const* header) {
+    std::ofstream file(path);
+    file << header << '\n';
+    return file;
+}
+
+void finish(std::ofstream& file, std::filesystem::path const& path) {
+    if (!file.flush()) throw Error(path.string(), "it can't be written", "check the folder and the space that is left");
+}
+
+} // namespace
+
+void write_tables(Results const& results, std::filesystem::path const& folder) {
+    auto const promises = folder / "stability.csv", frames = folder / "frames.csv";
+    auto file = file_for(promises, "case,method,metric,value,limit,held");
+    for (auto const& p : results.promises)
+        file << p.subject << ',' << p.method << ',' << p.metric << ',' << number(p.value) << ',' << number(p.limit) << ',' << p.held()
+             << '\n';
+    finish(file, promises);
+    file = file_for(frames, "case,method,frame,rmse,flip");
+    for (auto const& f : results.frames)
+        file << f.subject << ',' << f.method << ',' << f.frame << ',' << number(f.rmse) << ',' << number(f.flip) << '\n';
+    finish(file, frames);
+}
+
+} // namespace quell::stability

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "results.hpp"
+#include "sequence.hpp"
+
+namespace quell::stability {
+
+/// 10,000 frames of `room`, a few dozen of them over and over, with cuts, other sizes and bursts of what is no number: memory stays, errors
+/// stay, and all is finite.
+void soak(Making const& making, bool quiet, Results& results);
+
+} // namespace quell::stability

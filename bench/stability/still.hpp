@@ -1,0 +1,18 @@
+#pragma once
+
+#include "sequence.hpp"
+
+namespace quell::stability {
+
+/// A frame of a room in which nothing moves and all signals are even: `radiance` is `light` everywhere, and so is the picture that is put
+/// together from direct light without shadows, glossy reflection and indirect light.
+[[nodiscard]] io::ExrImage even_frame(float light, Making const& making);
+
+/// The planes of the signals, each of which carries this part of the picture.
+struct SignalPlane {
+    std::string name;
+    float part;
+};
+[[nodiscard]] std::vector<SignalPlane> const& signal_planes();
+
+} // namespace quell::stability

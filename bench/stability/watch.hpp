@@ -1,0 +1,45 @@
+#pragma once
+
+#include "results.hpp"
+#include "sequence.hpp"
+
+#include <denoise/presets.hpp>
+
+#include <string>
+#include <vector>
+
+namespace quell::stability {
+
+/// What a method may remember.
+struct Memory {
+    enum class Kind { all, none, since } kind = Kind::all;
+    int start = 0; ///< for `since`: the frame before which all is forgotten
+
+    /// The number by which the history of a frame is known: where numbers don't follow each other, history starts afresh.
+    [[nodiscard]] long long number(int frame) const {
+        if (kind == Kind::none) return 2LL * frame;
+        return kind == Kind::since && frame >= start ? frame + 1000LL : frame;
+    }
+};
+
+/// What a method made of the scored frames of a sequence: linear pictures.
+using Pictures = std::vector<metrics::Picture>;
+[[nodiscard]] Pictures watch(examples::Preset const& preset, Sequence const& sequence, Memory memory = {}, int threads = 0);
+
+/// Errors of the scored frames, displayed, in the sequence's masks. Frames without a single pixel that counts are left out.
+struct Errors {
+    std::vector<int> frames;
+    std::vector<double> rmse, flip;
+};
+[[nodiscard]] Errors errors(Sequence const& sequence, Pictures const& pictures);
+void record(Results& results, std::string const& subject, std::string const& method, Errors const& errors);
+
+/// The limit of a ratio that promises "no worse": 1, but for rounding.
+inline constexpr double no_worse = 1.0001;
+
+/// The greatest ratio of two methods' RMSE in the same frame, from a frame on.
+[[nodiscard]] double worst_ratio(Errors const& a, Errors const& b, int from = 0);
+/// The ratio of the mean RMSE of two methods.
+[[nodiscard]] double mean_ratio(Errors const& a, Errors const& b);
+
+} // namespace quell::stability
