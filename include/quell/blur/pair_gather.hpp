@@ -115,6 +115,7 @@ template <ChannelTag Signal, class Paths = StraightPaths> struct PairGather {
     static constexpr int most_samples = 128;
     int count = 96;                      ///< samples looked at, at most `most_samples`; with two motions, half of them along each
     float width = 1.f;                   ///< pixels; a sample counts less the farther it passes, and not at all from here on
+    float bend_influence = 0.25f;        ///< per pixel of bend, how much wider that is, up to twice: what bends is known less exactly
     float depth_tolerance = 0.02f;       ///< how much farther, relatively, something is that stands behind something else
     int tile_width = 8, tile_height = 2; ///< pixels that share their lines, which makes neighbours' samples neighbours in memory
 
@@ -222,7 +223,7 @@ private:
                                     Mask shows_front, Mask counts) {
             auto const looked_at = moving_as(shows_front, path, like_front(path.time));
             auto const passing = looked_at.passing(away);
-            auto const w = select(counts, weight(g, passing) * looked_at.time_per_pixel(), Real(0.f));
+            auto const w = select(counts, weight(passing, width_for(g, front)) * looked_at.time_per_pixel(), Real(0.f));
             auto const hidden = both(own_still, invert(own_in_front),
                                      detail::hidden_behind(detail::depth_of(mover), detail::depth_of(own), g.depth_tolerance));
             auto const seen = select(both(shows_front, invert(hidden)), w, Real(0.f));
@@ -230,15 +231,22 @@ private:
         }
         QUELL_KERNEL void add_back(PairGather const& g, Colour const& value, auto const& path, vec2<Real> const& away, Mask counts) {
             auto const passing = path.passing(away);
-            auto const near = select(counts, weight(g, passing), Real(0.f));
+            auto const near = select(counts, weight(passing, width_for(g, back)), Real(0.f));
             auto const w = near * path.time_per_pixel();
             behind.add(scale(value, w), w, clamp(passing.when, Real(0.f), Real(1.f)));
             swept = add_scaled(swept, path.sweep, w);
             weights = weights + w;
             samples = samples + near;
         }
-        QUELL_KERNEL static Real weight(PairGather const& g, auto const& passing) {
-            return select(passing.in_time(), max(fma(passing.distance, Real(-1.f / g.width), Real(1.f)), Real(0.f)), Real(0.f));
+        QUELL_KERNEL static Real weight(auto const& passing, Real width) {
+            return select(passing.in_time(), max(1.f - passing.distance / width, Real(0.f)), Real(0.f));
+        }
+        QUELL_KERNEL static Real width_for(PairGather const& g, Mover const& mover) {
+            if constexpr (Paths::bent) {
+                auto const bend = bend_of(mover);
+                return fma(min(sqrt(fma(bend.x, bend.x, bend.y * bend.y)) * g.bend_influence, Real(1.f)), Real(g.width), Real(g.width));
+            } else
+                return Real(g.width);
         }
         QUELL_KERNEL auto like_front(Real time) const {
             using PathType = decltype(Paths::here(std::declval<Px const&>()));

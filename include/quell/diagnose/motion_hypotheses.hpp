@@ -10,14 +10,14 @@
 namespace quell::detail {
 
 /// A motion vector of the host, and the one that a surface which stands still would have there.
-struct MotionPair {
+struct ComparedMotion {
     glm::vec2 found, expected;
     /// Objects that move agree with nothing; that is why shares are compared, and never looked at alone.
     [[nodiscard]] bool agrees(glm::vec2 motion) const { return glm::length(motion - expected) < 0.1f + 0.03f * glm::length(expected); }
     /// Where nothing is expected to move, every convention says the same.
     [[nodiscard]] bool moves() const { return glm::length(expected) > 0.5f; }
 };
-using MotionPairs = std::vector<MotionPair>;
+using MotionPairs = std::vector<ComparedMotion>;
 
 /// Wherever depth and cameras tell what to expect.
 inline MotionPairs motion_pairs(Observation const& seen, Camera const& now, Camera const& then) {
@@ -39,7 +39,7 @@ inline MotionPairs still_pairs(Observation const& seen) {
     return pairs;
 }
 inline MotionPairs moving(MotionPairs pairs) {
-    std::erase_if(pairs, [](MotionPair const& pair) { return !pair.moves(); });
+    std::erase_if(pairs, [](ComparedMotion const& pair) { return !pair.moves(); });
     return pairs;
 }
 inline Tally agreeing(MotionPairs const& pairs, glm::vec2 factor) {
