@@ -19,15 +19,11 @@ template <class Real> QUELL_KERNEL Real usable_depth(Real z) { return select(is_
 template <class Paths, class PathType, class Real> QUELL_KERNEL auto mover_of(PathType const& path, Real z) {
     auto const moves = path.moves();
     auto const speed = path.speed_when_seen();
-    auto const component_of = [&](auto c) __attribute__((always_inline)) {
-        if constexpr (c < 2)
-            return select(moves, component<c>(speed), Real(0.f));
-        else if constexpr (c == 2)
-            return usable_depth(z);
-        else
-            return select(moves, component<c - 3>(path.bend), Real(0.f));
-    };
-    return make_value < Paths::bent ? 5 : 3, Real > (component_of);
+    auto const x = select(moves, speed.x, Real(0.f)), y = select(moves, speed.y, Real(0.f));
+    if constexpr (Paths::bent)
+        return Mover<Paths, Real>{{x, y, usable_depth(z), select(moves, path.bend.x, Real(0.f)), select(moves, path.bend.y, Real(0.f))}};
+    else
+        return Mover<Paths, Real>{x, y, usable_depth(z)};
 }
 template <class Paths, class Px> QUELL_KERNEL auto mover_here(Px const& px) { return mover_of<Paths>(Paths::here(px), px[depth]); }
 template <class M> QUELL_KERNEL auto speed_of(M const& mover) { return vec2<real_of<M>>{component<0>(mover), component<1>(mover)}; }

@@ -81,7 +81,7 @@ inline bool find_projection_jitter(Observation const& seen, std::vector<Finding>
 
 /// The pose instead of its inverse: then what is expected of still surfaces is not what they do, but would be with the inverse.
 /// Returns whether that is so.
-inline bool find_inverted_view(Observation const& seen, MotionPairs const& pairs, std::vector<Finding>& findings) {
+inline bool find_inverted_view(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
     auto now = seen.camera, then = seen.camera_then;
     now.view = glm::inverse(now.view), then.view = glm::inverse(then.view);
     auto const inverted = moving(motion_pairs(seen, now, then));
@@ -97,7 +97,7 @@ inline bool find_inverted_view(Observation const& seen, MotionPairs const& pairs
 }
 
 /// The camera never changes, and yet all surfaces move.
-inline void find_still_camera(Observation const& seen, MotionPairs const& pairs, std::vector<Finding>& findings) {
+inline void find_still_camera(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
     if (!(seen.camera.view == seen.camera_then.view && seen.camera.projection == seen.camera_then.projection)) return;
     Tally moves;
     std::vector<float> lengths;

@@ -16,7 +16,7 @@ namespace quell {
 
 namespace detail {
 /// Cameras that move say best what motion must be; the exact cause first, since one mistake explains many symptoms.
-inline void find_by_moving_camera(Observation const& seen, MotionPairs const& pairs, std::vector<Finding>& findings) {
+inline void find_by_moving_camera(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
     auto const before = findings.size();
     find_zero_motion(pairs, findings);
     if (findings.size() == before && !find_inverted_view(seen, pairs, findings)) find_motion_convention(seen, pairs, findings);

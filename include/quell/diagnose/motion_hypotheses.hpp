@@ -17,12 +17,12 @@ struct ComparedMotion {
     /// Where nothing is expected to move, every convention says the same.
     [[nodiscard]] bool moves() const { return glm::length(expected) > 0.5f; }
 };
-using MotionPairs = std::vector<ComparedMotion>;
+using ComparedMotions = std::vector<ComparedMotion>;
 
 /// Wherever depth and cameras tell what to expect.
-inline MotionPairs motion_pairs(Observation const& seen, Camera const& now, Camera const& then) {
+inline ComparedMotions motion_pairs(Observation const& seen, Camera const& now, Camera const& then) {
     StaticMotion const expected(now, then, seen.size);
-    MotionPairs pairs;
+    ComparedMotions pairs;
     for_each_hit(seen, [&](int x, int y) {
         auto const found = vec2_at(seen.motion, x, y);
         auto const still = expected.at(x, y, seen.depth(0, x, y));
@@ -31,18 +31,18 @@ inline MotionPairs motion_pairs(Observation const& seen, Camera const& now, Came
     return pairs;
 }
 /// Of a camera that stands still.
-inline MotionPairs still_pairs(Observation const& seen) {
-    MotionPairs pairs;
+inline ComparedMotions still_pairs(Observation const& seen) {
+    ComparedMotions pairs;
     for_each_hit(seen, [&](int x, int y) {
         if (auto const found = vec2_at(seen.motion, x, y); all_finite(found)) pairs.push_back({found, glm::vec2(0.f)});
     });
     return pairs;
 }
-inline MotionPairs moving(MotionPairs pairs) {
+inline ComparedMotions moving(ComparedMotions pairs) {
     std::erase_if(pairs, [](ComparedMotion const& pair) { return !pair.moves(); });
     return pairs;
 }
-inline Tally agreeing(MotionPairs const& pairs, glm::vec2 factor) {
+inline Tally agreeing(ComparedMotions const& pairs, glm::vec2 factor) {
     Tally tally;
     for (auto const& pair : pairs) tally.add(pair.agrees(pair.found * factor));
     return tally;
@@ -56,7 +56,7 @@ struct BestConvention {
     MotionConvention convention;
     Tally own, best;
 
-    BestConvention(MotionPairs const& pairs, Observation const& seen)
+    BestConvention(ComparedMotions const& pairs, Observation const& seen)
         : convention(seen.convention), own(agreeing(pairs, {1.f, 1.f})), best(own) {
         for (auto const each : motion_conventions(seen.convention)) {
             auto const tally = agreeing(pairs, correction(each, seen.convention, seen.size));
@@ -78,7 +78,7 @@ inline void report_convention(MotionConvention convention, Observation const& se
 }
 
 /// Sign, unit and direction of y, by cameras that move.
-inline void find_motion_convention(Observation const& seen, MotionPairs const& pairs, std::vector<Finding>& findings) {
+inline void find_motion_convention(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
     BestConvention const choice(pairs, seen);
     if (!choice.clear()) return;
     auto const factor = correction(choice.convention, seen.convention, seen.size);
@@ -90,7 +90,7 @@ inline void find_motion_convention(Observation const& seen, MotionPairs const& p
 }
 
 /// Nothing moves on the screen although the camera does.
-inline void find_zero_motion(MotionPairs const& pairs, std::vector<Finding>& findings) {
+inline void find_zero_motion(ComparedMotions const& pairs, std::vector<Finding>& findings) {
     Tally zero;
     std::vector<float> expected;
     for (auto const& pair : pairs) zero.add(glm::length(pair.found) < 1e-6f), expected.push_back(glm::length(pair.expected));
@@ -108,7 +108,7 @@ struct CommonOffset {
     glm::vec2 offset{};
     Tally sharing, without;
 
-    explicit CommonOffset(MotionPairs const& pairs) {
+    explicit CommonOffset(ComparedMotions const& pairs) {
         std::vector<float> xs, ys;
         for (auto const& pair : pairs) xs.push_back(pair.found.x - pair.expected.x), ys.push_back(pair.found.y - pair.expected.y);
         offset = {median(xs), median(ys)};
@@ -134,7 +134,7 @@ inline std::string jitter_remedy(MotionConvention taken_for) {
 }
 
 /// The change of jitter in every vector. Returns whether it is there.
-inline bool find_motion_jitter(Observation const& seen, MotionPairs const& pairs, std::vector<Finding>& findings) {
+inline bool find_motion_jitter(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
     CommonOffset const common(pairs);
     auto const before = std::exchange(seen.notes().motion_offset, common.offset);
     if (!common.is_jitter()) return false;
