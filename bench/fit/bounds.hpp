@@ -15,7 +15,6 @@ struct Figures {
 struct Bounds {
     std::optional<double> rmse, flip, ms;
 
-    /// Milliseconds can't be held to the last digit: nothing else asks for them here.
     [[nodiscard]] bool in_time(Figures const& f) const { return !ms || f.ms <= *ms; }
     [[nodiscard]] bool asks_for_error() const { return rmse || flip; }
     [[nodiscard]] bool accurate(Figures const& f) const { return (!rmse || f.rmse <= *rmse) && (!flip || (f.flip && *f.flip <= *flip)); }

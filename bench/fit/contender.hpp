@@ -47,7 +47,4 @@ template <class Make> Contender contender(std::string name, bool follows, char c
 
 /// Code as text and as what it makes, so that the two are the same.
 #define QUELL_FIT_CODE(...)                                                                                                                \
-#__VA_ARGS__, [] { \
-    using namespace quell;                     \
-    return __VA_ARGS__;                        \
-}
+#__VA_ARGS__, [] { using namespace quell; return __VA_ARGS__; }

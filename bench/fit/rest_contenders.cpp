@@ -2,7 +2,7 @@
 
 std::vector<quell::bench::Contender> quell::bench::rest_contenders() {
     return {
-        contender("none", false, QUELL_FIT_CODE(presets::none(radiance, Demodulate{}))),
+        contender("none", false, QUELL_FIT_CODE(presets::none(radiance))),
         contender("surface", false, QUELL_FIT_CODE(presets::surface(radiance, Demodulate{}))),
         contender("surface-clamp", false, QUELL_FIT_CODE(presets::surface_clamp(radiance, Demodulate{}))),
         contender("svgf/levels=2", false, QUELL_FIT_CODE([] {

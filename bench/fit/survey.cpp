@@ -98,15 +98,16 @@ Traces traces_of(Sequence& sequence) {
     return divided(sum, static_cast<double>(sequence.size.pixels()) * static_cast<double>(sequence.numbers.size() - 1));
 }
 
-Verdict verdict(double here, double moving, std::string const& nothing, std::string const& shows, std::string const& how_it_moves) {
+Verdict verdict(double here, double moving, std::string const& nothing, std::string const& shows, std::string const& moves) {
     if (here < least_share) return {false, false, nothing};
-    if (moving < least_share) return {true, false, shows + " (" + percent(here) + " of the pixels), nothing of it " + how_it_moves};
-    return {true, true, shows + " (" + percent(here) + " of the pixels), and " + percent(moving) + " of the pixels " + how_it_moves};
+    auto const there = percent(here) + " of the pixels " + shows;
+    if (moving < least_share) return {true, false, there + ", nothing of which " + moves + ": what follows that is left out"};
+    return {true, true, there + ", and " + percent(moving) + " " + moves};
 }
 
 Verdict without_channels(std::set<std::string> const& channels, std::initializer_list<char const*> wanted) {
     for (auto const* name : wanted)
-        if (!channels.contains(name)) return {false, false, std::string("the frames have no channel ") + name + " to split it off by"};
+        if (!channels.contains(name)) return {false, false, std::string("the frames have no channel '") + name + "' to split it off by"};
     return {};
 }
 
@@ -115,11 +116,10 @@ Verdict without_channels(std::set<std::string> const& channels, std::initializer
 std::array<Verdict, effects.size()> detail::verdicts_on(Traces const& t, std::set<std::string> const& channels) {
     std::array verdicts{without_channels(channels, {"visibility", "direct"}), without_channels(channels, {"glossy"}),
                         without_channels(channels, {"indirect", "albedo"})};
-    if (verdicts[0].present) verdicts[0] = verdict(t.shadowed, t.shadow_moves, "no pixel is in shadow", "there are shadows", "moves");
-    if (verdicts[1].present) verdicts[1] = verdict(t.reflecting, t.reflection_moves, "no pixel reflects", "there are reflections", "moves");
+    if (verdicts[0].present) verdicts[0] = verdict(t.shadowed, t.shadow_moves, "no pixel is in shadow", "are in shadow", "moves");
+    if (verdicts[1].present) verdicts[1] = verdict(t.reflecting, t.reflection_moves, "no pixel reflects", "reflect", "moves");
     if (verdicts[2].present)
-        verdicts[2] =
-            verdict(t.lit_indirectly, t.uncovered, "there is none", "there is indirect light", "is uncovered from frame to frame");
+        verdicts[2] = verdict(t.lit_indirectly, t.uncovered, "no pixel has any", "have some", "was hidden a frame ago");
     return verdicts;
 }
 
