@@ -101,8 +101,8 @@ Traces traces_of(Sequence& sequence) {
 Verdict verdict(double here, double moving, std::string const& nothing, std::string const& shows, std::string const& moves) {
     if (here < least_share) return {false, false, nothing};
     auto const there = percent(here) + " of the pixels " + shows;
-    if (moving < least_share) return {true, false, there + ", nothing of which " + moves + ": what follows that is left out"};
-    return {true, true, there + ", and " + percent(moving) + " " + moves};
+    if (moving < least_share) return {true, false, there + ", and in none it " + moves + ": what follows that is left out"};
+    return {true, true, there + ", and in " + percent(moving) + " it " + moves};
 }
 
 Verdict without_channels(std::set<std::string> const& channels, std::initializer_list<char const*> wanted) {

@@ -43,8 +43,9 @@ TEST_CASE("a loose bound needs nothing, and the effects stay in the picture") {
 
 TEST_CASE("a tight bound splits off what it takes, and says what the sequence lacks") {
     FlickeringWall wall;
-    auto const [said, fitted] = run(wall, {.rmse = 0.08, .flip = {}, .ms = {}});
-    INFO(said);
+    auto const found = run(wall, {.rmse = 0.08, .flip = {}, .ms = {}});
+    INFO(found.said);
+    auto const& [said, fitted] = found;
     CHECK(has(fitted.composition.split, Part::shadow));
     CHECK(fitted.composition.split.count() == 1);
     CHECK(fitted.composition.figures.rmse <= 0.08);
