@@ -1,0 +1,187 @@
+#include "fit.hpp"
+
+#include <quell/core/error.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace quell::bench {
+namespace {
+
+/// The search, from small to large.
+class Search {
+public:
+    Search(Sequence& sequence_, std::vector<Contender> const& contenders_, FitOptions const& options_, std::ostream& out_)
+        : sequence(sequence_), contenders(contenders_), options(options_), out(out_), survey(sequence_), trials(sequence_, options_) {
+        check_rest();
+        for (auto const effect : effects)
+            if (std::ranges::any_of(contenders, [&](auto const& one) { return one.part == effect && may_run(one); }))
+                splittable = with(splittable, effect);
+    }
+
+    /// @throws OutOfReach
+    Composition& find() {
+        print_survey();
+        for (std::size_t split = 0; split <= splittable.count(); ++split) {
+            if (split == levels.size()) look_at_level(split);
+            if (!options.bounds.asks_for_error()) continue;
+            if (auto* const found = smallest_within(levels[split], options.bounds, sequence.converged)) return *found;
+        }
+        if (!options.bounds.asks_for_error())
+            if (auto* const found = most_accurate_in_time(levels, options.bounds)) return *found;
+        throw OutOfReach("nothing keeps " + sequence.name + " to " + to_string(options.bounds) + "; " + best() +
+                         "; loosen the bound, or give the frames more samples");
+    }
+
+    /// Runs the pipelines together. What they cost is known better then, and noted.
+    [[nodiscard]] Fitted verified(Composition& found) {
+        std::vector<Entrant> entrants;
+        for (auto const* trial : found.parts) entrants.push_back({trial->contender, trial->split});
+        Fitted fitted{trials.run(entrants, "verifying"), {found.split, {}}, origin(found)};
+        for (auto const& trial : fitted.trials) fitted.composition.parts.push_back(&trial);
+        measure(fitted.composition, sequence.converged);
+        measure_flip(fitted.composition, sequence.converged);
+        found.figures = fitted.composition.figures;
+        return fitted;
+    }
+
+    void print(Fitted const& fitted) const {
+        out << (options.bounds.asks_for_error() ? "The smallest within " : "The smallest of the most accurate within ")
+            << to_string(options.bounds) << ": " << to_string(fitted.composition)
+            << "\n  run as a whole: " << to_string(fitted.composition.figures) << ", "
+            << static_cast<long long>(fitted.composition.figures.bytes_per_pixel) << " bytes per pixel\n";
+        for (auto const& sentence : fitted.origin.left_out) out << "  left out: " << sentence << '\n';
+        out << "  channels:";
+        for (auto const& name : channels_of(fitted.composition)) out << ' ' << name;
+        out << std::endl;
+    }
+
+private:
+    Sequence& sequence;
+    std::vector<Contender> const& contenders;
+    FitOptions const& options;
+    std::ostream& out;
+    Survey survey;
+    Trials trials;
+    Effects splittable;
+    std::list<Trial> known;
+    std::vector<std::vector<Composition>> levels; ///< by the number of effects split off
+
+    [[nodiscard]] std::string missing_channel(Contender const& contender) const {
+        for (auto const& name : contender.reads)
+            if (!sequence.channels.contains(name)) return name;
+        return {};
+    }
+    [[nodiscard]] bool may_run(Contender const& contender) const {
+        if (!missing_channel(contender).empty() || (contender.needs_camera && !sequence.has_camera)) return false;
+        if (contender.part == Part::rest) return true;
+        return survey[contender.part].present && (survey[contender.part].moves || !contender.follows);
+    }
+    void check_rest() const {
+        auto const rest = std::ranges::find(contenders, Part::rest, &Contender::part);
+        if (auto const missing = missing_channel(*rest); !missing.empty())
+            throw Error(sequence.name, "its frames have no channel '" + missing + "'", "render that too");
+    }
+
+    void look_at_level(std::size_t split) {
+        std::vector<Entrant> entrants;
+        for (auto const& one : contenders) {
+            if (!may_run(one)) continue;
+            if (one.part != Part::rest && split == 1) entrants.push_back({&one, {}});
+            for (auto const& chosen : choices(split))
+                if (one.part == Part::rest && !trials.leaves_nothing(chosen)) entrants.push_back({&one, chosen});
+        }
+        known.splice(known.end(), trials.run(entrants, "splitting off " + std::to_string(split)));
+        auto& level = levels.emplace_back();
+        for (auto const& chosen : choices(split)) compose(chosen, level);
+        for (auto& composition : level) measure(composition, sequence.converged);
+        print_level(split, level);
+    }
+
+    /// All ways to split off so many.
+    [[nodiscard]] std::vector<Effects> choices(std::size_t split) const {
+        std::vector<Effects> found;
+        for (unsigned bits = 0; bits < (1u << effects.size()); ++bits)
+            if (Effects const chosen(bits); chosen.count() == split && (chosen & ~splittable).none()) found.push_back(chosen);
+        return found;
+    }
+
+    /// All that can be made of one choice: each effect's pipelines with each other's and with the rest's.
+    void compose(Effects const& chosen, std::vector<Composition>& level) {
+        std::vector<Composition> partial{{chosen, {}}};
+        for (auto const effect : effects)
+            if (has(chosen, effect)) partial = extended(partial, effect);
+        auto whole = extended(partial, Part::rest);
+        std::ranges::move(whole.empty() ? partial : whole, std::back_inserter(level));
+    }
+    [[nodiscard]] std::vector<Composition> extended(std::vector<Composition> const& partial, Part part) const {
+        std::vector<Composition> more;
+        for (auto const& one : partial)
+            for (auto const& trial : known) {
+                if (trial.contender->part != part || (part == Part::rest && trial.split != one.split)) continue;
+                more.push_back(one);
+                more.back().parts.push_back(&trial);
+            }
+        return more;
+    }
+
+    /// The best of all, where none is good enough.
+    [[nodiscard]] std::string best() {
+        Composition* best = nullptr;
+        bool const late = std::ranges::none_of(levels, [&](auto const& level) { return any_in_time(level); });
+        auto const key = [&](Composition const& one) { return late ? one.figures.ms : one.figures.rmse; };
+        for (auto& level : levels)
+            for (auto& one : level)
+                if ((late || options.bounds.in_time(one.figures)) && (!best || key(one) < key(*best))) best = &one;
+        if (options.bounds.flip && !best->figures.flip) measure_flip(*best, sequence.converged);
+        return std::string(late ? "the fastest" : "the most accurate") + " is " + to_string(*best) + ": " + to_string(best->figures);
+    }
+    [[nodiscard]] bool any_in_time(std::vector<Composition> const& level) const {
+        return std::ranges::any_of(level, [&](auto const& one) { return options.bounds.in_time(one.figures); });
+    }
+
+    /// A sentence for each effect without a pipeline of its own.
+    [[nodiscard]] std::vector<std::string> left_out(Effects const& split) const {
+        std::vector<std::string> sentences;
+        for (auto const effect : effects) {
+            if (has(split, effect)) continue;
+            auto const name = effect == Part::indirect ? std::string("indirect, dual vectors and cones") : std::string(name_of(effect));
+            auto const& verdict = survey[effect];
+            sentences.push_back(name + ": " + verdict.evidence + (verdict.present ? "; it stays in the rest" : ""));
+        }
+        return sentences;
+    }
+    [[nodiscard]] Origin origin(Composition const& found) const {
+        Origin origin{sequence.name, sequence.size, options.threads, options.bounds, {}, left_out(found.split)};
+        for (auto const& one : sequence.converged) origin.scored.push_back(one.frame);
+        return origin;
+    }
+
+    void print_survey() const {
+        out << sequence.name << ", " << to_string(sequence.size) << ", " << sequence.numbers.size() << " frames, " << options.threads
+            << " threads\n";
+        for (auto const effect : effects) out << "  " << name_of(effect) << ": " << survey[effect].evidence << '\n';
+    }
+    void print_level(std::size_t split, std::vector<Composition>& level) const {
+        auto const front = front_of(level);
+        out << (split == 0 ? std::string("All as one colour") : std::to_string(split) + " split off") << ": " << level.size()
+            << " compositions, of which nothing is both cheaper and more accurate than\n";
+        for (auto const* one : front) out << "  " << to_string(one->figures) << ": " << to_string(*one) << '\n';
+        out << std::flush;
+    }
+};
+
+} // namespace
+
+Fitted fit(Sequence& sequence, std::vector<Contender> const& contenders, FitOptions const& options, std::ostream& out) {
+    Search search(sequence, contenders, options, out);
+    for (;;) {
+        auto fitted = search.verified(search.find());
+        if (!options.bounds.in_time(fitted.composition.figures)) continue; // the next best
+        search.print(fitted);
+        return fitted;
+    }
+}
+
+} // namespace quell::bench

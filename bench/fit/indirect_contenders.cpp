@@ -1,0 +1,19 @@
+#include "contenders.hpp"
+
+std::vector<quell::bench::Contender> quell::bench::indirect_contenders() {
+    return {
+        contender("svgf/levels=3", false, QUELL_FIT_CODE([] {
+                      auto pipeline = presets::svgf(indirect);
+                      std::get<1>(pipeline.stages).kernel.levels = 3;
+                      return pipeline;
+                  }())),
+        contender("svgf", false, QUELL_FIT_CODE(presets::svgf(indirect))),
+        contender("dual-color", true, QUELL_FIT_CODE(presets::dual_color(indirect))),
+        contender("dual-cone/levels=1", true, QUELL_FIT_CODE([] {
+                      auto pipeline = presets::dual_cone(indirect);
+                      std::get<2>(pipeline.stages).kernel.levels = 1;
+                      return pipeline;
+                  }())),
+        contender("dual-cone", true, QUELL_FIT_CODE(presets::dual_cone(indirect))),
+    };
+}

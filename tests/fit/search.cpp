@@ -1,0 +1,114 @@
+#include "flickering.hpp"
+#include "small_contenders.hpp"
+
+#include "fit/fit.hpp"
+
+#include <quell/core/error.hpp>
+
+#include <doctest/doctest.h>
+
+#include <sstream>
+
+using namespace quell::bench;
+using quell::tests::FlickeringWall;
+
+namespace {
+
+struct Run {
+    std::string said;
+    Fitted fitted;
+};
+
+Run run(FlickeringWall& wall, Bounds const& bounds) {
+    static auto const contenders = small_contenders();
+    FitOptions options;
+    options.bounds = bounds, options.threads = 1, options.quiet = true;
+    std::ostringstream said;
+    auto fitted = fit(wall, contenders, options, said);
+    return {said.str(), std::move(fitted)};
+}
+
+bool says(std::string const& text, std::string const& part) { return text.find(part) != std::string::npos; }
+
+} // namespace
+
+TEST_CASE("a loose bound needs nothing, and the effects stay in the picture") {
+    FlickeringWall wall;
+    auto const [said, fitted] = run(wall, {.rmse = 0.9, .flip = {}, .ms = {}});
+    CHECK(to_string(fitted.composition) == "rest by none");
+    CHECK(channels_of(fitted.composition) == std::vector<std::string>{"radiance"});
+    CHECK(says(said, "left out: shadow"));
+    CHECK_FALSE(says(said, "split off:")); // once something fits, nothing larger is looked at
+}
+
+TEST_CASE("a tight bound splits off what it takes, and says what the sequence lacks") {
+    FlickeringWall wall;
+    auto const found = run(wall, {.rmse = 0.08, .flip = {}, .ms = {}});
+    INFO(found.said);
+    auto const& [said, fitted] = found;
+    CHECK(has(fitted.composition.split, Part::shadow));
+    CHECK(fitted.composition.split.count() == 1);
+    CHECK(fitted.composition.figures.rmse <= 0.08);
+    CHECK(fitted.composition.figures.bytes_per_pixel > 0);
+    CHECK(says(said, "left out: glossy: no pixel reflects"));
+    auto const channels = channels_of(fitted.composition);
+    CHECK(std::ranges::count(channels, "visibility") == 1);
+    CHECK(std::ranges::count(channels, "glossy") == 0);
+}
+
+TEST_CASE("what follows an effect is tried only where it moves") {
+    FlickeringWall wall;
+    CHECK_FALSE(says(run(wall, {.rmse = 0.08, .flip = {}, .ms = {}}).said, "follower"));
+    wall.blocker_moves = true;
+    CHECK(says(run(wall, {.rmse = 0.08, .flip = {}, .ms = {}}).said, "follower"));
+}
+
+TEST_CASE("what isn't there is never split off") {
+    FlickeringWall wall;
+    wall.in_shadow = false;
+    wall.converged.resize(1);
+    wall.converged[0].displayed = quell::metrics::displayed(wall.clean(24));
+    auto const [said, fitted] = run(wall, {.rmse = 0.001, .flip = {}, .ms = {}});
+    CHECK(to_string(fitted.composition) == "rest by none");
+    CHECK(says(said, "left out: shadow: no pixel is in shadow"));
+}
+
+TEST_CASE("FLIP bounds as RMSE does") {
+    FlickeringWall wall;
+    auto const rough = run(wall, {.rmse = {}, .flip = 0.9, .ms = {}}).fitted.composition;
+    auto const fine = run(wall, {.rmse = {}, .flip = 0.08, .ms = {}}).fitted.composition;
+    CHECK(rough.split.none());
+    CHECK(has(fine.split, Part::shadow));
+    CHECK(*fine.figures.flip <= 0.08);
+}
+
+TEST_CASE("with all the time that there is, the result is as accurate as any") {
+    FlickeringWall wall;
+    auto const best = run(wall, {.rmse = {}, .flip = {}, .ms = 1e6}).fitted.composition;
+    CHECK(has(best.split, Part::shadow));
+    CHECK_THROWS_AS(run(wall, {.rmse = 0.98 * best.figures.rmse, .flip = {}, .ms = {}}), OutOfReach);
+}
+
+TEST_CASE("what can't be reached is said with the best that there is") {
+    FlickeringWall wall;
+    try {
+        run(wall, {.rmse = 1e-6, .flip = {}, .ms = {}});
+        FAIL("nothing was thrown");
+    } catch (OutOfReach const& error) {
+        INFO(error.what());
+        CHECK(says(error.what(), "RMSE 1e-06"));
+        CHECK(says(error.what(), "the most accurate is shadow by"));
+    }
+    try {
+        run(wall, {.rmse = {}, .flip = {}, .ms = 1e-9});
+        FAIL("nothing was thrown");
+    } catch (OutOfReach const& error) {
+        CHECK(says(error.what(), "the fastest is rest by none"));
+    }
+}
+
+TEST_CASE("a sequence without what the rest reads is refused") {
+    FlickeringWall wall;
+    wall.channels.erase("radiance");
+    CHECK_THROWS_AS(run(wall, {.rmse = 0.9, .flip = {}, .ms = {}}), quell::Error);
+}
