@@ -60,8 +60,9 @@ mutant "misses find misses" motion/sources motion/surface_test.hpp 'invert(eithe
 mutant "on which side of a mirror the image is" motion/mirror motion/mirror_motion.hpp 'height * -2.f' 'height * 2.f'
 mutant "a shadow's blocker before its receiver" motion/shadow motion/shadow_motion.hpp 't >= Real(0.999f)' 't >= Real(0.f)'
 mutant "the angle off the plane" blend/non_planar_falloff blend/non_planar_falloff.hpp '-0.5f / (deviation * deviation)' '-0.5f / deviation'
-mutant "a clamp's upper bound" blend/policies blend/clamped.hpp 'return m + r; }, middle' 'return m + 9.f * r; }, middle'
-mutant "the cap of a history's age" blend/policies blend/running_mean.hpp '.with(history_length, n);' '.with(history_length, min(n, Real(cap - 1.f)));'
+mutant "a clamp's upper bound" blend/policies blend/clamped.hpp 'return m + r; }, middle' 'return m + 1.1f * r; }, middle'
+mutant "the cap of a history's age" blend/policies blend/running_mean.hpp \
+    'accumulate(px, past, 1.f / n)' 'accumulate(px, past, 1.f / (past[history_length] * past.validity + 1.f))'
 mutant "the weight of the newest frame" blend/policies blend/exponential.hpp '(1.f - alpha)' 'alpha'
 mutant "a term of the variance" blend/policies blend/with_moments.hpp 'off * off * alpha' 'off * off'
 mutant "a distance in depth without its sign" filter/kernels filter/edge_weights.hpp 'fma(abs(near[depth] - z), inverse, sum)' 'fma(near[depth] - z, inverse, sum)'
