@@ -40,7 +40,8 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     try {
         auto const image = io::read_exr(file);
         for (auto const& plane : image.planes) check(plane.values.size() == image.pixels());
-        load_what_fits(image);
+        // What is larger only takes longer.
+        if (image.pixels() < 10000) load_what_fits(image);
     } catch (Error const& error) {
         check(std::string_view(error.what()).find('\n') == std::string_view::npos);
     }
