@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 source .ci/packages.sh
 
-all_steps=(gcc clang asan tsan)
+all_steps=(gcc clang asan fuzz tsan)
 # What each of the other builds compiles and runs, as far as it exists: the library, and no slow programs.
 clang_tests=(core image frame motion blend filter blur radiance pipeline execute metrics two_units fast_math)
 asan_tests=(core image frame motion blend filter blur radiance pipeline io metrics report)
@@ -50,6 +50,12 @@ step_clang() {
 step_asan() {
     cmake --preset asan -D CMAKE_CXX_COMPILER=clang++
     build_and_test build/asan "${asan_tests[@]}"
+}
+# 20 seconds for each program; for longer: QUELL_FUZZ_SECONDS=600 tests/run.sh fuzz
+step_fuzz() {
+    cmake --preset asan -D CMAKE_CXX_COMPILER=clang++
+    cmake --build build/asan --target fuzz
+    ctest --test-dir build/asan --output-on-failure -j 3 -R '^fuzz_(exr|gltf|frames)$'
 }
 step_tsan() {
     cmake --preset tsan -D CMAKE_CXX_COMPILER=clang++

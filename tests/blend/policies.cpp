@@ -59,6 +59,21 @@ TEST_CASE("a clamp brings a stale past into what the neighbourhood shows now") {
     CHECK(after(Clamped{Exponential{.alpha = 0.1f}, MinMax{}}, {9, 9, 9, 1}) == doctest::Approx(1));
 }
 
+TEST_CASE("a clamp by deviations reaches to the mean and that many of them, up and down") {
+    auto const pipeline = Pipeline{visibility, Temporal{StillMotion{}, Clamped{Exponential{.alpha = 0.5f}, MeanDeviation{.sigmas = 0.5f}}}};
+    Frame frame{size, pipeline};
+    for (float const past : {9.f, 0.f}) {
+        History history{size, pipeline};
+        tests::fill(frame[visibility], [&](int, int) { return past; });
+        run(pipeline, frame, history);
+        tests::fill(frame[visibility], [](int x, int y) { return (x + y) % 2 ? 3.f : 1.f; });
+        auto const out = run(pipeline, frame, history);
+        // Around a 1 there are four 3s and five 1s: a mean of 17 / 9, and a variance of 80 / 81.
+        double const mean = 17. / 9, reach = 0.5 * std::sqrt(80. / 81);
+        CHECK(out.get(0, 6, 2) == doctest::Approx(0.5 + 0.5 * (past > 1.f ? mean + reach : mean - reach)));
+    }
+}
+
 TEST_CASE("the adaptive mean forgets what a clamp had to move") {
     // Checkerboard noise keeps the clamp's box open around the new level; a capped mean would take a cap's time to get there.
     auto const settle = [](auto blending) {

@@ -35,6 +35,20 @@ TEST_CASE("a pack computes what a float computes") {
         [](auto a, auto b) { return quell::fma(quell::min(a, decltype(a)(1e9f)), decltype(a)(0.3f), quell::min(b, decltype(a)(1e9f))); });
 }
 
+TEST_CASE("what no integer holds truncates to the least one") {
+    // Constants, since there a compiler refuses what C++ leaves undefined.
+    constexpr auto least = std::numeric_limits<std::int32_t>::min();
+    constexpr float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr std::int32_t outside[] = {truncate(inf), truncate(-inf), truncate(nan), truncate(3e9f), truncate(-3e9f)};
+    for (auto const each : outside) CHECK(each == least);
+    constexpr std::int32_t inside[] = {truncate(2147483520.f), truncate(-2147483648.f), truncate(-1.75f), truncate(0.99f)};
+    CHECK(inside[0] == 2147483520);
+    CHECK(inside[1] == least);
+    CHECK(inside[2] == -1);
+    CHECK(inside[3] == 0);
+    for (float const a : {2147483520.f, -2147483648.f, -1.75f, 0.99f}) CHECK(lane(truncate(Pack(a)), 1) == truncate(a));
+}
+
 TEST_CASE("finiteness is read from the bits") {
     for (float const a : awkward) {
         CHECK(is_finite(a));

@@ -21,6 +21,8 @@ constexpr auto kernels = std::tuple{
     Pipeline{radiance, Spatial{Bilateral<>{.radius = 5}}},
     Pipeline{radiance, Spatial{Atrous{}}},
     Pipeline{radiance, Spatial{Atrous{Product{DepthEdge{}, NormalEdge{}, LuminanceEdge{.sigma = 2.f}}, 3}}},
+    // No guides, which are 0 beside the image and could hide that something from there counts.
+    Pipeline{radiance, Spatial{Atrous{LuminanceEdge{.sigma = 1e3f}, 2}}},
     Pipeline{radiance, Temporal{StillMotion{}, WithMoments{RunningMean{}}}, Spatial{VarianceGuidedAtrous{}}},
     Pipeline{radiance, Temporal{StillMotion{}, WithCleanUp{RunningMean{}}}, Spatial{CleanUp{}}},
     presets::svgf(radiance, Demodulate{}),
@@ -175,6 +177,39 @@ TEST_CASE("an a-trous level is the sum that the paper writes, computed plainly i
     // The weights are exponentials on chords, up to 6 % off: what that does to the image is this.
     CHECK(worst < 0.05);
     CHECK(mean < 0.015);
+}
+
+namespace {
+/// Lets a pipeline's output be the variance that a variance-guided wavelet leaves.
+struct ShowRest {
+    using reads = Channels<Variance>;
+    QUELL_KERNEL auto filter(auto px) const {
+        auto const rest = px[variance];
+        return vec3<decltype(rest + rest)>{rest, rest, rest};
+    }
+};
+/// Of light that changes over time and is the same everywhere.
+double rest_of_variance(int levels) {
+    auto const pipeline = Pipeline{radiance, Temporal{StillMotion{}, WithMoments{RunningMean{}}},
+                                   Spatial{VarianceGuidedAtrous<>{.levels = levels, .feedback = false}}, Spatial{ShowRest{}}};
+    float light = 1.f;
+    auto const out = filtered(
+        pipeline, {21, 15},
+        [&](auto& frame) {
+            tests::fill_still(frame);
+            tests::fill(frame[radiance], [&](int, int) { return glm::vec3(light); });
+            light = 4.f - light;
+        },
+        6);
+    return out[(7 * 21 + 10) * 3];
+}
+} // namespace
+
+TEST_CASE("a wavelet lessens the variance by the squares of its weights") {
+    // Of 1, 3, 1, 3, 1, 3 the variance is 1, and that of their mean a sixth of it.
+    CHECK(rest_of_variance(0) == doctest::Approx(1. / 6).epsilon(1e-5));
+    double const axis = 0.375 * 0.375 + 2 * (0.25 * 0.25 + 0.0625 * 0.0625);
+    CHECK(rest_of_variance(1) == doctest::Approx(axis * axis / 6).epsilon(1e-3));
 }
 
 TEST_CASE("edge weights: 1 at no distance, falling, never negative, close to the exponential") {

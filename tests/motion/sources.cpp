@@ -155,6 +155,19 @@ TEST_CASE("a steep plane keeps its history between pixels") {
     CHECK(error_of(out, {0.5f, 0.5f}) < 0.05);
 }
 
+TEST_CASE("the far tap of a steep plane counts too, whichever way it is steep") {
+    for (glm::vec2 const along : {glm::vec2(1, 0), glm::vec2(0, 1), glm::vec2(-1, 0), glm::vec2(0, -1)}) {
+        auto const shift = 0.25f * along;
+        auto const out = follow(SurfaceMotion{SameDepth{.tolerance = 0.001f}}, shift, [&](auto& frame, glm::vec2 s) {
+            by_motion_channel(frame, s);
+            tests::fill(frame[depth], [&](int x, int y) {
+                return 40.f + 0.7f * (along.x * (static_cast<float>(x) - s.x) + along.y * (static_cast<float>(y) - s.y));
+            });
+        });
+        CHECK(error_of(out, shift) < 0.02);
+    }
+}
+
 TEST_CASE("taps on another surface do not bleed in, and a lone good neighbour is found") {
     constexpr auto pipeline = Pipeline{visibility, Temporal{SurfaceMotion{SameInstance{}}, Exponential{.alpha = 1e-6f}}};
     Frame frame{size, pipeline};
@@ -178,6 +191,23 @@ TEST_CASE("taps on another surface do not bleed in, and a lone good neighbour is
     tests::fill(frame[visibility], [](int, int) { return 0.f; });
     out = run(pipeline, frame, history);
     CHECK(out.get(0, 20, 5) == doctest::Approx(5).epsilon(1e-5));
+}
+
+TEST_CASE("at a border only what is in the image is searched for a good neighbour") {
+    constexpr auto pipeline = Pipeline{visibility, Temporal{SurfaceMotion{SameInstance{}}, Exponential{.alpha = 1e-6f}}};
+    int const right = size.width - 1, bottom = size.height - 1;
+    for (glm::ivec2 const at : {glm::ivec2(20, bottom), glm::ivec2(20, 0), glm::ivec2(0, 12), glm::ivec2(right, 12)}) {
+        Frame frame{size, pipeline};
+        History history{size, pipeline};
+        tests::fill_still(frame);
+        // The pixel itself was another object; of its five neighbours in the image the two on the border were dark.
+        tests::fill(frame[instance], [&](int x, int y) { return glm::ivec2(x, y) == at ? 2.f : 1.f; });
+        tests::fill(frame[visibility], [&](int x, int y) { return x == 0 || y == 0 || x == right || y == bottom ? 0.f : 5.f; });
+        run(pipeline, frame, history);
+        tests::fill(frame[instance], [](int, int) { return 1.f; });
+        tests::fill(frame[visibility], [](int, int) { return 0.f; });
+        CHECK(run(pipeline, frame, history).get(0, at.x, at.y) == doctest::Approx(3).epsilon(1e-5));
+    }
 }
 
 namespace {

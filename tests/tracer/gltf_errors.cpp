@@ -93,3 +93,28 @@ TEST_CASE("ranges and numbers that point nowhere are refused") {
     content.replace(content.find(R"({"mesh":0})"), 10, R"({"name":"x"})");
     check_error(folder.write("nothing.gltf", content), "no triangles");
 }
+
+TEST_CASE("nodes that are no tree are refused") {
+    Folder const folder;
+    auto const with_nodes = [](std::string const& nodes) {
+        auto content = triangle("");
+        return content.replace(content.find(R"([{"mesh":0}])"), 12, nodes);
+    };
+    // Each of these would take all the stack or all the memory there is.
+    check_error(folder.write("shared.gltf", with_nodes(R"([{"children":[1]},{"children":[0],"mesh":0},{"children":[0]}])")), "node 0");
+    check_error(folder.write("twice.gltf", with_nodes(R"([{"children":[1,1]},{"mesh":0}])")), "node 1");
+    std::string chain = "[";
+    for (int i = 1; i < 100000; ++i) chain += R"({"children":[)" + std::to_string(i) + "]},";
+    check_error(folder.write("deep.gltf", with_nodes(chain + R"({"mesh":0}])")), "deep");
+}
+
+TEST_CASE("indices that are no whole numbers, and zeros without end, are refused") {
+    Folder const folder;
+    auto content = triangle("", R"(,"indices":1)");
+    // Floats read at an odd place are tiny.
+    content.replace(content.find(R"("bufferView":1,"componentType":5121)"), 35, R"("bufferView":0,"byteOffset":13,"componentType":5126)");
+    check_error(folder.write("float.gltf", content), "one of its indices is");
+    content = triangle("", "", "", "200000000");
+    content.erase(content.find(R"("bufferView":0,)"), 15);
+    check_error(folder.write("zeros.gltf", content), "200000000");
+}

@@ -51,7 +51,8 @@ TriangleMesh mesh_of(Model const& model, tinygltf::Primitive const& primitive) {
 
 std::vector<glm::uvec4> joints_of(Model const& model, int accessor) {
     std::vector<glm::uvec4> joints;
-    for (auto const& values : model.vectors<glm::vec4>(accessor)) joints.emplace_back(values);
+    for (auto const& values : model.vectors<glm::vec4>(accessor))
+        joints.emplace_back(model.index(values.x), model.index(values.y), model.index(values.z), model.index(values.w));
     return joints;
 }
 

@@ -1,5 +1,6 @@
 #include "model.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -90,15 +91,16 @@ void Model::substitute(tinygltf::Accessor const& accessor, int components, std::
     auto const news = numbers(
         range(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), count, accessor.componentType, components));
     for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t j = 0; j < width && static_cast<std::size_t>(places[i]) < accessor.count; ++j)
-            values[static_cast<std::size_t>(places[i]) * width + j] = news[i * width + j];
+        for (std::size_t j = 0, place = index(places[i]); j < width && place < accessor.count; ++j)
+            values[place * width + j] = news[i * width + j];
 }
 
 std::vector<double> Model::numbers(int number, int components) const {
     auto const& accessor = item(content.accessors, number, "accessor");
     if (tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)) != components)
         throw error("accessor " + std::to_string(number) + " doesn't have " + std::to_string(components) + " components");
-    constexpr std::size_t most = std::size_t{1} << 28;
+    // Numbers without bytes behind them are zeros, of which a file of any size can ask for any number.
+    std::size_t const most = std::size_t{1} << (accessor.bufferView >= 0 ? 28 : 24);
     if (accessor.count > most)
         throw error("accessor " + std::to_string(number) + " claims " + std::to_string(accessor.count) + " elements");
     std::vector<double> values(accessor.count * static_cast<std::size_t>(components));
@@ -116,9 +118,14 @@ std::vector<float> Model::floats(int accessor, int components) const {
     return {values.begin(), values.end()};
 }
 
+unsigned Model::index(double value) const {
+    if (value >= 0 && value < 4294967296. && value == std::floor(value)) return static_cast<unsigned>(value);
+    throw error("one of its indices is " + std::to_string(value));
+}
+
 std::vector<unsigned> Model::indices(int accessor) const {
     std::vector<unsigned> result;
-    for (double value : numbers(accessor, 1)) result.push_back(static_cast<unsigned>(value));
+    for (double value : numbers(accessor, 1)) result.push_back(index(value));
     return result;
 }
 

@@ -26,6 +26,8 @@ struct Model {
     /// An accessor's components one after another, normalised integers as floats. `components` is how many each element must have.
     [[nodiscard]] std::vector<float> floats(int accessor, int components) const;
     [[nodiscard]] std::vector<unsigned> indices(int accessor) const;
+    /// A number that is one, as an integer.
+    [[nodiscard]] unsigned index(double value) const;
 
     template <class Vector> [[nodiscard]] std::vector<Vector> vectors(int accessor) const {
         auto const values = floats(accessor, Vector::length());

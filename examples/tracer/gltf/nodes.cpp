@@ -81,13 +81,24 @@ Pose pose_of(tinygltf::Node const& node, Animated const& animated) {
     return [animated = std::make_shared<Animated>(animated)](float frame) { return animated->at(frame); };
 }
 
+/// Nodes are walked over by functions that call themselves.
+constexpr int deepest = 1000;
+
 /// A node inside itself would never end.
 void check_hierarchy(Model const& model, SceneDescription const& scene) {
     for (auto const& node : scene.nodes) {
-        std::size_t depth = 0;
+        int depth = 0;
         for (int parent = node.parent; parent >= 0; parent = scene.nodes[static_cast<std::size_t>(parent)].parent)
-            if (++depth > scene.nodes.size()) throw model.error("its nodes contain each other");
+            if (++depth > deepest)
+                throw model.error("its nodes contain each other, or lie more than " + std::to_string(deepest) + " deep in each other");
     }
+}
+
+/// A node in several places would stand in the scene as often as there are ways to it.
+void set_parent(Model const& model, SceneDescription& scene, int child, int parent) {
+    auto& node = scene.nodes[static_cast<std::size_t>(child)];
+    if (node.parent >= 0) throw model.error("node " + std::to_string(child) + " is a child of two nodes, or twice of one");
+    node.parent = parent;
 }
 
 } // namespace
@@ -107,7 +118,7 @@ void add_nodes(Model const& model, SceneDescription& scene) {
     for (std::size_t i = 0; i < nodes.size(); ++i)
         for (int child : nodes[i].children) {
             model.item(nodes, child, "node");
-            scene.nodes[static_cast<std::size_t>(child)].parent = static_cast<int>(i);
+            set_parent(model, scene, child, static_cast<int>(i));
         }
     check_hierarchy(model, scene);
 }

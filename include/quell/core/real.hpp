@@ -44,7 +44,10 @@ template <class Mask, class... Masks> QUELL_KERNEL Mask both(Mask first, Masks..
 template <class Mask, class... Masks> QUELL_KERNEL Mask either(Mask first, Masks... more) { return (first | ... | more); }
 QUELL_KERNEL std::int32_t bits(float a) { return std::bit_cast<std::int32_t>(a); }
 QUELL_KERNEL float from_bits(std::int32_t a) { return std::bit_cast<float>(a); }
-QUELL_KERNEL std::int32_t truncate(float a) { return static_cast<std::int32_t>(a); }
+/// Towards zero; of what no integer holds, the least one in floats, and one that depends on the machine in packs.
+QUELL_KERNEL std::int32_t truncate(float a) {
+    return abs(a) < 0x1p31f ? static_cast<std::int32_t>(a) : std::numeric_limits<std::int32_t>::min();
+}
 QUELL_KERNEL float to_real(std::int32_t a) { return static_cast<float>(a); }
 // Templates because clang 14 has no constant evaluation of these two, which it refuses in a plain constexpr function.
 template <std::same_as<float> F> QUELL_KERNEL float sqrt(F a) { return ::sqrtf(a); }

@@ -15,6 +15,8 @@ struct Inspect {
     template <class H> static std::optional<long long> number(H const& history) { return history.number; }
     template <class H> static Extent size(H const& history) { return history.pool.size(); }
     template <class H> static auto const& output(H const& history) { return history.output; }
+    /// What the next frame's temporal pass finds.
+    template <class H> static auto const& signal(H const& history) { return history.signal; }
     template <class H> static auto& parts(H& composite) { return composite.parts; }
     /// A channel of the last frame that the pipeline remembers as it is.
     template <class H, ChannelTag C> static auto const& remembered(H const& history, C) { return slot<C>(history.remembered); }

@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# Breaks kernels one line at a time, on a copy, and shows that the tests notice each:
+#     tests/mutation.sh [part-of-a-name]
+# Prints a table; ends with 1 where a broken line was not noticed, with 2 where something else is wrong: a line that is no longer there,
+# a break that doesn't compile, tests that fail without one. Takes about ten minutes, so it is no part of tests/run.sh.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+only=${1:-}
+copy=$(mktemp -d)
+trap 'rm -rf "$copy"' EXIT
+cp -r include tests "$copy"
+compiler=("${CXX:-g++}" -std=c++20 -O1 -march=native -w "-I$copy/include")
+"${compiler[@]}" -c "$copy/tests/main.cpp" -o "$copy/main.o"
+
+survivors=0
+declare -A passes_unbroken
+
+stop() { printf 'mutation.sh: %s\n' "$1" >&2; exit 2; }
+
+# build test: compiles tests/$test.cpp alone; a test's file stands for itself.
+build() { "${compiler[@]}" "$copy/tests/$1.cpp" "$copy/main.o" -ltbb -o "$copy/test" 2>"$copy/messages"; }
+
+check_unbroken() {
+    [ -z "${passes_unbroken[$1]:-}" ] || return 0
+    build "$1" || stop "tests/$1.cpp doesn't compile: $(head -n 3 "$copy/messages")"
+    "$copy/test" >"$copy/messages" || stop "tests/$1.cpp fails as it is: $(tail -n 3 "$copy/messages")"
+    passes_unbroken[$1]=yes
+}
+
+# break_line file pattern replacement: in the copy. The pattern is plain text.
+break_line() {
+    local file=$copy/include/quell/$1 content count
+    content=$(<"$file")
+    count=$(grep -oF -- "$2" <<<"$content" | wc -l)
+    [ "$count" = 1 ] || stop "$1 has '$2' $count times, not once: name the line that took its place"
+    printf '%s\n' "${content/"$2"/"$3"}" >"$file"
+}
+
+# mutant what test file pattern replacement
+mutant() {
+    [[ "$1" == *"$only"* ]] || return 0
+    check_unbroken "$2"
+    break_line "$3" "$4" "$5"
+    build "$2" || stop "'$1' doesn't compile: $(grep -m 1 error "$copy/messages")"
+    # A test that hangs has noticed.
+    local verdict=noticed
+    if timeout 300 "$copy/test" >"$copy/messages" 2>&1; then verdict=SURVIVES survivors=$((survivors + 1)); fi
+    cp "include/quell/$3" "$copy/include/quell/$3"
+    printf '%-9s  %-58s  %-32s  %s\n' "$verdict" "$1" "$3" "tests/$2.cpp"
+}
+
+mutant "the sign of motion" motion/sources motion/surface_motion.hpp '{{p.x + m.x, p.y + m.y}' '{{p.x - m.x, p.y + m.y}'
+mutant "uv motion's unit" motion/sources motion/supplied_motion.hpp '? 0.5f : 1.f;' '? 2.f : 1.f;'
+mutant "the weight of a tap between pixels" motion/sources motion/history_fetch.hpp '(i == 0 ? 1.f - u : u)' '(i == 0 ? u : 1.f - u)'
+mutant "the slope in the depth test" motion/sources motion/surface_test.hpp 'z + slope_x * dx' 'z - slope_x * dx'
+mutant "the image's lower border in the past" motion/sources frame/pixel.hpp \
+    'row < Real(static_cast<float>(scope.size.height)));' 'row <= Real(static_cast<float>(scope.size.height)));'
+mutant "misses find misses" motion/sources motion/surface_test.hpp 'invert(either(hit, hit_then))' 'both(hit, invert(hit))'
+mutant "on which side of a mirror the image is" motion/mirror motion/mirror_motion.hpp 'height * -2.f' 'height * 2.f'
+mutant "a shadow's blocker before its receiver" motion/shadow motion/shadow_motion.hpp 't >= Real(0.999f)' 't >= Real(0.f)'
+mutant "the angle off the plane" blend/non_planar_falloff blend/non_planar_falloff.hpp '-0.5f / (deviation * deviation)' '-0.5f / deviation'
+mutant "a clamp's upper bound" blend/policies blend/clamped.hpp 'return m + r; }, middle' 'return m + 1.1f * r; }, middle'
+mutant "the cap of a history's age" blend/policies blend/running_mean.hpp \
+    'accumulate(px, past, 1.f / n)' 'accumulate(px, past, 1.f / (past[history_length] * past.validity + 1.f))'
+mutant "the weight of the newest frame" blend/policies blend/exponential.hpp '(1.f - alpha)' 'alpha'
+mutant "a term of the variance" blend/policies blend/with_moments.hpp 'off * off * alpha' 'off * off'
+mutant "a distance in depth without its sign" filter/kernels filter/edge_weights.hpp 'fma(abs(near[depth] - z), inverse, sum)' 'fma(near[depth] - z, inverse, sum)'
+mutant "the squared weights of the variance" filter/kernels filter/atrous.hpp 'w * w, noise' 'w, noise'
+mutant "columns outside the image" filter/kernels filter/taps.hpp 'Real(base), Real(too_far)' 'Real(base), Real(base)'
+mutant "rows outside the image" filter/kernels filter/taps.hpp 'below.row_inside ? 0.f : too_little' 'below.row_inside ? 0.f : 0.f'
+mutant "how far the light changed" filter/temporal_gradient filter/temporal_gradient.hpp 'past.validity * (1.f - change)' 'past.validity'
+mutant "the test for NaN behind a filter" pipeline/history filter/atrous.hpp 'return select(all_finite(v), v, centre);' 'return v;'
+mutant "negative samples" pipeline/history pipeline/ingest.hpp 'a >= Real(0.f), ' ''
+mutant "albedo comes back" pipeline/history pipeline/modulation.hpp 'return a * d;' 'return a;'
+mutant "the test for NaN in a picture's factors" pipeline/composite pipeline/composite.hpp 'return select(all_finite(f), f,' 'return select(Real(0.f) == Real(0.f), f,'
+
+[ "$survivors" = 0 ] || { echo "$survivors broken lines were not noticed" >&2; exit 1; }
