@@ -2,7 +2,7 @@
 # Breaks kernels one line at a time, on a copy, and shows that the tests notice each:
 #     tests/mutation.sh [part-of-a-name]
 # Prints a table; ends with 1 where a broken line was not noticed, with 2 where something else is wrong: a line that is no longer there,
-# a break that doesn't compile, tests that fail without one. Takes about ten minutes, so it is no part of tests/run.sh.
+# a break that doesn't compile, tests that fail without one. Compiles a test for each, so it is no part of tests/run.sh.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
