@@ -1,4 +1,4 @@
-#include "../frames.hpp"
+#include "world.hpp"
 
 #include <quell/execute/threads.hpp>
 
@@ -6,31 +6,8 @@ using namespace quell;
 
 namespace {
 constexpr auto denoise = presets::blur(radiance);
+using tests::Seen, tests::World;
 float const infinite = std::bit_cast<float>(0x7f800000u), not_a_number = std::bit_cast<float>(0x7fc00000u);
-
-/// Frames in which a function of (x, y, frame, time) sets colour and sweep of a pixel, each at a random time.
-struct World {
-    Extent size{64, 48};
-    int frames = 8;
-
-    /// What comes out of the last frame.
-    template <class P> std::vector<float> last(P const& pipeline, auto&& colour_at, auto&& sweep_at) const {
-        Frame frame{size, pipeline};
-        History history{size, pipeline};
-        tests::fill_still(frame);
-        std::mt19937 random(5);
-        std::uniform_real_distribution<float> part(0, 1);
-        std::vector<float> out;
-        for (int i = 0; i < frames; ++i) {
-            tests::fill(frame[quell::time], [&](int, int) { return part(random); });
-            tests::fill(frame[radiance], [&](int x, int y) { return glm::vec3(colour_at(x, y, i, frame[quell::time].get(x, y))); });
-            tests::fill(frame[sweep], [&](int x, int y) { return sweep_at(x, y, i, frame[quell::time].get(x, y)); });
-            out = tests::copy_of(run(pipeline, frame, history));
-        }
-        return out;
-    }
-};
-float red(std::vector<float> const& all, Extent size, int x, int y) { return all[static_cast<std::size_t>(y * size.width + x) * 3]; }
 
 template <class P> void same_everywhere(P const& pipeline) {
     auto const any = [](auto& frame, unsigned seed) {
@@ -58,41 +35,34 @@ TEST_CASE("a constant stays constant, whatever moves") {
     World const world;
     std::mt19937 random(9);
     std::uniform_real_distribution<float> pixels(-20, 20);
-    auto const some_move = [&](int x, int y, int, float) { return (x + y) % 3 ? glm::vec2(pixels(random), pixels(random)) : glm::vec2(0); };
-    auto const all_move = [](int, int, int, float) { return glm::vec2(9, -4); };
-    auto const check = [](std::vector<float> const& all) {
-        for (float const a : all) REQUIRE(a == doctest::Approx(0.7).epsilon(1e-4));
+    auto const some_move = [&](int x, int y, int, float) {
+        return (x + y) % 3 ? Seen{0.7f, {pixels(random), pixels(random)}} : Seen{0.7f};
     };
-    check(world.last(
-        denoise, [](int, int, int, float) { return 0.7f; }, some_move));
-    check(world.last(
-        denoise, [](int, int, int, float) { return 0.7f; }, all_move));
+    auto const all_move = [](int, int, int, float) { return Seen{0.7f, {9, -4}}; };
+    for (float const a : world.last(denoise, some_move)) REQUIRE(a == doctest::Approx(0.7).epsilon(1e-4));
+    for (float const a : world.last(denoise, all_move)) REQUIRE(a == doctest::Approx(0.7).epsilon(1e-4));
 }
 
 TEST_CASE("where nothing moves the picture is the input, to the last bit") {
     World const world;
     std::mt19937 random(2);
     std::vector<float> in;
-    auto const noise = [&](int x, int y, int frame, float) {
+    auto const noise = [&](int x, int y, int, float) {
         float const a = std::uniform_real_distribution<float>(0, 5)(random);
         if (x == 0 && y == 0) in.clear();
-        static_cast<void>(frame);
         for (int i = 0; i < 3; ++i) in.push_back(a);
-        return a;
+        return Seen{a};
     };
-    CHECK(world.last(denoise, noise, [](int, int, int, float) { return glm::vec2(0); }) == in);
+    CHECK(world.last(denoise, noise) == in);
 }
 
 TEST_CASE("a lone sample spreads along its path and nowhere else") {
     World const world{.frames = 1};
-    auto const lone = [](int x, int y) { return x == 32 && y == 24; };
-    auto const out = world.last(
-        denoise, [&](int x, int y, int, float) { return lone(x, y) ? 4.f : 0.f; },
-        [&](int x, int y, int, float) { return lone(x, y) ? glm::vec2(16, 0) : glm::vec2(0); });
+    auto const out = world.last(denoise, [](int x, int y, int, float) { return x == 32 && y == 24 ? Seen{4.f, {16, 0}} : Seen{0.f}; });
     double along = 0;
     for (int y = 0; y < 48; ++y)
         for (int x = 0; x < 64; ++x) {
-            float const a = red(out, world.size, x, y);
+            float const a = world.at(out, x, y);
             if (std::abs(y - 24) > 2 || std::abs(x - 32) > 18) REQUIRE(a == 0.f);
             if (x != 32) along += a;
         }
@@ -102,22 +72,17 @@ TEST_CASE("a lone sample spreads along its path and nowhere else") {
 TEST_CASE("a moving bar covers what it passes for as long as it takes, in the mean of the picture to 1 %") {
     // A white bar 20 wide slides 24 pixels a frame, 12 of them while the shutter is open, before black.
     World const world{.size = {160, 40}, .frames = 4};
-    auto const start = [](int frame) { return 20.f + 24.f * static_cast<float>(frame); };
-    auto const inside = [&](int x, int frame, float t) {
-        float const left = start(frame) + 12.f * t, centre = static_cast<float>(x) + 0.5f;
-        return centre >= left && centre < left + 20;
-    };
-    auto const out = world.last(
-        denoise, [&](int x, int, int frame, float t) { return inside(x, frame, t) ? 1.f : 0.f; },
-        [&](int x, int, int frame, float t) { return inside(x, frame, t) ? glm::vec2(12, 0) : glm::vec2(0); });
+    auto const out = world.last(denoise, [](int x, int, int frame, float t) {
+        return tests::in_sliding_bar(x, frame, t) ? Seen{1.f, {12, 0}} : Seen{0.f};
+    });
     double sum = 0;
     for (int y = 0; y < 40; ++y)
-        for (int x = 0; x < 160; ++x) sum += red(out, world.size, x, y);
+        for (int x = 0; x < 160; ++x) sum += world.at(out, x, y);
     CHECK(sum / 40 == doctest::Approx(20).epsilon(0.01));
     // The edges are ramps of 12 pixels.
     for (int const x : {0, 3, 6, 9, 11}) {
         double mean = 0;
-        for (int y = 0; y < 40; ++y) mean += red(out, world.size, 92 + x, y) / 40;
+        for (int y = 0; y < 40; ++y) mean += world.at(out, 92 + x, y) / 40;
         CHECK(mean == doctest::Approx((x + 0.5) / 12).epsilon(0.15).scale(0.5));
     }
 }
@@ -126,16 +91,17 @@ TEST_CASE("the search finds the past of what slides and of what turns, which pla
     World const world{.size = {128, 128}, .frames = 3};
     auto const shown = [&](PathSearch const& search) {
         auto const pipeline = presets::blur(radiance, search);
-        return world.last(
-            pipeline, [](int x, int y, int, float) { return 0.5f + 0.4f * std::sin(0.3f * static_cast<float>(x + y)); },
-            [](int x, int y, int, float) { return glm::vec2(static_cast<float>(64 - y), static_cast<float>(x - 64)) * 0.15f; });
+        return world.last(pipeline, [](int x, int y, int, float) {
+            return Seen{0.5f + 0.4f * std::sin(0.3f * static_cast<float>(x + y)),
+                        glm::vec2(static_cast<float>(64 - y), static_cast<float>(x - 64)) * 0.15f};
+        });
     };
     // What has no history is the input's own estimate, frame after frame: compare with a pipeline that never finds any.
     auto const searched = shown({}), plain = shown({.iterations = 0}), none = shown({.give_up = 0.f});
     auto const with_history = [&](std::vector<float> const& all) {
         int n = 0;
         for (int y = 24; y < 104; ++y)
-            for (int x = 24; x < 104; ++x) n += red(all, world.size, x, y) != red(none, world.size, x, y);
+            for (int x = 24; x < 104; ++x) n += world.at(all, x, y) != world.at(none, x, y);
         return n / 6400.;
     };
     CHECK(with_history(searched) > 0.9);
@@ -145,8 +111,7 @@ TEST_CASE("the search finds the past of what slides and of what turns, which pla
 TEST_CASE("sweeps longer than the image look at nothing outside it, and a constant stays one") {
     World const world{.size = {40, 9}, .frames = 2};
     for (glm::vec2 const longer : {glm::vec2(1000, 0), glm::vec2(-1000, 0), glm::vec2(0, 700), glm::vec2(-600, -600)})
-        for (float const a : world.last(
-                 denoise, [](int, int, int, float) { return 0.3f; }, [&](int, int, int, float) { return longer; }))
+        for (float const a : world.last(denoise, [&](int, int, int, float) { return Seen{0.3f, longer}; }))
             REQUIRE(a == doctest::Approx(0.3).epsilon(1e-4));
 }
 

@@ -11,6 +11,12 @@ template <ChannelTag Signal> struct MovingLayer : Channel<Signal::components + 1
 /// What stands still: the signal, and how far it is known: 1 where it was seen in the pixel itself, less where it was guessed from
 /// neighbours, 0 where nothing is known of it.
 template <ChannelTag Signal> struct StaticLayer : Channel<Signal::components + 1> { static constexpr auto name = "static_layer"; };
+/// What is behind: the signal, and how many samples it is the mean of; what stands still and is seen counts as many, what was guessed from
+/// neighbours as a small part of one.
+template <ChannelTag Signal> struct BackLayer : Channel<Signal::components + 1> {
+    static constexpr auto name = "back_layer";
+    static constexpr float certain = 64.f, guessed = 0.05f;
+};
 /// The moving layer behind the filters that history has nothing of.
 template <ChannelTag Signal> struct FilteredLayer : Channel<Signal::components + 1> { static constexpr auto name = "filtered_layer"; };
 /// The mean sweep of what moves, in pixels.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/blur/layers.hpp>
+#include <quell/blur/guessed_layer.hpp>
 #include <quell/blur/path_weight.hpp>
 #include <quell/blur/pixel_under.hpp>
 
@@ -163,21 +163,14 @@ private:
         auto const w = weight.weight(passing, reach) / max(looked_at.length(), Real(Path<Real>::least));
         sums.add(value, path, select(usable, w * guide.length(), Real(0.f)), moves, passing.when);
     }
-    /// The mean of what stands still in the 5x5 around, and behind what moves here. Outlined: few pixels are covered.
-    template <class Px, class Real, class Mask>
-    [[gnu::noinline]] constexpr auto guessed(Px const& px, Real own_depth, Mask own_moves) const {
-        auto sum = zero<typename Px::Signal>();
-        Real weights(0.f);
-        for_each_neighbour<2>(
-            px, [&](auto near, auto inside, int, int) __attribute__((always_inline)) {
-                auto const before = both(own_moves, detail::hidden_behind(own_depth, near[depth], depth_tolerance));
-                auto const counts = both(invert(Paths::here(near).moves()), invert(near.missing()), invert(before));
-                auto const w = select(counts, inside, Real(0.f));
-                sum = add_scaled(sum, near.signal(), w);
-                weights = weights + w;
-            });
+    /// What stands still behind what moves here.
+    template <class Px, class Real, class Mask> QUELL_KERNEL auto guessed(Px const& px, Real own_depth, Mask own_moves) const {
         constexpr float guess = 0.05f;
-        return detail::layer_of(scale(sum, 1.f / max(weights, Real(1.f))), select(weights > Real(0.f), Real(guess), Real(0.f)));
+        return detail::guessed_layer(
+            px, guess, [&](auto const& near) __attribute__((always_inline)) {
+                auto const before = both(own_moves, detail::hidden_behind(own_depth, near[depth], depth_tolerance));
+                return both(invert(Paths::here(near).moves()), invert(near.missing()), invert(before));
+            });
     }
 };
 

@@ -131,7 +131,7 @@ constexpr auto dual_cone_paper(ChannelTag auto signal, auto... parts) {
 /// @param search how the past is found; its `shutter` is the part of the frame time during which the shutter is open
 template <class Paths = StraightPaths, ChannelTag S>
 constexpr auto blur(S signal, PathSearch search = {}, PairGather<S, Paths> gather = {}) {
-    return Pipeline{signal, Spatial{MotionPairs<Paths>{}}, Spatial{gather}, Temporal{search, BackBlend<S>{}, BackFetch<S>{}}};
+    return Pipeline{signal, Spatial{PairGuide<Paths>{}}, Spatial{gather}, Temporal{search, BackBlend<S>{}, BackFetch<S>{}}};
 }
 /// blur with plain reprojection instead of the search.
 template <ChannelTag S> constexpr auto blur_one_step(S signal, PathSearch search = {}) {

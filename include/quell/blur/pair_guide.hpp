@@ -1,42 +1,17 @@
 #pragma once
 
-#include <quell/blur/path.hpp>
+#include <quell/blur/usable_path.hpp>
 #include <quell/filter/filter_kernel.hpp>
 
 namespace quell {
 
 /// The two motions that meet around a pixel: of what is in front, then of what is behind, each with its speed (pixels in the time that the
-/// shutter is open), its depth, and its bend where paths are bent. Where only one thing is around it is the one behind, and the depth of
-/// the front is negative.
+/// shutter is open), its nearness (1 / depth), and its bend where paths are bent. Where only one thing is around it is the one behind, and
+/// the nearness of the front is negative.
 /// @tparam Paths StraightPaths or BentPaths
 template <class Paths> struct MotionPair : Channel<Paths::bent ? 10 : 6> { static constexpr auto name = "motion_pair"; };
 
 namespace detail {
-/// What a sample shows, as far as motion goes: its speed at the sample's time, its depth, and its bend.
-template <class Paths, class Real> using Mover = Value<Paths::bent ? 5 : 3, Real>;
-
-template <class Real> QUELL_KERNEL Real usable_depth(Real z) { return select(is_finite(z), clamp(z, Real(1e-6f), Real(1e6f)), Real(1e6f)); }
-template <class Paths, class PathType, class Real> QUELL_KERNEL auto mover_of(PathType const& path, Real z) {
-    auto const moves = path.moves();
-    auto const speed = path.speed_when_seen();
-    auto const x = select(moves, speed.x, Real(0.f)), y = select(moves, speed.y, Real(0.f));
-    if constexpr (Paths::bent)
-        return Mover<Paths, Real>{{x, y, usable_depth(z), select(moves, path.bend.x, Real(0.f)), select(moves, path.bend.y, Real(0.f))}};
-    else
-        return Mover<Paths, Real>{x, y, usable_depth(z)};
-}
-template <class Paths, class Px> QUELL_KERNEL auto mover_here(Px const& px) { return mover_of<Paths>(Paths::here(px), px[depth]); }
-template <class M> QUELL_KERNEL auto speed_of(M const& mover) { return vec2<real_of<M>>{component<0>(mover), component<1>(mover)}; }
-template <class M> QUELL_KERNEL auto depth_of(M const& mover) { return component<2>(mover); }
-template <class M> QUELL_KERNEL auto squared_speed(M const& mover) {
-    return fma(component<0>(mover), component<0>(mover), component<1>(mover) * component<1>(mover));
-}
-/// How different two motions are: the squared distance of their speeds.
-template <class M> QUELL_KERNEL auto squared_difference(M const& a, M const& b) {
-    auto const x = component<0>(a) - component<0>(b), y = component<1>(a) - component<1>(b);
-    return fma(x, x, y * y);
-}
-
 /// Two movers in one value, and back.
 template <class M> QUELL_KERNEL auto joined(M const& first, M const& second) {
     constexpr int n = components_of<M>;
@@ -52,6 +27,18 @@ template <int which, class J> QUELL_KERNEL auto one_of(J const& both) {
     return make_value<n, real_of<J>>([&](auto c) __attribute__((always_inline)) { return component<which * n + c>(both); });
 }
 
+/// The mover, of all that it is offered, with the most of something.
+template <class M> struct Extreme {
+    M mover;
+    real_of<M> most;
+    QUELL_KERNEL void offer(M const& other, real_of<M> much) {
+        auto const more = much > most;
+        mover = select(more, other, mover);
+        most = select(more, much, most);
+    }
+};
+template <class M> Extreme(M, real_of<M>) -> Extreme<M>; // clang 14 has no deduction for aggregates
+
 template <class Paths> struct RowExtremes : Channel<MotionPair<Paths>::components> { static constexpr auto name = "row_extremes"; };
 template <class Paths> struct LocalPair : Channel<MotionPair<Paths>::components> { static constexpr auto name = "local_pair"; };
 
@@ -59,31 +46,31 @@ template <class Paths> struct LocalPair : Channel<MotionPair<Paths>::components>
 template <class Paths> struct RowExtremesOf {
     static constexpr auto name = "motion pair, rows";
     static constexpr bool leaves_signal = true;
-    using reads = decltype(Channels<Depth>{} | reads_of<Paths>{});
+    using reads = Channels<UsablePath<Paths>>;
     using emits = Channels<RowExtremes<Paths>>;
     int radius;
 
     template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
         using Real = typename Px::Real;
-        auto fastest = mover_here<Paths>(px);
-        auto squared = squared_speed(fastest);
+        auto const own = usable_sample<Paths>(px).mover();
+        Extreme fastest{own, squared_speed(own)};
+        each(
+            px, [&](auto const& mover, auto inside)
+                    __attribute__((always_inline)) { fastest.offer(mover, select(inside, squared_speed(mover), Real(0.f))); });
+        Extreme other{fastest.mover, Real(0.f)};
+        each(
+            px, [&](auto const& mover, auto inside) __attribute__((always_inline)) {
+                other.offer(mover, select(inside, squared_difference(mover, fastest.mover), Real(0.f)));
+            });
+        return emitted<Real>(RowExtremes<Paths>{}, joined(fastest.mover, other.mover));
+    }
+
+private:
+    template <class Px, class Visit> QUELL_KERNEL void each(Px const& px, Visit&& visit) const {
         for (int i = -radius; i <= radius; ++i) {
             auto const near = px.at(i, 0);
-            auto const mover = mover_here<Paths>(near);
-            auto const faster = both(near.inside(), squared_speed(mover) > squared);
-            fastest = select(faster, mover, fastest);
-            squared = select(faster, squared_speed(mover), squared);
+            visit(usable_sample<Paths>(near).mover(), near.inside());
         }
-        auto other = fastest;
-        Real difference(0.f);
-        for (int i = -radius; i <= radius; ++i) {
-            auto const near = px.at(i, 0);
-            auto const mover = mover_here<Paths>(near);
-            auto const more = both(near.inside(), squared_difference(mover, fastest) > difference);
-            other = select(more, mover, other);
-            difference = select(more, squared_difference(mover, fastest), difference);
-        }
-        return emitted<Real>(RowExtremes<Paths>{}, joined(fastest, other));
     }
 };
 
@@ -98,40 +85,38 @@ template <class Paths> struct LocalPairOf {
 
     template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
         using Real = typename Px::Real;
-        auto a = one_of<0>(px[RowExtremes<Paths>{}]);
-        auto squared = squared_speed(a);
+        auto const own = one_of<0>(px[RowExtremes<Paths>{}]);
+        Extreme fastest{own, squared_speed(own)};
         for (int i = -radius; i <= radius; ++i) {
             auto const mover = one_of<0>(px.at(0, i)[RowExtremes<Paths>{}]);
-            auto const faster = squared_speed(mover) > squared;
-            a = select(faster, mover, a);
-            squared = select(faster, squared_speed(mover), squared);
+            fastest.offer(mover, squared_speed(mover));
         }
-        auto b = a;
-        Real difference(0.f);
-        auto const take = [&](auto const& mover) __attribute__((always_inline)) {
-            auto const more = squared_difference(mover, a) > difference;
-            b = select(more, mover, b);
-            difference = select(more, squared_difference(mover, a), difference);
-        };
+        auto const a = fastest.mover;
+        Extreme other{a, Real(0.f)};
         for (int i = -radius; i <= radius; ++i) {
             auto const row = px.at(0, i)[RowExtremes<Paths>{}];
-            take(one_of<0>(row)), take(one_of<1>(row));
+            other.offer(one_of<0>(row), squared_difference(one_of<0>(row), a));
+            other.offer(one_of<1>(row), squared_difference(one_of<1>(row), a));
         }
-        auto const za = depth_of(a), zb = depth_of(b);
-        auto const apart = max(za, zb) > min(za, zb) * (1.f + depth_gap);
-        // What moves over something of its own depth that stands still is in front.
-        auto const two = both(difference > max(Real(least * least), squared * (relative * relative)),
-                              either(apart, squared_speed(b) <= Real(Path<float>::least * Path<float>::least)));
-        auto const a_in_front = both(two, either(invert(apart), za < zb));
-        auto const front = select(two, select(a_in_front, a, b), at_depth(a, Real(-1.f)));
-        return emitted<Real>(LocalPair<Paths>{}, joined(front, select(a_in_front, b, a)));
+        return emitted<Real>(LocalPair<Paths>{}, ordered(a, fastest.most, other.mover, other.most));
     }
 
 private:
-    template <class M, class Real> QUELL_KERNEL static M at_depth(M const& mover, Real z) {
+    /// The faster and the other, whichever is in front first.
+    template <class M, class Real> QUELL_KERNEL auto ordered(M const& a, Real squared, M const& b, Real difference) const {
+        auto const near_a = nearness_of(a), near_b = nearness_of(b);
+        auto const apart = max(near_a, near_b) > min(near_a, near_b) * (1.f + depth_gap);
+        // What moves over something of its own depth that stands still is in front.
+        auto const two = both(difference > max(Real(least * least), squared * (relative * relative)),
+                              either(apart, squared_speed(b) <= Real(still_squared)));
+        auto const a_in_front = both(two, either(invert(apart), near_a > near_b));
+        auto const front = select(two, select(a_in_front, a, b), at_nearness(a, Real(-1.f)));
+        return joined(front, select(a_in_front, b, a));
+    }
+    template <class M, class Real> QUELL_KERNEL static M at_nearness(M const& mover, Real nearness) {
         return make_value<components_of<M>, Real>([&](auto c) __attribute__((always_inline)) {
             if constexpr (c == 2)
-                return z;
+                return nearness;
             else
                 return component<c>(mover);
         });
@@ -158,7 +143,7 @@ template <class Paths> struct NearestPair {
             auto const there = near[LocalPair<Paths>{}];
             auto const front = one_of<0>(there), back = one_of<1>(there);
             auto const unlike = min(squared_difference(mover, front), squared_difference(mover, back));
-            auto const fits = both(near.inside(), depth_of(front) > Real(0.f), depth_of(one_of<0>(pair)) < Real(0.f),
+            auto const fits = both(near.inside(), nearness_of(front) > Real(0.f), nearness_of(one_of<0>(pair)) < Real(0.f),
                                    unlike <= squared_difference(front, back) * (likeness * likeness));
             pair = select(fits, there, pair);
         }
@@ -168,21 +153,23 @@ template <class Paths> struct NearestPair {
 } // namespace detail
 
 /// Finds where two things meet that move differently, and how each of them moves: the fastest sample in a small window and the one that
-/// moves least like it, if they are at different depths too. Since every sample has its own time, the window holds samples of both all over
-/// the region in which one covers the other for a part of the time.
-/// Emits MotionPair. Windows are made for every pixel; what reads them does best to share one among neighbours (PairGather).
+/// moves least like it, if they are at different depths or the latter stands still. Since every sample has its own time, the window holds
+/// samples of both all over the region in which one covers the other for a part of the time.
+/// Emits MotionPair, and UsablePath for who looks at single samples afterwards. Windows are made for every pixel; what reads them does
+/// best to share one among neighbours (PairGather).
 /// @tparam Paths StraightPaths or BentPaths
-template <class Paths = StraightPaths> struct MotionPairs {
+template <class Paths = StraightPaths> struct PairGuide {
     using reads = decltype(Channels<Depth>{} | reads_of<Paths>{});
-    using emits = Channels<detail::RowExtremes<Paths>, detail::LocalPair<Paths>, MotionPair<Paths>>;
+    using emits = Channels<UsablePath<Paths>, detail::RowExtremes<Paths>, detail::LocalPair<Paths>, MotionPair<Paths>>;
     static constexpr bool leaves_signal = true;
     int across = 4, down = 1; ///< how far the window reaches, in pixels
     float least = 1.f;        ///< pixels; motions that differ less are one
     float relative = 0.25f;   ///< of the faster's speed; likewise
-    float depth_gap = 0.05f;  ///< relative; what is nearer to each other in depth is one
+    float depth_gap = 0.05f;  ///< relative; what is nearer to each other in depth is one, unless one of them stands still
     float likeness = 0.5f;    ///< of the difference between two motions beside: what is nearer to one of them than that may be it
 
     constexpr void for_each_pass(auto&& pass) const {
+        pass(detail::UsablePathOf<Paths>{});
         pass(detail::RowExtremesOf<Paths>{across});
         pass(detail::LocalPairOf<Paths>{down, least, relative, depth_gap});
         pass(detail::NearestPair<Paths>{2 * across, 2 * down, likeness});

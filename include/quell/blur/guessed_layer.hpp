@@ -1,0 +1,23 @@
+#pragma once
+
+#include <quell/blur/layers.hpp>
+#include <quell/filter/taps.hpp>
+
+namespace quell::detail {
+
+/// What stands still in the 5x5 around, for where nothing is known: its mean, and `certainty` where there is any.
+/// @param counts whether a pixel around shows it. Outlined: few pixels are covered.
+template <class Px, class Counts> [[gnu::noinline]] constexpr auto guessed_layer(Px const& px, float certainty, Counts const& counts) {
+    using Real = typename Px::Real;
+    auto sum = zero<typename Px::Signal>();
+    Real weights(0.f);
+    for_each_neighbour<2>(
+        px, [&](auto near, auto inside, int, int) __attribute__((always_inline)) {
+            auto const w = select(counts(near), inside, Real(0.f));
+            sum = add_scaled(sum, near.signal(), w);
+            weights = weights + w;
+        });
+    return layer_of(scale(sum, 1.f / max(weights, Real(1.f))), select(weights > Real(0.f), Real(certainty), Real(0.f)));
+}
+
+} // namespace quell::detail

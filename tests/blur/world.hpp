@@ -1,0 +1,51 @@
+#pragma once
+
+#include "../frames.hpp"
+
+namespace quell::tests {
+
+/// What a pixel shows at a time: a grey value, its sweep and its depth.
+struct Seen {
+    float value;
+    glm::vec2 sweep{0, 0};
+    float depth = 4.f;
+};
+
+/// Frames in which every pixel has a random time, and shows what is there then.
+struct World {
+    Extent size{64, 48};
+    int frames = 8;
+
+    /// What comes out of the last frame.
+    /// @param seen_at of (x, y, frame, time) makes a Seen; called once for every pixel of every frame
+    template <class P> std::vector<float> last(P const& pipeline, auto&& seen_at) const {
+        Frame frame{size, pipeline};
+        History history{size, pipeline};
+        fill_still(frame);
+        std::mt19937 random(7);
+        std::uniform_real_distribution<float> part(0, 1);
+        std::vector<float> out;
+        for (int i = 0; i < frames; ++i) {
+            for (int y = 0; y < size.height; ++y)
+                for (int x = 0; x < size.width; ++x) {
+                    float const t = part(random);
+                    Seen const seen = seen_at(x, y, i, t);
+                    frame[quell::time].set(x, y, t), frame[sweep].set(x, y, seen.sweep);
+                    frame[radiance].set(x, y, glm::vec3(seen.value)), frame[depth].set(x, y, seen.depth);
+                }
+            out = copy_of(run(pipeline, frame, history));
+        }
+        return out;
+    }
+    [[nodiscard]] float at(std::vector<float> const& all, int x, int y) const {
+        return all[static_cast<std::size_t>(y * size.width + x) * 3];
+    }
+};
+
+/// A bar that is 20 pixels wide and slides by 24 in a frame, by 12 while the shutter is open.
+inline bool in_sliding_bar(int x, int frame, float t) {
+    float const left = 20.f + 24.f * static_cast<float>(frame) + 12.f * t, centre = static_cast<float>(x) + 0.5f;
+    return centre >= left && centre < left + 20;
+}
+
+} // namespace quell::tests
