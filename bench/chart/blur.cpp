@@ -8,7 +8,9 @@ auto denoisers() {
                       Named{"blur-bent", presets::blur<BentPaths>(radiance)}, Named{"blur-one-step", presets::blur_one_step(radiance)},
                       Named{"blur-no-history", presets::blur(radiance, {.give_up = 0.f})},
                       Named{"blur-few-samples", presets::blur(radiance, {}, {.count = 32})},
-                      Named{"blur-wavelet", presets::blur_wavelet(radiance)}, Named{"blur-fixed-step", presets::blur_fixed_step(radiance)});
+                      Named{"blur-wavelet", presets::blur_wavelet(radiance)}, Named{"blur-fixed-step", presets::blur_fixed_step(radiance)},
+                      Named{"blur-paper", presets::blur_paper(radiance)},
+                      Named{"blur-no-pre-filter", presets::blur_no_pre_filter(radiance)}, Named{"blur-split", presets::blur_split()});
 }
 /// Get a picture of the middle of the open shutter.
 auto post_processes() {

@@ -46,8 +46,9 @@ template <ChannelTag Signal>
 std::vector<Wanted> wanted_frames(Job const& job, Signal signal, tracer::PreparedScene& scene, tracer::RenderSettings settings,
                                   std::vector<tracer::Effect> const& effects) {
     settings.seed = 0; // the same for any noise
-    // What moves is a small part of some blurred pictures.
-    double const usual = settings.shutter > 0 ? 0.005 : 0.01;
+    // What moves is a small part of some blurred pictures; indirect light takes a hundred times the samples.
+    bool const slow = std::ranges::find(effects, tracer::Effect::indirect) != effects.end();
+    double const usual = settings.shutter > 0 ? 0.005 : slow ? 0.03 : 0.01;
     std::vector<Wanted> all;
     for (int const frame : job.options.scored_frames()) {
         job.progress("reference of frame " + std::to_string(frame));

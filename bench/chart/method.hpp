@@ -30,8 +30,6 @@ public:
     }
 
 protected:
-    /// Before it, histories fill and memory is touched for the first time.
-    static constexpr int first_timed = 8;
     std::vector<double> milliseconds;
 };
 
@@ -48,7 +46,7 @@ public:
         auto const begin = std::chrono::steady_clock::now();
         auto const view = quell::run(pipeline, frame, history, threads);
         std::chrono::duration<double, std::milli> const taken = std::chrono::steady_clock::now() - begin;
-        if (frame.number >= this->first_timed) this->milliseconds.push_back(taken.count());
+        if (frame.number >= ChartOptions::first_timed) this->milliseconds.push_back(taken.count());
         metrics::Picture picture{frame.size, {}};
         picture.pixels.reserve(static_cast<std::size_t>(frame.size.pixels()));
         for (int y = 0; y < frame.size.height; ++y)

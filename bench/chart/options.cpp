@@ -30,14 +30,15 @@ void describe(CLI::App& app, ChartOptions& o, Words& words) {
     app.add_option("--out", o.out, "folder for chart.csv, chart.svg, index.html and pictures")->capture_default_str();
     app.add_option("--size", words.size, "width x height in pixels")->capture_default_str();
     app.add_option("--frames", o.frames, "number of frames; 24, 28, 31 to 34, 36 and 40 are scored")
-        ->check(CLI::Range(ChartOptions::first_scored + 1, 100000))
+        ->check(CLI::Range(ChartOptions::first_timed + 1, 100000))
         ->capture_default_str();
     app.add_option("--threads", o.threads, "threads; 0: all")->check(CLI::Range(0, 1024))->capture_default_str();
     app.add_option("--seed", o.seed, "of the noise")->capture_default_str();
     app.add_option("--tolerance", o.tolerance,
-                   "of the references: mean FLIP between two independent halves (default: 0.01, and 0.005 for blur)")
+                   "of the references: mean FLIP between two independent halves (default: 0.01; 0.005 for blur, 0.03 with indirect light)")
         ->check(CLI::Range(0.0001, 1.0));
     app.add_flag("--few", o.few, "score frames 24, 32 and 40 only");
+    app.add_flag("--times", o.times, "score no frame, which takes no references: only milliseconds and bytes, from frame 8 on");
     app.add_flag("--sweep", o.sweep, "chart variants of the presets too, one parameter changed at a time");
     app.add_option("--external", words.externals,
                    "'name=command {in} {out}': chart a program too; it gets patterns such as dir/frame.%04d.exr in place of {in} and "
@@ -77,6 +78,7 @@ void check_names_differ(std::vector<External> const& externals) {
 } // namespace
 
 std::vector<int> ChartOptions::scored_frames() const {
+    if (times) return {};
     std::vector<int> numbers = few ? std::vector{24, 32, 40} : std::vector{24, 28, 31, 32, 33, 34, 36, 40};
     std::erase_if(numbers, [&](int number) { return number >= frames; });
     return numbers;
@@ -97,6 +99,8 @@ ChartOptions chart_options(int argc, char const* const* argv) {
     options.wants_help = !examples::parse(app, argc, argv);
     if (options.wants_help) return options;
     options.size = size_in(words.size);
+    if (!options.times && options.frames <= ChartOptions::first_scored)
+        throw Error("--frames", std::to_string(options.frames) + ", of which none is scored", "give more than 24, or --times too");
     options.cases = cases_of(words.scenes, words.effects);
     for (auto const& text : words.externals) options.externals.push_back(external_in(text));
     check_names_differ(options.externals);

@@ -21,16 +21,18 @@ struct ChartOptions {
     std::vector<Case> cases;
     std::filesystem::path out = "out/chart";
     Extent size{480, 270};
-    int frames = 41; ///< more than first_scored
+    int frames = 41; ///< more than first_scored, or than first_timed if only times are wanted
     int threads = 0; ///< the number of threads; on the command line 0 means all
     std::uint32_t seed = 0;
     double tolerance = 0; ///< of the references: mean FLIP between two independent halves; 0: by the effect
     bool few = false;     ///< score frames 24, 32 and 40 only
+    bool times = false;   ///< score none: there are no references, pictures, plots and page, only times and bytes
     bool sweep = false;   ///< chart variants of the presets too
     std::vector<External> externals;
     bool quiet = false, list = false, wants_help = false;
 
     static constexpr int first_scored = 24, pictured = 32;
+    static constexpr int first_timed = 8; ///< before it, histories fill and memory is touched for the first time
     /// Numbers of the frames that are compared with a reference.
     [[nodiscard]] std::vector<int> scored_frames() const;
     [[nodiscard]] bool scores(int frame) const;

@@ -19,7 +19,7 @@ Results::Results(ChartOptions const& options_) : options(options_) {
     std::error_code why;
     std::filesystem::create_directories(options.out, why);
     if (why) throw Error(options.out.string(), "the folder can't be made: " + why.message(), "choose another for --out");
-    require_gnuplot();
+    if (!options.times) require_gnuplot();
     if (!options.quiet) std::cout << csv_header() << std::endl;
 }
 
@@ -29,6 +29,7 @@ void Results::add(std::vector<Row> rows) {
         if (!options.quiet) std::cout << csv_line(row) << std::endl;
     std::ranges::move(rows, std::back_inserter(all));
     write_csv();
+    if (options.times) return;
     write_plot(all, options.out);
     write_chart_page(all, options.out / "index.html");
 }

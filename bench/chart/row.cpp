@@ -20,7 +20,9 @@ bool beats(Row const& other, Row const& row) { return other.competes && other.ms
 } // namespace
 
 void mark_pareto_front(std::vector<Row>& rows) {
-    for (auto& row : rows) row.pareto = row.competes && std::ranges::none_of(rows, [&](Row const& other) { return beats(other, row); });
+    for (auto& row : rows)
+        row.pareto =
+            row.competes && !std::isnan(row.rmse) && std::ranges::none_of(rows, [&](Row const& other) { return beats(other, row); });
 }
 
 std::string csv_header() {

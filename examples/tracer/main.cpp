@@ -242,10 +242,17 @@ struct Sequence {
     }
 };
 
+/// What is written besides where the shutter is open: how shadows and reflections move meanwhile.
+template <class Set>
+using EffectSweeps =
+    union_of<std::conditional_t<Set::template has<Time> && Set::template has<Visibility>, Channels<SweepOf<Visibility>>, Channels<>>,
+             std::conditional_t<Set::template has<Time> && Set::template has<Glossy>, Channels<SweepOf<Glossy>>, Channels<>>>;
+
 /// Calls f with the set of all channels of the chosen effects. There is one instance of f for each set that may come of it.
 template <class Set> RayCounts with_channels(Options const&, auto&& f, Set) {
     if constexpr (Set::size > 0)
-        return f(common_to<AllChannels, Set>{} | without<Set, AllChannels>{}); // in one order, so that equal sets are the same type
+        return f(common_to<AllChannels, Set>{} | without<Set, AllChannels>{} |
+                 EffectSweeps<Set>{}); // in one order, so that equal sets are the same type
     else
         return {};
 }

@@ -31,7 +31,8 @@ struct World {
                     float const t = part(random);
                     Seen const seen = seen_at(x, y, i, t);
                     frame[quell::time].set(x, y, t), frame[sweep].set(x, y, seen.sweep);
-                    frame[radiance].set(x, y, glm::vec3(seen.value)), frame[depth].set(x, y, seen.depth);
+                    frame[radiance].set(x, y, glm::vec3(seen.value));
+                    if constexpr (P::reads::template has<Depth>) frame[depth].set(x, y, seen.depth);
                 }
             out = copy_of(run(pipeline, frame, history));
         }

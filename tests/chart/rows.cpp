@@ -41,6 +41,7 @@ TEST_CASE("on the front is what nothing else is both faster and more accurate th
     CHECK(front({point("a", 1, 0.5), point("b", 2, 0.5)}) == "ab"); // as accurate is not more accurate
     CHECK(front({point("a", 2, 0.5), point("b", 1, 0.4)}) == "b");
     CHECK(front({point("a", 2, 0.5), point("input", 1, 0.1, false)}) == "a"); // more samples don't compete
+    CHECK(front({point("a", 1, Row::unknown), point("b", 2, 0.5)}) == "b");   // nor is what nobody measured
     CHECK(front({}).empty());
 }
 
@@ -96,9 +97,11 @@ TEST_CASE("the command line is refused where it can't be used") {
     CHECK(options_of({"--scene", "fence"}).scored_frames() == std::vector{24, 28, 31, 32, 33, 34, 36, 40});
     CHECK(options_of({"--scene", "fence", "--frames", "33"}).scored_frames() == std::vector{24, 28, 31, 32});
     CHECK(options_of({"--scene", "fence", "--scene", "temple", "--few"}).cases.size() == 2);
+    CHECK(options_of({"--scene", "fence", "--frames", "9", "--times"}).scored_frames().empty());
     for (auto const& words : std::vector<std::vector<char const*>>{{"--size", "12"},
                                                                    {"--size", "0x9"},
                                                                    {"--frames", "24"},
+                                                                   {"--frames", "8", "--times"},
                                                                    {"--effect", "shine"},
                                                                    {"--external", "name"},
                                                                    {"--external", "=x {in} {out}"},

@@ -108,3 +108,17 @@ TEST_CASE("another program that fails is named with what it said last, and so is
     check_refused(run("true {in} {out}"), "it wrote no frame.0024.exr");
     check_refused(run("for f in {in}; do echo broken > $(dirname {out})/frame.0024.exr; done"), "frame.0024.exr");
 }
+
+TEST_CASE("where only times are wanted no reference is made: there is the table, without errors, and nothing else") {
+    Folder const folder;
+    auto options = small_options(folder.path);
+    options.times = true;
+    options.frames = 10;
+    chart_small(options);
+    auto rows = chart_in(folder.path);
+    CHECK(std::stod(rows["surface"]["ms_per_frame"]) > 0);
+    CHECK(std::stod(rows["surface"]["bytes_per_pixel"]) > 0);
+    CHECK(rows["surface"]["rmse"].empty());
+    CHECK(rows["surface"]["pareto"] == "0");
+    CHECK(!std::filesystem::exists(folder / "index.html"));
+}

@@ -116,3 +116,23 @@ TEST_CASE("a composite follows a frame of another size") {
     CHECK(out.size == Extent{8, 5});
     CHECK(out.get(0, 7, 4) == doctest::Approx((frame[direct].get(7, 4) * frame[visibility].get(7, 4) + frame[glossy].get(7, 4)).x));
 }
+
+TEST_CASE("a factor that has a pipeline of its own is denoised too, and added to nothing") {
+    constexpr auto light = presets::surface(direct);
+    constexpr auto all = Composite{light, shadows, bounced};
+    using All = decltype(all)::reads;
+    static_assert(All::has<Direct> && All::has<Albedo> && All::has<Visibility> && All::has<Indirect>);
+    Frame frame{size, all};
+    History history{size, all};
+    History alone{size, light};
+    for (int i = 0; i < 3; ++i) {
+        tests::fill_randomly(frame, static_cast<unsigned>(20 + i));
+        auto const out = tests::copy_of(run(all, frame, history));
+        auto const lit = run(light, frame, alone);
+        auto const wanted = by_hand([&](int x, int y) {
+            return glm::vec3(lit.get(0, x, y), lit.get(1, x, y), lit.get(2, x, y)) * frame[visibility].get(x, y) +
+                   frame[albedo].get(x, y) * frame[indirect].get(x, y);
+        });
+        CHECK(tests::difference(wanted, out) < 1e-6);
+    }
+}

@@ -64,8 +64,11 @@ TEST_CASE("the effects' presets run on what quell-trace writes for these effects
 
 TEST_CASE("the presets of motion blur run on what quell-trace writes for it") {
     Folder const folder;
-    CHECK(trace("--scene spheres --size 48x32 --frames 3 --quiet --effects blur --out '" + folder.path.string() + "'").code == 0);
-    for (std::string const preset : {"blur", "blur-wavelet", "blur-fixed-step", "blur-one-step"}) {
+    CHECK(
+        trace("--scene spheres --size 48x32 --frames 3 --quiet --effects blur,shadow,glossy,indirect --out '" + folder.path.string() + "'")
+            .code == 0);
+    for (std::string const preset :
+         {"blur", "blur-wavelet", "blur-fixed-step", "blur-one-step", "blur-paper", "blur-no-pre-filter", "blur-split"}) {
         auto const ran = denoise(input(folder) + output(folder, preset + ".") + "--preset " + preset);
         INFO(preset, ran.err);
         CHECK(ran.code == 0);

@@ -10,6 +10,9 @@ std::vector<Preset> blur_presets() {
         preset("blur-wavelet", [] { return quell::presets::blur_wavelet(radiance); }),
         preset("blur-fixed-step", [] { return quell::presets::blur_fixed_step(radiance); }),
         preset("blur-one-step", [] { return quell::presets::blur_one_step(radiance); }),
+        preset("blur-paper", [] { return quell::presets::blur_paper(radiance); }),
+        preset("blur-no-pre-filter", [] { return quell::presets::blur_no_pre_filter(radiance); }),
+        preset("blur-split", [] { return quell::presets::blur_split(); }),
     };
 }
 

@@ -10,7 +10,7 @@ namespace quell {
 /// which is 0 where validity is. Missing samples never reach a policy's result: the stage keeps the past instead.
 template <class B>
 concept BlendPolicy = std::is_trivially_copyable_v<B> && requires(B const b, detail::Probe<B> px, detail::PastOf<detail::Probe<B>> past) {
-    { detail::as_result(b.blend(px, past)).value } -> std::convertible_to<vec3<float>>;
+    { detail::as_result(b.blend(px, past)).value } -> std::convertible_to<typename detail::Probe<B>::Signal>;
 };
 
 /// past + alpha (now - past): what most blend policies come down to, once they know alpha.

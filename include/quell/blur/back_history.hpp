@@ -7,8 +7,9 @@
 namespace quell {
 
 /// History of what is behind: by a Catmull-Rom spline where every pixel of the past moves as it should.
-/// @tparam Signal the pipeline's
-template <ChannelTag Signal> struct BackFetch {
+/// @tparam S the pipeline's
+template <ChannelTag S> struct BackFetch {
+    using Signal = S;
     bool sharp = true; ///< false: bilinear, which blurs a little more in each frame
 
     template <class Px, class Found> QUELL_KERNEL auto fetch(Px const& px, Found const& found) const {
@@ -30,7 +31,8 @@ template <ChannelTag Signal> struct BackFetch {
 /// Accumulates what is behind, and puts what is in front over it. A mean counts the samples that it is made of, not frames: fast motion
 /// passes many samples within one frame and needs no history, which is never as sharp; slow motion needs it. What stands still keeps its
 /// value while it is seen, and is remembered while it is covered.
-template <ChannelTag Signal> struct BackBlend {
+template <ChannelTag S> struct BackBlend {
+    using Signal = S;
     using reads = Channels<MovingLayer<Signal>, BackLayer<Signal>, MeanSweep>;
     using keeps = Channels<BackLayer<Signal>, MeanSweep>;
     float cap = 16.f; ///< samples that the past counts as, at most

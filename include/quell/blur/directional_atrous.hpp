@@ -9,7 +9,8 @@ namespace quell {
 namespace detail {
 /// One level; the last one also puts the layers together.
 /// @tparam From the channel with the moving layer that it starts from
-template <ChannelTag Signal, ChannelTag From> struct DirectionalLevel {
+template <ChannelTag S, ChannelTag From> struct DirectionalLevel {
+    using Signal = S;
     static constexpr auto name = "directional a-trous";
     using reads = Channels<GuideAxis, GuideSpread, From>;
     using emits = Channels<FilteredLayer<Signal>>;
@@ -50,7 +51,8 @@ template <ChannelTag Signal, ChannelTag From> struct DirectionalLevel {
         return select(moves, scale(sum, 1.f / weights), own);
     }
 };
-template <ChannelTag Signal, ChannelTag From> struct LastDirectionalLevel {
+template <ChannelTag S, ChannelTag From> struct LastDirectionalLevel {
+    using Signal = S;
     static constexpr auto name = "directional a-trous and composite";
     using reads = decltype(reads_of<DirectionalLevel<Signal, From>>{} | Channels<StaticLayer<Signal>>{});
     DirectionalLevel<Signal, From> level;
@@ -64,7 +66,8 @@ template <ChannelTag Signal, ChannelTag From> struct LastDirectionalLevel {
 /// A wavelet along the motion over the moving layer: `levels` passes of five taps along the axis, and as many rows of them across as asked
 /// for, which stand apart as far as sweeps are long and doubly as far in each level as in the one before (MB section 4.3). Then puts the
 /// layers together. Wants a MotionGuide and a LayerBlend before it.
-template <ChannelTag Signal> struct DirectionalAtrous {
+template <ChannelTag S> struct DirectionalAtrous {
+    using Signal = S;
     using First = detail::DirectionalLevel<Signal, MovingLayer<Signal>>;
     using Next = detail::DirectionalLevel<Signal, FilteredLayer<Signal>>;
     using reads = decltype(reads_of<detail::LastDirectionalLevel<Signal, FilteredLayer<Signal>>>{} | reads_of<First>{});

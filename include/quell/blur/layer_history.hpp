@@ -7,8 +7,9 @@
 namespace quell {
 
 /// History of a picture in two layers: what moves comes from where the motion source says, what stands still from the pixel itself.
-/// @tparam Signal the pipeline's
-template <ChannelTag Signal> struct LayerFetch {
+/// @tparam S the pipeline's
+template <ChannelTag S> struct LayerFetch {
+    using Signal = S;
     bool sharp = true; ///< a Catmull-Rom spline for what moves; false: bilinear, which blurs a little more in each frame
 
     template <class Px, class Found> QUELL_KERNEL auto fetch(Px const& px, Found const& found) const {
@@ -30,7 +31,8 @@ template <ChannelTag Signal> struct LayerFetch {
 
 /// Accumulates both layers, each for itself, and puts them together. What moves: the running mean of its coverage and of the signal in it.
 /// What stands still keeps its value while it is seen, and is remembered while it is covered.
-template <ChannelTag Signal> struct LayerBlend {
+template <ChannelTag S> struct LayerBlend {
+    using Signal = S;
     using reads = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep>;
     using keeps = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep, HistoryLength>;
     float cap = 8.f; ///< frames that the moving layer is the mean of, at most; at least 1

@@ -91,16 +91,19 @@ template <class Mask, class Real> QUELL_KERNEL BentPath<Real> moving_as(Mask mas
     return {moving_as(mask, static_cast<Path<Real> const&>(a), static_cast<Path<Real> const&>(b)), select(mask, a.bend, b.bend)};
 }
 
-/// Whether samples move in straight lines while the shutter is open, as in the paper, or in arcs.
-struct StraightPaths {
+// Whether samples move in straight lines while the shutter is open, as in the paper, or in arcs.
+
+/// @tparam SweepChannel Sweep; or the SweepOf a signal that does not move like the surface which shows it
+template <ChannelTag SweepChannel> struct StraightPathsAlong {
     static constexpr bool bent = false;
-    using reads = Channels<Sweep, Time>;
+    using reads = Channels<SweepChannel, Time>;
     /// What the pixel shows, and what is shown elsewhere.
-    template <class Px> QUELL_KERNEL static auto here(Px const& px) { return Path<typename Px::Real>::of(px[sweep], px[time]); }
+    template <class Px> QUELL_KERNEL static auto here(Px const& px) { return Path<typename Px::Real>::of(px[SweepChannel{}], px[time]); }
     template <class Px, class Place> QUELL_KERNEL static auto there(Px const& px, Place const& place) {
-        return Path<typename Px::Real>::of(px.elsewhere(place, sweep), px.elsewhere(place, time));
+        return Path<typename Px::Real>::of(px.elsewhere(place, SweepChannel{}), px.elsewhere(place, time));
     }
 };
+using StraightPaths = StraightPathsAlong<Sweep>;
 struct BentPaths {
     static constexpr bool bent = true;
     using reads = Channels<Sweep, SweepBend, Time>;

@@ -57,10 +57,11 @@ private:
 /// a fast one has more pixels to be seen in. What stands still keeps its value to the last bit; where it is covered it is guessed from the
 /// pixels around. (After MB sections 4.2 and 4.3.)
 /// Emits MovingLayer, StaticLayer and MeanSweep; leaves the signal alone. Wants a MotionGuide before it.
-/// @tparam Signal the pipeline's
+/// @tparam S the pipeline's
 /// @tparam Paths  StraightPaths or BentPaths, as the MotionGuide's
 /// @tparam Places where it looks
-template <ChannelTag Signal, class Paths = StraightPaths, class Places = AlongGuide<Paths>> struct PathGather {
+template <ChannelTag S, class Paths = StraightPaths, class Places = AlongGuide<Paths>> struct PathGather {
+    using Signal = S;
     static constexpr auto name = "path gather";
     static constexpr bool leaves_signal = true;
     using reads = decltype(Channels<Depth, GuideSweep, GuideAxis>{} | reads_of<Paths, Places, PathWeight>{});

@@ -21,7 +21,7 @@ struct AnyPass {
 /// One marked `feedback` makes the signal that history remembers (SVGF); without such a mark that is what the last Temporal stage made.
 template <class F>
 concept OnePassFilter = std::is_trivially_copyable_v<F> && requires(F const f, detail::Probe<F> px) {
-    { detail::as_result(f.filter(px)).value } -> std::convertible_to<vec3<float>>;
+    { detail::as_result(f.filter(px)).value } -> std::convertible_to<typename detail::Probe<F>::Signal>;
 };
 template <class F>
 concept EmittingKernel = std::is_trivially_copyable_v<F> && requires(F const f, detail::Probe<F> px) {

@@ -173,9 +173,9 @@ template <class R, class S> struct Pixel {
     QUELL_KERNEL std::pair<Real, Real> random_normals() const {
         return normal_pair(Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)), scope.frame_index);
     }
-    /// Two uniformly distributed random numbers in [0, 1), likewise.
-    QUELL_KERNEL std::pair<Real, Real> random_uniforms() const {
-        return uniform_pair(Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)), scope.frame_index);
+    /// Two uniformly distributed random numbers in [0, 1), likewise; for more of them, from `which` pair (0 to 15).
+    QUELL_KERNEL std::pair<Real, Real> random_uniforms(int which = 0) const {
+        return uniform_pair(Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)), scope.frame_index + (which << 26));
     }
     /// Where a point of the world was on the previous frame's screen (pixels), and its linear depth there (not positive: behind the
     /// camera).
@@ -243,9 +243,16 @@ private:
 };
 
 namespace detail {
-/// A pixel by which concepts look at a policy: it has what the policy declares, and a colour as its signal.
+/// The signal that a policy is for, if it says so; else any, such as a colour.
+template <class P> struct SignalFor { using type = Radiance; };
 template <class P>
-using ProbeScope = Scope<Views<Planar<>, reads_of<P>>, Views<Planar<>, Channels<>>, ViewOf<Planar<>, Radiance>, ViewOf<Planar<>, Radiance>,
+    requires ChannelTag<typename P::Signal>
+struct SignalFor<P> {
+    using type = typename P::Signal;
+};
+/// A pixel by which concepts look at a policy: it has what the policy declares.
+template <class P, class S = typename SignalFor<P>::type>
+using ProbeScope = Scope<Views<Planar<>, reads_of<P>>, Views<Planar<>, Channels<>>, ViewOf<Planar<>, S>, ViewOf<Planar<>, S>,
                          Views<Planar<>, keeps_of<P>>, RememberedViewsOf<Planar<>, remembers_of<P>>, true>;
 template <class P> using Probe = Pixel<float, ProbeScope<P>>;
 } // namespace detail

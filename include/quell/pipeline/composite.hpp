@@ -10,18 +10,21 @@ template <ChannelTag C> struct Share { using factor = Channels<>; };
 template <> struct Share<Visibility> { using factor = Channels<Direct>; };
 template <> struct Share<Indirect> { using factor = Channels<Albedo>; };
 
+template <ChannelTag... Signals> using FactorsOf = union_of<typename Share<Signals>::factor...>;
+
 struct CompositeRun;
 } // namespace detail
 
 /// Several signals of one frame, each denoised by its own pipeline, and the picture that they make together:
 ///     direct * visibility + glossy + albedo * indirect + whatever else
+/// A factor (direct, albedo) is denoised as well where there is a pipeline for it, and else taken from the frame as it is.
 ///     constexpr auto trmv = Composite{shadows, reflections, indirect_light};
 ///     Frame frame{size, trmv};    History history{size, trmv};    run(trmv, frame, history);
 /// Any subset will do; what is not in it costs nothing. Used like a Pipeline.
 template <class... Ps> struct Composite {
     static_assert(sizeof...(Ps) > 0, "Composite{pipelines...}: give at least one Pipeline");
     using Output = Radiance;
-    using factors = union_of<typename detail::Share<typename Ps::Output>::factor...>;
+    using factors = without<detail::FactorsOf<typename Ps::Output...>, union_of<Channels<typename Ps::Output>...>>;
     using reads = decltype(reads_of<Ps...>{} | factors{});
     static constexpr bool needs_camera = (Ps::needs_camera || ...);
 
@@ -80,17 +83,36 @@ template <class FrameViews, class OutputView, class... Parts> struct CompositeJo
     }
 
 private:
+    using AllFactors = FactorsOf<typename Parts::Channel...>;
+
     template <class Real, class Part> QUELL_KERNEL void add(vec3<Real>& sum, Part const& part, int x, int y) const {
-        auto const value = load_pixels<Real>(part.view, x, y);
-        using Factor = typename Share<typename Part::Channel>::factor;
-        vec3<Real> factor{Real(1.f), Real(1.f), Real(1.f)};
-        for_each_channel(
-            Factor{}, [&](auto c) __attribute__((always_inline)) { factor = finite_factor(load_pixels<Real>(frame.view(c), x, y)); });
-        if constexpr (components_of<std::remove_const_t<decltype(value)>> == 1)
-            sum = add_scaled(sum, factor, value);
+        if constexpr (!AllFactors::template has<typename Part::Channel>) {
+            auto const value = load_pixels<Real>(part.view, x, y);
+            vec3<Real> times{Real(1.f), Real(1.f), Real(1.f)};
+            for_each_channel(
+                typename Share<typename Part::Channel>::factor{}, [&]<class C>(C) __attribute__((always_inline)) {
+                    times = finite_factor(factor<Real, C>(x, y));
+                });
+            if constexpr (components_of<std::remove_const_t<decltype(value)>> == 1)
+                sum = add_scaled(sum, times, value);
+            else
+                sum = map(
+                    [](auto s, auto f, auto v) __attribute__((always_inline)) { return fma(f, v, s); }, sum, times, value);
+        }
+    }
+    /// Denoised where there is a pipeline for it.
+    template <class Real, class C> QUELL_KERNEL vec3<Real> factor(int x, int y) const {
+        constexpr int which = index_of<C>();
+        if constexpr (which < static_cast<int>(sizeof...(Parts)))
+            return load_pixels<Real>(std::get<which>(parts).view, x, y);
         else
-            sum = map(
-                [](auto s, auto f, auto v) __attribute__((always_inline)) { return fma(f, v, s); }, sum, factor, value);
+            return load_pixels<Real>(frame.view(C{}), x, y);
+    }
+    /// Of the part that makes a channel, or how many parts there are.
+    template <class C> static constexpr int index_of() {
+        int i = 0;
+        static_cast<void>(((std::is_same_v<C, typename Parts::Channel> || (++i, false)) || ...));
+        return i;
     }
     /// What a host leaves at NaN or infinity, at misses for instance, adds nothing.
     template <class Real> QUELL_KERNEL static vec3<Real> finite_factor(vec3<Real> const& f) {

@@ -10,8 +10,10 @@
 #include <quell/blur/directional_atrous.hpp>
 #include <quell/blur/gather_blur.hpp>
 #include <quell/blur/layer_history.hpp>
+#include <quell/blur/layer_split.hpp>
 #include <quell/blur/path_gather.hpp>
 #include <quell/blur/path_search.hpp>
+#include <quell/blur/sample_collector.hpp>
 #include <quell/blur/tile_max_blur.hpp>
 #include <quell/filter/atrous.hpp>
 #include <quell/filter/bilateral.hpp>
@@ -133,19 +135,40 @@ template <class Paths = StraightPaths, ChannelTag S>
 constexpr auto blur(S signal, PathSearch search = {}, PairGather<S, Paths> gather = {}) {
     return Pipeline{signal, Spatial{PairGuide<Paths>{}}, Spatial{gather}, Temporal{search, BackBlend<S>{}, BackFetch<S>{}}};
 }
+/// blur where shadows and reflections don't move like the surfaces that show them: each along sweeps of its own (the way out that MB
+/// section 6 names). direct * visibility + glossy + albedo * indirect, all of them blurred.
+template <class = void> constexpr auto blur_split(PathSearch search = {}) {
+    return Composite{blur<StraightPathsAlong<SweepOf<Visibility>>>(visibility, search),
+                     blur<StraightPathsAlong<SweepOf<Glossy>>>(quell::glossy, search), blur(direct, search), blur(indirect, search),
+                     blur(albedo, search)};
+}
 /// blur with plain reprojection instead of the search.
 template <ChannelTag S> constexpr auto blur_one_step(S signal, PathSearch search = {}) {
     search.iterations = 0;
     return blur(signal, search);
 }
-/// blur as the paper has it: two layers, what moves and what stands still, from a guide of the mean motion around; both accumulated; and a
+/// blur in the paper's two layers: what moves and what stands still, from a guide of the mean motion around; both accumulated; and a
 /// wavelet along the motion. What was gathered is blurred as it should be already, so that the wavelet stays narrower than the paper's.
 template <ChannelTag S>
 constexpr auto blur_wavelet(S signal, PathSearch search = {}, DirectionalAtrous<S> along = {.reach = 0.05f, .taps_across = 0}) {
     return Pipeline{signal, Spatial{MotionGuide<>{}}, Spatial{PathGather<S>{}}, Temporal{search, LayerBlend<S>{}, LayerFetch<S>{}},
                     Spatial{along}};
 }
-/// The same with an ordinary a-trous wavelet, whose steps don't follow the motion.
+/// blur_wavelet with the paper's own first steps and numbers: samples collected by a pre-filter, and two layers from the 5x5 around.
+template <ChannelTag S> constexpr auto blur_paper(S signal, PathSearch search = {}) {
+    return Pipeline{signal,
+                    Spatial{MotionGuide<>{}},
+                    Spatial{SampleCollector<>{}},
+                    Spatial{LayerSplit<S>{}},
+                    Temporal{search, LayerBlend<S>{}, LayerFetch<S>{}},
+                    Spatial{DirectionalAtrous<S>{}}};
+}
+/// blur_paper without the pre-filter.
+template <ChannelTag S> constexpr auto blur_no_pre_filter(S signal, PathSearch search = {}) {
+    return Pipeline{signal, Spatial{MotionGuide<>{}}, Spatial{LayerSplit<S>{}}, Temporal{search, LayerBlend<S>{}, LayerFetch<S>{}},
+                    Spatial{DirectionalAtrous<S>{}}};
+}
+/// blur_wavelet with an ordinary a-trous wavelet, whose steps don't follow the motion.
 template <ChannelTag S> constexpr auto blur_fixed_step(S signal, PathSearch search = {}) {
     return blur_wavelet(signal, search, {.fixed_step = 1.f, .taps_across = 2});
 }
