@@ -138,4 +138,18 @@ struct SplattedShadowMotion {
     }
 };
 
+/// Follows the shadow where ShadowSplat has found one, and what is seen elsewhere; untested. For a ChangeDetector, whose answer is one
+/// for both.
+struct ShadowOrSurfaceMotion {
+    using reads = Channels<ShadowTrack, Motion>;
+
+    QUELL_KERNEL auto previous(auto px) const {
+        using Real = typename decltype(px)::Real;
+        auto const track = px[shadow_track];
+        auto const surface = px[motion], p = px.position();
+        auto const known = track.w > Real(0.f);
+        return Reprojection<Real>{{p.x + select(known, track.x, surface.x), p.y + select(known, track.y, surface.y)}, Real(1.f)};
+    }
+};
+
 } // namespace quell
