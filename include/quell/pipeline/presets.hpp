@@ -20,6 +20,7 @@
 #include <quell/filter/shadow_splat.hpp>
 #include <quell/filter/temporal_gradient.hpp>
 #include <quell/filter/variance_guided_atrous.hpp>
+#include <quell/motion/catmull_rom.hpp>
 #include <quell/motion/dual_motion.hpp>
 #include <quell/motion/glossy_motion.hpp>
 #include <quell/motion/surface_motion.hpp>
@@ -68,8 +69,9 @@ constexpr auto mirror_clamp(ChannelTag auto signal, auto... parts) {
 }
 
 /// Shadows, with history that follows them (TRMV section 4.1): visibility filtered as wide as its penumbra, then accumulated. A
-/// narrower filter, a shorter history and a tighter clamp than the paper's, which shadow_paper has, and history that is forgotten where
-/// samples contradict it together: less error on fence, fence-lights, apples and pinkroom (quell-chart).
+/// narrower filter, a shorter history and a tighter clamp than the paper's, which shadow_paper has, history that is forgotten where samples
+/// contradict it together, and a sharper fetch, which thin shadows need: less error on fence, fence-lights, apples, pinkroom and
+/// thinshadows (quell-chart).
 constexpr auto shadow(ChannelTag auto signal, auto... parts) {
     using Forgetful = ForgetChanged<Exponential>;
     return Pipeline{signal,
@@ -78,14 +80,15 @@ constexpr auto shadow(ChannelTag auto signal, auto... parts) {
                     Spatial{ChangeDetector<ShadowOrSurfaceMotion>{.levels = 1}},
                     Spatial{AdaptiveBilateral<PenumbraWidth>{.radius = 15}},
                     Temporal{FirstValid{SplattedShadowMotion{}, SurfaceMotion{}},
-                             Clamped{WithCleanUp{NonPlanarFalloff{Forgetful{{.alpha = 0.3f}, 2.f, 0.3f}}}, MeanDeviation{.sigmas = 1.f}}},
+                             Clamped{WithCleanUp{NonPlanarFalloff{Forgetful{{.alpha = 0.4f}, 2.f, 0.3f}}}, MeanDeviation{.sigmas = 2.f}},
+                             CatmullRom{}},
                     Spatial{CleanUp<>{}}};
 }
 constexpr auto shadow_paper(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal,
                     parts...,
                     Spatial{ShadowSplat{}},
-                    Spatial{AdaptiveBilateral<PenumbraWidth>{.width = {.part = 0.25f}, .radius = 15}},
+                    Spatial{AdaptiveBilateral<PenumbraWidth>{.width = {.part = 0.25f, .part_of_least = 1e9f}, .radius = 15}},
                     Temporal{FirstValid{SplattedShadowMotion{}, SurfaceMotion{}},
                              Clamped{WithCleanUp{NonPlanarFalloff{Exponential{.alpha = 0.1f}}}, MeanDeviation{.sigmas = 3.f}}},
                     Spatial{CleanUp<>{}}};
