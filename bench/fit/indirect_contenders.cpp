@@ -11,7 +11,7 @@ std::vector<quell::bench::Contender> quell::bench::indirect_contenders() {
         contender("dual-color", true, QUELL_FIT_CODE(presets::dual_color(indirect))),
         contender("dual-cone/levels=1", true, QUELL_FIT_CODE([] {
                       auto pipeline = presets::dual_cone(indirect);
-                      std::get<2>(pipeline.stages).kernel.levels = 1;
+                      std::get<3>(pipeline.stages).kernel.levels = 1;
                       return pipeline;
                   }())),
         contender("dual-cone", true, QUELL_FIT_CODE(presets::dual_cone(indirect))),

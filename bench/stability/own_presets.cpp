@@ -8,10 +8,13 @@ using examples::preset;
 
 examples::Preset shadow_without_falloff() {
     return preset("shadow-without-falloff", [] {
-        return Composite{Pipeline{visibility, Spatial{ShadowSplat{}}, Spatial{AdaptiveBilateral<PenumbraWidth>{.radius = 15}},
-                                  Temporal{FirstValid{SplattedShadowMotion{}, SurfaceMotion{}},
-                                           Clamped{WithCleanUp{Exponential{.alpha = 0.3f}}, MeanDeviation{.sigmas = 1.f}}},
-                                  Spatial{CleanUp<>{}}}};
+        using Forgetful = ForgetChanged<Exponential>;
+        return Composite{
+            Pipeline{visibility, Spatial{ShadowSplat{}}, Spatial{ChangeDetector<ShadowOrSurfaceMotion>{.levels = 1}},
+                     Spatial{AdaptiveBilateral<PenumbraWidth>{.radius = 15}},
+                     Temporal{FirstValid{SplattedShadowMotion{}, SurfaceMotion{}},
+                              Clamped{WithCleanUp{Forgetful{{.alpha = 0.4f}, 2.f, 0.3f}}, MeanDeviation{.sigmas = 2.f}}, CatmullRom{}},
+                     Spatial{CleanUp<>{}}}};
     });
 }
 

@@ -4,6 +4,7 @@
 #include <quell/blend/with_clean_up.hpp>
 #include <quell/blend/with_moments.hpp>
 #include <quell/diagnose/debug_channels.hpp>
+#include <quell/filter/light_change.hpp>
 #include <quell/filter/temporal_gradient.hpp>
 #include <quell/motion/surface_motion.hpp>
 #include <quell/pipeline/composite.hpp>
@@ -131,6 +132,10 @@ template <class B> constexpr auto with_watched_clamps(WithCones<B> const& around
 }
 template <class B> constexpr auto with_watched_clamps(Antilag<B> const& around) {
     return Antilag<decltype(with_watched_clamps(around.inner))>{with_watched_clamps(around.inner)};
+}
+template <class B> constexpr auto with_watched_clamps(ForgetChanged<B> const& around) {
+    return ForgetChanged<decltype(with_watched_clamps(around.inner))>{with_watched_clamps(around.inner), around.by_chance,
+                                                                      around.sharpness};
 }
 
 template <class Stage> constexpr auto watched_stage(Stage const& stage) { return stage; }

@@ -112,16 +112,22 @@ template <class Source = ShadowMotion, class Edge = DepthEdge> struct ShadowSpla
     }
 };
 
-/// How wide a Bilateral is to filter shadows: a part of the penumbra's width. Where no shadow is near, as narrow as it gets.
+/// How wide a Bilateral is to filter shadows: a part of the penumbra's width, but no less than reaches the next pixels; a shadow whose
+/// penumbra is as narrow as they are has hardly any noise, and may itself be no wider, so that there it is a part of the penumbra again.
+/// Where no shadow is near, as narrow as it gets.
 struct PenumbraWidth {
     using reads = Channels<ShadowTrack>;
-    float part = 0.15f; ///< deviation of the Gaussian, as a part of the penumbra
-    float least = 0.5f; ///< pixels
-    float most = 7.5f;  ///< pixels
+    float part = 0.15f;          ///< deviation of the Gaussian, as a part of the penumbra
+    float least = 0.5f;          ///< pixels
+    float most = 7.5f;           ///< pixels
+    float part_of_least = 0.25f; ///< of the penumbra, where `least` is more than this part
 
     QUELL_KERNEL auto of(auto px) const {
         using Real = typename decltype(px)::Real;
-        return clamp(px[shadow_track].z * part, Real(least), Real(most));
+        auto const penumbra = px[shadow_track].z;
+        // Narrower than 0.1 all weights are 0 already.
+        auto const low = max(min(Real(least), penumbra * part_of_least), Real(0.1f));
+        return clamp(penumbra * part, low, Real(most));
     }
 };
 
@@ -135,6 +141,20 @@ struct SplattedShadowMotion {
         auto const track = px[shadow_track];
         auto const p = px.position();
         return Reprojection<Real>{{p.x + track.x, p.y + track.y}, select(track.w > Real(0.f), Real(1.f), Real(0.f))};
+    }
+};
+
+/// Follows the shadow where ShadowSplat has found one, and what is seen elsewhere; untested. For a ChangeDetector, whose answer is one
+/// for both.
+struct ShadowOrSurfaceMotion {
+    using reads = Channels<ShadowTrack, Motion>;
+
+    QUELL_KERNEL auto previous(auto px) const {
+        using Real = typename decltype(px)::Real;
+        auto const track = px[shadow_track];
+        auto const surface = px[motion], p = px.position();
+        auto const known = track.w > Real(0.f);
+        return Reprojection<Real>{{p.x + select(known, track.x, surface.x), p.y + select(known, track.y, surface.y)}, Real(1.f)};
     }
 };
 

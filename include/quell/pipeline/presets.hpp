@@ -17,10 +17,12 @@
 #include <quell/blur/tile_max_blur.hpp>
 #include <quell/filter/atrous.hpp>
 #include <quell/filter/bilateral.hpp>
+#include <quell/filter/light_change.hpp>
 #include <quell/filter/lobe_edge.hpp>
 #include <quell/filter/shadow_splat.hpp>
 #include <quell/filter/temporal_gradient.hpp>
 #include <quell/filter/variance_guided_atrous.hpp>
+#include <quell/motion/catmull_rom.hpp>
 #include <quell/motion/dual_motion.hpp>
 #include <quell/motion/glossy_motion.hpp>
 #include <quell/motion/surface_motion.hpp>
@@ -69,22 +71,26 @@ constexpr auto mirror_clamp(ChannelTag auto signal, auto... parts) {
 }
 
 /// Shadows, with history that follows them (TRMV section 4.1): visibility filtered as wide as its penumbra, then accumulated. A
-/// narrower filter, a shorter history and a tighter clamp than the paper's, which shadow_paper has: less error on fence, fence-lights,
-/// apples and pinkroom (quell-chart).
+/// narrower filter, a shorter history and a tighter clamp than the paper's, which shadow_paper has, history that is forgotten where samples
+/// contradict it together, and a sharper fetch, which thin shadows need: less error on fence, fence-lights, apples, pinkroom and
+/// thinshadows (quell-chart).
 constexpr auto shadow(ChannelTag auto signal, auto... parts) {
+    using Forgetful = ForgetChanged<Exponential>;
     return Pipeline{signal,
                     parts...,
                     Spatial{ShadowSplat{}},
+                    Spatial{ChangeDetector<ShadowOrSurfaceMotion>{.levels = 1}},
                     Spatial{AdaptiveBilateral<PenumbraWidth>{.radius = 15}},
                     Temporal{FirstValid{SplattedShadowMotion{}, SurfaceMotion{}},
-                             Clamped{WithCleanUp{NonPlanarFalloff{Exponential{.alpha = 0.3f}}}, MeanDeviation{.sigmas = 1.f}}},
+                             Clamped{WithCleanUp{NonPlanarFalloff{Forgetful{{.alpha = 0.4f}, 2.f, 0.3f}}}, MeanDeviation{.sigmas = 2.f}},
+                             CatmullRom{}},
                     Spatial{CleanUp<>{}}};
 }
 constexpr auto shadow_paper(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal,
                     parts...,
                     Spatial{ShadowSplat{}},
-                    Spatial{AdaptiveBilateral<PenumbraWidth>{.width = {.part = 0.25f}, .radius = 15}},
+                    Spatial{AdaptiveBilateral<PenumbraWidth>{.width = {.part = 0.25f, .part_of_least = 1e9f}, .radius = 15}},
                     Temporal{FirstValid{SplattedShadowMotion{}, SurfaceMotion{}},
                              Clamped{WithCleanUp{NonPlanarFalloff{Exponential{.alpha = 0.1f}}}, MeanDeviation{.sigmas = 3.f}}},
                     Spatial{CleanUp<>{}}};
@@ -112,17 +118,19 @@ constexpr auto dual_color(ChannelTag auto signal, auto... parts) {
 }
 /// The same with history as incident radiance in six cones, so that what was seen on a surface of another direction serves as well. Cones
 /// are added up over the 3x3 around, and what they shade to is filtered as a colour: as good as filtering them all the way, which
-/// dual_cone_paper does, and several times as fast.
+/// dual_cone_paper does, and several times as fast. Where light changes by itself its long history is forgotten at once.
 constexpr auto dual_cone(ChannelTag auto signal, auto... parts) {
-    return Pipeline{
-        signal, parts...,
-        Temporal{FirstValid{SurfaceMotion{}, DualMotion<>{.trust = 0.25f}}, WithCones{WithMoments{RunningMean{.cap = 24.f}}}, ConeFetch{}},
-        Spatial{ConeGather{}},
-        Spatial{VarianceGuidedAtrous<>{.edge = {DepthEdge{}, NormalEdge{.sharpness = 32.f}},
-                                       .levels = 3,
-                                       .sigma_luminance = 4.f,
-                                       .feedback = false,
-                                       .first_step = 2}}};
+    return Pipeline{signal,
+                    parts...,
+                    Spatial{ChangeDetector<>{}},
+                    Temporal{FirstValid{SurfaceMotion{}, DualMotion<>{.trust = 0.25f}},
+                             WithCones{WithMoments{ForgetChanged{RunningMean{.cap = 24.f}}}}, ConeFetch{}},
+                    Spatial{ConeGather{}},
+                    Spatial{VarianceGuidedAtrous<>{.edge = {DepthEdge{}, NormalEdge{.sharpness = 32.f}},
+                                                   .levels = 3,
+                                                   .sigma_luminance = 4.f,
+                                                   .feedback = false,
+                                                   .first_step = 2}}};
 }
 constexpr auto dual_cone_paper(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, Cones{}, parts..., Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, RunningMean{.cap = 32.f}, ConeFetch{}},

@@ -65,6 +65,7 @@ template <class F> struct Spatial {
     static_assert(FilterKernel<F>,
                   "Spatial{kernel}: `kernel` must have filter(px) or for_each_pass(pass), see quell/filter/filter_kernel.hpp");
     using reads = reads_of<F>;
+    using remembers = remembers_of<F>;
     using emits = emits_of<F>;
     F kernel{};
 };
