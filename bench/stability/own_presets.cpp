@@ -13,14 +13,16 @@ examples::Preset shadow_without_falloff() {
             Pipeline{visibility, Spatial{ShadowSplat{}}, Spatial{ChangeDetector<ShadowOrSurfaceMotion>{.levels = 1}},
                      Spatial{AdaptiveBilateral<PenumbraWidth>{.radius = 15}},
                      Temporal{FirstValid{SplattedShadowMotion{}, SurfaceMotion{}},
-                              Clamped{WithCleanUp{Forgetful{{.alpha = 0.4f}, 2.f, 0.3f}}, MeanDeviation{.sigmas = 2.f}}, CatmullRom{}},
+                              Clamped{WithCleanUp{Forgetful{{.alpha = 0.4f}, 2.f, 0.3f}}, MeanDeviation{.sigmas = 2.f}}, ShadowFetch{}},
                      Spatial{CleanUp<>{}}}};
     });
 }
 
 examples::Preset glossy_with_flat_mirror() {
     return preset("glossy-flat-mirror", [] {
-        return Composite{Pipeline{glossy, Temporal{FirstValid{ImageMotion{}, SurfaceMotion{}}, WithMoments{RunningMean{.cap = 4.f}}},
+        using Forgetful = ForgetChanged<RunningMean>;
+        return Composite{Pipeline{glossy, Spatial{ChangeDetector<>{.levels = 1}},
+                                  Temporal{FirstValid{ImageMotion{}, SurfaceMotion{}}, WithMoments{Forgetful{{.cap = 4.f}, 2.f, 0.3f}}},
                                   Spatial{VarianceGuidedAtrous<Product<DepthEdge, NormalEdge, LobeEdge>>{.levels = 4, .feedback = false}}}};
     });
 }

@@ -45,6 +45,8 @@ template <class Edge, class Deviation> struct BilateralLine {
             int const dx = vertical ? 0 : i, dy = vertical ? i : 0;
             auto const& toward = detail::edge_toward(around, dx, dy);
             auto const falloff = gaussian.next();
+            // What is beyond counts for less than rounding.
+            if (!any(falloff > Real(1e-7f))) break;
             auto const add = [&](auto near) __attribute__((always_inline)) {
                 auto const counts = both(near.inside(), invert(near.missing()));
                 auto const w = select(counts, falloff * edge_weight(toward.distance(near, Real(detail::edge_offset(around)))), Real(0.f));

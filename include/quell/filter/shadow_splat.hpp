@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/filter/edge_weights.hpp>
+#include <quell/motion/catmull_rom.hpp>
 #include <quell/motion/shadow_motion.hpp>
 
 namespace quell {
@@ -141,6 +142,19 @@ struct SplattedShadowMotion {
         auto const track = px[shadow_track];
         auto const p = px.position();
         return Reprojection<Real>{{p.x + track.x, p.y + track.y}, select(track.w > Real(0.f), Real(1.f), Real(0.f))};
+    }
+};
+
+/// CatmullRom along shadows, whose edges a history blurs; Bilinear along surfaces, where they are lit: for the sources that take what they
+/// find untested, and for all others.
+struct ShadowFetch {
+    CatmullRom along_shadows{};
+
+    template <class Px, class FoundPlace> QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& found) const {
+        if constexpr (std::is_same_v<FoundPlace, Reprojection<typename Px::Real>>)
+            return along_shadows.fetch(px, found);
+        else
+            return along_shadows.elsewhere.fetch(px, found);
     }
 };
 

@@ -22,7 +22,6 @@
 #include <quell/filter/shadow_splat.hpp>
 #include <quell/filter/temporal_gradient.hpp>
 #include <quell/filter/variance_guided_atrous.hpp>
-#include <quell/motion/catmull_rom.hpp>
 #include <quell/motion/dual_motion.hpp>
 #include <quell/motion/glossy_motion.hpp>
 #include <quell/motion/surface_motion.hpp>
@@ -83,7 +82,7 @@ constexpr auto shadow(ChannelTag auto signal, auto... parts) {
                     Spatial{AdaptiveBilateral<PenumbraWidth>{.radius = 15}},
                     Temporal{FirstValid{SplattedShadowMotion{}, SurfaceMotion{}},
                              Clamped{WithCleanUp{NonPlanarFalloff{Forgetful{{.alpha = 0.4f}, 2.f, 0.3f}}}, MeanDeviation{.sigmas = 2.f}},
-                             CatmullRom{}},
+                             ShadowFetch{}},
                     Spatial{CleanUp<>{}}};
 }
 constexpr auto shadow_paper(ChannelTag auto signal, auto... parts) {
@@ -96,10 +95,12 @@ constexpr auto shadow_paper(ChannelTag auto signal, auto... parts) {
                     Spatial{CleanUp<>{}}};
 }
 /// Glossy reflections, with history that follows the virtual image, in curved mirrors too (TRMV sections 4.2 and 7), then a variance-guided
-/// filter as wide as the lobe. History is short: one vector a pixel can't follow all that a rough lobe shows. glossy_paper draws its
-/// vectors from the lobe.
+/// filter as wide as the lobe. History is short, and shorter where samples contradict it together: one vector a pixel can't follow all that
+/// a rough lobe shows. glossy_paper draws its vectors from the lobe.
 constexpr auto glossy(ChannelTag auto signal, auto... parts) {
-    return Pipeline{signal, parts..., Temporal{FirstValid{ImageMotion{ThinLens{}}, SurfaceMotion{}}, WithMoments{RunningMean{.cap = 4.f}}},
+    using Forgetful = ForgetChanged<RunningMean>;
+    return Pipeline{signal, parts..., Spatial{ChangeDetector<>{.levels = 1}},
+                    Temporal{FirstValid{ImageMotion{ThinLens{}}, SurfaceMotion{}}, WithMoments{Forgetful{{.cap = 4.f}, 2.f, 0.3f}}},
                     Spatial{VarianceGuidedAtrous<Product<DepthEdge, NormalEdge, LobeEdge>>{.levels = 4, .feedback = false}}};
 }
 constexpr auto glossy_paper(ChannelTag auto signal, auto... parts) {
