@@ -30,7 +30,11 @@ std::map<std::string, Effects> const& made_for() {
         {"roll", {"blur"}},
         {"mixed", {"blur"}},
         {"flyby", {"blur"}},
+        {"cut", {"composite"}},
+        {"lightswitch", {"composite", "indirect"}},
         {"leaves", {"shadow"}},
+        {"pan", {"indirect"}},
+        {"reverse", {"blur"}},
         {"thinshadows", {"shadow"}},
     };
     return effects;

@@ -30,5 +30,6 @@ struct Case {
 [[nodiscard]] std::vector<Case> firefly_cases();
 [[nodiscard]] std::vector<Case> input_cases();
 [[nodiscard]] std::vector<Case> drift_cases();
+[[nodiscard]] std::vector<Case> host_mistake_cases();
 
 } // namespace quell::stability

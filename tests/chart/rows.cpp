@@ -85,6 +85,8 @@ TEST_CASE("cases are the effects that the scenes were made for, or those that we
     };
     CHECK(named({"fence", "temple"}, {}) == "fence:shadow temple:glossy ");
     CHECK(named({"fence"}, {"composite"}) == "fence:composite ");
+    CHECK(named({"cut", "lightswitch", "pan", "reverse"}, {}) ==
+          "cut:composite lightswitch:composite lightswitch:indirect pan:indirect reverse:blur ");
     CHECK(named({"all"}, {"indirect"}).find("boxes:indirect disk:indirect ") != std::string::npos);
     CHECK(named({"all"}, {"indirect"}).find("fence") == std::string::npos);
     CHECK(named({"some/file.glb"}, {}) == "some/file.glb:composite ");
