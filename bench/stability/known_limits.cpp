@@ -16,11 +16,11 @@ std::vector<KnownLimit> listed() {
     std::string const lag = "light that changes by itself leaves history that is followed rightly and is wrong; nothing but a clamp or the "
                             "host's gradients tells";
     add(list, "lightswitch", "first_frame_over_no_history", {"surface", "svgf", "asvgf"}, lag);
-    add(list, "lightswitch", "worst_frame_over_fresh_start", {"surface", "surface-clamp", "svgf", "asvgf", "trmv"}, lag);
+    add(list, "lightswitch", "worst_frame_over_fresh_start", {"surface", "surface-clamp", "svgf", "asvgf"}, lag);
     for (std::string const metric : {"first_frame_over_no_history", "worst_frame_over_fresh_start"})
         add(list, "cut-unnoticed", metric, {"surface", "svgf", "dual-color"},
             "depth and normals don't tell two rooms of one shape apart: call history.forget() at a cut");
-    add(list, "thin-shadows", "contrast_over_reference", {"surface", "surface-clamp", "svgf", "shadow"},
+    add(list, "thin-shadows", "contrast_over_reference", {"surface", "surface-clamp", "svgf"},
         "a filter in space is wider than the shadow, and history along the surface smears it");
     add(list, "firefly", "frames_alive", {"surface", "svgf", "dual-color", "glossy", "dual-cone"},
         "no clamp: put SuppressFireflies{} before the stages");

@@ -44,9 +44,11 @@ template <class Edge, class Deviation> struct BilateralLine {
         for (int i = 1; i <= radius; ++i) {
             int const dx = vertical ? 0 : i, dy = vertical ? i : 0;
             auto const& toward = detail::edge_toward(around, dx, dy);
-            auto const falloff = gaussian.next();
-            // What is beyond counts for less than rounding.
-            if (!any(falloff > Real(1e-7f))) break;
+            // What counts for less than rounding counts for nothing, so that it makes no difference which pixels stop together.
+            auto const gauss = gaussian.next();
+            auto const reaches = gauss > Real(1e-7f);
+            if (!any(reaches)) break;
+            auto const falloff = select(reaches, gauss, Real(0.f));
             auto const add = [&](auto near) __attribute__((always_inline)) {
                 auto const counts = both(near.inside(), invert(near.missing()));
                 auto const w = select(counts, falloff * edge_weight(toward.distance(near, Real(detail::edge_offset(around)))), Real(0.f));
