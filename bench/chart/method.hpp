@@ -21,9 +21,10 @@ public:
     virtual metrics::Picture run(FrameT const& frame) = 0;
     [[nodiscard]] virtual double bytes_per_pixel() const = 0;
 
-    /// The middle time of those from first_timed on.
+    /// The middle time of those from first_timed on; unknown where there is none.
     [[nodiscard]] double ms_per_frame() const {
         auto times = milliseconds;
+        if (times.empty()) return Row::unknown;
         auto const middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
         std::ranges::nth_element(times, middle);
         return *middle;

@@ -62,7 +62,7 @@ TEST_CASE("a run writes table, plot, page and pictures, and the next one has eve
     by_one_thread.threads = 1;
     chart_small(by_one_thread);
     auto one = chart_in(first.path), other = chart_in(second.path);
-    CHECK(one.size() == 2);
+    CHECK(one.size() == 3);
     for (auto const* column : {"rmse", "ssim", "flip", "flip_median", "mask_rmse", "mask_ssim", "mask_flip", "bytes_per_pixel"})
         CHECK(std::stod(one["surface"][column]) > 0);
     CHECK(one["surface"]["flicker"].empty()); // two scored frames, but one of 31 to 34
@@ -83,7 +83,7 @@ TEST_CASE("a sweep adds the variants, without the one that is the preset itself;
     auto const swept = chart_in(folder.path);
     chart_small(small_options(folder.path, {"--seed", "7"}));
     auto const reseeded = chart_in(folder.path);
-    CHECK(swept.size() == 4);
+    CHECK(swept.size() == 5);
     CHECK(swept.count("surface/alpha=0.1") == 0);
     // With nothing of the past, it is the input.
     CHECK(swept.at("surface/alpha=1").at("rmse") == swept.at("none").at("rmse"));
@@ -119,6 +119,7 @@ TEST_CASE("where only times are wanted no reference is made: there is the table,
     CHECK(std::stod(rows["surface"]["ms_per_frame"]) > 0);
     CHECK(std::stod(rows["surface"]["bytes_per_pixel"]) > 0);
     CHECK(rows["surface"]["rmse"].empty());
+    CHECK(rows["input"]["ms_per_frame"].empty()); // it runs in scored frames only
     CHECK(rows["surface"]["pareto"] == "0");
     CHECK(!std::filesystem::exists(folder / "index.html"));
 }

@@ -10,7 +10,8 @@ void quell::bench::chart_small(ChartOptions const& options) {
     auto const surface = Named{"surface", presets::surface(visibility)}.vary("alpha", {0.1, 0.5, 1.}, alpha);
     tracer::RenderSettings const rendered{.size = options.size, .seed = options.seed, .threads = options.threads};
     Feed const feed{rendered, std::tuple(Named{"none", presets::none(visibility)}, surface)};
+    Feed const scored_only{rendered, std::tuple(Named{"input", presets::none(visibility)}), true};
     Results results(options);
     for (auto const& what : options.cases)
-        chart_feeds(Job{options, what, [](std::string const&) {}, results}, visibility, {tracer::Effect::shadow}, feed);
+        chart_feeds(Job{options, what, [](std::string const&) {}, results}, visibility, {tracer::Effect::shadow}, feed, scored_only);
 }
