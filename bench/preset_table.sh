@@ -15,7 +15,7 @@ cases=("fence shadow" "temple glossy" "boxes indirect" "room composite" "mixed b
 for size in 1280x720 1920x1080; do
     for case in "${cases[@]}"; do
         read -r scene effect <<<"$case"
-        "$chart" --quiet --times --frames 13 --threads "$threads" --size "$size" --scene "$scene" --effect "$effect" --out "$work/$size-$scene"
+        "$chart" --quiet --times --frames 11 --threads "$threads" --size "$size" --scene "$scene" --effect "$effect" --out "$work/$size-$scene"
     done
 done
 
