@@ -8,23 +8,16 @@ using examples::preset;
 
 examples::Preset shadow_without_falloff() {
     return preset("shadow-without-falloff", [] {
-        using Forgetful = ForgetChanged<Exponential>;
-        return Composite{
-            Pipeline{visibility, Spatial{ShadowSplat{}}, Spatial{ChangeDetector<ShadowOrSurfaceMotion>{.levels = 1}},
-                     Spatial{AdaptiveBilateral<PenumbraWidth>{.radius = 15}},
-                     Temporal{FirstValid{SplattedShadowMotion{}, SurfaceMotion{}},
-                              Clamped{WithCleanUp{Forgetful{{.alpha = 0.4f}, 2.f, 0.3f}}, MeanDeviation{.sigmas = 2.f}}, ShadowFetch{}},
-                     Spatial{CleanUp<>{}}}};
+        auto const [splat, change, bilateral, temporal, clean_up] = presets::shadow(visibility).stages;
+        auto const& clamped = temporal.blending;
+        auto const& accumulated = clamped.inner.inner.inner; // within a WithCleanUp and a NonPlanarFalloff
+        return Composite{Pipeline{visibility, splat, change, bilateral,
+                                  Temporal{temporal.motion, Clamped{WithCleanUp{accumulated}, clamped.range}, temporal.fetch}, clean_up}};
     });
 }
 
 examples::Preset glossy_with_flat_mirror() {
-    return preset("glossy-flat-mirror", [] {
-        using Forgetful = ForgetChanged<RunningMean>;
-        return Composite{Pipeline{glossy, Spatial{ChangeDetector<>{.levels = 1}},
-                                  Temporal{FirstValid{ImageMotion{}, SurfaceMotion{}}, WithMoments{Forgetful{{.cap = 4.f}, 2.f, 0.3f}}},
-                                  Spatial{VarianceGuidedAtrous<Product<DepthEdge, NormalEdge, LobeEdge>>{.levels = 4, .feedback = false}}}};
-    });
+    return preset("glossy-flat-mirror", [] { return Composite{presets::glossy<FlatMirror>(glossy)}; });
 }
 
 examples::Preset svgf_without_fireflies() {

@@ -251,8 +251,8 @@ using EffectSweeps =
 /// Calls f with the set of all channels of the chosen effects. There is one instance of f for each set that may come of it.
 template <class Set> RayCounts with_channels(Options const&, auto&& f, Set) {
     if constexpr (Set::size > 0)
-        return f(common_to<AllChannels, Set>{} | without<Set, AllChannels>{} |
-                 EffectSweeps<Set>{}); // in one order, so that equal sets are the same type
+        // In one order, so that equal sets are the same type.
+        return f(common_to<AllChannels, Set>{} | without<Set, AllChannels>{} | EffectSweeps<Set>{});
     else
         return {};
 }

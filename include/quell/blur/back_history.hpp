@@ -7,7 +7,7 @@
 namespace quell {
 
 /// History of what is behind: by a Catmull-Rom spline where every pixel of the past moves as it should.
-/// @tparam S the pipeline's
+/// @tparam S the pipeline's signal
 template <ChannelTag S> struct BackFetch {
     using Signal = S;
     bool sharp = true; ///< false: bilinear, which blurs a little more in each frame

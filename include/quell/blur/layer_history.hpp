@@ -7,7 +7,7 @@
 namespace quell {
 
 /// History of a picture in two layers: what moves comes from where the motion source says, what stands still from the pixel itself.
-/// @tparam S the pipeline's
+/// @tparam S the pipeline's signal
 template <ChannelTag S> struct LayerFetch {
     using Signal = S;
     bool sharp = true; ///< a Catmull-Rom spline for what moves; false: bilinear, which blurs a little more in each frame

@@ -10,8 +10,8 @@ namespace quell {
 /// (MB section 4.3, the first stage). How much of the time what moves covers a pixel is the part of all samples of the MotionGuide's window
 /// that move. Where nothing moves around, what stands still keeps its value to the last bit.
 /// Emits MovingLayer, StaticLayer and MeanSweep; leaves the signal alone. Wants a MotionGuide before it.
-/// @tparam S the pipeline's
-/// @tparam Paths  StraightPaths or BentPaths, as the MotionGuide's
+/// @tparam S the pipeline's signal
+/// @tparam Paths StraightPaths or BentPaths, as the MotionGuide's
 template <ChannelTag S, class Paths = StraightPaths> struct LayerSplit {
     using Signal = S;
     static constexpr auto name = "layer split";

@@ -13,8 +13,8 @@ namespace quell {
 /// pass, as a fast one has more pixels to be seen in. What stands still keeps its value to the last bit.
 /// Emits MovingLayer (the front), BackLayer, and MeanSweep of the back: 0 where it stands still, longer than any sweep where nothing is
 /// known. Wants a PairGuide before it.
-/// @tparam S the pipeline's
-/// @tparam Paths  StraightPaths or BentPaths, as the PairGuide's
+/// @tparam S the pipeline's signal
+/// @tparam Paths StraightPaths or BentPaths, as the PairGuide's
 template <ChannelTag S, class Paths = StraightPaths> struct PairGather {
     using Signal = S;
     static constexpr auto name = "pair gather";

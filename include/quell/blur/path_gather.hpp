@@ -57,8 +57,8 @@ private:
 /// a fast one has more pixels to be seen in. What stands still keeps its value to the last bit; where it is covered it is guessed from the
 /// pixels around. (After MB sections 4.2 and 4.3.)
 /// Emits MovingLayer, StaticLayer and MeanSweep; leaves the signal alone. Wants a MotionGuide before it.
-/// @tparam S the pipeline's
-/// @tparam Paths  StraightPaths or BentPaths, as the MotionGuide's
+/// @tparam S the pipeline's signal
+/// @tparam Paths StraightPaths or BentPaths, as the MotionGuide's
 /// @tparam Places where it looks
 template <ChannelTag S, class Paths = StraightPaths, class Places = AlongGuide<Paths>> struct PathGather {
     using Signal = S;

@@ -40,7 +40,7 @@ private:
         using Real = typename Px::Real;
         auto const path = Paths::here(px);
         auto const p = px.position();
-        auto const [when, unused] = px.random_uniforms(2 * k);
+        auto const when = px.random_uniforms(2 * k).first;
         auto const [jx, jy] = px.random_uniforms(2 * k + 1);
         auto const since = when - path.time;
         // Every rounding is spelled out: where it ends decides which pixel is looked at.

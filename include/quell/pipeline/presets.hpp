@@ -74,15 +74,14 @@ constexpr auto mirror_clamp(ChannelTag auto signal, auto... parts) {
 /// contradict it together, and a sharper fetch, which thin shadows need: less error on fence, fence-lights, apples, pinkroom and
 /// thinshadows (quell-chart).
 constexpr auto shadow(ChannelTag auto signal, auto... parts) {
-    using Forgetful = ForgetChanged<Exponential>;
+    constexpr ForgetChanged<Exponential> accumulated{.inner = {.alpha = 0.4f}, .by_chance = 2.f, .sharpness = 0.3f};
     return Pipeline{signal,
                     parts...,
                     Spatial{ShadowSplat{}},
                     Spatial{ChangeDetector<ShadowOrSurfaceMotion>{.levels = 1}},
                     Spatial{AdaptiveBilateral<PenumbraWidth>{.radius = 15}},
                     Temporal{FirstValid{SplattedShadowMotion{}, SurfaceMotion{}},
-                             Clamped{WithCleanUp{NonPlanarFalloff{Forgetful{{.alpha = 0.4f}, 2.f, 0.3f}}}, MeanDeviation{.sigmas = 2.f}},
-                             ShadowFetch{}},
+                             Clamped{WithCleanUp{NonPlanarFalloff{accumulated}}, MeanDeviation{.sigmas = 2.f}}, ShadowFetch{}},
                     Spatial{CleanUp<>{}}};
 }
 constexpr auto shadow_paper(ChannelTag auto signal, auto... parts) {
@@ -97,10 +96,11 @@ constexpr auto shadow_paper(ChannelTag auto signal, auto... parts) {
 /// Glossy reflections, with history that follows the virtual image, in curved mirrors too (TRMV sections 4.2 and 7), then a variance-guided
 /// filter as wide as the lobe. History is short, and shorter where samples contradict it together: one vector a pixel can't follow all that
 /// a rough lobe shows. glossy_paper draws its vectors from the lobe.
-constexpr auto glossy(ChannelTag auto signal, auto... parts) {
-    using Forgetful = ForgetChanged<RunningMean>;
+/// @tparam Mirror where the virtual image lies: FlatMirror or ThinLens
+template <class Mirror = ThinLens> constexpr auto glossy(ChannelTag auto signal, auto... parts) {
+    constexpr ForgetChanged<RunningMean> accumulated{.inner = {.cap = 4.f}, .by_chance = 2.f, .sharpness = 0.3f};
     return Pipeline{signal, parts..., Spatial{ChangeDetector<>{.levels = 1}},
-                    Temporal{FirstValid{ImageMotion{ThinLens{}}, SurfaceMotion{}}, WithMoments{Forgetful{{.cap = 4.f}, 2.f, 0.3f}}},
+                    Temporal{FirstValid{ImageMotion{Mirror{}}, SurfaceMotion{}}, WithMoments{accumulated}},
                     Spatial{VarianceGuidedAtrous<Product<DepthEdge, NormalEdge, LobeEdge>>{.levels = 4, .feedback = false}}};
 }
 constexpr auto glossy_paper(ChannelTag auto signal, auto... parts) {
