@@ -78,3 +78,17 @@ TEST_CASE("what is behind is remembered while it is covered") {
         }
     CHECK(error / n < 0.1);
 }
+
+TEST_CASE("a pack may meet as many tiles of pixels that share their lines as it has pixels") {
+    for (int const tile : {1, 3, 8}) {
+        auto const pipeline = presets::blur(radiance, {}, {.count = 64, .tile_width = tile, .tile_height = 1});
+        auto const fast = [](auto& frame, unsigned seed) {
+            std::mt19937 random(seed);
+            std::uniform_real_distribution<float> faster(0.f, 20.f);
+            tests::fill(frame[sweep], [&](int, int) { return glm::vec2(80 + faster(random), 0); });
+        };
+        Extent const size{160, 6};
+        auto const serial = tests::sequence(pipeline, size, Serial{}, fast), simd = tests::sequence(pipeline, size, Simd{}, fast);
+        CHECK(tests::difference(serial, simd) < 1e-4);
+    }
+}

@@ -61,7 +61,6 @@ private:
         /// Tile by tile, of which a pack may meet several: within one, all pixels look at the same offsets, so that loads are of
         /// neighbours.
         QUELL_KERNEL void gather(Px const& px) {
-            add(px, 0, 0, either(of.two, back_moves), of.two);
             auto const column = Real(static_cast<float>(px.x)) + lanes<Real>();
             for (int first = px.x; first < px.x + width_of<Real>;) {
                 int const next = (first / settings.tile_width + 1) * settings.tile_width;
@@ -72,6 +71,8 @@ private:
         }
         /// For a tile whose pixels include lane k.
         QUELL_KERNEL void gather(Px const& px, Mask tile, int k) {
+            in_front.restart(), behind.restart();
+            add(px, 0, 0, both(tile, either(of.two, back_moves)), of.two);
             bool const two = lane(detail::nearness_of(of.front), k) > 0.f;
             auto const behind_speed = in_lane(detail::speed_of(of.back), k);
             bool const moves = dot(behind_speed, behind_speed) > detail::still_squared;
