@@ -97,7 +97,7 @@ TEST_CASE("the search finds the past of what slides and of what turns, which pla
         });
     };
     // What has no history is the input's own estimate, frame after frame: compare with a pipeline that never finds any.
-    auto const searched = shown({}), plain = shown({.iterations = 0}), none = shown({.give_up = 0.f});
+    auto const searched = shown({}), plain = shown({.iterations = 0}), none = shown({.accept = 0.f});
     auto const with_history = [&](std::vector<float> const& all) {
         int n = 0;
         for (int y = 24; y < 104; ++y)

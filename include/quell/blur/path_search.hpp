@@ -28,7 +28,7 @@ struct PathSearch {
     using reads = Channels<MeanSweep>;
     using keeps = Channels<MeanSweep>;
     float shutter = 0.5f; ///< part of the frame time during which the shutter is open: sweeps last so long
-    int iterations = 2;   ///< how often the place may be moved; 0: plain reprojection
+    int iterations = 4;   ///< how often the place may be moved (MB: 2); 0: plain reprojection
     float accept = 0.25f; ///< pixels; a difference below it will do
     float give_up = 32.f; ///< pixels; a difference beyond it will not be mended
     // The place half way between two motions satisfies both directions as well: what differs in length is another thing. `accept` is always

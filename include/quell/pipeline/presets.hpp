@@ -164,7 +164,7 @@ constexpr auto blur_wavelet(S signal, PathSearch search = {}, DirectionalAtrous<
                     Spatial{along}};
 }
 /// blur_wavelet with the paper's own first steps and numbers: samples collected by a pre-filter, and two layers from the 5x5 around.
-template <ChannelTag S> constexpr auto blur_paper(S signal, PathSearch search = {}) {
+template <ChannelTag S> constexpr auto blur_paper(S signal, PathSearch search = {.iterations = 2}) {
     return Pipeline{signal,
                     Spatial{MotionGuide<>{}},
                     Spatial{SampleCollector<>{}},
@@ -173,7 +173,7 @@ template <ChannelTag S> constexpr auto blur_paper(S signal, PathSearch search = 
                     Spatial{DirectionalAtrous<S>{}}};
 }
 /// blur_paper without the pre-filter.
-template <ChannelTag S> constexpr auto blur_no_pre_filter(S signal, PathSearch search = {}) {
+template <ChannelTag S> constexpr auto blur_no_pre_filter(S signal, PathSearch search = {.iterations = 2}) {
     return Pipeline{signal, Spatial{MotionGuide<>{}}, Spatial{LayerSplit<S>{}}, Temporal{search, LayerBlend<S>{}, LayerFetch<S>{}},
                     Spatial{DirectionalAtrous<S>{}}};
 }
