@@ -2,11 +2,20 @@
 
 namespace quell::bench {
 namespace {
+/// Keeps the history out of a pipeline.
+struct NoPast {
+    QUELL_KERNEL auto previous(auto px) const {
+        using Real = typename decltype(px)::Real;
+        return Reprojection<Real>{px.position(), Real(0.f)};
+    }
+};
+
 /// Get one sample per pixel, each at a time of its own.
 auto denoisers() {
+    Temporal const no_history{NoPast{}, BackBlend<Radiance>{}};
     return std::tuple(Named{"none", presets::none(radiance)}, Named{"blur", presets::blur(radiance)},
                       Named{"blur-bent", presets::blur<BentPaths>(radiance)}, Named{"blur-one-step", presets::blur_one_step(radiance)},
-                      Named{"blur-no-history", presets::blur(radiance, {.give_up = 0.f})},
+                      Named{"blur-no-history", Pipeline{radiance, Spatial{PairGuide<>{}}, Spatial{PairGather<Radiance>{}}, no_history}},
                       Named{"blur-few-samples", presets::blur(radiance, {}, {.count = 32})},
                       Named{"blur-wavelet", presets::blur_wavelet(radiance)}, Named{"blur-fixed-step", presets::blur_fixed_step(radiance)},
                       Named{"blur-paper", presets::blur_paper(radiance)},
@@ -23,15 +32,16 @@ void chart_blur(Job const& job) {
         .size = job.options.size, .seed = job.options.seed, .threads = job.options.threads, .shutter = 0.5f};
     auto frozen = blurred;
     frozen.frozen_at = 0.5f;
-    auto const input = [&](int samples, char const* name) {
+    auto const input = [&](int samples, char const* name, bool stratified = true) {
         auto settings = blurred;
         settings.samples_per_pixel = samples;
+        settings.stratified_times = stratified;
         Named shown{name, presets::none(radiance)};
         shown.competes = false;
         return Feed{settings, std::tuple(shown), true};
     };
     chart_feeds(job, radiance, {tracer::Effect::blur}, Feed{blurred, denoisers()}, Feed{frozen, post_processes()}, input(4, "none-4spp"),
-                input(8, "none-8spp"), input(16, "none-16spp"));
+                input(8, "none-8spp"), input(16, "none-16spp"), input(8, "none-8spp-random", false), input(16, "none-16spp-random", false));
 }
 
 } // namespace quell::bench

@@ -26,6 +26,7 @@ struct RenderSettings {
     int first_sample = 0;                    ///< number of the first sample, to continue an earlier rendering of the same frame
     int bounces = 1;                         ///< how often indirect light is scattered on its way
     int shutter_keys = default_shutter_keys; ///< moments of the open shutter between which all moves straight: 2 as in MB, more for arcs
+    bool stratified_times = true;            ///< false: each sample's time takes no notice of the pixel's others, as in MB
     /// The time of every sample, in [0, 1] over the open shutter: a sharp picture, whose sweeps still last as long as the shutter is open.
     /// References are blurred nevertheless.
     std::optional<float> frozen_at{};
@@ -83,7 +84,7 @@ private:
         Signals mean;
         glm::vec3 sum{0.f};
         for (int i = 0; i < settings.samples_per_pixel; ++i) {
-            float const time = settings.frozen_at.value_or(sample_pair(key(i), SampleUse::time).x);
+            float const time = settings.frozen_at.value_or(time_of(key(i)));
             View const view{scene.camera(time, When::now), settings.size};
             auto const seen = look(view, time);
             if (i == 0) {
@@ -104,6 +105,9 @@ private:
         put(radiance, sum / static_cast<float>(settings.samples_per_pixel));
     }
 
+    [[nodiscard]] float time_of(SampleKey const& sample) const {
+        return settings.stratified_times ? sample_pair(sample, SampleUse::time).x : lone_sample(sample, SampleUse::time);
+    }
     [[nodiscard]] glm::vec2 centre() const { return {static_cast<float>(x_) + 0.5f, static_cast<float>(y_) + 0.5f}; }
 
     [[nodiscard]] SampleKey key(int sample, int frames_ago = 0) const {

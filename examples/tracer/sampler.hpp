@@ -78,4 +78,11 @@ constexpr glm::vec2 sample_pair(SampleKey const& key, SampleUse use, std::uint32
     return {unit_interval(reverse_bits(first)), unit_interval(reverse_bits(second))};
 }
 
+/// A sample that takes no notice of the others of its pixel, in [0, 1).
+constexpr float lone_sample(SampleKey const& key, SampleUse use) {
+    using namespace detail;
+    auto const pixel = combine(static_cast<std::uint32_t>(key.pixel.x), static_cast<std::uint32_t>(key.pixel.y));
+    return unit_interval(combine(combine(combine(pixel, key.seed), static_cast<std::uint32_t>(use)), key.index));
+}
+
 } // namespace quell::tracer

@@ -68,3 +68,21 @@ TEST_CASE("numbers stay below one") {
     CHECK(detail::unit_interval(~0u) < 1.f);
     CHECK(detail::unit_interval(0) == 0.f);
 }
+
+TEST_CASE("lone samples are uniform and as far apart as chance has it, where pairs share the range out") {
+    double lone = 0, lone_squared = 0, shared_squared = 0;
+    constexpr int pixels = 20000, samples = 8;
+    for (int x = 0; x < pixels; ++x) {
+        double alone = 0, together = 0;
+        for (std::uint32_t i = 0; i < samples; ++i) {
+            SampleKey const key{{x, 7}, i, 3};
+            alone += lone_sample(key, SampleUse::time) / samples;
+            together += sample_pair(key, SampleUse::time).x / samples;
+        }
+        lone += alone / pixels, lone_squared += (alone - 0.5) * (alone - 0.5) / pixels;
+        shared_squared += (together - 0.5) * (together - 0.5) / pixels;
+    }
+    CHECK(lone == doctest::Approx(0.5).epsilon(0.003));
+    CHECK(lone_squared == doctest::Approx(1. / 12 / samples).epsilon(0.05)); // of independent samples
+    CHECK(shared_squared < 0.05 * lone_squared);
+}
