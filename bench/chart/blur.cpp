@@ -17,6 +17,7 @@ auto denoisers() {
                       Named{"blur-bent", presets::blur<BentPaths>(radiance)}, Named{"blur-one-step", presets::blur_one_step(radiance)},
                       Named{"blur-no-history", Pipeline{radiance, Spatial{PairGuide<>{}}, Spatial{PairGather<Radiance>{}}, no_history}},
                       Named{"blur-few-samples", presets::blur(radiance, {}, {.count = 32})},
+                      Named{"blur-adaptive", presets::blur(radiance, {}, {.allowed_error = 0.2f})},
                       Named{"blur-wavelet", presets::blur_wavelet(radiance)}, Named{"blur-fixed-step", presets::blur_fixed_step(radiance)},
                       Named{"blur-paper", presets::blur_paper(radiance)},
                       Named{"blur-no-pre-filter", presets::blur_no_pre_filter(radiance)}, Named{"blur-split", presets::blur_split()});

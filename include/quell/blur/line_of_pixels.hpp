@@ -25,14 +25,21 @@ struct LineOfPixels {
         steps = static_cast<int>(min(affordable, pixels));
         step = 2.f * reach / max(static_cast<float>(steps - 1), 1.f);
     }
+    /// How many there are.
+    constexpr int size() const { return slanted ? 2 * steps : steps; }
     /// Calls visit(dx, dy) for each but the pixel itself.
-    template <class Visit> QUELL_KERNEL void for_each(Visit&& visit) const {
+    template <class Visit> QUELL_KERNEL void for_each(Visit&& visit) const { for_each(visit, 0, slanted ? 1 : 0, 1); }
+    /// The same for the pixels beside those, on both sides.
+    template <class Visit> QUELL_KERNEL void for_each_beside(Visit&& visit) const { for_each(visit, -1, slanted ? 2 : 1, slanted ? 3 : 2); }
+
+private:
+    template <class Visit> QUELL_KERNEL void for_each(Visit&& visit, int from, int to, int by) const {
         for (int i = 0; i < steps; ++i) {
             // Every rounding is spelled out: where it ends decides which pixel is looked at.
             float const along = floor(fma(static_cast<float>(i), step, -reach) + 0.5f), part = along / reach;
             float const aside = fma(part * part * bent, -4.f, along * slope);
             int const a = static_cast<int>(along), first = static_cast<int>(floor(slanted ? aside : aside + 0.5f));
-            for (int k = 0; k <= (slanted ? 1 : 0); ++k)
+            for (int k = from; k <= to; k += by)
                 if (int const b = first + k; a != 0 || b != 0) steep ? visit(b, a) : visit(a, b);
         }
     }

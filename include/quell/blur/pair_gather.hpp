@@ -3,6 +3,7 @@
 #include <quell/blur/guessed_layer.hpp>
 #include <quell/blur/line_of_pixels.hpp>
 #include <quell/blur/part_means.hpp>
+#include <quell/blur/standard_error.hpp>
 #include <quell/blur/which_of_two.hpp>
 
 namespace quell {
@@ -22,8 +23,11 @@ template <ChannelTag S, class Paths = StraightPaths> struct PairGather {
     using reads = Channels<MotionPair<Paths>, UsablePath<Paths>>;
     using emits = Channels<MovingLayer<Signal>, BackLayer<Signal>, MeanSweep>;
     static constexpr int most_samples = 128;
-    int count = 96;                      ///< samples looked at, at most (no more than `most_samples`); with two motions, half along each
-    float width = 1.f;                   ///< pixels; a sample counts less the farther it passes, and not at all from here on
+    int count = 96;    ///< samples looked at, at most (no more than `most_samples`); with two motions, half along each
+    float width = 1.f; ///< pixels; a sample counts less the farther it passes, and not at all from here on
+    /// Where the gathered mean's standard error is a larger part of it than this, samples count from twice as far away, and the pixels
+    /// beside the line are looked at too; 0: nowhere.
+    float allowed_error = 0.f;
     float bend_influence = 0.25f;        ///< per pixel of bend, how much wider that is, up to twice: what bends is known less exactly
     float depth_tolerance = 0.02f;       ///< how much farther, relatively, something is that stands behind something else
     int tile_width = 8, tile_height = 2; ///< pixels that share their lines, which makes neighbours' samples neighbours in memory
@@ -45,7 +49,11 @@ private:
         Sample own;
         detail::WhichOfTwo<Paths, Real> of;
         Mask own_in_front, own_still, back_moves;
-        Real front_per_length, per_width_in_front, per_width_behind;
+        Real front_per_length;
+        struct Width {
+            Real per_pixel;
+            detail::StandardError<Real> error{};
+        } front_width, back_width;
         detail::PartMeans<Value<Signal::components + 1, Real>, most_samples + 1> in_front; ///< its signal and its coverage
         detail::PartMeans<Colour, most_samples + 1> behind;
         vec2<Real> swept{Real(0.f), Real(0.f)};
@@ -55,8 +63,8 @@ private:
             : settings(g), own(detail::usable_sample<Paths>(px)), of(px.elsewhere(g.shared(px), MotionPair<Paths>{})),
               own_in_front(of.is_front(own.mover())), own_still(own_speed() <= Real(detail::still_squared)),
               back_moves(detail::squared_speed(of.back) > Real(detail::still_squared)),
-              front_per_length(1.f / max(speed(of.front), Real(Path<float>::least))), per_width_in_front(per_width(of.front)),
-              per_width_behind(per_width(of.back)), in_front(speed(of.front)), behind(speed(of.back)) {}
+              front_per_length(1.f / max(speed(of.front), Real(Path<float>::least))), front_width{per_width(of.front)},
+              back_width{per_width(of.back)}, in_front(speed(of.front)), behind(speed(of.back)) {}
 
         /// Tile by tile, of which a pack may meet several: within one, all pixels look at the same offsets, so that loads are of
         /// neighbours.
@@ -76,14 +84,24 @@ private:
             bool const two = lane(detail::nearness_of(of.front), k) > 0.f;
             auto const behind_speed = in_lane(detail::speed_of(of.back), k);
             bool const moves = dot(behind_speed, behind_speed) > detail::still_squared;
-            int const count = settings.count < most_samples ? settings.count : most_samples, each = two && moves ? count / 2 : count;
-            if (two)
-                detail::LineOfPixels(in_lane(detail::speed_of(of.front), k), in_lane(detail::bend_of(of.front), k), each)
-                    .for_each([&](int dx, int dy) __attribute__((always_inline)) { add(px, dx, dy, tile, tile); });
-            if (moves)
-                detail::LineOfPixels(behind_speed, in_lane(detail::bend_of(of.back), k), each)
-                    .for_each([&](int dx, int dy) __attribute__((always_inline)) { add(px, dx, dy, tile, invert(tile)); });
+            int const shares = two && moves ? 2 : 1;
+            if (two) gather_along(px, k, tile, tile, of.front, shares, front_width);
+            if (moves) gather_along(px, k, tile, invert(tile), of.back, shares, back_width);
         }
+        QUELL_KERNEL void gather_along(Px const& px, int k, Mask tile, Mask for_front, Mover const& mover, int shares, Width& width) {
+            auto const speed = in_lane(detail::speed_of(mover), k), bend = in_lane(detail::bend_of(mover), k);
+            int const count = settings.count < most_samples ? settings.count : most_samples;
+            detail::LineOfPixels const line(speed, bend, count / shares);
+            line.for_each([&](int dx, int dy) __attribute__((always_inline)) { add(px, dx, dy, tile, for_front); });
+            if (!widens()) return;
+            auto const unsure = both(tile, width.error.above(settings.allowed_error));
+            if (!any(unsure)) return;
+            width.per_pixel = select(unsure, width.per_pixel * 0.5f, width.per_pixel);
+            int const room = most_samples / shares - line.size();
+            detail::LineOfPixels(speed, bend, line.slanted ? room : room / 2)
+                .for_each_beside([&](int dx, int dy) __attribute__((always_inline)) { add(px, dx, dy, unsure, for_front); });
+        }
+        QUELL_KERNEL bool widens() const { return settings.allowed_error > 0.f; }
 
         /// Adds the sample at an offset to both layers, as far as it is wanted.
         QUELL_KERNEL void add(Px const& px, int dx, int dy, Mask wanted, Mask for_front) {
@@ -102,15 +120,18 @@ private:
         QUELL_KERNEL void add_front(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask shows_front, Mask counts) {
             auto const looked_at = Sample{select(shows_front, sample.at, like_front(sample).at)};
             auto const passing = looked_at.passing(away);
-            auto const w = select(counts, weight(passing, per_width_in_front) * looked_at.time_per_pixel(), Real(0.f));
+            auto const near = weight(passing, front_width.per_pixel);
+            auto const w = select(counts, near * looked_at.time_per_pixel(), Real(0.f));
             auto const hidden = both(own_still, invert(own_in_front), settings.is_behind(sample.nearness(), own.nearness()));
             auto const seen = select(both(shows_front, invert(hidden)), w, Real(0.f));
+            if (widens()) front_width.error.add(select(seen > Real(0.f), luminance(value), Real(0.f)), select(counts, near, Real(0.f)));
             in_front.add(detail::layer_of(scale(value, seen), seen), w, clamp(passing.when, Real(0.f), Real(1.f)));
         }
         QUELL_KERNEL void add_back(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask counts) {
             auto const passing = sample.passing(away);
-            auto const near = select(counts, weight(passing, per_width_behind), Real(0.f));
+            auto const near = select(counts, weight(passing, back_width.per_pixel), Real(0.f));
             auto const w = near * sample.time_per_pixel();
+            if (widens()) back_width.error.add(luminance(value), near);
             behind.add(scale(value, w), w, clamp(passing.when, Real(0.f), Real(1.f)));
             swept = add_scaled(swept, sample.sweep(), w);
             weights = weights + w;
