@@ -1,9 +1,10 @@
 #include "demo.hpp"
 
-#include "denoised.hpp"
+#include "method.hpp"
 
 #include <algorithm>
 #include <cstdio>
+#include <quell/image/planar.hpp>
 #include <quell/io/exr.hpp>
 #include <quell/metrics/error_map.hpp>
 #include <quell/metrics/flip.hpp>
@@ -21,17 +22,10 @@ namespace quell::examples {
 
 namespace {
 
-metrics::Picture picture_of(ImageView auto const& view) {
-    metrics::Picture picture{view.size, {}};
-    for (int y = 0; y < view.size.height; ++y)
-        for (int x = 0; x < view.size.width; ++x) picture.pixels.emplace_back(view.get(0, x, y), view.get(1, x, y), view.get(2, x, y));
-    return picture;
-}
-
-std::string file_name(char const* kind, int frame, char const* ending) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%s.%04d.%s", kind, frame, ending);
-    return text;
+std::string file_name(std::string const& kind, int frame, char const* ending) {
+    char number[16];
+    std::snprintf(number, sizeof number, "%04d", frame);
+    return kind + "." + number + "." + ending;
 }
 
 std::string number(double a, int digits) {
@@ -40,7 +34,7 @@ std::string number(double a, int digits) {
     return text;
 }
 
-/// Errors of the noisy and the denoised image, summed over the frames that have a reference.
+/// Errors of one kind of picture, summed over the frames that have a reference.
 struct Score {
     double rmse = 0, ssim = 0, flip = 0;
     int frames = 0;
@@ -59,15 +53,16 @@ struct Score {
 class Demo {
 public:
     Demo(DemoOptions const& options_, std::string const& scene_, std::filesystem::path const& folder_)
-        : options(options_), folder(folder_), scene_name(scene_), scene(tracer::open_scene(scene_)), frame(options_.size),
-          denoiser(options_.size, options_.threads) {
+        : options(options_), folder(folder_), scene_name(scene_), scene(tracer::open_scene(scene_)),
+          // What has no noise but that of time was made to be blurred.
+          blurs(!scene.description().secondary_rays), method(blurs ? motion_blur(options_) : all_effects(options_)), kinds(method->kinds()),
+          scores(kinds.size()) {
         std::filesystem::create_directories(folder);
         report.title = "quell: " + std::filesystem::path(scene_).stem().string();
         report.subtitle = to_string(options.size) + ", 1 sample per pixel, " + std::to_string(options.frames) + " frames";
-        report.kinds = {{"noisy", "one path per pixel"},
-                        {"denoised", "preset trmv"},
-                        {"reference", "converged"},
-                        {"error (FLIP)", "of the denoised image", flip_color_scale()}};
+        for (auto const& kind : kinds) report.kinds.push_back({kind.name, kind.description});
+        report.kinds.push_back({"reference", "converged"});
+        report.kinds.push_back({"error (FLIP)", "of the denoised image", flip_color_scale()});
     }
 
     std::filesystem::path all() {
@@ -87,32 +82,27 @@ private:
     std::filesystem::path folder;
     std::string scene_name;
     tracer::PreparedScene scene;
-    DemoFrame frame;
-    DemoDenoiser denoiser;
+    bool blurs;
+    std::unique_ptr<DemoMethod> method;
+    std::vector<DemoMethod::Kind> kinds;
     Report report;
-    Score noisy_score, denoised_score;
+    std::vector<Score> scores; ///< of each kind
     std::vector<double> milliseconds;
 
+    [[nodiscard]] tracer::RenderSettings settings_of(int i) const {
+        return {.size = options.size, .frame = i, .seed = options.seed, .threads = options.threads, .shutter = blurs ? 0.5f : 0.f};
+    }
+
     void one(int i) {
-        trace(i);
-        milliseconds.push_back(denoiser.run(frame));
-        auto const noisy = picture_of(frame[radiance].view()), clean = picture_of(denoiser.result);
+        auto const pictures = method->frame(scene, settings_of(i));
+        milliseconds.push_back(method->milliseconds());
         auto& entry = report.frames.emplace_back(ReportFrame{.number = i});
-        write(entry, "noisy", i, noisy);
-        write(entry, "denoised", i, clean);
+        for (std::size_t k = 0; k < kinds.size(); ++k) write(entry, kinds[k].name, i, pictures[k]);
         bool const scored = options.reference_every > 0 && (i + 1 == options.frames || (i > 0 && i % options.reference_every == 0));
-        if (scored) compare(entry, i, metrics::displayed(noisy), metrics::displayed(clean));
+        if (scored) compare(entry, i, pictures);
     }
 
-    void trace(int i) {
-        tracer::RenderSettings settings{.size = options.size, .frame = i, .seed = options.seed, .threads = options.threads};
-        tracer::FrameSink<DemoFrame> sink{frame};
-        tracer::render<DemoFrame::channels>(scene, settings, sink);
-        frame.camera = scene.description().camera_at(static_cast<float>(i), options.size);
-        frame.number = i;
-    }
-
-    void write(ReportFrame& entry, char const* kind, int i, metrics::Picture const& linear) {
+    void write(ReportFrame& entry, std::string const& kind, int i, metrics::Picture const& linear) {
         auto const shown = metrics::displayed(linear);
         auto png = encode_png(shown);
         write_png(folder / file_name(kind, i, "png"), shown);
@@ -124,44 +114,43 @@ private:
                     x, y,
                     linear.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(linear.size.width) + static_cast<std::size_t>(x)]);
         io::put(image, radiance, copy.view());
-        io::put_camera(image, frame.camera);
+        io::put_camera(image, scene.description().camera_at(static_cast<float>(i), options.size));
         io::write_exr(folder / file_name(kind, i, "exr"), image);
         entry.pictures[kind] = std::move(png);
     }
 
-    void compare(ReportFrame& entry, int i, metrics::Picture const& noisy, metrics::Picture const& clean) {
-        tracer::RenderSettings const settings{.size = options.size, .frame = i, .seed = options.seed, .threads = options.threads};
+    void compare(ReportFrame& entry, int i, std::vector<metrics::Picture> const& pictures) {
         tracer::ReferenceSettings reference_settings{.tolerance = options.reference_tolerance};
         Progress progress("reference of frame " + std::to_string(i), reference_settings.most_samples, !options.quiet);
         reference_settings.progress = [&](tracer::ReferenceProgress const& p) {
             progress.show(p.samples, "halves differ by " + number(p.difference, 4) + ", wanted " + number(p.tolerance, 4));
         };
-        auto const converged = tracer::reference<Channels<Radiance>>(scene, settings, reference_settings);
+        auto const converged = tracer::reference<Channels<Radiance>>(scene, settings_of(i), reference_settings);
         auto const reference = metrics::displayed(converged[radiance]);
         write(entry, "reference", i, converged[radiance]);
-        auto const before = noisy_score, after = denoised_score;
-        noisy_score.add(reference, noisy);
-        auto const errors = denoised_score.add(reference, clean);
-        entry.pictures["error (FLIP)"] = encode_png(metrics::error_map(errors));
-        auto const plot = [&](char const* series, Score const& now, Score const& then) {
-            report.add_value("FLIP", series, i, now.flip - then.flip);
-            report.add_value("RMSE", series, i, now.rmse - then.rmse);
-            report.add_value("SSIM", series, i, now.ssim - then.ssim);
-        };
-        plot("noisy", noisy_score, before);
-        plot("denoised", denoised_score, after);
+        for (std::size_t k = 0; k < kinds.size(); ++k) {
+            auto const before = scores[k];
+            auto const errors = scores[k].add(reference, metrics::displayed(pictures[k]));
+            report.add_value("FLIP", kinds[k].name, i, scores[k].flip - before.flip);
+            report.add_value("RMSE", kinds[k].name, i, scores[k].rmse - before.rmse);
+            report.add_value("SSIM", kinds[k].name, i, scores[k].ssim - before.ssim);
+            if (kinds[k].name == "denoised") entry.pictures["error (FLIP)"] = encode_png(metrics::error_map(errors));
+        }
     }
 
     void summarise() {
         std::nth_element(milliseconds.begin(), milliseconds.begin() + static_cast<std::ptrdiff_t>(milliseconds.size() / 2),
                          milliseconds.end());
-        if (noisy_score.frames > 0)
-            report.tables = {{"Mean over the " + std::to_string(noisy_score.frames) + " frames that have a reference",
-                              {"image", "RMSE", "SSIM", "FLIP"},
-                              {noisy_score.row("noisy"), denoised_score.row("denoised")}}};
+        if (scores.front().frames > 0) {
+            auto& table = report.tables.emplace_back(
+                ReportTable{"Mean over the " + std::to_string(scores.front().frames) + " frames that have a reference",
+                            {"image", "RMSE", "SSIM", "FLIP"},
+                            {}});
+            for (std::size_t k = 0; k < kinds.size(); ++k) table.rows.push_back(scores[k].row(kinds[k].name));
+        }
         report.notes = {
             {"denoising", number(milliseconds[milliseconds.size() / 2], 1) + " ms per frame (median), " +
-                              number(denoiser.history.bytes_per_pixel(), 1) + " bytes per pixel of history and scratch"},
+                              number(method->bytes_per_pixel(), 1) + " bytes per pixel of history and scratch"},
             {"machine", std::to_string(std::thread::hardware_concurrency()) + " hardware threads, packs of " +
                             std::to_string(width_of<Pack>) + " floats"},
             {"command",

@@ -1,24 +1,49 @@
 #pragma once
 
+#include "method.hpp"
+
 #include <quell/execute/threads.hpp>
 #include <quell/quell.hpp>
+#include <tracer/frame_sink.hpp>
+
+#include <chrono>
 
 namespace quell::examples {
 
-/// What the demo runs: every effect by its own pipeline. The frame has the noisy image too, to be shown beside the clean one.
-inline constexpr auto denoise = presets::trmv();
-using Denoise = std::remove_const_t<decltype(denoise)>;
-using DemoFrame = Frame<decltype(Denoise::reads{} | Channels<Radiance>{})>;
-
-/// The pipelines with their histories.
-struct DemoDenoiser {
-    History<Denoise> history;
+/// Frames of a pipeline's own, with the noisy image too, to be shown beside the clean one; their histories; and what comes out.
+template <class P> class Denoised {
+    using Rendered = Frame<decltype(typename P::reads{} | Channels<Radiance>{})>;
+    P pipeline;
+    Rendered rendered;
+    History<P> history;
     Threads<> threads;
 
-    explicit DemoDenoiser(Extent size, int thread_count);
-    /// The denoised image, valid until the next frame, and the milliseconds that it took.
-    double run(DemoFrame const& frame);
-    ViewOf<Planar<>, Radiance> result;
+public:
+    double milliseconds = 0;
+
+    Denoised(P const& p, DemoOptions const& options)
+        : pipeline(p), rendered(options.size), history(options.size, p), threads{.count = options.threads} {}
+
+    [[nodiscard]] metrics::Picture frame(tracer::PreparedScene& scene, tracer::RenderSettings const& settings) {
+        tracer::FrameSink<Rendered> sink{rendered};
+        tracer::render<typename Rendered::channels>(scene, settings, sink);
+        rendered.camera = scene.description().camera_at(static_cast<float>(settings.frame), settings.size);
+        rendered.number = settings.frame;
+        auto const begin = std::chrono::steady_clock::now();
+        auto const clean = run(pipeline, rendered, history, threads);
+        milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+        return picture_of(clean);
+    }
+    [[nodiscard]] metrics::Picture noisy() const { return picture_of(rendered[radiance].view()); }
+    [[nodiscard]] double bytes_per_pixel() const { return history.bytes_per_pixel(); }
+
+private:
+    static metrics::Picture picture_of(ImageView auto const& view) {
+        metrics::Picture picture{view.size, {}};
+        for (int y = 0; y < view.size.height; ++y)
+            for (int x = 0; x < view.size.width; ++x) picture.pixels.emplace_back(view.get(0, x, y), view.get(1, x, y), view.get(2, x, y));
+        return picture;
+    }
 };
 
 } // namespace quell::examples
