@@ -1,4 +1,4 @@
-#include "chart_effect.hpp"
+#include "baselines.hpp"
 
 namespace quell::bench {
 namespace {
@@ -13,8 +13,19 @@ struct NoPast {
 /// Get one sample per pixel, each at a time of its own.
 auto denoisers() {
     Temporal const no_history{NoPast{}, BackBlend<Radiance>{}};
-    return std::tuple(Named{"none", presets::none(radiance)}, Named{"blur", presets::blur(radiance)},
-                      Named{"blur-bent", presets::blur<BentPaths>(radiance)}, Named{"blur-one-step", presets::blur_one_step(radiance)},
+    auto const blur = Named{"blur", presets::blur(radiance)}
+                          .vary(
+                              "count", {8, 16, 32, 64, 128}, [](auto& p) -> auto& { return stage<1>(p).kernel.count; })
+                          .vary(
+                              "width", {0.75, 1.5, 2}, [](auto& p) -> auto& { return stage<1>(p).kernel.width; })
+                          .vary(
+                              "allowed_error", {0.05, 0.1, 0.2, 0.4}, [](auto& p) -> auto& { return stage<1>(p).kernel.allowed_error; })
+                          .vary(
+                              "iterations", {0, 1, 2, 8}, [](auto& p) -> auto& { return stage<2>(p).motion.iterations; })
+                          .vary(
+                              "cap", caps, [](auto& p) -> auto& { return stage<2>(p).blending.cap; });
+    return std::tuple(Named{"none", presets::none(radiance)}, blur, blur.in_half(), Named{"blur-bent", presets::blur<BentPaths>(radiance)},
+                      Named{"blur-one-step", presets::blur_one_step(radiance)},
                       Named{"blur-no-history", Pipeline{radiance, Spatial{PairGuide<>{}}, Spatial{PairGather<Radiance>{}}, no_history}},
                       Named{"blur-few-samples", presets::blur(radiance, {}, {.count = 32})},
                       Named{"blur-adaptive", presets::blur(radiance, {}, {.allowed_error = 0.2f})},
