@@ -3,6 +3,7 @@
 #include <quell/core/half.hpp>
 
 #include <cstddef>
+#include <utility>
 
 namespace quell {
 
@@ -13,11 +14,11 @@ namespace detail {
 template <class Real, class F> QUELL_KERNEL Real generate(F&& f) {
     if constexpr (width_of<Real> == 1)
         return f(0);
-    else {
-        alignas(64) float lane[width_of<Real>];
-        for (int i = 0; i < width_of<Real>; ++i) lane[i] = f(i);
-        return Real::load_aligned(lane);
-    }
+    else
+        return [&]<int... i>(std::integer_sequence<int, i...>) __attribute__((always_inline)) {
+            return Real(typename Real::register_type{f(i)...});
+        }
+    (std::make_integer_sequence<int, width_of<Real>>{});
 }
 } // namespace detail
 
@@ -44,8 +45,12 @@ struct Float32 {
     template <class Real> QUELL_KERNEL static Real gather(Element const* p, Index<Real> at) {
         if constexpr (width_of<Real> == 1)
             return p[at];
-        else
-            return Real::gather(p, at);
+        else {
+            // xsimd 8 calls a function for this, around which all registers are saved; vgatherdps is slower too on AMD's Zen 3.
+            alignas(64) std::int32_t lanes[width_of<Real>];
+            at.store_aligned(lanes);
+            return detail::generate<Real>([&](int i) __attribute__((always_inline)) { return p[lanes[i]]; });
+        }
     }
 };
 

@@ -38,7 +38,6 @@ template <class Format, int N, int pixel_step> struct StridedView {
         if constexpr (pixel_step == 1 || width_of<Real> == 1)
             return make_value<N, Real>([&](auto c) __attribute__((always_inline)) { return Format::template load<Real>(at(c, x, y)); });
         else {
-            auto const every_pixel = truncate(lanes<Real>()) * Index<Real>(pixel_step);
             float const* run = nullptr;
             alignas(64) float converted[N * width_of<Real>];
             if constexpr (std::is_same_v<Element, float>)
@@ -48,7 +47,9 @@ template <class Format, int N, int pixel_step> struct StridedView {
                     Format::template load<Real>(at(0, x, y) + k * width_of<Real>).store_aligned(converted + k * width_of<Real>);
                 run = converted;
             }
-            return make_value<N, Real>([&](auto c) __attribute__((always_inline)) { return Real::gather(run + c, every_pixel); });
+            return make_value<N, Real>([&](auto c) __attribute__((always_inline)) {
+                return detail::generate<Real>([&](int i) __attribute__((always_inline)) { return run[c + i * pixel_step]; });
+            });
         }
     }
     template <class Real>
