@@ -29,6 +29,8 @@ TEST_CASE("a pack computes what a float computes") {
     same_in_every_lane([](auto a, auto b) { return quell::max(a, b); });
     same_in_every_lane([](auto a, auto b) { return quell::abs(a) + b; });
     same_in_every_lane([](auto a, auto b) { return select(a < b, a, b); });
+    same_in_every_lane([](auto a, auto b) { return masked(a < b, b); });
+    same_in_every_lane([](auto a, auto b) { return masked(invert(a < b), a); });
     same_in_every_lane([](auto a, auto) { return quell::floor(quell::min(quell::max(a, 0.f), 1e6f)); });
     same_in_every_lane([](auto a, auto b) { return with_sign_bit(a) + without_sign_bit(b); });
     same_in_every_lane(

@@ -35,7 +35,7 @@ template <class Inner> struct NonPlanarFalloff {
         auto const g = exp(sine * sine * (-0.5f / (deviation * deviation)));
         // Nothing is known of a surface that was nowhere, or farther away than numbers reach.
         auto const known = both(is_finite(z), is_finite(distance), is_finite(sine * sine));
-        past.validity = past.validity * select(known, select(near, Real(1.f), g), Real(0.f));
+        past.validity = past.validity * masked(known, select(near, Real(1.f), g));
         return inner.blend(px, past);
     }
 };

@@ -43,10 +43,10 @@ template <ChannelTag S> struct BackBlend {
         auto const sweep = px[mean_sweep];
         auto const still = both(sweep.x == Real(0.f), sweep.y == Real(0.f));
         auto const now = px[back], then = past[back];
-        auto const samples = detail::weight_of(now), known = select(past.validity > Real(0.f), detail::weight_of(then), Real(0.f));
+        auto const samples = detail::weight_of(now), known = masked(past.validity > Real(0.f), detail::weight_of(then));
         auto const counted = min(known, select(still, known, Real(cap)));
         auto const both_counted = samples + counted;
-        auto const share = select(still, select(samples >= known, Real(1.f), Real(0.f)),
+        auto const share = select(still, masked(samples >= known, Real(1.f)),
                                   select(both_counted > Real(0.f), samples / max(both_counted, Real(1e-6f)), Real(1.f)));
         auto const signal = mix(detail::signal_of(then), detail::signal_of(now), share);
         auto const layer =

@@ -44,7 +44,7 @@ template <ChannelTag S, ChannelTag From> struct DirectionalLevel {
                 Real const fi(static_cast<float>(i)), fj(static_cast<float>(j));
                 PixelUnder<Px> const tap(px, {fma(aside.x, fj, fma(step.x, fi, p.x)), fma(aside.y, fj, fma(step.y, fi, p.y))});
                 float const w = spline[i < 0 ? -i : i] * spline[j < 0 ? -j : j];
-                auto const inside = select(tap.inside, Real(w), Real(0.f));
+                auto const inside = masked(tap.inside, Real(w));
                 sum = add_scaled(sum, px.elsewhere(tap.place, From{}), inside);
                 weights = weights + inside;
             }

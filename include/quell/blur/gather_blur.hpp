@@ -28,7 +28,7 @@ struct GatherBlur {
             Real const part(static_cast<float>(2 * i + 1 - samples) / static_cast<float>(2 * samples));
             PixelUnder<Px> const there(px, {fma(path.sweep.x, part, p.x), fma(path.sweep.y, part, p.y)});
             auto const [value, missing] = px.signal_elsewhere(there.place);
-            auto const w = select(both(there.inside, invert(missing)), Real(1.f), Real(0.f));
+            auto const w = masked(both(there.inside, invert(missing)), Real(1.f));
             sum = add_scaled(sum, value, w);
             weights = weights + w;
         }

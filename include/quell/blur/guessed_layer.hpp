@@ -13,11 +13,11 @@ template <class Px, class Counts> [[gnu::noinline]] constexpr auto guessed_layer
     Real weights(0.f);
     for_each_neighbour<2>(
         px, [&](auto near, auto inside, int, int) __attribute__((always_inline)) {
-            auto const w = select(counts(near), inside, Real(0.f));
+            auto const w = masked(counts(near), inside);
             sum = add_scaled(sum, near.signal(), w);
             weights = weights + w;
         });
-    return layer_of(scale(sum, 1.f / max(weights, Real(1.f))), select(weights > Real(0.f), Real(certainty), Real(0.f)));
+    return layer_of(scale(sum, 1.f / max(weights, Real(1.f))), masked(weights > Real(0.f), Real(certainty)));
 }
 
 } // namespace quell::detail

@@ -41,7 +41,7 @@ template <ChannelTag S> struct LayerBlend {
         using Real = typename Px::Real;
         constexpr MovingLayer<Signal> moving;
         constexpr StaticLayer<Signal> still;
-        auto const length = min(select(past.validity > Real(0.f), past[history_length], Real(0.f)) + 1.f, Real(cap));
+        auto const length = min(masked(past.validity > Real(0.f), past[history_length]) + 1.f, Real(cap));
         auto const alpha = 1.f / length;
         auto const layer = mix(past[moving], px[moving], alpha);
         auto const seen = px[still], remembered = past[still];

@@ -30,12 +30,12 @@ template <ChannelTag S, class Paths = StraightPaths> struct LayerSplit {
         if (!all(alone)) gather(px, own, sums);
         auto const moving = sums.moving > Real(0.f), still = sums.still > Real(0.f);
         auto const inverse = 1.f / max(sums.moving, Real(1e-6f));
-        auto const covers = select(moving, coverage, Real(0.f));
+        auto const covers = masked(moving, coverage);
         auto const around = px[guide_sweep];
         auto const background = select(alone, px.signal(), scale(sums.behind, 1.f / max(sums.still, Real(1.f))));
         vec2<Real> const swept{select(moving, sums.sweep.x * inverse, around.x), select(moving, sums.sweep.y * inverse, around.y)};
         return emitted<Real>(MovingLayer<Signal>{}, detail::layer_of(scale(sums.front, inverse * covers), covers))
-            .with(StaticLayer<Signal>{}, detail::layer_of(background, select(either(alone, still), Real(1.f), Real(0.f))))
+            .with(StaticLayer<Signal>{}, detail::layer_of(background, masked(either(alone, still), Real(1.f))))
             .with(mean_sweep, select(alone, zero<vec2<Real>>(), swept));
     }
 
@@ -56,9 +56,9 @@ private:
                 auto const passing = path.passing({Real(static_cast<float>(-dx)), Real(static_cast<float>(-dy))});
                 auto const hidden = detail::hidden_behind(near[depth], nearest, depth_tolerance);
                 auto const in_front = both(path.moves(), invert(hidden), invert(near.missing()));
-                auto const w = select(in_front, weight.weight(passing, reach) * inside, Real(0.f));
+                auto const w = masked(in_front, weight.weight(passing, reach) * inside);
                 auto const before = both(own.moves(), detail::hidden_behind(z, near[depth], depth_tolerance));
-                auto const s = select(both(invert(path.moves()), invert(near.missing()), invert(before)), inside, Real(0.f));
+                auto const s = masked(both(invert(path.moves()), invert(near.missing()), invert(before)), inside);
                 sums.front = add_scaled(sums.front, near.signal(), w), sums.moving = sums.moving + w;
                 sums.behind = add_scaled(sums.behind, near.signal(), s), sums.still = sums.still + s;
                 sums.sweep = add_scaled(sums.sweep, path.sweep, w);

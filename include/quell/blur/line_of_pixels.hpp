@@ -8,6 +8,7 @@ namespace quell::detail {
 /// The pixels along a line through a pixel to either side, as far as something moves while the shutter is open: all of them, or as many as
 /// there is time for. A line that is not parallel to an axis passes between two pixels everywhere, and visits both.
 struct LineOfPixels {
+    static constexpr int most = 128; ///< steps
     bool steep, slanted;
     float slope, bent, reach, step;
     int steps;
@@ -22,7 +23,7 @@ struct LineOfPixels {
         slanted = abs(slope) > 0.02f || abs(bent) > 0.1f;
         reach = floor(abs(major)) + 1.f;
         float const pixels = fma(reach, 2.f, 1.f), affordable = static_cast<float>(slanted ? budget / 2 : budget);
-        steps = static_cast<int>(min(affordable, pixels));
+        steps = static_cast<int>(min(affordable, min(pixels, static_cast<float>(most))));
         step = 2.f * reach / max(static_cast<float>(steps - 1), 1.f);
     }
     /// How many there are.
@@ -34,14 +35,18 @@ struct LineOfPixels {
 
 private:
     template <class Visit> QUELL_KERNEL void for_each(Visit&& visit, int from, int to, int by) const {
+        // All places before the first visit: what a visit waits for is then in memory, and several visits are under way at once.
+        glm::ivec2 places[2 * most];
+        int n = 0;
         for (int i = 0; i < steps; ++i) {
             // Every rounding is spelled out: where it ends decides which pixel is looked at.
             float const along = floor(fma(static_cast<float>(i), step, -reach) + 0.5f), part = along / reach;
             float const aside = fma(part * part * bent, -4.f, along * slope);
             int const a = static_cast<int>(along), first = static_cast<int>(floor(slanted ? aside : aside + 0.5f));
             for (int k = from; k <= to; k += by)
-                if (int const b = first + k; a != 0 || b != 0) steep ? visit(b, a) : visit(a, b);
+                if (int const b = first + k; a != 0 || b != 0) places[n++] = steep ? glm::ivec2(b, a) : glm::ivec2(a, b);
         }
+        for (int i = 0; i < n; ++i) visit(places[i].x, places[i].y);
     }
 };
 

@@ -104,7 +104,7 @@ template <class Paths> struct MotionColumn {
             add_where(invert(hidden_behind(mean_depth, nearest, depth_tolerance)), sums, row);
         }
         auto const some = sums.at[Sums::number] > Real(0.5f);
-        auto const inverse = select(some, 1.f / max(sums.at[Sums::number], Real(1.f)), Real(0.f));
+        auto const inverse = masked(some, 1.f / max(sums.at[Sums::number], Real(1.f)));
         auto const mean = scale(sums, inverse);
         auto const length = mean.at[Sums::length];
         auto const side = static_cast<float>(2 * radius + 1);
@@ -131,7 +131,7 @@ private:
         return {x * length, select(s < Real(0.f), -y, y) * length};
     }
     template <class Real, class Mask> QUELL_KERNEL static Real variance(Real c, Real s, Mask some) {
-        return select(some, clamp(1.f - sqrt(fma(c, c, s * s)), Real(0.f), Real(1.f)), Real(0.f));
+        return masked(some, clamp(1.f - sqrt(fma(c, c, s * s)), Real(0.f), Real(1.f)));
     }
 };
 } // namespace detail

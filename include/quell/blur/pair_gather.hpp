@@ -57,7 +57,7 @@ private:
         detail::PartMeans<Value<Signal::components + 1, Real>, most_samples + 1> in_front; ///< its signal and its coverage
         detail::PartMeans<Colour, most_samples + 1> behind;
         vec2<Real> swept{Real(0.f), Real(0.f)};
-        Real weights = Real(0.f), samples = Real(0.f);
+        Real samples = Real(0.f);
 
         QUELL_KERNEL Work(PairGather const& g, Px const& px)
             : settings(g), own(detail::usable_sample<Paths>(px)), of(px.elsewhere(g.shared(px), MotionPair<Paths>{})),
@@ -80,65 +80,81 @@ private:
         /// For a tile whose pixels include lane k.
         QUELL_KERNEL void gather(Px const& px, Mask tile, int k) {
             in_front.restart(), behind.restart();
-            add(px, 0, 0, both(tile, either(of.two, back_moves)), of.two);
-            bool const two = lane(detail::nearness_of(of.front), k) > 0.f;
             auto const behind_speed = in_lane(detail::speed_of(of.back), k);
             bool const moves = dot(behind_speed, behind_speed) > detail::still_squared;
-            int const shares = two && moves ? 2 : 1;
-            if (two) gather_along(px, k, tile, tile, of.front, shares, front_width);
-            if (moves) gather_along(px, k, tile, invert(tile), of.back, shares, back_width);
+            if (lane(detail::nearness_of(of.front), k) > 0.f)
+                gather_two(px, k, tile, moves);
+            else if (moves) {
+                add(OnlyOne{}, px, 0, 0, both(tile, back_moves));
+                gather_along(OnlyOne{}, px, k, tile, of.back, 1, back_width);
+            }
         }
-        QUELL_KERNEL void gather_along(Px const& px, int k, Mask tile, Mask for_front, Mover const& mover, int shares, Width& width) {
+        QUELL_KERNEL void gather_two(Px const& px, int k, Mask tile, bool moves) {
+            int const shares = moves ? 2 : 1;
+            add(ForBoth{}, px, 0, 0, tile);
+            gather_along(ForBoth{}, px, k, tile, of.front, shares, front_width);
+            if (moves) gather_along(ForBack{}, px, k, tile, of.back, shares, back_width);
+        }
+        /// The lines of a whole tile are alike, so that all its lanes can go along one, whatever each finds there.
+        QUELL_KERNEL void gather_along(auto what, Px const& px, int k, Mask tile, Mover const& mover, int shares, Width& width) {
             auto const speed = in_lane(detail::speed_of(mover), k), bend = in_lane(detail::bend_of(mover), k);
             int const count = settings.count < most_samples ? settings.count : most_samples;
             detail::LineOfPixels const line(speed, bend, count / shares);
-            line.for_each([&](int dx, int dy) __attribute__((always_inline)) { add(px, dx, dy, tile, for_front); });
+            line.for_each([&](int dx, int dy) __attribute__((always_inline)) { add(what, px, dx, dy, tile); });
             if (!widens()) return;
             auto const unsure = both(tile, width.error.above(settings.allowed_error));
             if (!any(unsure)) return;
             width.per_pixel = select(unsure, width.per_pixel * 0.5f, width.per_pixel);
             int const room = most_samples / shares - line.size();
             detail::LineOfPixels(speed, bend, line.slanted ? room : room / 2)
-                .for_each_beside([&](int dx, int dy) __attribute__((always_inline)) { add(px, dx, dy, unsure, for_front); });
+                .for_each_beside([&](int dx, int dy) __attribute__((always_inline)) { add(what, px, dx, dy, unsure); });
         }
         QUELL_KERNEL bool widens() const { return settings.allowed_error > 0.f; }
 
-        /// Adds the sample at an offset to both layers, as far as it is wanted.
-        QUELL_KERNEL void add(Px const& px, int dx, int dy, Mask wanted, Mask for_front) {
+        // What is looked for along a line: samples of both things, of the one behind, or of the only one that there is.
+        struct ForBoth {};
+        struct ForBack {};
+        struct OnlyOne {};
+
+        /// Adds the sample at an offset to the layers, as far as it is wanted.
+        template <class What> QUELL_KERNEL void add(What, Px const& px, int dx, int dy, Mask wanted) {
             auto const there = px.at(dx, dy);
             if (!there.row_inside) return;
             auto const sample = detail::usable_sample<Paths>(there);
             auto const usable = both(wanted, there.inside(), sample.known());
             vec2<Real> const away{Real(static_cast<float>(-dx)), Real(static_cast<float>(-dy))};
-            auto const shows_front = of.is_front(sample.mover());
-            if (auto const counts = both(usable, for_front); any(counts)) add_front(there.signal(), sample, away, shows_front, counts);
-            if (auto const counts = both(usable, invert(shows_front), sample.moves()); any(counts))
-                add_back(there.signal(), sample, away, counts);
+            auto for_back = both(usable, sample.moves());
+            if constexpr (!std::is_same_v<What, OnlyOne>) {
+                auto const shows_front = of.is_front(sample.mover());
+                for_back = both(for_back, invert(shows_front));
+                if constexpr (std::is_same_v<What, ForBoth>)
+                    if (any(usable)) add_front(there.signal(), sample, away, shows_front, usable);
+            }
+            if (any(for_back)) add_back(there.signal(), sample, away, for_back);
         }
         /// What shows something else is looked at as if it moved like the front: how many samples there are in all must not depend on what
         /// they show.
         QUELL_KERNEL void add_front(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask shows_front, Mask counts) {
             auto const looked_at = Sample{select(shows_front, sample.at, like_front(sample).at)};
             auto const passing = looked_at.passing(away);
-            auto const near = weight(passing, front_width.per_pixel);
-            auto const w = select(counts, near * looked_at.time_per_pixel(), Real(0.f));
+            auto const near = masked(counts, weight(passing, front_width.per_pixel));
+            auto const w = near * looked_at.time_per_pixel();
             auto const hidden = both(own_still, invert(own_in_front), settings.is_behind(sample.nearness(), own.nearness()));
-            auto const seen = select(both(shows_front, invert(hidden)), w, Real(0.f));
-            if (widens()) front_width.error.add(select(seen > Real(0.f), luminance(value), Real(0.f)), select(counts, near, Real(0.f)));
+            auto const seen = masked(both(shows_front, invert(hidden)), w);
+            if (widens()) front_width.error.add(masked(seen > Real(0.f), luminance(value)), near);
             in_front.add(detail::layer_of(scale(value, seen), seen), w, clamp(passing.when, Real(0.f), Real(1.f)));
         }
         QUELL_KERNEL void add_back(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask counts) {
-            auto const passing = sample.passing(away);
-            auto const near = select(counts, weight(passing, back_width.per_pixel), Real(0.f));
+            auto const passing = sample.passing_in_motion(away);
+            auto const near = masked(counts, weight(passing, back_width.per_pixel));
             auto const w = near * sample.time_per_pixel();
             if (widens()) back_width.error.add(luminance(value), near);
             behind.add(scale(value, w), w, clamp(passing.when, Real(0.f), Real(1.f)));
             swept = add_scaled(swept, sample.sweep(), w);
-            weights = weights + w;
             samples = samples + near;
         }
         QUELL_KERNEL static Real weight(auto const& passing, Real per_width) {
-            return select(passing.in_time(), max(fma(passing.distance, -per_width, Real(1.f)), Real(0.f)), Real(0.f));
+            return masked(passing.in_time(), max(fma(passing.distance, -per_width, Real(1.f)), Real(0.f)));
         }
         QUELL_KERNEL Real per_width(Mover const& mover) const {
             auto const bend = detail::bend_of(mover);
@@ -155,11 +171,12 @@ private:
         QUELL_KERNEL auto result(Px const& px) const {
             constexpr float nowhere = 4.f * Path<float>::longest;
             auto const still_here = both(own.known(), own_still, invert(own_in_front));
+            auto const weights = behind.total();
             auto const found = both(invert(still_here), weights > Real(0.f));
             auto const inverse = 1.f / max(weights, Real(1e-12f));
             auto layer = detail::layer_of(select(still_here, px.signal(), behind.mean()),
-                                          select(still_here, Real(BackLayer<Signal>::certain), select(found, samples, Real(0.f))));
-            vec2<Real> sweep{select(found, swept.x * inverse, Real(0.f)), select(found, swept.y * inverse, Real(0.f))};
+                                          select(still_here, Real(BackLayer<Signal>::certain), masked(found, samples)));
+            vec2<Real> sweep{masked(found, swept.x * inverse), masked(found, swept.y * inverse)};
             auto const covered = invert(either(still_here, found));
             if (any(covered)) {
                 layer = select(covered, settings.guessed(px), layer);

@@ -56,12 +56,11 @@ template <class Paths> struct RowExtremesOf {
         Extreme fastest{own, squared_speed(own)};
         each(
             px, [&](auto const& mover, auto inside)
-                    __attribute__((always_inline)) { fastest.offer(mover, select(inside, squared_speed(mover), Real(0.f))); });
+                    __attribute__((always_inline)) { fastest.offer(mover, masked(inside, squared_speed(mover))); });
         Extreme other{fastest.mover, Real(0.f)};
         each(
-            px, [&](auto const& mover, auto inside) __attribute__((always_inline)) {
-                other.offer(mover, select(inside, squared_difference(mover, fastest.mover), Real(0.f)));
-            });
+            px, [&](auto const& mover, auto inside)
+                    __attribute__((always_inline)) { other.offer(mover, masked(inside, squared_difference(mover, fastest.mover))); });
         return emitted<Real>(RowExtremes<Paths>{}, joined(fastest.mover, other.mover));
     }
 

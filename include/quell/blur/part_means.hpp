@@ -11,13 +11,10 @@ template <class V, int most> struct PartMeans {
     using Real = real_of<V>;
     static constexpr int most_parts = 8; ///< they are as long as it takes to pass `pixels_a_part`, at least
     static constexpr float pixels_a_part = 2.f;
-    struct Held {
-        V value;
-        Real part;
-    };
-    Real count;              ///< of parts, from 1
-    Real weight[most_parts]; ///< of all samples in each
-    Held held[most];
+    static constexpr int components = components_of<V>;
+    Real count;                      ///< of parts, from 1
+    Real weight[most_parts];         ///< of all samples in each
+    Real held[most][components + 1]; ///< values, times their weights, and the parts that they are in
     int size = 0, next = 0;
 
     QUELL_KERNEL explicit PartMeans(Real pixels)
@@ -32,32 +29,47 @@ template <class V, int most> struct PartMeans {
         if (!any(counts)) return;
         // The end of the last part belongs to it.
         auto const part = min(floor(when * count), count - 1.f);
-        for_each_part([&](auto i) __attribute__((always_inline)) {
-            weight[i] = weight[i] + select(part == Real(static_cast<float>(i)), w, Real(0.f));
+        for_each<most_parts>([&](auto i) __attribute__((always_inline)) {
+            weight[i] = weight[i] + masked(part == Real(static_cast<float>(i)), w);
         });
-        if (next == size)
-            held[size++] = Held{weighted, part};
-        else
-            held[next] = Held{select(counts, weighted, held[next].value), select(counts, part, held[next].part)};
-        ++next;
+        auto& place = held[next];
+        if (next++ == size) {
+            ++size;
+            for_each<components>([&](auto c) __attribute__((always_inline)) { place[c] = component<c>(weighted); });
+            place[components] = part;
+        } else {
+            for_each<components>([&](auto c)
+                                     __attribute__((always_inline)) { place[c] = select(counts, component<c>(weighted), place[c]); });
+            place[components] = select(counts, part, place[components]);
+        }
+    }
+    /// The weight of all samples.
+    QUELL_KERNEL Real total() const {
+        auto sum = weight[0];
+        for (int i = 1; i < most_parts; ++i) sum = sum + weight[i];
+        return sum;
     }
     QUELL_KERNEL V mean() const {
         Real share[most_parts], known(0.f);
         for (int i = 0; i < most_parts; ++i) {
             auto const some = weight[i] > Real(0.f);
-            share[i] = select(some, 1.f / max(weight[i], Real(1e-12f)), Real(0.f));
-            known = known + select(some, Real(1.f), Real(0.f));
+            share[i] = masked(some, 1.f / max(weight[i], Real(1e-12f)));
+            known = known + masked(some, Real(1.f));
         }
         auto sum = zero<V>();
-        for (int k = 0; k < size; ++k) sum = add_scaled(sum, held[k].value, looked_up<0, most_parts>(share, held[k].part));
+        for (int k = 0; k < size; ++k) {
+            auto const& one = held[k];
+            auto const value = make_value<components, Real>([&](auto c) __attribute__((always_inline)) { return one[c]; });
+            sum = add_scaled(sum, value, looked_up<0, most_parts>(share, one[components]));
+        }
         return scale(sum, 1.f / max(known, Real(1.f)));
     }
 
 private:
     /// Unrolled, whatever the host's flags: a loop would make its constants anew each time.
-    template <class Visit> QUELL_KERNEL static void for_each_part(Visit&& visit) {
+    template <int n, class Visit> QUELL_KERNEL static void for_each(Visit&& visit) {
         [&]<int... i>(std::integer_sequence<int, i...>) __attribute__((always_inline)) { (visit(std::integral_constant<int, i>{}), ...); }
-        (std::make_integer_sequence<int, most_parts>{});
+        (std::make_integer_sequence<int, n>{});
     }
     /// The entry of a part, by halving.
     template <int first, int size> QUELL_KERNEL static Real looked_up(Real const (&entries)[most_parts], Real part) {

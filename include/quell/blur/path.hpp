@@ -18,8 +18,8 @@ template <class Real> struct Path {
     /// From the channels Sweep and Time.
     QUELL_KERNEL static Path of(vec2<Real> const& sweep, Real time) {
         auto const usable = both(is_finite(sweep.x), is_finite(sweep.y));
-        vec2<Real> v{clamp(select(usable, sweep.x, Real(0.f)), Real(-longest), Real(longest)),
-                     clamp(select(usable, sweep.y, Real(0.f)), Real(-longest), Real(longest))};
+        vec2<Real> v{clamp(masked(usable, sweep.x), Real(-longest), Real(longest)),
+                     clamp(masked(usable, sweep.y), Real(-longest), Real(longest))};
         return {v, clamp(select(is_finite(time), time, Real(0.5f)), Real(0.f), Real(1.f)), fma(v.x, v.x, v.y * v.y)};
     }
     QUELL_KERNEL auto moves() const { return squared > Real(least * least); }
@@ -52,9 +52,7 @@ template <class Real> struct BentPath : Path<Real> {
     QUELL_KERNEL static BentPath of(Path<Real> const& path, vec2<Real> const& bend) {
         constexpr auto most = Path<Real>::longest;
         auto const usable = both(is_finite(bend.x), is_finite(bend.y));
-        return {path,
-                {clamp(select(usable, bend.x, Real(0.f)), Real(-most), Real(most)),
-                 clamp(select(usable, bend.y, Real(0.f)), Real(-most), Real(most))}};
+        return {path, {clamp(masked(usable, bend.x), Real(-most), Real(most)), clamp(masked(usable, bend.y), Real(-most), Real(most))}};
     }
     QUELL_KERNEL vec2<Real> speed_when_seen() const {
         auto const turned = fma(this->time, Real(-8.f), Real(4.f));

@@ -82,7 +82,7 @@ template <ChannelTag S, class Paths = StraightPaths, class Places = AlongGuide<P
         if (any(px[guide_spread].z > Real(0.f))) {
             auto const reach = weight.reach(px);
             auto const share = select(own.moves(), guide.length() / max(own.length(), Real(Path<Real>::least)), Real(1.f));
-            sums.add(signal, own, select(seen, share, Real(0.f)), own.moves(), own.time);
+            sums.add(signal, own, masked(seen, share), own.moves(), own.time);
             auto const places = where.places(px);
             for (int i = 0; i < where.count; ++i) add_sample(px, sums, places.at(i), own, guide, z, reach);
         }
@@ -90,7 +90,7 @@ template <ChannelTag S, class Paths = StraightPaths, class Places = AlongGuide<P
         auto const inverse = 1.f / max(sums.swept, Real(1e-6f));
         vec2<Real> const swept{select(found, sums.sweep.x * inverse, around.x), select(found, sums.sweep.y * inverse, around.y)};
         auto const still_here = both(seen, invert(own.moves()));
-        auto still = detail::layer_of(select(still_here, signal, zero<typename Px::Signal>()), select(still_here, Real(1.f), Real(0.f)));
+        auto still = detail::layer_of(select(still_here, signal, zero<typename Px::Signal>()), masked(still_here, Real(1.f)));
         if (any(invert(still_here))) still = select(still_here, still, guessed(px, z, own.moves()));
         return emitted<Real>(MovingLayer<Signal>{}, sums.mean()).with(StaticLayer<Signal>{}, still).with(mean_sweep, swept);
     }
@@ -122,14 +122,14 @@ private:
         QUELL_KERNEL explicit Gathered(Real length)
             : count(floor(clamp(length * (1.f / pixels_a_part), Real(1.f), Real(static_cast<float>(parts))))) {}
         QUELL_KERNEL void add(typename Px::Signal const& value, auto const& path, Real w, auto moves, Real when) {
-            auto const counted = select(moves, w, Real(0.f));
+            auto const counted = masked(moves, w);
             sweep = add_scaled(sweep, path.sweep, counted);
             swept = swept + counted;
             // The end of the last part belongs to it.
             auto const which = min(floor(when * count), count - 1.f);
             for (int i = 0; i < parts; ++i) {
                 auto const here = abs(which - static_cast<float>(i)) < Real(0.5f);
-                auto const all_here = select(here, w, Real(0.f)), counted_here = select(here, counted, Real(0.f));
+                auto const all_here = masked(here, w), counted_here = masked(here, counted);
                 part[i].all = part[i].all + all_here;
                 part[i].weight = part[i].weight + counted_here;
                 part[i].signal = add_scaled(part[i].signal, value, counted_here);
@@ -140,9 +140,9 @@ private:
             Real known(0.f);
             for (auto const& p : part) {
                 auto const some = p.all > Real(0.f);
-                auto const inverse = select(some, 1.f / max(p.all, Real(1e-6f)), Real(0.f));
+                auto const inverse = masked(some, 1.f / max(p.all, Real(1e-6f)));
                 sum = add_scaled(sum, detail::layer_of(p.signal, p.weight), inverse);
-                known = known + select(some, Real(1.f), Real(0.f));
+                known = known + masked(some, Real(1.f));
             }
             return scale(sum, 1.f / max(known, Real(1.f)));
         }
@@ -162,7 +162,7 @@ private:
         auto const passing = looked_at.passing({centre.x - there.column - 0.5f, centre.y - there.row - 0.5f});
         auto const usable = both(invert(missing), there.inside);
         auto const w = weight.weight(passing, reach) / max(looked_at.length(), Real(Path<Real>::least));
-        sums.add(value, path, select(usable, w * guide.length(), Real(0.f)), moves, passing.when);
+        sums.add(value, path, masked(usable, w * guide.length()), moves, passing.when);
     }
     /// What stands still behind what moves here.
     template <class Px, class Real, class Mask> QUELL_KERNEL auto guessed(Px const& px, Real own_depth, Mask own_moves) const {

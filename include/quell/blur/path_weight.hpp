@@ -20,7 +20,7 @@ struct PathWeight {
         return by_length * by_angle;
     }
     template <class Passing, class Real> QUELL_KERNEL static Real weight(Passing const& passing, Real reach) {
-        return select(passing.in_time(), max(1.f - passing.distance / reach, Real(0.f)), Real(0.f));
+        return masked(passing.in_time(), max(1.f - passing.distance / reach, Real(0.f)));
     }
 };
 

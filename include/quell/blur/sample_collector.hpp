@@ -29,8 +29,8 @@ template <class Paths = StraightPaths> struct SampleCollector {
                     PixelUnder<Px> const there(px, place(near, k));
                     auto const [value, missing] = px.signal_elsewhere(there.place);
                     auto const counts = both(wanted, near.inside(), there.inside, invert(missing), passes(px, there));
-                    sum = add_scaled(sum, value, select(counts, Real(1.f), Real(0.f)));
-                    count = count + select(counts, Real(1.f), Real(0.f));
+                    sum = add_scaled(sum, value, masked(counts, Real(1.f)));
+                    count = count + masked(counts, Real(1.f));
                 }
         return scale(sum, 1.f / count);
     }

@@ -73,7 +73,7 @@ struct TileMaxGather {
             auto const there = look(px.elsewhere(under.place, sweep), px.elsewhere(under.place, depth));
             auto const [value, missing] = px.signal_elsewhere(under.place);
             auto const x = under.column - p.x + 0.5f, y = under.row - p.y + 0.5f;
-            auto const w = select(both(under.inside, invert(missing)), weight(here, there, sqrt(fma(x, x, y * y))), Real(0.f));
+            auto const w = masked(both(under.inside, invert(missing)), weight(here, there, sqrt(fma(x, x, y * y))));
             sum = add_scaled(sum, value, w);
             weights = weights + w;
         }

@@ -53,11 +53,17 @@ template <class Paths, class Real> struct UsableSample {
     }
     /// How far from a point it passes, and when; `offset` is the point minus the sample's pixel.
     QUELL_KERNEL typename Path<Real>::Passing passing(vec2<Real> const& offset) const {
+        auto const [aside, when] = passing_in_motion(offset);
+        if constexpr (Paths::bent) return {aside, when};
+        return {select(moves(), aside, sqrt(fma(offset.x, offset.x, offset.y * offset.y))), when};
+    }
+    /// The same for what is known to move.
+    QUELL_KERNEL typename Path<Real>::Passing passing_in_motion(vec2<Real> const& offset) const {
         if constexpr (Paths::bent) return path().passing(offset);
         auto const v = sweep();
         auto const along = fma(offset.x, v.x, offset.y * v.y) * time_per_pixel() * time_per_pixel();
         auto const aside = abs(fma(offset.x, v.y, -(offset.y * v.x))) * time_per_pixel();
-        return {select(moves(), aside, sqrt(fma(offset.x, offset.x, offset.y * offset.y))), time() + along};
+        return {aside, time() + along};
     }
     /// Something else at a sample's time, of a given speed, bend, and time that it takes to pass a pixel.
     QUELL_KERNEL static UsableSample at_speed(vec2<Real> const& speed, [[maybe_unused]] vec2<Real> const& bend, Real a_pixel,
@@ -98,9 +104,9 @@ template <class Paths> struct UsablePathOf {
         auto const nearness = 1.f / select(is_finite(z), clamp(z, Real(1e-6f), Real(1e6f)), Real(1e6f));
         auto const a_pixel = select(moves, min(sqrt(path.per_squared()), Real(1.f / Path<Real>::least)), Real(1.f / Path<Real>::least));
         auto const usable = select(px.missing(), Real(0.f), a_pixel);
-        auto const x = select(moves, path.sweep.x, Real(0.f)), y = select(moves, path.sweep.y, Real(0.f));
+        auto const x = masked(moves, path.sweep.x), y = masked(moves, path.sweep.y);
         if constexpr (Paths::bent) {
-            auto const bend_x = select(moves, path.bend.x, Real(0.f)), bend_y = select(moves, path.bend.y, Real(0.f));
+            auto const bend_x = masked(moves, path.bend.x), bend_y = masked(moves, path.bend.y);
             return emitted<Real>(UsablePath<Paths>{}, Value<7, Real>{{x, y, path.time, nearness, usable, bend_x, bend_y}});
         } else
             return emitted<Real>(UsablePath<Paths>{}, Value<5, Real>{{x, y, path.time, nearness, usable}});

@@ -19,7 +19,7 @@ template <class Paths, class Real> struct WhichOfTwo {
         towards = {(f.x - b.x) * apart, (f.y - b.y) * apart};
         middle = fma((f.x + b.x) * 0.5f, towards.x, (f.y + b.y) * 0.5f * towards.y);
         auto const gap = abs(nearness_of(front) - nearness_of(back));
-        per_gap = select(gap > min(nearness_of(front), nearness_of(back)) * least_gap, 1.f / max(gap, Real(1e-9f)), Real(0.f));
+        per_gap = masked(gap > min(nearness_of(front), nearness_of(back)) * least_gap, 1.f / max(gap, Real(1e-9f)));
     }
     /// By its motion, and by its depth where the two differ in it.
     QUELL_KERNEL auto is_front(Mover const& m) const {

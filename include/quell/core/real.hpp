@@ -35,6 +35,8 @@ QUELL_KERNEL float min(float a, float b) { return a < b ? a : b; }
 QUELL_KERNEL float max(float a, float b) { return a > b ? a : b; }
 QUELL_KERNEL float abs(float a) { return std::bit_cast<float>(std::bit_cast<std::uint32_t>(a) & 0x7fffffffu); }
 QUELL_KERNEL float select(bool condition, float a, float b) { return condition ? a : b; }
+/// Where the mask holds, a; elsewhere 0: one instruction of a pack.
+QUELL_KERNEL float masked(bool condition, float a) { return condition ? a : 0.f; }
 QUELL_KERNEL std::int32_t select_index(bool condition, std::int32_t a, std::int32_t b) { return condition ? a : b; }
 QUELL_KERNEL bool any(bool mask) { return mask; }
 QUELL_KERNEL bool all(bool mask) { return mask; }
@@ -101,12 +103,19 @@ template <class A> QUELL_KERNEL auto select(xsimd::batch_bool<float, A> m, xsimd
 template <class A> QUELL_KERNEL auto select(xsimd::batch_bool<float, A> m, float a, xsimd::batch<float, A> b) {
     return xsimd::select(m, detail::PackOf<A>(a), b);
 }
+template <class A> QUELL_KERNEL auto masked(xsimd::batch_bool<float, A> m, xsimd::batch<float, A> a) {
+    using Pack = detail::PackOf<A>;
+    if constexpr (sizeof(m) == sizeof(a)) // all bits of a lane say the same
+        return a & std::bit_cast<Pack>(m);
+    else
+        return xsimd::select(m, a, Pack(0.f));
+}
 template <class A> QUELL_KERNEL bool any(xsimd::batch_bool<float, A> m) { return xsimd::any(m); }
 template <class A> QUELL_KERNEL bool all(xsimd::batch_bool<float, A> m) { return xsimd::all(m); }
 template <class A> QUELL_KERNEL auto fma(xsimd::batch<float, A> a, xsimd::batch<float, A> b, xsimd::batch<float, A> c) {
     return xsimd::fma(a, b, c);
 }
-template <class A> QUELL_KERNEL auto invert(xsimd::batch_bool<float, A> m) { return !m; }
+template <class A> QUELL_KERNEL auto invert(xsimd::batch_bool<float, A> m) { return ~m; }
 template <class A> QUELL_KERNEL auto bits(xsimd::batch<float, A> a) { return xsimd::bitwise_cast<detail::CastTo<std::int32_t, A>>(a); }
 template <class A> QUELL_KERNEL auto from_bits(xsimd::batch<std::int32_t, A> a) { return xsimd::bitwise_cast<detail::CastTo<float, A>>(a); }
 template <class A> QUELL_KERNEL auto truncate(xsimd::batch<float, A> a) { return xsimd::to_int(a); }

@@ -72,7 +72,7 @@ QUELL_KERNEL auto source_of(Px const& px, Source const& source, Fetch const& fet
         auto const here = fetch.fetch(px, source.first.previous(px)).validity > Real(0.f);
         return select(here, Real(index), source_of(px, source.rest, fetch, index + 1.f));
     } else
-        return select(fetch.fetch(px, source.previous(px)).validity > Real(0.f), Real(index), Real(0.f));
+        return masked(fetch.fetch(px, source.previous(px)).validity > Real(0.f), Real(index));
 }
 template <class Source> QUELL_KERNEL auto const& first_of(Source const& source) {
     if constexpr (requires { source.rest; })
@@ -112,7 +112,7 @@ template <class M, class Inner, class Fetch> struct Watched {
         auto const source = px.has_past() ? detail::source_of(px, motion, fetch, 1.f) : Real(0.f);
         auto const refused =
             px.has_past() ? detail::rejection_of(px, detail::first_of(motion)) : detail::code_of<Real>(Rejection::no_frame);
-        auto const length = select(past.validity > Real(0.f), past[debug_length], Real(0.f)) + 1.f;
+        auto const length = masked(past.validity > Real(0.f), past[debug_length]) + 1.f;
         auto const first = both(source > Real(0.5f), source < Real(1.5f));
         return result.with(debug_length, length).with(debug_source, source).with(debug_rejection, select(first, Real(0.f), refused));
     }

@@ -48,10 +48,10 @@ template <class Edge, class Deviation> struct BilateralLine {
             auto const gauss = gaussian.next();
             auto const reaches = gauss > Real(1e-7f);
             if (!any(reaches)) break;
-            auto const falloff = select(reaches, gauss, Real(0.f));
+            auto const falloff = masked(reaches, gauss);
             auto const add = [&](auto near) __attribute__((always_inline)) {
                 auto const counts = both(near.inside(), invert(near.missing()));
-                auto const w = select(counts, falloff * edge_weight(toward.distance(near, Real(detail::edge_offset(around)))), Real(0.f));
+                auto const w = masked(counts, falloff * edge_weight(toward.distance(near, Real(detail::edge_offset(around)))));
                 sum = add_scaled(sum, near.signal(), w);
                 weights = weights + w;
             };

@@ -50,8 +50,8 @@ struct LightChangeLine {
             auto const near = vertical ? px.at(0, i * step) : px.at(i * step, 0);
             auto const change = near[light_change];
             auto const inside = near.inside();
-            sum = sum + select(inside, change.x, Real(0.f));
-            squares = squares + select(inside, change.y * change.y, Real(0.f));
+            sum = sum + masked(inside, change.x);
+            squares = squares + masked(inside, change.y * change.y);
         }
         return emitted<Real>(light_change, vec2<Real>{sum * 0.4472136f, sqrt(squares * 0.2f)});
     }

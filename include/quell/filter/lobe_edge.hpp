@@ -28,7 +28,7 @@ struct LobeEdge {
         // The surface sees the hit as far away as it is, the camera sees surface and hit one behind the other: a near camera magnifies.
         auto const far = select(is_finite(way), way, z * 1e3f);
         auto const pixels = px[roughness] * px[roughness] * width * far / ((z + far) * px.rays().pixel_size);
-        auto const w = max(select(is_finite(pixels), pixels, Real(0.f)), Real(least));
+        auto const w = max(masked(is_finite(pixels), pixels), Real(least));
         return Around<Real>{Real(0.5f) / (w * w)};
     }
 };

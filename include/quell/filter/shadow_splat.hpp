@@ -28,7 +28,7 @@ template <class Source> struct OwnShadowTrack {
         auto const p = px.position();
         auto const valid = both(found.validity > Real(0.f), is_finite(found.where.x), is_finite(found.where.y));
         auto const width = penumbra(px);
-        auto const known = select(both(valid, is_finite(width)), Real(1.f), Real(0.f));
+        auto const known = masked(both(valid, is_finite(width)), Real(1.f));
         auto const lit = invert(valid);
         return emitted<Real>(shadow_track,
                              Value<4, Real>{select(lit, Real(0.f), found.where.x - p.x), select(lit, Real(0.f), found.where.y - p.y),
@@ -53,8 +53,8 @@ private:
             px, [&](auto near, auto inside, int, int) __attribute__((always_inline)) {
                 auto const off = near[light] - centre;
                 auto const square = dot(off, off);
-                auto const w = select(is_finite(square), inside, Real(0.f));
-                sum = fma(select(is_finite(square), square, Real(0.f)), w, sum);
+                auto const w = masked(is_finite(square), inside);
+                sum = fma(masked(is_finite(square), square), w, sum);
                 count = count + w;
             });
         // Two points of a square are sqrt(side^2 / 3) apart, in the mean of squares; the centre itself is one of the nine.
@@ -85,8 +85,7 @@ template <class Edge> struct SplatLevel {
             px, step, around, [](int, int) __attribute__((always_inline)) { return weight_bits(0.01f); }, add);
         auto const known = sum.w > Real(1e-5f);
         auto const inverse = 1.f / select(known, sum.w, Real(1.f));
-        return emitted<Real>(shadow_track,
-                             Value<4, Real>{sum.x * inverse, sum.y * inverse, sum.z * inverse, select(known, sum.w, Real(0.f))});
+        return emitted<Real>(shadow_track, Value<4, Real>{sum.x * inverse, sum.y * inverse, sum.z * inverse, masked(known, sum.w)});
     }
 };
 } // namespace detail
@@ -141,7 +140,7 @@ struct SplattedShadowMotion {
         using Real = typename decltype(px)::Real;
         auto const track = px[shadow_track];
         auto const p = px.position();
-        return Reprojection<Real>{{p.x + track.x, p.y + track.y}, select(track.w > Real(0.f), Real(1.f), Real(0.f))};
+        return Reprojection<Real>{{p.x + track.x, p.y + track.y}, masked(track.w > Real(0.f), Real(1.f))};
     }
 };
 

@@ -27,7 +27,7 @@ QUELL_KERNEL void for_each_tap(Px const& px, int step, float const (&profile)[ra
     int column[side];
     detail::repeat<side>([&](auto i) __attribute__((always_inline)) {
         auto const beside = px.at((i - radius) * step, 0);
-        across[i] = select(beside.inside(), Real(profile[i < radius ? radius - i : i - radius]), Real(0.f));
+        across[i] = masked(beside.inside(), Real(profile[i < radius ? radius - i : i - radius]));
         column[i] = beside.x;
     });
     for (int j = -radius; j <= radius; ++j) {
@@ -52,7 +52,7 @@ QUELL_KERNEL void for_each_tap_pair(Px const& px, int step, float const (&profil
     detail::repeat<side>([&](auto i) __attribute__((always_inline)) {
         auto const beside = px.at((i - radius) * step, 0), below = px.at(0, (i - radius) * step);
         float const weight = profile[i < radius ? radius - i : i - radius];
-        across[i] = select(beside.inside(), Real(weight), Real(0.f));
+        across[i] = masked(beside.inside(), Real(weight));
         column[i] = beside.x;
         down[i] = below.row_inside ? weight : 0.f;
         row[i] = below.y;

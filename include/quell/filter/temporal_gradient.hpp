@@ -29,7 +29,7 @@ template <class Source, class Edge> struct GradientLevel {
         Real weights(1.f);
         auto const add = [&](auto const& near, auto w) __attribute__((always_inline)) {
             auto const there = near[Source{}];
-            auto const usable = select(all_finite(there), w, Real(0.f));
+            auto const usable = masked(all_finite(there), w);
             sum = add_scaled(sum, select(all_finite(there), there, zero<vec2<Real>>()), usable);
             weights = weights + usable;
         };

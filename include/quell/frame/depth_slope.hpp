@@ -15,7 +15,7 @@ template <class Px> QUELL_KERNEL auto depth_slope(Px const& px, int dx, int dy) 
         return select(both(inside, is_finite(difference)), abs(difference), none);
     };
     auto const behind = size(back, before.inside()), ahead = size(forth, after.inside());
-    return select(min(behind, ahead) < none, select(behind < ahead, back, forth), Real(0.f));
+    return masked(min(behind, ahead) < none, select(behind < ahead, back, forth));
 }
 
 } // namespace quell::detail

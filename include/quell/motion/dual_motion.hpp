@@ -53,7 +53,7 @@ template <class Test = SimilarDepth> struct DualMotion {
         auto const near = both(is_finite(m.x), is_finite(m.y), beyond_x < allowed, beyond_y < allowed);
         auto const z = carried_forward(px, y);
         vec2<Real> const where{select(outside, y.x, y.x + (x.x - z.x)), select(outside, y.y, y.y + (x.y - z.y))};
-        return Found<Real, decltype(test.around(px))>{where, select(near, Real(trust), Real(0.f)), test.around(px)};
+        return Found<Real, decltype(test.around(px))>{where, masked(near, Real(trust)), test.around(px)};
     }
 
 private:

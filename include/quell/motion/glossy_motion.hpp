@@ -20,7 +20,7 @@ template <class Mirror = FlatMirror> struct GlossyMotion {
         using Real = typename decltype(px)::Real;
         auto const image = detail::virtual_image_then(px, mirror);
         auto const jitter = offset(px, image);
-        return test.found(px, vec2<Real>{image.screen.x + jitter.x, image.screen.y + jitter.y}, select(image.valid, Real(1.f), Real(0.f)),
+        return test.found(px, vec2<Real>{image.screen.x + jitter.x, image.screen.y + jitter.y}, masked(image.valid, Real(1.f)),
                           image.plane);
     }
 
@@ -45,14 +45,14 @@ private:
         auto const [first, second] = px.random_normals();
         vec2<Real> const moved{first * a.x + second * b.x, first * a.y + second * b.y};
         auto const usable = both(crosses, reach > Real(0.f), is_finite(moved.x), is_finite(moved.y));
-        return {select(usable, moved.x, Real(0.f)), select(usable, moved.y, Real(0.f))};
+        return {masked(usable, moved.x), masked(usable, moved.y)};
     }
     template <class Px, class Real>
     QUELL_KERNEL static vec2<Real> end_point(Px const& px, detail::VirtualImage<Real> const& image, vec3<Real> const& point) {
         auto const screen = px.project_to_past(point);
         // At grazing angles the far end of the ellipse may lie behind the camera.
         auto const before = screen.z > Real(0.f);
-        return {select(before, screen.x - image.screen.x, Real(0.f)), select(before, screen.y - image.screen.y, Real(0.f))};
+        return {masked(before, screen.x - image.screen.x), masked(before, screen.y - image.screen.y)};
     }
 };
 template <class Mirror> GlossyMotion(Mirror) -> GlossyMotion<Mirror>;

@@ -53,7 +53,7 @@ template <class Px> struct PastSum {
     }
     /// Starts again from nothing in the other lanes.
     QUELL_KERNEL void keep_only(auto enough) {
-        weight = select(enough, weight, Real(0.f));
+        weight = masked(enough, weight);
         sum.signal = select(enough, sum.signal, zero<typename Px::Signal>());
         sum.kept = make_record<Real>(
             typename Px::Scope::kept_channels{}, [&](auto c) __attribute__((always_inline)) {
@@ -61,9 +61,9 @@ template <class Px> struct PastSum {
             });
     }
     QUELL_KERNEL PastOf<Px> mean(auto const& found) const {
-        auto const scale_by = select(weight > Real(0.f), 1.f / weight, Real(0.f));
+        auto const scale_by = masked(weight > Real(0.f), 1.f / weight);
         return {
-            scale(sum.signal, scale_by), found.where, select(weight > Real(0.f), found.validity, Real(0.f)), Real(0.f),
+            scale(sum.signal, scale_by), found.where, masked(weight > Real(0.f), found.validity), Real(0.f),
             make_record<Real>(
                 typename Px::Scope::kept_channels{}, [&](auto c) __attribute__((always_inline)) { return scale(sum.kept[c], scale_by); })};
     }
@@ -82,8 +82,8 @@ template <class Px, class FoundPlace> QUELL_KERNEL auto sane(Px const& px, Found
     Real const right(static_cast<float>(px.size().width)), bottom(static_cast<float>(px.size().height));
     auto const usable = both(is_finite(found.where.x), is_finite(found.where.y), is_finite(found.validity), found.validity > Real(0.f),
                              found.where.x >= Real(0.f), found.where.x <= right, found.where.y >= Real(0.f), found.where.y <= bottom);
-    found.where = vec2<Real>{select(usable, found.where.x, Real(0.f)), select(usable, found.where.y, Real(0.f))};
-    found.validity = select(usable, found.validity, Real(0.f));
+    found.where = vec2<Real>{masked(usable, found.where.x), masked(usable, found.where.y)};
+    found.validity = masked(usable, found.validity);
     return found;
 }
 
@@ -98,7 +98,7 @@ template <class Px, class FoundPlace, class Mask>
     for (int j = -1; j <= 1; ++j)
         for (int i = -1; i <= 1; ++i) {
             auto const then = px.past(nearest, i, j);
-            wider.add(then, select(both(wanted, counts<Real>(then, found)), Real(1.f), Real(0.f)));
+            wider.add(then, masked(both(wanted, counts<Real>(then, found)), Real(1.f)));
         }
     return wider;
 }
@@ -122,7 +122,7 @@ struct Bilinear {
                 // Still pixels need one tap of the four.
                 if (!any(bilinear > Real(0.f))) continue;
                 auto const then = px.past(place, i, j);
-                sum.add(then, select(detail::counts<Real>(then, found), bilinear, Real(0.f)));
+                sum.add(then, masked(detail::counts<Real>(then, found), bilinear));
             }
         // A sliver of a tap is no interpolation: let the wider search decide.
         auto const enough = sum.weight > Real(0.01f);
@@ -131,7 +131,7 @@ struct Bilinear {
             auto const narrow = sum;
             return detail::rescued(px, found, narrow, enough).mean(found);
         }
-        sum.weight = select(enough, sum.weight, Real(0.f));
+        sum.weight = masked(enough, sum.weight);
         return sum.mean(found);
     }
 };
@@ -144,7 +144,7 @@ struct Nearest {
         PastPlace<Real> const place(floor(found.where.x), floor(found.where.y));
         detail::PastSum<Px> sum;
         auto const then = px.past(place);
-        sum.add(then, select(both(found.validity > Real(0.f), detail::counts<Real>(then, found)), Real(1.f), Real(0.f)));
+        sum.add(then, masked(both(found.validity > Real(0.f), detail::counts<Real>(then, found)), Real(1.f)));
         return sum.mean(found);
     }
 };

@@ -50,7 +50,7 @@ template <class Mirror = FlatMirror> struct MirrorMotion {
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const image = detail::virtual_image_then(px, mirror);
-        return test.found(px, vec2<Real>{image.screen.x, image.screen.y}, select(image.valid, Real(1.f), Real(0.f)), image.plane);
+        return test.found(px, vec2<Real>{image.screen.x, image.screen.y}, masked(image.valid, Real(1.f)), image.plane);
     }
 };
 template <class Mirror> MirrorMotion(Mirror) -> MirrorMotion<Mirror>;
@@ -74,7 +74,7 @@ template <class Mirror = FlatMirror> struct ImageMotion {
         auto const p = px.position();
         auto const x = p.x + (image.screen.x - now.x), y = p.y + (image.screen.y - now.y);
         auto const valid = both(image.valid, now.z > Real(0.f), is_finite(x), is_finite(y));
-        return test.found(px, vec2<Real>{x, y}, select(valid, trust(px), Real(0.f)), image.plane);
+        return test.found(px, vec2<Real>{x, y}, masked(valid, trust(px)), image.plane);
     }
 
 private:
@@ -84,7 +84,7 @@ private:
         for_each_neighbour<1>(
             px, [&](auto near, auto inside, int, int) __attribute__((always_inline)) {
                 auto const hit = near[glossy_hit], way = hit - near[glossy_hit_previous], far = hit - near[position];
-                moving = max(moving, select(dot(way, way) > dot(far, far) * 1e-8f, inside, Real(0.f)));
+                moving = max(moving, masked(dot(way, way) > dot(far, far) * 1e-8f, inside));
             });
         return select(moving > Real(0.f), Real(among_moving), Real(1.f));
     }

@@ -27,7 +27,7 @@ struct ShadowMotion {
         auto const then = px.project_to_past(add_scaled(light, line, t));
         // A receiver that is its own blocker, at 1 itself, is a self-shadow.
         auto const valid = both(blocked, steep, t >= Real(0.999f), then.z > Real(0.f), is_finite(then.x), is_finite(then.y));
-        return Reprojection<Real>{{then.x, then.y}, select(valid, Real(1.f), Real(0.f))};
+        return Reprojection<Real>{{then.x, then.y}, masked(valid, Real(1.f))};
     }
 };
 

@@ -39,7 +39,7 @@ template <class Test = AllOf<SameDepth, SameNormal>> struct PositionMotion {
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const then = px.project_to_past(px[receiver_previous]);
-        auto const validity = select(then.z > Real(0.f), Real(1.f), Real(0.f));
+        auto const validity = masked(then.z > Real(0.f), Real(1.f));
         return detail::TestedReprojection<Real, decltype(test.around(px))>{{then.x, then.y}, validity, test.around(px)};
     }
 };

@@ -37,7 +37,7 @@ private:
         // Across a silhouette the span is far longer than the edge.
         auto const smooth = both(forth.inside(), back.inside(), dot(span, span) < dot(edge, edge) * 9.f);
         auto const bend = dot(turn, span) / max(dot(span, span), Real(1e-20f));
-        return select(both(smooth, is_finite(bend)), clamp(bend, Real(-most), Real(most)), Real(0.f));
+        return masked(both(smooth, is_finite(bend)), clamp(bend, Real(-most), Real(most)));
     }
     /// How much nearer to the surface the image is than the object.
     template <class Real> QUELL_KERNEL static Real shrink(Real curvature, Real distance) {

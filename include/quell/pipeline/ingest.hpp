@@ -65,7 +65,7 @@ private:
         for_each_neighbour<1>(
             px, [&](auto near, auto inside, int, int) __attribute__((always_inline)) {
                 auto const s = sample(near);
-                auto const w = select(s.usable, inside, Real(0.f));
+                auto const w = masked(s.usable, inside);
                 sum = add_scaled(sum, s.value, w);
                 weights = weights + w;
             });

@@ -34,11 +34,11 @@ template <class Edge> struct ConeLevel {
             if (t != taps / 2) {
                 auto const& toward = edge_toward(around, dx, dy);
                 w = start * edge_weight(toward.distance(near, Real(edge_offset(around))));
-                w = select(both(near.inside(), invert(near.missing())), w, Real(0.f));
+                w = masked(both(near.inside(), invert(near.missing())), w);
             }
             auto const there = near[normal];
             auto const agree = cone::same_axes(n, there);
-            same[t] = select(agree, w, Real(0.f));
+            same[t] = masked(agree, w);
             // Too small ones are none in every lane alike: what a pixel becomes must not depend on its neighbours in the pack.
             other[t] = select(either(agree, dot(n, there) < Real(least_cosine), w < Real(1e-4f)), Real(0.f), w);
             turned = turned || any(other[t] > Real(0.f));

@@ -53,7 +53,7 @@ template <class Real> QUELL_KERNEL Real overlap(Real cosine_between) {
     p = fma(u, p, Real(0.58591863f));
     p = fma(u, p, Real(-1.2128017f));
     p = fma(u, p, Real(1.0005748f));
-    return select(u < Real(1.f), clamp(p, Real(0.f), Real(1.f)), Real(0.f));
+    return masked(u < Real(1.f), clamp(p, Real(0.f), Real(1.f)));
 }
 
 /// The same radiance as another normal's cones see it: each takes what it overlaps with (36 pairs). A call of its own, since few pixels
@@ -92,9 +92,9 @@ QUELL_KERNEL Components<24, Real> deposit(vec3<Real> const& radiance, vec3<Real>
     return make_value<24, Real>([&](auto i) __attribute__((always_inline)) {
         auto const here = nearest == Real(static_cast<float>(i / 4));
         if constexpr (i % 4 == 3)
-            return select(here, Real(1.f), Real(0.f));
+            return masked(here, Real(1.f));
         else
-            return select(here, component<i % 4>(radiance), Real(0.f));
+            return masked(here, component<i % 4>(radiance));
     });
 }
 
