@@ -35,7 +35,7 @@ TEST_CASE("every executor computes each pixel of a region once and none outside"
     for (Region const r : {Region{0, 0, 61, 17}, Region{3, 2, 4, 3}, Region{5, 1, 60, 16}, Region{7, 7, 7, 9}}) {
         covers_once(Serial{}, r, {61, 17});
         covers_once(Simd{}, r, {61, 17});
-        for (Extent const tile : {Extent{256, 32}, Extent{1, 1}, Extent{13, 5}, Extent{8, 64}})
+        for (Extent const tile : {Extent{256, 32}, Extent{1, 1}, Extent{13, 5}, Extent{8, 64}, Extent{0, -1}})
             covers_once(Threads<>{.count = 3, .tile = tile}, r, {61, 17});
     }
 }

@@ -23,7 +23,7 @@ template <ChannelTag S, class Paths = StraightPaths> struct PairGather {
     using reads = Channels<MotionPair<Paths>, UsablePath<Paths>>;
     using emits = Channels<MovingLayer<Signal>, BackLayer<Signal>, MeanSweep>;
     static constexpr int most_samples = 128;
-    int count = 96;    ///< samples looked at, at most (no more than `most_samples`); with two motions, half along each
+    int count = 80;    ///< samples looked at, at most (no more than `most_samples`); with two motions, half along each
     float width = 1.f; ///< pixels; a sample counts less the farther it passes, and not at all from here on
     /// Where the gathered mean's standard error is a larger part of it than this, samples count from twice as far away, and the pixels
     /// beside the line are looked at too; 0: nowhere.
@@ -137,24 +137,24 @@ private:
         QUELL_KERNEL void add_front(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask shows_front, Mask counts) {
             auto const looked_at = Sample{select(shows_front, sample.at, like_front(sample).at)};
             auto const passing = looked_at.passing(away);
-            auto const near = masked(counts, weight(passing, front_width.per_pixel));
+            auto const near = weight(counts, passing, front_width.per_pixel);
             auto const w = near * looked_at.time_per_pixel();
             auto const hidden = both(own_still, invert(own_in_front), settings.is_behind(sample.nearness(), own.nearness()));
             auto const seen = masked(both(shows_front, invert(hidden)), w);
             if (widens()) front_width.error.add(masked(seen > Real(0.f), luminance(value)), near);
-            in_front.add(detail::layer_of(scale(value, seen), seen), w, clamp(passing.when, Real(0.f), Real(1.f)));
+            in_front.add(detail::layer_of(scale(value, seen), seen), w, passing.when);
         }
         QUELL_KERNEL void add_back(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask counts) {
             auto const passing = sample.passing_in_motion(away);
-            auto const near = masked(counts, weight(passing, back_width.per_pixel));
+            auto const near = weight(counts, passing, back_width.per_pixel);
             auto const w = near * sample.time_per_pixel();
             if (widens()) back_width.error.add(luminance(value), near);
-            behind.add(scale(value, w), w, clamp(passing.when, Real(0.f), Real(1.f)));
+            behind.add(scale(value, w), w, passing.when);
             swept = add_scaled(swept, sample.sweep(), w);
             samples = samples + near;
         }
-        QUELL_KERNEL static Real weight(auto const& passing, Real per_width) {
-            return masked(passing.in_time(), max(fma(passing.distance, -per_width, Real(1.f)), Real(0.f)));
+        QUELL_KERNEL static Real weight(Mask counts, auto const& passing, Real per_width) {
+            return masked(both(counts, passing.in_time()), max(fma(passing.distance, -per_width, Real(1.f)), Real(0.f)));
         }
         QUELL_KERNEL Real per_width(Mover const& mover) const {
             auto const bend = detail::bend_of(mover);

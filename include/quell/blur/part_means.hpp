@@ -23,7 +23,7 @@ template <class V, int most> struct PartMeans {
     }
     /// Samples that are added from here on are for other pixels of the pack than those before: they share the room.
     QUELL_KERNEL void restart() { next = 0; }
-    /// @param weighted the value times its weight, @param w the weight that counts in the mean, @param when in [0, 1]
+    /// @param weighted the value times its weight, @param w the weight that counts in the mean, @param when in [0, 1] where w is not 0
     QUELL_KERNEL void add(V const& weighted, Real w, Real when) {
         auto const counts = w > Real(0.f);
         if (!any(counts)) return;

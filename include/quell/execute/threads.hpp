@@ -6,6 +6,8 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <algorithm>
+
 namespace quell {
 
 /// Tiles of an image on several threads (oneTBB), each run by another executor. Every pixel is computed by the same instructions whichever
@@ -18,13 +20,16 @@ template <class Each = Simd> struct Threads {
     Each each{};
 
     void for_each_pixel(Region r, auto const& job) const {
+        // Of numbers of tiles, since oneTBB would halve a range of pixels down to tiles that packs don't fit in.
         auto const work = [&] {
             using Range = oneapi::tbb::blocked_range2d<int>;
-            auto const rows = static_cast<std::size_t>(tile.height), columns = static_cast<std::size_t>(tile.width);
+            int const width = std::clamp(tile.width, 1, std::max(r.x1 - r.x0, 1)),
+                      height = std::clamp(tile.height, 1, std::max(r.y1 - r.y0, 1));
             oneapi::tbb::parallel_for(
-                Range(r.y0, r.y1, rows, r.x0, r.x1, columns),
+                Range(0, (r.y1 - r.y0 + height - 1) / height, 0, (r.x1 - r.x0 + width - 1) / width),
                 [&](Range const& part) {
-                    each.for_each_pixel({part.cols().begin(), part.rows().begin(), part.cols().end(), part.rows().end()}, job);
+                    int const x = r.x0 + part.cols().begin() * width, y = r.y0 + part.rows().begin() * height;
+                    each.for_each_pixel({x, y, std::min(x + width, r.x1), std::min(y + height, r.y1)}, job);
                 },
                 oneapi::tbb::simple_partitioner{});
         };
