@@ -18,13 +18,6 @@ using namespace quell;
 
 constexpr auto denoise = presets::svgf(radiance, Demodulate{});
 
-metrics::Picture picture_of(ImageView auto const& view) {
-    metrics::Picture picture{view.size, {}};
-    for (int y = 0; y < view.size.height; ++y)
-        for (int x = 0; x < view.size.width; ++x) picture.pixels.emplace_back(view.get(0, x, y), view.get(1, x, y), view.get(2, x, y));
-    return metrics::displayed(picture);
-}
-
 /// `pattern` with the frame's number at its %04d.
 std::string numbered(std::string pattern, int number) {
     auto const digits = std::to_string(number);
@@ -42,7 +35,7 @@ double compare(char const* name, std::string const& pattern, int last, metrics::
         io::load(frame, io::read_exr(numbered(pattern, number)));
         auto const clean = run(denoise, frame, history);
         if (number < last) continue;
-        auto const picture = picture_of(clean);
+        auto const picture = metrics::displayed(metrics::picture_of(clean));
         auto const error = metrics::rmse(reference, picture);
         std::printf("%-6s RMSE %.6f  SSIM %.6f  FLIP %.6f  %.0f bytes per pixel\n", name, error, metrics::ssim(reference, picture),
                     metrics::flip(reference, picture).mean(), history.bytes_per_pixel());

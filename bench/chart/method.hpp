@@ -48,11 +48,7 @@ public:
         auto const view = quell::run(pipeline, frame, history, threads);
         std::chrono::duration<double, std::milli> const taken = std::chrono::steady_clock::now() - begin;
         if (frame.number >= ChartOptions::first_timed) this->milliseconds.push_back(taken.count());
-        metrics::Picture picture{frame.size, {}};
-        picture.pixels.reserve(static_cast<std::size_t>(frame.size.pixels()));
-        for (int y = 0; y < frame.size.height; ++y)
-            for (int x = 0; x < frame.size.width; ++x) picture.pixels.emplace_back(view.get(0, x, y), view.get(1, x, y), view.get(2, x, y));
-        return picture;
+        return metrics::picture_of(view);
     }
     [[nodiscard]] double bytes_per_pixel() const override { return history.bytes_per_pixel(); }
 };

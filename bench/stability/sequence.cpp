@@ -27,15 +27,7 @@ void fill(TracedFrame& frame, auto channel, metrics::Picture const& from) {
         for (int x = 0; x < from.size.width; ++x) frame[channel].set(x, y, from.pixels[static_cast<std::size_t>(y * from.size.width + x)]);
 }
 
-metrics::Picture picture(TracedFrame const& frame, auto channel) {
-    metrics::Picture result{frame.size, {}};
-    auto const view = frame[channel].view();
-    constexpr int last = decltype(channel)::components - 1;
-    for (int y = 0; y < frame.size.height; ++y)
-        for (int x = 0; x < frame.size.width; ++x)
-            result.pixels.emplace_back(view.get(0, x, y), view.get(std::min(1, last), x, y), view.get(std::min(2, last), x, y));
-    return result;
-}
+metrics::Picture picture(TracedFrame const& frame, auto channel) { return metrics::picture_of(frame[channel].view()); }
 
 /// What a signal is multiplied by on its way into the picture.
 metrics::Picture factor(TracedFrame const& frame, Signal signal) {

@@ -34,19 +34,19 @@ std::string number(double a, int digits) {
     return text;
 }
 
+struct Errors {
+    double rmse = 0, ssim = 0, flip = 0;
+};
+
 /// Errors of one kind of picture, summed over the frames that have a reference.
 struct Score {
-    double rmse = 0, ssim = 0, flip = 0;
+    Errors sum;
     int frames = 0;
 
-    metrics::Flip add(metrics::Picture const& reference, metrics::Picture const& picture) {
-        auto const flip_map = metrics::flip(reference, picture);
-        rmse += metrics::rmse(reference, picture), ssim += metrics::ssim(reference, picture), flip += flip_map.mean(), ++frames;
-        return flip_map;
-    }
+    void add(Errors const& e) { sum.rmse += e.rmse, sum.ssim += e.ssim, sum.flip += e.flip, ++frames; }
     [[nodiscard]] std::vector<std::string> row(std::string name) const {
         double const n = std::max(frames, 1);
-        return {std::move(name), number(rmse / n, 4), number(ssim / n, 4), number(flip / n, 4)};
+        return {std::move(name), number(sum.rmse / n, 4), number(sum.ssim / n, 4), number(sum.flip / n, 4)};
     }
 };
 
@@ -129,12 +129,14 @@ private:
         auto const reference = metrics::displayed(converged[radiance]);
         write(entry, "reference", i, converged[radiance]);
         for (std::size_t k = 0; k < kinds.size(); ++k) {
-            auto const before = scores[k];
-            auto const errors = scores[k].add(reference, metrics::displayed(pictures[k]));
-            report.add_value("FLIP", kinds[k].name, i, scores[k].flip - before.flip);
-            report.add_value("RMSE", kinds[k].name, i, scores[k].rmse - before.rmse);
-            report.add_value("SSIM", kinds[k].name, i, scores[k].ssim - before.ssim);
-            if (kinds[k].name == "denoised") entry.pictures["error (FLIP)"] = encode_png(metrics::error_map(errors));
+            auto const shown = metrics::displayed(pictures[k]);
+            auto const flip = metrics::flip(reference, shown);
+            Errors const errors{metrics::rmse(reference, shown), metrics::ssim(reference, shown), flip.mean()};
+            scores[k].add(errors);
+            report.add_value("FLIP", kinds[k].name, i, errors.flip);
+            report.add_value("RMSE", kinds[k].name, i, errors.rmse);
+            report.add_value("SSIM", kinds[k].name, i, errors.ssim);
+            if (kinds[k].name == "denoised") entry.pictures["error (FLIP)"] = encode_png(metrics::error_map(flip));
         }
     }
 

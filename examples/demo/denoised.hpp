@@ -32,18 +32,10 @@ public:
         auto const begin = std::chrono::steady_clock::now();
         auto const clean = run(pipeline, rendered, history, threads);
         milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-        return picture_of(clean);
+        return metrics::picture_of(clean);
     }
-    [[nodiscard]] metrics::Picture noisy() const { return picture_of(rendered[radiance].view()); }
+    [[nodiscard]] metrics::Picture noisy() const { return metrics::picture_of(rendered[radiance].view()); }
     [[nodiscard]] double bytes_per_pixel() const { return history.bytes_per_pixel(); }
-
-private:
-    static metrics::Picture picture_of(ImageView auto const& view) {
-        metrics::Picture picture{view.size, {}};
-        for (int y = 0; y < view.size.height; ++y)
-            for (int x = 0; x < view.size.width; ++x) picture.pixels.emplace_back(view.get(0, x, y), view.get(1, x, y), view.get(2, x, y));
-        return picture;
-    }
 };
 
 } // namespace quell::examples

@@ -32,7 +32,7 @@ public:
         io::load(frame, image, names);
         frame.number = number;
         if (looks) found = quell::diagnose(frame, history, names.motion);
-        return picture(quell::run(pipeline, frame, history, executor));
+        return metrics::picture_of(quell::run(pipeline, frame, history, executor));
     }
     void diagnose() override { looks = true; }
     std::vector<Finding> const& findings() const override { return found; }
@@ -44,18 +44,6 @@ public:
         return images;
     }
     long long missing_samples() const override { return history.statistics().missing_samples; }
-
-private:
-    /// Signals of one component become grey.
-    metrics::Picture picture(ImageView auto const& out) const {
-        constexpr int last = P::Output::components - 1;
-        metrics::Picture result{frame.size, {}};
-        result.pixels.reserve(static_cast<std::size_t>(frame.size.pixels()));
-        for (int y = 0; y < frame.size.height; ++y)
-            for (int x = 0; x < frame.size.width; ++x)
-                result.pixels.emplace_back(out.get(0, x, y), out.get(std::min(1, last), x, y), out.get(std::min(2, last), x, y));
-        return result;
-    }
 };
 
 /// A preset from a function without state that makes its pipeline: preset("atrous", [] { return presets::atrous(radiance); }).

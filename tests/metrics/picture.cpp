@@ -1,5 +1,7 @@
 #include "pictures.hpp"
 
+#include <quell/image/planar.hpp>
+
 using namespace pictures;
 using namespace quell::metrics;
 
@@ -14,6 +16,22 @@ TEST_CASE("displayed: clamps, then encodes as sRGB") {
     CHECK(shown.pixels[1].z == doctest::Approx(0.01292).epsilon(1e-5));
     CHECK(shown.pixels[2].x == doctest::Approx(0.461356).epsilon(1e-5));
     CHECK(shown.pixels[2].z == 1.f);
+}
+
+TEST_CASE("picture_of: colours as they are, row by row, and grey for one component") {
+    quell::Planar<>::Image<3> colours(Extent{3, 2});
+    quell::Planar<>::Image<1> shadow(Extent{3, 2});
+    for (int y = 0; y < 2; ++y)
+        for (int x = 0; x < 3; ++x) {
+            auto const a = static_cast<float>(y * 3 + x);
+            colours.set(x, y, {a, a + 10.f, a + 20.f});
+            shadow.set(x, y, a);
+        }
+    auto const coloured = picture_of(colours.view()), grey = picture_of(shadow.view());
+    REQUIRE(coloured.size == Extent{3, 2});
+    REQUIRE(coloured.pixels.size() == 6);
+    CHECK(coloured.pixels[4] == glm::vec3(4, 14, 24));
+    CHECK(grey.pixels[4] == glm::vec3(4));
 }
 
 TEST_CASE("sRGB: decoding undoes encoding, and the two pieces of the curve meet") {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <quell/core/error.hpp>
-#include <quell/image/extent.hpp>
+#include <quell/image/image_storage.hpp>
 
 #include <glm/vec3.hpp>
 
@@ -21,6 +21,17 @@ struct Picture {
     Extent size;
     std::vector<glm::vec3> pixels;
 };
+
+/// What an image shows, or a channel of a frame (`frame[radiance].view()`): its first three components, or grey where it has one.
+[[nodiscard]] Picture picture_of(ImageView auto const& view) {
+    constexpr int last = std::remove_cvref_t<decltype(view)>::components - 1;
+    Picture picture{view.size, {}};
+    picture.pixels.reserve(static_cast<std::size_t>(picture.size.pixels()));
+    for (int y = 0; y < picture.size.height; ++y)
+        for (int x = 0; x < picture.size.width; ++x)
+            picture.pixels.emplace_back(view.get(0, x, y), view.get(std::min(1, last), x, y), view.get(std::min(2, last), x, y));
+    return picture;
+}
 
 /// Which pixels count: one entry per pixel, non-zero counts. An empty mask selects the whole image.
 using Mask = std::vector<std::uint8_t>;
