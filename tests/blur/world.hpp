@@ -9,6 +9,7 @@ struct Seen {
     float value;
     glm::vec2 sweep{0, 0};
     float depth = 4.f;
+    glm::vec2 bend{0, 0};
 };
 
 /// Frames in which every pixel has a random time, and shows what is there then.
@@ -32,6 +33,7 @@ struct World {
                     Seen const seen = seen_at(x, y, i, t);
                     frame[quell::time].set(x, y, t), frame[sweep].set(x, y, seen.sweep);
                     frame[radiance].set(x, y, glm::vec3(seen.value));
+                    if constexpr (P::reads::template has<SweepBend>) frame[sweep_bend].set(x, y, seen.bend);
                     if constexpr (P::reads::template has<Depth>) frame[depth].set(x, y, seen.depth);
                 }
             out = copy_of(run(pipeline, frame, history));

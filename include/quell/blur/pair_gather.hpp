@@ -135,7 +135,7 @@ private:
         /// What shows something else is looked at as if it moved like the front: how many samples there are in all must not depend on what
         /// they show.
         QUELL_KERNEL void add_front(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask shows_front, Mask counts) {
-            auto const looked_at = Sample{select(shows_front, sample.at, like_front(sample).at)};
+            auto const looked_at = Sample{select(shows_front, sample.at, like_front(sample, away).at)};
             auto const passing = looked_at.passing(away);
             auto const near = weight(counts, passing, front_width.per_pixel);
             auto const w = near * looked_at.time_per_pixel();
@@ -161,8 +161,8 @@ private:
             auto const bent = sqrt(fma(bend.x, bend.x, bend.y * bend.y));
             return 1.f / (settings.width * fma(min(bent * settings.bend_influence, Real(1.f)), Real(1.f), Real(1.f)));
         }
-        QUELL_KERNEL Sample like_front(Sample const& sample) const {
-            return Sample::at_speed(detail::speed_of(of.front), detail::bend_of(of.front), front_per_length, sample);
+        QUELL_KERNEL Sample like_front(Sample const& sample, vec2<Real> const& away) const {
+            return Sample::at_speed(detail::speed_of(of.front), detail::bend_of(of.front), front_per_length, sample, away);
         }
         QUELL_KERNEL Real own_speed() const { return detail::squared_speed(own.mover()); }
         QUELL_KERNEL static Real speed(Mover const& mover) { return sqrt(detail::squared_speed(mover)); }

@@ -39,8 +39,39 @@ template <class M> struct Extreme {
 };
 template <class M> Extreme(M, real_of<M>) -> Extreme<M>; // clang 14 has no deduction for aggregates
 
-template <class Paths> struct RowExtremes : Channel<MotionPair<Paths>::components> { static constexpr auto name = "row_extremes"; };
-template <class Paths> struct LocalPair : Channel<MotionPair<Paths>::components> { static constexpr auto name = "local_pair"; };
+/// A mover, and where it is if its path bends: what turns moves otherwise beside it.
+template <class Paths, class Real> using PlacedMover = Value<Paths::bent ? 7 : 3, Real>;
+template <class Paths, class Px> QUELL_KERNEL auto placed_mover(Px const& px) {
+    using Real = typename Px::Real;
+    auto const mover = usable_sample<Paths>(px).mover();
+    if constexpr (Paths::bent) {
+        auto const place = px.position();
+        return PlacedMover<Paths, Real>{
+            {component<0>(mover), component<1>(mover), component<2>(mover), component<3>(mover), component<4>(mover), place.x, place.y}};
+    } else
+        return mover;
+}
+/// How what moves at one place moves at another, as a rigid thing that turns in the plane of the image.
+template <class Paths, class M, class Real> QUELL_KERNEL auto mover_at(M const& placed, vec2<Real> const& place) {
+    if constexpr (Paths::bent) {
+        constexpr float most_turn = 3.f; // radians while the shutter is open; no path that bends evenly turns by more
+        auto const v = speed_of(placed), bend = bend_of(placed);
+        auto const per_squared = 1.f / max(squared_speed(placed), Real(still_squared));
+        auto const turn = clamp(fma(v.y, bend.x, -(v.x * bend.y)) * per_squared * 8.f, Real(-most_turn), Real(most_turn));
+        auto const x = fma(component<6>(placed) - place.y, turn, v.x), y = fma(place.x - component<5>(placed), turn, v.y);
+        // Its bend turns and grows as its speed does.
+        auto const along = fma(x, v.x, y * v.y) * per_squared, across = fma(y, v.x, -(x * v.y)) * per_squared;
+        return Mover<Paths, Real>{{x, y, nearness_of(placed), fma(bend.x, along, -(bend.y * across)), fma(bend.y, along, bend.x * across)}};
+    } else
+        return placed;
+}
+
+template <class Paths> struct RowExtremes : Channel<2 * components_of<PlacedMover<Paths, float>>> {
+    static constexpr auto name = "row_extremes";
+};
+template <class Paths> struct LocalPair : Channel<2 * components_of<PlacedMover<Paths, float>>> {
+    static constexpr auto name = "local_pair";
+};
 
 /// The fastest sample of a row, and the one that moves least like it.
 template <class Paths> struct RowExtremesOf {
@@ -52,7 +83,7 @@ template <class Paths> struct RowExtremesOf {
 
     template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
         using Real = typename Px::Real;
-        auto const own = usable_sample<Paths>(px).mover();
+        auto const own = placed_mover<Paths>(px);
         Extreme fastest{own, squared_speed(own)};
         each(
             px, [&](auto const& mover, auto inside)
@@ -68,7 +99,7 @@ private:
     template <class Px, class Visit> QUELL_KERNEL void each(Px const& px, Visit&& visit) const {
         for (int i = -radius; i <= radius; ++i) {
             auto const near = px.at(i, 0);
-            visit(usable_sample<Paths>(near).mover(), near.inside());
+            visit(placed_mover<Paths>(near), near.inside());
         }
     }
 };
@@ -146,7 +177,8 @@ template <class Paths> struct NearestPair {
                                    unlike <= squared_difference(front, back) * (likeness * likeness));
             pair = select(fits, there, pair);
         }
-        return emitted<Real>(MotionPair<Paths>{}, pair);
+        auto const here = px.position();
+        return emitted<Real>(MotionPair<Paths>{}, joined(mover_at<Paths>(one_of<0>(pair), here), mover_at<Paths>(one_of<1>(pair), here)));
     }
 };
 } // namespace detail

@@ -65,11 +65,13 @@ template <class Paths, class Real> struct UsableSample {
         auto const aside = abs(fma(offset.x, v.y, -(offset.y * v.x))) * time_per_pixel();
         return {aside, time() + along};
     }
-    /// Something else at a sample's time, of a given speed, bend, and time that it takes to pass a pixel.
+    /// Something else at a sample's place and time, such that it has a given speed, bend, and time to pass a pixel once it is where a
+    /// point lies, `offset` from the sample's pixel: what bends has not been going that way all the time.
     QUELL_KERNEL static UsableSample at_speed(vec2<Real> const& speed, [[maybe_unused]] vec2<Real> const& bend, Real a_pixel,
-                                              UsableSample const& sample) {
+                                              UsableSample const& sample, [[maybe_unused]] vec2<Real> const& offset) {
         if constexpr (Paths::bent) {
-            auto const turned = fma(sample.time(), Real(8.f), Real(-4.f));
+            auto const until_there = fma(offset.x, speed.x, offset.y * speed.y) * a_pixel * a_pixel;
+            auto const turned = fma(sample.time() + until_there, Real(8.f), Real(-4.f));
             auto const x = fma(bend.x, turned, speed.x), y = fma(bend.y, turned, speed.y);
             return {{{x, y, sample.time(), sample.nearness(), per_length(x, y), bend.x, bend.y}}};
         } else
