@@ -8,7 +8,7 @@ namespace quell::detail {
 /// The pixels along a line through a pixel to either side, as far as something moves while the shutter is open: all of them, or as many as
 /// there is time for. A line that is not parallel to an axis passes between two pixels everywhere, and visits both.
 struct LineOfPixels {
-    static constexpr int most = 128; ///< steps
+    static constexpr int most = 128; ///< steps, however large the budget
     bool steep, slanted;
     float slope, bent, reach, step;
     int steps;

@@ -22,7 +22,7 @@ template <ChannelTag S, class Paths = StraightPaths> struct PairGather {
     static constexpr bool leaves_signal = true;
     using reads = Channels<MotionPair<Paths>, UsablePath<Paths>>;
     using emits = Channels<MovingLayer<Signal>, BackLayer<Signal>, MeanSweep>;
-    static constexpr int most_samples = 128;
+    static constexpr int most_samples = detail::LineOfPixels::most;
     int count = 80;    ///< samples looked at, at most (no more than `most_samples`); with two motions, half along each
     float width = 1.f; ///< pixels; a sample counts less the farther it passes, and not at all from here on
     /// Where the gathered mean's standard error is a larger part of it than this, samples count from twice as far away, and the pixels

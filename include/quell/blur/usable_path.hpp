@@ -20,7 +20,7 @@ inline constexpr float still_squared = Path<float>::least * Path<float>::least;
 template <class M> QUELL_KERNEL auto speed_of(M const& mover) { return vec2<real_of<M>>{component<0>(mover), component<1>(mover)}; }
 template <class M> QUELL_KERNEL auto nearness_of(M const& mover) { return component<2>(mover); }
 template <class M> QUELL_KERNEL auto bend_of([[maybe_unused]] M const& mover) {
-    if constexpr (components_of < M >> 3)
+    if constexpr (3 < components_of<M>)
         return vec2<real_of<M>>{component<3>(mover), component<4>(mover)};
     else
         return zero<vec2<real_of<M>>>();
@@ -53,9 +53,9 @@ template <class Paths, class Real> struct UsableSample {
     }
     /// How far from a point it passes, and when; `offset` is the point minus the sample's pixel.
     QUELL_KERNEL typename Path<Real>::Passing passing(vec2<Real> const& offset) const {
-        auto const [aside, when] = passing_in_motion(offset);
-        if constexpr (Paths::bent) return {aside, when};
-        return {select(moves(), aside, sqrt(fma(offset.x, offset.x, offset.y * offset.y))), when};
+        auto const moving = passing_in_motion(offset);
+        if constexpr (Paths::bent) return moving;
+        return {select(moves(), moving.distance, sqrt(fma(offset.x, offset.x, offset.y * offset.y))), moving.when};
     }
     /// The same for what is known to move.
     QUELL_KERNEL typename Path<Real>::Passing passing_in_motion(vec2<Real> const& offset) const {

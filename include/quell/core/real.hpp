@@ -115,6 +115,7 @@ template <class A> QUELL_KERNEL bool all(xsimd::batch_bool<float, A> m) { return
 template <class A> QUELL_KERNEL auto fma(xsimd::batch<float, A> a, xsimd::batch<float, A> b, xsimd::batch<float, A> c) {
     return xsimd::fma(a, b, c);
 }
+/// Not by `!`, for which xsimd 8 takes AVX packs apart and compares their halves.
 template <class A> QUELL_KERNEL auto invert(xsimd::batch_bool<float, A> m) { return ~m; }
 template <class A> QUELL_KERNEL auto bits(xsimd::batch<float, A> a) { return xsimd::bitwise_cast<detail::CastTo<std::int32_t, A>>(a); }
 template <class A> QUELL_KERNEL auto from_bits(xsimd::batch<std::int32_t, A> a) { return xsimd::bitwise_cast<detail::CastTo<float, A>>(a); }

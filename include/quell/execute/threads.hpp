@@ -20,7 +20,7 @@ template <class Each = Simd> struct Threads {
     Each each{};
 
     void for_each_pixel(Region r, auto const& job) const {
-        // Of numbers of tiles, since oneTBB would halve a range of pixels down to tiles that packs don't fit in.
+        // oneTBB halves ranges. A range of pixels would end in tiles of any width, which packs don't fit in; one of tiles does not.
         auto const work = [&] {
             using Range = oneapi::tbb::blocked_range2d<int>;
             int const width = std::clamp(tile.width, 1, std::max(r.x1 - r.x0, 1)),

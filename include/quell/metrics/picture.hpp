@@ -22,7 +22,8 @@ struct Picture {
     std::vector<glm::vec3> pixels;
 };
 
-/// What an image shows, or a channel of a frame (`frame[radiance].view()`): its first three components, or grey where it has one.
+/// What an image shows, or a channel of a frame (`frame[radiance].view()`): its first three components, the last of them again where it has
+/// fewer, so that one component is grey.
 [[nodiscard]] Picture picture_of(ImageView auto const& view) {
     constexpr int last = std::remove_cvref_t<decltype(view)>::components - 1;
     Picture picture{view.size, {}};
