@@ -71,18 +71,18 @@ TEST_CASE("a lone sample spreads along its path and nowhere else") {
 
 TEST_CASE("a moving bar covers what it passes for as long as it takes, in the mean of the picture to 1 %") {
     // A white bar 20 wide slides 24 pixels a frame, 12 of them while the shutter is open, before black.
-    World const world{.size = {160, 40}, .frames = 4};
+    World const world{.size = {160, 160}, .frames = 4};
     auto const out = world.last(denoise, [](int x, int, int frame, float t) {
         return tests::in_sliding_bar(x, frame, t) ? Seen{1.f, {12, 0}} : Seen{0.f};
     });
     double sum = 0;
-    for (int y = 0; y < 40; ++y)
+    for (int y = 0; y < 160; ++y)
         for (int x = 0; x < 160; ++x) sum += world.at(out, x, y);
-    CHECK(sum / 40 == doctest::Approx(20).epsilon(0.01));
+    CHECK(sum / 160 == doctest::Approx(20).epsilon(0.01));
     // The edges are ramps of 12 pixels.
     for (int const x : {0, 3, 6, 9, 11}) {
         double mean = 0;
-        for (int y = 0; y < 40; ++y) mean += world.at(out, 92 + x, y) / 40;
+        for (int y = 0; y < 160; ++y) mean += world.at(out, 92 + x, y) / 160;
         CHECK(mean == doctest::Approx((x + 0.5) / 12).epsilon(0.15).scale(0.5));
     }
 }

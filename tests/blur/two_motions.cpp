@@ -7,7 +7,7 @@ using namespace quell;
 namespace {
 constexpr auto denoise = presets::blur(radiance);
 using tests::Seen, tests::World;
-constexpr Extent size{160, 48};
+constexpr Extent size{160, 48}, tall{160, 240};
 } // namespace
 
 TEST_CASE("a line of pixels visits all within a pixel of the line, to both sides, none twice") {
@@ -31,19 +31,44 @@ TEST_CASE("a line of pixels visits all within a pixel of the line, to both sides
 }
 
 TEST_CASE("what moves in front of something else that moves covers it for as long as it takes to pass") {
-    World const world{size, 4};
+    World const world{tall, 4};
     auto const out = world.last(denoise, [](int x, int, int frame, float t) {
         return tests::in_sliding_bar(x, frame, t) ? Seen{1.f, {12, 0}, 4.f} : Seen{0.25f, {0, -9}, 9.f};
     });
     double sum = 0;
-    for (int y = 0; y < size.height; ++y)
+    for (int y = 0; y < tall.height; ++y)
         for (int x = 0; x < size.width; ++x) sum += (world.at(out, x, y) - 0.25) / 0.75;
-    CHECK(sum / size.height == doctest::Approx(20).epsilon(0.01));
+    CHECK(sum / tall.height == doctest::Approx(20).epsilon(0.01));
     for (int const x : {0, 3, 6, 9, 11}) {
         double mean = 0;
-        for (int y = 0; y < size.height; ++y) mean += world.at(out, 92 + x, y) / size.height;
+        for (int y = 0; y < tall.height; ++y) mean += world.at(out, 92 + x, y) / tall.height;
         CHECK(mean == doctest::Approx(0.25 + 0.75 * (x + 0.5) / 12).epsilon(0.1));
     }
+}
+
+TEST_CASE("an outline that passes a few pixels is nearly as smooth as if the shutter had been watched all the time") {
+    World const world{tall, 1};
+    auto const out = world.last(denoise, [](int x, int, int, float t) {
+        return static_cast<float>(x) + 0.5f < 80 + 6 * t ? Seen{1.f, {6, 0}, 4.f} : Seen{0.f, {0, 0}, 9.f};
+    });
+    double squared = 0;
+    for (int y = 0; y < tall.height; ++y)
+        for (int x = 80; x < 86; ++x) squared += std::pow(world.at(out, x, y) - (85.5 - x) / 6, 2);
+    // To count the samples before and after the outline is 0.14 off.
+    CHECK(std::sqrt(squared / (6 * tall.height)) < 0.12);
+}
+
+TEST_CASE("what moves slowly leaves hardly anything of itself on what it uncovers, though that moves nearly as it does") {
+    World const world{tall, 24};
+    auto const out = world.last(denoise, [](int x, int, int frame, float t) {
+        float const frames = static_cast<float>(frame) + 0.5f * t, edge = 120 - 2.16f * frames;
+        return static_cast<float>(x) + 0.5f < edge ? Seen{0.f, {-1.08f, 0}, 17.f} : Seen{1.f, {-0.85f, 0}, 22.f};
+    });
+    // It ends at 70.3 in the last frame, and has passed all of the next 12 pixels within 6 frames.
+    double trail = 0;
+    for (int y = 0; y < tall.height; ++y)
+        for (int x = 71; x < 83; ++x) trail += (1.0 - world.at(out, x, y)) / (12 * tall.height);
+    CHECK(trail < 0.05);
 }
 
 TEST_CASE("what stands still in front keeps its value, whatever moves behind it") {

@@ -5,7 +5,7 @@
 
 namespace quell::detail {
 
-/// What stands still in the 5x5 around, for where nothing is known: its mean, and `certainty` where there is any.
+/// What is behind, where nothing is known of it: the mean of what is seen of it in the 5x5 around, and `certainty` where there is any.
 /// @param counts whether a pixel around shows it. Outlined: few pixels are covered.
 template <class Px, class Counts> [[gnu::noinline]] constexpr auto guessed_layer(Px const& px, float certainty, Counts const& counts) {
     using Real = typename Px::Real;

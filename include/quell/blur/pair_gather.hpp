@@ -11,9 +11,9 @@ namespace quell {
 /// Gathers the samples that pass each pixel while the shutter is open, in two layers: of the two things that meet around the pixel, how
 /// much of the time the one in front covers it, and what of it is seen meanwhile; and what is seen of the one behind. The coverage is the
 /// part of all samples along the front's motion that show it. Samples are tested by their own paths; one counts for as long as it takes to
-/// pass, as a fast one has more pixels to be seen in. What stands still keeps its value to the last bit.
-/// Emits MovingLayer (the front), BackLayer, and MeanSweep of the back: 0 where it stands still, longer than any sweep where nothing is
-/// known. Wants a PairGuide before it.
+/// pass, as a fast one has more pixels to be seen in, and stands for a pixel of its path, so that half of one counts that passes just as
+/// the shutter opens. What stands still keeps its value to the last bit. Emits MovingLayer (the front), BackLayer, and MeanSweep of the
+/// back: 0 where it stands still, longer than any sweep where nothing is known. Wants a PairGuide before it.
 /// @tparam S the pipeline's signal
 /// @tparam Paths StraightPaths or BentPaths, as the PairGuide's
 template <ChannelTag S, class Paths = StraightPaths> struct PairGather {
@@ -137,7 +137,7 @@ private:
         QUELL_KERNEL void add_front(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask shows_front, Mask counts) {
             auto const looked_at = Sample{select(shows_front, sample.at, like_front(sample, away).at)};
             auto const passing = looked_at.passing(away);
-            auto const near = weight(counts, passing, front_width.per_pixel);
+            auto const near = weight(counts, passing, looked_at, front_width.per_pixel);
             auto const w = near * looked_at.time_per_pixel();
             auto const hidden = both(own_still, invert(own_in_front), settings.is_behind(sample.nearness(), own.nearness()));
             auto const seen = masked(both(shows_front, invert(hidden)), w);
@@ -146,15 +146,17 @@ private:
         }
         QUELL_KERNEL void add_back(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask counts) {
             auto const passing = sample.passing_in_motion(away);
-            auto const near = weight(counts, passing, back_width.per_pixel);
+            auto const near = weight(counts, passing, sample, back_width.per_pixel);
             auto const w = near * sample.time_per_pixel();
             if (widens()) back_width.error.add(luminance(value), near);
             behind.add(scale(value, w), w, passing.when);
             swept = add_scaled(swept, sample.sweep(), w);
             samples = samples + near;
         }
-        QUELL_KERNEL static Real weight(Mask counts, auto const& passing, Real per_width) {
-            return masked(both(counts, passing.in_time()), max(fma(passing.distance, -per_width, Real(1.f)), Real(0.f)));
+        QUELL_KERNEL static Real weight(Mask counts, auto const& passing, Sample const& sample, Real per_width) {
+            auto const pixels_inside = min(passing.when, 1.f - passing.when) * max(sample.length(), Real(1.f));
+            auto const open = clamp(pixels_inside + 0.5f, Real(0.f), Real(1.f));
+            return masked(counts, open * max(fma(passing.distance, -per_width, Real(1.f)), Real(0.f)));
         }
         QUELL_KERNEL Real per_width(Mover const& mover) const {
             auto const bend = detail::bend_of(mover);
@@ -179,11 +181,22 @@ private:
             vec2<Real> sweep{masked(found, swept.x * inverse), masked(found, swept.y * inverse)};
             auto const covered = invert(either(still_here, found));
             if (any(covered)) {
-                layer = select(covered, settings.guessed(px), layer);
+                layer = select(covered, guessed(px), layer);
                 auto const nothing = both(covered, detail::weight_of(layer) <= Real(0.f));
+                sweep = select(both(covered, of.two, back_moves), detail::speed_of(of.back), sweep);
                 sweep = select(nothing, vec2<Real>{Real(nowhere), Real(nowhere)}, sweep);
             }
             return emitted<Real>(MovingLayer<Signal>{}, in_front.mean()).with(BackLayer<Signal>{}, layer).with(mean_sweep, sweep);
+        }
+        /// What is behind what moves here, where no sample of it passes: by what is seen of it around.
+        QUELL_KERNEL auto guessed(Px const& px) const {
+            return detail::guessed_layer(
+                px, BackLayer<Signal>::guessed, [&](auto const& near) __attribute__((always_inline)) {
+                    auto const there = detail::usable_sample<Paths>(near);
+                    auto const still = both(invert(there.moves()), invert(settings.is_behind(own.nearness(), there.nearness())));
+                    auto const moving = both(there.known(), of.two, invert(of.is_front(there.mover())));
+                    return either(both(back_moves, moving), both(invert(back_moves), still));
+                });
         }
     };
 
@@ -197,15 +210,6 @@ private:
         };
         return PastPlace<Real>(anchor(p.x, tile_width, static_cast<float>(px.size().width)),
                                anchor(p.y, tile_height, static_cast<float>(px.size().height)));
-    }
-    /// What stands still behind what moves here.
-    template <class Px> QUELL_KERNEL auto guessed(Px const& px) const {
-        auto const own = detail::usable_sample<Paths>(px).nearness();
-        return detail::guessed_layer(
-            px, BackLayer<Signal>::guessed, [&](auto const& near) __attribute__((always_inline)) {
-                auto const there = detail::usable_sample<Paths>(near);
-                return both(invert(there.moves()), invert(is_behind(own, there.nearness())));
-            });
     }
     /// Whether something can't be seen, since something nearer is before it.
     template <class Real> QUELL_KERNEL auto is_behind(Real nearness, Real before) const {

@@ -167,7 +167,7 @@ template <class Paths = StraightPaths> struct PairGuide {
     using emits = Channels<UsablePath<Paths>, detail::RowExtremes<Paths>, detail::LocalPair<Paths>, MotionPair<Paths>>;
     static constexpr bool leaves_signal = true;
     int across = 4, down = 1; ///< how far the window reaches, in pixels
-    float least = 1.f;        ///< pixels; motions that differ less are one
+    float least = 0.5f;       ///< pixels; motions that differ less are one
     float relative = 0.25f;   ///< of the faster's speed; likewise
     float depth_gap = 0.05f;  ///< relative; what is nearer to each other in depth is one, unless one of them stands still
     float likeness = 0.5f;    ///< of the difference between two motions beside: what is nearer to one of them than that may be it

@@ -4,13 +4,14 @@
 
 namespace quell::detail {
 
-/// The mean of the means of equal parts of the open shutter, of samples that pass at their times: it has much less noise than the mean of
-/// all, since times are random and crowd. Samples are held back until it is known how much each part has.
+/// The mean over the open shutter of what is known at random times in it: each of its equal parts has the mean of the samples that pass
+/// then, and one without has that of the nearest part that has some. That makes much less noise than the mean of all samples, since random
+/// times crowd. Samples are held back until it is known how much each part has.
 /// @tparam V what is averaged, times a weight; @tparam most samples that it holds of each pixel: no more may be added
 template <class V, int most> struct PartMeans {
     using Real = real_of<V>;
     static constexpr int most_parts = 8; ///< they are as long as it takes to pass `pixels_a_part`, at least
-    static constexpr float pixels_a_part = 2.f;
+    static constexpr float pixels_a_part = 0.5f;
     static constexpr int components = components_of<V>;
     Real count;                      ///< of parts, from 1
     Real weight[most_parts];         ///< of all samples in each
@@ -23,12 +24,12 @@ template <class V, int most> struct PartMeans {
     }
     /// Samples that are added from here on are for other pixels of the pack than those before: they share the room.
     QUELL_KERNEL void restart() { next = 0; }
-    /// @param weighted the value times its weight, @param w the weight that counts in the mean, @param when in [0, 1] where w is not 0
+    /// @param weighted the value times its weight, @param w the weight that counts in the mean, @param when as a part of the open
+    /// shutter; before it opens counts as its beginning, and after it closes as its end
     QUELL_KERNEL void add(V const& weighted, Real w, Real when) {
         auto const counts = w > Real(0.f);
         if (!any(counts)) return;
-        // The end of the last part belongs to it.
-        auto const part = min(floor(when * count), count - 1.f);
+        auto const part = clamp(floor(when * count), Real(0.f), count - 1.f);
         for_each<most_parts>([&](auto i) __attribute__((always_inline)) {
             weight[i] = weight[i] + masked(part == Real(static_cast<float>(i)), w);
         });
@@ -50,22 +51,38 @@ template <class V, int most> struct PartMeans {
         return sum;
     }
     QUELL_KERNEL V mean() const {
-        Real share[most_parts], known(0.f);
-        for (int i = 0; i < most_parts; ++i) {
-            auto const some = weight[i] > Real(0.f);
-            share[i] = masked(some, 1.f / max(weight[i], Real(1e-12f)));
-            known = known + masked(some, Real(1.f));
-        }
+        Real share[most_parts];
+        find_shares(share);
         auto sum = zero<V>();
         for (int k = 0; k < size; ++k) {
             auto const& one = held[k];
             auto const value = make_value<components, Real>([&](auto c) __attribute__((always_inline)) { return one[c]; });
             sum = add_scaled(sum, value, looked_up<0, most_parts>(share, one[components]));
         }
-        return scale(sum, 1.f / max(known, Real(1.f)));
+        return scale(sum, 1.f / count);
     }
 
 private:
+    /// How many parts the samples of each one count for, per weight: up to half way to the parts before and after it that have samples.
+    QUELL_KERNEL void find_shares(Real (&share)[most_parts]) const {
+        Real begin[most_parts], before(0.f), after = count;
+        auto any_before = before > count, any_after = any_before;
+        for (int i = 0; i < most_parts; ++i) {
+            Real const here(static_cast<float>(i));
+            auto const some = weight[i] > Real(0.f);
+            begin[i] = masked(any_before, (before + here + 1.f) * 0.5f);
+            before = select(some, here, before);
+            any_before = either(any_before, some);
+        }
+        for (int i = most_parts - 1; i >= 0; --i) {
+            Real const here(static_cast<float>(i));
+            auto const some = weight[i] > Real(0.f);
+            auto const end = select(any_after, (after + here + 1.f) * 0.5f, count);
+            share[i] = masked(some, (end - begin[i]) / max(weight[i], Real(1e-12f)));
+            after = select(some, here, after);
+            any_after = either(any_after, some);
+        }
+    }
     /// Unrolled, whatever the host's flags: a loop would make its constants anew each time.
     template <int n, class Visit> QUELL_KERNEL static void for_each(Visit&& visit) {
         [&]<int... i>(std::integer_sequence<int, i...>) __attribute__((always_inline)) { (visit(std::integral_constant<int, i>{}), ...); }

@@ -31,17 +31,17 @@ struct PathSearch {
     int iterations = 4;   ///< how often the place may be moved (MB: 2); 0: plain reprojection
     float accept = 0.25f; ///< pixels; a difference below it will do
     float give_up = 32.f; ///< pixels; a difference beyond it will not be mended
-    // The place half way between two motions satisfies both directions as well: what differs in length is another thing. `accept` is always
-    // allowed.
-    float longer = 0.1f; ///< how much longer or shorter, relatively, a past pixel's sweep may be
-    float turned = 0.5f; ///< how far it may have turned: the tangent of the angle, about
+    // The place half way between two motions satisfies both directions as well: what differs in length is another thing.
+    float longer = 0.07f; ///< how much longer or shorter, relatively, a past pixel's sweep may be
+    float turned = 0.5f;  ///< how far it may have turned: the tangent of the angle, about
+    float alike = 0.05f;  ///< pixels; sweeps that differ less are one, however short
 
     template <class Px> QUELL_KERNEL auto previous(Px const& px) const {
         using Real = typename Px::Real;
         auto const own = px[mean_sweep];
         auto const p = px.position(), v = scale(own, Real(1.f / shutter));
         auto const moves = fma(v.x, v.x, v.y * v.y) > Real(0.01f);
-        auto const length = sqrt(fma(own.x, own.x, own.y * own.y)), slack = Real(accept);
+        auto const length = sqrt(fma(own.x, own.x, own.y * own.y)), slack = Real(alike);
         auto const turn = max(slack, length * turned);
         detail::PathFound<Real> found{{p.x - v.x, p.y - v.y},
                                       select(moves, Real(0.f), Real(1.f)),

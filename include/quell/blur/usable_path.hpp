@@ -42,6 +42,8 @@ template <class Paths, class Real> struct UsableSample {
     QUELL_KERNEL Real time() const { return component<2>(at); }
     QUELL_KERNEL Real nearness() const { return component<3>(at); }
     QUELL_KERNEL Real time_per_pixel() const { return component<4>(at); }
+    /// Of its sweep, in pixels; 0 where it stands still.
+    QUELL_KERNEL Real length() const { return fma(sweep().x, sweep().x, sweep().y * sweep().y) * time_per_pixel(); }
     QUELL_KERNEL auto moves() const { return time_per_pixel() < Real(1.f / Path<Real>::least); }
     QUELL_KERNEL auto known() const { return time_per_pixel() > Real(0.f); }
     QUELL_KERNEL auto path() const {

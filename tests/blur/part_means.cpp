@@ -1,0 +1,81 @@
+#include <quell/blur/part_means.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+using namespace quell;
+
+namespace {
+struct At {
+    float when, value, weight;
+};
+/// Of `parts` equal parts, each has the mean of its samples, or where it has none that of the nearest one that has; of two as near, half of
+/// each.
+double nearest_parts(std::vector<At> const& samples, int parts) {
+    std::vector<double> sum(static_cast<std::size_t>(parts)), weight(sum);
+    for (auto const& s : samples) {
+        auto const part = static_cast<std::size_t>(std::min(static_cast<int>(s.when * static_cast<float>(parts)), parts - 1));
+        sum[part] += static_cast<double>(s.value) * s.weight, weight[part] += s.weight;
+    }
+    double mean = 0;
+    for (int i = 0; i < parts; ++i)
+        for (int away = 0; away < parts; ++away) {
+            double found = 0, n = 0;
+            for (int const k : {i - away, i + away})
+                if (k >= 0 && k < parts && weight[static_cast<std::size_t>(k)] > 0)
+                    found += sum[static_cast<std::size_t>(k)] / weight[static_cast<std::size_t>(k)], ++n;
+            if (n == 0) continue;
+            mean += found / n / parts;
+            break;
+        }
+    return mean;
+}
+using Means = detail::PartMeans<Value<1, float>, 32>;
+Means of(std::vector<At> const& samples, float pixels) {
+    Means means(pixels);
+    for (auto const& s : samples) means.add({s.value * s.weight}, s.weight, s.when);
+    return means;
+}
+float mean(std::vector<At> const& samples, float pixels) { return component<0>(of(samples, pixels).mean()); }
+} // namespace
+
+TEST_CASE("each part of the open shutter has the mean of its samples, or of the nearest ones where it has none") {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> unit;
+    for (int const count : {1, 2, 3, 5, 9, 32})
+        for (int trial = 0; trial < 20; ++trial) {
+            std::vector<At> samples;
+            for (int i = 0; i < count; ++i) samples.push_back({unit(random), unit(random), unit(random) + 0.1f});
+            for (int const parts : {1, 2, 5, 8})
+                CHECK(mean(samples, static_cast<float>(parts) * Means::pixels_a_part) == doctest::Approx(nearest_parts(samples, parts)));
+        }
+}
+
+TEST_CASE("a mean over the open shutter needs a sample, and counts from when it opens until it closes") {
+    CHECK(mean({}, 20) == 0);
+    CHECK(mean({{0, 1, 1}, {1, 3, 1}}, 20) == doctest::Approx(2));
+    CHECK(mean({{-0.1f, 1, 1}, {1.1f, 3, 1}}, 20) == doctest::Approx(2));
+    CHECK(mean({{0.3f, 7, 0}}, 20) == 0);
+    CHECK(of({{0.1f, 1, 0.5f}, {0.7f, 2, 2}}, 20).total() == doctest::Approx(2.5));
+}
+
+TEST_CASE("samples at random times tell when something changed better than by how many there are before and after") {
+    std::mt19937 random(2);
+    std::uniform_real_distribution<float> unit;
+    double error = 0, plain = 0;
+    for (int trial = 0; trial < 500; ++trial) {
+        float const change = unit(random);
+        std::vector<At> samples;
+        float before = 0;
+        for (int i = 0; i < 8; ++i) {
+            float const when = unit(random);
+            samples.push_back({when, when < change ? 1.f : 0.f, 1});
+            before += samples.back().value / 8;
+        }
+        error += std::pow(mean(samples, 8) - change, 2), plain += std::pow(before - change, 2);
+    }
+    CHECK(std::sqrt(error) < 0.7 * std::sqrt(plain));
+}
