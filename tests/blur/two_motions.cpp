@@ -44,6 +44,10 @@ TEST_CASE("what moves in front of something else that moves covers it for as lon
         for (int y = 0; y < tall.height; ++y) mean += world.at(out, 92 + x, y) / tall.height;
         CHECK(mean == doctest::Approx(0.25 + 0.75 * (x + 0.5) / 12).epsilon(0.1));
     }
+    // Where what is behind is seen for a moment only, few of its samples are near: it counts for that moment all the same.
+    double nearly_covered = 0;
+    for (int y = 0; y < tall.height; ++y) nearly_covered += world.at(out, 102, y) / tall.height;
+    CHECK(nearly_covered == doctest::Approx(0.25 + 0.75 * 10.5 / 12).epsilon(0.012));
 }
 
 TEST_CASE("an outline that passes a few pixels is nearly as smooth as if the shutter had been watched all the time") {
