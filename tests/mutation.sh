@@ -75,10 +75,11 @@ mutant "negative samples" pipeline/history pipeline/ingest.hpp 'a >= Real(0.f), 
 mutant "albedo comes back" pipeline/history pipeline/modulation.hpp 'return a * d;' 'return a;'
 mutant "the test for NaN in a picture's factors" pipeline/composite pipeline/composite.hpp 'return select(all_finite(f), f,' 'return select(Real(0.f) == Real(0.f), f,'
 mutant "blur: when a sample passes" blur/two_motions blur/usable_path.hpp 'return {aside, time() + along};' 'return {aside, time() - along};'
-mutant "blur: how far the shutter's ends are soft" blur/layers blur/pair_gather.hpp 'pixels_inside + 0.5f' 'pixels_inside + 2.f'
+mutant "blur: how far the shutter's ends are soft" blur/layers blur/pair_gather.hpp 'Real(2.f), Real(0.5f)' 'Real(2.f), Real(2.f)'
 mutant "blur: what is guessed behind what moves" blur/two_motions blur/pair_gather.hpp \
     'both(back_moves, moving)' 'both(back_moves, invert(back_moves))'
 mutant "blur: how far the samples of a part count" blur/part_means blur/part_means.hpp '(after + here + 1.f) * 0.5f' '(after + here + 1.f) * 0.4f'
+mutant "blur: the past of what is in front" blur/two_motions blur/pair_history.hpp 'Real(front_cap))' 'Real(0.f))'
 mutant "blur: what of the past moves otherwise" blur/two_motions blur/path_search.hpp '- length) <= length_tolerance' '- length) >= Real(0.f)'
 mutant "blur: where the past is looked for" blur/layers blur/path_search.hpp '{{p.x - v.x, p.y - v.y}' '{{p.x + v.x, p.y - v.y}'
 

@@ -12,7 +12,7 @@ struct NoPast {
 
 /// Get one sample per pixel, each at a time of its own.
 auto denoisers() {
-    Temporal const no_history{NoPast{}, BackBlend<Radiance>{}};
+    Temporal const no_history{NoPast{}, PairBlend<Radiance>{}};
     auto const blur = Named{"blur", presets::blur(radiance)}
                           .vary(
                               "count", {8, 16, 32, 64, 128}, [](auto& p) -> auto& { return stage<1>(p).kernel.count; })

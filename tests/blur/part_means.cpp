@@ -59,7 +59,6 @@ TEST_CASE("a mean over the open shutter needs a sample, and counts from when it 
     CHECK(mean({{0, 1, 1}, {1, 3, 1}}, 20) == doctest::Approx(2));
     CHECK(mean({{-0.1f, 1, 1}, {1.1f, 3, 1}}, 20) == doctest::Approx(2));
     CHECK(mean({{0.3f, 7, 0}}, 20) == 0);
-    CHECK(of({{0.1f, 1, 0.5f}, {0.7f, 2, 2}}, 20).total() == doctest::Approx(2.5));
 }
 
 TEST_CASE("samples at random times tell when something changed better than by how many there are before and after") {

@@ -17,6 +17,14 @@ template <ChannelTag Signal> struct BackLayer : Channel<Signal::components + 1> 
     static constexpr auto name = "back_layer";
     static constexpr float certain = 64.f, guessed = 0.05f;
 };
+/// What is in front of something that moves unlike it: the signal times how much of the open shutter it covers the pixel, that coverage, in
+/// [0, 1], and how many samples they are the mean of.
+template <ChannelTag Signal> struct FrontLayer : Channel<Signal::components + 2> { static constexpr auto name = "front_layer"; };
+/// The mean sweep of what is in front, in pixels; longer than any where nothing is.
+struct FrontSweep : Channel<2> {
+    static constexpr auto name = "front_sweep";
+};
+inline constexpr FrontSweep front_sweep;
 /// The moving layer behind the filters that history has nothing of.
 template <ChannelTag Signal> struct FilteredLayer : Channel<Signal::components + 1> { static constexpr auto name = "filtered_layer"; };
 /// The mean sweep of what moves, in pixels.

@@ -11,9 +11,10 @@ namespace quell {
 /// Gathers the samples that pass each pixel while the shutter is open, in two layers: of the two things that meet around the pixel, how
 /// much of the time the one in front covers it, and what of it is seen meanwhile; and what is seen of the one behind. The coverage is the
 /// part of all samples along the front's motion that show it. Samples are tested by their own paths; one counts for as long as it takes to
-/// pass, as a fast one has more pixels to be seen in, and stands for a pixel of its path, so that half of one counts that passes just as
-/// the shutter opens. What stands still keeps its value to the last bit. Emits MovingLayer (the front), BackLayer, and MeanSweep of the
-/// back: 0 where it stands still, longer than any sweep where nothing is known. Wants a PairGuide before it.
+/// pass, as a fast one has more pixels to be seen in, and stands for half a pixel of its path, so that half of one counts that passes just
+/// as the shutter opens: more would make less noise, and blur more than the motion does. What stands still keeps its value to the last bit.
+/// Emits FrontLayer and FrontSweep, BackLayer, and MeanSweep of the back: 0 where it stands still, longer than any sweep where nothing is
+/// known. Wants a PairGuide before it.
 /// @tparam S the pipeline's signal
 /// @tparam Paths StraightPaths or BentPaths, as the PairGuide's
 template <ChannelTag S, class Paths = StraightPaths> struct PairGather {
@@ -21,7 +22,7 @@ template <ChannelTag S, class Paths = StraightPaths> struct PairGather {
     static constexpr auto name = "pair gather";
     static constexpr bool leaves_signal = true;
     using reads = Channels<MotionPair<Paths>, UsablePath<Paths>>;
-    using emits = Channels<MovingLayer<Signal>, BackLayer<Signal>, MeanSweep>;
+    using emits = Channels<FrontLayer<Signal>, FrontSweep, BackLayer<Signal>, MeanSweep>;
     static constexpr int most_samples = detail::LineOfPixels::most;
     int count = 80;    ///< samples looked at, at most (no more than `most_samples`); with two motions, half along each
     float width = 1.f; ///< pixels; a sample counts less the farther it passes, and not at all from here on
@@ -56,7 +57,13 @@ private:
         } front_width, back_width;
         detail::PartMeans<Value<Signal::components + 1, Real>, most_samples + 1> in_front; ///< its signal and its coverage
         detail::PartMeans<Colour, most_samples + 1> behind;
-        vec2<Real> swept{Real(0.f), Real(0.f)};
+        struct Swept {
+            vec2<Real> sum{Real(0.f), Real(0.f)};
+            Real weight = Real(0.f);
+            QUELL_KERNEL void add(vec2<Real> const& sweep, Real w) { sum = add_scaled(sum, sweep, w), weight = weight + w; }
+            QUELL_KERNEL auto known() const { return weight > Real(0.f); }
+            QUELL_KERNEL auto mean() const { return scale(sum, 1.f / max(weight, Real(1e-12f))); }
+        } front_swept, back_swept;
         Real samples = Real(0.f);
 
         QUELL_KERNEL Work(PairGather const& g, Px const& px)
@@ -141,6 +148,8 @@ private:
             auto const w = near * looked_at.time_per_pixel();
             auto const hidden = both(own_still, invert(own_in_front), settings.is_behind(sample.nearness(), own.nearness()));
             auto const seen = masked(both(shows_front, invert(hidden)), w);
+            // What does not pass while the shutter is open counts where nothing else does.
+            front_swept.add(sample.sweep(), seen + masked(both(shows_front, counts), Real(1e-4f)));
             if (widens()) front_width.error.add(masked(seen > Real(0.f), luminance(value)), near);
             in_front.add(detail::layer_of(scale(value, seen), seen), w, passing.when);
         }
@@ -150,12 +159,13 @@ private:
             auto const w = near * sample.time_per_pixel();
             if (widens()) back_width.error.add(luminance(value), near);
             behind.add(scale(value, w), w, passing.when);
-            swept = add_scaled(swept, sample.sweep(), w);
+            back_swept.add(sample.sweep(), w);
             samples = samples + near;
         }
         QUELL_KERNEL static Real weight(Mask counts, auto const& passing, Sample const& sample, Real per_width) {
+            // What moves by less than a pixel stands for one all the same.
             auto const pixels_inside = min(passing.when, 1.f - passing.when) * max(sample.length(), Real(1.f));
-            auto const open = clamp(pixels_inside + 0.5f, Real(0.f), Real(1.f));
+            auto const open = clamp(fma(pixels_inside, Real(2.f), Real(0.5f)), Real(0.f), Real(1.f));
             return masked(counts, open * max(fma(passing.distance, -per_width, Real(1.f)), Real(0.f)));
         }
         QUELL_KERNEL Real per_width(Mover const& mover) const {
@@ -171,22 +181,26 @@ private:
         QUELL_KERNEL static glm::vec2 in_lane(vec2<Real> const& v, int k) { return {lane(v.x, k), lane(v.y, k)}; }
 
         QUELL_KERNEL auto result(Px const& px) const {
-            constexpr float nowhere = 4.f * Path<float>::longest;
+            constexpr float far = 4.f * Path<float>::longest;
+            vec2<Real> const nowhere{Real(far), Real(far)};
             auto const still_here = both(own.known(), own_still, invert(own_in_front));
-            auto const weights = behind.total();
-            auto const found = both(invert(still_here), weights > Real(0.f));
-            auto const inverse = 1.f / max(weights, Real(1e-12f));
-            auto layer = detail::layer_of(select(still_here, px.signal(), behind.mean()),
-                                          select(still_here, Real(BackLayer<Signal>::certain), masked(found, samples)));
-            vec2<Real> sweep{masked(found, swept.x * inverse), masked(found, swept.y * inverse)};
+            auto const found = both(invert(still_here), back_swept.known());
+            auto back = detail::layer_of(select(still_here, px.signal(), behind.mean()),
+                                         select(still_here, Real(BackLayer<Signal>::certain), masked(found, samples)));
+            auto sweep = select(found, back_swept.mean(), zero<vec2<Real>>());
             auto const covered = invert(either(still_here, found));
             if (any(covered)) {
-                layer = select(covered, guessed(px), layer);
-                auto const nothing = both(covered, detail::weight_of(layer) <= Real(0.f));
-                sweep = select(both(covered, of.two, back_moves), detail::speed_of(of.back), sweep);
-                sweep = select(nothing, vec2<Real>{Real(nowhere), Real(nowhere)}, sweep);
+                back = select(covered, guessed(px), back);
+                auto const nothing = both(covered, detail::weight_of(back) <= Real(0.f));
+                sweep = select(both(covered, back_moves), detail::speed_of(of.back), sweep);
+                sweep = select(nothing, nowhere, sweep);
             }
-            return emitted<Real>(MovingLayer<Signal>{}, in_front.mean()).with(BackLayer<Signal>{}, layer).with(mean_sweep, sweep);
+            auto const front = detail::layer_of(in_front.mean(), masked(of.two, max(speed(of.front), Real(1.f))));
+            auto const front_moves = select(front_swept.known(), front_swept.mean(), detail::speed_of(of.front));
+            return emitted<Real>(FrontLayer<Signal>{}, front)
+                .with(front_sweep, select(of.two, front_moves, nowhere))
+                .with(BackLayer<Signal>{}, back)
+                .with(mean_sweep, sweep);
         }
         /// What is behind what moves here, where no sample of it passes: by what is seen of it around.
         QUELL_KERNEL auto guessed(Px const& px) const {
@@ -194,7 +208,7 @@ private:
                 px, BackLayer<Signal>::guessed, [&](auto const& near) __attribute__((always_inline)) {
                     auto const there = detail::usable_sample<Paths>(near);
                     auto const still = both(invert(there.moves()), invert(settings.is_behind(own.nearness(), there.nearness())));
-                    auto const moving = both(there.known(), of.two, invert(of.is_front(there.mover())));
+                    auto const moving = both(there.known(), invert(of.is_front(there.mover())));
                     return either(both(back_moves, moving), both(invert(back_moves), still));
                 });
         }

@@ -44,12 +44,6 @@ template <class V, int most> struct PartMeans {
             place[components] = select(counts, part, place[components]);
         }
     }
-    /// The weight of all samples.
-    QUELL_KERNEL Real total() const {
-        auto sum = weight[0];
-        for (int i = 1; i < most_parts; ++i) sum = sum + weight[i];
-        return sum;
-    }
     QUELL_KERNEL V mean() const {
         Real share[most_parts];
         find_shares(share);
@@ -65,22 +59,19 @@ template <class V, int most> struct PartMeans {
 private:
     /// How many parts the samples of each one count for, per weight: up to half way to the parts before and after it that have samples.
     QUELL_KERNEL void find_shares(Real (&share)[most_parts]) const {
-        Real begin[most_parts], before(0.f), after = count;
-        auto any_before = before > count, any_after = any_before;
+        Real begin[most_parts], before(-1.f), after = count;
         for (int i = 0; i < most_parts; ++i) {
             Real const here(static_cast<float>(i));
             auto const some = weight[i] > Real(0.f);
-            begin[i] = masked(any_before, (before + here + 1.f) * 0.5f);
+            begin[i] = masked(before >= Real(0.f), (before + here + 1.f) * 0.5f);
             before = select(some, here, before);
-            any_before = either(any_before, some);
         }
         for (int i = most_parts - 1; i >= 0; --i) {
             Real const here(static_cast<float>(i));
             auto const some = weight[i] > Real(0.f);
-            auto const end = select(any_after, (after + here + 1.f) * 0.5f, count);
+            auto const end = select(after < count, (after + here + 1.f) * 0.5f, count);
             share[i] = masked(some, (end - begin[i]) / max(weight[i], Real(1e-12f)));
             after = select(some, here, after);
-            any_after = either(any_after, some);
         }
     }
     /// Unrolled, whatever the host's flags: a loop would make its constants anew each time.

@@ -7,14 +7,14 @@ namespace quell {
 
 namespace detail {
 /// A place in the past, and the sweep that its taps must have.
-template <class Real> struct PathFound {
+template <class SweepChannel, class Real> struct PathFound {
     vec2<Real> where;
     Real validity;
     decltype(Real(0.f) < Real(0.f)) still;
     vec2<Real> sweep;
     Real length, length_tolerance, turn_squared;
     QUELL_KERNEL auto accepts(auto const& then, Real, Real) const {
-        auto const there = then[mean_sweep];
+        auto const there = then[SweepChannel{}];
         auto const x = there.x - sweep.x, y = there.y - sweep.y;
         return both(abs(sqrt(fma(there.x, there.x, there.y * there.y)) - length) <= length_tolerance, fma(x, x, y * y) <= turn_squared);
     }
@@ -24,9 +24,10 @@ template <class Real> struct PathFound {
 /// Finds the past of what moves over a pixel by looking from both sides: going back half a frame from here and forward half a frame from
 /// the place in the past should meet (MB section 4.4). Where they miss, the place is moved by the difference and tried again. No depth or
 /// normal serves as a test, as no two frames show the same in pixels that are blurred.
-struct PathSearch {
-    using reads = Channels<MeanSweep>;
-    using keeps = Channels<MeanSweep>;
+/// @tparam SweepChannel MeanSweep, or FrontSweep
+template <ChannelTag SweepChannel> struct PathSearchOf {
+    using reads = Channels<SweepChannel>;
+    using keeps = Channels<SweepChannel>;
     float shutter = 0.5f; ///< part of the frame time during which the shutter is open: sweeps last so long
     int iterations = 4;   ///< how often the place may be moved (MB: 2); 0: plain reprojection
     float accept = 0.25f; ///< pixels; a difference below it will do
@@ -36,27 +37,31 @@ struct PathSearch {
     float turned = 0.5f;  ///< how far it may have turned: the tangent of the angle, about
     float alike = 0.05f;  ///< pixels; sweeps that differ less are one, however short
 
+    /// The same search along another channel.
+    template <ChannelTag Other> constexpr PathSearchOf<Other> along(Other) const {
+        return {shutter, iterations, accept, give_up, longer, turned, alike};
+    }
     template <class Px> QUELL_KERNEL auto previous(Px const& px) const {
         using Real = typename Px::Real;
-        auto const own = px[mean_sweep];
+        auto const own = px[SweepChannel{}];
         auto const p = px.position(), v = scale(own, Real(1.f / shutter));
         auto const moves = fma(v.x, v.x, v.y * v.y) > Real(0.01f);
         auto const length = sqrt(fma(own.x, own.x, own.y * own.y)), slack = Real(alike);
         auto const turn = max(slack, length * turned);
-        detail::PathFound<Real> found{{p.x - v.x, p.y - v.y},
-                                      select(moves, Real(0.f), Real(1.f)),
-                                      invert(moves),
-                                      own,
-                                      length,
-                                      max(slack, length * longer),
-                                      turn * turn};
+        detail::PathFound<SweepChannel, Real> found{{p.x - v.x, p.y - v.y},
+                                                    select(moves, Real(0.f), Real(1.f)),
+                                                    invert(moves),
+                                                    own,
+                                                    length,
+                                                    max(slack, length * longer),
+                                                    turn * turn};
         if (!any(moves)) return found;
         Real const right(static_cast<float>(px.size().width)), bottom(static_cast<float>(px.size().height));
         auto searching = moves;
         for (int i = 0; i <= iterations; ++i) {
             PastPlace<Real> const place(clamp(floor(found.where.x), Real(0.f), right - 1.f),
                                         clamp(floor(found.where.y), Real(0.f), bottom - 1.f));
-            auto const there = scale(px.past(place)[mean_sweep], Real(1.f / shutter));
+            auto const there = scale(px.past(place)[SweepChannel{}], Real(1.f / shutter));
             // On an arc the way back is a little longer than the mean of the speeds at its ends: by a twelfth of the turn, squared.
             auto const turn_x = v.x - there.x, turn_y = v.y - there.y;
             auto const turned_by = fma(turn_x, turn_x, turn_y * turn_y) / max(fma(v.x, v.x, v.y * v.y), Real(1e-6f));
@@ -74,6 +79,9 @@ struct PathSearch {
         return found;
     }
 };
+
+/// Of the whole picture, or of what is behind where two things meet.
+using PathSearch = PathSearchOf<MeanSweep>;
 
 static_assert(MotionSource<PathSearch>);
 

@@ -18,11 +18,7 @@ struct CatmullRom {
         return past;
     }
 
-    /// Any value of past pixels, interpolated, and where all of them are accepted.
-    template <class V, class Mask> struct Interpolated {
-        V value;
-        Mask accepted;
-    };
+    /// Any value of past pixels, where all sixteen are accepted.
     template <class Px, class FoundPlace, class Mask, class ValueOf>
     QUELL_KERNEL static auto interpolated(Px const& px, FoundPlace const& unchecked, Mask accepted, ValueOf&& value_of) {
         using Real = typename Px::Real;
@@ -41,7 +37,7 @@ struct CatmullRom {
         // The negative lobes overshoot at bright edges; light is never negative.
         auto const bounded = map(
             [](auto a) __attribute__((always_inline)) { return max(a, Real(0.f)); }, sum);
-        return Interpolated<V, Mask>{bounded, accepted};
+        return detail::Interpolated<V, Mask>{bounded, accepted};
     }
 
 private:

@@ -102,6 +102,12 @@ template <class Px, class FoundPlace, class Mask>
         }
     return wider;
 }
+
+/// Any value of past pixels, interpolated, and where that could be done.
+template <class V, class Mask> struct Interpolated {
+    V value;
+    Mask accepted;
+};
 } // namespace detail
 
 /// History at a position between pixels from the four nearest, each tested, weights renormalised over those that pass; where none does,
@@ -133,6 +139,29 @@ struct Bilinear {
         }
         sum.weight = masked(enough, sum.weight);
         return sum.mean(found);
+    }
+
+    /// Any value of past pixels, from those of the four that are accepted; 0 where none is.
+    template <class Px, class FoundPlace, class ValueOf>
+    QUELL_KERNEL static auto interpolated(Px const& px, FoundPlace const& unchecked, ValueOf&& value_of) {
+        using Real = typename Px::Real;
+        auto const found = detail::sane(px, unchecked);
+        auto const column = floor(found.where.x - 0.5f), row = floor(found.where.y - 0.5f);
+        auto const u = found.where.x - 0.5f - column, v = found.where.y - 0.5f - row;
+        PastPlace<Real> const place(column, row);
+        auto sum = zero<std::remove_cvref_t<decltype(value_of(px.past(place)))>>();
+        Real weight(0.f);
+        for (int j = 0; j < 2; ++j)
+            for (int i = 0; i < 2; ++i) {
+                auto const bilinear = (i == 0 ? 1.f - u : u) * (j == 0 ? 1.f - v : v);
+                if (!any(bilinear > Real(0.f))) continue;
+                auto const then = px.past(place, i, j);
+                auto const w = masked(both(found.validity > Real(0.f), detail::counts<Real>(then, found)), bilinear);
+                sum = add_scaled(sum, value_of(then), w);
+                weight = weight + w;
+            }
+        auto const enough = weight > Real(0.01f);
+        return detail::Interpolated{scale(sum, masked(enough, 1.f / weight)), enough};
     }
 };
 

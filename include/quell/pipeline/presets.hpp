@@ -6,11 +6,11 @@
 #include <quell/blend/running_mean.hpp>
 #include <quell/blend/with_clean_up.hpp>
 #include <quell/blend/with_moments.hpp>
-#include <quell/blur/back_history.hpp>
 #include <quell/blur/directional_atrous.hpp>
 #include <quell/blur/gather_blur.hpp>
 #include <quell/blur/layer_history.hpp>
 #include <quell/blur/layer_split.hpp>
+#include <quell/blur/pair_history.hpp>
 #include <quell/blur/path_gather.hpp>
 #include <quell/blur/path_search.hpp>
 #include <quell/blur/sample_collector.hpp>
@@ -138,11 +138,12 @@ constexpr auto dual_cone_paper(ChannelTag auto signal, auto... parts) {
                     Spatial{ConeAtrous<Product<DepthEdge, NormalEdge>>{.least_cosine = 0.9f}}};
 }
 /// Motion blur from one sample per pixel at a random time (after Oberberger et al. 2022): samples are gathered along the two motions that
-/// meet around a pixel, tested by their own paths one by one, and what is behind is accumulated over frames.
+/// meet around a pixel, tested by their own paths one by one, and what is in front and what is behind are each accumulated over frames.
 /// @param search how the past is found; its `shutter` is the part of the frame time during which the shutter is open
 template <class Paths = StraightPaths, ChannelTag S>
 constexpr auto blur(S signal, PathSearch search = {}, PairGather<S, Paths> gather = {}) {
-    return Pipeline{signal, Spatial{PairGuide<Paths>{}}, Spatial{gather}, Temporal{search, BackBlend<S>{}, BackFetch<S>{}}};
+    return Pipeline{signal, Spatial{PairGuide<Paths>{}}, Spatial{gather},
+                    Temporal{search, PairBlend<S>{}, PairFetch<S>{search.along(front_sweep)}}};
 }
 /// blur where shadows and reflections don't move like the surfaces that show them: each along sweeps of its own (the way out that MB
 /// section 6 names). direct * visibility + glossy + albedo * indirect, all of them blurred.
