@@ -7,15 +7,15 @@
 
 namespace quell {
 
-/// History of the two things that meet around a pixel, by a Catmull-Rom spline where every pixel of the past moves as it should: of what
-/// is behind from where the motion source finds it, of what is in front from where `front` does.
+/// History of the two things that meet around a pixel: of what is behind from where the motion source finds it, of what is in front from
+/// where `front` does. What is seen often is interpolated by the cheaper bilinear: its mean is smooth, and it hardly needs a past.
 /// @tparam S the pipeline's signal
 template <ChannelTag S> struct PairFetch {
     using Signal = S;
-    using reads = Channels<FrontSweep>;
+    using reads = Channels<FrontLayer<Signal>, FrontSweep, BackLayer<Signal>>;
     PathSearchOf<FrontSweep> front{};
-    float longest_front = 16.f; ///< pixels; what sweeps farther is seen so often in one frame that it needs no past
-    bool sharp = true;          ///< false: bilinear, which blurs a little more in each frame
+    float often =
+        16.f; ///< samples in one frame; of fewer, the past is interpolated by a Catmull-Rom spline; what is in front of more has none
 
     template <class Px, class Found> QUELL_KERNEL auto fetch(Px const& px, Found const& unchecked) const {
         constexpr BackLayer<Signal> back;
@@ -26,8 +26,9 @@ template <ChannelTag S> struct PairFetch {
         past.where = found.where;
         past.validity = masked(known.accepted, found.validity);
         // What stands still is where it was, to the last bit.
-        auto const between = both(known.accepted, invert(found.still));
-        past.kept.set(back, any(between) ? sharpened(px, found, between, known.value, back) : known.value);
+        auto const seldom =
+            both(known.accepted, invert(found.still), detail::weight_of(px[back]) < real_of<decltype(past.validity)>(often));
+        past.kept.set(back, sharpened(px, found, seldom, known.value, back));
         past.kept.set(FrontLayer<Signal>{}, past_front(px));
         return past;
     }
@@ -37,13 +38,13 @@ private:
     template <class Px> QUELL_KERNEL auto past_front(Px const& px) const {
         using Real = typename Px::Real;
         constexpr FrontLayer<Signal> layer;
-        auto const sweep = px[front_sweep];
-        auto const slow = fma(sweep.x, sweep.x, sweep.y * sweep.y) < Real(longest_front * longest_front);
-        if (!any(slow)) return zero<Value<layer.components, Real>>();
+        auto const samples = detail::weight_of(px[layer]);
+        auto const seldom = both(samples > Real(0.f), samples < Real(often));
+        if (!any(seldom)) return zero<Value<layer.components, Real>>();
         auto found = front.previous(px);
-        found.validity = masked(slow, found.validity);
+        found.validity = masked(seldom, found.validity);
         auto const known = interpolated(px, found, layer);
-        return any(known.accepted) ? sharpened(px, found, known.accepted, known.value, layer) : known.value;
+        return sharpened(px, found, known.accepted, known.value, layer);
     }
     template <class Layer> QUELL_KERNEL static auto interpolated(auto const& px, auto const& found, Layer) {
         return Bilinear::interpolated(
@@ -51,8 +52,8 @@ private:
     }
     /// A layer by the spline, where that has what it needs; its count of samples stays as it is.
     template <class Px, class Found, class Mask, class V, class Layer>
-    QUELL_KERNEL V sharpened(Px const& px, Found const& found, Mask wanted, V const& smooth, Layer) const {
-        if (!sharp) return smooth;
+    QUELL_KERNEL static V sharpened(Px const& px, Found const& found, Mask wanted, V const& smooth, Layer) {
+        if (!any(wanted)) return smooth;
         auto const spline = CatmullRom::interpolated(
             px, found, wanted, [](auto const& then) __attribute__((always_inline)) { return detail::signal_of(then[Layer{}]); });
         return select(spline.accepted, detail::layer_of(spline.value, detail::weight_of(smooth)), smooth);
