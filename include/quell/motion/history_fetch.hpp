@@ -108,6 +108,7 @@ template <class V, class Mask> struct Interpolated {
     V value;
     Mask accepted;
 };
+template <class V, class Mask> Interpolated(V, Mask) -> Interpolated<V, Mask>; // clang 14 has no deduction for aggregates
 } // namespace detail
 
 /// History at a position between pixels from the four nearest, each tested, weights renormalised over those that pass; where none does,
@@ -116,23 +117,13 @@ struct Bilinear {
     bool rescue = true;
 
     template <class Px, class FoundPlace> QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& unchecked) const {
-        using Real = typename Px::Real;
         auto const found = detail::sane(px, unchecked);
-        auto const column = floor(found.where.x - 0.5f), row = floor(found.where.y - 0.5f);
-        auto const u = found.where.x - 0.5f - column, v = found.where.y - 0.5f - row;
-        PastPlace<Real> const place(column, row);
         detail::PastSum<Px> sum;
-        for (int j = 0; j < 2; ++j)
-            for (int i = 0; i < 2; ++i) {
-                auto const bilinear = (i == 0 ? 1.f - u : u) * (j == 0 ? 1.f - v : v);
-                // Still pixels need one tap of the four.
-                if (!any(bilinear > Real(0.f))) continue;
-                auto const then = px.past(place, i, j);
-                sum.add(then, masked(detail::counts<Real>(then, found), bilinear));
-            }
+        each_tap(
+            px, found, [&](auto const& then, auto w) __attribute__((always_inline)) { sum.add(then, w); });
         // A sliver of a tap is no interpolation: let the wider search decide.
-        auto const enough = sum.weight > Real(0.01f);
-        if (rescue && any(both(invert(enough), found.validity > Real(0.f)))) {
+        auto const enough = sum.weight > sliver;
+        if (rescue && any(both(invert(enough), found.validity > real_of<decltype(sum.weight)>(0.f)))) {
             // A copy, since what is handed to a function lives in memory.
             auto const narrow = sum;
             return detail::rescued(px, found, narrow, enough).mean(found);
@@ -146,22 +137,35 @@ struct Bilinear {
     QUELL_KERNEL static auto interpolated(Px const& px, FoundPlace const& unchecked, ValueOf&& value_of) {
         using Real = typename Px::Real;
         auto const found = detail::sane(px, unchecked);
+        auto sum = zero<std::remove_cvref_t<decltype(value_of(px.past(PastPlace<Real>(Real(0.f), Real(0.f)))))>>();
+        Real weight(0.f);
+        each_tap(
+            px, found, [&](auto const& then, Real w) __attribute__((always_inline)) {
+                sum = add_scaled(sum, value_of(then), w);
+                weight = weight + w;
+            });
+        auto const enough = both(found.validity > Real(0.f), weight > Real(sliver));
+        return detail::Interpolated{scale(sum, masked(enough, 1.f / weight)), enough};
+    }
+
+private:
+    static constexpr float sliver = 0.01f;
+
+    /// Calls `visit(past pixel, weight)`, with a weight of 0 where it is not accepted.
+    template <class Px, class FoundPlace, class Visit>
+    QUELL_KERNEL static void each_tap(Px const& px, FoundPlace const& found, Visit&& visit) {
+        using Real = typename Px::Real;
         auto const column = floor(found.where.x - 0.5f), row = floor(found.where.y - 0.5f);
         auto const u = found.where.x - 0.5f - column, v = found.where.y - 0.5f - row;
         PastPlace<Real> const place(column, row);
-        auto sum = zero<std::remove_cvref_t<decltype(value_of(px.past(place)))>>();
-        Real weight(0.f);
         for (int j = 0; j < 2; ++j)
             for (int i = 0; i < 2; ++i) {
                 auto const bilinear = (i == 0 ? 1.f - u : u) * (j == 0 ? 1.f - v : v);
+                // Still pixels need one tap of the four.
                 if (!any(bilinear > Real(0.f))) continue;
                 auto const then = px.past(place, i, j);
-                auto const w = masked(both(found.validity > Real(0.f), detail::counts<Real>(then, found)), bilinear);
-                sum = add_scaled(sum, value_of(then), w);
-                weight = weight + w;
+                visit(then, masked(detail::counts<Real>(then, found), bilinear));
             }
-        auto const enough = weight > Real(0.01f);
-        return detail::Interpolated{scale(sum, masked(enough, 1.f / weight)), enough};
     }
 };
 
