@@ -26,3 +26,33 @@ TEST_CASE("the nearest fetch takes one pixel as it is, where it shows the same s
     // These came from another surface.
     for (int x = 8; x < 12; ++x) REQUIRE(out.get(0, x, 5) == doctest::Approx(0.5));
 }
+
+namespace {
+/// Finds no past for anything on the left half of the image.
+struct RightHalfOnly {
+    QUELL_KERNEL auto previous(auto px) const {
+        using Real = typename decltype(px)::Real;
+        auto const p = px.position();
+        return Reprojection<Real>{p, masked(p.x > Real(16.f), Real(1.f))};
+    }
+};
+/// Shows how often it has been asked, by what it kept.
+struct Counting {
+    using keeps = Channels<HistoryLength>;
+    QUELL_KERNEL auto blend(auto const& px, auto const& past) const {
+        auto const n = past[history_length] + 1.f;
+        return Result{px.signal() * 0.f + n, n}.with(history_length, n);
+    }
+};
+} // namespace
+
+TEST_CASE_TEMPLATE("a blend policy is handed zeros where there is no past", Fetch, Bilinear, Nearest, CatmullRom) {
+    constexpr auto counted = Pipeline{visibility, Temporal{RightHalfOnly{}, Counting{}, Fetch{}}};
+    Frame frame{size, counted};
+    History history{size, counted};
+    tests::fill(frame[visibility], [](int, int) { return 0.5f; });
+    for (int i = 0; i < 2; ++i) run(counted, frame, history);
+    auto const out = run(counted, frame, history);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) REQUIRE(out.get(0, x, y) == (x < 16 ? 1.f : 3.f));
+}

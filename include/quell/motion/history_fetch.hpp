@@ -144,7 +144,7 @@ struct Bilinear {
                 sum = add_scaled(sum, value_of(then), w);
                 weight = weight + w;
             });
-        auto const enough = both(found.validity > Real(0.f), weight > Real(sliver));
+        auto const enough = weight > Real(sliver);
         return detail::Interpolated{scale(sum, masked(enough, 1.f / weight)), enough};
     }
 
@@ -164,7 +164,7 @@ private:
                 // Still pixels need one tap of the four.
                 if (!any(bilinear > Real(0.f))) continue;
                 auto const then = px.past(place, i, j);
-                visit(then, masked(detail::counts<Real>(then, found), bilinear));
+                visit(then, masked(both(found.validity > Real(0.f), detail::counts<Real>(then, found)), bilinear));
             }
     }
 };
