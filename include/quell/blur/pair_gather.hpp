@@ -195,6 +195,7 @@ private:
                 sweep = select(both(covered, back_moves), detail::speed_of(of.back), sweep);
                 sweep = select(nothing, nowhere, sweep);
             }
+            // As many samples pass as it sweeps pixels.
             auto const front = detail::layer_of(in_front.mean(), masked(of.two, max(speed(of.front), Real(1.f))));
             auto const front_moves = select(front_swept.known(), front_swept.mean(), detail::speed_of(of.front));
             return emitted<Real>(FrontLayer<Signal>{}, front)

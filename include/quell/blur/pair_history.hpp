@@ -77,7 +77,7 @@ template <ChannelTag S> struct PairBlend {
         constexpr BackLayer<Signal> back;
         auto const sweep = px[mean_sweep];
         auto const still = both(sweep.x == Real(0.f), sweep.y == Real(0.f));
-        auto const samples = detail::weight_of(px[back]), known = masked(past.validity > Real(0.f), detail::weight_of(past[back]));
+        auto const samples = detail::weight_of(px[back]), known = detail::weight_of(past[back]);
         auto const counted = min(known, select(still, known, Real(cap)));
         auto const share = select(still, masked(samples >= known, Real(1.f)), share_of(samples, counted));
         auto const behind = joined(past[back], px[back], share, select(still, max(samples, known), samples + counted));

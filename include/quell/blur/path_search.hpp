@@ -39,7 +39,13 @@ template <ChannelTag SweepChannel> struct PathSearchOf {
 
     /// The same search along another channel.
     template <ChannelTag Other> constexpr PathSearchOf<Other> along(Other) const {
-        return {shutter, iterations, accept, give_up, longer, turned, alike};
+        return {.shutter = shutter,
+                .iterations = iterations,
+                .accept = accept,
+                .give_up = give_up,
+                .longer = longer,
+                .turned = turned,
+                .alike = alike};
     }
     template <class Px> QUELL_KERNEL auto previous(Px const& px) const {
         using Real = typename Px::Real;

@@ -69,11 +69,11 @@ template <class Px> struct PastSum {
     }
 };
 
-/// Whether a past pixel is in the image and shows what was looked for.
+/// Whether a past pixel is in the image and shows what was looked for, where a place to look was found at all.
 template <class Real, class Then, class FoundPlace> QUELL_KERNEL auto counts(Then const& then, FoundPlace const& found) {
     auto const dx = then.place.column - found.where.x + (static_cast<float>(then.dx) + 0.5f);
     auto const dy = then.place.row - found.where.y + (static_cast<float>(then.dy) + 0.5f);
-    return both(then.inside(), accepts(found, then, dx, dy));
+    return both(found.validity > Real(0.f), then.inside(), accepts(found, then, dx, dy));
 }
 
 /// A position that is not finite or not in the image becomes a harmless one with validity 0: what was outside was never seen.
@@ -93,12 +93,11 @@ template <class Px, class FoundPlace, class Mask>
     using Real = typename Px::Real;
     auto wider = sum;
     wider.keep_only(enough);
-    auto const wanted = both(invert(enough), found.validity > Real(0.f));
     PastPlace<Real> const nearest(floor(found.where.x), floor(found.where.y));
     for (int j = -1; j <= 1; ++j)
         for (int i = -1; i <= 1; ++i) {
             auto const then = px.past(nearest, i, j);
-            wider.add(then, masked(both(wanted, counts<Real>(then, found)), Real(1.f)));
+            wider.add(then, masked(both(invert(enough), counts<Real>(then, found)), Real(1.f)));
         }
     return wider;
 }
@@ -164,7 +163,7 @@ private:
                 // Still pixels need one tap of the four.
                 if (!any(bilinear > Real(0.f))) continue;
                 auto const then = px.past(place, i, j);
-                visit(then, masked(both(found.validity > Real(0.f), detail::counts<Real>(then, found)), bilinear));
+                visit(then, masked(detail::counts<Real>(then, found), bilinear));
             }
     }
 };
@@ -177,7 +176,7 @@ struct Nearest {
         PastPlace<Real> const place(floor(found.where.x), floor(found.where.y));
         detail::PastSum<Px> sum;
         auto const then = px.past(place);
-        sum.add(then, masked(both(found.validity > Real(0.f), detail::counts<Real>(then, found)), Real(1.f)));
+        sum.add(then, masked(detail::counts<Real>(then, found), Real(1.f)));
         return sum.mean(found);
     }
 };
