@@ -19,16 +19,15 @@ auto denoisers() {
                           .vary(
                               "width", {0.75, 1.5, 2}, [](auto& p) -> auto& { return stage<1>(p).kernel.width; })
                           .vary(
-                              "allowed_error", {0.05, 0.1, 0.2, 0.4}, [](auto& p) -> auto& { return stage<1>(p).kernel.allowed_error; })
-                          .vary(
                               "iterations", {0, 1, 2, 8}, [](auto& p) -> auto& { return stage<2>(p).motion.iterations; })
                           .vary(
                               "cap", caps, [](auto& p) -> auto& { return stage<2>(p).blending.cap; });
+    auto const adaptive = Named{"blur-adaptive", presets::blur<StraightPaths, AdaptiveFootprint>(radiance)}.vary(
+        "allowed_error", {0.05, 0.1, 0.4}, [](auto& p) -> auto& { return stage<1>(p).kernel.footprint.allowed_error; });
     return std::tuple(Named{"none", presets::none(radiance)}, blur, blur.in_half(), Named{"blur-bent", presets::blur<BentPaths>(radiance)},
                       Named{"blur-one-step", presets::blur_one_step(radiance)},
                       Named{"blur-no-history", Pipeline{radiance, Spatial{PairGuide<>{}}, Spatial{PairGather<Radiance>{}}, no_history}},
-                      Named{"blur-few-samples", presets::blur(radiance, {}, {.count = 32})},
-                      Named{"blur-adaptive", presets::blur(radiance, {}, {.allowed_error = 0.2f})},
+                      Named{"blur-few-samples", presets::blur(radiance, {}, {.count = 32})}, adaptive,
                       Named{"blur-wavelet", presets::blur_wavelet(radiance)}, Named{"blur-fixed-step", presets::blur_fixed_step(radiance)},
                       Named{"blur-paper", presets::blur_paper(radiance)},
                       Named{"blur-no-pre-filter", presets::blur_no_pre_filter(radiance)}, Named{"blur-split", presets::blur_split()});

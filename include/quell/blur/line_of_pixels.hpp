@@ -14,7 +14,7 @@ struct LineOfPixels {
     int steps;
 
     /// @param speed pixels in the time that the shutter is open, @param bend how far the middle lies off the line, in pixels
-    /// @param budget pixels that may be visited
+    /// @param budget pixels that may be visited, beside itself
     constexpr LineOfPixels(glm::vec2 const& speed, glm::vec2 const& bend, int budget)
         : steep(abs(speed.y) > abs(speed.x)), slanted(false), slope(0), bent(0), reach(0), step(0), steps(0) {
         float const major = steep ? speed.y : speed.x, minor = steep ? speed.x : speed.y;
@@ -28,16 +28,21 @@ struct LineOfPixels {
     }
     /// How many there are.
     constexpr int size() const { return slanted ? 2 * steps : steps; }
-    /// Calls visit(dx, dy) for each but the pixel itself.
-    template <class Visit> QUELL_KERNEL void for_each(Visit&& visit) const { for_each(visit, 0, slanted ? 1 : 0, 1); }
+    /// Calls visit(dx, dy) for each, the pixel itself first.
+    template <class Visit> QUELL_KERNEL void for_each(Visit&& visit) const { for_each(visit, 0, slanted ? 1 : 0, 1, true); }
+    /// The same but for the pixel itself.
+    template <class Visit> QUELL_KERNEL void for_each_other(Visit&& visit) const { for_each(visit, 0, slanted ? 1 : 0, 1, false); }
     /// The same for the pixels beside those, on both sides.
-    template <class Visit> QUELL_KERNEL void for_each_beside(Visit&& visit) const { for_each(visit, -1, slanted ? 2 : 1, slanted ? 3 : 2); }
+    template <class Visit> QUELL_KERNEL void for_each_beside(Visit&& visit) const {
+        for_each(visit, -1, slanted ? 2 : 1, slanted ? 3 : 2, false);
+    }
 
 private:
-    template <class Visit> QUELL_KERNEL void for_each(Visit&& visit, int from, int to, int by) const {
+    template <class Visit> QUELL_KERNEL void for_each(Visit&& visit, int from, int to, int by, bool itself) const {
         // All places before the first visit: what a visit waits for is then in memory, and several visits are under way at once.
-        glm::ivec2 places[2 * most];
+        glm::ivec2 places[2 * most + 1];
         int n = 0;
+        if (itself) places[n++] = {0, 0};
         for (int i = 0; i < steps; ++i) {
             // Every rounding is spelled out: where it ends decides which pixel is looked at.
             float const along = floor(fma(static_cast<float>(i), step, -reach) + 0.5f), part = along / reach;

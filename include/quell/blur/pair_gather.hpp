@@ -1,9 +1,9 @@
 #pragma once
 
+#include <quell/blur/footprint.hpp>
 #include <quell/blur/guessed_layer.hpp>
 #include <quell/blur/line_of_pixels.hpp>
 #include <quell/blur/part_means.hpp>
-#include <quell/blur/standard_error.hpp>
 #include <quell/blur/which_of_two.hpp>
 
 namespace quell {
@@ -17,21 +17,20 @@ namespace quell {
 /// known. Wants a PairGuide before it.
 /// @tparam S the pipeline's signal
 /// @tparam Paths StraightPaths or BentPaths, as the PairGuide's
-template <ChannelTag S, class Paths = StraightPaths> struct PairGather {
+/// @tparam Footprint FixedFootprint, or AdaptiveFootprint
+template <ChannelTag S, class Paths = StraightPaths, class Footprint = FixedFootprint> struct PairGather {
     using Signal = S;
     static constexpr auto name = "pair gather";
     static constexpr bool leaves_signal = true;
     using reads = Channels<MotionPair<Paths>, UsablePath<Paths>>;
     using emits = Channels<FrontLayer<Signal>, FrontSweep, BackLayer<Signal>, MeanSweep>;
     static constexpr int most_samples = detail::LineOfPixels::most;
-    int count = 80;    ///< samples looked at, at most (no more than `most_samples`); with two motions, half along each
-    float width = 1.f; ///< pixels; a sample counts less the farther it passes, and not at all from here on
-    /// Where the gathered mean's standard error is a larger part of it than this, samples count from twice as far away, and the pixels
-    /// beside the line are looked at too; 0: nowhere.
-    float allowed_error = 0.f;
+    int count = 80;                      ///< samples looked at, at most (no more than `most_samples`); with two motions, half along each
+    float width = 1.f;                   ///< pixels; a sample counts less the farther it passes, and not at all from here on
     float bend_influence = 0.25f;        ///< per pixel of bend, how much wider that is, up to twice: what bends is known less exactly
     float depth_tolerance = 0.02f;       ///< how much farther, relatively, something is that stands behind something else
     int tile_width = 8, tile_height = 2; ///< pixels that share their lines, which makes neighbours' samples neighbours in memory
+    [[no_unique_address]] Footprint footprint{};
 
     template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
         Work<Px> work(*this, px);
@@ -91,32 +90,34 @@ private:
             bool const moves = dot(behind_speed, behind_speed) > detail::still_squared;
             if (lane(detail::nearness_of(of.front), k) > 0.f)
                 gather_two(px, k, tile, moves);
-            else if (moves) {
-                add(OnlyOne{}, px, 0, 0, both(tile, back_moves));
+            else if (moves)
                 gather_along(OnlyOne{}, px, k, tile, of.back, 1, back_width);
-            }
         }
         QUELL_KERNEL void gather_two(Px const& px, int k, Mask tile, bool moves) {
             int const shares = moves ? 2 : 1;
-            add(ForBoth{}, px, 0, 0, tile);
             gather_along(ForBoth{}, px, k, tile, of.front, shares, front_width);
             if (moves) gather_along(ForBack{}, px, k, tile, of.back, shares, back_width);
         }
         /// The lines of a whole tile are alike, so that all its lanes can go along one, whatever each finds there.
-        QUELL_KERNEL void gather_along(auto what, Px const& px, int k, Mask tile, Mover const& mover, int shares, Width& width) {
+        template <class What>
+        QUELL_KERNEL void gather_along(What what, Px const& px, int k, Mask tile, Mover const& mover, int shares, Width& width) {
             auto const speed = in_lane(detail::speed_of(mover), k), bend = in_lane(detail::bend_of(mover), k);
             int const count = settings.count < most_samples ? settings.count : most_samples;
             detail::LineOfPixels const line(speed, bend, count / shares);
-            line.for_each([&](int dx, int dy) __attribute__((always_inline)) { add(what, px, dx, dy, tile); });
-            if (!widens()) return;
-            auto const unsure = both(tile, width.error.above(settings.allowed_error));
-            if (!any(unsure)) return;
-            width.per_pixel = select(unsure, width.per_pixel * 0.5f, width.per_pixel);
-            int const room = most_samples / shares - line.size();
-            detail::LineOfPixels(speed, bend, line.slanted ? room : room / 2)
-                .for_each_beside([&](int dx, int dy) __attribute__((always_inline)) { add(what, px, dx, dy, unsure); });
+            auto const visit = [&](int dx, int dy) __attribute__((always_inline)) { add(what, px, dx, dy, tile); };
+            if constexpr (std::is_same_v<What, ForBack>)
+                line.for_each_other(visit); // the line of the front had the pixel itself
+            else
+                line.for_each(visit);
+            if constexpr (Footprint::adapts) {
+                auto const unsure = both(tile, width.error.above(settings.footprint.allowed_error));
+                if (!any(unsure)) return;
+                width.per_pixel = select(unsure, width.per_pixel * 0.5f, width.per_pixel);
+                int const room = most_samples / shares - line.size();
+                detail::LineOfPixels(speed, bend, line.slanted ? room : room / 2)
+                    .for_each_beside([&](int dx, int dy) __attribute__((always_inline)) { add(what, px, dx, dy, unsure); });
+            }
         }
-        QUELL_KERNEL bool widens() const { return settings.allowed_error > 0.f; }
 
         // What is looked for along a line: samples of both things, of the one behind, or of the only one that there is.
         struct ForBoth {};
@@ -150,14 +151,14 @@ private:
             auto const seen = masked(both(shows_front, invert(hidden)), w);
             // What does not pass while the shutter is open counts where nothing else does.
             front_swept.add(sample.sweep(), seen + masked(both(shows_front, counts), Real(1e-4f)));
-            if (widens()) front_width.error.add(masked(seen > Real(0.f), luminance(value)), near);
+            if constexpr (Footprint::adapts) front_width.error.add(masked(seen > Real(0.f), luminance(value)), near);
             in_front.add(detail::layer_of(scale(value, seen), seen), w, passing.when);
         }
         QUELL_KERNEL void add_back(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask counts) {
             auto const passing = sample.passing_in_motion(away);
             auto const near = weight(counts, passing, sample, back_width.per_pixel);
             auto const w = near * sample.time_per_pixel();
-            if (widens()) back_width.error.add(luminance(value), near);
+            if constexpr (Footprint::adapts) back_width.error.add(luminance(value), near);
             behind.add(scale(value, w), w, passing.when);
             back_swept.add(sample.sweep(), w);
             samples = samples + near;

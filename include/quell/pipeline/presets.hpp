@@ -140,8 +140,8 @@ constexpr auto dual_cone_paper(ChannelTag auto signal, auto... parts) {
 /// Motion blur from one sample per pixel at a random time (after Oberberger et al. 2022): samples are gathered along the two motions that
 /// meet around a pixel, tested by their own paths one by one, and what is in front and what is behind are each accumulated over frames.
 /// @param search how the past is found; its `shutter` is the part of the frame time during which the shutter is open
-template <class Paths = StraightPaths, ChannelTag S>
-constexpr auto blur(S signal, PathSearch search = {}, PairGather<S, Paths> gather = {}) {
+template <class Paths = StraightPaths, class Footprint = FixedFootprint, ChannelTag S>
+constexpr auto blur(S signal, PathSearch search = {}, PairGather<S, Paths, Footprint> gather = {}) {
     return Pipeline{signal, Spatial{PairGuide<Paths>{}}, Spatial{gather},
                     Temporal{search, PairBlend<S>{}, PairFetch<S>{search.along(front_sweep)}}};
 }
