@@ -9,8 +9,7 @@ namespace quell::examples {
 std::vector<Preset> const& presets() {
     static std::vector<Preset> const all = [] {
         std::vector<Preset> list;
-        for (auto const& family :
-             {temporal_presets(), spatial_presets(), spatiotemporal_presets(), effect_presets(), trmv_presets(), blur_presets()})
+        for (auto const& family : {temporal_presets(), spatial_presets(), spatiotemporal_presets(), effect_presets(), blur_presets()})
             list.insert(list.end(), family.begin(), family.end());
         return list;
     }();

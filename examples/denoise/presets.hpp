@@ -14,7 +14,6 @@ namespace quell::examples {
 [[nodiscard]] std::vector<Preset> spatial_presets();
 [[nodiscard]] std::vector<Preset> spatiotemporal_presets();
 [[nodiscard]] std::vector<Preset> effect_presets();
-[[nodiscard]] std::vector<Preset> trmv_presets();
 [[nodiscard]] std::vector<Preset> blur_presets();
 
 } // namespace quell::examples
