@@ -88,15 +88,12 @@ private:
             in_front.restart(), behind.restart();
             auto const behind_speed = in_lane(detail::speed_of(of.back), k);
             bool const moves = dot(behind_speed, behind_speed) > detail::still_squared;
-            if (lane(detail::nearness_of(of.front), k) > 0.f)
-                gather_two(px, k, tile, moves);
-            else if (moves)
+            if (lane(detail::nearness_of(of.front), k) > 0.f) {
+                int const shares = moves ? 2 : 1;
+                gather_along(ForBoth{}, px, k, tile, of.front, shares, front_width);
+                if (moves) gather_along(ForBack{}, px, k, tile, of.back, shares, back_width);
+            } else if (moves)
                 gather_along(OnlyOne{}, px, k, tile, of.back, 1, back_width);
-        }
-        QUELL_KERNEL void gather_two(Px const& px, int k, Mask tile, bool moves) {
-            int const shares = moves ? 2 : 1;
-            gather_along(ForBoth{}, px, k, tile, of.front, shares, front_width);
-            if (moves) gather_along(ForBack{}, px, k, tile, of.back, shares, back_width);
         }
         /// The lines of a whole tile are alike, so that all its lanes can go along one, whatever each finds there.
         template <class What>
