@@ -3,8 +3,8 @@
 
 namespace quell::examples {
 
-/// One effect each: what comes out is the part of the picture that the effect makes; then all of them, which are of the same kernels and so
-/// take half as long to compile here as in a file of their own.
+/// One effect each: what comes out is the part of the picture that the effect makes; then all of them. These are here since they are of the
+/// same kernels, which a file of their own would compile again.
 std::vector<Preset> effect_presets() {
     return {
         watched_preset("shadow", [] { return Composite{quell::presets::shadow(visibility)}; }),

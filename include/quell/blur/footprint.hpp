@@ -1,10 +1,10 @@
 #pragma once
 
-#include <quell/blur/standard_error.hpp>
-
 namespace quell {
 
-/// Samples count from as far away everywhere.
+// How far from a pixel's paths PairGather looks for samples.
+
+/// As far everywhere.
 struct FixedFootprint {
     static constexpr bool adapts = false;
 };

@@ -14,7 +14,7 @@ struct LineOfPixels {
     int steps;
 
     /// @param speed pixels in the time that the shutter is open, @param bend how far the middle lies off the line, in pixels
-    /// @param budget pixels that may be visited, beside itself
+    /// @param budget pixels that may be visited beside the pixel itself
     constexpr LineOfPixels(glm::vec2 const& speed, glm::vec2 const& bend, int budget)
         : steep(abs(speed.y) > abs(speed.x)), slanted(false), slope(0), bent(0), reach(0), step(0), steps(0) {
         float const major = steep ? speed.y : speed.x, minor = steep ? speed.x : speed.y;

@@ -4,6 +4,7 @@
 #include <quell/blur/guessed_layer.hpp>
 #include <quell/blur/line_of_pixels.hpp>
 #include <quell/blur/part_means.hpp>
+#include <quell/blur/standard_error.hpp>
 #include <quell/blur/which_of_two.hpp>
 
 namespace quell {
@@ -19,6 +20,8 @@ namespace quell {
 /// @tparam Paths StraightPaths or BentPaths, as the PairGuide's
 /// @tparam Footprint FixedFootprint, or AdaptiveFootprint
 template <ChannelTag S, class Paths = StraightPaths, class Footprint = FixedFootprint> struct PairGather {
+    static_assert(
+        requires { Footprint::adapts; }, "PairGather<Signal, Paths, Footprint>: `Footprint` is FixedFootprint or AdaptiveFootprint");
     using Signal = S;
     static constexpr auto name = "pair gather";
     static constexpr bool leaves_signal = true;
