@@ -122,24 +122,30 @@ TEST_CASE("sweeps longer than the image look at nothing outside it, and a consta
             REQUIRE(a == doctest::Approx(0.3).epsilon(1e-4));
 }
 
+namespace {
+void stays_finite(Extent size, auto const& pipeline, auto... channels) {
+    Frame frame{size, pipeline};
+    History history{size, pipeline};
+    for (float const bad : {not_a_number, infinite, -infinite, 1e30f, -1e30f, 0.f, 2.f}) {
+        auto const breaks = [&](auto channel) {
+            tests::fill_randomly(frame, 3);
+            tests::fill(frame[sweep], [](int x, int) { return x % 3 ? glm::vec2(9, 2) : glm::vec2(0); });
+            tests::fill(frame[channel], [&](int x, int) {
+                using V = Value<decltype(channel)::components, float>;
+                return x % 2 ? V(bad) : V(1.f);
+            });
+            CHECK(tests::all_finite(tests::copy_of(run(pipeline, frame, history))));
+            tests::fill_randomly(frame, 4);
+            CHECK(tests::all_finite(tests::copy_of(run(pipeline, frame, history))));
+        };
+        (breaks(channels), ...);
+    }
+}
+} // namespace
+
 TEST_CASE("bad input: nothing that is not finite comes out or stays in the history") {
     for (Extent const size : {Extent{40, 20}, Extent{1, 1}}) {
-        constexpr auto bent = presets::blur<BentPaths>(radiance);
-        Frame frame{size, bent};
-        History history{size, bent};
-        for (float const bad : {not_a_number, infinite, -infinite, 1e30f, -1e30f, 0.f, 2.f}) {
-            auto const breaks = [&](auto channel) {
-                tests::fill_randomly(frame, 3);
-                tests::fill(frame[sweep], [](int x, int) { return x % 3 ? glm::vec2(9, 2) : glm::vec2(0); });
-                tests::fill(frame[channel], [&](int x, int) {
-                    using V = Value<decltype(channel)::components, float>;
-                    return x % 2 ? V(bad) : V(1.f);
-                });
-                CHECK(tests::all_finite(tests::copy_of(run(bent, frame, history))));
-                tests::fill_randomly(frame, 4);
-                CHECK(tests::all_finite(tests::copy_of(run(bent, frame, history))));
-            };
-            breaks(sweep), breaks(sweep_bend), breaks(quell::time), breaks(depth), breaks(radiance);
-        }
+        stays_finite(size, presets::blur<BentPaths>(radiance), sweep, sweep_bend, quell::time, depth, radiance);
+        stays_finite(size, presets::blur<TurningPaths>(radiance), sweep, quell::time, depth, radiance);
     }
 }

@@ -6,14 +6,14 @@ using namespace quell;
 
 namespace {
 constexpr auto denoise = presets::blur(radiance);
-using tests::Seen, tests::World;
+using tests::Seen, tests::TurningSector, tests::World;
 constexpr Extent size{160, 48}, tall{160, 240};
 } // namespace
 
 TEST_CASE("a line of pixels visits all within a pixel of the line, to both sides, none twice") {
     for (glm::vec2 const v : {glm::vec2(12, 0), glm::vec2(-7, 0), glm::vec2(0, 9), glm::vec2(8, 3), glm::vec2(-3, 10), glm::vec2(5, -5)}) {
         std::set<std::pair<int, int>> visited, others;
-        detail::LineOfPixels const line(v, {0, 0}, 128);
+        detail::LineOfPixels const line(v, {0, 0}, 1.f, 128);
         line.for_each([&](int x, int y) { CHECK(visited.insert({x, y}).second); });
         line.for_each_other([&](int x, int y) { CHECK(others.insert({x, y}).second); });
         CHECK(others.insert({0, 0}).second);
@@ -28,7 +28,7 @@ TEST_CASE("a line of pixels visits all within a pixel of the line, to both sides
             }
     }
     int visits = 0;
-    detail::LineOfPixels({300, 40}, {0, 0}, 64).for_each_other([&](int, int) { ++visits; });
+    detail::LineOfPixels({300, 40}, {0, 0}, 1.f, 64).for_each_other([&](int, int) { ++visits; });
     CHECK(visits <= 64);
     CHECK(visits >= 60);
 }
@@ -167,26 +167,6 @@ TEST_CASE("where the mean is uncertain, samples beside the line make it less so"
     CHECK(world.last(adaptive, stripes) == world.last(denoise, stripes));
 }
 
-namespace {
-/// A sector of a disc around (64, 64), half a radian wide, that turns by a radian while the shutter is open.
-struct TurningSector {
-    static constexpr float width = 0.5f, turn = 1.f;
-    static bool covers(glm::vec2 p, float t) {
-        float const angle = std::atan2(p.y - 64, p.x - 64) - turn * t, radius = glm::distance(p, glm::vec2(64, 64));
-        return radius > 10 && radius < 60 && angle >= 0 && angle < width;
-    }
-    static Seen seen(int x, int y, int, float t) {
-        glm::vec2 const p(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f), centre(64, 64), from = p - centre;
-        if (!covers(p, t)) return {0.2f, {0, 0}, 8.f};
-        auto const at = [&](float when) {
-            float const a = turn * (when - t);
-            return centre + glm::vec2(from.x * std::cos(a) - from.y * std::sin(a), from.x * std::sin(a) + from.y * std::cos(a));
-        };
-        return {1.f, at(1) - at(0), 4.f, at(0.5f) - (at(0) + at(1)) * 0.5f};
-    }
-};
-} // namespace
-
 TEST_CASE("what turns covers what is behind for as long as it takes to pass, all along its arc") {
     World const world{.size = {128, 128}, .frames = 1};
     auto const out = world.last(presets::blur<BentPaths>(radiance), TurningSector::seen);
@@ -194,7 +174,7 @@ TEST_CASE("what turns covers what is behind for as long as it takes to pass, all
     for (int y = 0; y < world.size.height; ++y)
         for (int x = 0; x < world.size.width; ++x) {
             found += world.at(out, x, y) - 0.2f;
-            for (int k = 0; k < 64; ++k) wanted += TurningSector::seen(x, y, 0, (static_cast<float>(k) + 0.5f) / 64).value / 64 - 0.2f / 64;
+            wanted += TurningSector::blurred(x, y) - 0.2f;
         }
     CHECK(found == doctest::Approx(wanted).epsilon(0.03));
 }

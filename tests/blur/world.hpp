@@ -51,4 +51,27 @@ inline bool in_sliding_bar(int x, int frame, float t) {
     return centre >= left && centre < left + 20;
 }
 
+/// A sector of a disc around (64, 64), half a radian wide, that turns by a radian while the shutter is open.
+struct TurningSector {
+    static constexpr float width = 0.5f, turn = 1.f;
+    static bool covers(glm::vec2 p, float t) {
+        float const angle = std::atan2(p.y - 64, p.x - 64) - turn * t, radius = glm::distance(p, glm::vec2(64, 64));
+        return radius > 10 && radius < 60 && angle >= 0 && angle < width;
+    }
+    static Seen seen(int x, int y, int, float t) {
+        glm::vec2 const p(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f), centre(64, 64), from = p - centre;
+        if (!covers(p, t)) return {0.2f, {0, 0}, 8.f};
+        auto const at = [&](float when) {
+            float const a = turn * (when - t);
+            return centre + glm::vec2(from.x * std::cos(a) - from.y * std::sin(a), from.x * std::sin(a) + from.y * std::cos(a));
+        };
+        return {1.f, at(1) - at(0), 4.f, at(0.5f) - (at(0) + at(1)) * 0.5f};
+    }
+    static float blurred(int x, int y) {
+        float sum = 0;
+        for (int k = 0; k < 64; ++k) sum += seen(x, y, 0, (static_cast<float>(k) + 0.5f) / 64).value;
+        return sum / 64;
+    }
+};
+
 } // namespace quell::tests

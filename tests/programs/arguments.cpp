@@ -9,7 +9,7 @@ TEST_CASE("help and lists end well") {
     std::string names;
     for (auto const& line : denoise("--list").lines()) names += line + ' ';
     CHECK(names == "none surface surface-clamp atrous svgf asvgf dual-color shadow glossy mirror-clamp dual-cone trmv trmv-paper "
-                   "blur blur-bent blur-wavelet blur-fixed-step blur-one-step blur-paper blur-no-pre-filter blur-split ");
+                   "blur blur-straight blur-bent blur-wavelet blur-fixed-step blur-one-step blur-paper blur-no-pre-filter blur-split ");
     CHECK(trace("--help").code == 0);
     CHECK(trace("--list").code == 0);
     CHECK(contains(trace("--list").out, "room\n"));

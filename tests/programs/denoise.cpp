@@ -67,8 +67,8 @@ TEST_CASE("the presets of motion blur run on what quell-trace writes for it") {
     CHECK(
         trace("--scene spheres --size 48x32 --frames 3 --quiet --effects blur,shadow,glossy,indirect --out '" + folder.path.string() + "'")
             .code == 0);
-    for (std::string const preset :
-         {"blur", "blur-bent", "blur-wavelet", "blur-fixed-step", "blur-one-step", "blur-paper", "blur-no-pre-filter", "blur-split"}) {
+    for (std::string const preset : {"blur", "blur-straight", "blur-bent", "blur-wavelet", "blur-fixed-step", "blur-one-step", "blur-paper",
+                                     "blur-no-pre-filter", "blur-split"}) {
         auto const ran = denoise(input(folder) + output(folder, preset + ".") + "--preset " + preset);
         INFO(preset, ran.err);
         CHECK(ran.code == 0);

@@ -5,23 +5,26 @@
 
 namespace quell::detail {
 
-/// The pixels along a line through a pixel to either side, as far as something moves while the shutter is open: all of them, or as many as
-/// there is time for. A line that is not parallel to an axis passes between two pixels everywhere, and visits both.
+/// The pixels along a line through a pixel to either side: all of them, or as many as there is time for. A line that is not parallel to an
+/// axis passes between two pixels everywhere, and visits both.
 struct LineOfPixels {
     static constexpr int most = 128; ///< steps, however large the budget
     bool steep, slanted;
-    float slope, bent, reach, step;
+    float slope, bent, whole, reach, step;
     int steps;
 
     /// @param speed pixels in the time that the shutter is open, @param bend how far the middle lies off the line, in pixels
+    /// @param part of the speed, how far the line reaches: what is as far away as that passes while the shutter is open with a
+    /// probability of no more than 1 - part; a pixel or two are always within reach
     /// @param budget pixels that may be visited beside the pixel itself
-    constexpr LineOfPixels(glm::vec2 const& speed, glm::vec2 const& bend, int budget)
-        : steep(abs(speed.y) > abs(speed.x)), slanted(false), slope(0), bent(0), reach(0), step(0), steps(0) {
+    constexpr LineOfPixels(glm::vec2 const& speed, glm::vec2 const& bend, float part, int budget)
+        : steep(abs(speed.y) > abs(speed.x)), slanted(false), slope(0), bent(0), whole(0), reach(0), step(0), steps(0) {
         float const major = steep ? speed.y : speed.x, minor = steep ? speed.x : speed.y;
         slope = minor / (abs(major) > 1e-6f ? major : 1.f);
         bent = fma(-slope, steep ? bend.y : bend.x, steep ? bend.x : bend.y);
         slanted = abs(slope) > 0.02f || abs(bent) > 0.1f;
-        reach = floor(abs(major)) + 1.f;
+        whole = floor(abs(major)) + 1.f;
+        reach = min(whole, floor(abs(major) * part) + 2.f);
         float const pixels = fma(reach, 2.f, 1.f), affordable = static_cast<float>(slanted ? budget / 2 : budget);
         steps = static_cast<int>(min(affordable, min(pixels, static_cast<float>(most))));
         step = 2.f * reach / max(static_cast<float>(steps - 1), 1.f);
@@ -45,7 +48,7 @@ private:
         if (itself) places[n++] = {0, 0};
         for (int i = 0; i < steps; ++i) {
             // Every rounding is spelled out: where it ends decides which pixel is looked at.
-            float const along = floor(fma(static_cast<float>(i), step, -reach) + 0.5f), part = along / reach;
+            float const along = floor(fma(static_cast<float>(i), step, -reach) + 0.5f), part = along / whole;
             float const aside = fma(part * part * bent, -4.f, along * slope);
             int const a = static_cast<int>(along), first = static_cast<int>(floor(slanted ? aside : aside + 0.5f));
             for (int k = from; k <= to; k += by)

@@ -17,7 +17,7 @@ namespace quell {
 /// Emits FrontLayer and FrontSweep, BackLayer, and MeanSweep of the back: 0 where it stands still, longer than any sweep where nothing is
 /// known. Wants a PairGuide before it.
 /// @tparam S the pipeline's signal
-/// @tparam Paths StraightPaths or BentPaths, as the PairGuide's
+/// @tparam Paths the PairGuide's
 /// @tparam Footprint FixedFootprint, or AdaptiveFootprint
 template <ChannelTag S, class Paths = StraightPaths, class Footprint = FixedFootprint> struct PairGather {
     static_assert(
@@ -28,9 +28,10 @@ template <ChannelTag S, class Paths = StraightPaths, class Footprint = FixedFoot
     using reads = Channels<MotionPair<Paths>, UsablePath<Paths>>;
     using emits = Channels<FrontLayer<Signal>, FrontSweep, BackLayer<Signal>, MeanSweep>;
     static constexpr int most_samples = detail::LineOfPixels::most;
-    int count = 80;                      ///< samples looked at, at most (no more than `most_samples`); with two motions, half along each
+    int count = 64;                      ///< samples looked at, at most (no more than `most_samples`); with two motions, half along each
+    float reach = 0.65f;                 ///< of a motion, how far along it samples are looked for: those farther away rarely pass in time
     float width = 1.f;                   ///< pixels; a sample counts less the farther it passes, and not at all from here on
-    float bend_influence = 0.25f;        ///< per pixel of bend, how much wider that is, up to twice: what bends is known less exactly
+    float bend_influence = 0.1f;         ///< per pixel of bend, how much wider that is, up to twice: what bends is known less exactly
     float depth_tolerance = 0.02f;       ///< how much farther, relatively, something is that stands behind something else
     int tile_width = 8, tile_height = 2; ///< pixels that share their lines, which makes neighbours' samples neighbours in memory
     [[no_unique_address]] Footprint footprint{};
@@ -46,10 +47,9 @@ private:
         using Real = typename Px::Real;
         using Mask = decltype(Real(0.f) < Real(0.f));
         using Colour = typename Px::Signal;
-        using Sample = detail::UsableSample<Paths, Real>;
         using Mover = detail::Mover<Paths, Real>;
         PairGather const& settings;
-        Sample own;
+        detail::UsableSample<Paths, Real> own;
         detail::WhichOfTwo<Paths, Real> of;
         Mask own_in_front, own_still, back_moves;
         Real front_per_length;
@@ -89,22 +89,29 @@ private:
         /// For a tile whose pixels include lane k.
         QUELL_KERNEL void gather(Px const& px, Mask tile, int k) {
             in_front.restart(), behind.restart();
+            if constexpr (Paths::bent)
+                if (lane(detail::sagitta_of(of.front), k) == 0.f && lane(detail::sagitta_of(of.back), k) == 0.f)
+                    return gather_as<StraightPaths>(px, tile, k);
+            gather_as<Paths>(px, tile, k);
+        }
+        /// @tparam As how what is around moves: straight where nothing bends, which is cheaper
+        template <class As> QUELL_KERNEL void gather_as(Px const& px, Mask tile, int k) {
             auto const behind_speed = in_lane(detail::speed_of(of.back), k);
             bool const moves = dot(behind_speed, behind_speed) > detail::still_squared;
             if (lane(detail::nearness_of(of.front), k) > 0.f) {
                 int const shares = moves ? 2 : 1;
-                gather_along(ForBoth{}, px, k, tile, of.front, shares, front_width);
-                if (moves) gather_along(ForBack{}, px, k, tile, of.back, shares, back_width);
+                gather_along<As>(ForBoth{}, px, k, tile, of.front, shares, front_width);
+                if (moves) gather_along<As>(ForBack{}, px, k, tile, of.back, shares, back_width);
             } else if (moves)
-                gather_along(OnlyOne{}, px, k, tile, of.back, 1, back_width);
+                gather_along<As>(OnlyOne{}, px, k, tile, of.back, 1, back_width);
         }
         /// The lines of a whole tile are alike, so that all its lanes can go along one, whatever each finds there.
-        template <class What>
+        template <class As, class What>
         QUELL_KERNEL void gather_along(What what, Px const& px, int k, Mask tile, Mover const& mover, int shares, Width& width) {
             auto const speed = in_lane(detail::speed_of(mover), k), bend = in_lane(detail::bend_of(mover), k);
             int const count = settings.count < most_samples ? settings.count : most_samples;
-            detail::LineOfPixels const line(speed, bend, count / shares);
-            auto const visit = [&](int dx, int dy) __attribute__((always_inline)) { add(what, px, dx, dy, tile); };
+            detail::LineOfPixels const line(speed, bend, settings.reach, count / shares);
+            auto const visit = [&](int dx, int dy) __attribute__((always_inline)) { add<As>(what, px, dx, dy, tile); };
             if constexpr (std::is_same_v<What, ForBack>)
                 line.for_each_other(visit); // the line of the front had the pixel itself
             else
@@ -114,8 +121,8 @@ private:
                 if (!any(unsure)) return;
                 width.per_pixel = select(unsure, width.per_pixel * 0.5f, width.per_pixel);
                 int const room = most_samples / shares - line.size();
-                detail::LineOfPixels(speed, bend, line.slanted ? room : room / 2)
-                    .for_each_beside([&](int dx, int dy) __attribute__((always_inline)) { add(what, px, dx, dy, unsure); });
+                detail::LineOfPixels(speed, bend, settings.reach, line.slanted ? room : room / 2)
+                    .for_each_beside([&](int dx, int dy) __attribute__((always_inline)) { add<As>(what, px, dx, dy, unsure); });
             }
         }
 
@@ -125,10 +132,10 @@ private:
         struct OnlyOne {};
 
         /// Adds the sample at an offset to the layers, as far as it is wanted.
-        template <class What> QUELL_KERNEL void add(What, Px const& px, int dx, int dy, Mask wanted) {
+        template <class As, class What> QUELL_KERNEL void add(What, Px const& px, int dx, int dy, Mask wanted) {
             auto const there = px.at(dx, dy);
             if (!there.row_inside) return;
-            auto const sample = detail::usable_sample<Paths>(there);
+            auto const sample = detail::usable_sample<Paths>(there).template as<As>();
             auto const usable = both(wanted, there.inside(), sample.known());
             vec2<Real> const away{Real(static_cast<float>(-dx)), Real(static_cast<float>(-dy))};
             auto for_back = both(usable, sample.moves());
@@ -142,6 +149,7 @@ private:
         }
         /// What shows something else is looked at as if it moved like the front: how many samples there are in all must not depend on what
         /// they show.
+        template <class Sample>
         QUELL_KERNEL void add_front(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask shows_front, Mask counts) {
             auto const looked_at = Sample{select(shows_front, sample.at, like_front(sample, away).at)};
             auto const passing = looked_at.passing(away);
@@ -154,7 +162,7 @@ private:
             if constexpr (Footprint::adapts) front_width.error.add(masked(seen > Real(0.f), luminance(value)), near);
             in_front.add(detail::layer_of(scale(value, seen), seen), w, passing.when);
         }
-        QUELL_KERNEL void add_back(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask counts) {
+        template <class Sample> QUELL_KERNEL void add_back(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask counts) {
             auto const passing = sample.passing_in_motion(away);
             auto const near = weight(counts, passing, sample, back_width.per_pixel);
             auto const w = near * sample.time_per_pixel();
@@ -163,7 +171,7 @@ private:
             back_swept.add(sample.sweep(), w);
             samples = samples + near;
         }
-        QUELL_KERNEL static Real weight(Mask counts, auto const& passing, Sample const& sample, Real per_width) {
+        QUELL_KERNEL static Real weight(Mask counts, auto const& passing, auto const& sample, Real per_width) {
             // What moves by less than a pixel stands for one all the same.
             auto const pixels_inside = min(passing.when, 1.f - passing.when) * max(sample.length(), Real(1.f));
             auto const open = clamp(fma(pixels_inside, Real(2.f), Real(0.5f)), Real(0.f), Real(1.f));
@@ -174,8 +182,8 @@ private:
             auto const bent = sqrt(fma(bend.x, bend.x, bend.y * bend.y));
             return 1.f / (settings.width * fma(min(bent * settings.bend_influence, Real(1.f)), Real(1.f), Real(1.f)));
         }
-        QUELL_KERNEL Sample like_front(Sample const& sample, vec2<Real> const& away) const {
-            return Sample::at_speed(detail::speed_of(of.front), detail::bend_of(of.front), front_per_length, sample, away);
+        template <class Sample> QUELL_KERNEL Sample like_front(Sample const& sample, vec2<Real> const& away) const {
+            return Sample::at_speed(of.front, front_per_length, sample, away);
         }
         QUELL_KERNEL Real own_speed() const { return detail::squared_speed(own.mover()); }
         QUELL_KERNEL static Real speed(Mover const& mover) { return sqrt(detail::squared_speed(mover)); }

@@ -1,15 +1,15 @@
 #pragma once
 
 #include <quell/blur/placed_mover.hpp>
-#include <quell/filter/filter_kernel.hpp>
+#include <quell/blur/turn_guide.hpp>
 
 namespace quell {
 
 /// The two motions that meet around a pixel: of what is in front, then of what is behind, each with its speed (pixels in the time that the
-/// shutter is open), its nearness (1 / depth), and its bend where paths are bent; what turns has those that it would have at the pixel.
-/// Where only one thing is around it is the one behind, and the nearness of the front is negative.
-/// @tparam Paths StraightPaths or BentPaths
-template <class Paths> struct MotionPair : Channel<Paths::bent ? 10 : 6> { static constexpr auto name = "motion_pair"; };
+/// shutter is open), its nearness (1 / depth), and its sagitta where paths are bent; what turns has the speed that it would have at the
+/// pixel. Where only one thing is around it is the one behind, and the nearness of the front is negative.
+/// @tparam Paths StraightPaths, BentPaths or TurningPaths
+template <class Paths> struct MotionPair : Channel<Paths::bent ? 8 : 6> { static constexpr auto name = "motion_pair"; };
 
 namespace detail {
 /// Two movers in one value, and back.
@@ -161,19 +161,21 @@ template <class Paths> struct NearestPair {
 /// samples of both all over the region in which one covers the other for a part of the time.
 /// Emits MotionPair, and UsablePath for who looks at single samples afterwards. Windows are made for every pixel; what reads them does
 /// best to share one among neighbours (PairGather).
-/// @tparam Paths StraightPaths or BentPaths
+/// @tparam Paths StraightPaths, BentPaths, or TurningPaths, which a TurnGuide measures
 template <class Paths = StraightPaths> struct PairGuide {
-    using reads = decltype(Channels<Depth>{} | reads_of<Paths>{});
-    using emits = Channels<UsablePath<Paths>, detail::RowExtremes<Paths>, detail::LocalPair<Paths>, MotionPair<Paths>>;
+    using reads = reads_of<PathGuide<Paths>>;
+    using emits = decltype(emits_of<PathGuide<Paths>>{} |
+                           Channels<detail::RowExtremes<Paths>, detail::LocalPair<Paths>, MotionPair<Paths>>{});
     static constexpr bool leaves_signal = true;
     int across = 4, down = 1; ///< how far the window reaches, in pixels
     float least = 0.5f;       ///< pixels; motions that differ less are one
     float relative = 0.25f;   ///< of the faster's speed; likewise
     float depth_gap = 0.05f;  ///< relative; what is nearer to each other in depth is one, unless one of them stands still
     float likeness = 0.5f;    ///< of the difference between two motions beside: what is nearer to one of them than that may be it
+    [[no_unique_address]] PathGuide<Paths> paths{};
 
     constexpr void for_each_pass(auto&& pass) const {
-        pass(detail::UsablePathOf<Paths>{});
+        paths.for_each_pass(pass);
         pass(detail::RowExtremesOf<Paths>{across});
         pass(detail::LocalPairOf<Paths>{down, least, relative, depth_gap});
         pass(detail::NearestPair<Paths>{2 * across, 2 * down, likeness});

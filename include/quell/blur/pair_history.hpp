@@ -15,7 +15,7 @@ template <ChannelTag S> struct PairFetch {
     using reads = Channels<FrontLayer<Signal>, FrontSweep, BackLayer<Signal>>;
     PathSearchOf<FrontSweep> front{};
     float often =
-        16.f; ///< samples in one frame; of fewer, the past is interpolated by a Catmull-Rom spline; what is in front of more has none
+        10.f; ///< samples in one frame; of fewer, the past is interpolated by a Catmull-Rom spline; what is in front of more has none
 
     template <class Px, class Found> QUELL_KERNEL auto fetch(Px const& px, Found const& unchecked) const {
         constexpr BackLayer<Signal> back;

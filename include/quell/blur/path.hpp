@@ -89,7 +89,7 @@ template <class Mask, class Real> QUELL_KERNEL BentPath<Real> moving_as(Mask mas
     return {moving_as(mask, static_cast<Path<Real> const&>(a), static_cast<Path<Real> const&>(b)), select(mask, a.bend, b.bend)};
 }
 
-// How samples move while the shutter is open: in straight lines, as in the paper, or in arcs.
+// How samples move while the shutter is open: in straight lines, as in the paper, or in arcs (TurningPaths: turn_guide.hpp).
 
 /// Straight paths, of what a channel says.
 /// @tparam SweepChannel Sweep; or the SweepOf a signal that does not move like the surface which shows it
@@ -103,7 +103,7 @@ template <ChannelTag SweepChannel> struct StraightPathsAlong {
     }
 };
 using StraightPaths = StraightPathsAlong<Sweep>;
-/// Arcs, of what the surface does.
+/// Arcs, of what the host says that the surface does.
 struct BentPaths {
     static constexpr bool bent = true;
     using reads = Channels<Sweep, SweepBend, Time>;

@@ -22,7 +22,7 @@ template <class Paths, class Real> struct WhichOfTwo {
         per_gap = masked(gap > min(nearness_of(front), nearness_of(back)) * least_gap, 1.f / max(gap, Real(1e-9f)));
     }
     /// By its motion, and by its depth where the two differ in it.
-    QUELL_KERNEL auto is_front(Mover const& m) const {
+    template <class M> QUELL_KERNEL auto is_front(M const& m) const {
         auto const speed = speed_of(m);
         auto const by_motion = clamp(fma(speed.x, towards.x, fma(speed.y, towards.y, -middle)), Real(-1.f), Real(1.f));
         auto const by_depth = abs(nearness_of(m) - nearness_of(back)) - abs(nearness_of(m) - nearness_of(front));

@@ -139,18 +139,20 @@ constexpr auto dual_cone_paper(ChannelTag auto signal, auto... parts) {
 }
 /// Motion blur from one sample per pixel at a random time (after Oberberger et al. 2022): samples are gathered along the two motions that
 /// meet around a pixel, tested by their own paths one by one, and what is in front and what is behind are each accumulated over frames.
+/// @tparam Paths TurningPaths: what turns is blurred along arcs, which are measured; BentPaths: arcs that the host supplies; or
+/// StraightPaths, which cost less
 /// @param search how the past is found; its `shutter` is the part of the frame time during which the shutter is open
-template <class Paths = StraightPaths, class Footprint = FixedFootprint, ChannelTag S>
+template <class Paths = TurningPaths, class Footprint = FixedFootprint, ChannelTag S>
 constexpr auto blur(S signal, PathSearch search = {}, PairGather<S, Paths, Footprint> gather = {}) {
     return Pipeline{signal, Spatial{PairGuide<Paths>{}}, Spatial{gather},
                     Temporal{search, PairBlend<S>{}, PairFetch<S>{search.along(front_sweep)}}};
 }
 /// blur where shadows and reflections don't move like the surfaces that show them: each along sweeps of its own (the way out that MB
-/// section 6 names). direct * visibility + glossy + albedo * indirect, all of them blurred.
+/// section 6 names). direct * visibility + glossy + albedo * indirect, all of them blurred, along straight lines.
 template <class = void> constexpr auto blur_split(PathSearch search = {}) {
     return Composite{blur<StraightPathsAlong<SweepOf<Visibility>>>(visibility, search),
-                     blur<StraightPathsAlong<SweepOf<Glossy>>>(quell::glossy, search), blur(direct, search), blur(indirect, search),
-                     blur(albedo, search)};
+                     blur<StraightPathsAlong<SweepOf<Glossy>>>(quell::glossy, search), blur<StraightPaths>(direct, search),
+                     blur<StraightPaths>(indirect, search), blur<StraightPaths>(albedo, search)};
 }
 /// blur with plain reprojection instead of the search.
 template <ChannelTag S> constexpr auto blur_one_step(S signal, PathSearch search = {}) {

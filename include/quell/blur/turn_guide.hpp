@@ -1,0 +1,154 @@
+#pragma once
+
+#include <quell/blur/usable_path.hpp>
+#include <quell/filter/filter_kernel.hpp>
+
+namespace quell {
+
+/// Arcs, of what turns: how far they bend, a TurnGuide measures.
+struct TurningPaths {
+    static constexpr bool bent = true;
+    using reads = Channels<Sweep, Time>;
+};
+
+namespace detail {
+/// Sums over the samples around of one and the same thing: of how much farther along the motion each is, squared, and times how far its
+/// sweep has turned. Their ratio is the turn while the shutter is open.
+struct TurnEvidence : Channel<2> {
+    static constexpr auto name = "turn_evidence";
+};
+inline constexpr TurnEvidence turn_evidence;
+
+/// Whether two samples may be of one thing, which turns.
+struct OneThing {
+    float depth_gap, likeness;
+    template <class Sample> QUELL_KERNEL auto operator()(Sample const& a, Sample const& b) const {
+        using Real = decltype(a.time());
+        auto const x = b.sweep().x - a.sweep().x, y = b.sweep().y - a.sweep().y;
+        return both(b.known(), b.moves(), abs(b.nearness() - a.nearness()) < a.nearness() * Real(depth_gap),
+                    fma(x, x, y * y) < a.squared_length() * (likeness * likeness));
+    }
+};
+/// Calls visit(near, dx, dy) for the pixels around on a grid of a given spacing.
+template <class Px, class Visit> QUELL_KERNEL void for_each_spaced(Px const& px, int radius, int spacing, Visit&& visit) {
+    for (int y = -radius; y <= radius; ++y)
+        for (int x = -radius; x <= radius; ++x)
+            if (x != 0 || y != 0) visit(px.at(x * spacing, y * spacing), x * spacing, y * spacing);
+}
+
+struct TurnEvidenceOf {
+    static constexpr auto name = "turn, evidence";
+    static constexpr bool leaves_signal = true;
+    using reads = Channels<UsablePath<StraightPaths>>;
+    using emits = Channels<TurnEvidence>;
+    static constexpr float least_turn = 2e-3f; ///< radians, about
+    OneThing one_thing;
+    int radius, spacing;
+
+    /// Regression of the sweep's direction over the place of the sweep's middle: along the motion, and across it, where it may differ
+    /// without anything turning.
+    template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
+        using Real = typename Px::Real;
+        auto const own = usable_sample<StraightPaths>(px);
+        auto const turnable = both(own.known(), own.moves());
+        if (!any(turnable)) return emitted<Real>(turn_evidence, zero<vec2<Real>>());
+        auto const v = own.sweep();
+        auto const per_squared = own.time_per_pixel() * own.time_per_pixel();
+        auto const until_middle = [](auto const& sample) __attribute__((always_inline)) {
+            return scale(sample.sweep(), Real(0.5f) - sample.time());
+        };
+        auto const middle = until_middle(own);
+        Real along_along(0.f), along_across(0.f), across_across(1e-3f), turned_along(0.f), turned_across(0.f);
+        for_each_spaced(
+            px, radius, spacing, [&](auto const& near, int dx, int dy) __attribute__((always_inline)) {
+                auto const other = usable_sample<StraightPaths>(near);
+                auto const weight = masked(both(near.inside(), one_thing(own, other)), per_squared);
+                auto const m = until_middle(other);
+                auto const x = m.x - middle.x + static_cast<float>(dx), y = m.y - middle.y + static_cast<float>(dy);
+                auto const along = fma(x, v.x, y * v.y) * weight, across = fma(v.x, y, -(x * v.y)) * weight;
+                auto const turned = fma(v.x, other.sweep().y, -(v.y * other.sweep().x)) * weight;
+                along_along = fma(along, along, along_along);
+                along_across = fma(along, across, along_across);
+                across_across = fma(across, across, across_across);
+                turned_along = fma(turned, along, turned_along);
+                turned_across = fma(turned, across, turned_across);
+            });
+        auto const mixed = along_across / across_across;
+        auto const spread = max(fma(-mixed, along_across, along_along), Real(0.f)), turned = fma(-mixed, turned_across, turned_along);
+        // A turn of next to nothing is none, so that what doesn't turn is soon told.
+        auto const turns = both(turnable, abs(turned) > spread * Real(least_turn));
+        return emitted<Real>(turn_evidence, vec2<Real>{masked(turns, turned), masked(turnable, spread)});
+    }
+};
+
+struct TurningPathOf {
+    static constexpr auto name = "turn, paths";
+    static constexpr bool leaves_signal = true;
+    using reads = Channels<UsablePath<StraightPaths>, TurnEvidence>;
+    using emits = Channels<UsablePath<TurningPaths>>;
+    OneThing one_thing;
+    int radius, spacing;
+    float least_evidence, least_bend;
+
+    template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
+        using Real = typename Px::Real;
+        auto const own = usable_sample<StraightPaths>(px);
+        auto const turn = masked(both(own.known(), own.moves()), sagitta(px, own));
+        auto const bent = turn * turn * own.squared_length() > Real(least_bend * least_bend);
+        return emitted<Real>(UsablePath<TurningPaths>{}, make_value<6, Real>([&](auto c) __attribute__((always_inline)) {
+                                 if constexpr (c < 5)
+                                     return component<c>(own.at);
+                                 else
+                                     return masked(bent, turn);
+                             }));
+    }
+
+private:
+    template <class Px, class Sample> QUELL_KERNEL auto sagitta(Px const& px, Sample const& own) const {
+        using Real = typename Px::Real;
+        auto sums = px[turn_evidence];
+        auto turns = sums.x != Real(0.f);
+        for_each_spaced(
+            px, radius, spacing, [&](auto const& near, int, int) __attribute__((always_inline)) {
+                turns = either(turns, near[turn_evidence].x != Real(0.f));
+            });
+        if (!any(turns)) return Real(0.f);
+        for_each_spaced(
+            px, radius, spacing, [&](auto const& near, int, int) __attribute__((always_inline)) {
+                auto const counts = both(near.inside(), one_thing(own, usable_sample<StraightPaths>(near)));
+                auto const more = near[turn_evidence];
+                sums = {sums.x + masked(counts, more.x), sums.y + masked(counts, more.y)};
+            });
+        // Sweeps are chords, so that the slope is twice the sine of half the angle.
+        auto const half_sine = clamp(sums.x / max(sums.y, Real(1e-9f)) * 0.5f, Real(-0.99f), Real(0.99f));
+        return masked(sums.y > Real(least_evidence), half_sine * 0.5f / (sqrt(fma(-half_sine, half_sine, Real(1.f))) + 1.f));
+    }
+};
+} // namespace detail
+
+/// Measures how far paths bend, which no host needs to say: where a thing turns in the plane of the image, its samples farther along the
+/// motion have sweeps that are turned farther. Of what moves in a straight line all sweeps have one direction along the motion, however
+/// long they are. A thing that rolls is taken to bend twice as much as it does.
+/// Emits UsablePath<TurningPaths>.
+template <> struct PathGuide<TurningPaths> {
+    using reads = Channels<Depth, Sweep, Time>;
+    using emits = Channels<UsablePath<StraightPaths>, detail::TurnEvidence, UsablePath<TurningPaths>>;
+    static constexpr bool leaves_signal = true;
+    int near_radius = 1, near = 3; ///< first a grid of (2 near_radius + 1)^2 pixels, `near` pixels apart
+    int far_radius = 2, far = 9;   ///< then another of what those found, `far` pixels apart
+    float depth_gap = 0.1f;        ///< relative; what is nearer to each other in depth may be one thing
+    float likeness = 0.7f;         ///< of its own sweep, how far another's may differ from it
+    float least_evidence = 1e-3f;  ///< how far samples must be apart along the motion: in sweeps, squared, the sum of all
+    float least_bend = 0.05f;      ///< pixels; what bends less is straight
+
+    constexpr void for_each_pass(auto&& pass) const {
+        detail::OneThing const one_thing{depth_gap, likeness};
+        pass(detail::UsablePathOf<StraightPaths>{});
+        pass(detail::TurnEvidenceOf{one_thing, near_radius, near});
+        pass(detail::TurningPathOf{one_thing, far_radius, far, least_evidence, least_bend});
+    }
+};
+
+using TurnGuide = PathGuide<TurningPaths>;
+
+} // namespace quell
