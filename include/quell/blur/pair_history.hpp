@@ -67,7 +67,7 @@ template <ChannelTag S> struct PairBlend {
     using Signal = S;
     using reads = Channels<FrontLayer<Signal>, FrontSweep, BackLayer<Signal>, MeanSweep>;
     using keeps = reads;
-    float cap = 8.f; ///< samples that the past of what is behind counts as, at most
+    float cap = 6.f; ///< samples that the past of what is behind counts as, at most
     /// The same of what is in front: fewer, since its parts never move quite alike, and an outline that lags is seen more than its noise.
     float front_cap = 4.f;
 
