@@ -142,6 +142,8 @@ private:
 /// Emits GuideSweep, GuideAxis and GuideSpread, and GuideBend for bent paths.
 /// @tparam Paths StraightPaths or BentPaths
 template <class Paths = StraightPaths> struct MotionGuide {
+    static_assert(
+        requires { typename Paths::reads; }, "MotionGuide<Paths>: `Paths` is StraightPaths or BentPaths; TurningPaths go with a PairGuide");
     using Row = detail::MotionRow<Paths>;
     using Column = detail::MotionColumn<Paths>;
     static constexpr bool leaves_signal = true;

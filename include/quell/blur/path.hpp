@@ -27,10 +27,6 @@ template <class Real> struct Path {
     QUELL_KERNEL Real per_squared() const { return 1.f / max(squared, Real(1e-12f)); }
     /// The time that it takes to pass a pixel, as a part of the open shutter.
     QUELL_KERNEL Real time_per_pixel() const { return min(sqrt(per_squared()), Real(1.f / least)); }
-    /// In pixels in the time that the shutter is open; a path that bends is not always as fast, nor in the same direction.
-    QUELL_KERNEL vec2<Real> speed_when_seen() const { return sweep; }
-    /// The path of something of a given speed that is seen at a given time.
-    QUELL_KERNEL static Path at_speed(vec2<Real> const& speed, Real time) { return of(speed, time); }
 
     /// How far from a point it passes, in pixels, and when (MB eq. 1). `offset` is the point minus the sample's pixel.
     struct Passing {
@@ -53,14 +49,6 @@ template <class Real> struct BentPath : Path<Real> {
         constexpr auto most = Path<Real>::longest;
         auto const usable = both(is_finite(bend.x), is_finite(bend.y));
         return {path, {clamp(masked(usable, bend.x), Real(-most), Real(most)), clamp(masked(usable, bend.y), Real(-most), Real(most))}};
-    }
-    QUELL_KERNEL vec2<Real> speed_when_seen() const {
-        auto const turned = fma(this->time, Real(-8.f), Real(4.f));
-        return {fma(bend.x, turned, this->sweep.x), fma(bend.y, turned, this->sweep.y)};
-    }
-    QUELL_KERNEL static BentPath at_speed(vec2<Real> const& speed, vec2<Real> const& bend, Real time) {
-        auto const turned = fma(time, Real(8.f), Real(-4.f));
-        return of(Path<Real>::of({fma(bend.x, turned, speed.x), fma(bend.y, turned, speed.y)}, time), bend);
     }
     /// By Newton's method from where the straight path passes.
     QUELL_KERNEL typename Path<Real>::Passing passing(vec2<Real> const& offset) const {

@@ -2,13 +2,13 @@
 
 #include <quell/blur/usable_path.hpp>
 #include <quell/filter/filter_kernel.hpp>
+#include <quell/filter/taps.hpp>
 
 namespace quell {
 
 /// Arcs, of what turns: how far they bend, a TurnGuide measures.
 struct TurningPaths {
     static constexpr bool bent = true;
-    using reads = Channels<Sweep, Time>;
 };
 
 namespace detail {
@@ -29,21 +29,15 @@ struct OneThing {
                     fma(x, x, y * y) < a.squared_length() * (likeness * likeness));
     }
 };
-/// Calls visit(near, dx, dy) for the pixels around on a grid of a given spacing.
-template <class Px, class Visit> QUELL_KERNEL void for_each_spaced(Px const& px, int radius, int spacing, Visit&& visit) {
-    for (int y = -radius; y <= radius; ++y)
-        for (int x = -radius; x <= radius; ++x)
-            if (x != 0 || y != 0) visit(px.at(x * spacing, y * spacing), x * spacing, y * spacing);
-}
-
 struct TurnEvidenceOf {
     static constexpr auto name = "turn, evidence";
     static constexpr bool leaves_signal = true;
     using reads = Channels<UsablePath<StraightPaths>>;
     using emits = Channels<TurnEvidence>;
     static constexpr float least_turn = 2e-3f; ///< radians, about
+    static constexpr int radius = 1;
     OneThing one_thing;
-    int radius, spacing;
+    int step;
 
     /// Regression of the sweep's direction over the place of the sweep's middle: along the motion, and across it, where it may differ
     /// without anything turning.
@@ -59,10 +53,10 @@ struct TurnEvidenceOf {
         };
         auto const middle = until_middle(own);
         Real along_along(0.f), along_across(0.f), across_across(1e-3f), turned_along(0.f), turned_across(0.f);
-        for_each_spaced(
-            px, radius, spacing, [&](auto const& near, int dx, int dy) __attribute__((always_inline)) {
-                auto const other = usable_sample<StraightPaths>(near);
-                auto const weight = masked(both(near.inside(), one_thing(own, other)), per_squared);
+        for_each_neighbour<radius>(
+            px, step, [&](auto const& beside, auto inside, int dx, int dy) __attribute__((always_inline)) {
+                auto const other = usable_sample<StraightPaths>(beside);
+                auto const weight = masked(one_thing(own, other), inside * per_squared);
                 auto const m = until_middle(other);
                 auto const x = m.x - middle.x + static_cast<float>(dx), y = m.y - middle.y + static_cast<float>(dy);
                 auto const along = fma(x, v.x, y * v.y) * weight, across = fma(v.x, y, -(x * v.y)) * weight;
@@ -86,8 +80,9 @@ struct TurningPathOf {
     static constexpr bool leaves_signal = true;
     using reads = Channels<UsablePath<StraightPaths>, TurnEvidence>;
     using emits = Channels<UsablePath<TurningPaths>>;
+    static constexpr int radius = 2;
     OneThing one_thing;
-    int radius, spacing;
+    int step;
     float least_evidence, least_bend;
 
     template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
@@ -106,18 +101,16 @@ struct TurningPathOf {
 private:
     template <class Px, class Sample> QUELL_KERNEL auto sagitta(Px const& px, Sample const& own) const {
         using Real = typename Px::Real;
-        auto sums = px[turn_evidence];
-        auto turns = sums.x != Real(0.f);
-        for_each_spaced(
-            px, radius, spacing, [&](auto const& near, int, int) __attribute__((always_inline)) {
-                turns = either(turns, near[turn_evidence].x != Real(0.f));
+        auto turns = Real(0.f) > Real(0.f);
+        for_each_neighbour<radius>(
+            px, step, [&](auto const& beside, auto, int, int) __attribute__((always_inline)) {
+                turns = either(turns, beside[turn_evidence].x != Real(0.f));
             });
         if (!any(turns)) return Real(0.f);
-        for_each_spaced(
-            px, radius, spacing, [&](auto const& near, int, int) __attribute__((always_inline)) {
-                auto const counts = both(near.inside(), one_thing(own, usable_sample<StraightPaths>(near)));
-                auto const more = near[turn_evidence];
-                sums = {sums.x + masked(counts, more.x), sums.y + masked(counts, more.y)};
+        auto sums = zero<vec2<Real>>();
+        for_each_neighbour<radius>(
+            px, step, [&](auto const& beside, auto inside, int, int) __attribute__((always_inline)) {
+                sums = add_scaled(sums, beside[turn_evidence], masked(one_thing(own, usable_sample<StraightPaths>(beside)), inside));
             });
         // Sweeps are chords, so that the slope is twice the sine of half the angle.
         auto const half_sine = clamp(sums.x / max(sums.y, Real(1e-9f)) * 0.5f, Real(-0.99f), Real(0.99f));
@@ -128,24 +121,23 @@ private:
 
 /// Measures how far paths bend, which no host needs to say: where a thing turns in the plane of the image, its samples farther along the
 /// motion have sweeps that are turned farther. Of what moves in a straight line all sweeps have one direction along the motion, however
-/// long they are. A thing that rolls is taken to bend twice as much as it does.
-/// Emits UsablePath<TurningPaths>.
+/// long they are. What goes along while it turns is taken to turn about the place that stands still: the top of a wheel that rolls bends
+/// twice as much as it should, and its hub as much as that. Emits UsablePath<TurningPaths>.
 template <> struct PathGuide<TurningPaths> {
     using reads = Channels<Depth, Sweep, Time>;
     using emits = Channels<UsablePath<StraightPaths>, detail::TurnEvidence, UsablePath<TurningPaths>>;
     static constexpr bool leaves_signal = true;
-    int near_radius = 1, near = 3; ///< first a grid of (2 near_radius + 1)^2 pixels, `near` pixels apart
-    int far_radius = 2, far = 9;   ///< then another of what those found, `far` pixels apart
-    float depth_gap = 0.1f;        ///< relative; what is nearer to each other in depth may be one thing
-    float likeness = 0.7f;         ///< of its own sweep, how far another's may differ from it
-    float least_evidence = 1e-3f;  ///< how far samples must be apart along the motion: in sweeps, squared, the sum of all
-    float least_bend = 0.05f;      ///< pixels; what bends less is straight
+    int near_step = 3, far_step = 9; ///< pixels between 3x3 samples that are compared, and between 5x5 such comparisons that are summed
+    float depth_gap = 0.1f;          ///< relative; what is nearer to each other in depth may be one thing
+    float likeness = 0.7f;           ///< of its own sweep, how far another's may differ from it
+    float least_evidence = 1e-3f;    ///< how far samples must be apart along the motion: in sweeps, squared, the sum of all
+    float least_bend = 0.05f;        ///< pixels; what bends less is straight
 
     constexpr void for_each_pass(auto&& pass) const {
         detail::OneThing const one_thing{depth_gap, likeness};
         pass(detail::UsablePathOf<StraightPaths>{});
-        pass(detail::TurnEvidenceOf{one_thing, near_radius, near});
-        pass(detail::TurningPathOf{one_thing, far_radius, far, least_evidence, least_bend});
+        pass(detail::TurnEvidenceOf{one_thing, near_step});
+        pass(detail::TurningPathOf{one_thing, far_step, least_evidence, least_bend});
     }
 };
 

@@ -107,8 +107,7 @@ private:
     QUELL_KERNEL static Real slope_at(Real when, Real sagitta) {
         return clamp(fma(when, Real(-8.f), Real(4.f)), Real(-4.f), Real(4.f)) * sagitta;
     }
-    /// Of an angle of a given tangent, to 2 percent up to half a right angle, and no less than there: it is only how far beside a path that
-    /// is.
+    /// Of an angle of a given tangent, to 2 percent up to half a right angle; of a larger one as if it were that: it only makes weights.
     QUELL_KERNEL static Real cosine(Real tangent) {
         auto const squared = min(tangent * tangent, Real(1.f));
         return fma(squared, fma(squared, Real(0.16f), Real(-0.46f)), Real(1.f));

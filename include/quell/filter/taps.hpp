@@ -94,10 +94,13 @@ template <int radius, class Px, class Body> QUELL_KERNEL void for_each_opposite_
 }
 
 /// The same as for_each_tap with equal weights of 1.
-template <int radius, class Px, class Body> QUELL_KERNEL void for_each_neighbour(Px const& px, Body&& body) {
+template <int radius, class Px, class Body> QUELL_KERNEL void for_each_neighbour(Px const& px, int step, Body&& body) {
     float ones[radius + 1];
     for (float& one : ones) one = 1.f;
-    for_each_tap<radius>(px, 1, ones, body);
+    for_each_tap<radius>(px, step, ones, body);
+}
+template <int radius, class Px, class Body> QUELL_KERNEL void for_each_neighbour(Px const& px, Body&& body) {
+    for_each_neighbour<radius>(px, 1, body);
 }
 
 } // namespace quell
