@@ -59,7 +59,7 @@ private:
     /// Finds out which channels the files have.
     void look_at(io::ExrFile const& file) {
         size = file.size;
-        names = (map ? *map : io::recognise(file)).signals.front().channels;
+        names = (map ? *map : io::recognise(file)).of_signals.front().channels;
         has_camera = io::camera_of(file.read({})).has_value();
         for_each_channel(FitFrame::channels{}, [&]<class C>(C channel) {
             auto const wanted = io::planes_of(Channels<C>{}, names);

@@ -35,7 +35,7 @@ bool has_all(io::ExrFile const& file, std::vector<std::string> const& planes) {
 /// All planes of the picture itself, without guides.
 std::vector<std::string> picture_planes(io::SequenceNames const& names) {
     auto planes = composite_planes(names);
-    for (auto const& signal : names.signals) {
+    for (auto const& signal : names.of_signals) {
         auto const more = io::planes_of(Channels<Radiance>{}, signal.channels);
         planes.insert(planes.end(), more.begin(), more.end());
     }
@@ -48,9 +48,9 @@ metrics::Picture composite(io::ExrImage const& image, io::SequenceNames const& n
                            std::function<metrics::Picture(std::size_t)> const& signal, long long& missing) {
     auto sum = picture_of(image, names.added, 0.f);
     drop_non_finite(sum, missing);
-    for (std::size_t s = 0; s < names.signals.size(); ++s) {
+    for (std::size_t s = 0; s < names.of_signals.size(); ++s) {
         auto const part = signal(s);
-        auto factor = picture_of(image, names.signals[s].factor, 1.f);
+        auto factor = picture_of(image, names.of_signals[s].factor, 1.f);
         drop_non_finite(factor, missing);
         for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += part.pixels[i] * factor.pixels[i];
     }
@@ -59,7 +59,7 @@ metrics::Picture composite(io::ExrImage const& image, io::SequenceNames const& n
 
 std::vector<std::string> composite_planes(io::SequenceNames const& names) {
     auto planes = io::planes_of(names.added);
-    for (auto const& signal : names.signals) {
+    for (auto const& signal : names.of_signals) {
         auto const more = io::planes_of(signal.factor);
         planes.insert(planes.end(), more.begin(), more.end());
     }
@@ -72,7 +72,8 @@ metrics::Picture read_reference(std::filesystem::path const& path, std::optional
     auto const image = file.read(picture_planes(names));
     long long ignored = 0;
     return composite(
-        image, names, [&](std::size_t s) { return picture_of(image, io::sources_of(names.signals[s].channels, radiance), 0.f); }, ignored);
+        image, names, [&](std::size_t s) { return picture_of(image, io::sources_of(names.of_signals[s].channels, radiance), 0.f); },
+        ignored);
 }
 
 } // namespace quell::examples

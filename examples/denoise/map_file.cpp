@@ -154,12 +154,12 @@ io::SequenceNames parse_map(std::string const& text, std::string const& name) {
     io::SequenceNames names{name};
     if (map.has("added")) names.added = sources_in(map.at("added"), "radiance", 3);
     if (!map.has("signals")) {
-        names.signals.push_back({"radiance", guides});
+        names.of_signals.push_back({"radiance", guides});
         return names;
     }
     auto const signals = map.at("signals");
     if (!signals.value.is_array() || signals.value.empty()) signals.fail("write a list of at least one signal");
-    for (std::size_t i = 0; i < signals.value.size(); ++i) names.signals.push_back(signal_in(signals.at(i), guides));
+    for (std::size_t i = 0; i < signals.value.size(); ++i) names.of_signals.push_back(signal_in(signals.at(i), guides));
     return names;
 }
 

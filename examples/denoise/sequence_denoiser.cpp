@@ -13,7 +13,7 @@ SequenceDenoiser::SequenceDenoiser(Preset preset_, int threads_, bool watched_, 
 void SequenceDenoiser::begin(io::ExrFile const& file) {
     if (!sequence) sequence = io::recognise(file);
     size = file.size;
-    for (std::size_t s = 0; s < sequence->signals.size(); ++s)
+    for (std::size_t s = 0; s < sequence->of_signals.size(); ++s)
         denoisers.push_back(watched ? preset.make_watched(size) : preset.make(size, threads));
     for (auto const& denoiser : denoisers)
         if (looks) denoiser->diagnose();
@@ -28,7 +28,7 @@ void SequenceDenoiser::collect(std::vector<Finding> const& findings) {
 std::vector<std::string> SequenceDenoiser::planes() const {
     auto planes = composite_planes(*sequence);
     for (std::size_t s = 0; s < denoisers.size(); ++s) {
-        auto const more = denoisers[s]->planes(sequence->signals[s].channels);
+        auto const more = denoisers[s]->planes(sequence->of_signals[s].channels);
         planes.insert(planes.end(), more.begin(), more.end());
     }
     return planes;
@@ -38,7 +38,7 @@ std::vector<std::pair<std::string, DebugImage>> SequenceDenoiser::debug_images(s
     std::vector<std::pair<std::string, DebugImage>> all;
     for (std::size_t s = 0; s < denoisers.size(); ++s) {
         auto images = denoisers[s]->debug_images(view);
-        auto const signal = denoisers.size() > 1 ? sequence->signals[s].name + "." : std::string();
+        auto const signal = denoisers.size() > 1 ? sequence->of_signals[s].name + "." : std::string();
         for (auto& image : images) {
             auto const part = images.size() > 1 ? image.signal + "." : std::string();
             all.emplace_back(signal + part + view, std::move(image));
@@ -58,7 +58,7 @@ metrics::Picture SequenceDenoiser::next(std::filesystem::path const& path, long 
     return composite(
         image, *sequence,
         [&](std::size_t s) {
-            auto result = denoisers[s]->denoise(image, sequence->signals[s].channels, number);
+            auto result = denoisers[s]->denoise(image, sequence->of_signals[s].channels, number);
             missing += denoisers[s]->missing_samples();
             collect(denoisers[s]->findings());
             return result;

@@ -22,7 +22,7 @@ struct CyclesFrames {
     template <class F> void check_named(std::set<Mistake> const& wanted, F&& change) const {
         if (images.empty()) return;
         auto const make = [&](GoodFrame& frame, int i) {
-            io::load(frame, images[static_cast<std::size_t>(i)], names.signals[0].channels);
+            io::load(frame, images[static_cast<std::size_t>(i)], names.of_signals[0].channels);
             change(frame, i);
         };
         check_found(findings(images[0].size, static_cast<int>(images.size()), make), wanted);

@@ -33,11 +33,11 @@ TEST_CASE("Blender's passes are recognised, whatever the view layer's name") {
         auto const names = names_of(folder, image);
         CHECK(names.renderer == "Blender Cycles");
         CHECK(names.remarks.empty());
-        REQUIRE(names.signals.size() == 2);
-        CHECK(names.signals[0].name == "diffuse");
-        CHECK(names.signals[1].name == "glossy");
+        REQUIRE(names.of_signals.size() == 2);
+        CHECK(names.of_signals[0].name == "diffuse");
+        CHECK(names.of_signals[1].name == "glossy");
         CHECK(names.added[2].sum == std::vector<std::string>{std::string(layer) + ".Emit.B", std::string(layer) + ".Env.B"});
-        CHECK(names.signals[0].factor[1].sum == std::vector<std::string>{std::string(layer) + ".DiffCol.G"});
+        CHECK(names.of_signals[0].factor[1].sum == std::vector<std::string>{std::string(layer) + ".DiffCol.G"});
     }
 }
 
@@ -48,7 +48,7 @@ TEST_CASE("Cycles' light, motion and depth arrive in quell's conventions") {
     for (auto& plane : image.planes)
         if (plane.name == "ViewLayer.Depth.Z") plane.values[1] = 1e10f;
     Frame<Channels<Radiance, Albedo, Normal, Depth, Motion>> frame(image.size);
-    io::load(frame, image, names.signals[0].channels);
+    io::load(frame, image, names.of_signals[0].channels);
     auto const value = [&](std::string const& name) { return image["ViewLayer." + name].values[0]; };
     CHECK(frame[radiance].get(0, 0).y == value("DiffDir.G") + value("DiffInd.G"));
     CHECK(frame[albedo].get(0, 0) == glm::vec3(1.f));
@@ -63,18 +63,18 @@ TEST_CASE("passes that weren't rendered are done without where that is possible"
     auto const image =
         cycles_image("V", {{"Combined", "RGBA"}, {"Depth", "Z"}, {"Vector", "XYZW"}, {"DiffInd", "RGB"}, {"DiffCol", "RGB"}});
     auto const names = names_of(folder, image);
-    REQUIRE(names.signals.size() == 1);
+    REQUIRE(names.of_signals.size() == 1);
     CHECK(names.added.empty());
     REQUIRE(names.remarks.size() == 1);
     CHECK(contains(names.remarks[0], "Normal"));
     Frame<Channels<Radiance, Normal>> frame(image.size);
-    io::load(frame, image, names.signals[0].channels);
+    io::load(frame, image, names.of_signals[0].channels);
     CHECK(frame[normal].get(3, 2) == glm::vec3(0.f, 0.f, 1.f));
 
     auto const combined =
         names_of(folder, cycles_image("V", {{"Combined", "RGBA"}, {"Depth", "Z"}, {"Normal", "XYZ"}, {"Vector", "XYZW"}}));
-    REQUIRE(combined.signals.size() == 1);
-    CHECK(combined.signals[0].name == "combined");
+    REQUIRE(combined.of_signals.size() == 1);
+    CHECK(combined.of_signals[0].name == "combined");
     CHECK(combined.remarks.size() == 1);
 }
 
@@ -83,7 +83,7 @@ TEST_CASE("a missing Vector pass is named") {
     auto const image = cycles_image("V", {{"Combined", "RGBA"}, {"Depth", "Z"}, {"Normal", "XYZ"}});
     auto const names = names_of(folder, image);
     Frame<Channels<Radiance, Motion>> frame(image.size);
-    check_error([&] { io::load(frame, image, names.signals[0].channels); }, {"no channel 'V.Vector.X'", "V.Depth.Z"});
+    check_error([&] { io::load(frame, image, names.of_signals[0].channels); }, {"no channel 'V.Vector.X'", "V.Depth.Z"});
 }
 
 TEST_CASE("quell's own names go before others, and unknown ones are listed") {
@@ -101,7 +101,7 @@ TEST_CASE("the Cycles sequence is recognised, and its passes make up its image")
     io::ExrFile const file(folder / "frame_0040.exr");
     auto const names = io::recognise(file);
     CHECK(names.renderer == "Blender Cycles");
-    CHECK(names.signals.size() == 2);
+    CHECK(names.of_signals.size() == 2);
     auto const image = file.read();
     double worst = 0;
     for (std::size_t i = 0; i < image.pixels(); ++i) {
@@ -111,7 +111,7 @@ TEST_CASE("the Cycles sequence is recognised, and its passes make up its image")
             for (auto const& name : source.sum) all += static_cast<double>(image[name].values[i] * source.scale);
             return all;
         };
-        for (auto const& signal : names.signals) sum += value(signal.channels.sources.at("radiance")[0]) * value(signal.factor[0]);
+        for (auto const& signal : names.of_signals) sum += value(signal.channels.sources.at("radiance")[0]) * value(signal.factor[0]);
         sum += value(names.added[0]);
         double const combined = static_cast<double>(image["ViewLayer.Combined.R"].values[i]);
         worst = std::max(worst, std::abs(sum - combined) / std::max(1., combined));

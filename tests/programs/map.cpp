@@ -13,8 +13,8 @@ using Names = std::vector<std::string>;
 
 TEST_CASE("an empty map stands for quell's own names") {
     auto const names = map("{}");
-    REQUIRE(names.signals.size() == 1);
-    CHECK(io::planes_of(Channels<Radiance, Depth>{}, names.signals[0].channels) == Names{"R", "G", "B", "depth.Z"});
+    REQUIRE(names.of_signals.size() == 1);
+    CHECK(io::planes_of(Channels<Radiance, Depth>{}, names.of_signals[0].channels) == Names{"R", "G", "B", "depth.Z"});
     CHECK(names.added.empty());
 }
 
@@ -24,7 +24,7 @@ TEST_CASE("layers, whole names, sums, scales and constants") {
         "channels": {"depth": "Z", "normal": "N", "albedo": 1, "radiance": {"from": ["direct", "indirect"], "scale": 2},
                      "motion": ["speed.x", {"from": "speed.y", "scale": -1}], "position": [{"from": ["a", "b"]}, "c", 0.5]},
         "miss_from": 1e6})");
-    auto const& channels = names.signals[0].channels;
+    auto const& channels = names.of_signals[0].channels;
     CHECK(io::planes_of(Channels<Depth, Normal, Albedo>{}, channels) == Names{"Z", "N.X", "N.Y", "N.Z"});
     CHECK(channels.sources.at("albedo")[2].scale == 1.f);
     CHECK(channels.sources.at("radiance")[1].sum == Names{"direct.G", "indirect.G"});
@@ -37,14 +37,14 @@ TEST_CASE("layers, whole names, sums, scales and constants") {
 }
 
 TEST_CASE("the layer without a name is the image itself") {
-    CHECK(io::planes_of(map(R"({"channels": {"albedo": ""}})").signals[0].channels.sources.at("albedo")) == Names{"R", "G", "B"});
+    CHECK(io::planes_of(map(R"({"channels": {"albedo": ""}})").of_signals[0].channels.sources.at("albedo")) == Names{"R", "G", "B"});
 }
 
 TEST_CASE("motion in another convention") {
     using C = MotionConvention;
     auto const names = map(R"({"motion": {"points": "from_previous", "unit": "ndc", "y": "up", "jitter": "left_in"}})");
-    CHECK(names.signals[0].channels.motion == C{C::Points::from_previous, C::Unit::ndc, C::Y::up, C::Jitter::left_in});
-    CHECK(map(R"({"motion": {}})").signals[0].channels.motion == C{});
+    CHECK(names.of_signals[0].channels.motion == C{C::Points::from_previous, C::Unit::ndc, C::Y::up, C::Jitter::left_in});
+    CHECK(map(R"({"motion": {}})").of_signals[0].channels.motion == C{});
 }
 
 TEST_CASE("signals with and without their albedo, and what is added") {
@@ -53,13 +53,13 @@ TEST_CASE("signals with and without their albedo, and what is added") {
         "signals": [{"name": "all", "radiance": "beauty", "albedo": "colour"},
                     {"irradiance": "light", "albedo": "paint", "normal": "N2"}],
         "added": {"from": ["emission", "sky"]}})");
-    REQUIRE(names.signals.size() == 2);
-    auto const& all = names.signals[0];
+    REQUIRE(names.of_signals.size() == 2);
+    auto const& all = names.of_signals[0];
     CHECK(all.name == "all");
     CHECK(all.factor.empty());
     CHECK(io::planes_of(Channels<Radiance, Albedo, Depth>{}, all.channels) ==
           Names{"beauty.R", "beauty.G", "beauty.B", "colour.R", "colour.G", "colour.B", "Z"});
-    auto const& light = names.signals[1];
+    auto const& light = names.of_signals[1];
     CHECK(io::planes_of(light.factor) == Names{"paint.R", "paint.G", "paint.B"});
     CHECK(io::planes_of(Channels<Radiance, Albedo>{}, light.channels) == Names{"light.R", "light.G", "light.B"});
     CHECK(light.channels.sources.at("normal")[2].sum == Names{"N2.Z"});

@@ -106,8 +106,9 @@ template <class Inner, class Range = MeanDeviation, class Axes = Rgb, int radius
         using Real = typename decltype(px)::Real;
         typename Range::template Gatherer<V> bounds(Axes::from(px.signal()));
         for_each_neighbour<radius>(
-            px, [&](auto near, auto weight, int, int)
-                    __attribute__((always_inline)) { bounds.add(Axes::from(near.signal()), select(near.missing(), Real(0.f), weight)); });
+            px, [&](auto neighbour, auto weight, int, int) __attribute__((always_inline)) {
+                bounds.add(Axes::from(neighbour.signal()), select(neighbour.missing(), Real(0.f), weight));
+            });
         bounds.finish(range);
         auto const inside = Axes::to(map(
             [](auto a, auto low, auto high) __attribute__((always_inline)) { return clamp(a, low, high); }, Axes::from(past.signal),

@@ -29,13 +29,13 @@ template <class Inner> struct NonPlanarFalloff {
         auto const way = px.rays_then().position(centre, z) - plane.point;
         auto const distance = detail::length(way);
         // Within two pixels the direction is that of rounding, not of the surface.
-        auto const near = distance < px[depth] * (2.f * px.rays().pixel_size);
+        auto const close_by = distance < px[depth] * (2.f * px.rays().pixel_size);
         // For small angles off the plane, theta - pi / 2 is the sine. It is no number where now or then nothing is seen.
         auto const sine = dot(way, plane.normal) / max(distance, Real(1e-20f));
         auto const g = exp(sine * sine * (-0.5f / (deviation * deviation)));
         // Nothing is known of a surface that was nowhere, or farther away than numbers reach.
         auto const known = both(is_finite(z), is_finite(distance), is_finite(sine * sine));
-        past.validity = past.validity * masked(known, select(near, Real(1.f), g));
+        past.validity = past.validity * masked(known, select(close_by, Real(1.f), g));
         return inner.blend(px, past);
     }
 };

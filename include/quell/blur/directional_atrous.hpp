@@ -18,7 +18,7 @@ template <ChannelTag S, ChannelTag From> struct DirectionalLevel {
     float fixed;     ///< pixels from tap to tap, instead, where it is above 0
     int taps_across; ///< to either side
 
-    template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         return emitted<typename Px::Real>(FilteredLayer<Signal>{}, filtered(px));
     }
 

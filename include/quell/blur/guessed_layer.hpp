@@ -12,9 +12,9 @@ template <class Px, class Counts> [[gnu::noinline]] constexpr auto guessed_layer
     auto sum = zero<typename Px::Signal>();
     Real weights(0.f);
     for_each_neighbour<2>(
-        px, [&](auto near, auto inside, int, int) __attribute__((always_inline)) {
-            auto const w = masked(counts(near), inside);
-            sum = add_scaled(sum, near.signal(), w);
+        px, [&](auto neighbour, auto inside, int, int) __attribute__((always_inline)) {
+            auto const w = masked(counts(neighbour), inside);
+            sum = add_scaled(sum, neighbour.signal(), w);
             weights = weights + w;
         });
     return layer_of(scale(sum, 1.f / max(weights, Real(1.f))), masked(weights > Real(0.f), Real(certainty)));

@@ -21,7 +21,7 @@ template <ChannelTag S, class Paths = StraightPaths> struct LayerSplit {
     PathWeight weight{};
     float depth_tolerance = 0.02f; ///< how much farther, relatively, something is that stands behind something else
 
-    template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
         auto const own = Paths::here(px);
         auto const coverage = px[guide_spread].z;
@@ -51,16 +51,16 @@ private:
         auto const z = px[depth], reach = weight.reach(px);
         auto const nearest = select(own.moves(), Real(1e30f), z);
         for_each_neighbour<2>(
-            px, [&](auto near, auto inside, int dx, int dy) __attribute__((always_inline)) {
-                auto const path = Paths::here(near);
+            px, [&](auto neighbour, auto inside, int dx, int dy) __attribute__((always_inline)) {
+                auto const path = Paths::here(neighbour);
                 auto const passing = path.passing({Real(static_cast<float>(-dx)), Real(static_cast<float>(-dy))});
-                auto const hidden = detail::hidden_behind(near[depth], nearest, depth_tolerance);
-                auto const in_front = both(path.moves(), invert(hidden), invert(near.missing()));
+                auto const hidden = detail::hidden_behind(neighbour[depth], nearest, depth_tolerance);
+                auto const in_front = both(path.moves(), invert(hidden), invert(neighbour.missing()));
                 auto const w = masked(in_front, weight.weight(passing, reach) * inside);
-                auto const before = both(own.moves(), detail::hidden_behind(z, near[depth], depth_tolerance));
-                auto const s = masked(both(invert(path.moves()), invert(near.missing()), invert(before)), inside);
-                sums.front = add_scaled(sums.front, near.signal(), w), sums.moving = sums.moving + w;
-                sums.behind = add_scaled(sums.behind, near.signal(), s), sums.still = sums.still + s;
+                auto const before = both(own.moves(), detail::hidden_behind(z, neighbour[depth], depth_tolerance));
+                auto const s = masked(both(invert(path.moves()), invert(neighbour.missing()), invert(before)), inside);
+                sums.front = add_scaled(sums.front, neighbour.signal(), w), sums.moving = sums.moving + w;
+                sums.behind = add_scaled(sums.behind, neighbour.signal(), s), sums.still = sums.still + s;
                 sums.sweep = add_scaled(sums.sweep, path.sweep, w);
             });
     }

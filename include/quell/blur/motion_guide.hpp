@@ -53,16 +53,16 @@ template <class Paths> struct MotionRow {
     int radius;
     float depth_tolerance;
 
-    template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
         auto const nearest = still_depth<Paths>(px);
         auto sums = zero<MotionSumsOf<Paths, Real>>();
         for (int i = -radius; i <= radius; ++i) {
-            auto const near = px.at(i, 0);
-            auto const path = Paths::here(near);
-            auto const z = near[depth];
+            auto const neighbour = px.at(i, 0);
+            auto const path = Paths::here(neighbour);
+            auto const z = neighbour[depth];
             auto const counts =
-                both(near.inside(), path.moves(), invert(near.missing()), invert(hidden_behind(z, nearest, depth_tolerance)));
+                both(neighbour.inside(), path.moves(), invert(neighbour.missing()), invert(hidden_behind(z, nearest, depth_tolerance)));
             if (!any(counts)) continue;
             auto const inverse = 1.f / max(path.squared, Real(1e-6f));
             auto const x = path.sweep.x, y = path.sweep.y;
@@ -92,14 +92,14 @@ template <class Paths> struct MotionColumn {
     int radius;
     float depth_tolerance;
 
-    template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
         auto const nearest = still_depth<Paths>(px);
         auto sums = zero<MotionSumsOf<Paths, Real>>();
         for (int i = -radius; i <= radius; ++i) {
-            auto const near = px.at(0, i);
-            if (!near.row_inside) continue;
-            auto const row = near[Sums{}];
+            auto const neighbour = px.at(0, i);
+            if (!neighbour.row_inside) continue;
+            auto const row = neighbour[Sums{}];
             auto const mean_depth = row.at[Sums::depth] / max(row.at[Sums::number], Real(1.f));
             add_where(invert(hidden_behind(mean_depth, nearest, depth_tolerance)), sums, row);
         }

@@ -36,7 +36,7 @@ template <ChannelTag S, class Paths = StraightPaths, class Footprint = FixedFoot
     int tile_width = 8, tile_height = 2; ///< pixels that share their lines, which makes neighbours' samples neighbours in memory
     [[no_unique_address]] Footprint footprint{};
 
-    template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         Work<Px> work(*this, px);
         if (any(either(work.of.two, work.back_moves))) work.gather(px);
         return work.result(px);
@@ -153,23 +153,23 @@ private:
         QUELL_KERNEL void add_front(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask shows_front, Mask counts) {
             auto const looked_at = Sample{select(shows_front, sample.at, like_front(sample, away).at)};
             auto const passing = looked_at.passing(away);
-            auto const near = weight(counts, passing, looked_at, front_width.per_pixel);
-            auto const w = near * looked_at.time_per_pixel();
+            auto const close = weight(counts, passing, looked_at, front_width.per_pixel);
+            auto const w = close * looked_at.time_per_pixel();
             auto const hidden = both(own_still, invert(own_in_front), settings.is_behind(sample.nearness(), own.nearness()));
             auto const seen = masked(both(shows_front, invert(hidden)), w);
             // What does not pass while the shutter is open counts where nothing else does.
             front_swept.add(sample.sweep(), seen + masked(both(shows_front, counts), Real(1e-4f)));
-            if constexpr (Footprint::adapts) front_width.error.add(masked(seen > Real(0.f), luminance(value)), near);
+            if constexpr (Footprint::adapts) front_width.error.add(masked(seen > Real(0.f), luminance(value)), close);
             in_front.add(detail::layer_of(scale(value, seen), seen), w, passing.when);
         }
         template <class Sample> QUELL_KERNEL void add_back(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask counts) {
             auto const passing = sample.passing_in_motion(away);
-            auto const near = weight(counts, passing, sample, back_width.per_pixel);
-            auto const w = near * sample.time_per_pixel();
-            if constexpr (Footprint::adapts) back_width.error.add(luminance(value), near);
+            auto const close = weight(counts, passing, sample, back_width.per_pixel);
+            auto const w = close * sample.time_per_pixel();
+            if constexpr (Footprint::adapts) back_width.error.add(luminance(value), close);
             behind.add(scale(value, w), w, passing.when);
             back_swept.add(sample.sweep(), w);
-            samples = samples + near;
+            samples = samples + close;
         }
         QUELL_KERNEL static Real weight(Mask counts, auto const& passing, auto const& sample, Real per_width) {
             // What moves by less than a pixel stands for one all the same.
@@ -190,8 +190,8 @@ private:
         QUELL_KERNEL static glm::vec2 in_lane(vec2<Real> const& v, int k) { return {lane(v.x, k), lane(v.y, k)}; }
 
         QUELL_KERNEL auto result(Px const& px) const {
-            constexpr float far = 4.f * Path<float>::longest;
-            vec2<Real> const nowhere{Real(far), Real(far)};
+            constexpr float beyond = 4.f * Path<float>::longest;
+            vec2<Real> const nowhere{Real(beyond), Real(beyond)};
             auto const still_here = both(own.known(), own_still, invert(own_in_front));
             auto const found = both(invert(still_here), back_swept.known());
             auto back = detail::layer_of(select(still_here, px.signal(), behind.mean()),
@@ -215,8 +215,8 @@ private:
         /// What is behind what moves here, where no sample of it passes: by what is seen of it around.
         QUELL_KERNEL auto guessed(Px const& px) const {
             return detail::guessed_layer(
-                px, BackLayer<Signal>::guessed, [&](auto const& near) __attribute__((always_inline)) {
-                    auto const there = detail::usable_sample<Paths>(near);
+                px, BackLayer<Signal>::guessed, [&](auto const& neighbour) __attribute__((always_inline)) {
+                    auto const there = detail::usable_sample<Paths>(neighbour);
                     auto const still = both(invert(there.moves()), invert(settings.is_behind(own.nearness(), there.nearness())));
                     auto const moving = both(there.known(), invert(of.is_front(there.mover())));
                     return either(both(back_moves, moving), both(invert(back_moves), still));

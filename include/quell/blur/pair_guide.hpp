@@ -54,7 +54,7 @@ template <class Paths> struct RowExtremesOf {
     using emits = Channels<RowExtremes<Paths>>;
     int radius;
 
-    template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
         auto const own = placed_mover<Paths>(px);
         Extreme fastest{own, squared_speed(own)};
@@ -71,8 +71,8 @@ template <class Paths> struct RowExtremesOf {
 private:
     template <class Px, class Visit> QUELL_KERNEL void each(Px const& px, Visit&& visit) const {
         for (int i = -radius; i <= radius; ++i) {
-            auto const near = px.at(i, 0);
-            visit(placed_mover<Paths>(near), near.inside());
+            auto const neighbour = px.at(i, 0);
+            visit(placed_mover<Paths>(neighbour), neighbour.inside());
         }
     }
 };
@@ -86,7 +86,7 @@ template <class Paths> struct LocalPairOf {
     int radius;
     float least, relative, depth_gap;
 
-    template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
         auto const own = one_of<0>(px[RowExtremes<Paths>{}]);
         Extreme fastest{own, squared_speed(own)};
@@ -135,18 +135,18 @@ template <class Paths> struct NearestPair {
     int across, down; ///< pixels from window to window
     float likeness;
 
-    template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
         auto const own = px[LocalPair<Paths>{}];
         auto pair = own;
         auto const mover = one_of<1>(own);
         constexpr int beside[][2] = {{0, -1}, {0, 1}, {-1, 0}, {1, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
         for (auto const& step : beside) {
-            auto const near = px.at(step[0] * across, step[1] * down);
-            auto const there = near[LocalPair<Paths>{}];
+            auto const neighbour = px.at(step[0] * across, step[1] * down);
+            auto const there = neighbour[LocalPair<Paths>{}];
             auto const front = one_of<0>(there), back = one_of<1>(there);
             auto const unlike = min(squared_difference(mover, front), squared_difference(mover, back));
-            auto const fits = both(near.inside(), nearness_of(front) > Real(0.f), nearness_of(one_of<0>(pair)) < Real(0.f),
+            auto const fits = both(neighbour.inside(), nearness_of(front) > Real(0.f), nearness_of(one_of<0>(pair)) < Real(0.f),
                                    unlike <= squared_difference(front, back) * (likeness * likeness));
             pair = select(fits, there, pair);
         }

@@ -70,7 +70,7 @@ template <ChannelTag S, class Paths = StraightPaths, class Places = AlongGuide<P
     PathWeight weight{};
     float depth_tolerance = 0.02f; ///< how much farther, relatively, something is that stands behind something else
 
-    template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
         auto const own = Paths::here(px);
         auto const around = px[guide_sweep];
@@ -168,9 +168,9 @@ private:
     template <class Px, class Real, class Mask> QUELL_KERNEL auto guessed(Px const& px, Real own_depth, Mask own_moves) const {
         constexpr float guess = 0.05f;
         return detail::guessed_layer(
-            px, guess, [&](auto const& near) __attribute__((always_inline)) {
-                auto const before = both(own_moves, detail::hidden_behind(own_depth, near[depth], depth_tolerance));
-                return both(invert(Paths::here(near).moves()), invert(near.missing()), invert(before));
+            px, guess, [&](auto const& neighbour) __attribute__((always_inline)) {
+                auto const before = both(own_moves, detail::hidden_behind(own_depth, neighbour[depth], depth_tolerance));
+                return both(invert(Paths::here(neighbour).moves()), invert(neighbour.missing()), invert(before));
             });
     }
 };

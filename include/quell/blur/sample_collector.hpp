@@ -25,10 +25,10 @@ template <class Paths = StraightPaths> struct SampleCollector {
         for (int dy = -1; dy <= 1; ++dy)
             for (int dx = -1; dx <= 1; ++dx)
                 for (int k = 0; k < 2; ++k) {
-                    auto const near = px.at(dx, dy);
-                    PixelUnder<Px> const there(px, place(near, k));
+                    auto const neighbour = px.at(dx, dy);
+                    PixelUnder<Px> const there(px, place(neighbour, k));
                     auto const [value, missing] = px.signal_elsewhere(there.place);
-                    auto const counts = both(wanted, near.inside(), there.inside, invert(missing), passes(px, there));
+                    auto const counts = both(wanted, neighbour.inside(), there.inside, invert(missing), passes(px, there));
                     sum = add_scaled(sum, value, masked(counts, Real(1.f)));
                     count = count + masked(counts, Real(1.f));
                 }

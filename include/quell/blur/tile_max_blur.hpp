@@ -22,7 +22,7 @@ template <ChannelTag From> struct LongestSweep {
     using emits = Channels<DominantSweep>;
     int right, down; ///< the step, in pixels
 
-    template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
         auto longest = Path<Real>::of(px[From{}], Real(0.5f));
         auto const take_longer = [&](float sign) __attribute__((always_inline)) {

@@ -41,7 +41,7 @@ struct TurnEvidenceOf {
 
     /// Regression of the sweep's direction over the place of the sweep's middle: along the motion, and across it, where it may differ
     /// without anything turning.
-    template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
         auto const own = usable_sample<StraightPaths>(px);
         auto const turnable = both(own.known(), own.moves());
@@ -85,7 +85,7 @@ struct TurningPathOf {
     int step;
     float least_evidence, least_bend;
 
-    template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
         auto const own = usable_sample<StraightPaths>(px);
         auto const turn = masked(both(own.known(), own.moves()), sagitta(px, own));

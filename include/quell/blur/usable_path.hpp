@@ -123,7 +123,7 @@ template <class Paths> struct UsablePathOf {
     using reads = decltype(Channels<Depth>{} | reads_of<Paths>{});
     using emits = Channels<UsablePath<Paths>>;
 
-    template <class Px> QUELL_KERNEL auto emit(Px const& px) const {
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
         auto const path = Paths::here(px);
         auto const moves = path.moves();

@@ -1,5 +1,9 @@
 #pragma once
 
+#if defined(min) || defined(max)
+#error "quell and the standard library call min and max: define NOMINMAX before windows.h"
+#endif
+
 /// The one macro of quell: marks every function that runs inside a kernel.
 /// Kernels are made of many tiny functions, and a single one left as a call spills every SIMD register (clang was 5.5 times slower), so
 /// inlining is forced. `constexpr` lets nvcc take the same function for the device (`--expt-relaxed-constexpr`).

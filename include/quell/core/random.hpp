@@ -15,10 +15,10 @@ template <class A> QUELL_KERNEL auto wrapping_product(xsimd::batch<std::int32_t,
 }
 #endif
 /// a >> n with zeros coming in.
-template <int n, class I> QUELL_KERNEL I logical_shift(I const& a) { return (a >> n) & I((1 << (32 - n)) - 1); }
+template <int n, class Integer> QUELL_KERNEL Integer logical_shift(Integer const& a) { return (a >> n) & Integer((1 << (32 - n)) - 1); }
 
 /// Scrambles the bits of a number: each bit of the result depends on each bit of it. The multipliers are Wellons' (hash prospector, 2018).
-template <class I> QUELL_KERNEL I scrambled(I a) {
+template <class Integer> QUELL_KERNEL Integer scrambled(Integer a) {
     a = a ^ logical_shift<16>(a);
     a = wrapping_product(a, 0x7feb352d);
     a = a ^ logical_shift<15>(a);

@@ -13,7 +13,7 @@ inline std::string why_afresh(Observation const& seen, SignalSeen const& signal)
 
 /// Runs that each began without a past, three times in a row: cuts don't come so often.
 inline void find_resets(Observation const& seen, std::vector<Finding>& findings) {
-    auto const& signal = seen.signals.front();
+    auto const& signal = seen.of_signals.front();
     auto& notes = *signal.notes;
     bool const afresh = signal.has_past && signal.frames <= 1 && signal.resets == notes.resets + 1;
     notes.resets_in_a_row = afresh ? notes.resets_in_a_row + 1 : 0;

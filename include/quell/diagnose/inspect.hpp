@@ -88,7 +88,7 @@ template <class P, class Set, class FrameStorage, class H> Observation observe(F
     seen.motion = lookup_of<P>(frame, motion), seen.albedo = lookup_of<P>(frame, albedo);
     seen.convention = DeclaredConvention<P>::value;
     for_each_history(history, [&]<class Part>(std::type_identity<Part> part, auto& of_part) {
-        seen.signals.push_back(signal_seen<Part>(frame, of_part));
+        seen.of_signals.push_back(signal_seen<Part>(frame, of_part));
         see_past(seen, part, of_part);
     });
     seen.motion = understood(seen.motion, seen.convention, seen.size, seen.camera_then.jitter - seen.camera.jitter);

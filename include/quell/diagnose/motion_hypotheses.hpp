@@ -120,8 +120,8 @@ struct CommonOffset {
     }
     /// Less than a pixel and a half each way, as two frames' jitter may differ, and not all being well.
     [[nodiscard]] bool is_jitter() const {
-        bool const small = std::abs(offset.x) < 1.5f && std::abs(offset.y) < 1.5f && glm::length(offset) > 0.05f;
-        return small && sharing.share() > 0.6 && sharing.share() > without.share() + clear_margin;
+        bool const subpixel = std::abs(offset.x) < 1.5f && std::abs(offset.y) < 1.5f && glm::length(offset) > 0.05f;
+        return subpixel && sharing.share() > 0.6 && sharing.share() > without.share() + clear_margin;
     }
 };
 

@@ -46,9 +46,9 @@ struct Observation {
     Lookup depth_then{};           ///< of the last frame, where the history remembers it
     bool has_then = false;         ///< whether camera_then is that of a last frame
     Camera camera{}, camera_then{};
-    std::vector<SignalSeen> signals{};
+    std::vector<SignalSeen> of_signals{};
 
-    [[nodiscard]] DiagnosisNotes& notes() const { return *signals.front().notes; }
+    [[nodiscard]] DiagnosisNotes& notes() const { return *of_signals.front().notes; }
     /// Whether there is a surface: misses may hold anything.
     [[nodiscard]] bool hit(int x, int y) const { return !depth || is_finite(depth(0, x, y)); }
 };

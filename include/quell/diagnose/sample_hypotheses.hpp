@@ -94,7 +94,7 @@ inline void find_output_is_input(Observation const& seen, SignalSeen const& sign
 /// What each signal's samples show by themselves.
 inline void find_sample_mistakes(Observation const& seen, std::vector<Finding>& findings) {
     find_bad_guides(seen, findings);
-    for (auto const& signal : seen.signals) {
+    for (auto const& signal : seen.of_signals) {
         find_bad_samples(seen, signal, findings);
         find_identical_frames(signal, values_of(seen, signal, signal.input), findings);
     }
@@ -103,7 +103,7 @@ inline void find_sample_mistakes(Observation const& seen, std::vector<Finding>& 
 /// What came of the last frame; to be asked last, since most other mistakes lead to it. Remembers this frame for the next call.
 inline void find_output_mistakes(Observation const& seen, std::vector<Finding>& findings) {
     bool const explained = !findings.empty();
-    for (auto const& signal : seen.signals) {
+    for (auto const& signal : seen.of_signals) {
         auto now = values_of(seen, signal, signal.input);
         if (!explained) find_output_is_input(seen, signal, now, findings);
         signal.notes->input = std::move(now);

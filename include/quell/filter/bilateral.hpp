@@ -49,10 +49,10 @@ template <class Edge, class Deviation> struct BilateralLine {
             auto const reaches = gauss > Real(1e-7f);
             if (!any(reaches)) break;
             auto const falloff = masked(reaches, gauss);
-            auto const add = [&](auto near) __attribute__((always_inline)) {
-                auto const counts = both(near.inside(), invert(near.missing()));
-                auto const w = masked(counts, falloff * edge_weight(toward.distance(near, Real(detail::edge_offset(around)))));
-                sum = add_scaled(sum, near.signal(), w);
+            auto const add = [&](auto neighbour) __attribute__((always_inline)) {
+                auto const counts = both(neighbour.inside(), invert(neighbour.missing()));
+                auto const w = masked(counts, falloff * edge_weight(toward.distance(neighbour, Real(detail::edge_offset(around)))));
+                sum = add_scaled(sum, neighbour.signal(), w);
                 weights = weights + w;
             };
             add(px.at(dx, dy));

@@ -14,7 +14,7 @@ struct DepthEdge {
 
     template <class Real> struct Toward {
         Real z, inverse;
-        QUELL_KERNEL Real distance(auto near, Real sum) const { return fma(abs(near[depth] - z), inverse, sum); }
+        QUELL_KERNEL Real distance(auto neighbour, Real sum) const { return fma(abs(neighbour[depth] - z), inverse, sum); }
     };
     template <class Real> struct Around {
         Real z, slope_x, slope_y, floor;
@@ -39,8 +39,8 @@ struct NormalEdge {
         vec3<Real> n; // times -sharpness
         float sharpness;
         QUELL_KERNEL float offset() const { return sharpness; }
-        QUELL_KERNEL Real distance(auto near, Real sum) const {
-            auto const there = near[normal];
+        QUELL_KERNEL Real distance(auto neighbour, Real sum) const {
+            auto const there = neighbour[normal];
             return fma(n.x, there.x, fma(n.y, there.y, fma(n.z, there.z, sum)));
         }
     };
@@ -57,7 +57,9 @@ struct LuminanceEdge {
     template <class Real> struct Around {
         Real centre;
         float inverse;
-        QUELL_KERNEL Real distance(auto near, Real sum) const { return fma(abs(luminance(near.signal()) - centre), Real(inverse), sum); }
+        QUELL_KERNEL Real distance(auto neighbour, Real sum) const {
+            return fma(abs(luminance(neighbour.signal()) - centre), Real(inverse), sum);
+        }
     };
     QUELL_KERNEL auto around(auto px) const { return Around<typename decltype(px)::Real>{luminance(px.signal()), 1.f / sigma}; }
 };
@@ -70,15 +72,17 @@ struct VarianceGuidedEdge {
 
     template <class Real> struct Around {
         Real centre, inverse;
-        QUELL_KERNEL Real distance(auto near, Real sum) const { return fma(abs(luminance(near.signal()) - centre), Real(inverse), sum); }
+        QUELL_KERNEL Real distance(auto neighbour, Real sum) const {
+            return fma(abs(luminance(neighbour.signal()) - centre), Real(inverse), sum);
+        }
     };
     QUELL_KERNEL auto around(auto px) const {
         using Real = typename decltype(px)::Real;
         Real sum = px[variance] * 0.25f, weights(0.25f);
         constexpr float profile[] = {0.5f, 0.25f};
         for_each_tap_pair<1>(
-            px, 1, profile, [&](auto near, auto weight, auto opposite, auto its_weight, int, int) __attribute__((always_inline)) {
-                sum = fma(near[variance], weight, fma(opposite[variance], its_weight, sum));
+            px, 1, profile, [&](auto neighbour, auto weight, auto opposite, auto its_weight, int, int) __attribute__((always_inline)) {
+                sum = fma(neighbour[variance], weight, fma(opposite[variance], its_weight, sum));
                 weights = weights + (weight + its_weight);
             });
         auto const deviation = sqrt(max(sum / weights, Real(0.f)));
@@ -96,8 +100,8 @@ template <class... Edges> struct Product : Edges... {
     /// through memory.
     template <class T> struct Held { T held; };
     template <class... Prepared> struct Toward : Held<Prepared>... {
-        QUELL_KERNEL auto distance(auto const& near, auto sum) const {
-            ((sum = Held<Prepared>::held.distance(near, sum)), ...);
+        QUELL_KERNEL auto distance(auto const& neighbour, auto sum) const {
+            ((sum = Held<Prepared>::held.distance(neighbour, sum)), ...);
             return sum;
         }
     };

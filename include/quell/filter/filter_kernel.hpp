@@ -15,7 +15,7 @@ struct AnyPass {
 ///     auto filter(auto px) const -> the new value, or Result{value}.with(channel that it `emits`, value)...
 /// A filter of several passes has
 ///     void for_each_pass(auto&& pass) const       which calls pass(kernel) in order, each kernel being a one-pass filter
-/// A kernel that leaves the signal alone and only makes other channels has `emit(px)` instead of filter, which returns
+/// A kernel that leaves the signal alone and only makes other channels has `emit_channels(px)` instead of filter, which returns
 /// emitted<Real>(channel, value), and says
 ///     static constexpr bool leaves_signal = true
 /// One marked `feedback` makes the signal that history remembers (SVGF); without such a mark that is what the last Temporal stage made.
@@ -25,7 +25,7 @@ concept OnePassFilter = std::is_trivially_copyable_v<F> && requires(F const f, d
 };
 template <class F>
 concept EmittingKernel = std::is_trivially_copyable_v<F> && requires(F const f, detail::Probe<F> px) {
-    {f.emit(px).more};
+    {f.emit_channels(px).more};
 };
 template <class F>
 concept FilterKernel = std::is_trivially_copyable_v<F> &&
@@ -89,22 +89,22 @@ namespace detail {
 /// @tparam skips_missing missing samples, where they are still marked, weigh nothing
 template <bool skips_missing, int radius = 2, class Px, class Around, class Bits, class Add>
 QUELL_KERNEL void for_each_edge_tap(Px const& px, int step, Around const& around, Bits&& bits_of, Add&& add) {
-    auto const usable = [](auto const& near, auto start) __attribute__((always_inline)) {
+    auto const usable = [](auto const& neighbour, auto start) __attribute__((always_inline)) {
         if constexpr (skips_missing && Px::Scope::marks_missing)
-            return select(near.missing(), decltype(start)(too_far), start);
+            return select(neighbour.missing(), decltype(start)(too_far), start);
         else
             return start;
     };
     // Both distances come first, so that two chains of dependent operations are under way at a time.
     for_each_opposite_taps<radius>(
         px, step, edge_offset(around),
-        [&](auto const& near, auto start, float row, auto const& opposite, auto its_start, float its_row, int dx, int dy, int i, int j)
+        [&](auto const& neighbour, auto start, float row, auto const& opposite, auto its_start, float its_row, int dx, int dy, int i, int j)
             __attribute__((always_inline)) {
                 auto const& toward = edge_toward(around, dx, dy);
                 float const weight = bits_of(i < 0 ? -i : i, j);
-                auto const distance = toward.distance(near, usable(near, start));
+                auto const distance = toward.distance(neighbour, usable(neighbour, start));
                 auto const its_distance = toward.distance(opposite, usable(opposite, its_start));
-                add(near, edge_weight(distance, weight + row));
+                add(neighbour, edge_weight(distance, weight + row));
                 add(opposite, edge_weight(its_distance, weight + its_row));
             });
 }

@@ -22,7 +22,7 @@ template <class Source> struct OwnLightChange {
     using emits = Channels<LightChange>;
     Source source;
 
-    QUELL_KERNEL auto emit(auto px) const {
+    QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
         Real distance(0.f);
         if (px.has_past()) {
@@ -43,13 +43,13 @@ struct LightChangeLine {
     int step;
     bool vertical;
 
-    QUELL_KERNEL auto emit(auto px) const {
+    QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
         Real sum(0.f), squares(0.f);
         for (int i = -2; i <= 2; ++i) {
-            auto const near = vertical ? px.at(0, i * step) : px.at(i * step, 0);
-            auto const change = near[light_change];
-            auto const inside = near.inside();
+            auto const neighbour = vertical ? px.at(0, i * step) : px.at(i * step, 0);
+            auto const change = neighbour[light_change];
+            auto const inside = neighbour.inside();
             sum = sum + masked(inside, change.x);
             squares = squares + masked(inside, change.y * change.y);
         }

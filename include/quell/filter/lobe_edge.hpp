@@ -26,8 +26,8 @@ struct LobeEdge {
         using Real = typename std::remove_cvref_t<decltype(px)>::Real;
         auto const z = px[depth], way = detail::length(px[glossy_hit] - px[position]);
         // The surface sees the hit as far away as it is, the camera sees surface and hit one behind the other: a near camera magnifies.
-        auto const far = select(is_finite(way), way, z * 1e3f);
-        auto const pixels = px[roughness] * px[roughness] * width * far / ((z + far) * px.rays().pixel_size);
+        auto const away = select(is_finite(way), way, z * 1e3f);
+        auto const pixels = px[roughness] * px[roughness] * width * away / ((z + away) * px.rays().pixel_size);
         auto const w = max(masked(is_finite(pixels), pixels), Real(least));
         return Around<Real>{Real(0.5f) / (w * w)};
     }

@@ -22,7 +22,7 @@ template <class Source> struct OwnShadowTrack {
     Source source;
     float light_size;
 
-    QUELL_KERNEL auto emit(auto px) const {
+    QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const found = source.previous(px);
         auto const p = px.position();
@@ -50,8 +50,8 @@ private:
         using Real = typename Px::Real;
         Real sum(0.f), count(1e-6f);
         for_each_neighbour<1>(
-            px, [&](auto near, auto inside, int, int) __attribute__((always_inline)) {
-                auto const off = near[light] - centre;
+            px, [&](auto neighbour, auto inside, int, int) __attribute__((always_inline)) {
+                auto const off = neighbour[light] - centre;
                 auto const square = dot(off, off);
                 auto const w = masked(is_finite(square), inside);
                 sum = fma(masked(is_finite(square), square), w, sum);
@@ -70,13 +70,13 @@ template <class Edge> struct SplatLevel {
     Edge edge;
     int step;
 
-    QUELL_KERNEL auto emit(auto px) const {
+    QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const around = edge.around(px);
         auto const own = px[shadow_track];
         Value<4, Real> sum{own.x * own.w, own.y * own.w, own.z * own.w, own.w};
-        auto const add = [&](auto const& near, auto w) __attribute__((always_inline)) {
-            auto const track = near[shadow_track];
+        auto const add = [&](auto const& neighbour, auto w) __attribute__((always_inline)) {
+            auto const track = neighbour[shadow_track];
             auto const weight = track.w * w;
             sum = Value<4, Real>{fma(track.x, weight, sum.x), fma(track.y, weight, sum.y), fma(track.z, weight, sum.z), sum.w + weight};
         };

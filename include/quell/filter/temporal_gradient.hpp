@@ -21,14 +21,14 @@ template <class Source, class Edge> struct GradientLevel {
     Edge edge;
     int step;
 
-    QUELL_KERNEL auto emit(auto px) const {
+    QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const around = edge.around(px);
         auto sum = px[Source{}];
         sum = select(all_finite(sum), sum, zero<vec2<Real>>());
         Real weights(1.f);
-        auto const add = [&](auto const& near, auto w) __attribute__((always_inline)) {
-            auto const there = near[Source{}];
+        auto const add = [&](auto const& neighbour, auto w) __attribute__((always_inline)) {
+            auto const there = neighbour[Source{}];
             auto const usable = masked(all_finite(there), w);
             sum = add_scaled(sum, select(all_finite(there), there, zero<vec2<Real>>()), usable);
             weights = weights + usable;

@@ -15,7 +15,7 @@ template <class Edge> struct VarianceEstimate {
     Edge edge;
     float enough = 4.f; ///< frames
 
-    QUELL_KERNEL auto emit(auto px) const {
+    QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const n = px[history_length];
         auto const temporal = px[luminance_variance] / max(n, Real(1.f));
@@ -38,16 +38,17 @@ private:
         auto const centre = px[luminance_mean];
         Real weights(0.f), first(0.f), second(0.f);
         for_each_tap<3>(
-            px, 1, box, [&](auto near, auto inside, int dx, int dy) __attribute__((always_inline)) {
-                auto const sampled = min(near[history_length], Real(1.f));
-                auto const w = dx == 0 && dy == 0
-                                   ? inside * sampled
-                                   : inside * sampled *
-                                         edge_weight(detail::edge_toward(around, dx, dy).distance(near, Real(detail::edge_offset(around))));
-                auto const off = near[luminance_mean] - centre;
+            px, 1, box, [&](auto neighbour, auto inside, int dx, int dy) __attribute__((always_inline)) {
+                auto const sampled = min(neighbour[history_length], Real(1.f));
+                auto const w =
+                    dx == 0 && dy == 0
+                        ? inside * sampled
+                        : inside * sampled *
+                              edge_weight(detail::edge_toward(around, dx, dy).distance(neighbour, Real(detail::edge_offset(around))));
+                auto const off = neighbour[luminance_mean] - centre;
                 weights = weights + w;
                 first = first + off * w;
-                second = second + (off * off + near[luminance_variance]) * w;
+                second = second + (off * off + neighbour[luminance_variance]) * w;
             });
         auto const known = weights > Real(0.f);
         auto const inverse = 1.f / select(known, weights, Real(1.f)), mean = first * inverse;

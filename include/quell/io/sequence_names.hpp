@@ -17,7 +17,7 @@ struct SignalNames {
 /// How a renderer's files make up the image: the sum of its signals and of what has no noise.
 struct SequenceNames {
     std::string renderer;
-    std::vector<SignalNames> signals = {};
+    std::vector<SignalNames> of_signals = {};
     std::vector<Source> added = {};        ///< a source for each component, or none
     std::vector<std::string> remarks = {}; ///< what these files lack and how that is made up for
 };
@@ -79,19 +79,19 @@ inline ChannelNames cycles_guides(ViewLayer const& layer) {
 
 /// Light and colour of each kind of scattering, for those that were rendered.
 inline std::vector<SignalNames> cycles_signals(ViewLayer const& layer) {
-    std::vector<SignalNames> signals;
+    std::vector<SignalNames> named;
     auto const add = [&](std::string const& name, std::string const& pass) {
         auto const light = layer.sum_of({pass + "Dir", pass + "Ind"});
         if (light.size() != 3) return;
         SignalNames signal{name, cycles_guides(layer), layer.sum_of({pass + "Col"})};
         signal.channels.sources["radiance"] = light;
-        signals.push_back(std::move(signal));
+        named.push_back(std::move(signal));
     };
     add("diffuse", "Diff");
     add("glossy", "Gloss");
     add("transmission", "Trans");
     add("volume", "Volume");
-    return signals;
+    return named;
 }
 } // namespace detail
 
@@ -102,13 +102,13 @@ inline std::vector<SignalNames> cycles_signals(ViewLayer const& layer) {
     if (!prefix) return std::nullopt;
     detail::ViewLayer const layer{channels, *prefix};
     SequenceNames names{"Blender Cycles", detail::cycles_signals(layer)};
-    if (!names.signals.empty())
+    if (!names.of_signals.empty())
         names.added = layer.sum_of({"Emit", "Env"});
     else {
-        names.signals.push_back({"combined", detail::cycles_guides(layer)});
-        names.signals[0].channels.sources["radiance"] = layer.components_of("Combined", "RGB");
+        names.of_signals.push_back({"combined", detail::cycles_guides(layer)});
+        names.of_signals[0].channels.sources["radiance"] = layer.components_of("Combined", "RGB");
         if (layer.has("Denoising Albedo", "R"))
-            names.signals[0].channels.sources["albedo"] = layer.components_of("Denoising Albedo", "RGB");
+            names.of_signals[0].channels.sources["albedo"] = layer.components_of("Denoising Albedo", "RGB");
         names.remarks.push_back("no light passes (DiffDir, DiffInd, DiffCol, ...): the combined image is denoised as one signal");
     }
     if (!layer.has("Normal", "X")) names.remarks.push_back("no Normal pass: surfaces are told apart by depth alone");

@@ -50,10 +50,10 @@ template <class Test = SimilarDepth> struct DualMotion {
         auto const beyond_x = abs(y.x - (x.x + m.x)), beyond_y = abs(y.y - (x.y + m.y));
         auto const outside = either(beyond_x > Real(0.f), beyond_y > Real(0.f));
         Real const allowed(reach * static_cast<float>(std::max(px.size().width, px.size().height)));
-        auto const near = both(is_finite(m.x), is_finite(m.y), beyond_x < allowed, beyond_y < allowed);
+        auto const within = both(is_finite(m.x), is_finite(m.y), beyond_x < allowed, beyond_y < allowed);
         auto const z = carried_forward(px, y);
         vec2<Real> const where{select(outside, y.x, y.x + (x.x - z.x)), select(outside, y.y, y.y + (x.y - z.y))};
-        return Found<Real, decltype(test.around(px))>{where, masked(near, Real(trust)), test.around(px)};
+        return Found<Real, decltype(test.around(px))>{where, masked(within, Real(trust)), test.around(px)};
     }
 
 private:

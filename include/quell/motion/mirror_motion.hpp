@@ -82,9 +82,9 @@ private:
         using Real = typename Px::Real;
         Real moving(0.f);
         for_each_neighbour<1>(
-            px, [&](auto near, auto inside, int, int) __attribute__((always_inline)) {
-                auto const hit = near[glossy_hit], way = hit - near[glossy_hit_previous], far = hit - near[position];
-                moving = max(moving, masked(dot(way, way) > dot(far, far) * 1e-8f, inside));
+            px, [&](auto neighbour, auto inside, int, int) __attribute__((always_inline)) {
+                auto const hit = neighbour[glossy_hit], way = hit - neighbour[glossy_hit_previous], from_here = hit - neighbour[position];
+                moving = max(moving, masked(dot(way, way) > dot(from_here, from_here) * 1e-8f, inside));
             });
         return select(moving > Real(0.f), Real(among_moving), Real(1.f));
     }

@@ -18,9 +18,9 @@ struct SameDepth {
         Real z, slope_x, slope_y, allowed;
         QUELL_KERNEL auto accepts(auto const& then, Real dx, Real dy) const {
             auto const z_then = then[depth];
-            auto const near = abs(z_then - (z + slope_x * dx + slope_y * dy)) < allowed;
+            auto const on_plane = abs(z_then - (z + slope_x * dx + slope_y * dy)) < allowed;
             auto const hit = is_finite(z), hit_then = is_finite(z_then);
-            return either(both(hit, hit_then, near), invert(either(hit, hit_then)));
+            return either(both(hit, hit_then, on_plane), invert(either(hit, hit_then)));
         }
     };
     QUELL_KERNEL auto around(auto px) const {

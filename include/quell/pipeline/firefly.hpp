@@ -11,13 +11,13 @@ struct SuppressFireflies {
     float limit = 2.f; ///< at least 1
 
     /// The factor in (0, 1] for the sample at the cursor.
-    template <class Px, class Neighbour> QUELL_KERNEL auto factor(Px const& px, auto const& value, Neighbour&& neighbour) const {
+    template <class Px, class Value> QUELL_KERNEL auto factor(Px const& px, auto const& value, Value&& value_of) const {
         using Real = typename Px::Real;
         Real brightest(0.f);
         for_each_neighbour<1>(
-            px, [&](auto near, auto inside, int dx, int dy) __attribute__((always_inline)) {
+            px, [&](auto neighbour, auto inside, int dx, int dy) __attribute__((always_inline)) {
                 if (dx == 0 && dy == 0) return;
-                brightest = max(brightest, luminance(neighbour(near)) * inside);
+                brightest = max(brightest, luminance(value_of(neighbour)) * inside);
             });
         auto const here = luminance(value), allowed = brightest * limit;
         // Alone in the dark is how a correct 1-sample image looks too: without a bright neighbour there is nothing to measure by.

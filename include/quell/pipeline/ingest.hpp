@@ -33,7 +33,7 @@ template <ChannelTag Input, Modulation Form, class Suppression> struct Ingest {
         if (any(missing)) value = select(missing, around(px), value);
         if constexpr (!std::is_same_v<Suppression, NoSuppression>) {
             auto const factor = suppression.factor(
-                px, value, [&](auto near) __attribute__((always_inline)) { return sample(near).value; });
+                px, value, [&](auto neighbour) __attribute__((always_inline)) { return sample(neighbour).value; });
             value = scale(value, factor);
         }
         return make_value<components_of<typename Px::Signal>, Real>([&](auto c) __attribute__((always_inline)) {
@@ -63,8 +63,8 @@ private:
         auto sum = zero<typename Px::Signal>();
         Real weights(0.f);
         for_each_neighbour<1>(
-            px, [&](auto near, auto inside, int, int) __attribute__((always_inline)) {
-                auto const s = sample(near);
+            px, [&](auto neighbour, auto inside, int, int) __attribute__((always_inline)) {
+                auto const s = sample(neighbour);
                 auto const w = masked(s.usable, inside);
                 sum = add_scaled(sum, s.value, w);
                 weights = weights + w;

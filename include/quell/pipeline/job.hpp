@@ -24,8 +24,10 @@ template <class Form, class Scope, class Output, class RememberedViews> struct F
     }
 };
 
-/// Whether a pass makes a new signal; one with emit(px) leaves it alone.
-template <class Pass, class Scope> inline constexpr bool makes_signal_of = !requires(Pass const p, Pixel<float, Scope> px) { p.emit(px); };
+/// Whether a pass makes a new signal; one with emit_channels(px) leaves it alone.
+template <class Pass, class Scope> inline constexpr bool makes_signal_of = !requires(Pass const p, Pixel<float, Scope> px) {
+    p.emit_channels(px);
+};
 
 /// What a profiler shows: a policy of the host's own need not have a name.
 template <class Pass> constexpr auto name_of() {
@@ -71,7 +73,7 @@ private:
         else if constexpr (requires { pass.filter(px); })
             return pass.filter(px);
         else
-            return pass.emit(px);
+            return pass.emit_channels(px);
     }
     template <class Real> QUELL_KERNEL void count_missing(Real const& marked, int count) const {
         if (!any(sign_bit(marked))) return;

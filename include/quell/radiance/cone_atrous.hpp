@@ -27,16 +27,16 @@ template <class Edge> struct ConeLevel {
         Real sum_of_weights(0.f);
         for (int t = 0; t < taps; ++t) {
             int const dx = (t % 5 - 2) * step, dy = (t / 5 - 2) * step;
-            auto const near = px.at(dx, dy);
-            column[t] = near.x, row[t] = near.y;
+            auto const neighbour = px.at(dx, dy);
+            column[t] = neighbour.x, row[t] = neighbour.y;
             float const start = spline[t % 5] * spline[t / 5];
             auto w = Real(start);
             if (t != taps / 2) {
                 auto const& toward = edge_toward(around, dx, dy);
-                w = start * edge_weight(toward.distance(near, Real(edge_offset(around))));
-                w = masked(both(near.inside(), invert(near.missing())), w);
+                w = start * edge_weight(toward.distance(neighbour, Real(edge_offset(around))));
+                w = masked(both(neighbour.inside(), invert(neighbour.missing())), w);
             }
-            auto const there = near[normal];
+            auto const there = neighbour[normal];
             auto const agree = cone::same_axes(n, there);
             same[t] = masked(agree, w);
             // Too small ones are none in every lane alike: what a pixel becomes must not depend on its neighbours in the pack.
@@ -61,11 +61,11 @@ private:
                                       Components<24, Real>& value) {
         Real red(0.f), green(0.f), blue(0.f), samples(0.f);
         for (int t = 0; t < 25; ++t) {
-            Px const near{px.scope, column[t], row[t]};
-            red = fma(near.template signal_component<4 * k>(), weights[t], red);
-            green = fma(near.template signal_component<4 * k + 1>(), weights[t], green);
-            blue = fma(near.template signal_component<4 * k + 2>(), weights[t], blue);
-            samples = fma(near.template signal_component<4 * k + 3>(), weights[t], samples);
+            Px const tap{px.scope, column[t], row[t]};
+            red = fma(tap.template signal_component<4 * k>(), weights[t], red);
+            green = fma(tap.template signal_component<4 * k + 1>(), weights[t], green);
+            blue = fma(tap.template signal_component<4 * k + 2>(), weights[t], blue);
+            samples = fma(tap.template signal_component<4 * k + 3>(), weights[t], samples);
         }
         value.at[4 * k] = red, value.at[4 * k + 1] = green, value.at[4 * k + 2] = blue, value.at[4 * k + 3] = samples;
     }
@@ -75,9 +75,9 @@ private:
         for (int t = 0; t < 25; ++t) {
             auto const counts = weights[t] > Real(0.f);
             if (!any(counts)) continue;
-            auto const near = px.at((t % 5 - 2) * step, (t / 5 - 2) * step);
-            auto const there = near.signal();
-            value = select(counts, add_scaled(value, cone::transferred(there, near[normal], n), weights[t]), value);
+            auto const neighbour = px.at((t % 5 - 2) * step, (t / 5 - 2) * step);
+            auto const there = neighbour.signal();
+            value = select(counts, add_scaled(value, cone::transferred(there, neighbour[normal], n), weights[t]), value);
             sum_of_weights = sum_of_weights + weights[t];
         }
     }

@@ -20,19 +20,19 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
         using Px = decltype(px);
         using Real = typename Px::Real;
         auto const around = edge.around(px);
-        Taps<Px> near;
-        near.add(px, Real(profile[0] * profile[0]));
+        Taps<Px> taps;
+        taps.add(px, Real(profile[0] * profile[0]));
         for_each_opposite_taps<1>(
             px, 1, detail::edge_offset(around),
             [&](auto const& one, auto start, float row, auto const& other, auto its_start, float its_row, int dx, int dy, int, int)
                 __attribute__((always_inline)) {
                     auto const& toward = detail::edge_toward(around, dx, dy);
                     float const bits = weight_bits(profile[dx != 0] * profile[dy != 0]);
-                    near.add(one, edge_weight(toward.distance(one, start), bits + row));
-                    near.add(other, edge_weight(toward.distance(other, its_start), bits + its_row));
+                    taps.add(one, edge_weight(toward.distance(one, start), bits + row));
+                    taps.add(other, edge_weight(toward.distance(other, its_start), bits + its_row));
                 });
         Components<24, Real> sum;
-        detail::repeat<3>([&](auto i) __attribute__((always_inline)) { add_two_cones<2 * i>(px, near, sum); });
+        detail::repeat<3>([&](auto i) __attribute__((always_inline)) { add_two_cones<2 * i>(px, taps, sum); });
         auto const shaded = cone::shade(sum);
         // Around a missing sample without a past there may be next to nothing to shade by.
         return select(both(cone::samples(sum) > Real(1e-6f), all_finite(shaded)), shaded, px.signal());
@@ -45,7 +45,7 @@ private:
         int column[9], row[9];
         typename Px::Real weight[9];
         int count = 0;
-        QUELL_KERNEL void add(Px const& near, typename Px::Real w) { column[count] = near.x, row[count] = near.y, weight[count++] = w; }
+        QUELL_KERNEL void add(Px const& tap, typename Px::Real w) { column[count] = tap.x, row[count] = tap.y, weight[count++] = w; }
     };
     /// As many at a time as have all their sums in registers.
     template <int k, class Px, class Real>
@@ -53,8 +53,8 @@ private:
         [&]<int... c>(std::integer_sequence<int, c...>) __attribute__((always_inline)) {
             Real part[] = {((void)c, Real(0.f))...};
             for (int t = 0; t < 9; ++t) {
-                Px const near{px.scope, taps.column[t], taps.row[t]};
-                ((part[c] = fma(near.template channel_component<4 * k + c>(cone_radiance), taps.weight[t], part[c])), ...);
+                Px const tap{px.scope, taps.column[t], taps.row[t]};
+                ((part[c] = fma(tap.template channel_component<4 * k + c>(cone_radiance), taps.weight[t], part[c])), ...);
             }
             ((sum.at[4 * k + c] = part[c]), ...);
         }
