@@ -13,6 +13,7 @@ struct Contender {
     std::string code; ///< the C++ that makes it, in namespace quell
     bool follows;     ///< whether it is there to follow what moves
     bool needs_camera;
+    bool blurs;                     ///< makes motion blur of samples of different times
     std::vector<std::string> reads; ///< channels, its share's factor among them
     std::unique_ptr<Method<FitFrame>> (*start)(ChartOptions const&);
 };
@@ -37,6 +38,7 @@ template <class Make> Contender contender(std::string name, bool follows, char c
             code,
             follows,
             Made::needs_camera,
+            Made::reads::template has<Sweep>,
             reads,
             [](ChartOptions const& options) -> std::unique_ptr<Method<FitFrame>> {
                 return std::make_unique<MethodOf<FitFrame, Made, Planar<>>>(whole(Make{}()), options);

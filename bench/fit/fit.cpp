@@ -75,8 +75,9 @@ private:
     }
     [[nodiscard]] bool may_run(Contender const& contender) const {
         if (!missing_channel(contender).empty() || (contender.needs_camera && !sequence.has_camera)) return false;
-        if (contender.part == Part::rest) return true;
-        return survey[contender.part].present && (survey[contender.part].moves || !contender.follows);
+        if (contender.part == Part::rest) return survey.blur().present || !contender.blurs;
+        auto const& effect = survey[contender.part];
+        return effect.present && effect.splits && (effect.moves || !contender.follows);
     }
     void check_rest() const {
         auto const rest = std::ranges::find(contenders, Part::rest, &Contender::part);
@@ -142,10 +143,12 @@ private:
     }
 
     /// A sentence for each effect without a pipeline of its own.
-    [[nodiscard]] std::vector<std::string> left_out(Effects const& split) const {
+    [[nodiscard]] std::vector<std::string> left_out(Composition const& found) const {
         std::vector<std::string> sentences;
+        if (std::ranges::none_of(found.parts, [](auto const* trial) { return trial->contender->blurs; }))
+            sentences.push_back("blur: " + survey.blur().evidence);
         for (auto const effect : effects) {
-            if (has(split, effect)) continue;
+            if (has(found.split, effect)) continue;
             auto const name = effect == Part::indirect ? std::string("indirect, dual vectors and cones") : std::string(name_of(effect));
             auto const& verdict = survey[effect];
             sentences.push_back(name + ": " + verdict.evidence + (verdict.present ? "; it stays in the rest" : ""));
@@ -153,7 +156,7 @@ private:
         return sentences;
     }
     [[nodiscard]] Origin origin(Composition const& found) const {
-        Origin origin{sequence.name, sequence.size, options.threads, options.bounds, {}, left_out(found.split)};
+        Origin origin{sequence.name, sequence.size, options.threads, options.bounds, {}, left_out(found)};
         for (auto const& one : sequence.converged) origin.scored.push_back(one.frame);
         return origin;
     }
@@ -161,6 +164,7 @@ private:
     void print_survey() const {
         out << sequence.name << ", " << to_string(sequence.size) << ", " << sequence.numbers.size() << " frames, " << options.threads
             << " threads\n";
+        out << "  blur: " << survey.blur().evidence << '\n';
         for (auto const effect : effects) out << "  " << name_of(effect) << ": " << survey[effect].evidence << '\n';
     }
     void print_level(std::size_t split, std::vector<Composition>& level) const {

@@ -29,6 +29,8 @@ constexpr std::array meanings{
     std::pair{"glossy_hit_previous", "where that point was a frame ago"},
     std::pair{"indirect", "incident radiance of the one indirect sample"},
     std::pair{"indirect_direction", "where that came from, unit, world space"},
+    std::pair{"sweep", "pixels that what the sample shows moves while the shutter is open"},
+    std::pair{"time", "of the sample, in [0, 1] over the open shutter"},
 };
 
 /// The rest is what the pipelines of the others don't make.

@@ -18,7 +18,7 @@ using namespace quell::bench;
 
 std::vector<Contender> all_contenders() {
     std::vector<Contender> all;
-    for (auto const& some : {rest_contenders(), shadow_contenders(), glossy_contenders(), indirect_contenders()})
+    for (auto const& some : {rest_contenders(), blur_contenders(), shadow_contenders(), glossy_contenders(), indirect_contenders()})
         all.insert(all.end(), some.begin(), some.end());
     return all;
 }

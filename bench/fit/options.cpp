@@ -15,7 +15,8 @@ namespace {
 constexpr auto footer = R"(
 Each effect (shadow, glossy, indirect) is either denoised by itself or left in the rest of the picture, which is denoised as one colour.
 The smallest composition is the one that splits off the fewest effects, and of those the cheapest. With --ms alone, it is the smallest of
-those in time whose error is within 2% of the least.
+those in time whose error is within 2% of the least. Where the shutter is open, motion blur is made of the whole picture, and nothing is
+split off.
 
 Exit codes: 0 done, 1 no composition keeps to the bounds (the best one is named) or anything else, 2 unusable arguments or input.)";
 
@@ -33,6 +34,7 @@ void describe(CLI::App& app, FitOptions& o, std::string& size) {
     app.add_option("--threads", o.threads, "Threads (default: all)");
     app.add_option("--seed", o.seed, "Of a scene's noise (default: 0)");
     app.add_option("--tolerance", o.tolerance, "Of a scene's references: mean FLIP between two independent halves (default: 0.02)");
+    app.add_flag("--blur", o.blur, "Of a scene: the shutter is open for half of the frame time, and each sample has a time of its own");
     app.add_flag("--quiet", o.quiet, "Print nothing but errors");
     app.add_flag("--list", o.list, "Print the built-in scenes, one a line");
     app.footer(footer);
@@ -61,6 +63,7 @@ void check_source(FitOptions const& o, bool has_size) {
     if (!o.scene.empty()) return;
     if (o.reference.empty())
         refuse("command line", "--reference is missing", "say where the converged frames are, as in --reference 'dir/reference.%04d.exr'");
+    if (o.blur) refuse("--blur", "frames from files have their own times", "leave it out");
     if (has_size) refuse("--size", "frames from files have their own", "leave it out");
 }
 

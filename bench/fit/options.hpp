@@ -22,6 +22,7 @@ struct FitOptions {
     int threads = 0;           ///< the number of threads; on the command line 0 means all
     std::uint32_t seed = 0;
     double tolerance = 0.02; ///< of a scene's references: mean FLIP between two independent halves
+    bool blur = false;       ///< of a scene: the shutter is open for half of the frame time
     bool quiet = false, list = false, wants_help = false;
 };
 

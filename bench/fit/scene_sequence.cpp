@@ -16,11 +16,15 @@ class SceneSequence final : public Sequence {
 
 public:
     explicit SceneSequence(FitOptions const& options)
-        : scene(tracer::open_scene(options.scene)), settings{.size = options.size, .seed = options.seed, .threads = options.threads} {
+        : scene(tracer::open_scene(options.scene)), settings{.size = options.size,
+                                                             .seed = options.seed,
+                                                             .threads = options.threads,
+                                                             .shutter = options.blur ? 0.5f : 0.f} {
         name = "scene " + std::filesystem::path(options.scene).filename().string();
         size = options.size;
         for (int i = 0; i < options.frames; ++i) numbers.push_back(i);
         for_each_channel(FitFrame::channels{}, [&](auto channel) { channels.insert(channel.name); });
+        if (!options.blur) channels.erase(Sweep::name), channels.erase(Time::name);
         converge(options);
     }
 

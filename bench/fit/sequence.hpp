@@ -15,7 +15,7 @@ namespace quell::bench {
 /// All that any contender reads. `radiance` is the noisy picture.
 using FitFrame =
     Frame<Channels<Radiance, Albedo, Normal, Depth, Position, Roughness, Motion, Direct, Visibility, Light, LightPrevious, Blocker,
-                   BlockerPrevious, ReceiverPrevious, Glossy, GlossyHit, GlossyHitPrevious, Indirect, IndirectDirection>>;
+                   BlockerPrevious, ReceiverPrevious, Glossy, GlossyHit, GlossyHitPrevious, Indirect, IndirectDirection, Sweep, Time>>;
 
 /// Makes this the noisy picture of a frame.
 void put_picture(metrics::Picture const& picture, FitFrame& frame);

@@ -29,10 +29,11 @@ struct Look {
         seen.shadow_moves =
             seen.shadowed > 0 && (surface_moved || moved(blocker, blocker_previous, x, y) || moved(light, light_previous, x, y));
         seen.reflecting = sum(glossy, x, y) > 0;
-        seen.reflection_moves =
-            seen.reflecting > 0 && (glm::length(motion_at(x, y)) > 0.25f || surface_moved || moved(glossy_hit, glossy_hit_previous, x, y));
+        seen.reflection_moves = seen.reflecting > 0 && (glm::length(vector_at(motion, x, y)) > 0.25f || surface_moved ||
+                                                        moved(glossy_hit, glossy_hit_previous, x, y));
         seen.lit_indirectly = sum(indirect, x, y) > 0;
         seen.uncovered = is_uncovered(x, y);
+        seen.swept = glm::length(vector_at(sweep, x, y)) > 0.5f;
         return seen;
     }
 
@@ -41,8 +42,8 @@ private:
         auto const view = frame[channel].view();
         return view.get(0, x, y) + view.get(1, x, y) + view.get(2, x, y);
     }
-    [[nodiscard]] glm::vec2 motion_at(int x, int y) const {
-        auto const view = frame[motion].view();
+    [[nodiscard]] glm::vec2 vector_at(auto channel, int x, int y) const {
+        auto const view = frame[channel].view();
         return {view.get(0, x, y), view.get(1, x, y)};
     }
     /// By more than a quarter of what a pixel sees; false for points at infinity.
@@ -52,7 +53,7 @@ private:
         return glm::length(way) > 0.25f * pixel_angle * frame[depth].view().get(0, x, y);
     }
     [[nodiscard]] bool is_uncovered(int x, int y) const {
-        auto const way = motion_at(x, y);
+        auto const way = vector_at(motion, x, y);
         float const from_x = std::floor(static_cast<float>(x) + 0.5f + way.x), from_y = std::floor(static_cast<float>(y) + 0.5f + way.y);
         auto const [width, height] = std::pair(frame.size.width, frame.size.height);
         if (!(from_x >= 0 && from_y >= 0 && from_x < static_cast<float>(width) && from_y < static_cast<float>(height))) return true;
@@ -73,10 +74,12 @@ void add(Traces& sum, Traces const& seen) {
     sum.shadowed += seen.shadowed, sum.shadow_moves += seen.shadow_moves;
     sum.reflecting += seen.reflecting, sum.reflection_moves += seen.reflection_moves;
     sum.lit_indirectly += seen.lit_indirectly, sum.uncovered += seen.uncovered;
+    sum.swept += seen.swept;
 }
 
 Traces divided(Traces t, double by) {
-    return {t.shadowed / by, t.shadow_moves / by, t.reflecting / by, t.reflection_moves / by, t.lit_indirectly / by, t.uncovered / by};
+    return {t.shadowed / by,       t.shadow_moves / by, t.reflecting / by, t.reflection_moves / by,
+            t.lit_indirectly / by, t.uncovered / by,    t.swept / by};
 }
 
 float pixel_angle_of(FitFrame const& frame, bool has_camera) {
@@ -105,17 +108,18 @@ Verdict verdict(double here, double moving, std::string const& nothing, std::str
     return {true, true, there + ", and in " + percent(moving) + " it " + moves};
 }
 
-Verdict without_channels(std::set<std::string> const& channels, std::initializer_list<char const*> wanted) {
+Verdict without_channels(std::set<std::string> const& channels, std::initializer_list<char const*> wanted, char const* what_for) {
     for (auto const* name : wanted)
-        if (!channels.contains(name)) return {false, false, std::string("the frames have no channel '") + name + "' to split it off by"};
+        if (!channels.contains(name)) return {false, false, std::string("the frames have no channel '") + name + "' to " + what_for};
     return {};
 }
 
 } // namespace
 
 std::array<Verdict, effects.size()> detail::verdicts_on(Traces const& t, std::set<std::string> const& channels) {
-    std::array verdicts{without_channels(channels, {"visibility", "direct"}), without_channels(channels, {"glossy"}),
-                        without_channels(channels, {"indirect", "albedo"})};
+    constexpr auto split_off = "split it off by";
+    std::array verdicts{without_channels(channels, {"visibility", "direct"}, split_off), without_channels(channels, {"glossy"}, split_off),
+                        without_channels(channels, {"indirect", "albedo"}, split_off)};
     if (verdicts[0].present) verdicts[0] = verdict(t.shadowed, t.shadow_moves, "no pixel is in shadow", "are in shadow", "moves");
     if (verdicts[1].present) verdicts[1] = verdict(t.reflecting, t.reflection_moves, "no pixel reflects", "reflect", "moves");
     if (verdicts[2].present)
@@ -123,6 +127,20 @@ std::array<Verdict, effects.size()> detail::verdicts_on(Traces const& t, std::se
     return verdicts;
 }
 
-Survey::Survey(Sequence& sequence) : verdicts(detail::verdicts_on(traces_of(sequence), sequence.channels)) {}
+Verdict detail::verdict_on_blur(Traces const& t, std::set<std::string> const& channels) {
+    auto const verdict = without_channels(channels, {"sweep", "time"}, "make it of");
+    if (!verdict.present) return verdict;
+    if (t.swept < least_share) return {false, false, "nothing moves by more than half a pixel while the shutter is open"};
+    return {true, true, percent(t.swept) + " of the pixels move by more than half a pixel while the shutter is open"};
+}
+
+Survey::Survey(Traces const& traces, std::set<std::string> const& channels)
+    : verdicts(detail::verdicts_on(traces, channels)), blur_verdict(detail::verdict_on_blur(traces, channels)) {
+    if (!blur_verdict.present) return;
+    for (auto& verdict : verdicts)
+        if (verdict.present) verdict.splits = false, verdict.evidence += ", at another time in each sample";
+}
+
+Survey::Survey(Sequence& sequence) : Survey(traces_of(sequence), sequence.channels) {}
 
 } // namespace quell::bench

@@ -11,6 +11,7 @@ namespace quell::tests {
 class FlickeringWall final : public bench::Sequence {
 public:
     bool blocker_moves = false, in_shadow = true;
+    float sweeps = 0; ///< pixels, all of it, as far as the channels say
     static constexpr float bounced = 0.1f;
 
     FlickeringWall() {
@@ -49,6 +50,8 @@ private:
         frame[albedo].set(x, y, glm::vec3(0.5f));
         frame[indirect].set(x, y, glm::vec3(bounced));
         frame[radiance].set(x, y, glm::vec3((seen ? brightness(number) : 0.f) + 0.5f * bounced));
+        frame[sweep].set(x, y, {sweeps, 0.f});
+        frame[time].set(x, y, 0.5f);
         frame[normal].set(x, y, {0.f, 0.f, 1.f});
         frame[depth].set(x, y, 5.f);
         frame[blocker].set(x, y, {blocker_moves ? 0.5f : 0.f, 0.f, 0.f});

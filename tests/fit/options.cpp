@@ -43,6 +43,7 @@ TEST_CASE("command lines that can't be used are refused with what to do") {
     check_refused({"--scene", "fence", "--in", "a.%04d.exr", "--rmse", "1"}, "both");
     check_refused({"--in", "a.%04d.exr", "--rmse", "0.1"}, "--reference is missing");
     check_refused({"--in", "a.%04d.exr", "--reference", "r.%04d.exr", "--rmse", "0.1", "--size", "8x8"}, "--size");
+    check_refused({"--in", "a.%04d.exr", "--reference", "r.%04d.exr", "--rmse", "0.1", "--blur"}, "--blur");
     check_refused({"--scene", "fence", "--rmse", "0"}, "--rmse");
     check_refused({"--scene", "fence", "--ms", "-3"}, "--ms");
     check_refused({"--scene", "fence", "--rmse", "0.1", "--size", "64"}, "'64'");

@@ -63,6 +63,18 @@ TEST_CASE("what follows an effect is tried only where it moves") {
     CHECK(says(run(wall, {.rmse = 0.08, .flip = {}, .ms = {}}).said, "follower"));
 }
 
+TEST_CASE("where something sweeps, motion blur is tried, and nothing is split off") {
+    FlickeringWall wall;
+    auto const still = run(wall, {.rmse = 0.9, .flip = {}, .ms = {}});
+    CHECK_FALSE(says(still.said, "blurred"));
+    CHECK(says(still.said, "left out: blur: nothing moves"));
+    wall.sweeps = 2;
+    auto const swept = run(wall, {.rmse = 0.9, .flip = {}, .ms = {}});
+    CHECK(says(swept.said, "All as one colour: 3 compositions"));
+    CHECK(swept.fitted.composition.split.none());
+    CHECK_THROWS_AS(run(wall, {.rmse = 0.08, .flip = {}, .ms = {}}), OutOfReach);
+}
+
 TEST_CASE("what isn't there is never split off") {
     FlickeringWall wall;
     wall.in_shadow = false;

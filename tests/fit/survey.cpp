@@ -29,6 +29,21 @@ TEST_CASE("effects whose channels are missing can't be split off") {
     CHECK(verdicts[2].evidence.find("'indirect'") != std::string::npos);
 }
 
+TEST_CASE("motion blur is there where something sweeps, and nothing is split off then") {
+    FlickeringWall wall;
+    Survey const still(wall);
+    CHECK_FALSE(still.blur().present);
+    CHECK(still[Part::shadow].splits);
+    wall.sweeps = 3;
+    Survey const swept(wall);
+    CHECK(swept.blur().present);
+    CHECK(swept[Part::shadow].present);
+    CHECK_FALSE(swept[Part::shadow].splits);
+    wall.channels.erase("time");
+    CHECK_FALSE(Survey(wall).blur().present);
+    CHECK(Survey(wall)[Part::shadow].splits);
+}
+
 TEST_CASE("less than a thousandth of the pixels is nothing") {
     std::set<std::string> const all{"visibility", "direct", "glossy", "indirect", "albedo"};
     CHECK_FALSE(detail::verdicts_on({.shadowed = 0.0009}, all)[0].present);

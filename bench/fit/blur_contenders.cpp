@@ -1,0 +1,9 @@
+#include "contenders.hpp"
+
+std::vector<quell::bench::Contender> quell::bench::blur_contenders() {
+    return {
+        contender("blur-straight/count=24", true, QUELL_FIT_CODE(presets::blur<StraightPaths>(radiance, {}, {.count = 24}))),
+        contender("blur-straight", true, QUELL_FIT_CODE(presets::blur<StraightPaths>(radiance))),
+        contender("blur", true, QUELL_FIT_CODE(presets::blur(radiance))),
+    };
+}
