@@ -138,7 +138,7 @@ TEST_CASE("what is behind is remembered while it is covered") {
 
 TEST_CASE("a pack may meet as many tiles of pixels that share their lines as it has pixels") {
     for (int const tile : {1, 3, 8}) {
-        auto const pipeline = presets::blur(radiance, {}, {.count = 64, .tile_width = tile, .tile_height = 1});
+        auto const pipeline = presets::blur(radiance, {}, {.count = 64, .tile_width = tile});
         auto const fast = [](auto& frame, unsigned seed) {
             std::mt19937 random(seed);
             std::uniform_real_distribution<float> faster(0.f, 20.f);

@@ -28,12 +28,12 @@ template <ChannelTag S, class Paths = StraightPaths, class Footprint = FixedFoot
     using reads = Channels<MotionPair<Paths>, UsablePath<Paths>>;
     using emits = Channels<FrontLayer<Signal>, FrontSweep, BackLayer<Signal>, MeanSweep>;
     static constexpr int most_samples = detail::LineOfPixels::most;
-    int count = 64;                      ///< samples looked at, at most (no more than `most_samples`); with two motions, half along each
-    float reach = 0.65f;                 ///< of a motion, how far along it samples are looked for: those farther away rarely pass in time
-    float width = 1.f;                   ///< pixels; a sample counts less the farther it passes, and not at all from here on
-    float bend_influence = 0.1f;         ///< per pixel of bend, how much wider that is, up to twice: what bends is known less exactly
-    float depth_tolerance = 0.02f;       ///< how much farther, relatively, something is that stands behind something else
-    int tile_width = 8, tile_height = 2; ///< pixels that share their lines, which makes neighbours' samples neighbours in memory
+    int count = 64;                ///< samples looked at, at most (no more than `most_samples`); with two motions, half along each
+    float reach = 0.65f;           ///< of a motion, how far along it samples are looked for: those farther away rarely pass in time
+    float width = 1.f;             ///< pixels; a sample counts less the farther it passes, and not at all from here on
+    float bend_influence = 0.1f;   ///< per pixel of bend, how much wider that is, up to twice: what bends is known less exactly
+    float depth_tolerance = 0.02f; ///< how much farther, relatively, something is that stands behind something else
+    int tile_width = 8;            ///< pixels of a row that share their lines, which makes neighbours' samples neighbours in memory
     [[no_unique_address]] Footprint footprint{};
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
@@ -227,13 +227,10 @@ private:
     /// The pixel whose pair a tile shares.
     template <class Px> QUELL_KERNEL auto shared(Px const& px) const {
         using Real = typename Px::Real;
-        auto const p = px.position();
-        auto const anchor = [](Real at, int size, float within) __attribute__((always_inline)) {
-            auto const tile = floor(at / static_cast<float>(size));
-            return min(fma(tile, Real(static_cast<float>(size)), Real(static_cast<float>(size / 2))), Real(within - 1.f));
-        };
-        return PastPlace<Real>(anchor(p.x, tile_width, static_cast<float>(px.size().width)),
-                               anchor(p.y, tile_height, static_cast<float>(px.size().height)));
+        auto const tile = floor(px.position().x / static_cast<float>(tile_width));
+        auto const column = fma(tile, Real(static_cast<float>(tile_width)), Real(static_cast<float>(tile_width / 2)));
+        return PastPlace<Real>(min(column, Real(static_cast<float>(px.size().width - 1))),
+                               Real(static_cast<float>(detail::row_of_pair(px.y, px.size()))));
     }
     /// Whether something can't be seen, since something nearer is before it.
     template <class Real> QUELL_KERNEL auto is_behind(Real nearness, Real before) const {

@@ -7,11 +7,20 @@ namespace quell {
 
 /// The two motions that meet around a pixel: of what is in front, then of what is behind, each with its speed (pixels in the time that the
 /// shutter is open), its nearness (1 / depth), and its sagitta where paths are bent; what turns has the speed that it would have at the
-/// pixel. Where only one thing is around it is the one behind, and the nearness of the front is negative.
+/// pixel. Where only one thing is around it is the one behind, and the nearness of the front is negative. Of two rows only the one of
+/// detail::row_of_pair has it: a pair holds for its surroundings.
 /// @tparam Paths StraightPaths, BentPaths or TurningPaths
 template <class Paths> struct MotionPair : Channel<Paths::bent ? 8 : 6> { static constexpr auto name = "motion_pair"; };
 
 namespace detail {
+/// Rows that share one pair, and which of them has it.
+inline constexpr int rows_of_pair = 2;
+QUELL_KERNEL int row_of_pair(int y, Extent size) {
+    int const row = y / rows_of_pair * rows_of_pair + rows_of_pair / 2, last = size.height - 1;
+    return row < last ? row : last;
+}
+template <class Px> QUELL_KERNEL bool has_pair(Px const& px) { return px.y == row_of_pair(px.y, px.size()); }
+
 /// Two movers in one value, and back.
 template <class M> QUELL_KERNEL auto joined(M const& first, M const& second) {
     constexpr int n = components_of<M>;
@@ -88,6 +97,7 @@ template <class Paths> struct LocalPairOf {
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
+        if (!has_pair(px)) return emitted<Real>(LocalPair<Paths>{}, zero<Value<LocalPair<Paths>::components, Real>>());
         auto const own = one_of<0>(px[RowExtremes<Paths>{}]);
         Extreme fastest{own, squared_speed(own)};
         for (int i = -radius; i <= radius; ++i) {
@@ -132,11 +142,12 @@ template <class Paths> struct NearestPair {
     static constexpr bool leaves_signal = true;
     using reads = Channels<LocalPair<Paths>>;
     using emits = Channels<MotionPair<Paths>>;
-    int across, down; ///< pixels from window to window
+    int across, down; ///< pixels from window to window; `down` leads from rows that have a pair to such rows
     float likeness;
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
+        if (!has_pair(px)) return emitted<Real>(MotionPair<Paths>{}, zero<Value<MotionPair<Paths>::components, Real>>());
         auto const own = px[LocalPair<Paths>{}];
         auto pair = own;
         auto const mover = one_of<1>(own);
@@ -159,8 +170,7 @@ template <class Paths> struct NearestPair {
 /// Finds where two things meet that move differently, and how each of them moves: the fastest sample in a small window and the one that
 /// moves least like it, if they are at different depths or the latter stands still. Since every sample has its own time, the window holds
 /// samples of both all over the region in which one covers the other for a part of the time.
-/// Emits MotionPair, and UsablePath for who looks at single samples afterwards. Windows are made for every pixel; what reads them does
-/// best to share one among neighbours (PairGather).
+/// Emits MotionPair, for every second row, and UsablePath for who looks at single samples afterwards.
 /// @tparam Paths StraightPaths, BentPaths, or TurningPaths, which a TurnGuide measures
 template <class Paths = StraightPaths> struct PairGuide {
     using reads = reads_of<PathGuide<Paths>>;
@@ -178,7 +188,7 @@ template <class Paths = StraightPaths> struct PairGuide {
         paths.for_each_pass(pass);
         pass(detail::RowExtremesOf<Paths>{across});
         pass(detail::LocalPairOf<Paths>{down, least, relative, depth_gap});
-        pass(detail::NearestPair<Paths>{2 * across, 2 * down, likeness});
+        pass(detail::NearestPair<Paths>{2 * across, detail::rows_of_pair * down, likeness});
     }
 };
 
