@@ -64,9 +64,9 @@ TEST_CASE("a signal that is no light of its own kind is added as it is") {
           1e-6);
 }
 
-TEST_CASE("direct light and albedo that are not finite add nothing, and only there") {
+TEST_CASE("direct light and albedo that are no light and no colour, not finite, negative or beyond 1e16, add nothing, and only there") {
     constexpr auto all = Composite{shadows, reflections, bounced};
-    for (float const a : {not_a_number, infinite, -infinite}) {
+    for (float const a : {not_a_number, infinite, -infinite, 3e38f, -1.f}) {
         Frame frame{size, all};
         tests::fill_randomly(frame, 8);
         auto const before = once(all, frame);

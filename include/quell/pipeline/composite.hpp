@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/pipeline/ingest.hpp>
 #include <quell/pipeline/run.hpp>
 
 namespace quell {
@@ -91,7 +92,7 @@ private:
             vec3<Real> times{Real(1.f), Real(1.f), Real(1.f)};
             for_each_channel(
                 typename Share<typename Part::Channel>::factor{}, [&]<class C>(C) __attribute__((always_inline)) {
-                    times = finite_factor(factor<Real, C>(x, y));
+                    times = usable(factor<Real, C>(x, y));
                 });
             if constexpr (components_of<std::remove_const_t<decltype(value)>> == 1)
                 sum = add_scaled(sum, times, value);
@@ -114,9 +115,13 @@ private:
         static_cast<void>(((std::is_same_v<C, typename Parts::Channel> || (++i, false)) || ...));
         return i;
     }
-    /// What a host leaves at NaN or infinity, at misses for instance, adds nothing.
-    template <class Real> QUELL_KERNEL static vec3<Real> finite_factor(vec3<Real> const& f) {
-        return select(all_finite(f), f, vec3<Real>{Real(0.f), Real(0.f), Real(0.f)});
+    /// A factor is to be as a sample of light is (Ingest). What a host leaves at anything else, at misses for instance, adds nothing.
+    template <class Real> QUELL_KERNEL static vec3<Real> usable(vec3<Real> const& f) {
+        auto const in_range = fold(
+            [](auto sofar, auto a)
+                __attribute__((always_inline)) { return both(sofar, is_finite(a), a >= Real(0.f), a <= Real(brightest_sample)); },
+            Real(0.f) == Real(0.f), f);
+        return select(in_range, f, vec3<Real>{Real(0.f), Real(0.f), Real(0.f)});
     }
 };
 template <ChannelTag C, class View> struct CompositePart {
