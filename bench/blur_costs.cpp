@@ -1,13 +1,17 @@
 // What motion blur costs, by what moves: processor time of one thread on made-up frames, against `svgf` on the same ones, and against the
 // same preset on the first case, in which everything moves. A table in Markdown.
 //
-//   quell-blur-costs [WIDTHxHEIGHT] [ROUNDS]      (1280x720, 5)
+//   quell-blur-costs --size 1280x720 --rounds 5
 //
 // Cases are measured in turn, round by round, and the least of each counts: what else runs on the machine only ever adds.
 
 #include "timed.hpp"
 
 #include <quell/quell.hpp>
+#include <support/program.hpp>
+#include <support/size_in.hpp>
+
+#include <CLI/CLI.hpp>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -16,7 +20,6 @@
 #include <cstdio>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -34,9 +37,9 @@ constexpr int frames = 4;
 struct Case {
     std::string name;
     float length = 16, degrees = 30;
-    float part = 1;         ///< of the image's width that moves
+    float part = 1;         ///< of the image's width, what moves
     float turn = 0;         ///< radians while the shutter is open
-    float of_behind = 0.4f; ///< of that sweep, what is behind has
+    float of_behind = 0.4f; ///< the part of that motion that what is behind has
     glm::vec2 sweep() const { return glm::vec2(std::cos(glm::radians(degrees)), std::sin(glm::radians(degrees))) * length; }
 };
 
@@ -45,7 +48,8 @@ class World {
 public:
     World(Case const& what_, Extent size_) : what(what_), size(size_), middle(0.5f * glm::vec2(size_.width, size_.height)) {}
 
-    void look(Input& frame, int x, int y, int number, float t) const {
+    /// What the sample of a pixel at time t of a frame's open shutter shows.
+    void put(Input& frame, int x, int y, int number, float t) const {
         glm::vec2 const p(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
         float const now = (static_cast<float>(number) + shutter * t) / shutter; // in sweeps
         bool const moves = p.x < what.part * static_cast<float>(size.width);
@@ -91,7 +95,7 @@ std::vector<Input> frames_of(Case const& what, Extent size) {
         std::minstd_rand random(static_cast<unsigned>(number) + 1);
         std::uniform_real_distribution<float> uniform(0.f, 1.f);
         for (int y = 0; y < size.height; ++y)
-            for (int x = 0; x < size.width; ++x) world.look(frame, x, y, number, uniform(random));
+            for (int x = 0; x < size.width; ++x) world.put(frame, x, y, number, uniform(random));
     }
     return made;
 }
@@ -156,15 +160,15 @@ void print_costs(Extent size, int rounds) {
 
 } // namespace
 
-int main(int count, char** arguments) {
-    Extent size{1280, 720};
-    int rounds = 5;
-    bool const usable = (count < 2 || std::sscanf(arguments[1], "%5dx%5d", &size.width, &size.height) == 2) &&
-                        (count < 3 || std::sscanf(arguments[2], "%5d", &rounds) == 1) && count < 4 && size.width > 0 && size.height > 0 &&
-                        rounds > 0;
-    if (!usable) {
-        std::fprintf(stderr, "quell-blur-costs [WIDTHxHEIGHT] [ROUNDS]: give pixels as in 1280x720 and a number of at least 1\n");
-        return 2;
-    }
-    print_costs(size, rounds);
+int main(int argc, char** argv) {
+    return examples::exit_code_of("quell-blur-costs", [&] {
+        std::string size = "1280x720";
+        int rounds = 5;
+        CLI::App app("What motion blur costs, by what moves.", "quell-blur-costs");
+        app.add_option("--size", size, "width x height in pixels")->capture_default_str();
+        app.add_option("--rounds", rounds, "how often each case is measured; the least counts")
+            ->check(CLI::Range(1, 1000))
+            ->capture_default_str();
+        if (examples::parse(app, argc, argv)) print_costs(examples::size_in(size), rounds);
+    });
 }

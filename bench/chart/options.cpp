@@ -2,12 +2,12 @@
 
 #include <quell/core/error.hpp>
 #include <support/program.hpp>
+#include <support/size_in.hpp>
 #include <tracer/scenes/scenes.hpp>
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <set>
 #include <thread>
 
@@ -45,15 +45,6 @@ void describe(CLI::App& app, ChartOptions& o, Words& words) {
                    "{out}; repeatable");
     app.add_flag("--quiet", o.quiet, "print nothing but errors");
     app.add_flag("--list", o.list, "print the built-in scenes, one a line");
-}
-
-Extent size_in(std::string const& text) {
-    Extent size;
-    char behind = 0;
-    bool const two = std::sscanf(text.c_str(), "%5dx%5d%c", &size.width, &size.height, &behind) == 2;
-    if (!two || size.width < 1 || size.height < 1)
-        throw Error("--size", "'" + text + "'", "give width and height in pixels, as in 480x270");
-    return size;
 }
 
 External external_in(std::string const& text) {
@@ -98,7 +89,7 @@ ChartOptions chart_options(int argc, char const* const* argv) {
     describe(app, options, words);
     options.wants_help = !examples::parse(app, argc, argv);
     if (options.wants_help) return options;
-    options.size = size_in(words.size);
+    options.size = examples::size_in(words.size);
     if (!options.times && options.frames <= ChartOptions::first_scored)
         throw Error("--frames", std::to_string(options.frames) + ", of which none is scored", "give more than 24, or --times too");
     options.cases = cases_of(words.scenes, words.effects);

@@ -4,6 +4,8 @@
 #include "parts.hpp"
 #include "sequence.hpp"
 
+#include <algorithm>
+
 namespace quell::bench {
 
 /// A pipeline that may become part of a composition.
@@ -13,9 +15,11 @@ struct Contender {
     std::string code; ///< the C++ that makes it, in namespace quell
     bool follows;     ///< whether it is there to follow what moves
     bool needs_camera;
-    bool blurs;                     ///< makes motion blur of samples of different times
     std::vector<std::string> reads; ///< channels, its share's factor among them
     std::unique_ptr<Method<FitFrame>> (*start)(ChartOptions const&);
+
+    /// Makes motion blur of samples of different times.
+    [[nodiscard]] bool blurs() const { return std::ranges::count(reads, Sweep::name) > 0; }
 };
 
 template <class P> Part part_of(P const&) {
@@ -38,7 +42,6 @@ template <class Make> Contender contender(std::string name, bool follows, char c
             code,
             follows,
             Made::needs_camera,
-            Made::reads::template has<Sweep>,
             reads,
             [](ChartOptions const& options) -> std::unique_ptr<Method<FitFrame>> {
                 return std::make_unique<MethodOf<FitFrame, Made, Planar<>>>(whole(Make{}()), options);

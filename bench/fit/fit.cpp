@@ -75,7 +75,7 @@ private:
     }
     [[nodiscard]] bool may_run(Contender const& contender) const {
         if (!missing_channel(contender).empty() || (contender.needs_camera && !sequence.has_camera)) return false;
-        if (contender.part == Part::rest) return survey.blur().present || !contender.blurs;
+        if (contender.part == Part::rest) return survey.blur().present || !contender.blurs();
         auto const& effect = survey[contender.part];
         return effect.present && effect.splits && (effect.moves || !contender.follows);
     }
@@ -145,7 +145,7 @@ private:
     /// A sentence for each effect without a pipeline of its own.
     [[nodiscard]] std::vector<std::string> left_out(Composition const& found) const {
         std::vector<std::string> sentences;
-        if (std::ranges::none_of(found.parts, [](auto const* trial) { return trial->contender->blurs; }))
+        if (std::ranges::none_of(found.parts, [](auto const* trial) { return trial->contender->blurs(); }))
             sentences.push_back("blur: " + survey.blur().evidence);
         for (auto const effect : effects) {
             if (has(found.split, effect)) continue;

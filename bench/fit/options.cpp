@@ -2,11 +2,11 @@
 
 #include <quell/core/error.hpp>
 #include <support/program.hpp>
+#include <support/size_in.hpp>
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <thread>
 
 namespace quell::bench {
@@ -44,14 +44,6 @@ void describe(CLI::App& app, FitOptions& o, std::string& size) {
     throw Error(option, found, remedy);
 }
 
-Extent size_in(std::string const& text) {
-    Extent size;
-    char behind = 0;
-    bool const two = std::sscanf(text.c_str(), "%5dx%5d%c", &size.width, &size.height, &behind) == 2;
-    if (!two || size.width < 1 || size.height < 1) refuse("--size", "'" + text + "'", "give width and height in pixels, as in 480x270");
-    return size;
-}
-
 void check_bound(char const* option, std::optional<double> const& bound) {
     if (bound && !(*bound > 0)) refuse(option, std::to_string(*bound), "give more than 0");
 }
@@ -86,7 +78,7 @@ FitOptions fit_options(int argc, char const* const* argv) {
     options.wants_help = !examples::parse(app, argc, argv);
     if (options.wants_help || options.list) return options;
     check(options, !size.empty());
-    if (!size.empty()) options.size = size_in(size);
+    if (!size.empty()) options.size = examples::size_in(size);
     if (options.threads == 0) options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     return options;
 }

@@ -2,22 +2,12 @@
 
 #include <quell/core/error.hpp>
 #include <support/program.hpp>
+#include <support/size_in.hpp>
 
 #include <CLI/CLI.hpp>
 
-#include <cstdio>
-
 namespace quell::stability {
 namespace {
-
-Extent size_from(std::string const& text) {
-    Extent size;
-    char end = 0;
-    if (std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &end) != 2 || size.width < 16 || size.height < 16 ||
-        size.pixels() > (1LL << 24))
-        throw Error("--size", "'" + text + "'", "give a width and a height such as 160x90, each at least 16");
-    return size;
-}
 
 void describe(CLI::App& app, StabilityOptions& options) {
     app.add_option("--case,--scene", options.cases, "A case that --list names, or all; may be given several times (default: all)")
@@ -44,7 +34,7 @@ std::optional<StabilityOptions> stability_options(int argc, char const* const* a
     app.add_option("--tolerance", tolerance, "Of references: mean FLIP between two independent halves (default: 0.015; cheap: 0.03)")
         ->check(CLI::Range(0.001, 1.0));
     if (!examples::parse(app, argc, argv)) return std::nullopt;
-    options.making.size = size_from(size.value_or(options.cheap ? "96x54" : "160x90"));
+    options.making.size = examples::size_in(size.value_or(options.cheap ? "96x54" : "160x90"), 16, 1LL << 24);
     options.making.tolerance = tolerance.value_or(options.cheap ? 0.03 : 0.015);
     if (options.cheap) options.making.most_samples = 64;
     if (options.cases == std::vector<std::string>{"all"}) options.cases.clear();

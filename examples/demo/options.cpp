@@ -2,25 +2,14 @@
 
 #include <quell/core/error.hpp>
 #include <support/program.hpp>
+#include <support/size_in.hpp>
 #include <tracer/scenes/scenes.hpp>
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace quell::examples {
-
-namespace {
-Extent size_from(std::string const& text) {
-    Extent size;
-    char end = 0;
-    if (std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &end) != 2 || size.width < 1 || size.height < 1 ||
-        size.pixels() > (1LL << 28))
-        throw Error("--size", "'" + text + "'", "give a width and a height such as 1280x720");
-    return size;
-}
-} // namespace
 
 DemoOptions demo_options(int argc, char const* const* argv) {
     DemoOptions options;
@@ -42,7 +31,7 @@ DemoOptions demo_options(int argc, char const* const* argv) {
     app.add_flag("--quiet", options.quiet, "no progress");
     app.add_flag("--list", options.list, "print the built-in scenes, one a line");
     options.wants_help = !parse(app, argc, argv);
-    options.size = size_from(size);
+    options.size = size_in(size, 1, 1LL << 28);
     if (std::find(options.scenes.begin(), options.scenes.end(), "all") != options.scenes.end()) options.scenes = tracer::scene_names();
     return options;
 }

@@ -10,6 +10,7 @@
 #include <support/png.hpp>
 #include <support/program.hpp>
 #include <support/progress.hpp>
+#include <support/size_in.hpp>
 
 #include <quell/io/frame_image.hpp>
 #include <quell/io/write_exr.hpp>
@@ -116,14 +117,6 @@ void describe(CLI::App& app, Options& o) {
     throw Error(option, found, remedy);
 }
 
-Extent size_in(std::string const& text) {
-    Extent size;
-    char behind = 0;
-    bool const two = std::sscanf(text.c_str(), "%5dx%5d%c", &size.width, &size.height, &behind) == 2;
-    if (!two || size.width <= 0 || size.height <= 0) refuse("--size", "'" + text + "'", "give width and height in pixels, as in 1920x1080");
-    return size;
-}
-
 std::optional<glm::vec3> vector_in(char const* option, std::vector<float> const& numbers) {
     if (numbers.empty()) return std::nullopt;
     if (numbers.size() != 3) refuse(option, std::to_string(numbers.size()) + " numbers", "give three, as in 0,1.5,4");
@@ -161,7 +154,7 @@ struct Sequence {
     long long& frames_done;
 
     [[nodiscard]] RenderSettings settings(int frame) const {
-        return {.size = size_in(options.size),
+        return {.size = examples::size_in(options.size),
                 .frame = frame,
                 .samples_per_pixel = options.spp,
                 .seed = options.seed,
@@ -283,7 +276,7 @@ void trace_all(Options const& options) {
         scenes.push_back(open_scene(name, camera));
         if (options.primary_only) scenes.back().secondary_rays = false;
     }
-    static_cast<void>(size_in(options.size));
+    static_cast<void>(examples::size_in(options.size));
     Progress progress("quell-trace", static_cast<long long>(scenes.size()) * options.frames, !options.quiet);
     long long frames_done = 0;
     for (std::size_t i = 0; i < scenes.size(); ++i) {

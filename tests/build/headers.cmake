@@ -37,6 +37,7 @@ foreach(header ${headers})
         list(APPEND sources ${source})
     endif()
     string(APPEND all_headers "#include <${header}>\n")
+    # What it has from others: other_unit.cpp includes that first.
     file(STRINGS ${root}/${header} others REGEX "^#include <[^q>]")
     list(APPEND dependencies ${others})
 endforeach()

@@ -3,4 +3,5 @@
 using namespace quell;
 using namespace quell::fuzz;
 
-static Known const all[] = {known("dual_cone", presets::dual_cone(indirect))};
+// And as a part of a picture, which multiplies it by the host's albedo.
+static Known const all[] = {known("dual_cone", presets::dual_cone(indirect)), known("composite", Composite{presets::dual_cone(indirect)})};

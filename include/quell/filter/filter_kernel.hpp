@@ -49,7 +49,7 @@ template <class Around> QUELL_KERNEL float edge_offset(Around const& around) {
 } // namespace detail
 
 /// Says how much a neighbour may contribute: exp(-distance). `around(px)` prepares what depends on the centre alone; that has
-///     Real distance(auto near, Real sum) const        sum + the neighbour's distance
+///     Real distance(auto tap, Real sum) const         sum + the neighbour's distance
 /// and may have
 ///     auto toward(int dx, int dy) const               prepares what depends on the tap's place, up to its sign; then this has distance()
 ///     float offset() const                            is added to each distance, which is at least 0 with it: for a sum that starts there

@@ -115,13 +115,9 @@ private:
         static_cast<void>(((std::is_same_v<C, typename Parts::Channel> || (++i, false)) || ...));
         return i;
     }
-    /// A factor is to be as a sample of light is (Ingest). What a host leaves at anything else, at misses for instance, adds nothing.
+    /// What a host leaves at anything else, at misses for instance, adds nothing.
     template <class Real> QUELL_KERNEL static vec3<Real> usable(vec3<Real> const& f) {
-        auto const in_range = fold(
-            [](auto sofar, auto a)
-                __attribute__((always_inline)) { return both(sofar, is_finite(a), a >= Real(0.f), a <= Real(brightest_sample)); },
-            Real(0.f) == Real(0.f), f);
-        return select(in_range, f, vec3<Real>{Real(0.f), Real(0.f), Real(0.f)});
+        return select(is_light(f), f, vec3<Real>{Real(0.f), Real(0.f), Real(0.f)});
     }
 };
 template <ChannelTag C, class View> struct CompositePart {

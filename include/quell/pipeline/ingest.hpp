@@ -8,11 +8,17 @@ namespace quell::detail {
 
 /// The largest sample that is taken for light: its square, and sums of that, are still finite.
 inline constexpr float brightest_sample = 1e16f;
+/// Whether a value may be light, or what light is multiplied by: no component is NaN, infinite, negative or beyond that.
+template <class V> QUELL_KERNEL auto is_light(V const& v) {
+    using Real = real_of<V>;
+    return fold(
+        [](auto sofar, auto a)
+            __attribute__((always_inline)) { return both(sofar, is_finite(a), a >= Real(0.f), a <= Real(brightest_sample)); },
+        Real(0.f) == Real(0.f), v);
+}
 
 /// The first pass: reads the host's samples, decides which are usable, brings them into the form in which they are denoised, and suppresses
-/// fireflies. A sample with a component
-/// that is NaN, infinite, negative or beyond 1e16 is missing: it is marked by the sign of component 0, and carries the mean of its usable
-/// neighbours.
+/// fireflies. A sample that is no light is missing: it is marked by the sign of component 0, and carries the mean of its usable neighbours.
 template <ChannelTag Input, Modulation Form, class Suppression> struct Ingest {
     static constexpr auto name = "ingest";
     using reads = decltype(Channels<Input>{} | reads_of<Form>{});
@@ -48,12 +54,8 @@ template <ChannelTag Input, Modulation Form, class Suppression> struct Ingest {
 private:
     /// The sample of one pixel as the pipeline sees it; of nothing where it is not usable.
     template <class Px> QUELL_KERNEL Sample<Px> sample(Px const& px) const {
-        using Real = typename Px::Real;
         auto const raw = px[Input{}];
-        auto const usable = fold(
-            [](auto sofar, auto a)
-                __attribute__((always_inline)) { return both(sofar, is_finite(a), a >= Real(0.f), a <= Real(brightest_sample)); },
-            Real(0.f) == Real(0.f), raw);
+        auto const usable = is_light(raw);
         auto const value = modulation.inward(px, select(usable, raw, zero<decltype(raw + raw)>()));
         return {select(usable, value, zero<typename Px::Signal>()), usable};
     }
