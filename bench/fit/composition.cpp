@@ -55,6 +55,11 @@ void measure_flip(Composition& composition, std::span<Converged const> wanted) {
     composition.figures.flip = mean_error(composition, wanted, [](auto const& a, auto const& b) { return metrics::flip(a, b).mean(); });
 }
 
+bool stands_in_for(Composition const& smaller, Composition const& other, Bounds const& bounds) {
+    return smaller.figures.bytes_per_pixel < other.figures.bytes_per_pixel && bounds.met_by(smaller.figures) &&
+           (bounds.asks_for_error() || smaller.figures.rmse <= slack * other.figures.rmse);
+}
+
 std::vector<Composition*> front_of(std::vector<Composition>& compositions) {
     std::vector<Composition*> all, front;
     for (auto& one : compositions) all.push_back(&one);

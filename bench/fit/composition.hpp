@@ -10,8 +10,10 @@ namespace quell::bench {
 /// Pipelines that make a picture together: one for each effect that is split off, and perhaps one for the rest.
 struct Composition {
     Effects split;
-    std::vector<Trial const*> parts;
+    std::vector<Trial const*> parts; ///< all of one precision
     Figures figures{};
+
+    [[nodiscard]] Precision memory() const { return parts.front()->memory; }
 };
 
 /// As in "shadow by shadow/radius=5, rest by svgf".
@@ -20,6 +22,9 @@ struct Composition {
 /// Fills in the figures but FLIP. A composite is a sum, and so the picture is known without running them together.
 void measure(Composition& composition, std::span<Converged const> wanted);
 void measure_flip(Composition& composition, std::span<Converged const> wanted);
+
+/// Whether this may stand in for another: smaller, within the bounds, and where those name no error, as accurate.
+[[nodiscard]] bool stands_in_for(Composition const& smaller, Composition const& other, Bounds const& bounds);
 
 /// The linear picture of a scored frame, by its place among them.
 [[nodiscard]] metrics::Picture picture_of(Composition const& composition, std::size_t scored);

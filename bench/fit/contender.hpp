@@ -2,6 +2,7 @@
 
 #include "chart/method.hpp"
 #include "parts.hpp"
+#include "precision.hpp"
 #include "sequence.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ struct Contender {
     bool follows;     ///< whether it is there to follow what moves
     bool needs_camera;
     std::vector<std::string> reads; ///< channels, its share's factor among them
-    std::unique_ptr<Method<FitFrame>> (*start)(ChartOptions const&);
+    std::unique_ptr<Method<FitFrame>> (*start)(ChartOptions const&, Precision memory);
 
     /// Makes motion blur of samples of different times.
     [[nodiscard]] bool blurs() const { return std::ranges::count(reads, Sweep::name) > 0; }
@@ -43,7 +44,8 @@ template <class Make> Contender contender(std::string name, bool follows, char c
             follows,
             Made::needs_camera,
             reads,
-            [](ChartOptions const& options) -> std::unique_ptr<Method<FitFrame>> {
+            [](ChartOptions const& options, Precision memory) -> std::unique_ptr<Method<FitFrame>> {
+                if (memory == Precision::half) return std::make_unique<MethodOf<FitFrame, Made, Planar<Float16>>>(whole(Make{}()), options);
                 return std::make_unique<MethodOf<FitFrame, Made, Planar<>>>(whole(Make{}()), options);
             }};
 }

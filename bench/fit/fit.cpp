@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace quell::bench {
@@ -34,23 +35,27 @@ public:
                          "; loosen the bound, or give the frames more samples");
     }
 
-    /// Runs the pipelines together. What they cost is known better then, and noted.
+    /// Runs the pipelines together, and once more with halves in their memory, which do where nothing asks for more. What they cost is
+    /// known better then, and noted.
     [[nodiscard]] Fitted verified(Composition& found) {
         std::vector<Entrant> entrants;
-        for (auto const* trial : found.parts) entrants.push_back({trial->contender, trial->split});
-        Fitted fitted{trials.run(entrants, "verifying"), {found.split, {}}, origin(found)};
-        for (auto const& trial : fitted.trials) fitted.composition.parts.push_back(&trial);
-        measure(fitted.composition, sequence.converged);
-        measure_flip(fitted.composition, sequence.converged);
-        found.figures = fitted.composition.figures;
+        for (auto const memory : {Precision::single, Precision::half})
+            for (auto const* trial : found.parts) entrants.push_back({trial->contender, trial->split, memory});
+        Fitted fitted{trials.run(entrants, "verifying"), {}, origin(found)};
+        auto const in_floats = composed(fitted.trials, Precision::single, found.split);
+        auto const in_halves = composed(fitted.trials, Precision::half, found.split);
+        bool const halves_do = stands_in_for(in_halves, in_floats, options.bounds);
+        fitted.composition = halves_do ? in_halves : in_floats;
+        fitted.origin.memory = about_memory(in_floats, in_halves, halves_do);
+        found.figures = in_floats.figures;
         return fitted;
     }
 
     void print(Fitted const& fitted) const {
         out << (options.bounds.asks_for_error() ? "The smallest within " : "The smallest of the most accurate within ")
             << to_string(options.bounds) << ": " << to_string(fitted.composition)
-            << "\n  run as a whole: " << to_string(fitted.composition.figures) << ", "
-            << static_cast<long long>(fitted.composition.figures.bytes_per_pixel) << " bytes per pixel\n";
+            << "\n  run as a whole: " << to_string(fitted.composition.figures) << ", " << bytes_of(fitted.composition)
+            << "\n  memory: " << fitted.origin.memory << '\n';
         for (auto const& sentence : fitted.origin.left_out) out << "  left out: " << sentence << '\n';
         out << "  channels:";
         for (auto const& name : channels_of(fitted.composition)) out << ' ' << name;
@@ -127,6 +132,23 @@ private:
         return more;
     }
 
+    [[nodiscard]] Composition composed(std::list<Trial> const& run, Precision memory, Effects const& split) const {
+        Composition whole{split, {}};
+        for (auto const& trial : run)
+            if (trial.memory == memory) whole.parts.push_back(&trial);
+        measure(whole, sequence.converged);
+        measure_flip(whole, sequence.converged);
+        return whole;
+    }
+
+    [[nodiscard]] static std::string bytes_of(Composition const& composition) {
+        return std::to_string(std::llround(composition.figures.bytes_per_pixel)) + " bytes per pixel";
+    }
+    [[nodiscard]] static std::string about_memory(Composition const& in_floats, Composition const& in_halves, bool halves_do) {
+        auto const text = [](Composition const& one) { return to_string(one.figures) + ", " + bytes_of(one); };
+        return (halves_do ? "halves do" : "halves don't do") + (": " + text(in_halves)) + "; in floats " + text(in_floats);
+    }
+
     /// The best of all, where none is good enough.
     [[nodiscard]] std::string best() {
         Composition* best = nullptr;
@@ -156,7 +178,7 @@ private:
         return sentences;
     }
     [[nodiscard]] Origin origin(Composition const& found) const {
-        Origin origin{sequence.name, sequence.size, options.threads, options.bounds, {}, left_out(found)};
+        Origin origin{sequence.name, sequence.size, options.threads, options.bounds, {}, {}, left_out(found)};
         for (auto const& one : sequence.converged) origin.scored.push_back(one.frame);
         return origin;
     }

@@ -66,7 +66,8 @@ void write_comment(std::ostream& out, Composition const& composition, Origin con
         << ".\n"
         << "// " << to_string(composition) << '\n'
         << "// At " << to_string(origin.size) << " on " << origin.threads << " threads: " << to_string(composition.figures)
-        << " (displayed, mean of frames " << frames << ").\n";
+        << " (displayed, mean of frames " << frames << ").\n"
+        << "// Memory: " << origin.memory << ".\n";
     for (auto const& sentence : origin.left_out) out << "// Left out: " << sentence << '\n';
     out << "//\n// Channels that a host must fill:\n";
     for (auto const& name : channels_of(composition)) {
@@ -82,7 +83,10 @@ void write_pipeline(std::ostream& out, Composition const& composition) {
     out << "inline constexpr auto pipeline = [] {\n    using namespace quell;\n    return Composite{\n";
     for (auto const* trial : composition.parts)
         out << "        " << trial->contender->code << (trial == composition.parts.back() ? "\n" : ",\n");
-    out << "    };\n}();\n";
+    out << "    };\n}();\n\n/// What its history and its scratch are kept in: quell::History history{size, pipeline, Storage{}}.\nusing "
+           "Storage = "
+           "quell::Planar<"
+        << (composition.memory() == Precision::half ? "quell::Float16" : "") << ">;\n";
 }
 
 } // namespace

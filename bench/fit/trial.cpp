@@ -66,7 +66,8 @@ Trials::Trials(Sequence& sequence_, FitOptions const& options) : sequence(sequen
 
 std::list<Trial> Trials::run(std::vector<Entrant> const& entrants, std::string const& label) {
     std::vector<Runner> runners;
-    for (auto const& entrant : entrants) runners.push_back({entrant.contender->start(how), {entrant.contender, entrant.split}});
+    for (auto const& entrant : entrants)
+        runners.push_back({entrant.contender->start(how, entrant.memory), {entrant.contender, entrant.split, entrant.memory}});
     examples::Progress bar(label, static_cast<long long>(sequence.numbers.size()), !how.quiet);
     for (auto const number : sequence.numbers) {
         bar.show(number - sequence.numbers.front(), std::to_string(entrants.size()) + " pipelines");

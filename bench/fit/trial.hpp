@@ -12,6 +12,7 @@ namespace quell::bench {
 struct Trial {
     Contender const* contender = nullptr;
     Effects split; ///< of one for the rest: which effects were split off
+    Precision memory = Precision::single;
     double ms = 0, bytes_per_pixel = 0;
     std::vector<metrics::Picture> shares{}; ///< its linear share of each scored frame's picture
 };
@@ -20,6 +21,7 @@ struct Trial {
 struct Entrant {
     Contender const* contender = nullptr;
     Effects split; ///< of one for the rest
+    Precision memory = Precision::single;
 };
 
 /// Runs contenders over the sequence, side by side.

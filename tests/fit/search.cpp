@@ -56,6 +56,24 @@ TEST_CASE("a tight bound splits off what it takes, and says what the sequence la
     CHECK(std::ranges::count(channels, "glossy") == 0);
 }
 
+TEST_CASE("memory is of halves where they do") {
+    FlickeringWall wall;
+    auto const found = run(wall, {.rmse = 0.08, .flip = {}, .ms = {}});
+    CHECK(found.fitted.composition.memory() == Precision::half);
+    CHECK(says(found.said, "memory: halves do: "));
+
+    auto const with = [](double rmse, double bytes) {
+        return Composition{.split = {}, .parts = {}, .figures = {.ms = 1, .rmse = rmse, .bytes_per_pixel = bytes}};
+    };
+    auto const floats = with(0.05, 60);
+    Bounds const error{.rmse = 0.06, .flip = {}, .ms = {}}, time{.rmse = {}, .flip = {}, .ms = 2};
+    CHECK(stands_in_for(with(0.059, 30), floats, error));
+    CHECK_FALSE(stands_in_for(with(0.061, 30), floats, error));
+    CHECK(stands_in_for(with(0.0505, 30), floats, time));
+    CHECK_FALSE(stands_in_for(with(0.059, 30), floats, time)); // time is left, so error counts
+    CHECK_FALSE(stands_in_for(with(0.05, 60), floats, error)); // nothing is gained
+}
+
 TEST_CASE("what follows an effect is tried only where it moves") {
     FlickeringWall wall;
     CHECK_FALSE(says(run(wall, {.rmse = 0.08, .flip = {}, .ms = {}}).said, "follower"));
