@@ -103,6 +103,45 @@ TEST_CASE("what moves slowly leaves hardly anything of itself on what it uncover
     CHECK(trail < 0.05);
 }
 
+TEST_CASE("an outline that moves by less than a pixel has a past too, though what is behind moves nearly as it does") {
+    auto const edge = [](int frame) { return 80 + 1.9f * static_cast<float>(frame); };
+    auto const error_after = [&](int frames) {
+        World const world{tall, frames};
+        auto const out = world.last(denoise, [&](int x, int, int frame, float t) {
+            return static_cast<float>(x) + 0.5f < edge(frame) + 0.95f * t ? Seen{1.f, {0.95f, 0}, 16.f} : Seen{0.f, {0.75f, 0}, 25.f};
+        });
+        double error = 0;
+        for (int y = 0; y < tall.height; ++y)
+            for (int x = 0; x < tall.width; ++x) {
+                auto const open = std::clamp((edge(frames - 1) + 0.95 - x - 0.5) / 0.95, 0.0, 1.0);
+                error += std::pow(world.at(out, x, y) - open, 2);
+            }
+        return error;
+    };
+    // As many frames before as lead to the same place between pixels.
+    CHECK(error_after(21) < 0.35 * error_after(1));
+}
+
+TEST_CASE("what moves slowly keeps its detail") {
+    constexpr int frames = 24;
+    World const world{tall, frames};
+    auto const wave = [](float x) { return 0.5f + 0.5f * std::sin(1.6f * x); }; // a period of 4 pixels
+    auto const out = world.last(denoise, [&](int x, int, int frame, float t) {
+        return Seen{wave(static_cast<float>(x) - 1.4f * static_cast<float>(frame) - 0.7f * t), {0.7f, 0}, 9.f};
+    });
+    double kept = 0, whole = 0;
+    for (int y = 0; y < tall.height; ++y)
+        for (int x = 20; x < 140; ++x) {
+            double blurred = 0;
+            for (int k = 0; k < 16; ++k)
+                blurred += (wave(static_cast<float>(x) - 1.4f * (frames - 1) - 0.7f * (static_cast<float>(k) + 0.5f) / 16) - 0.5) / 16;
+            kept += (world.at(out, x, y) - 0.5) * blurred;
+            whole += blurred * blurred;
+        }
+    CHECK(kept / whole > 0.78);
+    CHECK(kept / whole < 1.05);
+}
+
 TEST_CASE("what stands still in front keeps its value, whatever moves behind it") {
     World const world{size, 3};
     auto const out = world.last(denoise, [](int x, int y, int frame, float t) {

@@ -19,8 +19,8 @@ template <ChannelTag S> struct LayerFetch {
         auto past = Bilinear{}.fetch(px, found);
         if (auto const valid = past.validity > Real(0.f); sharp && any(valid)) {
             auto const spline = CatmullRom::interpolated(
-                px, found, valid, [](auto const& then) __attribute__((always_inline)) { return then[MovingLayer<Signal>{}]; });
-            past.kept.set(moving, select(spline.accepted, detail::covering(spline.value), past.kept[moving]));
+                px, found, past.kept[moving], [](auto const& then) __attribute__((always_inline)) { return then[MovingLayer<Signal>{}]; });
+            past.kept.set(moving, select(valid, detail::covering(spline), past.kept[moving]));
         }
         auto const p = px.position();
         PastPlace<Real> const here(p.x - 0.5f, p.y - 0.5f);

@@ -120,8 +120,8 @@ private:
         auto const near_a = nearness_of(a), near_b = nearness_of(b);
         auto const apart = max(near_a, near_b) > min(near_a, near_b) * (1.f + depth_gap);
         // What moves over something of its own depth that stands still is in front.
-        auto const two = both(difference > max(Real(least * least), squared * (relative * relative)),
-                              either(apart, squared_speed(b) <= Real(still_squared)));
+        auto const alike = fma(max(sqrt(squared) - 1.f, Real(0.f)), Real(relative), Real(least));
+        auto const two = both(difference > alike * alike, either(apart, squared_speed(b) <= Real(still_squared)));
         auto const a_in_front = both(two, either(invert(apart), near_a > near_b));
         auto const front = select(two, select(a_in_front, a, b), at_nearness(a, Real(-1.f)));
         return joined(front, select(a_in_front, b, a));
@@ -178,8 +178,8 @@ template <class Paths = StraightPaths> struct PairGuide {
                            Channels<detail::RowExtremes<Paths>, detail::LocalPair<Paths>, MotionPair<Paths>>{});
     static constexpr bool leaves_signal = true;
     int across = 4, down = 1; ///< how far the window reaches, in pixels
-    float least = 0.5f;       ///< pixels; motions that differ less are one
-    float relative = 0.25f;   ///< of the faster's speed; likewise
+    float least = 0.1f;       ///< pixels; motions that differ less are one
+    float relative = 0.25f;   ///< how much more they may differ, of the faster's speed beyond one pixel
     float depth_gap = 0.05f;  ///< relative; what is nearer to each other in depth is one, unless one of them stands still
     float likeness = 0.5f;    ///< of the difference between two motions beside: what is nearer to one of them than that may be it
     [[no_unique_address]] PathGuide<Paths> paths{};

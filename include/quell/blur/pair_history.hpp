@@ -55,8 +55,9 @@ private:
     QUELL_KERNEL static V sharpened(Px const& px, Found const& found, Mask wanted, V const& smooth, Layer) {
         if (!any(wanted)) return smooth;
         auto const spline = CatmullRom::interpolated(
-            px, found, wanted, [](auto const& then) __attribute__((always_inline)) { return detail::signal_of(then[Layer{}]); });
-        return select(spline.accepted, detail::layer_of(spline.value, detail::weight_of(smooth)), smooth);
+            px, found, detail::signal_of(smooth),
+            [](auto const& then) __attribute__((always_inline)) { return detail::signal_of(then[Layer{}]); });
+        return select(wanted, detail::layer_of(spline, detail::weight_of(smooth)), smooth);
     }
 };
 
@@ -70,6 +71,8 @@ template <ChannelTag S> struct PairBlend {
     float cap = 6.f; ///< samples that the past of what is behind counts as, at most
     /// The same of what is in front: fewer, since its parts never move quite alike, and an outline that lags is seen more than its noise.
     float front_cap = 4.f;
+    /// Pixels; of what sweeps less, the past counts less, in proportion: it has little noise, and is interpolated as often.
+    float slow = 2.5f;
 
     template <class Px, class P> QUELL_KERNEL auto blend(Px const& px, P const& past) const {
         using Real = typename Px::Real;
@@ -78,11 +81,12 @@ template <ChannelTag S> struct PairBlend {
         auto const sweep = px[mean_sweep];
         auto const still = both(sweep.x == Real(0.f), sweep.y == Real(0.f));
         auto const samples = detail::weight_of(px[back]), known = detail::weight_of(past[back]);
-        auto const counted = min(known, select(still, known, Real(cap)));
+        auto const counted = min(known, select(still, known, at_most(cap, sweep)));
         auto const share = select(still, masked(samples >= known, Real(1.f)), share_of(samples, counted));
         auto const behind = joined(past[back], px[back], share, select(still, max(samples, known), samples + counted));
 
-        auto const front_samples = detail::weight_of(px[front]), front_counted = min(detail::weight_of(past[front]), Real(front_cap));
+        auto const front_samples = detail::weight_of(px[front]),
+                   front_counted = min(detail::weight_of(past[front]), at_most(front_cap, px[front_sweep]));
         auto const in_front = joined(past[front], px[front], share_of(front_samples, front_counted), front_samples + front_counted);
         auto const covering = detail::covering(detail::signal_of(in_front));
         return Result{detail::layers_together(covering, behind, px.signal()), share}
@@ -93,6 +97,10 @@ template <ChannelTag S> struct PairBlend {
     }
 
 private:
+    /// What the past of something counts as, by its sweep.
+    template <class Real> QUELL_KERNEL Real at_most(float most, vec2<Real> const& sweep) const {
+        return min(sqrt(fma(sweep.x, sweep.x, sweep.y * sweep.y)) * (most / slow), Real(most));
+    }
     /// What samples weigh beside those of the past.
     template <class Real> QUELL_KERNEL static Real share_of(Real samples, Real past) {
         return select(past > Real(0.f), samples / max(samples + past, Real(1e-6f)), Real(1.f));
