@@ -83,10 +83,8 @@ void write_pipeline(std::ostream& out, Composition const& composition) {
     out << "inline constexpr auto pipeline = [] {\n    using namespace quell;\n    return Composite{\n";
     for (auto const* trial : composition.parts)
         out << "        " << trial->contender->code << (trial == composition.parts.back() ? "\n" : ",\n");
-    out << "    };\n}();\n\n/// What its history and its scratch are kept in: quell::History history{size, pipeline, Storage{}}.\nusing "
-           "Storage = "
-           "quell::Planar<"
-        << (composition.memory() == Precision::half ? "quell::Float16" : "") << ">;\n";
+    out << "    };\n}();\n\n/// What its history and its scratch are kept in: quell::History history{size, pipeline, Storage{}}.\n"
+        << "using Storage = quell::Planar<" << (composition.memory() == Precision::half ? "quell::Float16" : "") << ">;\n";
 }
 
 } // namespace
