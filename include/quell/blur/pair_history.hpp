@@ -50,7 +50,7 @@ private:
         return Bilinear::interpolated(
             px, found, [](auto const& then) __attribute__((always_inline)) { return then[Layer{}]; });
     }
-    /// A layer by the spline, where that has what it needs; its count of samples stays as it is.
+    /// A layer by the spline where that is wanted; its count of samples stays as it is.
     template <class Px, class Found, class Mask, class V, class Layer>
     QUELL_KERNEL static V sharpened(Px const& px, Found const& found, Mask wanted, V const& smooth, Layer) {
         if (!any(wanted)) return smooth;
@@ -71,7 +71,8 @@ template <ChannelTag S> struct PairBlend {
     float cap = 6.f; ///< samples that the past of what is behind counts as, at most
     /// The same of what is in front: fewer, since its parts never move quite alike, and an outline that lags is seen more than its noise.
     float front_cap = 4.f;
-    /// Pixels; of what sweeps less, the past counts less, in proportion: it has little noise, and is interpolated as often.
+    /// Pixels, more than 0; of what sweeps less, the past counts less, in proportion: it has less noise, and is interpolated, and so
+    /// softened, as often.
     float slow = 2.5f;
 
     template <class Px, class P> QUELL_KERNEL auto blend(Px const& px, P const& past) const {

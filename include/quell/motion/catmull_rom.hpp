@@ -22,7 +22,7 @@ struct CatmullRom {
     }
 
     /// Any value of past pixels.
-    /// @param smooth its bilinear mean
+    /// @param smooth its bilinear mean, which stands in for those that are not accepted
     template <class Px, class FoundPlace, class V, class ValueOf>
     QUELL_KERNEL static V interpolated(Px const& px, FoundPlace const& unchecked, V const& smooth, ValueOf&& value_of) {
         using Real = typename Px::Real;
