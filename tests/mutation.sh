@@ -1,19 +1,22 @@
 #!/usr/bin/env bash
 # Breaks kernels one line at a time, on a copy, and shows that the tests notice each:
 #     tests/mutation.sh [part-of-a-name]
+#     tests/mutation.sh --lines            only that every line is still there, which takes no time
 # Prints a table; ends with 1 where a broken line was not noticed, with 2 where something else is wrong: a line that is no longer there,
 # a break that doesn't compile, tests that fail without one. Compiles a test for each, so it is no part of tests/run.sh.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 only=${1:-}
+lines_only=
+[ "$only" != --lines ] || lines_only=yes only=
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 cp -r include tests "$copy"
 compiler=("${CXX:-g++}" -std=c++20 -O1 -march=native -w "-I$copy/include")
-"${compiler[@]}" -c "$copy/tests/main.cpp" -o "$copy/main.o"
+[ -n "$lines_only" ] || "${compiler[@]}" -c "$copy/tests/main.cpp" -o "$copy/main.o"
 
-survivors=0
+mutants=0 survivors=0
 declare -A passes_unbroken
 
 stop() { printf 'mutation.sh: %s\n' "$1" >&2; exit 2; }
@@ -40,8 +43,14 @@ break_line() {
 # mutant what test file pattern replacement
 mutant() {
     [[ "$1" == *"$only"* ]] || return 0
-    check_unbroken "$2"
+    mutants=$((mutants + 1))
+    [ -n "$lines_only" ] || check_unbroken "$2"
+    [ -f "tests/$2.cpp" ] || stop "there is no tests/$2.cpp"
     break_line "$3" "$4" "$5"
+    if [ -n "$lines_only" ]; then
+        cp "include/quell/$3" "$copy/include/quell/$3"
+        return 0
+    fi
     build "$2" || stop "'$1' doesn't compile: $(grep -m 1 error "$copy/messages")"
     # A test that hangs has noticed.
     local verdict=noticed
@@ -65,7 +74,7 @@ mutant "the cap of a history's age" blend/policies blend/running_mean.hpp \
     'accumulate(px, past, 1.f / n)' 'accumulate(px, past, 1.f / (past[history_length] * past.validity + 1.f))'
 mutant "the weight of the newest frame" blend/policies blend/exponential.hpp '(1.f - alpha)' 'alpha'
 mutant "a term of the variance" blend/policies blend/with_moments.hpp 'off * off * alpha' 'off * off'
-mutant "a distance in depth without its sign" filter/kernels filter/edge_weights.hpp 'fma(abs(near[depth] - z), inverse, sum)' 'fma(near[depth] - z, inverse, sum)'
+mutant "a distance in depth without its sign" filter/kernels filter/edge_weights.hpp 'fma(abs(neighbour[depth] - z), inverse, sum)' 'fma(neighbour[depth] - z, inverse, sum)'
 mutant "the squared weights of the variance" filter/kernels filter/atrous.hpp 'w * w, noise' 'w, noise'
 mutant "columns outside the image" filter/kernels filter/taps.hpp 'Real(base), Real(too_far)' 'Real(base), Real(base)'
 mutant "rows outside the image" filter/kernels filter/taps.hpp 'below.row_inside ? 0.f : too_little' 'below.row_inside ? 0.f : 0.f'
@@ -73,14 +82,17 @@ mutant "how far the light changed" filter/temporal_gradient filter/temporal_grad
 mutant "the test for NaN behind a filter" pipeline/history filter/atrous.hpp 'return select(all_finite(v), v, centre);' 'return v;'
 mutant "negative samples" pipeline/history pipeline/ingest.hpp 'a >= Real(0.f), ' ''
 mutant "albedo comes back" pipeline/history pipeline/modulation.hpp 'return a * d;' 'return a;'
-mutant "the test for NaN in a picture's factors" pipeline/composite pipeline/composite.hpp 'return select(all_finite(f), f,' 'return select(Real(0.f) == Real(0.f), f,'
-mutant "blur: when a sample passes" blur/two_motions blur/usable_path.hpp 'return {aside, time() + along};' 'return {aside, time() - along};'
+mutant "the test for what is no light in a picture's factors" pipeline/composite pipeline/composite.hpp 'return select(is_light(f), f,' 'return select(Real(0.f) == Real(0.f), f,'
+mutant "blur: when a sample passes" blur/two_motions blur/usable_path.hpp 'when = time() + along;' 'when = time() - along;'
+mutant "blur: motions too unlike to be of one surface" blur/two_motions blur/pair_guide.hpp \
+    'difference > opposed * opposed,' 'difference > difference,'
 mutant "blur: how far the shutter's ends are soft" blur/layers blur/pair_gather.hpp 'Real(2.f), Real(0.5f)' 'Real(2.f), Real(2.f)'
 mutant "blur: what is guessed behind what moves" blur/two_motions blur/pair_gather.hpp \
     'both(back_moves, moving)' 'both(back_moves, invert(back_moves))'
 mutant "blur: how far the samples of a part count" blur/part_means blur/part_means.hpp '(after + here + 1.f) * 0.5f' '(after + here + 1.f) * 0.4f'
-mutant "blur: the past of what is in front" blur/two_motions blur/pair_history.hpp 'Real(front_cap))' 'Real(0.f))'
+mutant "blur: the past of what is in front" blur/two_motions blur/pair_history.hpp 'at_most(front_cap, px[front_sweep])' 'Real(0.f)'
 mutant "blur: what of the past moves otherwise" blur/two_motions blur/path_search.hpp '- length) <= length_tolerance' '- length) >= Real(0.f)'
 mutant "blur: where the past is looked for" blur/layers blur/path_search.hpp '{{p.x - v.x, p.y - v.y}' '{{p.x + v.x, p.y - v.y}'
 
+[ "$mutants" -gt 0 ] || stop "no broken line has '$only' in its name"
 [ "$survivors" = 0 ] || { echo "$survivors broken lines were not noticed" >&2; exit 1; }

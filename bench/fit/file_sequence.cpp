@@ -40,6 +40,7 @@ public:
         });
         put_picture(examples::read_reference(files.path(number), map), frame); // put together of its signals as a reference is
         if (auto const camera = io::camera_of(image)) frame.camera = *camera;
+        if (auto const shutter = io::shutter_of(image, names)) frame.shutter = *shutter;
         frame.number = number - numbers.front();
     }
 

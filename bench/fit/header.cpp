@@ -77,6 +77,8 @@ void write_comment(std::ostream& out, Composition const& composition, Origin con
     }
     bool const camera = std::ranges::any_of(composition.parts, [](auto const* trial) { return trial->contender->needs_camera; });
     if (camera) out << "// and frame.camera.\n";
+    if (std::ranges::count(channels_of(composition), Sweep::name) > 0)
+        out << "// and frame.shutter, the part of the frame time during which the shutter is open.\n";
 }
 
 void write_pipeline(std::ostream& out, Composition const& composition) {

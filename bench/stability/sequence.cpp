@@ -67,6 +67,7 @@ io::ExrImage frame_of(tracer::PreparedScene& scene, tracer::RenderSettings const
     TracedFrame frame(settings.size);
     tracer::FrameSink<TracedFrame> sink{frame};
     tracer::render<Traced>(scene, settings, sink);
+    frame.shutter = settings.shutter;
     frame.camera = scene.description().camera_at(static_cast<float>(settings.frame), settings.size);
     keep_share(frame, signal);
     return io::image_of(frame);

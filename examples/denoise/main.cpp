@@ -119,6 +119,7 @@ void denoise(DenoiseOptions const& options) {
     Output const output(options.out, in, range);
     Comparison comparison(options.reference, range);
     SequenceDenoiser denoiser(preset, options.threads, !options.debug_views.empty(), map);
+    if (options.shutter) denoiser.set_shutter(*options.shutter);
     if (options.diagnose) denoiser.diagnose();
     int findings = 0;
     {

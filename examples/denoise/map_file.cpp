@@ -117,6 +117,7 @@ io::ChannelNames guides_in(Member const& map) {
     io::ChannelNames names;
     if (map.has("motion")) names.motion = motion_in(map.at("motion"));
     if (map.has("miss_from")) names.miss_from = map.at("miss_from").number();
+    if (map.has("shutter")) names.shutter = map.at("shutter").number();
     if (!map.has("channels")) return names;
     auto const channels = map.at("channels");
     if (!channels.value.is_object()) channels.fail("write an object of quell's channel names");
@@ -149,7 +150,7 @@ io::SequenceNames parse_map(std::string const& text, std::string const& name) {
         }
     }
     Member const map{name, "", json};
-    check_keys(map, {"channels", "motion", "miss_from", "signals", "added"});
+    check_keys(map, {"channels", "motion", "miss_from", "shutter", "signals", "added"});
     auto const guides = guides_in(map);
     io::SequenceNames names{name};
     if (map.has("added")) names.added = sources_in(map.at("added"), "radiance", 3);

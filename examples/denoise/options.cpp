@@ -3,6 +3,7 @@
 #include <support/program.hpp>
 
 #include <quell/core/error.hpp>
+#include <quell/core/real.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -15,6 +16,7 @@ Files of quell-trace and of Blender's Cycles are recognised; --map names the cha
   {"channels":  {"depth": "Z", "normal": "N", "motion": ["speed.x", {"from": "speed.y", "scale": -1}]},
    "motion":    {"points": "to_previous|from_previous", "unit": "pixel|uv|ndc", "y": "down|up"},
    "miss_from": 1e9,
+   "shutter":   0.5,
    "signals":   [{"radiance": "beauty", "albedo": "base_color"},
                  {"irradiance": {"from": ["diffuse_direct", "diffuse_indirect"]}, "albedo": "diffuse_color"}],
    "added":     "emission"}
@@ -31,6 +33,8 @@ void describe(CLI::App& app, DenoiseOptions& options) {
     app.add_option("--last", options.last, "Number of the last frame (default: the last that there is)");
     app.add_option("--reference", options.reference, "Converged frames, e.g. 'dir/ref.%04d.exr': prints frame,rmse,ssim,flip as CSV");
     app.add_option("--map", options.map, "JSON file that names the channels of another renderer, see below");
+    app.add_option("--shutter", options.shutter,
+                   "Part of the frame time during which the shutter is open (default: what the map says, or else the files, or else 0.5)");
     app.add_option("--warmup", options.warmup, "Frames before the first to denoise without writing them (default: 0)");
     app.add_option("--threads", options.threads, "Threads (default: all)");
     app.add_flag("--diagnose", options.diagnose,
@@ -58,6 +62,8 @@ void check(DenoiseOptions const& options) {
     if (options.out.empty() && options.reference.empty())
         throw Error("command line", "neither --out nor --reference is there", "say where the result goes, or what to compare it with");
     check_debug_views(options);
+    if (options.shutter && !(is_finite(*options.shutter) && *options.shutter >= 0))
+        throw Error("--shutter", std::to_string(*options.shutter), "give a part of the frame time, such as 0.5");
     if (options.warmup < 0) throw Error("--warmup", std::to_string(options.warmup), "give 0 or more frames");
     if (options.threads < 0) throw Error("--threads", std::to_string(options.threads), "give 1 or more, or 0 for all");
 }

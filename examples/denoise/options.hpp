@@ -13,6 +13,7 @@ struct DenoiseOptions {
     std::optional<long long> first, last;
     long long warmup = 0;
     int threads = 0;
+    std::optional<float> shutter; ///< of all frames, whatever the map and the files say
     std::vector<std::string> debug_views;
     bool quiet = false, list = false, diagnose = false;
 };

@@ -12,6 +12,8 @@ SequenceDenoiser::SequenceDenoiser(Preset preset_, int threads_, bool watched_, 
 
 void SequenceDenoiser::begin(io::ExrFile const& file) {
     if (!sequence) sequence = io::recognise(file);
+    if (shutter)
+        for (auto& signal : sequence->of_signals) signal.channels.shutter = shutter;
     size = file.size;
     for (std::size_t s = 0; s < sequence->of_signals.size(); ++s)
         denoisers.push_back(watched ? preset.make_watched(size) : preset.make(size, threads));

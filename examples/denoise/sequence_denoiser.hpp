@@ -17,6 +17,9 @@ public:
     /// @param map how the files name their channels; without one, that is recognised from the first file
     SequenceDenoiser(Preset preset, int threads, bool watched, std::optional<io::SequenceNames> map);
 
+    /// How long the shutter is open, whatever the files or the map say.
+    void set_shutter(float part) { shutter = part; }
+
     /// From now on each frame is looked at for what its renderer got wrong.
     void diagnose() { looks = true; }
     /// What the last frame showed for the first time.
@@ -38,6 +41,7 @@ private:
     int threads;
     bool watched;
     std::optional<io::SequenceNames> sequence;
+    std::optional<float> shutter;
     Extent size;
     std::vector<std::unique_ptr<Denoiser>> denoisers; ///< one per signal
     long long missing = 0;

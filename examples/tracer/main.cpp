@@ -184,6 +184,7 @@ struct Sequence {
             progress.show(frames_done++, folder.filename().string());
             auto const how = settings(frame);
             Frame<Wanted> traced(how.size);
+            traced.shutter = how.shutter;
             FrameSink<Frame<Wanted>> sink{traced};
             rays += render<Wanted>(scene, how, sink);
             write("frame", frame, io::image_of(traced));

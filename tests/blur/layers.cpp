@@ -115,6 +115,31 @@ TEST_CASE("the search finds the past of what slides and of what turns, which pla
     CHECK(with_history(plain) < 0.7 * with_history(searched));
 }
 
+TEST_CASE("the past is found for whatever part of the frame time the shutter is open") {
+    // A wave of 16 pixels slides by 6 in a frame.
+    auto const error = [](float part, int frames) {
+        World const world{.size = {160, 64}, .frames = frames, .shutter = part};
+        auto const wave = [](float x) { return 0.5f + 0.5f * std::sin(0.3927f * x); };
+        auto const at = [&](int x, int frame, float t) { return wave(static_cast<float>(x) - 6 * (static_cast<float>(frame) + part * t)); };
+        auto const out = world.last(denoise, [&](int x, int, int frame, float t) { return Seen{at(x, frame, t), {6 * part, 0}}; });
+        double squared = 0;
+        for (int x = 40; x < 120; ++x) {
+            double blurred = 0;
+            for (int k = 0; k < 32; ++k) blurred += at(x, frames - 1, (static_cast<float>(k) + 0.5f) / 32) / 32;
+            for (int y = 8; y < 56; ++y) squared += std::pow(world.at(out, x, y) - blurred, 2);
+        }
+        return squared;
+    };
+    for (float const part : {0.3f, 0.5f, 1.f}) CHECK(error(part, 9) < 0.4 * error(part, 1));
+}
+
+TEST_CASE("a shutter that is never open gives what sweeps no past; one that is no number is refused") {
+    auto const seen = [](int x, int, int, float) { return Seen{0.3f, x % 3 ? glm::vec2(9, 2) : glm::vec2(0)}; };
+    World const closed{.frames = 3, .shutter = 0};
+    for (float const a : closed.last(denoise, seen)) REQUIRE(a == doctest::Approx(0.3).epsilon(1e-4));
+    for (float const bad : {not_a_number, infinite, -0.5f}) CHECK_THROWS_AS(World{.shutter = bad}.last(denoise, seen), Error);
+}
+
 TEST_CASE("sweeps longer than the image look at nothing outside it, and a constant stays one") {
     World const world{.size = {40, 9}, .frames = 2};
     for (glm::vec2 const longer : {glm::vec2(1000, 0), glm::vec2(-1000, 0), glm::vec2(0, 700), glm::vec2(-600, -600)})

@@ -73,3 +73,50 @@ TEST_CASE("serial, SIMD and threads compute the same: the paper's steps") {
         CHECK(tests::sequence(paper, size, Threads<>{.count = 3, .tile = {5, 3}}, turns) == simd);
     }
 }
+
+TEST_CASE("the paper's steps find what part of the samples move at the image's borders too") {
+    // White that slides along each border before black, 12 pixels wide: half of the window's samples there lie outside.
+    constexpr Extent size{120, 120};
+    for (glm::vec2 const along : {glm::vec2(0, 1), glm::vec2(1, 0)})
+        for (bool const far : {false, true}) {
+            World const world{size, 2};
+            auto const out = world.last(paper, [&](int x, int y, int, float) {
+                int const from_border = along.y > 0 ? x : y;
+                return (far ? from_border >= 108 : from_border < 12) ? Seen{1.f, along * 9.f} : Seen{0.f};
+            });
+            double sum = 0;
+            for (float const a : out) sum += a / static_cast<double>(out.size());
+            CHECK(sum == doctest::Approx(0.1).epsilon(0.05));
+        }
+}
+
+TEST_CASE("what stood still is gone where all moves now") {
+    World const world{.frames = 13};
+    auto const out = world.last(paper, [](int, int, int frame, float) { return frame < 4 ? Seen{1.f} : Seen{0.f, {9, 5}}; });
+    for (float const a : out) REQUIRE(a < 1e-3f);
+}
+
+TEST_CASE("nothing is collected of what stands still") {
+    World const world{.frames = 1};
+    auto const out = world.last(collected, [](int x, int, int, float) { return x < 30 ? Seen{0.f} : Seen{1.f, {0, 12}}; });
+    for (int y = 0; y < 48; ++y)
+        for (int x = 30; x < 64; ++x) REQUIRE(world.at(out, x, y) == 1.f);
+}
+
+TEST_CASE("the paper's wavelet leaves stripes that move along themselves, and smooths what is noisy along them") {
+    World const world{.frames = 1};
+    std::mt19937 random(5);
+    auto const out = world.last(presets::blur_no_pre_filter(radiance), [&](int, int y, int, float) {
+        return Seen{(y / 2 % 2 ? 1.f : 0.f) + std::uniform_real_distribution<float>(0, 1)(random), {16, 0}};
+    });
+    double dark = 0, bright = 0, squared = 0;
+    constexpr int count = 32 * 16;
+    for (int y = 8; y < 40; ++y)
+        for (int x = 16; x < 48; ++x) {
+            bool const is_bright = y / 2 % 2 != 0;
+            (is_bright ? bright : dark) += world.at(out, x, y) / count;
+            squared += std::pow(world.at(out, x, y) - (is_bright ? 1.5 : 0.5), 2) / (2 * count);
+        }
+    CHECK(bright - dark == doctest::Approx(1).epsilon(0.03));
+    CHECK(squared < 0.1 / 12);
+}

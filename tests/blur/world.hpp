@@ -16,6 +16,7 @@ struct Seen {
 struct World {
     Extent size{64, 48};
     int frames = 8;
+    float shutter = 0.5f; ///< the part of the time between frames that sweeps last
 
     /// What comes out of the last frame.
     /// @param seen_at of (x, y, frame, time) makes a Seen; called once for every pixel of every frame
@@ -23,6 +24,7 @@ struct World {
         Frame frame{size, pipeline};
         History history{size, pipeline};
         fill_still(frame);
+        frame.shutter = shutter;
         std::mt19937 random(7);
         std::uniform_real_distribution<float> part(0, 1);
         std::vector<float> out;

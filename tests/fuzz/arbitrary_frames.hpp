@@ -84,7 +84,7 @@ template <class Executor, class Storage = Planar<>> void run_frames(std::string 
         tests::fill_randomly(frame, plan.seed + static_cast<unsigned>(i));
         frame.camera = tests::View({0.1 * i, 1, 8}, {1, 1, 0}, frame.size).camera();
         fill_arbitrarily(frame, plan, patterns);
-        if (plan.spoilt_camera) frame.camera = arbitrary_camera(patterns);
+        if (plan.spoilt_camera) frame.camera = arbitrary_camera(patterns), frame.shutter = patterns.next();
         if (plan.cut && i == 1) history.forget();
         try {
             check_finite(preset, "output", i, run(pipeline, frame, history, Executor{}));

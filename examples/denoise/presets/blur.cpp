@@ -3,7 +3,7 @@
 
 namespace quell::examples {
 
-/// Motion blur from one sample per pixel at a random time; the shutter is open for half of the frame time, as quell-trace has it.
+/// Motion blur from one sample per pixel at a random time. How long the shutter is open, each frame says.
 std::vector<Preset> blur_presets() {
     return {
         watched_preset("blur", [] { return quell::presets::blur(radiance); }),

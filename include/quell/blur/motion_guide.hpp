@@ -15,8 +15,8 @@ struct GuideSweep : Channel<2> {
 struct GuideAxis : Channel<2> {
     static constexpr auto name = "guide_axis";
 };
-/// How different the sweeps around a pixel are: variance of their lengths (pixels^2), of their axes (0: one, 1: all alike), and the part
-/// of the samples that move.
+/// How different the sweeps around a pixel are: variance of their lengths (pixels^2), of their axes (0: all have one, 1: no direction
+/// prevails), and the part of the samples that move.
 struct GuideSpread : Channel<3> {
     static constexpr auto name = "guide_spread";
 };
@@ -30,10 +30,10 @@ inline constexpr GuideSpread guide_spread;
 inline constexpr GuideBend guide_bend;
 
 namespace detail {
-/// Sums over the moving samples of a row, in this order; bends where paths are bent.
-template <class Paths> struct MotionSums : Channel<Paths::bent ? 10 : 8> {
+/// Sums over a row, in this order: the number of all its samples; then over those that move; bends where paths are bent.
+template <class Paths> struct MotionSums : Channel<Paths::bent ? 11 : 9> {
     static constexpr auto name = "motion_sums";
-    enum { number, sweep_x, sweep_y, length, squared_length, doubled_cosine, doubled_sine, depth, bend_x, bend_y };
+    enum { all, number, sweep_x, sweep_y, length, squared_length, doubled_cosine, doubled_sine, depth, bend_x, bend_y };
 };
 template <class Paths, class Real> using MotionSumsOf = Components<MotionSums<Paths>::components, Real>;
 template <class Sums, class Mask> QUELL_KERNEL void add_where(Mask counts, Sums& sums, Sums const& more) {
@@ -57,16 +57,19 @@ template <class Paths> struct MotionRow {
         using Real = typename Px::Real;
         auto const nearest = still_depth<Paths>(px);
         auto sums = zero<MotionSumsOf<Paths, Real>>();
+        Real samples(0.f);
         for (int i = -radius; i <= radius; ++i) {
             auto const neighbour = px.at(i, 0);
             auto const path = Paths::here(neighbour);
             auto const z = neighbour[depth];
-            auto const counts =
-                both(neighbour.inside(), path.moves(), invert(neighbour.missing()), invert(hidden_behind(z, nearest, depth_tolerance)));
+            auto const known = both(neighbour.inside(), invert(neighbour.missing()));
+            samples = samples + masked(known, Real(1.f));
+            auto const counts = both(known, path.moves(), invert(hidden_behind(z, nearest, depth_tolerance)));
             if (!any(counts)) continue;
             auto const inverse = 1.f / max(path.squared, Real(1e-6f));
             auto const x = path.sweep.x, y = path.sweep.y;
-            MotionSumsOf<Paths, Real> sample{Real(1.f),
+            MotionSumsOf<Paths, Real> sample{Real(0.f),
+                                             Real(1.f),
                                              x,
                                              y,
                                              path.length(),
@@ -78,6 +81,7 @@ template <class Paths> struct MotionRow {
                 sample.at[MotionSums<Paths>::bend_x] = path.bend.x, sample.at[MotionSums<Paths>::bend_y] = path.bend.y;
             add_where(counts, sums, sample);
         }
+        sums.at[MotionSums<Paths>::all] = samples;
         return emitted<Real>(MotionSums<Paths>{}, sums);
     }
 };
@@ -96,10 +100,12 @@ template <class Paths> struct MotionColumn {
         using Real = typename Px::Real;
         auto const nearest = still_depth<Paths>(px);
         auto sums = zero<MotionSumsOf<Paths, Real>>();
+        Real samples(0.f);
         for (int i = -radius; i <= radius; ++i) {
             auto const neighbour = px.at(0, i);
             if (!neighbour.row_inside) continue;
             auto const row = neighbour[Sums{}];
+            samples = samples + row.at[Sums::all];
             auto const mean_depth = row.at[Sums::depth] / max(row.at[Sums::number], Real(1.f));
             add_where(invert(hidden_behind(mean_depth, nearest, depth_tolerance)), sums, row);
         }
@@ -107,10 +113,9 @@ template <class Paths> struct MotionColumn {
         auto const inverse = masked(some, 1.f / max(sums.at[Sums::number], Real(1.f)));
         auto const mean = scale(sums, inverse);
         auto const length = mean.at[Sums::length];
-        auto const side = static_cast<float>(2 * radius + 1);
         vec3<Real> const spread{max(fma(-length, length, mean.at[Sums::squared_length]), Real(0.f)),
                                 variance(mean.at[Sums::doubled_cosine], mean.at[Sums::doubled_sine], some),
-                                sums.at[Sums::number] * (1.f / (side * side))};
+                                sums.at[Sums::number] / max(samples, Real(1.f))};
         auto const guide = emitted<Real>(guide_sweep, vec2<Real>{mean.at[Sums::sweep_x], mean.at[Sums::sweep_y]})
                                .with(guide_axis, axis(sums.at[Sums::doubled_cosine], sums.at[Sums::doubled_sine], length))
                                .with(guide_spread, spread);

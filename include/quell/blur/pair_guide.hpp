@@ -48,6 +48,9 @@ template <class M> struct Extreme {
 };
 template <class M> Extreme(M, real_of<M>) -> Extreme<M>; // clang 14 has no deduction for aggregates
 
+/// Relative; of things nearer in depth than that, depth doesn't say which is in front.
+inline constexpr float least_depth_gap = 0.02f;
+
 template <class Paths> struct RowExtremes : Channel<2 * components_of<PlacedMover<Paths, float>>> {
     static constexpr auto name = "row_extremes";
 };
@@ -93,7 +96,7 @@ template <class Paths> struct LocalPairOf {
     using reads = Channels<RowExtremes<Paths>>;
     using emits = Channels<LocalPair<Paths>>;
     int radius;
-    float least, relative, depth_gap;
+    float least, relative, depth_gap, unlike, unlike_least;
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
@@ -117,12 +120,16 @@ template <class Paths> struct LocalPairOf {
 private:
     /// The faster and the other, whichever is in front first.
     template <class M, class Real> QUELL_KERNEL auto ordered(M const& a, Real squared, M const& b, Real difference) const {
-        auto const near_a = nearness_of(a), near_b = nearness_of(b);
-        auto const apart = max(near_a, near_b) > min(near_a, near_b) * (1.f + depth_gap);
-        // What moves over something of its own depth that stands still is in front.
-        auto const alike = fma(max(sqrt(squared) - 1.f, Real(0.f)), Real(relative), Real(least));
-        auto const two = both(difference > alike * alike, either(apart, squared_speed(b) <= Real(still_squared)));
-        auto const a_in_front = both(two, either(invert(apart), near_a > near_b));
+        auto const near_a = nearness_of(a), near_b = nearness_of(b), nearer = max(near_a, near_b), farther = min(near_a, near_b);
+        auto const speed = sqrt(squared);
+        auto const alike = fma(max(speed - 1.f, Real(0.f)), Real(relative), Real(least));
+        // A surface that slants or turns has motions of its own that differ, but not so much within a window.
+        auto const opposed = fma(speed, Real(unlike), Real(unlike_least));
+        auto const two = both(difference > alike * alike, either(nearer > farther * (1.f + depth_gap), difference > opposed * opposed,
+                                                                 squared_speed(b) <= Real(still_squared)));
+        // What moves faster over something of its own depth is in front.
+        auto const level = nearer <= farther * (1.f + least_depth_gap);
+        auto const a_in_front = both(two, either(level, near_a > near_b));
         auto const front = select(two, select(a_in_front, a, b), at_nearness(a, Real(-1.f)));
         return joined(front, select(a_in_front, b, a));
     }
@@ -168,9 +175,9 @@ template <class Paths> struct NearestPair {
 } // namespace detail
 
 /// Finds where two things meet that move differently, and how each of them moves: the fastest sample in a small window and the one that
-/// moves least like it, if they are at different depths or the latter stands still. Since every sample has its own time, the window holds
-/// samples of both all over the region in which one covers the other for a part of the time.
-/// Emits MotionPair, for every second row, and UsablePath for who looks at single samples afterwards.
+/// moves least like it, if they are at different depths, the latter stands still, or their motions are too unlike to be of one surface.
+/// Since every sample has its own time, the window holds samples of both all over the region in which one covers the other for a part of
+/// the time. Emits MotionPair, for every second row, and UsablePath for who looks at single samples afterwards.
 /// @tparam Paths StraightPaths, BentPaths, or TurningPaths, which a TurnGuide measures
 template <class Paths = StraightPaths> struct PairGuide {
     using reads = reads_of<PathGuide<Paths>>;
@@ -180,14 +187,17 @@ template <class Paths = StraightPaths> struct PairGuide {
     int across = 4, down = 1; ///< how far the window reaches, in pixels
     float least = 0.1f;       ///< pixels; motions that differ less are one
     float relative = 0.25f;   ///< how much more they may differ, of the faster's speed beyond one pixel
-    float depth_gap = 0.05f;  ///< relative; what is nearer to each other in depth is one, unless one of them stands still
+    float depth_gap =
+        0.05f;           ///< relative; what is nearer to each other in depth is one, unless one stands still or their motions are unlike:
+    float unlike = 0.5f; ///< those that differ by more than this, of the faster's speed,
+    float unlike_least = 2.f; ///< and this, in pixels, belong to two things, whatever their depths
     float likeness = 0.5f;    ///< of the difference between two motions beside: what is nearer to one of them than that may be it
     [[no_unique_address]] PathGuide<Paths> paths{};
 
     constexpr void for_each_pass(auto&& pass) const {
         paths.for_each_pass(pass);
         pass(detail::RowExtremesOf<Paths>{across});
-        pass(detail::LocalPairOf<Paths>{down, least, relative, depth_gap});
+        pass(detail::LocalPairOf<Paths>{down, least, relative, depth_gap, unlike, unlike_least});
         pass(detail::NearestPair<Paths>{2 * across, detail::rows_of_pair * down, likeness});
     }
 };

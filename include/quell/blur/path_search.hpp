@@ -28,7 +28,6 @@ template <class SweepChannel, class Real> struct PathFound {
 template <ChannelTag SweepChannel> struct PathSearchOf {
     using reads = Channels<SweepChannel>;
     using keeps = Channels<SweepChannel>;
-    float shutter = 0.5f; ///< part of the frame time during which the shutter is open: sweeps last so long
     int iterations = 4;   ///< how often the place may be moved (MB: 2); 0: plain reprojection
     float accept = 0.25f; ///< pixels; a difference below it will do
     float give_up = 32.f; ///< pixels; a difference beyond it will not be mended
@@ -39,18 +38,12 @@ template <ChannelTag SweepChannel> struct PathSearchOf {
 
     /// The same search along another channel.
     template <ChannelTag Other> constexpr PathSearchOf<Other> along(Other) const {
-        return {.shutter = shutter,
-                .iterations = iterations,
-                .accept = accept,
-                .give_up = give_up,
-                .longer = longer,
-                .turned = turned,
-                .alike = alike};
+        return {.iterations = iterations, .accept = accept, .give_up = give_up, .longer = longer, .turned = turned, .alike = alike};
     }
     template <class Px> QUELL_KERNEL auto previous(Px const& px) const {
         using Real = typename Px::Real;
         auto const own = px[SweepChannel{}];
-        auto const p = px.position(), v = scale(own, Real(1.f / shutter));
+        auto const p = px.position(), v = scale(own, Real(per_frame(px.shutter_now())));
         auto const moves = fma(v.x, v.x, v.y * v.y) > Real(0.01f);
         auto const length = sqrt(fma(own.x, own.x, own.y * own.y)), slack = Real(alike);
         auto const turn = max(slack, length * turned);
@@ -63,11 +56,12 @@ template <ChannelTag SweepChannel> struct PathSearchOf {
                                                     turn * turn};
         if (!any(moves)) return found;
         Real const right(static_cast<float>(px.size().width)), bottom(static_cast<float>(px.size().height));
+        Real const per_frame_then(per_frame(px.shutter_then()));
         auto searching = moves;
         for (int i = 0; i <= iterations; ++i) {
             PastPlace<Real> const place(clamp(floor(found.where.x), Real(0.f), right - 1.f),
                                         clamp(floor(found.where.y), Real(0.f), bottom - 1.f));
-            auto const there = scale(px.past(place)[SweepChannel{}], Real(1.f / shutter));
+            auto const there = scale(px.past(place)[SweepChannel{}], per_frame_then);
             // On an arc the way back is a little longer than the mean of the speeds at its ends: by a twelfth of the turn, squared.
             auto const turn_x = v.x - there.x, turn_y = v.y - there.y;
             auto const turned_by = fma(turn_x, turn_x, turn_y * turn_y) / max(fma(v.x, v.x, v.y * v.y), Real(1e-6f));
@@ -84,6 +78,10 @@ template <ChannelTag SweepChannel> struct PathSearchOf {
         }
         return found;
     }
+
+private:
+    /// What makes the way between frames of a sweep. Where there was no time to sweep in, it leads out of any image.
+    QUELL_KERNEL static float per_frame(float shutter) { return 1.f / max(shutter, 1e-6f); }
 };
 
 /// Of the whole picture, or of what is behind where two things meet.

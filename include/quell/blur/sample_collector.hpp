@@ -50,8 +50,9 @@ private:
     template <class Px> QUELL_KERNEL auto passes(Px const& px, PixelUnder<Px> const& there) const {
         using Real = typename Px::Real;
         auto const centre = px.position();
-        auto const passing = Paths::there(px, there.place).passing({centre.x - there.column - 0.5f, centre.y - there.row - 0.5f});
-        return both(passing.in_time(), passing.distance < Real(threshold));
+        auto const path = Paths::there(px, there.place);
+        auto const passing = path.passing({centre.x - there.column - 0.5f, centre.y - there.row - 0.5f});
+        return both(path.moves(), passing.in_time(), passing.distance < Real(threshold));
     }
 };
 

@@ -7,7 +7,6 @@ namespace quell::detail {
 /// Tells whether what a sample shows is what is in front, or what is behind, of the two things that meet around a pixel.
 template <class Paths, class Real> struct WhichOfTwo {
     using Mover = detail::Mover<Paths, Real>;
-    static constexpr float least_gap = 0.02f; ///< relative; things nearer in depth are told apart by their motion alone
     Mover front, back;
     decltype(Real(0.f) < Real(0.f)) two; ///< where there is only one thing, nothing is in front
 
@@ -19,7 +18,7 @@ template <class Paths, class Real> struct WhichOfTwo {
         towards = {(f.x - b.x) * apart, (f.y - b.y) * apart};
         middle = fma((f.x + b.x) * 0.5f, towards.x, (f.y + b.y) * 0.5f * towards.y);
         auto const gap = abs(nearness_of(front) - nearness_of(back));
-        per_gap = masked(gap > min(nearness_of(front), nearness_of(back)) * least_gap, 1.f / max(gap, Real(1e-9f)));
+        per_gap = masked(gap > min(nearness_of(front), nearness_of(back)) * least_depth_gap, 1.f / max(gap, Real(1e-9f)));
     }
     /// By its motion, and by its depth where the two differ in it.
     template <class M> QUELL_KERNEL auto is_front(M const& m) const {

@@ -35,6 +35,9 @@ template <class... Cs, class Storage> struct Frame<Channels<Cs...>, Storage> : d
     Camera camera;
     /// The frame's number in its sequence. Where it is given and does not follow the last one, history starts afresh.
     std::optional<long long> number;
+    /// The part of the time between frames during which the shutter is open, which sweeps last; motion blur wants it. Finite, 0 or more: at
+    /// 0 nothing that sweeps has a past.
+    float shutter = 0.5f;
 
     /// @throws Error for a size of no pixels
     template <class... Ps>

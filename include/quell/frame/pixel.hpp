@@ -43,6 +43,7 @@ template <class FrameViews, class MadeViews, class SignalView, class PastSignalV
     glm::mat4 clip_from_world, clip_from_world_then;
     PixelRays rays, rays_then;
     glm::vec2 jitter, jitter_then;
+    float shutter, shutter_then;
     std::int32_t frame_index; ///< for random numbers
     bool has_past;
 };
@@ -145,6 +146,9 @@ template <class R, class S> struct Pixel {
     /// The samples' offset from the pixels' centres, in pixels.
     QUELL_KERNEL glm::vec2 jitter_now() const { return scope.jitter; }
     QUELL_KERNEL glm::vec2 jitter_then() const { return scope.jitter_then; }
+    /// The part of the time between frames during which the shutter is open.
+    QUELL_KERNEL float shutter_now() const { return scope.shutter; }
+    QUELL_KERNEL float shutter_then() const { return scope.shutter_then; }
     /// Whether there is a previous frame at all.
     QUELL_KERNEL bool has_past() const { return scope.has_past; }
     /// The pixel of the previous frame at an offset from a place there; outside the image it shows something finite of no meaning.

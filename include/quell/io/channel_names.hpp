@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,7 @@ struct ChannelNames {
     std::map<std::string, std::vector<Source>, std::less<>> sources = {}; ///< by quell's name, a source per component
     MotionConvention motion = {};
     float miss_from = std::numeric_limits<float>::infinity(); ///< a depth of this or more is a miss
+    std::optional<float> shutter = {};                        ///< of all frames, whatever the files say
 };
 
 namespace detail {

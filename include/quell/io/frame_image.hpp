@@ -89,7 +89,15 @@ template <ChannelTag C> constexpr SampleType type_of(C) {
 
 } // namespace detail
 
-/// Fills every channel of a frame from an image, and its camera where the image has one.
+/// How long the shutter was open, as a part of the frame time: by the names, or the image's attribute `quell:shutter`. Nothing where
+/// neither says.
+[[nodiscard]] inline std::optional<float> shutter_of(ExrImage const& image, ChannelNames const& names = {}) {
+    if (names.shutter) return names.shutter;
+    auto const* const stored = image.attribute<float>("quell:shutter");
+    return stored ? std::optional(*stored) : std::nullopt;
+}
+
+/// Fills every channel of a frame from an image, and its camera and shutter where the image has them.
 /// @throws Error naming the file and the channel: sizes that differ, a channel that is missing or of a type that it can't have
 template <class Set, class Storage> void load(Frame<Set, Storage>& frame, ExrImage const& image, ChannelNames const& names = {}) {
     if (!(frame.size == image.size))
@@ -97,6 +105,7 @@ template <class Set, class Storage> void load(Frame<Set, Storage>& frame, ExrIma
                     "make the frame of the image's size");
     for_each_channel(Set{}, [&](auto channel) { detail::load_channel(channel, frame[channel].view(), image, names); });
     if (auto const camera = camera_of(image)) frame.camera = *camera;
+    if (auto const shutter = shutter_of(image, names)) frame.shutter = *shutter;
 }
 
 /// Adds a channel to an image under quell's own names.
@@ -111,11 +120,12 @@ template <ChannelTag C> void put(ExrImage& image, C channel, ImageView auto cons
     }
 }
 
-/// A frame as quell's own files hold it: all of its channels, and its camera.
+/// A frame as quell's own files hold it: all of its channels, its camera, and how long its shutter is open if anything sweeps.
 template <class Set, class Storage> [[nodiscard]] ExrImage image_of(Frame<Set, Storage> const& frame) {
     ExrImage image{.size = frame.size};
     for_each_channel(Set{}, [&](auto channel) { put(image, channel, frame[channel].view()); });
     put_camera(image, frame.camera);
+    if constexpr (Set::template has<Sweep>) image.attributes["quell:shutter"] = frame.shutter;
     return image;
 }
 

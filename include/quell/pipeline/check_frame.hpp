@@ -16,7 +16,7 @@ inline bool usable(glm::mat4 const& m) {
     return abs(glm::determinant(m)) > 0.f;
 }
 
-/// @throws Error naming the channel or matrix that can't be used
+/// @throws Error naming the channel, matrix or shutter that can't be used
 template <class P, class Set, class Storage> void check_frame(Frame<Set, Storage> const& frame) {
     for_each_channel(typename P::reads{}, [&](auto c) {
         auto const view = frame[c].view();
@@ -27,6 +27,8 @@ template <class P, class Set, class Storage> void check_frame(Frame<Set, Storage
             if (!view.data)
                 throw Error("channel '" + std::string(c.name) + "'", "no memory", "point the channel at the host's image before run()");
     });
+    if (!(is_finite(frame.shutter) && frame.shutter >= 0.f))
+        throw Error("frame.shutter", std::to_string(frame.shutter), "give the part of the frame time during which the shutter is open");
     if constexpr (P::needs_camera) {
         if (!usable(frame.camera.view))
             throw Error("camera.view", "a singular or non-finite matrix", "set frame.camera to the host's camera");

@@ -52,6 +52,7 @@ private:
     detail::Handles<Storage, typename P::keeps> kept;
     detail::Handles<Storage, Remembered> remembered;
     Camera camera;
+    float shutter = 0;
     std::optional<long long> number;
     bool empty = true;
     Statistics counted;

@@ -141,7 +141,7 @@ constexpr auto dual_cone_paper(ChannelTag auto signal, auto... parts) {
 /// meet around a pixel, tested by their own paths one by one, and what is in front and what is behind are each accumulated over frames.
 /// @tparam Paths TurningPaths: what turns is blurred along arcs, which are measured; BentPaths: arcs that the host supplies; or
 /// StraightPaths, which cost less
-/// @param search how the past is found; its `shutter` is the part of the frame time during which the shutter is open
+/// @param search how the past is found. How long the shutter is open each frame says: frame.shutter
 template <class Paths = TurningPaths, class Footprint = FixedFootprint, ChannelTag S>
 constexpr auto blur(S signal, PathSearch search = {}, PairGather<S, Paths, Footprint> gather = {}) {
     return Pipeline{signal, Spatial{PairGuide<Paths>{}}, Spatial{gather},

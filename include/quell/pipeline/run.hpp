@@ -80,6 +80,7 @@ private:
         for_each_channel(typename P::keeps{}, [&](auto c) { history.kept[c] = made[c]; });
         history.remembered = remembered;
         history.camera = frame.camera;
+        history.shutter = frame.shutter;
         history.number = frame.number;
         history.empty = !P::has_past;
         ++history.counted.frames;
@@ -195,13 +196,15 @@ private:
                 rays_then,
                 frame.camera.jitter,
                 history.camera.jitter,
+                frame.shutter,
+                history.shutter,
                 frame_index,
                 past};
     }
     template <class Stored> auto remembered_views(Stored) const { return history.remembered.views(Stored{}); }
 
     auto finish() const {
-        FinishScope const scope{frame.size, frame.views(FinishReads{}), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, 0, false};
+        FinishScope const scope{frame.size, frame.views(FinishReads{}), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, 0, false};
         auto const views = remembered.views(typename History<P, Storage>::Remembered{});
         if constexpr (std::is_same_v<Into, NoTarget>) {
             auto const target = history.output ? history.output->view() : OutputView{};
