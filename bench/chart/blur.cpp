@@ -24,7 +24,7 @@ auto denoisers() {
                               "cap", caps, [](auto& p) -> auto& { return stage<2>(p).blending.cap; });
     auto const adaptive = Named{"blur-adaptive", presets::blur<TurningPaths, AdaptiveFootprint>(radiance)}.vary(
         "allowed_error", {0.05, 0.1, 0.4}, [](auto& p) -> auto& { return stage<1>(p).kernel.footprint.allowed_error; });
-    return std::tuple(Named{"none", presets::none(radiance)}, blur, blur.in_half(),
+    return std::tuple(Named{"none", presets::none(radiance)}, Named{"svgf", presets::svgf(radiance)}, blur, blur.in_half(),
                       Named{"blur-straight", presets::blur<StraightPaths>(radiance)},
                       Named{"blur-bent", presets::blur<BentPaths>(radiance)}, Named{"blur-one-step", presets::blur_one_step(radiance)},
                       Named{"blur-no-history", Pipeline{radiance, Spatial{PairGuide<TurningPaths>{}},

@@ -24,6 +24,8 @@ std::vector<KnownLimit> listed() {
         "a filter in space is wider than the shadow, and history along the surface smears it");
     add(list, "firefly", "frames_alive", {"surface", "svgf", "dual-color", "glossy", "dual-cone"},
         "no clamp: put SuppressFireflies{} before the stages");
+    add(list, "blur-linear", "worst_over_mean", {"blur", "blur-straight"},
+        "the scene's own: most moves where the spheres cross, and the noisy input is worst there too");
     return list;
 }
 

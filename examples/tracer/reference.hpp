@@ -64,6 +64,7 @@ template <class Traced> Reference converge(PreparedScene& scene, RenderSettings 
     auto const seed = settings.seed;
     settings.samples_per_pixel = reference_settings.samples_per_pass;
     settings.frozen_at.reset();
+    settings.stratified_times = true;
     auto const pass = [&](int half, int first_sample) {
         // Seeds that no noisy frame uses, and different ones for the halves.
         settings.seed = combine(seed, half == 0 ? 0x5eed0001u : 0x5eed0002u);

@@ -62,6 +62,13 @@ TEST_CASE("the paper's steps keep a constant, and to the last bit what stands st
         for (int x = 0; x < 20; ++x) REQUIRE(world.at(out, x, y) == world.at(in, x, y));
 }
 
+TEST_CASE("the paper's steps look at nothing outside the image, however long sweeps are") {
+    World const world{.size = {40, 9}, .frames = 2};
+    for (glm::vec2 const longer : {glm::vec2(1000, 0), glm::vec2(0, -700), glm::vec2(-600, -600)})
+        for (float const a : world.last(paper, [&](int, int, int, float) { return Seen{0.3f, longer}; }))
+            REQUIRE(a == doctest::Approx(0.3).epsilon(1e-4));
+}
+
 TEST_CASE("serial, SIMD and threads compute the same: the paper's steps") {
     auto const turns = [](auto& frame, unsigned) {
         tests::fill(frame[sweep], [](int x, int y) { return (x / 5 + y) % 3 ? glm::vec2(y - 12, 20 - x) * 0.4f : glm::vec2(0); });

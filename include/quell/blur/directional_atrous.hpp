@@ -12,6 +12,7 @@ namespace detail {
 template <ChannelTag S, ChannelTag From> struct DirectionalLevel {
     using Signal = S;
     static constexpr auto name = "directional a-trous";
+    static constexpr int taps_along = 2; ///< to either side: the paper's 5x5
     using reads = decltype(Channels<GuideAxis, MeanSweep, From>{} | reads_of<PathWeight>{});
     using emits = Channels<FilteredLayer<Signal>>;
     float part;      ///< of the sweep's length, from tap to tap
@@ -41,7 +42,7 @@ template <ChannelTag S, ChannelTag From> struct DirectionalLevel {
         auto sum = scale(own, Real(spline[0] * spline[0]));
         Real weights(spline[0] * spline[0]);
         for (int j = -taps_across; j <= taps_across; ++j)
-            for (int i = -2; i <= 2; ++i) {
+            for (int i = -taps_along; i <= taps_along; ++i) {
                 if (i == 0 && j == 0) continue;
                 Real const fi(static_cast<float>(i)), fj(static_cast<float>(j));
                 PixelUnder<Px> const tap(px, {fma(aside.x, fj, fma(step.x, fi, p.x)), fma(aside.y, fj, fma(step.y, fi, p.y))});

@@ -18,6 +18,7 @@ template <ChannelTag S, class Paths = StraightPaths> struct LayerSplit {
     static constexpr bool leaves_signal = true;
     using reads = decltype(Channels<Depth, GuideSweep>{} | reads_of<Paths, PathWeight>{});
     using emits = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep>;
+    static constexpr int radius = 2; ///< pixels: the paper's 5x5
     PathWeight weight{};
     float depth_tolerance = 0.02f; ///< how much farther, relatively, something is that stands behind something else
 
@@ -50,7 +51,7 @@ private:
         using Real = typename Px::Real;
         auto const z = px[depth], reach = weight.reach(px);
         auto const nearest = select(own.moves(), Real(1e30f), z);
-        for_each_neighbour<2>(
+        for_each_neighbour<radius>(
             px, [&](auto neighbour, auto inside, int dx, int dy) __attribute__((always_inline)) {
                 auto const path = Paths::here(neighbour);
                 auto const passing = path.passing({Real(static_cast<float>(-dx)), Real(static_cast<float>(-dy))});

@@ -6,12 +6,14 @@
 
 namespace quell {
 
-/// Adds to what a moving pixel shows up to 18 samples from far along its path that pass it as well: two random places on the paths of each
-/// of the 3x3 pixels around (MB section 4.2, the pre-filter). What moves little, or stands still, stays as it is.
+/// Adds to what a moving pixel shows samples from far along its path that pass it as well, up to 18 of them: two random places on the paths
+/// of each of the 3x3 pixels around (MB section 4.2, the pre-filter). What moves little, or stands still, stays as it is.
 /// @tparam Paths StraightPaths or BentPaths, of which the bend is not looked at
 template <class Paths = StraightPaths> struct SampleCollector {
     static constexpr auto name = "sample collector";
     using reads = reads_of<Paths>;
+    int samples = 2;        ///< random places on each path, at most 8
+    int radius = 1;         ///< pixels; how far around paths are shared: 1 is the paper's 3x3
     float threshold = 2.5f; ///< pixels; samples that pass nearer count, all alike
     float least = 3.f;      ///< pixels; what sweeps less is skipped
     float jitter = 1.5f;    ///< pixels that places may lie off the path, in x and in y
@@ -22,9 +24,9 @@ template <class Paths = StraightPaths> struct SampleCollector {
         auto sum = px.signal();
         if (!any(wanted)) return sum;
         Real count(1.f);
-        for (int dy = -1; dy <= 1; ++dy)
-            for (int dx = -1; dx <= 1; ++dx)
-                for (int k = 0; k < 2; ++k) {
+        for (int dy = -radius; dy <= radius; ++dy)
+            for (int dx = -radius; dx <= radius; ++dx)
+                for (int k = 0; k < samples; ++k) {
                     auto const neighbour = px.at(dx, dy);
                     PixelUnder<Px> const there(px, place(neighbour, k));
                     auto const [value, missing] = px.signal_elsewhere(there.place);

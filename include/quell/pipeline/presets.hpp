@@ -166,7 +166,9 @@ constexpr auto blur_wavelet(S signal, PathSearch search = {}, DirectionalAtrous<
     return Pipeline{signal, Spatial{MotionGuide<>{}}, Spatial{PathGather<S>{}}, Temporal{search, LayerBlend<S>{}, LayerFetch<S>{}},
                     Spatial{along}};
 }
-/// blur_wavelet with the paper's own first steps and numbers: samples collected by a pre-filter, and two layers from the 5x5 around.
+/// blur_wavelet with the paper's own first steps and numbers: samples collected by a pre-filter, and two layers from the 5x5 around. Other
+/// than in the paper, the guide is of full resolution, with angles doubled instead of relative to the centre's sample; what stands still is
+/// remembered, not averaged; and the past is interpolated by a spline.
 template <ChannelTag S> constexpr auto blur_paper(S signal, PathSearch search = {.iterations = 2}) {
     return Pipeline{signal,
                     Spatial{MotionGuide<>{}},
