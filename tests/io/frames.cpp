@@ -71,6 +71,21 @@ TEST_CASE("a frame keeps its camera where the file has none") {
     CHECK_FALSE(io::camera_of(image).has_value());
 }
 
+TEST_CASE("how long the shutter is open comes back from a file, unless the names say it") {
+    Frame<Channels<Sweep>> frame({2, 2});
+    fill_randomly(frame, 5);
+    frame.shutter = 0.25f;
+    auto const image = io::image_of(frame);
+    Frame<Channels<Sweep>> back(image.size);
+    io::load(back, image);
+    CHECK(back.shutter == 0.25f);
+    io::load(back, image, io::ChannelNames{.shutter = 0.75f});
+    CHECK(back.shutter == 0.75f);
+    // What doesn't sweep has none.
+    Frame<Channels<Depth>> const still({2, 2});
+    CHECK_FALSE(io::shutter_of(io::image_of(still)).has_value());
+}
+
 TEST_CASE("other names, sums, scales and constants") {
     io::ExrImage image{.size = {3, 2}};
     for (auto const* const name : {"a", "b", "c"})

@@ -76,6 +76,24 @@ TEST_CASE("the presets of motion blur run on what quell-trace writes for it") {
     }
 }
 
+TEST_CASE("how long the shutter is open is known from the files, or as the command line says") {
+    Folder const folder;
+    REQUIRE(trace("--scene mixed --size 48x32 --first 24 --frames 3 --quiet --effects blur --shutter 0.9 --out '" + folder.path.string() +
+                  "'")
+                .code == 0);
+    auto const last = [&](std::string const& name, std::string const& options) {
+        auto const ran = denoise(input(folder) + output(folder, name + ".") + "--preset blur " + options);
+        INFO(ran.err);
+        REQUIRE(ran.code == 0);
+        return io::read_exr(folder / (name + ".0026.exr"))["R"].values;
+    };
+    auto const own = last("own", "");
+    CHECK(last("same", "--shutter 0.9") == own);
+    CHECK(last("other", "--shutter 0.4") != own);
+    check_refused(denoise(input(folder) + output(folder) + "--preset blur --shutter nan"), {"--shutter", "nan"});
+    check_refused(denoise(input(folder) + output(folder) + "--preset blur --shutter -1"), {"--shutter", "-1"});
+}
+
 TEST_CASE("with references there is a table") {
     Folder const folder;
     write_sequence(folder, 1, 4);

@@ -23,7 +23,7 @@ TEST_CASE("layers, whole names, sums, scales and constants") {
         // comments are welcome
         "channels": {"depth": "Z", "normal": "N", "albedo": 1, "radiance": {"from": ["direct", "indirect"], "scale": 2},
                      "motion": ["speed.x", {"from": "speed.y", "scale": -1}], "position": [{"from": ["a", "b"]}, "c", 0.5]},
-        "miss_from": 1e6})");
+        "miss_from": 1e6, "shutter": 0.25})");
     auto const& channels = names.of_signals[0].channels;
     CHECK(io::planes_of(Channels<Depth, Normal, Albedo>{}, channels) == Names{"Z", "N.X", "N.Y", "N.Z"});
     CHECK(channels.sources.at("albedo")[2].scale == 1.f);
@@ -34,6 +34,7 @@ TEST_CASE("layers, whole names, sums, scales and constants") {
     CHECK(channels.sources.at("position")[0].sum == Names{"a", "b"});
     CHECK(channels.sources.at("position")[2].scale == 0.5f);
     CHECK(channels.miss_from == 1e6f);
+    CHECK(channels.shutter == 0.25f);
 }
 
 TEST_CASE("the layer without a name is the image itself") {
@@ -75,7 +76,7 @@ TEST_CASE("mistakes are named with their place and what to write") {
     check("", {"map.json", "isn't JSON"});
     check("{\"channels\": ", {"map.json", "isn't JSON"});
     check("[1]", {"map.json", "it is [1]", "write an object"});
-    check(R"({"chanels": {}})", {"map.json", "chanels is {}", "no member of that name", "channels, motion, miss_from, signals, added"});
+    check(R"({"chanels": {}})", {"map.json", "chanels is {}", "no member of that name", "channels, motion, miss_from, shutter, signals, added"});
     check(R"({"channels": {"dept": "Z"}})", {"channels.dept is \"Z\"", "no such channel"});
     check(R"({"channels": 3})", {"channels is 3", "write an object"});
     check(R"({"channels": {"normal": ["a", "b"]}})", {"channels.normal is [\"a\",\"b\"]", "a list of 3"});
