@@ -1,5 +1,7 @@
 #include "options.hpp"
 
+#include "judge.hpp"
+
 #include <quell/core/error.hpp>
 #include <support/program.hpp>
 #include <support/size_in.hpp>
@@ -54,8 +56,11 @@ External external_in(std::string const& text) {
     if (!whole) throw Error("--external", "'" + text + "'", "write name=command with {in} and {out} in the command");
     External external{text.substr(0, equals), text.substr(equals + 1)};
     auto const plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.'; };
-    if (!std::ranges::all_of(external.name, plain))
-        throw Error("--external", "the name '" + external.name + "'", "use letters, digits, '-', '_' and '.' only");
+    if (!std::ranges::all_of(external.name, plain) || external.name.starts_with('.'))
+        throw Error("--external", "the name '" + external.name + "'",
+                    "use letters, digits, '-', '_' and '.' only, and no '.' at the start");
+    if (external.name == Judge::reference_name)
+        throw Error("--external", "the name '" + external.name + "'", "choose another: the reference has it");
     return external;
 }
 
