@@ -34,7 +34,7 @@ void describe(CLI::App& app, ChartOptions& o, Words& words) {
     app.add_option("--frames", o.frames, "number of frames; 24, 28, 31 to 34, 36 and 40 are scored")
         ->check(CLI::Range(ChartOptions::first_timed + 1, 100000))
         ->capture_default_str();
-    app.add_option("--threads", o.threads, "threads; 0: all")->check(CLI::Range(0, 1024))->capture_default_str();
+    examples::add_threads(app, o.threads);
     app.add_option("--seed", o.seed, "of the noise")->capture_default_str();
     app.add_option("--tolerance", o.tolerance,
                    "of the references: mean FLIP between two independent halves (default: 0.01; 0.005 for blur, 0.03 with indirect light)")

@@ -13,7 +13,7 @@ void describe(CLI::App& app, StabilityOptions& options) {
     app.add_option("--case,--scene", options.cases, "A case that --list names, or all; may be given several times (default: all)")
         ->take_all();
     app.add_option("--out", options.out, "Folder for stability.csv, frames.csv, the plots and index.html")->capture_default_str();
-    app.add_option("--threads", options.making.threads, "Threads; 0: all")->check(CLI::Range(0, 1024))->capture_default_str();
+    examples::add_threads(app, options.making.threads);
     app.add_flag("--cheap", options.cheap, "Small pictures, and only the half of the cases that take little time: tests run it");
     app.add_flag("--check", options.check, "Exit code 1 where a promise is broken that isn't among the known limits");
     app.add_flag("--soak", options.soak, "10,000 frames of `room` with cuts, bursts and other sizes instead of the cases");

@@ -2,10 +2,42 @@
 
 #include <support/frame_pattern.hpp>
 #include <support/program.hpp>
+#include <support/size_in.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <fcntl.h>
+#include <new>
+#include <unistd.h>
 
 using namespace quell;
 using namespace quell::tests;
 using quell::examples::FramePattern;
+
+namespace {
+/// What something writes on stderr.
+std::string said_by(auto const& something) {
+    Folder const folder;
+    std::fflush(stderr);
+    int const usual = ::dup(STDERR_FILENO), file = ::open((folder / "err").c_str(), O_WRONLY | O_CREAT, 0600);
+    ::dup2(file, STDERR_FILENO);
+    something();
+    std::fflush(stderr);
+    ::dup2(usual, STDERR_FILENO);
+    ::close(file), ::close(usual);
+    return bytes_of(folder / "err");
+}
+
+int threads_in(std::string const& text) {
+    CLI::App app;
+    int threads = 3;
+    quell::examples::add_threads(app, threads);
+    std::vector<char const*> const words{"program", "--threads", text.c_str()};
+    static_cast<void>(quell::examples::parse(app, static_cast<int>(words.size()), words.data()));
+    return threads;
+}
+} // namespace
 
 TEST_CASE("a frame's number stands where the pattern says") {
     CHECK(FramePattern("a/b.%04d.exr").path(7) == "a/b.0007.exr");
@@ -38,4 +70,35 @@ TEST_CASE("what a program throws decides its exit code") {
     CHECK(exit_code_of("test (this line is meant to be here)", [] { throw Error("a", "b", "c"); }) == 2);
     CHECK(exit_code_of("test (this line is meant to be here)", [] { throw std::runtime_error("two\nlines"); }) == 1);
     CHECK(exit_code_of("test (this line is meant to be here)", [] { throw 7; }) == 1);
+}
+
+TEST_CASE("memory that runs out is told in words") {
+    using quell::examples::exit_code_of;
+    int code = 0;
+    auto const said = said_by([&] { code = exit_code_of("test", [] { throw std::bad_alloc(); }); });
+    CHECK(code == 1);
+    CHECK(contains(said, "test: memory: "));
+    CHECK(contains(said, "smaller --size"));
+    CHECK(!contains(said, "bad_alloc"));
+}
+
+TEST_CASE("a size is two numbers, of no more pixels than memory may have") {
+    using quell::examples::size_in;
+    CHECK(size_in("1920x1080") == Extent{1920, 1080});
+    CHECK(size_in("8192x8192") == Extent{8192, 8192});
+    for (std::string const text : {"", "16", "16x", "0x5", "-4x5", "16x9x", "8192x8193", "99999x99999"}) {
+        INFO(text);
+        check_error([&] { static_cast<void>(size_in(text)); }, {"--size", "'" + text + "'", "1920x1080"});
+    }
+    check_error([] { static_cast<void>(size_in("8x20", 16)); }, {"each at least 16"});
+    check_error([] { static_cast<void>(size_in("5x4", 1, 19)); }, {"at most 19 together"});
+}
+
+TEST_CASE("threads are 0, which means all, or as many as an arena may have") {
+    CHECK(threads_in("0") == 0);
+    CHECK(threads_in("1024") == 1024);
+    for (std::string const text : {"-1", "1025", "70000", "x"}) {
+        INFO(text);
+        check_error([&] { threads_in(text); }, {"--threads", text});
+    }
 }
