@@ -28,7 +28,7 @@ void describe(CLI::App& app, FitOptions& o, std::string& size) {
     app.add_option("--rmse", o.bounds.rmse, "Most root mean square error of the displayed picture, mean over the scored frames");
     app.add_option("--flip", o.bounds.flip, "Most FLIP");
     app.add_option("--ms", o.bounds.ms, "Most milliseconds per frame, at this size and number of threads");
-    app.add_option("--out", o.out, "Header to write, as fit.hpp (default: none)");
+    app.add_option("--out", o.out, "Header to write, as fit.hpp; its folder is made (default: none)");
     app.add_option("--size", size, "Width x height of a scene's frames (default: " + to_string(o.size) + ")");
     app.add_option("--frames", o.frames, "Frames of a scene; 24, 32 and 40 are scored (default: " + std::to_string(o.frames) + ")");
     examples::add_threads(app, o.threads);

@@ -1,6 +1,8 @@
 #include "../io/files.hpp"
 
 #include <support/frame_pattern.hpp>
+#include <support/gnuplot.hpp>
+#include <support/output_folder.hpp>
 #include <support/program.hpp>
 #include <support/size_in.hpp>
 
@@ -101,4 +103,37 @@ TEST_CASE("threads are 0, which means all, or as many as an arena may have") {
         INFO(text);
         check_error([&] { threads_in(text); }, {"--threads", text});
     }
+}
+
+TEST_CASE("where results go is made, and known to take files before there are any") {
+    using quell::examples::make_folder_for;
+    using quell::examples::make_output_folder;
+    Folder const folder;
+    make_output_folder(folder / "a/b");
+    make_output_folder(folder / "a/b");
+    make_folder_for(folder / "c/d/file.hpp");
+    CHECK(std::filesystem::is_empty(folder / "a/b"));
+    CHECK(std::filesystem::is_empty(folder / "c/d"));
+    write_bytes(folder / "file", "x");
+    check_error([&] { make_output_folder(folder / "file"); }, {"file", "the folder can't be made"});
+    check_error([&] { make_output_folder(folder / "file/b"); }, {"file/b", "the folder can't be made"});
+    check_error([&] { make_folder_for(folder / "file/b.hpp"); }, {"file", "the folder can't be made"});
+    check_error([&] { make_folder_for(folder / "a"); }, {"a", "it is a folder"});
+    check_error([] { make_output_folder("/proc"); }, {"/proc: ", "no file can be written there"}); // also for root
+}
+
+TEST_CASE("gnuplot draws in a folder of any name, and is known not to be there, or to fail") {
+    using namespace quell::examples;
+    if (!has_gnuplot()) return;
+    Folder const folder;
+    auto const odd = folder / "-it's \"odd\"";
+    std::filesystem::create_directory(odd);
+    draw_by_gnuplot(odd / "line.gnuplot", "set terminal svg\nset output " + quoted_for_gnuplot("a \"b\" \\n.svg") + "\nplot x\n");
+    CHECK(contains(bytes_of(odd / "a \"b\" \\n.svg"), "</svg>"));
+    check_error([&] { draw_by_gnuplot(odd / "bad.gnuplot", "plot nonsense"); }, {"bad.gnuplot", "can't draw it", "bad.gnuplot.log"});
+    CHECK(contains(bytes_of(odd / "bad.gnuplot.log"), "nonsense"));
+    std::string const usual = std::getenv("PATH");
+    ::setenv("PATH", folder.path.c_str(), 1);
+    CHECK(!has_gnuplot());
+    ::setenv("PATH", usual.c_str(), 1);
 }
