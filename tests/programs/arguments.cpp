@@ -43,6 +43,7 @@ TEST_CASE("quell-trace refuses what it can't use in one line") {
     check_refused(trace(out + "--size 16"), {"--size", "1920x1080"});
     check_refused(trace(out + "--size 0x5"), {"--size", "'0x5'"});
     check_refused(trace(out + "--size 99999x99999"), {"--size", "'99999x99999'", "at most"});
+    check_refused(trace(out + "--threads 70000"), {"--threads", "70000"});
     check_refused(trace(out + "--scene cellar"), {"cellar", "room"});
     check_refused(trace(out + "--scene cellar.gltf"), {"cellar.gltf", "no such file"});
     check_refused(trace(out + "--effects shadow,smoke"), {"'smoke'", "shadow, glossy, indirect, blur"});
