@@ -66,8 +66,10 @@ std::vector<Case> cases_of(std::vector<std::string> const& scenes, std::vector<s
     for (auto const& scene : all ? tracer::scene_names() : scenes) {
         auto const its_own = effects_of(scene);
         // Of all scenes, only those that have the effect; of a scene that was asked for, whatever was asked for.
-        for (auto const& effect : effects.empty() ? its_own : effects)
-            if (!all || std::ranges::find(its_own, effect) != its_own.end()) cases.push_back({scene, effect});
+        for (auto const& effect : effects.empty() ? its_own : effects) {
+            bool const wanted = !all || std::ranges::find(its_own, effect) != its_own.end();
+            if (Case const one{scene, effect}; wanted && std::ranges::find(cases, one) == cases.end()) cases.push_back(one);
+        }
     }
     if (cases.empty()) throw Error("--effect", "no built-in scene was made for it", "name a scene with --scene");
     return cases;

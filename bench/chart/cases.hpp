@@ -8,6 +8,7 @@ namespace quell::bench {
 /// An effect on a scene.
 struct Case {
     std::string scene, effect;
+    bool operator==(Case const&) const = default;
 };
 
 /// shadow, glossy, curved (glossy in curved reflectors), indirect, blur and composite (all effects at once).
@@ -16,7 +17,7 @@ struct Case {
 /// What is worth charting on a scene. One that isn't built in is charted as a whole.
 [[nodiscard]] std::vector<std::string> effects_of(std::string const& scene);
 
-/// These effects on these scenes; without effects, those that the scenes have.
+/// These effects on these scenes, each once; without effects, those that the scenes have.
 /// @param scenes built-in names, files, or `all` for every built-in scene
 /// @throws Error for an effect that there isn't
 [[nodiscard]] std::vector<Case> cases_of(std::vector<std::string> const& scenes, std::vector<std::string> const& effects);

@@ -10,6 +10,7 @@
 #include <tracer/mask.hpp>
 #include <tracer/reference.hpp>
 
+#include <exception>
 #include <functional>
 
 namespace quell::bench {
@@ -103,11 +104,17 @@ void chart_feeds(Job const& job, Signal signal, std::vector<tracer::Effect> cons
     run_contests(job, signal, scene, contests, judge, others);
     std::vector<Row> rows;
     for (auto const& contest : contests) contest.put_rows(judge, rows);
-    for (auto const& external : job.options.externals) {
-        job.progress(external.name);
-        rows.push_back(others.run(external, judge));
+    std::exception_ptr failed;
+    try {
+        for (auto const& external : job.options.externals) {
+            job.progress(external.name);
+            rows.push_back(others.run(external, judge));
+        }
+    } catch (...) { // of another program: what was charted before is kept
+        failed = std::current_exception();
     }
     job.results.add(std::move(rows));
+    if (failed) std::rethrow_exception(failed);
 }
 
 void chart_shadow(Job const& job);

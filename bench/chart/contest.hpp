@@ -1,5 +1,6 @@
 #pragma once
 
+#include "external.hpp"
 #include "method.hpp"
 
 #include <tracer/frame_sink.hpp>
@@ -64,6 +65,7 @@ private:
         auto const make = [&](std::optional<Variant> const& variant, P const& pipeline) {
             methods.push_back(std::make_unique<Made>(whole(pipeline), options));
             entries.push_back({variant ? name_of(*variant) : named.name, named.competes, variant});
+            check_differ(options.externals, entries.back().method);
         };
         if (!named.variant || options.sweep) make(named.variant, named.pipeline);
         if (options.sweep)

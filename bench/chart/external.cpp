@@ -90,6 +90,12 @@ std::string filled_in(std::string command, std::string const& in, std::string co
     return command;
 }
 
+void check_differ(std::vector<External> const& externals, std::string const& method) {
+    for (auto const& external : externals)
+        if (file_name(external.name) == file_name(method))
+            throw Error(subject_of(external), "it has the name of a method", "choose another");
+}
+
 ExternalRuns::~ExternalRuns() {
     std::error_code ignored; // a destructor has nobody to tell
     if (!folder.empty()) fs::remove_all(folder, ignored);
@@ -114,7 +120,7 @@ double ExternalRuns::seconds_of(External const& external, fs::path const& out) c
 }
 
 Row ExternalRuns::run(External const& external, Judge const& judge) {
-    auto const out = folder / external.name;
+    auto const out = folder / std::to_string(++runs); // not by its name: that is what somebody typed, and the folder is removed
     fs::create_directory(out);
     double const seconds = seconds_of(external, out);
     Entry entry{external.name};

@@ -23,10 +23,13 @@ public:
 
 private:
     std::filesystem::path folder{};
-    int frames = 0;
+    int frames = 0, runs = 0;
 
     [[nodiscard]] double seconds_of(External const& external, std::filesystem::path const& out) const;
 };
+
+/// @throws Error where one of them has a method's name, or its picture that of a method
+void check_differ(std::vector<External> const& externals, std::string const& method);
 
 /// The command with {in} and {out} replaced, quoted for a shell where they must be.
 [[nodiscard]] std::string filled_in(std::string command, std::string const& in, std::string const& out);

@@ -10,21 +10,17 @@
 #include <utility>
 
 namespace quell::bench {
-namespace {
 
-/// A name that any file system and any address can have.
 std::string file_name(std::string name) {
     for (char& c : name)
         if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '.') c = '_';
     return name;
 }
 
-} // namespace
-
 Judge::Judge(ChartOptions const& options_, Case const& what, std::vector<Wanted> wanted_)
     : options(options_), scene(std::filesystem::path(what.scene).stem().string()), effect(what.effect), wanted(std::move(wanted_)) {
     for (auto const& one : wanted)
-        if (one.frame == options.pictured_frame()) reference = write("reference", one.displayed);
+        if (one.frame == options.pictured_frame()) reference = write(reference_name, one.displayed);
 }
 
 void Judge::measure(int frame, std::span<Entry> entries, std::span<metrics::Picture const> pictures) const {

@@ -16,9 +16,14 @@ struct Entry {
     std::string picture{}; ///< from the chart's folder
 };
 
+/// What a method's picture is called: a name that any file system and any address can have.
+[[nodiscard]] std::string file_name(std::string name);
+
 /// Knows what the scored frames of an effect on a scene should be.
 class Judge {
 public:
+    static constexpr auto reference_name = "reference"; ///< as if it were a method
+
     /// Writes the picture of the reference. @throws Error where it can't
     Judge(ChartOptions const& options, Case const& what, std::vector<Wanted> wanted);
 

@@ -1,5 +1,7 @@
 #include "options.hpp"
 
+#include "judge.hpp"
+
 #include <quell/core/error.hpp>
 #include <support/program.hpp>
 #include <support/size_in.hpp>
@@ -32,7 +34,7 @@ void describe(CLI::App& app, ChartOptions& o, Words& words) {
     app.add_option("--frames", o.frames, "number of frames; 24, 28, 31 to 34, 36 and 40 are scored")
         ->check(CLI::Range(ChartOptions::first_timed + 1, 100000))
         ->capture_default_str();
-    app.add_option("--threads", o.threads, "threads; 0: all")->check(CLI::Range(0, 1024))->capture_default_str();
+    examples::add_threads(app, o.threads);
     app.add_option("--seed", o.seed, "of the noise")->capture_default_str();
     app.add_option("--tolerance", o.tolerance,
                    "of the references: mean FLIP between two independent halves (default: 0.01; 0.005 for blur, 0.03 with indirect light)")
@@ -54,8 +56,11 @@ External external_in(std::string const& text) {
     if (!whole) throw Error("--external", "'" + text + "'", "write name=command with {in} and {out} in the command");
     External external{text.substr(0, equals), text.substr(equals + 1)};
     auto const plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.'; };
-    if (!std::ranges::all_of(external.name, plain))
-        throw Error("--external", "the name '" + external.name + "'", "use letters, digits, '-', '_' and '.' only");
+    if (!std::ranges::all_of(external.name, plain) || external.name.starts_with('.'))
+        throw Error("--external", "the name '" + external.name + "'",
+                    "use letters, digits, '-', '_' and '.' only, and no '.' at the start");
+    if (external.name == Judge::reference_name)
+        throw Error("--external", "the name '" + external.name + "'", "choose another: the reference has it");
     return external;
 }
 

@@ -1,17 +1,18 @@
 #include "plot.hpp"
 
 #include <quell/core/error.hpp>
+#include <support/gnuplot.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
 #include <map>
 #include <sstream>
 
 namespace quell::bench {
 namespace {
+
+using examples::quoted_for_gnuplot;
 
 constexpr int panel_width = 560, panel_height = 420;
 
@@ -20,16 +21,6 @@ std::string number(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.9g", value);
     return text;
-}
-
-/// Text between double quotes, of which gnuplot takes nothing for its own.
-std::string quoted(std::string const& text) {
-    std::string result = "\"";
-    for (char const c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        result += c;
-    }
-    return result + "\"";
 }
 
 /// Blocks of data and the elements that draw them. What is empty is left out, since gnuplot refuses to plot nothing.
@@ -42,7 +33,8 @@ public:
         if (rows.empty()) return;
         auto const name = prefix + std::to_string(blocks++);
         data += name + " << END\n";
-        for (auto const& row : rows) data += number(row.ms_per_frame) + " " + number(row.rmse) + " " + quoted(row.method) + "\n";
+        for (auto const& row : rows)
+            data += number(row.ms_per_frame) + " " + number(row.rmse) + " " + quoted_for_gnuplot(row.method) + "\n";
         data += "END\n";
         for (auto const& look : looks) elements += (elements.empty() ? "plot " : ", ") + name + " using " + look + " notitle";
     }
@@ -102,13 +94,13 @@ std::string panel(std::vector<Row> const& all, int index) {
                 {"1:2 with points pt 6 ps 0.8 lc rgb '" + grey + "'", inner("0.35")});
     drawing.add(those(rows, [](Row const& row) { return row.pareto; }),
                 {"1:2 with linespoints lw 2 pt 7 ps 0.9 lc rgb '" + blue + "'", outer});
-    return drawing.script("set title " + quoted(all.front().scene + ", " + all.front().effect) + "\n" + x_range(rows));
+    return drawing.script("set title " + quoted_for_gnuplot(all.front().scene + ", " + all.front().effect) + "\n" + x_range(rows));
 }
 
 } // namespace
 
 void require_gnuplot() {
-    if (std::system("gnuplot --version > /dev/null 2>&1") != 0)
+    if (!examples::has_gnuplot())
         throw Error("gnuplot", "it can't be run, and chart.svg wants it", "install it (on Debian, apt-get install gnuplot-nox)");
 }
 
@@ -118,7 +110,8 @@ std::string plot_script(std::vector<Row> const& rows, std::string const& svg) {
     int const lines = std::max(1, (static_cast<int>(cases.size()) + columns - 1) / columns);
     std::ostringstream script;
     script << "set encoding utf8\nset terminal svg noenhanced size " << columns * panel_width << "," << lines * panel_height
-           << " font 'sans-serif,11' background rgb 'white'\nset output " << quoted(svg) << "\nset logscale x\nset grid lc rgb '#dde2e9'\n"
+           << " font 'sans-serif,11' background rgb 'white'\nset output " << quoted_for_gnuplot(svg)
+           << "\nset logscale x\nset grid lc rgb '#dde2e9'\n"
            << "set xlabel 'milliseconds per frame'\nset ylabel 'RMSE'\nset yrange [0:*]\nset offsets 0, 0, graph 0.08, 0\n"
            << "set xtics (" << ticks() << ")\n"
            << "set multiplot layout " << lines << "," << columns << "\n";
@@ -128,17 +121,7 @@ std::string plot_script(std::vector<Row> const& rows, std::string const& svg) {
 }
 
 void write_plot(std::vector<Row> const& rows, std::filesystem::path const& folder) {
-    auto const script = folder / "chart.gnuplot";
-    std::ofstream out(script, std::ios::binary);
-    out << plot_script(rows, "chart.svg");
-    out.close();
-    if (!out) throw Error(script.string(), "it can't be written", "check that its folder exists and has room");
-    std::string folder_name = folder.string();
-    for (std::size_t at = folder_name.find('\''); at != std::string::npos; at = folder_name.find('\'', at + 4))
-        folder_name.replace(at, 1, "'\\''");
-    auto const command = "cd '" + folder_name + "' && gnuplot chart.gnuplot > chart.gnuplot.log 2>&1 && rm chart.gnuplot.log";
-    if (std::system(command.c_str()) != 0)
-        throw Error((folder / "chart.gnuplot").string(), "gnuplot can't draw it", "see chart.gnuplot.log beside it");
+    examples::draw_by_gnuplot(folder / "chart.gnuplot", plot_script(rows, "chart.svg"));
 }
 
 } // namespace quell::bench

@@ -4,6 +4,7 @@
 #include "plot.hpp"
 
 #include <quell/core/error.hpp>
+#include <support/output_folder.hpp>
 
 #include <algorithm>
 #include <cerrno>
@@ -16,9 +17,7 @@
 namespace quell::bench {
 
 Results::Results(ChartOptions const& options_) : options(options_) {
-    std::error_code why;
-    std::filesystem::create_directories(options.out, why);
-    if (why) throw Error(options.out.string(), "the folder can't be made: " + why.message(), "choose another for --out");
+    examples::make_output_folder(options.out);
     if (!options.times) require_gnuplot();
     if (!options.quiet) std::cout << csv_header() << std::endl;
 }

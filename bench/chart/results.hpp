@@ -8,7 +8,7 @@ namespace quell::bench {
 /// The chart as it grows: all files are there after every case, so that a run that is cut short has not been in vain.
 class Results {
 public:
-    /// @throws Error where the folder can't be made
+    /// @throws Error where the folder can't be made or written to
     explicit Results(ChartOptions const& options);
 
     /// Takes the rows of one scene and effect, marks their front, prints them on standard output, and writes chart.csv, chart.svg and

@@ -6,6 +6,7 @@
 #include "fit.hpp"
 
 #include <quell/io/replace_file.hpp>
+#include <support/output_folder.hpp>
 #include <support/program.hpp>
 #include <tracer/scenes/scenes.hpp>
 
@@ -24,6 +25,7 @@ std::vector<Contender> all_contenders() {
 }
 
 void fit_and_write(FitOptions const& options) {
+    if (!options.out.empty()) quell::examples::make_folder_for(options.out);
     auto const contenders = all_contenders();
     auto const sequence = options.scene.empty() ? file_sequence(options) : scene_sequence(options);
     std::ofstream nowhere;

@@ -28,10 +28,10 @@ void describe(CLI::App& app, FitOptions& o, std::string& size) {
     app.add_option("--rmse", o.bounds.rmse, "Most root mean square error of the displayed picture, mean over the scored frames");
     app.add_option("--flip", o.bounds.flip, "Most FLIP");
     app.add_option("--ms", o.bounds.ms, "Most milliseconds per frame, at this size and number of threads");
-    app.add_option("--out", o.out, "Header to write, as fit.hpp (default: none)");
+    app.add_option("--out", o.out, "Header to write, as fit.hpp; its folder is made (default: none)");
     app.add_option("--size", size, "Width x height of a scene's frames (default: " + to_string(o.size) + ")");
     app.add_option("--frames", o.frames, "Frames of a scene; 24, 32 and 40 are scored (default: " + std::to_string(o.frames) + ")");
-    app.add_option("--threads", o.threads, "Threads (default: all)");
+    examples::add_threads(app, o.threads);
     app.add_option("--seed", o.seed, "Of a scene's noise (default: 0)");
     app.add_option("--tolerance", o.tolerance, "Of a scene's references: mean FLIP between two independent halves (default: 0.02)");
     app.add_flag("--blur", o.blur, "Of a scene: the shutter is open for half of the frame time, and each sample has a time of its own");
@@ -65,7 +65,6 @@ void check(FitOptions const& o, bool has_size) {
     check_bound("--rmse", o.bounds.rmse), check_bound("--flip", o.bounds.flip), check_bound("--ms", o.bounds.ms);
     check_bound("--tolerance", o.tolerance);
     if (o.frames < 25) refuse("--frames", std::to_string(o.frames), "give at least 25: frame 24 is the first that is scored");
-    if (o.threads < 0) refuse("--threads", std::to_string(o.threads), "give 1 or more, or 0 for all");
 }
 
 } // namespace

@@ -51,10 +51,12 @@ void firefly(std::string const& name, Making const& making, Results& results) {
         if (each.name != "visibility.V") plane(lit, each.name)[middle] += energy * each.part;
     for (auto const& [preset, part] : all_methods()) {
         auto const denoiser = preset.make(making.size, making.threads);
+        auto const truth = even_picture(light * part, making.size);
         double most = 0, usual = 0, base = 0;
         int alive = 0;
         for (int i = 0; i <= last; ++i) {
             auto const picture = denoiser->denoise(i == flash ? lit : even, {}, i);
+            if (i >= flash - 1) record(results, name, preset.name, i, truth, picture);
             if (i == flash - 1) usual = sum_of(picture), base = brightest(picture);
             if (i < flash) continue;
             most = std::max(most, sum_of(picture) - usual);
@@ -68,7 +70,7 @@ void firefly(std::string const& name, Making const& making, Results& results) {
 /// Samples of which one in fifty holds all of the light.
 void variance(std::string const& name, Making const& making, Results& results) {
     auto const even = even_frame(light, making);
-    std::mt19937 random(3);
+    std::mt19937 random(making.seed + 3);
     Sequence sequence{making.size, 0, 32, std::vector(64, even), {}, {}};
     for (auto& frame : sequence.frames) {
         std::vector<float> factors(frame.pixels());
@@ -78,8 +80,13 @@ void variance(std::string const& name, Making const& making, Results& results) {
                 for (std::size_t i = 0; i < factors.size(); ++i) plane(frame, each.name)[i] *= factors[i];
     }
     for (auto const& [preset, part] : all_methods()) {
+        auto const truth = even_picture(light * part, making.size);
         double worst = 0;
-        for (auto const& picture : watch(preset, sequence, {}, making.threads)) worst = std::max(worst, sum_of(picture));
+        int number = sequence.scored_from;
+        for (auto const& picture : watch(preset, sequence, {}, making.threads)) {
+            worst = std::max(worst, sum_of(picture));
+            record(results, name, preset.name, number++, truth, picture);
+        }
         worst /= static_cast<double>(light * part) * static_cast<double>(making.size.pixels());
         results.promises.push_back({name, preset.name, "worst_frame_energy_over_truth", worst, 1.25});
     }

@@ -52,7 +52,7 @@ Extremes extremes(metrics::Picture const& picture, metrics::Picture const& even)
 /// A burst in the samples, in frames 4 and 8: each is missing, weighs nothing and spreads nowhere, so that an even picture stays even.
 double spread(examples::Preset const& preset, io::ExrImage const& even, Making const& making) {
     auto const denoiser = preset.make(making.size, making.threads);
-    std::mt19937 random(5);
+    std::mt19937 random(making.seed + 5);
     double farthest = 0;
     metrics::Picture wanted;
     for (int i = 0; i < 16; ++i) {
@@ -74,9 +74,9 @@ bool is_light(std::string const& name) {
 }
 
 /// A burst in every channel, signals and guides.
-Extremes burst(examples::Preset const& preset, io::ExrImage const& even, Making const& making) {
+Extremes burst(std::string const& name, examples::Preset const& preset, io::ExrImage const& even, Making const& making, Results& results) {
     auto const denoiser = preset.make(making.size, making.threads);
-    std::mt19937 random(6);
+    std::mt19937 random(making.seed + 6);
     Extremes result;
     metrics::Picture wanted;
     for (int i = 0; i < 24; ++i) {
@@ -87,6 +87,7 @@ Extremes burst(examples::Preset const& preset, io::ExrImage const& even, Making 
             }
         auto const picture = denoiser->denoise(frame, {}, i);
         if (i == 3) wanted = picture;
+        if (i >= 3) record(results, name, preset.name, i, wanted, picture);
         if (i <= 3) continue;
         auto const found = extremes(picture, wanted);
         result.broken += found.broken;
@@ -123,7 +124,7 @@ void broken_input(std::string const& name, Making const& making, Results& result
     auto const even = even_frame(light, making);
     for (auto const& preset : examples::presets()) {
         results.promises.push_back({name, preset.name, "spread_of_missing_samples", spread(preset, even, making), 1e-3});
-        auto const after = burst(preset, even, making);
+        auto const after = burst(name, preset, even, making, results);
         results.promises.push_back({name, preset.name, "broken_components", after.broken, 0});
         results.promises.push_back({name, preset.name, "left_18_frames_later", after.farthest, 1e-2});
         results.promises.push_back({name, preset.name, "unclear_errors", unclear(preset, even, making), 0});

@@ -8,6 +8,8 @@
 #include "plots.hpp"
 #include "soak.hpp"
 
+#include <support/gnuplot.hpp>
+#include <support/output_folder.hpp>
 #include <support/program.hpp>
 #include <support/progress.hpp>
 
@@ -37,16 +39,19 @@ void run_cases(StabilityOptions const& options, Results& results) {
 }
 
 int run(StabilityOptions const& options) {
-    std::filesystem::create_directories(options.out);
+    quell::examples::make_output_folder(options.out);
     Results results;
     if (options.soak)
         soak(options.making, options.quiet, results);
     else
         run_cases(options, results);
     write_tables(results, options.out);
-    if (!draw_plots(results, options.out)) std::cerr << "no plots: install gnuplot (gnuplot-nox)\n";
     write_page(results, options.out);
     int const broken = judge(results, std::cout);
+    if (quell::examples::has_gnuplot())
+        draw_plots(results, options.out);
+    else
+        std::cerr << "no plots: install gnuplot (gnuplot-nox)\n";
     return options.check && broken > 0 ? 1 : 0;
 }
 

@@ -6,6 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+
 namespace quell::stability {
 namespace {
 
@@ -13,10 +15,17 @@ void describe(CLI::App& app, StabilityOptions& options) {
     app.add_option("--case,--scene", options.cases, "A case that --list names, or all; may be given several times (default: all)")
         ->take_all();
     app.add_option("--out", options.out, "Folder for stability.csv, frames.csv, the plots and index.html")->capture_default_str();
-    app.add_option("--threads", options.making.threads, "Threads; 0: all")->check(CLI::Range(0, 1024))->capture_default_str();
-    app.add_flag("--cheap", options.cheap, "Small pictures, and only the half of the cases that take little time: tests run it");
+    examples::add_threads(app, options.making.threads);
+    app.add_option(
+           "--frames", options.making.long_run,
+           "Frames of --soak and of the case drift, which last for the sake of it; the other cases are as long as what happens in them")
+        ->check(CLI::Range(1200, 1000000))
+        ->capture_default_str();
+    app.add_option("--seed", options.making.seed, "Of the noise, in traced frames and in others")->capture_default_str();
+    app.add_flag("--cheap", options.cheap,
+                 "Small pictures, rougher references, and no case that takes long, of which there is none so far: tests run it");
     app.add_flag("--check", options.check, "Exit code 1 where a promise is broken that isn't among the known limits");
-    app.add_flag("--soak", options.soak, "10,000 frames of `room` with cuts, bursts and other sizes instead of the cases");
+    app.add_flag("--soak", options.soak, "Many frames of `room` with cuts, bursts and other sizes instead of the cases");
     app.add_flag("--quiet", options.quiet, "No progress");
     app.add_flag("--list", options.list, "Print the names of the cases");
 }
@@ -37,7 +46,7 @@ std::optional<StabilityOptions> stability_options(int argc, char const* const* a
     options.making.size = examples::size_in(size.value_or(options.cheap ? "96x54" : "160x90"), 16, 1LL << 24);
     options.making.tolerance = tolerance.value_or(options.cheap ? 0.03 : 0.015);
     if (options.cheap) options.making.most_samples = 64;
-    if (options.cases == std::vector<std::string>{"all"}) options.cases.clear();
+    if (std::ranges::find(options.cases, "all") != options.cases.end()) options.cases.clear();
     return options;
 }
 

@@ -1,12 +1,15 @@
 #include "plots.hpp"
 
-#include <cstdio>
-#include <cstdlib>
+#include <support/gnuplot.hpp>
+#include <support/output_folder.hpp>
+
 #include <map>
 #include <sstream>
 
 namespace quell::stability {
 namespace {
+
+using examples::quoted_for_gnuplot;
 
 /// Points by method, and by case.
 using Curves = std::map<std::string, std::string>;
@@ -27,23 +30,23 @@ std::string panel(std::string const& name, Curves const& curves) {
     for (auto const& [method, points] : curves) {
         auto const block = "$m" + std::to_string(i++);
         data += block + " << END\n" + points + "END\n";
-        plot += (plot.empty() ? "plot " : ", ") + block + " with linespoints pointsize 0.4 title '" + method + "'";
+        plot += (plot.empty() ? "plot " : ", ") + block + " with linespoints pointsize 0.4 title " + quoted_for_gnuplot(method);
     }
-    return data + "set title '" + name + "'\n" + plot + "\n";
+    return data + "set title " + quoted_for_gnuplot(name) + "\n" + plot + "\n";
 }
 
 constexpr auto style =
     "set xlabel 'frame'\nset ylabel 'RMSE'\nset yrange [0:*]\nset key outside right noenhanced maxcols 1\nset title noenhanced\nset grid\n";
 
-std::string script(std::map<std::string, Curves> const& cases, std::filesystem::path const& folder) {
+std::string script(std::map<std::string, Curves> const& cases) {
     constexpr int width = 720, height = 300;
     std::ostringstream all;
     all << "set terminal svg size " << width << ',' << height << " background 'white'\n" << style;
     for (auto const& [name, curves] : cases)
-        all << "set output '" << (folder / "plots" / (name + ".svg")).string() << "'\n" << panel(name, curves);
+        all << "set output " << quoted_for_gnuplot("plots/" + name + ".svg") << '\n' << panel(name, curves);
     auto const rows = (cases.size() + 1) / 2;
-    all << "set terminal svg size " << 2 * width << ',' << height * static_cast<int>(rows) << " background 'white'\nset output '"
-        << (folder / "stability.svg").string() << "'\nset multiplot layout " << rows << ",2\n";
+    all << "set terminal svg size " << 2 * width << ',' << height * static_cast<int>(rows)
+        << " background 'white'\nset output 'stability.svg'\nset multiplot layout " << rows << ",2\n";
     for (auto const& [name, curves] : cases) all << panel(name, curves);
     all << "unset multiplot\n";
     return all.str();
@@ -51,16 +54,11 @@ std::string script(std::map<std::string, Curves> const& cases, std::filesystem::
 
 } // namespace
 
-bool draw_plots(Results const& results, std::filesystem::path const& folder) {
+void draw_plots(Results const& results, std::filesystem::path const& folder) {
     auto const cases = curves_of(results);
-    if (cases.empty()) return true;
-    if (std::system("command -v gnuplot > /dev/null") != 0) return false;
-    std::filesystem::create_directories(folder / "plots");
-    auto* const gnuplot = popen("gnuplot", "w");
-    if (gnuplot == nullptr) return false;
-    auto const commands = script(cases, folder);
-    std::fwrite(commands.data(), 1, commands.size(), gnuplot);
-    return pclose(gnuplot) == 0;
+    if (cases.empty()) return;
+    examples::make_output_folder(folder / "plots");
+    examples::draw_by_gnuplot(folder / "stability.gnuplot", script(cases));
 }
 
 } // namespace quell::stability

@@ -6,8 +6,8 @@
 
 namespace quell::stability {
 
-/// Draws the error over time of every case: stability.svg with a panel for each, and each by itself as plots/CASE.svg. False, and nothing
-/// drawn, where gnuplot isn't installed.
-bool draw_plots(Results const& results, std::filesystem::path const& folder);
+/// Draws the error over time of every case: stability.svg with a panel for each, and each by itself as plots/CASE.svg.
+/// @throws Error where gnuplot can't
+void draw_plots(Results const& results, std::filesystem::path const& folder);
 
 } // namespace quell::stability

@@ -44,7 +44,7 @@ void take(io::ExrImage& image, io::ExrImage const& other, std::vector<bool> cons
 Sequence coated(Making const& making) {
     auto coat = traced(temple_of(0.1f), making);
     auto const ground = traced(temple_of(0.45f), making);
-    std::mt19937 random(1);
+    std::mt19937 random(making.seed + 1);
     for (std::size_t i = 0; i < coat.frames.size(); ++i) {
         std::vector<bool> chosen(coat.frames[i].pixels());
         for (auto&& each : chosen) each = random() % 2 == 0;

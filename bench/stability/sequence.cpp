@@ -80,12 +80,14 @@ Sequence traced(Shot const& shot, Making const& making) {
     if (shot.change) shot.change(description);
     tracer::PreparedScene scene(std::move(description));
     Sequence sequence{making.size, shot.first, shot.scored_from, {}, {}, {}};
-    tracer::RenderSettings settings{.size = making.size, .threads = making.threads, .shutter = shot.shutter};
+    tracer::RenderSettings settings{.size = making.size, .seed = making.seed, .threads = making.threads, .shutter = shot.shutter};
     for (settings.frame = shot.first; settings.frame <= shot.last; ++settings.frame) {
         sequence.frames.push_back(frame_of(scene, settings, shot.signal));
         if (settings.frame < shot.scored_from) continue;
-        sequence.references.push_back(share(scene, settings, shot.signal, making));
-        if (shot.effect) sequence.masks.push_back(tracer::effect_mask(scene, settings, *shot.effect));
+        auto converged = settings;
+        converged.seed = 0; // the same for any noise
+        sequence.references.push_back(share(scene, converged, shot.signal, making));
+        if (shot.effect) sequence.masks.push_back(tracer::effect_mask(scene, converged, *shot.effect));
     }
     return sequence;
 }

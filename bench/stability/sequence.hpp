@@ -4,6 +4,7 @@
 #include <quell/metrics/picture.hpp>
 #include <tracer/mask.hpp>
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -48,6 +49,8 @@ struct Making {
     int threads = 0;          ///< 0: all
     double tolerance = 0.015; ///< of references: mean FLIP between two independent halves
     int most_samples = 1024;  ///< of references, per pixel
+    std::uint32_t seed = 0;   ///< of the noise
+    int long_run = 10000;     ///< frames of what lasts for the sake of it
 };
 
 [[nodiscard]] Sequence traced(Shot const& shot, Making const& making);

@@ -5,8 +5,8 @@
 
 namespace quell::stability {
 
-/// 10,000 frames of `room`, a few dozen of them over and over, with cuts, other sizes and bursts of what is no number: memory stays, errors
-/// stay, and all is finite.
+/// Making::long_run frames of `room`, a few dozen of them over and over, with cuts, other sizes and bursts of what is no number: memory
+/// stays, errors stay, and all is finite.
 void soak(Making const& making, bool quiet, Results& results);
 
 } // namespace quell::stability

@@ -32,4 +32,8 @@ io::ExrImage even_frame(float light, Making const& making) {
     return image;
 }
 
+metrics::Picture even_picture(float light, Extent size) {
+    return {size, std::vector(static_cast<std::size_t>(size.pixels()), glm::vec3(light))};
+}
+
 } // namespace quell::stability

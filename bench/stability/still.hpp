@@ -8,6 +8,9 @@ namespace quell::stability {
 /// together from direct light without shadows, glossy reflection and indirect light.
 [[nodiscard]] io::ExrImage even_frame(float light, Making const& making);
 
+/// A picture of one grey.
+[[nodiscard]] metrics::Picture even_picture(float light, Extent size);
+
 /// The planes of the signals, each of which carries this part of the picture.
 struct SignalPlane {
     std::string name;

@@ -1,5 +1,6 @@
 #include "watch.hpp"
 
+#include <quell/core/real.hpp>
 #include <quell/metrics/flip.hpp>
 #include <quell/metrics/rmse.hpp>
 
@@ -35,6 +36,14 @@ Errors errors(Sequence const& sequence, Pictures const& pictures) {
 void record(Results& results, std::string const& subject, std::string const& method, Errors const& errors) {
     for (std::size_t i = 0; i < errors.frames.size(); ++i)
         results.frames.push_back({subject, method, errors.frames[i], errors.rmse[i], errors.flip[i]});
+}
+
+void record(Results& results, std::string const& subject, std::string const& method, int frame, metrics::Picture const& wanted,
+            metrics::Picture const& shown) {
+    auto const finite = [](glm::vec3 const& p) { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); };
+    if (!std::ranges::all_of(shown.pixels, finite)) return;
+    auto const truth = metrics::displayed(wanted), picture = metrics::displayed(shown);
+    results.frames.push_back({subject, method, frame, metrics::rmse(truth, picture), metrics::flip(truth, picture).mean()});
 }
 
 double worst_ratio(Errors const& a, Errors const& b, int from) {

@@ -33,6 +33,9 @@ struct Errors {
 };
 [[nodiscard]] Errors errors(Sequence const& sequence, Pictures const& pictures);
 void record(Results& results, std::string const& subject, std::string const& method, Errors const& errors);
+/// The error of one frame. A picture that isn't finite has none, and is left out. @param wanted, @param shown linear
+void record(Results& results, std::string const& subject, std::string const& method, int frame, metrics::Picture const& wanted,
+            metrics::Picture const& shown);
 
 /// The limit of a ratio that promises "no worse": 1, but for rounding.
 inline constexpr double no_worse = 1.0001;

@@ -11,6 +11,7 @@
 #include <quell/metrics/rmse.hpp>
 #include <quell/metrics/ssim.hpp>
 #include <report/report.hpp>
+#include <support/output_folder.hpp>
 #include <support/png.hpp>
 #include <support/progress.hpp>
 #include <thread>
@@ -57,7 +58,7 @@ public:
           // What has no noise but that of time was made to be blurred.
           blurs(!scene.description().secondary_rays), method(blurs ? motion_blur(options_) : all_effects(options_)), kinds(method->kinds()),
           scores(kinds.size()) {
-        std::filesystem::create_directories(folder);
+        make_output_folder(folder);
         report.title = "quell: " + std::filesystem::path(scene_).stem().string();
         report.subtitle = to_string(options.size) + ", 1 sample per pixel, " + std::to_string(options.frames) + " frames";
         for (auto const& kind : kinds) report.kinds.push_back({kind.name, kind.description});

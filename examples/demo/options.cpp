@@ -20,7 +20,7 @@ DemoOptions demo_options(int argc, char const* const* argv) {
     app.add_option("--out", options.out, "folder for the results")->capture_default_str();
     app.add_option("--size", size, "width x height in pixels")->capture_default_str();
     app.add_option("--frames", options.frames, "number of frames")->check(CLI::Range(1, 100000))->capture_default_str();
-    app.add_option("--threads", options.threads, "threads; 0: all")->check(CLI::Range(0, 1024))->capture_default_str();
+    add_threads(app, options.threads);
     app.add_option("--seed", options.seed, "of the noise")->capture_default_str();
     app.add_option("--reference-every", options.reference_every, "compare every so many frames with a converged reference; 0: none")
         ->check(CLI::Range(0, 100000))
@@ -31,7 +31,7 @@ DemoOptions demo_options(int argc, char const* const* argv) {
     app.add_flag("--quiet", options.quiet, "no progress");
     app.add_flag("--list", options.list, "print the built-in scenes, one a line");
     options.wants_help = !parse(app, argc, argv);
-    options.size = size_in(size, 1, 1LL << 28);
+    options.size = size_in(size);
     if (std::find(options.scenes.begin(), options.scenes.end(), "all") != options.scenes.end()) options.scenes = tracer::scene_names();
     return options;
 }

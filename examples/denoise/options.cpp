@@ -36,7 +36,7 @@ void describe(CLI::App& app, DenoiseOptions& options) {
     app.add_option("--shutter", options.shutter,
                    "Part of the frame time during which the shutter is open (default: what the map says, or else the files, or else 0.5)");
     app.add_option("--warmup", options.warmup, "Frames before the first to denoise without writing them (default: 0)");
-    app.add_option("--threads", options.threads, "Threads (default: all)");
+    add_threads(app, options.threads);
     app.add_flag("--diagnose", options.diagnose,
                  "Say on stderr what the renderer seems to have got wrong (motion, cameras, depth, normals, albedo, samples) and in which "
                  "frame that first shows");
@@ -59,13 +59,13 @@ void check_debug_views(DenoiseOptions const& options) {
 void check(DenoiseOptions const& options) {
     if (options.list) return;
     if (options.in.empty()) throw Error("command line", "--in is missing", "say where the frames are, as in --in 'dir/frame.%04d.exr'");
-    if (options.out.empty() && options.reference.empty())
-        throw Error("command line", "neither --out nor --reference is there", "say where the result goes, or what to compare it with");
+    if (options.out.empty() && options.reference.empty() && !options.diagnose)
+        throw Error("command line", "none of --out, --reference and --diagnose is there",
+                    "say where the result goes, what to compare it with, or that mistakes are to be looked for");
     check_debug_views(options);
     if (options.shutter && !(is_finite(*options.shutter) && *options.shutter >= 0))
         throw Error("--shutter", std::to_string(*options.shutter), "give a part of the frame time, such as 0.5");
     if (options.warmup < 0) throw Error("--warmup", std::to_string(options.warmup), "give 0 or more frames");
-    if (options.threads < 0) throw Error("--threads", std::to_string(options.threads), "give 1 or more, or 0 for all");
 }
 
 } // namespace

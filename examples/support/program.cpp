@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <new>
 
 namespace quell::examples {
 
@@ -27,6 +28,8 @@ int exit_code_of(std::string const& program, std::function<void()> const& body) 
         return 0;
     } catch (Error const& error) {
         return complain(program, error.what(), 2);
+    } catch (std::bad_alloc const&) {
+        return complain(program, "memory: there is not enough of it; give a smaller --size", 1);
     } catch (std::exception const& error) {
         return complain(program, error.what(), 1);
     } catch (...) {
@@ -44,6 +47,10 @@ bool parse(CLI::App& app, int argc, char const* const* argv) {
     } catch (CLI::ParseError const& error) {
         throw Error("command line", error.what(), "see --help");
     }
+}
+
+void add_threads(CLI::App& app, int& threads) {
+    app.add_option("--threads", threads, "threads; 0: all")->check(CLI::Range(0, 1024))->capture_default_str();
 }
 
 } // namespace quell::examples

@@ -17,4 +17,7 @@ int exit_code_of(std::string const& program, std::function<void()> const& body);
 /// @throws Error for a command line that can't be used
 [[nodiscard]] bool parse(CLI::App& app, int argc, char const* const* argv);
 
+/// Adds --threads: 0, which means all, to 1024. oneTBB crashes where it is asked for too many.
+void add_threads(CLI::App& app, int& threads);
+
 } // namespace quell::examples

@@ -2,14 +2,13 @@
 
 #include <quell/image/extent.hpp>
 
-#include <limits>
 #include <string>
 
 namespace quell::examples {
 
 /// What --size says, as in "1920x1080".
-/// @param least of width and height, @param most_pixels of both together
+/// @param least of width and height, @param most_pixels of both together: twice those of 8K, whose channels take gigabytes
 /// @throws Error for anything else
-[[nodiscard]] Extent size_in(std::string const& text, int least = 1, long long most_pixels = std::numeric_limits<long long>::max());
+[[nodiscard]] Extent size_in(std::string const& text, int least = 1, long long most_pixels = 1LL << 26);
 
 } // namespace quell::examples

@@ -107,7 +107,7 @@ void describe(CLI::App& app, Options& o) {
     app.add_option("--fov", o.fov, "Vertical field of view in degrees");
     app.add_option("--orbit", o.orbit, "Degrees per frame around the target");
     app.add_option("--dolly", o.dolly, "Movement of eye and target per frame: x,y,z")->delimiter(',');
-    app.add_option("--threads", o.threads, "Threads (default: all)");
+    examples::add_threads(app, o.threads);
     app.add_option("--seed", o.seed, "Another seed, other noise (default: 0)");
     app.add_flag("--quiet", o.quiet, "Print nothing but errors");
     app.add_flag("--list", o.list, "Print the names of the built-in scenes");
@@ -129,7 +129,6 @@ void complete(Options& o) {
     if (o.frames < 1) refuse("--frames", std::to_string(o.frames), "give at least 1");
     if (o.spp < 1) refuse("--spp", std::to_string(o.spp), "give at least 1");
     if (o.reference < 0 || o.reference == 1) refuse("--reference", std::to_string(o.reference), "give at least 2 samples per pixel");
-    if (o.threads < 0) refuse("--threads", std::to_string(o.threads), "give 1 or more, or 0 for all");
     std::string names;
     for_each_effect([&](auto effect) { names += (names.empty() ? "" : ", ") + std::string(effect.name); });
     for (auto const& effect : o.effects)

@@ -72,5 +72,6 @@ TEST_CASE("the passes of svgf may run on any pixels at once") {
         auto const shared = quell::run(denoise, frame, two, TwoThreads{});
         CHECK(differences(expected, shared) == 0);
         CHECK(one.statistics().missing_samples == two.statistics().missing_samples);
+        CHECK(one.statistics().suppressed == two.statistics().suppressed);
     }
 }

@@ -89,6 +89,8 @@ TEST_CASE("cases are the effects that the scenes were made for, or those that we
           "cut:composite lightswitch:composite lightswitch:indirect pan:indirect reverse:blur ");
     CHECK(named({"all"}, {"indirect"}).find("boxes:indirect disk:indirect ") != std::string::npos);
     CHECK(named({"all"}, {"indirect"}).find("fence") == std::string::npos);
+    CHECK(named({"fence", "fence"}, {}) == "fence:shadow ");
+    CHECK(named({"fence"}, {"shadow", "composite", "shadow"}) == "fence:shadow fence:composite ");
     CHECK(named({"some/file.glb"}, {}) == "some/file.glb:composite ");
     CHECK_THROWS_AS(static_cast<void>(cases_of({"fence"}, {"shine"})), quell::Error);
 }
@@ -109,6 +111,9 @@ TEST_CASE("the command line is refused where it can't be used") {
                                                                    {"--external", "=x {in} {out}"},
                                                                    {"--external", "a=x {in}"},
                                                                    {"--external", "a/b=x {in} {out}"},
+                                                                   {"--external", "..=x {in} {out}"},
+                                                                   {"--external", ".a=x {in} {out}"},
+                                                                   {"--external", "reference=x {in} {out}"},
                                                                    {"--external", "a=x {in} {out}", "--external", "a=y {in} {out}"}})
         CHECK_THROWS_AS(options_of(words), quell::Error);
 }

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdlib>
 #include <map>
 #include <sstream>
 
@@ -42,16 +43,19 @@ void forget_times(std::map<std::string, Cells>& rows) {
     for (auto& [method, row] : rows) row.erase("ms_per_frame"), row.erase("pareto");
 }
 
-void check_refused(ChartOptions const& options, std::string const& part) {
+void check_refused(ChartOptions const& options, std::string const& part, std::string const& external = "other") {
     try {
         chart_small(options);
         FAIL("nothing was thrown");
     } catch (quell::Error const& error) {
         INFO("message: ", error.what());
         CHECK(std::string(error.what()).find(part) != std::string::npos);
-        CHECK(std::string(error.what()).find("--external 'other'") == 0);
+        CHECK(std::string(error.what()).find("--external '" + external + "'") == 0);
     }
 }
+
+/// Lets the noisy frames through as they are.
+constexpr auto copy_frames = "for f in $(dirname {in})/*.exr; do cp $f $(dirname {out}); done";
 
 } // namespace
 
@@ -93,7 +97,7 @@ TEST_CASE("a sweep adds the variants, without the one that is the preset itself;
 TEST_CASE("another program's output is measured as a method's") {
     Folder const folder;
     // Frames go through as they are; R, G, B are the noisy share, in half precision.
-    chart_small(small_options(folder.path, {"--external", "copy=for f in $(dirname {in})/*.exr; do cp $f $(dirname {out}); done"}));
+    chart_small(small_options(folder.path, {"--external", std::string("copy=") + copy_frames}));
     auto rows = chart_in(folder.path);
     CHECK(std::stod(rows["copy"]["rmse"]) == doctest::Approx(std::stod(rows["none"]["rmse"])).epsilon(0.01));
     CHECK(std::stod(rows["copy"]["ms_per_frame"]) > 0);
@@ -107,6 +111,37 @@ TEST_CASE("another program that fails is named with what it said last, and so is
     check_refused(run("kill -9 $$ {in} {out}"), "signal 9");
     check_refused(run("true {in} {out}"), "it wrote no frame.0024.exr");
     check_refused(run("for f in {in}; do echo broken > $(dirname {out})/frame.0024.exr; done"), "frame.0024.exr");
+}
+
+TEST_CASE("what was charted before another program failed is kept") {
+    Folder const folder;
+    auto const options =
+        small_options(folder.path, {"--external", std::string("copy=") + copy_frames, "--external", "other=false {in} {out}"});
+    check_refused(options, "ended with 1");
+    auto const rows = chart_in(folder.path);
+    CHECK(rows.size() == 4);
+    CHECK(rows.count("surface") == 1);
+    CHECK(rows.count("copy") == 1);
+}
+
+TEST_CASE("another program has no method's name, nor one whose picture would take a method's place") {
+    Folder const folder;
+    for (std::string const name : {"surface", "surface_alpha_0.5"})
+        check_refused(small_options(folder.path, {"--sweep", "--external", name + "=" + copy_frames}), "the name of a method", name);
+    CHECK(!std::filesystem::exists(folder / "pictures"));
+}
+
+TEST_CASE("another program's name is no path") {
+    Folder const folder, temporary;
+    quell::tests::write_bytes(temporary / "kept", "somebody's");
+    char const* const usual = std::getenv("TMPDIR");
+    ::setenv("TMPDIR", temporary.path.c_str(), 1);
+    auto options = small_options(folder.path);
+    options.externals = {{"..", copy_frames}}; // which the command line refuses
+    chart_small(options);
+    usual ? ::setenv("TMPDIR", usual, 1) : ::unsetenv("TMPDIR");
+    CHECK(std::filesystem::exists(temporary / "kept"));
+    CHECK(temporary.files() == 1); // nothing else is left there
 }
 
 TEST_CASE("where only times are wanted no reference is made: there is the table, without errors, and nothing else") {

@@ -37,6 +37,7 @@ TEST_CASE("every executor computes each pixel of a region once and none outside"
         covers_once(Simd{}, r, {61, 17});
         for (Extent const tile : {Extent{256, 32}, Extent{1, 1}, Extent{13, 5}, Extent{8, 64}, Extent{0, -1}})
             covers_once(Threads<>{.count = 3, .tile = tile}, r, {61, 17});
+        for (int const count : {-1, 0, 1025, 2000000000}) covers_once(Threads<>{.count = count, .tile = {16, 4}}, r, {61, 17});
     }
 }
 

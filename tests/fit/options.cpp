@@ -47,5 +47,7 @@ TEST_CASE("command lines that can't be used are refused with what to do") {
     check_refused({"--scene", "fence", "--rmse", "0"}, "--rmse");
     check_refused({"--scene", "fence", "--ms", "-3"}, "--ms");
     check_refused({"--scene", "fence", "--rmse", "0.1", "--size", "64"}, "'64'");
+    check_refused({"--scene", "fence", "--rmse", "0.1", "--size", "99999x99999"}, "at most");
     check_refused({"--scene", "fence", "--rmse", "0.1", "--frames", "24"}, "--frames");
+    check_refused({"--scene", "fence", "--rmse", "0.1", "--threads", "70000"}, "--threads");
 }

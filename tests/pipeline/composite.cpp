@@ -86,12 +86,13 @@ TEST_CASE("direct light and albedo that are no light and no colour, not finite, 
     }
 }
 
-TEST_CASE("a composite's memory is that of its pipelines and one picture; missing samples add up") {
-    constexpr auto a = presets::surface(visibility);
-    constexpr auto b = presets::none(glossy);
+TEST_CASE("a composite's memory is that of its pipelines and one picture; missing samples and what fireflies lost add up") {
+    constexpr auto a = presets::surface(visibility, SuppressFireflies{});
+    constexpr auto b = presets::none(glossy, SuppressFireflies{});
     constexpr auto both = Composite{a, b};
     Frame frame{size, both};
     tests::fill_randomly(frame, 9);
+    frame[visibility].set(8, 5, 100.f), frame[glossy].set(9, 5, glm::vec3(100));
     frame[visibility].set(1, 1, not_a_number), frame[glossy].set(2, 2, glm::vec3(not_a_number)), frame[glossy].set(5, 2, glm::vec3(-1));
     History history{size, both};
     History alone{size, a};
@@ -101,6 +102,9 @@ TEST_CASE("a composite's memory is that of its pipelines and one picture; missin
     CHECK(history.part<0>().bytes() == alone.bytes());
     CHECK(history.part<1>().bytes() == other.bytes());
     CHECK(history.statistics().missing_samples == 3);
+    CHECK(alone.statistics().suppressed > 0);
+    CHECK(other.statistics().suppressed > 0);
+    CHECK(history.statistics().suppressed == alone.statistics().suppressed + other.statistics().suppressed);
     CHECK(history.statistics().frames == 3);
     history.forget();
     run(both, frame, history);

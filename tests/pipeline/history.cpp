@@ -134,6 +134,66 @@ TEST_CASE("a firefly is dimmed before it enters the history") {
     CHECK(run(with, frame, history).get(0, 5, 4) == doctest::Approx(1));
 }
 
+TEST_CASE("what is taken from fireflies is summed up, of the last frame, in the host's units") {
+    auto const taken = [](auto const& pipeline, float surface) {
+        Frame frame{size, pipeline};
+        History history{size, pipeline};
+        every_pixel(frame, glm::vec3(1));
+        if constexpr (decltype(frame)::channels::template has<Albedo>)
+            tests::fill(frame[albedo], [&](int, int) { return glm::vec3(surface); });
+        frame[radiance].set(4, 4, glm::vec3(5000));
+        frame[radiance].set(9, 9, glm::vec3(1e15f));
+        frame[radiance].set(14, 9, glm::vec3(not_a_number));
+        run(pipeline, frame, history);
+        double const first = history.statistics().suppressed;
+        frame[radiance].set(9, 9, glm::vec3(3));
+        run(pipeline, frame, history);
+        CHECK(history.statistics().suppressed == doctest::Approx(first > 0 ? 4998 + 1 : 0).epsilon(1e-5));
+        every_pixel(frame, glm::vec3(1));
+        run(pipeline, frame, history);
+        CHECK(history.statistics().suppressed == 0);
+        return first;
+    };
+    CHECK(taken(presets::none(radiance, SuppressFireflies{}), 1) == doctest::Approx(1e15 + 4996));
+    CHECK(taken(presets::none(radiance, Demodulate{}, SuppressFireflies{}), 0.5f) == doctest::Approx(1e15 + 4996));
+    CHECK(taken(presets::none(radiance, Demodulate{}), 0.5f) == 0);
+}
+
+TEST_CASE("that sum is what the picture lacks, and the same to the last digit for any threads and tiles") {
+    constexpr auto with = presets::none(radiance, SuppressFireflies{});
+    constexpr auto without = presets::none(radiance);
+    Extent const large{201, 67};
+    Frame frame{large, with};
+    std::mt19937 random(5);
+    tests::fill(frame[radiance], [&](int, int) {
+        float const spread = std::exponential_distribution<float>(1.f)(random);
+        return glm::vec3(1e-3f, 1.f, 0.5f) * spread * spread * spread * (random() % 100 == 0 ? 1e6f : 1e-2f);
+    });
+    auto const sum_of = [&](auto const& pipeline, auto const& executor, double& suppressed) {
+        History history{large, pipeline};
+        auto const out = run(pipeline, frame, history, executor);
+        suppressed = history.statistics().suppressed;
+        double sum = 0;
+        for (int y = 0; y < large.height; ++y)
+            for (int x = 0; x < large.width; ++x) sum += luminance(glm::vec3(out.get(0, x, y), out.get(1, x, y), out.get(2, x, y)));
+        return sum;
+    };
+    double none = 0, once = 0;
+    double const whole = sum_of(without, Simd{}, none), rest = sum_of(with, Simd{}, once);
+    CHECK(none == 0);
+    CHECK(rest < 0.9 * whole);
+    CHECK(once == doctest::Approx(whole - rest).epsilon(1e-5));
+    for (Extent const tile : {Extent{256, 32}, Extent{5, 3}, Extent{16, 1}})
+        for (int const count : {1, 2, 3}) {
+            double again = 0;
+            sum_of(with, Threads<>{.count = count, .tile = tile}, again);
+            CHECK(again == once);
+        }
+    double serial = 0;
+    sum_of(with, Serial{}, serial);
+    CHECK(serial == doctest::Approx(once).epsilon(1e-5));
+}
+
 TEST_CASE("a static scene converges like 1 / sqrt(N) to the cap, without bias") {
     auto const run_for = [](auto storage, int frames, double& mean, double& deviation) {
         constexpr auto pipeline = Pipeline{visibility, Temporal{StillMotion{}, RunningMean{.cap = 64}}};

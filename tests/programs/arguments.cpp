@@ -20,11 +20,12 @@ TEST_CASE("quell-denoise refuses what it can't use in one line") {
     write_sequence(folder, 1, 3);
     auto const in = input(folder), both = in + output(folder);
     check_refused(denoise(""), {"--in is missing"});
-    check_refused(denoise(in), {"neither --out nor --reference"});
+    check_refused(denoise(in), {"none of --out, --reference and --diagnose"});
     check_refused(denoise(both + "--nonsense"), {"--nonsense", "--help"});
     check_refused(denoise(both + "--first x"), {"--first"});
     check_refused(denoise(both + "--preset best"), {"'best'", "none, surface, surface-clamp, atrous, svgf"});
     check_refused(denoise(both + "--threads=-2"), {"--threads", "-2"});
+    check_refused(denoise(both + "--threads=70000"), {"--threads", "70000"});
     check_refused(denoise(both + "--warmup=-1"), {"--warmup", "-1"});
     check_refused(denoise(both + "--first 3 --last 2"), {"the first is 3 and the last is 2", "1 to 3"});
     check_refused(denoise("--in frame.exr " + output(folder)), {"frame.exr", "%04d"});
@@ -41,6 +42,8 @@ TEST_CASE("quell-trace refuses what it can't use in one line") {
     check_refused(trace(""), {"--out is missing"});
     check_refused(trace(out + "--size 16"), {"--size", "1920x1080"});
     check_refused(trace(out + "--size 0x5"), {"--size", "'0x5'"});
+    check_refused(trace(out + "--size 99999x99999"), {"--size", "'99999x99999'", "at most"});
+    check_refused(trace(out + "--threads 70000"), {"--threads", "70000"});
     check_refused(trace(out + "--scene cellar"), {"cellar", "room"});
     check_refused(trace(out + "--scene cellar.gltf"), {"cellar.gltf", "no such file"});
     check_refused(trace(out + "--effects shadow,smoke"), {"'smoke'", "shadow, glossy, indirect, blur"});

@@ -193,6 +193,11 @@ TEST_CASE("a good sequence is diagnosed without findings, and findings name thei
     auto const good = denoise(input(folder) + output(folder) + "--diagnose");
     CHECK(good.code == 0);
     CHECK(contains(good.err, "--diagnose found nothing wrong"));
+    auto const files = folder.files();
+    auto const alone = denoise(input(folder) + "--diagnose");
+    CHECK(alone.code == 0);
+    CHECK(contains(alone.err, "--diagnose found nothing wrong"));
+    CHECK(folder.files() == files);
     for (int i = 3; i <= 4; ++i) {
         auto image = noisy_image({48, 32}, i);
         for (auto& plane : image.planes)

@@ -1,11 +1,45 @@
 #include "../io/files.hpp"
 
 #include <support/frame_pattern.hpp>
+#include <support/gnuplot.hpp>
+#include <support/output_folder.hpp>
 #include <support/program.hpp>
+#include <support/size_in.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <fcntl.h>
+#include <new>
+#include <unistd.h>
 
 using namespace quell;
 using namespace quell::tests;
 using quell::examples::FramePattern;
+
+namespace {
+/// What something writes on stderr.
+std::string said_by(auto const& something) {
+    Folder const folder;
+    std::fflush(stderr);
+    int const usual = ::dup(STDERR_FILENO), file = ::open((folder / "err").c_str(), O_WRONLY | O_CREAT, 0600);
+    ::dup2(file, STDERR_FILENO);
+    something();
+    std::fflush(stderr);
+    ::dup2(usual, STDERR_FILENO);
+    ::close(file), ::close(usual);
+    return bytes_of(folder / "err");
+}
+
+int threads_in(std::string const& text) {
+    CLI::App app;
+    int threads = 3;
+    quell::examples::add_threads(app, threads);
+    std::vector<char const*> const words{"program", "--threads", text.c_str()};
+    static_cast<void>(quell::examples::parse(app, static_cast<int>(words.size()), words.data()));
+    return threads;
+}
+} // namespace
 
 TEST_CASE("a frame's number stands where the pattern says") {
     CHECK(FramePattern("a/b.%04d.exr").path(7) == "a/b.0007.exr");
@@ -38,4 +72,68 @@ TEST_CASE("what a program throws decides its exit code") {
     CHECK(exit_code_of("test (this line is meant to be here)", [] { throw Error("a", "b", "c"); }) == 2);
     CHECK(exit_code_of("test (this line is meant to be here)", [] { throw std::runtime_error("two\nlines"); }) == 1);
     CHECK(exit_code_of("test (this line is meant to be here)", [] { throw 7; }) == 1);
+}
+
+TEST_CASE("memory that runs out is told in words") {
+    using quell::examples::exit_code_of;
+    int code = 0;
+    auto const said = said_by([&] { code = exit_code_of("test", [] { throw std::bad_alloc(); }); });
+    CHECK(code == 1);
+    CHECK(contains(said, "test: memory: "));
+    CHECK(contains(said, "smaller --size"));
+    CHECK(!contains(said, "bad_alloc"));
+}
+
+TEST_CASE("a size is two numbers, of no more pixels than memory may have") {
+    using quell::examples::size_in;
+    CHECK(size_in("1920x1080") == Extent{1920, 1080});
+    CHECK(size_in("8192x8192") == Extent{8192, 8192});
+    for (std::string const text : {"", "16", "16x", "0x5", "-4x5", "16x9x", "8192x8193", "99999x99999"}) {
+        INFO(text);
+        check_error([&] { static_cast<void>(size_in(text)); }, {"--size", "'" + text + "'", "1920x1080"});
+    }
+    check_error([] { static_cast<void>(size_in("8x20", 16)); }, {"each at least 16"});
+    check_error([] { static_cast<void>(size_in("5x4", 1, 19)); }, {"at most 19 together"});
+}
+
+TEST_CASE("threads are 0, which means all, or as many as an arena may have") {
+    CHECK(threads_in("0") == 0);
+    CHECK(threads_in("1024") == 1024);
+    for (std::string const text : {"-1", "1025", "70000", "x"}) {
+        INFO(text);
+        check_error([&] { threads_in(text); }, {"--threads", text});
+    }
+}
+
+TEST_CASE("where results go is made, and known to take files before there are any") {
+    using quell::examples::make_folder_for;
+    using quell::examples::make_output_folder;
+    Folder const folder;
+    make_output_folder(folder / "a/b");
+    make_output_folder(folder / "a/b");
+    make_folder_for(folder / "c/d/file.hpp");
+    CHECK(std::filesystem::is_empty(folder / "a/b"));
+    CHECK(std::filesystem::is_empty(folder / "c/d"));
+    write_bytes(folder / "file", "x");
+    check_error([&] { make_output_folder(folder / "file"); }, {"file", "the folder can't be made"});
+    check_error([&] { make_output_folder(folder / "file/b"); }, {"file/b", "the folder can't be made"});
+    check_error([&] { make_folder_for(folder / "file/b.hpp"); }, {"file", "the folder can't be made"});
+    check_error([&] { make_folder_for(folder / "a"); }, {"a", "it is a folder"});
+    check_error([] { make_output_folder("/proc"); }, {"/proc: ", "no file can be written there"}); // also for root
+}
+
+TEST_CASE("gnuplot draws in a folder of any name, and is known not to be there, or to fail") {
+    using namespace quell::examples;
+    if (!has_gnuplot()) return;
+    Folder const folder;
+    auto const odd = folder / "-it's \"odd\"";
+    std::filesystem::create_directory(odd);
+    draw_by_gnuplot(odd / "line.gnuplot", "set terminal svg\nset output " + quoted_for_gnuplot("a \"b\" \\n.svg") + "\nplot x\n");
+    CHECK(contains(bytes_of(odd / "a \"b\" \\n.svg"), "</svg>"));
+    check_error([&] { draw_by_gnuplot(odd / "bad.gnuplot", "plot nonsense"); }, {"bad.gnuplot", "can't draw it", "bad.gnuplot.log"});
+    CHECK(contains(bytes_of(odd / "bad.gnuplot.log"), "nonsense"));
+    std::string const usual = std::getenv("PATH");
+    ::setenv("PATH", folder.path.c_str(), 1);
+    CHECK(!has_gnuplot());
+    ::setenv("PATH", usual.c_str(), 1);
 }

@@ -1,17 +1,30 @@
 #include "../io/files.hpp"
 
+#include <stability/cases.hpp>
 #include <stability/judge.hpp>
 #include <stability/known_limits.hpp>
+#include <stability/options.hpp>
+#include <stability/plots.hpp>
 #include <stability/results.hpp>
 #include <stability/watch.hpp>
+#include <support/gnuplot.hpp>
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <limits>
+#include <map>
 #include <sstream>
 
 using namespace quell;
 using namespace quell::stability;
+
+namespace {
+StabilityOptions options_of(std::vector<char const*> words) {
+    words.insert(words.begin(), "quell-stability");
+    return stability_options(static_cast<int>(words.size()), words.data()).value();
+}
+} // namespace
 
 TEST_CASE("a promise holds up to its limit, and never with a value that is no number") {
     CHECK(Promise{"case", "method", "metric", 1, 1}.held());
@@ -65,4 +78,66 @@ TEST_CASE("history is cut by numbers that don't follow each other") {
         CHECK(none.number(i) != none.number(i - 1) + 1);
         CHECK((since.number(i) == since.number(i - 1) + 1) == (i != 5));
     }
+}
+
+TEST_CASE("the command line says which cases, of what noise and how long") {
+    auto const usual = options_of({});
+    CHECK(usual.cases.empty());
+    CHECK(usual.making.seed == 0);
+    CHECK(usual.making.long_run == 10000);
+    CHECK(options_of({"--case", "all", "--case", "cut"}).cases.empty());
+    CHECK(options_of({"--case", "cut", "--case", "pan"}).cases == std::vector<std::string>{"cut", "pan"});
+    auto const other = options_of({"--seed", "5", "--frames", "2000"});
+    CHECK(other.making.seed == 5);
+    CHECK(other.making.long_run == 2000);
+    CHECK_THROWS_AS(options_of({"--frames", "100"}), Error);
+}
+
+TEST_CASE("another seed is another noise, held against the same truth") {
+    Shot const shot{.scene = "fence", .scored_from = 0, .last = 0};
+    Making const making{.size = {24, 16}, .threads = 1, .tolerance = 1, .most_samples = 4};
+    auto reseeded = making;
+    reseeded.seed = 5;
+    auto const one = traced(shot, making), other = traced(shot, reseeded), again = traced(shot, making);
+    CHECK(one.frame(0)["R"].values == again.frame(0)["R"].values);
+    CHECK(one.frame(0)["R"].values != other.frame(0)["R"].values);
+    CHECK(one.reference(0).pixels == other.reference(0).pixels);
+}
+
+TEST_CASE("cases whose truth is known have an error over time") {
+    Making const making{.size = {24, 16}, .threads = 1, .long_run = 1200};
+    for (std::string const name : {"firefly", "variance", "broken-input", "drift"}) {
+        INFO(name);
+        Results results;
+        case_of(name).run(name, making, results);
+        std::map<std::string, int> frames;
+        for (auto const& each : results.frames) {
+            CHECK(each.subject == name);
+            CHECK(each.rmse >= 0);
+            ++frames[each.method];
+        }
+        for (auto const& promise : results.promises) CHECK(frames[promise.method] >= 10);
+        if (name != "firefly") continue;
+        auto const of = [&](std::string const& method, int frame) {
+            auto const same = [&](FrameError const& each) { return each.method == method && each.frame == frame; };
+            return std::ranges::find_if(results.frames, same)->rmse;
+        };
+        CHECK(of("surface", 11) < 1e-3);
+        CHECK(of("surface", 12) > 1e-2);
+        CHECK(of("svgf-suppress-fireflies", 12) < of("svgf", 12));
+    }
+}
+
+TEST_CASE("plots are drawn into a folder of any name, and what can't be drawn is told") {
+    if (!examples::has_gnuplot()) return;
+    tests::Folder const folder;
+    Results results;
+    results.frames = {{"cut", "svgf", 24, 0.125, 0.25}, {"cut", "it's \"own\"", 25, 0.125, 0.25}, {"pan", "svgf", 25, 0.125, 0.25}};
+    auto const odd = folder / "it's";
+    draw_plots(results, odd);
+    for (auto const* file : {"stability.svg", "plots/cut.svg", "plots/pan.svg"})
+        CHECK(tests::bytes_of(odd / file).find("</svg>") != std::string::npos);
+    std::filesystem::remove(odd / "plots/cut.svg");
+    std::filesystem::create_directory(odd / "plots/cut.svg");
+    CHECK_THROWS_AS(draw_plots(results, odd), Error);
 }

@@ -15,7 +15,9 @@ namespace quell {
 /// `count` 0, it uses that arena's threads.
 /// @tparam Each the executor of one tile
 template <class Each = Simd> struct Threads {
-    int count = 0;           ///< threads; 0: as many as the calling arena has
+    static constexpr int most = 1024; ///< threads: oneTBB takes memory for each that it is asked for, and crashes without
+
+    int count = 0;           ///< threads, of which more than `most` count as that; 0: as many as the calling arena has
     Extent tile = {256, 32}; ///< pixels; with the rows that a 5x5 kernel at step 16 reaches, 256 columns fit a 512 KB L2
     Each each{};
 
@@ -34,7 +36,7 @@ template <class Each = Simd> struct Threads {
                 oneapi::tbb::simple_partitioner{});
         };
         if (count == 0) return work();
-        oneapi::tbb::task_arena arena(count);
+        oneapi::tbb::task_arena arena(std::clamp(count, 1, most));
         arena.execute(work);
     }
 };

@@ -49,10 +49,11 @@ public:
     }
     /// The history of one of the pipelines, in the composite's order.
     template <std::size_t i> [[nodiscard]] auto const& part() const { return std::get<i>(parts); }
-    /// Of all pipelines: missing samples add up; frames and resets are those of the first.
+    /// Of all pipelines: missing samples and suppressed energy add up; frames and resets are those of the first.
     [[nodiscard]] Statistics statistics() const {
         Statistics sum = std::get<0>(parts).statistics();
         sum.missing_samples = std::apply([](auto const&... h) { return (h.statistics().missing_samples + ...); }, parts);
+        sum.suppressed = std::apply([](auto const&... h) { return (h.statistics().suppressed + ...); }, parts);
         return sum;
     }
     [[nodiscard]] std::size_t bytes() const {

@@ -3,7 +3,6 @@
 #include <quell/pipeline/image_pool.hpp>
 #include <quell/pipeline/pipeline.hpp>
 
-#include <atomic>
 #include <optional>
 
 namespace quell {
@@ -12,7 +11,10 @@ namespace quell {
 struct Statistics {
     long long frames = 0;          ///< since the history began
     long long missing_samples = 0; ///< of the last frame: NaN, infinite, negative or beyond 1e16
-    long long resets = 0;          ///< how often the history started afresh: first frame, new size, gap in the numbers, forget()
+    /// Of the last frame: what SuppressFireflies took away, in luminance of the samples as the host gave them. The same for any number of
+    /// threads.
+    double suppressed = 0;
+    long long resets = 0; ///< how often the history started afresh: first frame, new size, gap in the numbers, forget()
 };
 
 namespace detail {

@@ -17,6 +17,11 @@ template <class V> QUELL_KERNEL auto is_light(V const& v) {
         Real(0.f) == Real(0.f), v);
 }
 
+/// What the ingest has taken away from a sample, for Statistics::suppressed only: no image has it.
+struct Suppressed : Channel<1> {
+    static constexpr auto name = "suppressed";
+};
+
 /// The first pass: reads the host's samples, decides which are usable, brings them into the form in which they are denoised, and suppresses
 /// fireflies. A sample that is no light is missing: it is marked by the sign of component 0, and carries the mean of its usable neighbours.
 template <ChannelTag Input, Modulation Form, class Suppression> struct Ingest {
@@ -28,6 +33,7 @@ template <ChannelTag Input, Modulation Form, class Suppression> struct Ingest {
     template <class Px> struct Sample {
         typename Px::Signal value;
         decltype(std::declval<typename Px::Real>() < std::declval<typename Px::Real>()) usable;
+        typename Px::Real brightness; ///< luminance as the host gave it
     };
 
     QUELL_KERNEL auto operator()(auto px) const {
@@ -37,12 +43,20 @@ template <ChannelTag Input, Modulation Form, class Suppression> struct Ingest {
         auto value = here.value;
         auto const missing = invert(here.usable);
         if (any(missing)) value = select(missing, around(px), value);
-        if constexpr (!std::is_same_v<Suppression, NoSuppression>) {
+        if constexpr (std::is_same_v<Suppression, NoSuppression>)
+            return marked<Px>(value, missing);
+        else {
             auto const factor = suppression.factor(
                 px, value, [&](auto neighbour) __attribute__((always_inline)) { return sample(neighbour).value; });
-            value = scale(value, factor);
+            auto const taken = here.brightness * (Real(1.f) - factor);
+            return Result{marked<Px>(scale(value, factor), missing)}.with(Suppressed{}, taken);
         }
-        return make_value<components_of<typename Px::Signal>, Real>([&](auto c) __attribute__((always_inline)) {
+    }
+
+private:
+    /// With the sign of component 0 for a mark.
+    template <class Px> QUELL_KERNEL static auto marked(typename Px::Signal const& value, auto const& missing) {
+        return make_value<components_of<typename Px::Signal>, typename Px::Real>([&](auto c) __attribute__((always_inline)) {
             auto const a = component<c>(value);
             if constexpr (c == 0)
                 return select(missing, with_sign_bit(a), without_sign_bit(a));
@@ -50,14 +64,13 @@ template <ChannelTag Input, Modulation Form, class Suppression> struct Ingest {
                 return a;
         });
     }
-
-private:
     /// The sample of one pixel as the pipeline sees it; of nothing where it is not usable.
     template <class Px> QUELL_KERNEL Sample<Px> sample(Px const& px) const {
         auto const raw = px[Input{}];
         auto const usable = is_light(raw);
-        auto const value = modulation.inward(px, select(usable, raw, zero<decltype(raw + raw)>()));
-        return {select(usable, value, zero<typename Px::Signal>()), usable};
+        auto const given = select(usable, raw, zero<decltype(raw + raw)>());
+        auto const value = modulation.inward(px, given);
+        return {select(usable, value, zero<typename Px::Signal>()), usable, luminance(given)};
     }
     /// Outlined: few samples are missing.
     template <class Px> [[gnu::noinline]] constexpr typename Px::Signal around(Px const& px) const {

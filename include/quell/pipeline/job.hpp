@@ -1,9 +1,8 @@
 #pragma once
 
 #include <quell/execute/executor.hpp>
-#include <quell/pipeline/modulation.hpp>
-
-#include <atomic>
+#include <quell/pipeline/counts.hpp>
+#include <quell/pipeline/ingest.hpp>
 
 namespace quell::detail {
 
@@ -48,14 +47,15 @@ template <class Pass, class Scope, class SignalView, class MadeViews, class Fini
     MadeViews made;
     FinishWork finish;
     bool store_signal, store_output, store_remembered;
-    std::atomic<long long>* missing = nullptr; ///< where the ingest counts
+    Counts* counts = nullptr; ///< where the ingest counts
 
     template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
         auto const result = result_of([&]() __attribute__((always_inline)) { return evaluate(Pixel<Real, Scope>{scope, x, y}); });
         if constexpr (makes_signal) {
             if (store_signal) store_pixels<Real>(signal, x, y, result.value, count);
             if (store_output) finish.template store_output<Real>(x, y, count, result.value);
-            if (missing) count_missing(component<0>(result.value), count);
+            if (counts) count_missing(component<0>(result.value), count);
+            if constexpr (decltype(result.more)::channels::template has<Suppressed>) count_suppressed(result.more[Suppressed{}], count);
         }
         for_each_channel(
             typename MadeViews::channels{}, [&](auto c) __attribute__((always_inline)) {
@@ -79,11 +79,12 @@ private:
         if (!any(sign_bit(marked))) return;
         long long n = 0;
         for (int i = 0; i < count; ++i) n += bits(lane(marked, i)) < 0;
-#if defined(__CUDA_ARCH__) // device code has no std::atomic: nvcc would drop the call without a word
-        atomicAdd(reinterpret_cast<unsigned long long*>(missing), static_cast<unsigned long long>(n));
-#else
-        missing->fetch_add(n, std::memory_order_relaxed);
-#endif
+        add_together(counts->missing, n);
+    }
+    template <class Real> QUELL_KERNEL void count_suppressed(Real const& taken, int count) const {
+        if (!any(taken > Real(0.f))) return;
+        for (int i = 0; i < count; ++i)
+            if (lane(taken, i) > 0.f) counts->suppressed.add(lane(taken, i));
     }
 };
 

@@ -87,9 +87,10 @@ private:
     }
 
     void ingest() {
-        std::atomic<long long> missing = 0;
-        run<false>(pipeline.ingest, false, &missing);
-        history.counted.missing_samples = missing;
+        Counts counts;
+        run<false>(pipeline.ingest, false, &counts);
+        history.counted.missing_samples = counts.missing;
+        history.counted.suppressed = counts.suppressed.total();
     }
 
     /// Passes see the marks of missing samples until one of them has made a signal of its own.
@@ -126,7 +127,7 @@ private:
             if (kernel.feedback) for_history = current;
     }
 
-    template <bool raw, class Pass> void run(Pass const& kernel, bool last, std::atomic<long long>* missing) {
+    template <bool raw, class Pass> void run(Pass const& kernel, bool last, Counts* counts) {
         using S = ScopeOf<Pass, raw>;
         using Made = decltype(emits_of<Pass>{} | keeps_of<Pass>{});
         constexpr bool makes_signal = makes_signal_of<Pass, S>;
@@ -148,7 +149,7 @@ private:
                                                                                                        goes_on && makes_signal,
                                                                                                        last && stores_output(next),
                                                                                                        last && Remembers::size > 0,
-                                                                                                       missing};
+                                                                                                       counts};
         executor.for_each_pixel(Region{0, 0, frame.size.width, frame.size.height}, job);
         current = next;
         for_each_channel(Made{}, [&](auto c) { made[c] = next_made[c]; });
