@@ -65,7 +65,7 @@ TEST_CASE("mistakes in the Cycles sequence are named, as far as a still camera s
 }
 
 TEST_CASE("a Cycles frame rendered with one seed is named, and a history that nothing enters") {
-    CyclesFrames frames(4);
+    CyclesFrames frames(5);
     frames.check_named({Mistake::output_is_input},
                        [](GoodFrame& frame, int) { each(frame, motion, [](glm::vec2) { return glm::vec2(1e6f); }); });
     for (auto& image : frames.images) image = frames.images[0];

@@ -5,9 +5,9 @@ using namespace quell::tests;
 
 namespace {
 
-/// Four frames of the good sequence, each with the same mistake.
+/// Five frames of the good sequence, each with the same mistake.
 template <class F> void check_named(std::set<Mistake> const& wanted, F&& change, Shot const& shot = {}) {
-    check_found(findings(shot.size, 4,
+    check_found(findings(shot.size, 5,
                          [&](GoodFrame& frame, int i) {
                              fill_well(frame, shot, i);
                              change(frame, i);
@@ -147,8 +147,14 @@ TEST_CASE("a few cuts are no mistake, and nothing is compared across them") {
 
 TEST_CASE("output that is the input is named") {
     // What was outside of the last frame has no past.
-    check_named({Mistake::output_is_input}, [](GoodFrame& frame, int) {
+    auto const leads_nowhere = [](GoodFrame& frame, int) {
         frame.camera = {};
         each(frame, motion, [](glm::vec2) { return glm::vec2(1e6f, 3e4f); });
+    };
+    check_named({Mistake::output_is_input}, leads_nowhere);
+    // A cut that only the motion tells of.
+    check_named({}, [&](GoodFrame& frame, int i) {
+        frame.camera = {};
+        if (i == 2) leads_nowhere(frame, i);
     });
 }

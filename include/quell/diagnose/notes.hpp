@@ -11,6 +11,7 @@ struct DiagnosisNotes {
     std::vector<float> input;  ///< the signal of the last call's frame, at the places that are looked at
     long long resets = 0;      ///< of the history, at the last call
     int resets_in_a_row = 0;   ///< of the runs before this call
+    int idle_in_a_row = 0;     ///< runs whose output was what went in
     glm::vec2 motion_offset{}; ///< what all still pixels had in common, in pixels
     glm::vec2 shift{};         ///< how the projection's centre moved, in pixels
 };

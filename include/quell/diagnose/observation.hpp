@@ -28,6 +28,7 @@ struct SignalSeen {
     int components = 1;
     bool has_past = false;   ///< whether the pipeline has a history at all
     bool has_stages = false; ///< whether it does anything
+    bool blurs = false;      ///< along sweeps: then what stands still comes out as it went in
     Lookup input{};
     Lookup output_then{}; ///< of the last run; empty where there was none, or where the host keeps it
     long long frames = 0, resets = 0;

@@ -71,24 +71,34 @@ inline void find_identical_frames(SignalSeen const& signal, std::vector<float> c
                         "give the random numbers a new seed in every frame, and fill the frame before every run()"});
 }
 
-/// Compares the last run's output with what went in, wherever that is noisy: where it isn't what it was a frame before.
-inline void find_output_is_input(Observation const& seen, SignalSeen const& signal, std::vector<float> const& now,
-                                 std::vector<Finding>& findings) {
+/// How much of the last run's output is what went in, wherever that is noisy: where it isn't what it was a frame before.
+inline Tally unchanged_by_run(Observation const& seen, SignalSeen const& signal, std::vector<float> const& now) {
+    Tally same;
     auto const& in = signal.notes->input;
     // The first frame of a history has nothing to be joined with.
-    if (!signal.has_stages || !signal.output_then || in.size() != now.size() || (signal.has_past && signal.frames < 2)) return;
+    if (!signal.has_stages || signal.blurs || !signal.output_then || in.size() != now.size() || (signal.has_past && signal.frames < 2))
+        return same;
     auto const out = values_of(seen, signal, signal.output_then);
-    Tally same;
     for (std::size_t i = 0; i < in.size(); ++i)
         if (is_finite(in[i]) && in[i] >= 0.f && std::abs(now[i] - in[i]) > 0.1f * in[i] + 1e-4f)
             same.add(std::abs(out[i] - in[i]) <= 2e-3f * in[i]);
+    return same;
+}
+
+/// Runs that each gave back what they got, three times in a row: once is a cut that only the motion tells of.
+inline void find_output_is_input(Observation const& seen, SignalSeen const& signal, std::vector<float> const& now,
+                                 std::vector<Finding>& findings) {
+    auto const same = unchanged_by_run(seen, signal, now);
     // A few values that change are edges that move, and what these uncover has no past.
-    if (same.asked < 100 || 5 * same.asked < static_cast<long long>(in.size()) || same.share() < 0.95) return;
-    findings.push_back(
-        {Mistake::output_is_input,
-         percent(same.share()) + " of the values of '" + signal.name + "' that change from frame to frame came out as they went in",
-         "look at what keeps the past and the neighbours out: motion that leads nowhere, depth or normals that never match, "
-         "weights of 0"});
+    bool const idle = same.asked >= 100 && 5 * same.asked >= static_cast<long long>(now.size()) && same.share() >= 0.95;
+    auto& in_a_row = signal.notes->idle_in_a_row;
+    in_a_row = idle ? in_a_row + 1 : 0;
+    if (in_a_row < 3) return;
+    findings.push_back({Mistake::output_is_input,
+                        percent(same.share()) + " of the values of '" + signal.name +
+                            "' that change from frame to frame came out as they went in, in " + std::to_string(in_a_row) + " runs in a row",
+                        "look at what keeps the past and the neighbours out: motion that leads nowhere, depth or normals that never match, "
+                        "weights of 0"});
 }
 
 /// What each signal's samples show by themselves.
