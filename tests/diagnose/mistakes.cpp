@@ -49,6 +49,19 @@ TEST_CASE("jitter in the motion is named, whether the camera moves, stands still
     check_named({Mistake::motion_jitter}, change({.moves = false}, false), {.moves = false});
 }
 
+TEST_CASE("something large that slides by parts of a pixel is no jitter") {
+    for (bool jitters : {false, true})
+        for (float const speed : {0.8f, 0.4f})
+            check_named({},
+                        [&](GoodFrame& frame, int i) {
+                            // It starts, goes on and gets faster.
+                            float const step = i < 2 ? 0.f : i < 4 ? speed : 1.4f * speed;
+                            for (int y = 30; y < frame.size.height; ++y)
+                                for (int x = 0; x < frame.size.width; ++x) frame[motion].set(x, y, {-step, 0.f});
+                        },
+                        {.moves = false, .jitters = jitters});
+}
+
 TEST_CASE("jitter in the projection is named") {
     check_named({Mistake::projection_jitter}, [](GoodFrame& frame, int) {
         frame.camera.projection[2][0] += 2.f * frame.camera.jitter.x / static_cast<float>(frame.size.width);

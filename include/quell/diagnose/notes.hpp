@@ -12,7 +12,8 @@ struct DiagnosisNotes {
     long long resets = 0;      ///< of the history, at the last call
     int resets_in_a_row = 0;   ///< of the runs before this call
     int idle_in_a_row = 0;     ///< runs whose output was what went in
-    glm::vec2 motion_offset{}; ///< what all still pixels had in common, in pixels
+    glm::vec2 motion_offset{}; ///< what most still pixels had in common, in pixels, where that may be jitter
+    int jittered_in_a_row = 0; ///< frames whose motion had an offset as jitter makes them
     glm::vec2 shift{};         ///< how the projection's centre moved, in pixels
 };
 
