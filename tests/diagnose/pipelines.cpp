@@ -7,10 +7,10 @@ namespace {
 
 constexpr Extent size{96, 54};
 
-/// What is found in four frames that `good` has filled and `copy` brings into another frame, for another pipeline.
+/// What is found in five frames that `good` has filled and `copy` brings into another frame, for another pipeline.
 template <class P, class H> std::vector<Finding> findings_of(P const& pipeline, auto& frame, H& history, auto&& change) {
     std::vector<Finding> all;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 5; ++i) {
         GoodFrame good(size);
         fill_well(good, {.size = size}, i);
         change(good);
@@ -41,6 +41,19 @@ TEST_CASE("composites, half-precision histories and interleaved frames are diagn
         });
         check_found(found, wrong ? std::set{Mistake::motion_sign} : std::set<Mistake>{});
     }
+}
+
+TEST_CASE("a history that never lasts is named where only the second part of a composite has one") {
+    constexpr auto both = Composite{presets::atrous(visibility), presets::surface(radiance)};
+    Frame frame{size, both};
+    History history{size, both};
+    std::mt19937 random(1);
+    auto const found = findings_of(both, frame, history, [&](GoodFrame& good) {
+        good.number = 7;
+        fill(frame[visibility], [&](int, int) { return std::uniform_real_distribution<float>(0.f, 1.f)(random); });
+        fill(frame[direct], [](int, int) { return glm::vec3(1.f); });
+    });
+    check_found(found, {Mistake::resets_every_frame});
 }
 
 TEST_CASE("a host's own memory is read in place, and asked for where there is none") {
