@@ -134,6 +134,14 @@ TEST_CASE("a signal that is the same in every frame is named, but not one withou
         fill(frame[radiance], [&](int x, int y) { return first[radiance].get(x, y); });
     });
     check_named({}, [](GoodFrame& frame, int) { each(frame, radiance, [](glm::vec3) { return glm::vec3(1.f); }); });
+    // A host that pauses: shaded and textured.
+    auto const shaded = [](GoodFrame& frame, int i) {
+        fill_well(frame, {.moves = false, .jitters = false}, 0);
+        frame.number = i;
+        each(frame, motion, [](glm::vec2) { return glm::vec2(0.f); });
+        fill(frame[radiance], [&](int x, int y) { return frame[albedo].get(x, y) / (1.f + frame[depth].get(x, y)); });
+    };
+    check_named({}, shaded, {.moves = false, .jitters = false});
 }
 
 TEST_CASE("a history that never lasts is named, with the reason") {

@@ -77,3 +77,18 @@ TEST_CASE("mistakes are named in scenes whose camera moves, and where only objec
     check_named("fence", Mistake::normal_in_view_space,
                 [](GoodFrame& frame) { each(frame, normal, [&](glm::vec3 n) { return glm::mat3(frame.camera.view) * n; }); });
 }
+
+TEST_CASE("shadows of one seed are named, though they are noisy in penumbrae alone") {
+    constexpr auto shadows = presets::surface(visibility);
+    tracer::PreparedScene prepared(tracer::built_in_scene("fence"));
+    Frame frame{{160, 90}, shadows};
+    History history{frame.size, shadows};
+    std::vector<Finding> all;
+    trace(prepared, frame, 22, 1, 0.f, [] {});
+    for (int i = 0; i < 3; ++i) {
+        frame.number = i;
+        for (auto& finding : diagnose(frame, history)) all.push_back(std::move(finding));
+        run(shadows, frame, history, Serial{});
+    }
+    check_found(all, {Mistake::identical_frames});
+}

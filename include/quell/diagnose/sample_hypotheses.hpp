@@ -1,7 +1,6 @@
 #pragma once
 
-#include <quell/diagnose/observation.hpp>
-#include <quell/diagnose/statistics.hpp>
+#include <quell/diagnose/noise.hpp>
 
 #include <cmath>
 
@@ -55,19 +54,15 @@ inline std::vector<float> values_of(Observation const& seen, SignalSeen const& s
     return values;
 }
 
-/// Noise that is the same again: the renderer was not asked for a new frame, or its random numbers don't change.
-inline void find_identical_frames(SignalSeen const& signal, std::vector<float> const& now, std::vector<Finding>& findings) {
-    if (signal.notes->input.size() != now.size()) return;
-    Tally same, uneven;
-    for (std::size_t i = 0; i < now.size(); ++i) {
-        same.add(bits(now[i]) == bits(signal.notes->input[i]));
-        if (auto const step = static_cast<std::size_t>(signal.components); i >= step) uneven.add(bits(now[i]) != bits(now[i - step]));
-    }
-    // What has no noise may well stay as it is.
-    if (same.yes < same.asked || uneven.yes < 100 || uneven.share() < 0.3) return;
+/// Noise that is the same again: the renderer was not asked for a new frame, or its random numbers don't change. What has no noise may
+/// well stay as it is.
+inline void find_identical_frames(Observation const& seen, SignalSeen const& signal, std::vector<float> const& now,
+                                  std::vector<Finding>& findings) {
+    auto const same = [](float a, float b) { return bits(a) == bits(b); };
+    if (!std::ranges::equal(now, signal.notes->input, same) || !looks_noisy(seen, signal)) return;
     findings.push_back({Mistake::identical_frames,
-                        "'" + signal.name + "' is the last frame's, bit for bit, at all " + std::to_string(same.asked / signal.components) +
-                            " places that were looked at",
+                        "'" + signal.name + "' is noisy and the last frame's, bit for bit, at all " +
+                            std::to_string(now.size() / static_cast<std::size_t>(signal.components)) + " places that were looked at",
                         "give the random numbers a new seed in every frame, and fill the frame before every run()"});
 }
 
@@ -106,7 +101,7 @@ inline void find_sample_mistakes(Observation const& seen, std::vector<Finding>& 
     find_bad_guides(seen, findings);
     for (auto const& signal : seen.of_signals) {
         find_bad_samples(seen, signal, findings);
-        find_identical_frames(signal, values_of(seen, signal, signal.input), findings);
+        find_identical_frames(seen, signal, values_of(seen, signal, signal.input), findings);
     }
 }
 
