@@ -76,9 +76,18 @@ TEST_CASE("matrices that are transposed, swapped, inverted or face backwards are
                 [](GoodFrame& frame, int) { frame.camera.projection = glm::transpose(frame.camera.projection); });
     check_named({Mistake::matrices_swapped}, [](GoodFrame& frame, int) { std::swap(frame.camera.view, frame.camera.projection); });
     check_named({Mistake::view_inverted}, [](GoodFrame& frame, int) { frame.camera.view = glm::inverse(frame.camera.view); });
-    check_named({Mistake::camera_faces_backwards}, [](GoodFrame& frame, int) {
+    auto const as_in_d3d = [](GoodFrame& frame, int) {
         auto const mirror = glm::scale(glm::mat4(1.f), {1, 1, -1});
         frame.camera.view = mirror * frame.camera.view, frame.camera.projection = frame.camera.projection * mirror;
+    };
+    check_named({Mistake::camera_faces_backwards}, as_in_d3d);
+    check_named({Mistake::camera_faces_backwards, Mistake::projection_transposed}, [&](GoodFrame& frame, int i) {
+        as_in_d3d(frame, i);
+        frame.camera.projection = glm::transpose(frame.camera.projection);
+    });
+    check_named({Mistake::camera_faces_backwards, Mistake::projection_transposed, Mistake::view_transposed}, [&](GoodFrame& frame, int i) {
+        as_in_d3d(frame, i);
+        frame.camera.view = glm::transpose(frame.camera.view), frame.camera.projection = glm::transpose(frame.camera.projection);
     });
 }
 

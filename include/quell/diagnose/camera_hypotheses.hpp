@@ -4,11 +4,13 @@
 
 namespace quell::detail {
 
-// A matrix's last row shows what kind it is: (0, 0, -1, 0) of a perspective projection, (0, 0, 0, 1) of a view. Columns are m[0..3].
+// A matrix's last row shows what kind it is: (0, 0, -1, 0) of a perspective projection, (0, 0, 1, 0) of one that looks down +z, (0, 0, 0,
+// 1) of a view. Columns are m[0..3].
 
 inline glm::vec4 last_row(glm::mat4 const& m) { return {m[0][3], m[1][3], m[2][3], m[3][3]}; }
 inline bool nearly(glm::vec4 const& a, glm::vec4 const& b) { return glm::distance(a, b) < 1e-4f; }
-inline bool is_perspective(glm::mat4 const& m) { return nearly(last_row(m), {0, 0, -1, 0}); }
+inline bool faces_backwards(glm::mat4 const& m) { return nearly(last_row(m), {0, 0, 1, 0}); }
+inline bool is_perspective(glm::mat4 const& m) { return nearly(last_row(m), {0, 0, -1, 0}) || faces_backwards(m); }
 inline bool is_affine(glm::mat4 const& m) { return nearly(last_row(m), {0, 0, 0, 1}); }
 inline std::string text_of(glm::vec4 const& v) {
     return "(" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ", " + number(v.w) + ")";
@@ -22,25 +24,30 @@ inline void find_swapped_matrices(Camera const& camera, std::vector<Finding>& fi
                         "set camera.view to the view and camera.projection to the projection"});
 }
 
-inline void find_transposed_projection(Camera const& camera, std::vector<Finding>& findings) {
-    auto const row = last_row(camera.projection);
-    if (is_affine(camera.projection) || nearly(std::abs(row.z), 1.f) || !is_perspective(glm::transpose(camera.projection))) return;
-    findings.push_back({Mistake::projection_transposed,
-                        "its last row is " + text_of(row) + " and its last column " + text_of(camera.projection[3]),
-                        "transpose it: quell's matrices are column-major and multiply column vectors"});
+inline std::string row_and_column(glm::mat4 const& m) {
+    return "its last row is " + text_of(last_row(m)) + " and its last column " + text_of(m[3]);
 }
+inline constexpr char transpose_it[] = "transpose it: quell's matrices are column-major and multiply column vectors";
 
-inline void find_backward_projection(Camera const& camera, std::vector<Finding>& findings) {
-    if (!nearly(last_row(camera.projection), {0, 0, 1, 0})) return;
-    findings.push_back({Mistake::camera_faces_backwards, "its last row is " + text_of(last_row(camera.projection)),
-                        "negate the view's third row and the projection's third column: quell's view looks down -z"});
+/// Of hosts that multiply row vectors it is transposed, of those with D3D's conventions it looks down +z, and may be both.
+inline void find_wrong_projection(Camera const& camera, std::vector<Finding>& findings) {
+    auto projection = camera.projection;
+    auto const turned = glm::transpose(projection);
+    bool const transposed = !is_affine(projection) && !nearly(std::abs(last_row(projection).z), 1.f) && is_perspective(turned);
+    if (transposed) {
+        findings.push_back({Mistake::projection_transposed, row_and_column(projection), transpose_it});
+        projection = turned;
+    }
+    if (!faces_backwards(projection)) return;
+    findings.push_back({Mistake::camera_faces_backwards,
+                        (transposed ? "transposed, its last row is " : "its last row is ") + text_of(last_row(projection)),
+                        std::string(transposed ? "after that, " : "") +
+                            "negate the view's third row and the projection's third column: quell's view looks down -z"});
 }
 
 inline void find_transposed_view(Camera const& camera, std::vector<Finding>& findings) {
     if (is_affine(camera.view) || !is_affine(glm::transpose(camera.view))) return;
-    findings.push_back({Mistake::view_transposed,
-                        "its last row is " + text_of(last_row(camera.view)) + " and its last column " + text_of(camera.view[3]),
-                        "transpose it: quell's matrices are column-major and multiply column vectors"});
+    findings.push_back({Mistake::view_transposed, row_and_column(camera.view), transpose_it});
 }
 
 /// What the matrices show by themselves. Returns whether there is a mistake, so that nothing can be built on this camera.
@@ -48,8 +55,7 @@ inline bool find_wrong_matrices(Observation const& seen, std::vector<Finding>& f
     auto const before = findings.size();
     find_swapped_matrices(seen.camera, findings);
     if (findings.size() == before) {
-        find_transposed_projection(seen.camera, findings);
-        find_backward_projection(seen.camera, findings);
+        find_wrong_projection(seen.camera, findings);
         find_transposed_view(seen.camera, findings);
     }
     return findings.size() > before;
