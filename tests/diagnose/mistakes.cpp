@@ -1,5 +1,7 @@
 #include "sequences.hpp"
 
+#include <limits>
+
 using namespace quell;
 using namespace quell::tests;
 
@@ -108,6 +110,47 @@ TEST_CASE("depth that is not positive or not linear is named") {
         check_named({Mistake::depth_not_linear}, [](GoodFrame& frame, int) { each(frame, depth, [](float z) { return close / z; }); },
                     {.moves = moves});
     }
+}
+
+TEST_CASE("depth that is NaN or -infinity is counted, and other mistakes are named all the same") {
+    auto const in_part = [](GoodFrame& frame, float value) {
+        for (int y = 0; y < frame.size.height; ++y)
+            for (int x = 0; x < frame.size.width; ++x)
+                if ((7 * x + y) % 10 < 3) frame[depth].set(x, y, value);
+    };
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    check_named({}, [&](GoodFrame& frame, int) { in_part(frame, infinity); });
+    check_named({Mistake::bad_guides}, [&](GoodFrame& frame, int) { in_part(frame, std::nanf("")); });
+    check_named({Mistake::bad_guides}, [](GoodFrame& frame, int) { each(frame, depth, [](float) { return std::nanf(""); }); });
+    check_named({Mistake::bad_guides}, [](GoodFrame& frame, int) { each(frame, depth, [](float) { return -infinity; }); });
+    check_named({Mistake::bad_guides, Mistake::motion_sign}, [&](GoodFrame& frame, int) {
+        in_part(frame, -infinity);
+        each(frame, motion, [](glm::vec2 m) { return -m; });
+    });
+}
+
+TEST_CASE("depth that never has a surface is named, but not some frames of the sky") {
+    auto const found_with_sky_from = [](int first) {
+        return findings({64, 36}, 12, [=](GoodFrame& frame, int i) {
+            fill_well(frame, {.size = frame.size}, i);
+            if (i >= first) each(frame, depth, [](float) { return std::numeric_limits<float>::infinity(); });
+        });
+    };
+    check_found(found_with_sky_from(0), {Mistake::depth_says_nothing});
+    check_found(found_with_sky_from(1), {});
+}
+
+TEST_CASE("depth that is one everywhere is named where the camera turns, but not where it slides along a wall") {
+    auto const one = [](GoodFrame& frame, int) { each(frame, depth, [](float) { return 1.f; }); };
+    check_named({Mistake::depth_says_nothing}, one);
+    check_named({}, [&](GoodFrame& frame, int i) {
+        one(frame, i);
+        each(frame, normal, [](glm::vec3) { return glm::vec3(0, 0, 1); });
+        frame.camera = {glm::translate(glm::mat4(1.f), {0.01f * static_cast<float>(i), 0, 0}), frame.camera.projection};
+        // 0.01 at a distance of 1.
+        auto const step = 0.005f * frame.camera.projection[0][0] * static_cast<float>(frame.size.width);
+        each(frame, motion, [=](glm::vec2) { return glm::vec2(-step, 0.f); });
+    });
 }
 
 TEST_CASE("normals that are packed, not unit or in view space are named") {

@@ -56,6 +56,27 @@ TEST_CASE("a history that never lasts is named where only the second part of a c
     check_found(found, {Mistake::resets_every_frame});
 }
 
+TEST_CASE("every guide that a pipeline reads must be finite on surfaces; what tells of a miss need not be") {
+    constexpr auto reflections = presets::glossy_paper(quell::glossy);
+    constexpr auto in_mirrors = presets::mirror_clamp(radiance);
+    Frame frame{size, reflections, in_mirrors};
+    static_assert(decltype(frame)::channels::has<Position> && decltype(frame)::channels::has<Roughness>);
+    for (int wrong = 0; wrong < 3; ++wrong) {
+        std::mt19937 random(1);
+        History history{size, reflections};
+        auto const found = findings_of(reflections, frame, history, [&](GoodFrame& good) {
+            auto const nowhere = glm::vec3(std::nanf(""));
+            fill(frame[position], [&](int, int) { return wrong == 1 ? nowhere : glm::vec3(1.f); });
+            fill(frame[roughness], [&](int, int) { return wrong == 2 ? std::nanf("") : 0.2f; });
+            fill(frame[glossy_hit], [&](int, int) { return nowhere; });
+            fill(frame[glossy_hit_previous], [&](int, int) { return nowhere; });
+            fill(frame[quell::glossy], [&](int, int) { return glm::vec3(std::uniform_real_distribution<float>(0.f, 1.f)(random)); });
+            good.number.reset();
+        });
+        check_found(found, wrong > 0 ? std::set{Mistake::bad_guides} : std::set<Mistake>{});
+    }
+}
+
 TEST_CASE("a host's own memory is read in place, and asked for where there is none") {
     Frame frame{size, denoise, Borrowed<>{}};
     History history{size, denoise};

@@ -46,7 +46,7 @@ inline void find_mistakes_over_time(Observation seen, bool camera_is_wrong, std:
 inline void find_guide_mistakes(Observation const& seen, std::vector<Finding>& findings) {
     if (seen.albedo) find_albedo_range(seen, findings);
     bool camera_is_wrong = find_wrong_matrices(seen, findings);
-    bool const depth_is_wrong = seen.depth && (find_depth_not_positive(seen, findings) || find_depth_not_linear(seen, findings));
+    bool const depth_is_wrong = seen.depth && find_wrong_depth(seen, findings);
     bool const length_is_wrong = seen.normal && find_normal_length(seen, findings);
     if (!seen.depth || depth_is_wrong) return;
     if (seen.normal && !length_is_wrong && !camera_is_wrong && known(seen.camera)) camera_is_wrong = find_normal_space(seen, findings);

@@ -37,6 +37,14 @@ struct SignalSeen {
     DiagnosisNotes* notes = nullptr;
 };
 
+/// A channel that must be finite where there is a surface.
+struct GuideSeen {
+    std::string name;
+    int components;
+    Lookup image;
+    double allowed; ///< the share of surface pixels that may be without
+};
+
 /// All that is looked at.
 struct Observation {
     Extent size;
@@ -48,6 +56,7 @@ struct Observation {
     bool has_then = false;         ///< whether camera_then is that of a last frame
     Camera camera{}, camera_then{};
     std::vector<SignalSeen> of_signals{};
+    std::vector<GuideSeen> guides{};
 
     [[nodiscard]] DiagnosisNotes& notes() const { return *of_signals.front().notes; }
     /// Whether there is a surface: misses may hold anything.

@@ -27,22 +27,22 @@ inline void find_bad_samples(Observation const& seen, SignalSeen const& signal, 
          "look for divisions by a probability of 0 and for roots of negative numbers where it is shaded; quell leaves them out"});
 }
 
-/// Guides that are not finite where there is a surface. A surface that was behind the camera may well have no motion.
+/// Guides that are not finite where there is a surface; without depth nobody knows where that is. Of signals find_bad_samples tells.
 inline void find_bad_guides(Observation const& seen, std::vector<Finding>& findings) {
-    auto const look = [&](char const* name, Lookup const& image, int components, double allowed) {
-        if (!image) return;
+    if (!seen.depth) return;
+    for (auto const& guide : seen.guides) {
+        if (std::ranges::find(seen.of_signals, guide.name, &SignalSeen::name) != seen.of_signals.end()) continue;
         Tally bad;
         for_each_hit(seen, [&](int x, int y) {
             bool good = true;
-            for (int c = 0; c < components; ++c) good = good && is_finite(image(c, x, y));
+            for (int c = 0; c < guide.components; ++c) good = good && is_finite(guide.image(c, x, y));
             bad.add(!good);
         });
-        if (bad.share() > allowed)
+        if (bad.share() > guide.allowed)
             findings.push_back({Mistake::bad_guides,
-                                "'" + std::string(name) + "' is NaN or infinite in " + percent(bad.share()) + " of the surface pixels",
+                                "'" + guide.name + "' is NaN or infinite in " + percent(bad.share()) + " of the surface pixels",
                                 "fill the channel wherever depth is finite"});
-    };
-    look("normal", seen.normal, 3, 0.001), look("albedo", seen.albedo, 3, 0.001), look("motion", seen.motion, 2, 0.1);
+    }
 }
 
 /// The signal at the places that are looked at.
