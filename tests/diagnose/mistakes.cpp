@@ -26,13 +26,21 @@ TEST_CASE("nothing is said of a good sequence") {
     check_named({}, nothing, {.size = {33, 21}});
 }
 
-TEST_CASE("motion of another convention is named, in all that it differs in") {
-    for (auto const convention : detail::motion_conventions({})) {
-        auto const factor = detail::to_pixels(convention, Shot{}.size);
-        auto const wrong = detail::mistakes_of(convention, {});
-        check_named({wrong.begin(), wrong.end()},
-                    [&](GoodFrame& frame, int) { each(frame, motion, [&](glm::vec2 m) { return m / factor; }); });
-    }
+TEST_CASE("motion of another convention is named, in all that it differs in, with the factor") {
+    for (bool known : {true, false})
+        for (auto const convention : detail::motion_conventions({})) {
+            auto const factor = detail::to_pixels(convention, Shot{}.size);
+            auto const wrong = detail::mistakes_of(convention, {});
+            Shot const shot{.jitters = known};
+            // Without cameras it takes edges that move by some pixels.
+            auto const found = findings(shot.size, 4, [&](GoodFrame& frame, int i) {
+                fill_well(frame, shot, 12 + i);
+                each(frame, motion, [&](glm::vec2 m) { return m / factor; });
+                if (!known) frame.camera = {};
+            });
+            check_found(found, {wrong.begin(), wrong.end()});
+            check_factor(found, factor);
+        }
 }
 
 TEST_CASE("motion of zero under a moving camera is named") {

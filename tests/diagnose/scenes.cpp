@@ -35,14 +35,14 @@ template <class... Ps> void check_silent(tracer::PreparedScene& prepared, Extent
     check_found(all, {});
 }
 
-/// Three steps of a built-in scene, each with the same mistake.
+/// Five frames of a built-in scene, each with the same mistake.
 template <class F> void check_named(std::string const& scene, Mistake mistake, F&& change) {
     INFO(scene);
     tracer::PreparedScene prepared(tracer::built_in_scene(scene));
     GoodFrame frame{{96, 54}, denoise};
     History history{frame.size, denoise};
     std::vector<Finding> all;
-    trace(prepared, frame, 20, 3, 0.f, [&] {
+    trace(prepared, frame, 20, 5, 0.f, [&] {
         change(frame);
         for (auto& finding : diagnose(frame, history)) all.push_back(std::move(finding));
         run(denoise, frame, history, Serial{});
@@ -68,7 +68,7 @@ TEST_CASE("mistakes are named in scenes whose camera moves, and where only objec
     for (auto const* const scene : {"mixed", "propeller"})
         check_named(scene, Mistake::motion_y,
                     [](GoodFrame& frame) { each(frame, motion, [](glm::vec2 m) { return glm::vec2(m.x, -m.y); }); });
-    check_named("restaurant", Mistake::motion_unit, [](GoodFrame& frame) {
+    check_named("boxes", Mistake::motion_unit, [](GoodFrame& frame) {
         glm::vec2 const size(frame.size.width, frame.size.height);
         each(frame, motion, [&](glm::vec2 m) { return m / size; });
     });

@@ -7,6 +7,11 @@
 
 namespace quell::detail {
 
+/// How often two conventions of motion led to different places, and only one of them to what is seen: at the edges of what moves.
+struct Duel {
+    int first = 0, second = 0, apart = 0;
+};
+
 /// What diagnose remembers from one call to the next. It lives in the history, and only once diagnose has been called.
 struct DiagnosisNotes {
     std::vector<float> input;              ///< the signal of the last call's frame, at the places that are looked at
@@ -18,6 +23,7 @@ struct DiagnosisNotes {
     std::optional<float> constant_depth{}; ///< of the last call's frame, where all its depths are one
     glm::vec2 motion_offset{};             ///< what most still pixels had in common, in pixels, where that may be jitter
     int jittered_in_a_row = 0;             ///< frames whose motion had an offset as jitter makes them
+    std::vector<Duel> duels{};             ///< of each convention with each, in all frames so far
     glm::vec2 shift{};                     ///< how the projection's centre moved, in pixels
 };
 
