@@ -8,6 +8,7 @@
 #include <quell/diagnose/history_hypotheses.hpp>
 #include <quell/diagnose/inspect.hpp>
 #include <quell/diagnose/motion_by_history.hpp>
+#include <quell/diagnose/motion_disagreement.hpp>
 #include <quell/diagnose/normal_hypotheses.hpp>
 #include <quell/diagnose/sample_hypotheses.hpp>
 #include <quell/pipeline/check_frame.hpp>
@@ -20,6 +21,7 @@ inline void find_by_moving_camera(Observation const& seen, ComparedMotions const
     auto const before = findings.size();
     find_zero_motion(pairs, findings);
     if (findings.size() == before && !find_inverted_view(seen, pairs, findings)) find_motion_convention(seen, pairs, findings);
+    if (findings.size() == before) find_disagreement(seen, pairs, findings);
 }
 
 /// What is expected, with what is known of the cameras: of one that is not known nothing is, or that it stands still.

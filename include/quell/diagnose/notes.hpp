@@ -24,6 +24,7 @@ struct DiagnosisNotes {
     glm::vec2 motion_offset{};             ///< what most still pixels had in common, in pixels, where that may be jitter
     int jittered_in_a_row = 0;             ///< frames whose motion had an offset as jitter makes them
     std::vector<Duel> duels{};             ///< of each convention with each, in all frames so far
+    int disagreed_in_a_row = 0;            ///< frames whose cameras find the past where motion doesn't
     glm::vec2 shift{};                     ///< how the projection's centre moved, in pixels
 };
 
