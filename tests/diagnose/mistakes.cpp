@@ -112,6 +112,25 @@ TEST_CASE("matrices that are transposed, swapped, inverted or face backwards are
     });
 }
 
+TEST_CASE("a projection with y down is named, and so are pictures whose first row is at the bottom") {
+    check_named({Mistake::camera_upside_down}, [](GoodFrame& frame, int) {
+        frame.camera.projection = glm::scale(glm::mat4(1.f), {1, -1, 1}) * frame.camera.projection;
+    });
+    auto const turned = [](GoodFrame& frame, int) {
+        auto const turn = [&](auto channel) {
+            auto const last = frame.size.height - 1;
+            for (int y = 0; 2 * y < last; ++y)
+                for (int x = 0; x < frame.size.width; ++x) {
+                    auto const above = frame[channel].get(x, y);
+                    frame[channel].set(x, y, frame[channel].get(x, last - y)), frame[channel].set(x, last - y, above);
+                }
+        };
+        for_each_channel(GoodFrame::channels{}, turn);
+        each(frame, motion, [](glm::vec2 m) { return glm::vec2(m.x, -m.y); });
+    };
+    check_named({Mistake::camera_upside_down}, turned, {.jitters = false});
+}
+
 TEST_CASE("a camera that is never set anew is named") {
     check_named({Mistake::camera_never_moves}, [](GoodFrame& frame, int) { frame.camera = Shot{.jitters = false}.camera_at(0); },
                 {.jitters = false});

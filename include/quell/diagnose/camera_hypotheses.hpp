@@ -85,20 +85,44 @@ inline bool find_projection_jitter(Observation const& seen, std::vector<Finding>
     return true;
 }
 
+/// What of still surfaces moves as it must, with the cameras as they are and with other ones.
+struct OtherCameras {
+    Tally own, other;
+    bool better = false; ///< and than with any convention: a camera that only slides looks like motion of the wrong sign, which is commoner
+
+    OtherCameras(Observation const& seen, ComparedMotions const& pairs, Camera const& now, Camera const& then) {
+        auto const others = moving(motion_pairs(seen, now, then));
+        if (others.size() < fewest_pairs) return;
+        own = agreeing(pairs, {1.f, 1.f}), other = agreeing(others, {1.f, 1.f});
+        better = other.share() >= std::max(own.share() + clear_margin, BestConvention(pairs, seen).best.share() + 0.02);
+    }
+    [[nodiscard]] std::string evidence() const {
+        return percent(own.share()) + " of the surface pixels move as depth and cameras say of what stands still, but " +
+               percent(other.share());
+    }
+};
+
 /// The pose instead of its inverse: then what is expected of still surfaces is not what they do, but would be with the inverse.
 /// Returns whether that is so.
 inline bool find_inverted_view(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
     auto now = seen.camera, then = seen.camera_then;
     now.view = glm::inverse(now.view), then.view = glm::inverse(then.view);
-    auto const inverted = moving(motion_pairs(seen, now, then));
-    if (inverted.size() < fewest_pairs) return false;
-    auto const own = agreeing(pairs, {1.f, 1.f}), other = agreeing(inverted, {1.f, 1.f});
-    // A camera that only slides looks like motion of the wrong sign, which is more common.
-    if (other.share() < std::max(own.share() + clear_margin, BestConvention(pairs, seen).best.share() + 0.02)) return false;
-    findings.push_back({Mistake::view_inverted,
-                        percent(own.share()) + " of the surface pixels move as depth and cameras say of what stands still, but " +
-                            percent(other.share()) + " with the inverse of camera.view",
+    OtherCameras const inverted(seen, pairs, now, then);
+    if (!inverted.better) return false;
+    findings.push_back({Mistake::view_inverted, inverted.evidence() + " with the inverse of camera.view",
                         "set camera.view to the inverse of the camera's pose: it takes the world to the camera"});
+    return true;
+}
+
+/// Pictures whose first row is at the bottom, or a projection as Vulkan's hosts have it. Returns whether that is so.
+inline bool find_camera_upside_down(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
+    auto now = seen.camera, then = seen.camera_then;
+    for (auto* const camera : {&now, &then})
+        for (int column = 0; column < 4; ++column) camera->projection[column][1] *= -1.f;
+    OtherCameras const turned(seen, pairs, now, then);
+    if (!turned.better) return false;
+    findings.push_back({Mistake::camera_upside_down, turned.evidence() + " with the second row of camera.projection negated",
+                        "negate that row, or give all images with their first row at the top: row 0 is y = +1 of the projection"});
     return true;
 }
 

@@ -20,7 +20,8 @@ namespace detail {
 inline void find_by_moving_camera(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
     auto const before = findings.size();
     find_zero_motion(pairs, findings);
-    if (findings.size() == before && !find_inverted_view(seen, pairs, findings)) find_motion_convention(seen, pairs, findings);
+    if (findings.size() == before && !find_inverted_view(seen, pairs, findings) && !find_camera_upside_down(seen, pairs, findings))
+        find_motion_convention(seen, pairs, findings);
     if (findings.size() == before) find_disagreement(seen, pairs, findings);
 }
 
