@@ -198,6 +198,16 @@ TEST_CASE("normals that are packed, not unit or in view space are named") {
                 [](GoodFrame& frame, int) { each(frame, normal, [&](glm::vec3 n) { return glm::mat3(frame.camera.view) * n; }); });
 }
 
+TEST_CASE("a sky at the far plane is named, and not its normals of 0") {
+    auto const with_sky = [](GoodFrame& frame, int) {
+        for (int y = 0; y < 36; ++y)
+            for (int x = 0; x < frame.size.width; ++x)
+                frame[depth].set(x, y, 1000.f), frame[normal].set(x, y, glm::vec3(0.f)), frame[motion].set(x, y, glm::vec2(0.f));
+    };
+    check_named({Mistake::depth_of_misses}, with_sky, {.moves = false, .jitters = false});
+    check_named({Mistake::normal_not_unit}, [](GoodFrame& frame, int) { each(frame, normal, [](glm::vec3) { return glm::vec3(0.f); }); });
+}
+
 TEST_CASE("albedo above 1 and black albedo are named") {
     check_named({Mistake::albedo_above_one}, [](GoodFrame& frame, int) { each(frame, albedo, [](glm::vec3 a) { return a * 255.f; }); });
     check_named({Mistake::albedo_black}, [](GoodFrame& frame, int) { each(frame, albedo, [](glm::vec3) { return glm::vec3(0.f); }); });

@@ -72,6 +72,7 @@ inline std::vector<Finding> findings_of(Observation const& seen) {
 ///     run(denoise, frame, history);
 /// It looks at the channels that the pipeline reads, at some 16,000 of their pixels (at all of them for samples that are not finite), and
 /// keeps notes in the history, so that it also sees what only several calls show. For Pipeline and Composite, any storage.
+/// Whether the output is the input is not asked after run_into(), whose output the host keeps, nor of motion blur.
 /// Perspective cameras only; objects may move, as long as some quarter of the picture does not.
 /// @param converted_from for hosts that convert their motion vectors before they put them into the frame: the convention from which, so
 ///                       that the mistake is named in its terms. Pipelines with Supplied<> need no mention.
