@@ -9,7 +9,7 @@ namespace quell::detail {
 
 /// How often two conventions of motion led to different places, and only one of them to what is seen: at the edges of what moves.
 struct Duel {
-    int first = 0, second = 0, apart = 0;
+    long long first = 0, second = 0, apart = 0;
 };
 
 /// What diagnose remembers from one call to the next. It lives in the history, and only once diagnose has been called.
