@@ -3,6 +3,26 @@
 
 namespace quell::examples {
 
+namespace {
+
+/// The change that a file's user can make, where there is one beside that of the host's code.
+std::string remedy_for_files(Mistake mistake) {
+    switch (mistake) {
+    case Mistake::motion_sign:
+        return "; for files, set \"points\" of \"motion\" in --map";
+    case Mistake::motion_unit:
+        return "; for files, set \"unit\" of \"motion\" in --map";
+    case Mistake::motion_y:
+        return "; for files, set \"y\" of \"motion\" in --map";
+    case Mistake::depth_of_misses:
+        return "; for files, set \"miss_from\" in --map";
+    default:
+        return {};
+    }
+}
+
+} // namespace
+
 SequenceDenoiser::SequenceDenoiser(Preset preset_, int threads_, bool watched_, std::optional<io::SequenceNames> map)
     : preset(std::move(preset_)), threads(threads_), watched(watched_), sequence(std::move(map)) {
     if (watched && !preset.make_watched)
@@ -24,7 +44,8 @@ void SequenceDenoiser::begin(io::ExrFile const& file) {
 /// Each mistake once: it is most often in every frame, and guides are the same for all signals.
 void SequenceDenoiser::collect(std::vector<Finding> const& findings) {
     for (auto const& finding : findings)
-        if (known.insert(finding.mistake).second) found.push_back(finding);
+        if (known.insert(finding.mistake).second)
+            found.push_back({finding.mistake, finding.evidence, finding.remedy + remedy_for_files(finding.mistake)});
 }
 
 std::vector<std::string> SequenceDenoiser::planes() const {

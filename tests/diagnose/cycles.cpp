@@ -19,13 +19,15 @@ struct CyclesFrames {
             images.push_back(file.read());
         }
     }
-    template <class F> void check_named(std::set<Mistake> const& wanted, F&& change) const {
-        if (images.empty()) return;
+    template <class F> std::vector<Finding> check_named(std::set<Mistake> const& wanted, F&& change) const {
+        if (images.empty()) return {};
         auto const make = [&](GoodFrame& frame, int i) {
             io::load(frame, images[static_cast<std::size_t>(i)], names.of_signals[0].channels);
             change(frame, i);
         };
-        check_found(findings(images[0].size, static_cast<int>(images.size()), make), wanted);
+        auto const found = findings(images[0].size, static_cast<int>(images.size()), make);
+        check_found(found, wanted);
+        return found;
     }
 };
 
@@ -41,9 +43,11 @@ TEST_CASE("mistakes in the Cycles sequence are named, as far as a still camera s
         // Both objects move sideways, which says nothing about y.
         if (convention.y == MotionConvention::Y::up) continue;
         auto const wrong = detail::mistakes_of(convention, {});
-        frames.check_named({wrong.begin(), wrong.end()}, [&](GoodFrame& frame, int) {
+        auto const change = [&](GoodFrame& frame, int) {
             each(frame, motion, [&](glm::vec2 m) { return m / detail::to_pixels(convention, frame.size); });
-        });
+        };
+        auto const found = frames.check_named({wrong.begin(), wrong.end()}, change);
+        if (!found.empty()) check_factor(found, detail::to_pixels(convention, frames.images[0].size));
     }
     frames.check_named({Mistake::motion_jitter}, [](GoodFrame& frame, int i) {
         glm::vec2 const offset = i % 2 == 0 ? glm::vec2(0.3f, -0.2f) : glm::vec2(-0.1f, 0.4f);
@@ -65,7 +69,7 @@ TEST_CASE("mistakes in the Cycles sequence are named, as far as a still camera s
 }
 
 TEST_CASE("a Cycles frame rendered with one seed is named, and a history that nothing enters") {
-    CyclesFrames frames(4);
+    CyclesFrames frames(5);
     frames.check_named({Mistake::output_is_input},
                        [](GoodFrame& frame, int) { each(frame, motion, [](glm::vec2) { return glm::vec2(1e6f); }); });
     for (auto& image : frames.images) image = frames.images[0];

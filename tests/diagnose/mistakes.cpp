@@ -1,13 +1,15 @@
 #include "sequences.hpp"
 
+#include <limits>
+
 using namespace quell;
 using namespace quell::tests;
 
 namespace {
 
-/// Four frames of the good sequence, each with the same mistake.
+/// Five frames of the good sequence, each with the same mistake.
 template <class F> void check_named(std::set<Mistake> const& wanted, F&& change, Shot const& shot = {}) {
-    check_found(findings(shot.size, 4,
+    check_found(findings(shot.size, 5,
                          [&](GoodFrame& frame, int i) {
                              fill_well(frame, shot, i);
                              change(frame, i);
@@ -24,13 +26,32 @@ TEST_CASE("nothing is said of a good sequence") {
     check_named({}, nothing, {.size = {33, 21}});
 }
 
-TEST_CASE("motion of another convention is named, in all that it differs in") {
-    for (auto const convention : detail::motion_conventions({})) {
-        auto const factor = detail::to_pixels(convention, Shot{}.size);
-        auto const wrong = detail::mistakes_of(convention, {});
-        check_named({wrong.begin(), wrong.end()},
-                    [&](GoodFrame& frame, int) { each(frame, motion, [&](glm::vec2 m) { return m / factor; }); });
-    }
+TEST_CASE("motion of another convention is named, in all that it differs in, with the factor") {
+    for (bool known : {true, false})
+        for (auto const convention : detail::motion_conventions({})) {
+            auto const factor = detail::to_pixels(convention, Shot{}.size);
+            auto const wrong = detail::mistakes_of(convention, {});
+            Shot const shot{.jitters = known};
+            // Without cameras it takes edges that move by some pixels.
+            auto const found = findings(shot.size, 4, [&](GoodFrame& frame, int i) {
+                fill_well(frame, shot, 12 + i);
+                each(frame, motion, [&](glm::vec2 m) { return m / factor; });
+                if (!known) frame.camera = {};
+            });
+            check_found(found, {wrong.begin(), wrong.end()});
+            check_factor(found, factor);
+        }
+}
+
+TEST_CASE("motion that no convention explains is named where the cameras find the past and it does not") {
+    check_named({Mistake::motion_disagrees},
+                [](GoodFrame& frame, int) { each(frame, motion, [](glm::vec2 m) { return glm::vec2(m.y, m.x); }); });
+    check_named({Mistake::motion_disagrees}, [](GoodFrame& frame, int) { each(frame, motion, [](glm::vec2 m) { return 2.f * m; }); });
+    check_named({Mistake::motion_disagrees}, [](GoodFrame& frame, int i) {
+        std::mt19937 random(static_cast<unsigned>(i));
+        std::uniform_real_distribution<float> anywhere(-50.f, 50.f);
+        each(frame, motion, [&](glm::vec2) { return glm::vec2(anywhere(random), anywhere(random)); });
+    });
 }
 
 TEST_CASE("motion of zero under a moving camera is named") {
@@ -49,6 +70,19 @@ TEST_CASE("jitter in the motion is named, whether the camera moves, stands still
     check_named({Mistake::motion_jitter}, change({.moves = false}, false), {.moves = false});
 }
 
+TEST_CASE("something large that slides by parts of a pixel is no jitter") {
+    for (bool jitters : {false, true})
+        for (float const speed : {0.8f, 0.4f})
+            check_named({},
+                        [&](GoodFrame& frame, int i) {
+                            // It starts, goes on and gets faster.
+                            float const step = i < 2 ? 0.f : i < 4 ? speed : 1.4f * speed;
+                            for (int y = 30; y < frame.size.height; ++y)
+                                for (int x = 0; x < frame.size.width; ++x) frame[motion].set(x, y, {-step, 0.f});
+                        },
+                        {.moves = false, .jitters = jitters});
+}
+
 TEST_CASE("jitter in the projection is named") {
     check_named({Mistake::projection_jitter}, [](GoodFrame& frame, int) {
         frame.camera.projection[2][0] += 2.f * frame.camera.jitter.x / static_cast<float>(frame.size.width);
@@ -63,10 +97,38 @@ TEST_CASE("matrices that are transposed, swapped, inverted or face backwards are
                 [](GoodFrame& frame, int) { frame.camera.projection = glm::transpose(frame.camera.projection); });
     check_named({Mistake::matrices_swapped}, [](GoodFrame& frame, int) { std::swap(frame.camera.view, frame.camera.projection); });
     check_named({Mistake::view_inverted}, [](GoodFrame& frame, int) { frame.camera.view = glm::inverse(frame.camera.view); });
-    check_named({Mistake::camera_faces_backwards}, [](GoodFrame& frame, int) {
+    auto const as_in_d3d = [](GoodFrame& frame, int) {
         auto const mirror = glm::scale(glm::mat4(1.f), {1, 1, -1});
         frame.camera.view = mirror * frame.camera.view, frame.camera.projection = frame.camera.projection * mirror;
+    };
+    check_named({Mistake::camera_faces_backwards}, as_in_d3d);
+    check_named({Mistake::camera_faces_backwards, Mistake::projection_transposed}, [&](GoodFrame& frame, int i) {
+        as_in_d3d(frame, i);
+        frame.camera.projection = glm::transpose(frame.camera.projection);
     });
+    check_named({Mistake::camera_faces_backwards, Mistake::projection_transposed, Mistake::view_transposed}, [&](GoodFrame& frame, int i) {
+        as_in_d3d(frame, i);
+        frame.camera.view = glm::transpose(frame.camera.view), frame.camera.projection = glm::transpose(frame.camera.projection);
+    });
+}
+
+TEST_CASE("a projection with y down is named, and so are pictures whose first row is at the bottom") {
+    check_named({Mistake::camera_upside_down}, [](GoodFrame& frame, int) {
+        frame.camera.projection = glm::scale(glm::mat4(1.f), {1, -1, 1}) * frame.camera.projection;
+    });
+    auto const turned = [](GoodFrame& frame, int) {
+        auto const turn = [&](auto channel) {
+            auto const last = frame.size.height - 1;
+            for (int y = 0; 2 * y < last; ++y)
+                for (int x = 0; x < frame.size.width; ++x) {
+                    auto const above = frame[channel].get(x, y);
+                    frame[channel].set(x, y, frame[channel].get(x, last - y)), frame[channel].set(x, last - y, above);
+                }
+        };
+        for_each_channel(GoodFrame::channels{}, turn);
+        each(frame, motion, [](glm::vec2 m) { return glm::vec2(m.x, -m.y); });
+    };
+    check_named({Mistake::camera_upside_down}, turned, {.jitters = false});
 }
 
 TEST_CASE("a camera that is never set anew is named") {
@@ -88,11 +150,62 @@ TEST_CASE("depth that is not positive or not linear is named") {
     }
 }
 
+TEST_CASE("depth that is NaN or -infinity is counted, and other mistakes are named all the same") {
+    auto const in_part = [](GoodFrame& frame, float value) {
+        for (int y = 0; y < frame.size.height; ++y)
+            for (int x = 0; x < frame.size.width; ++x)
+                if ((7 * x + y) % 10 < 3) frame[depth].set(x, y, value);
+    };
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    check_named({}, [&](GoodFrame& frame, int) { in_part(frame, infinity); });
+    check_named({Mistake::bad_guides}, [&](GoodFrame& frame, int) { in_part(frame, std::nanf("")); });
+    check_named({Mistake::bad_guides}, [](GoodFrame& frame, int) { each(frame, depth, [](float) { return std::nanf(""); }); });
+    check_named({Mistake::bad_guides}, [](GoodFrame& frame, int) { each(frame, depth, [](float) { return -infinity; }); });
+    check_named({Mistake::bad_guides, Mistake::motion_sign}, [&](GoodFrame& frame, int) {
+        in_part(frame, -infinity);
+        each(frame, motion, [](glm::vec2 m) { return -m; });
+    });
+}
+
+TEST_CASE("depth that never has a surface is named, but not some frames of the sky") {
+    auto const found_with_sky_from = [](int first) {
+        return findings({64, 36}, 12, [=](GoodFrame& frame, int i) {
+            fill_well(frame, {.size = frame.size}, i);
+            if (i >= first) each(frame, depth, [](float) { return std::numeric_limits<float>::infinity(); });
+        });
+    };
+    check_found(found_with_sky_from(0), {Mistake::depth_says_nothing});
+    check_found(found_with_sky_from(1), {});
+}
+
+TEST_CASE("depth that is one everywhere is named where the camera turns, but not where it slides along a wall") {
+    auto const one = [](GoodFrame& frame, int) { each(frame, depth, [](float) { return 1.f; }); };
+    check_named({Mistake::depth_says_nothing}, one);
+    check_named({}, [&](GoodFrame& frame, int i) {
+        one(frame, i);
+        each(frame, normal, [](glm::vec3) { return glm::vec3(0, 0, 1); });
+        frame.camera = {glm::translate(glm::mat4(1.f), {0.01f * static_cast<float>(i), 0, 0}), frame.camera.projection};
+        // 0.01 at a distance of 1.
+        auto const step = 0.005f * frame.camera.projection[0][0] * static_cast<float>(frame.size.width);
+        each(frame, motion, [=](glm::vec2) { return glm::vec2(-step, 0.f); });
+    });
+}
+
 TEST_CASE("normals that are packed, not unit or in view space are named") {
     check_named({Mistake::normal_packed}, [](GoodFrame& frame, int) { each(frame, normal, [](glm::vec3 n) { return n * 0.5f + 0.5f; }); });
     check_named({Mistake::normal_not_unit}, [](GoodFrame& frame, int) { each(frame, normal, [](glm::vec3 n) { return n * 0.9f; }); });
     check_named({Mistake::normal_in_view_space},
                 [](GoodFrame& frame, int) { each(frame, normal, [&](glm::vec3 n) { return glm::mat3(frame.camera.view) * n; }); });
+}
+
+TEST_CASE("a sky at the far plane is named, and not its normals of 0") {
+    auto const with_sky = [](GoodFrame& frame, int) {
+        for (int y = 0; y < 36; ++y)
+            for (int x = 0; x < frame.size.width; ++x)
+                frame[depth].set(x, y, 1000.f), frame[normal].set(x, y, glm::vec3(0.f)), frame[motion].set(x, y, glm::vec2(0.f));
+    };
+    check_named({Mistake::depth_of_misses}, with_sky, {.moves = false, .jitters = false});
+    check_named({Mistake::normal_not_unit}, [](GoodFrame& frame, int) { each(frame, normal, [](glm::vec3) { return glm::vec3(0.f); }); });
 }
 
 TEST_CASE("albedo above 1 and black albedo are named") {
@@ -121,6 +234,14 @@ TEST_CASE("a signal that is the same in every frame is named, but not one withou
         fill(frame[radiance], [&](int x, int y) { return first[radiance].get(x, y); });
     });
     check_named({}, [](GoodFrame& frame, int) { each(frame, radiance, [](glm::vec3) { return glm::vec3(1.f); }); });
+    // A host that pauses: shaded and textured.
+    auto const shaded = [](GoodFrame& frame, int i) {
+        fill_well(frame, {.moves = false, .jitters = false}, 0);
+        frame.number = i;
+        each(frame, motion, [](glm::vec2) { return glm::vec2(0.f); });
+        fill(frame[radiance], [&](int x, int y) { return frame[albedo].get(x, y) / (1.f + frame[depth].get(x, y)); });
+    };
+    check_named({}, shaded, {.moves = false, .jitters = false});
 }
 
 TEST_CASE("a history that never lasts is named, with the reason") {
@@ -147,8 +268,14 @@ TEST_CASE("a few cuts are no mistake, and nothing is compared across them") {
 
 TEST_CASE("output that is the input is named") {
     // What was outside of the last frame has no past.
-    check_named({Mistake::output_is_input}, [](GoodFrame& frame, int) {
+    auto const leads_nowhere = [](GoodFrame& frame, int) {
         frame.camera = {};
         each(frame, motion, [](glm::vec2) { return glm::vec2(1e6f, 3e4f); });
+    };
+    check_named({Mistake::output_is_input}, leads_nowhere);
+    // A cut that only the motion tells of.
+    check_named({}, [&](GoodFrame& frame, int i) {
+        frame.camera = {};
+        if (i == 2) leads_nowhere(frame, i);
     });
 }

@@ -7,10 +7,10 @@ namespace {
 
 constexpr Extent size{96, 54};
 
-/// What is found in four frames that `good` has filled and `copy` brings into another frame, for another pipeline.
+/// What is found in five frames that `good` has filled and `copy` brings into another frame, for another pipeline.
 template <class P, class H> std::vector<Finding> findings_of(P const& pipeline, auto& frame, H& history, auto&& change) {
     std::vector<Finding> all;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 5; ++i) {
         GoodFrame good(size);
         fill_well(good, {.size = size}, i);
         change(good);
@@ -40,6 +40,40 @@ TEST_CASE("composites, half-precision histories and interleaved frames are diagn
             fill(frame[direct], [](int, int) { return glm::vec3(1.f); });
         });
         check_found(found, wrong ? std::set{Mistake::motion_sign} : std::set<Mistake>{});
+    }
+}
+
+TEST_CASE("a history that never lasts is named where only the second part of a composite has one") {
+    constexpr auto both = Composite{presets::atrous(visibility), presets::surface(radiance)};
+    Frame frame{size, both};
+    History history{size, both};
+    std::mt19937 random(1);
+    auto const found = findings_of(both, frame, history, [&](GoodFrame& good) {
+        good.number = 7;
+        fill(frame[visibility], [&](int, int) { return std::uniform_real_distribution<float>(0.f, 1.f)(random); });
+        fill(frame[direct], [](int, int) { return glm::vec3(1.f); });
+    });
+    check_found(found, {Mistake::resets_every_frame});
+}
+
+TEST_CASE("every guide that a pipeline reads must be finite on surfaces; what tells of a miss need not be") {
+    constexpr auto reflections = presets::glossy_paper(quell::glossy);
+    constexpr auto in_mirrors = presets::mirror_clamp(radiance);
+    Frame frame{size, reflections, in_mirrors};
+    static_assert(decltype(frame)::channels::has<Position> && decltype(frame)::channels::has<Roughness>);
+    for (int wrong = 0; wrong < 3; ++wrong) {
+        std::mt19937 random(1);
+        History history{size, reflections};
+        auto const found = findings_of(reflections, frame, history, [&](GoodFrame& good) {
+            auto const nowhere = glm::vec3(std::nanf(""));
+            fill(frame[position], [&](int, int) { return wrong == 1 ? nowhere : glm::vec3(1.f); });
+            fill(frame[roughness], [&](int, int) { return wrong == 2 ? std::nanf("") : 0.2f; });
+            fill(frame[glossy_hit], [&](int, int) { return nowhere; });
+            fill(frame[glossy_hit_previous], [&](int, int) { return nowhere; });
+            fill(frame[quell::glossy], [&](int, int) { return glm::vec3(std::uniform_real_distribution<float>(0.f, 1.f)(random)); });
+            good.number.reset();
+        });
+        check_found(found, wrong > 0 ? std::set{Mistake::bad_guides} : std::set<Mistake>{});
     }
 }
 

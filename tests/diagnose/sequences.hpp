@@ -127,4 +127,9 @@ inline void check_found(std::vector<Finding> const& found, std::set<Mistake> con
     }
 }
 
+/// Whether findings about motion say by what to multiply it.
+inline void check_factor(std::vector<Finding> const& found, glm::vec2 factor) {
+    for (auto const& finding : found) CHECK(finding.remedy.starts_with("multiply motion by " + detail::pair(factor.x, factor.y)));
+}
+
 } // namespace quell::tests

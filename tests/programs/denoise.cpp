@@ -213,6 +213,24 @@ TEST_CASE("a good sequence is diagnosed without findings, and findings name thei
     CHECK(denoise(input(folder) + output(folder) + "--quiet").err.empty());
 }
 
+TEST_CASE("a finding about files says what to change in --map") {
+    Folder const folder;
+    for (int i = 1; i <= 2; ++i) {
+        auto image = noisy_image({48, 32}, i);
+        for (auto& plane : image.planes)
+            if (plane.name == "depth.Z" || plane.name.starts_with("normal."))
+                std::fill_n(plane.values.begin(), 48 * 12, plane.name == "depth.Z" ? 1e9f : 0.f);
+        io::write_exr(folder / numbered("frame.", i), image);
+    }
+    auto const ran = denoise(input(folder) + output(folder) + "--diagnose --quiet");
+    INFO(ran.err);
+    CHECK(contains(ran.err, "frame 1: depth is finite where there is no surface: "));
+    CHECK(contains(ran.err, "for files, set \"miss_from\" in --map"));
+    write_bytes(folder / "map.json", R"({"miss_from": 1e8})");
+    auto const mapped = denoise(input(folder) + output(folder) + "--diagnose --map '" + (folder / "map.json").string() + "'");
+    CHECK(contains(mapped.err, "--diagnose found nothing wrong"));
+}
+
 TEST_CASE("debug views are written beside the output") {
     Folder const folder;
     write_sequence(folder, 1, 3);

@@ -8,6 +8,7 @@
 #include <quell/diagnose/history_hypotheses.hpp>
 #include <quell/diagnose/inspect.hpp>
 #include <quell/diagnose/motion_by_history.hpp>
+#include <quell/diagnose/motion_disagreement.hpp>
 #include <quell/diagnose/normal_hypotheses.hpp>
 #include <quell/diagnose/sample_hypotheses.hpp>
 #include <quell/pipeline/check_frame.hpp>
@@ -19,7 +20,9 @@ namespace detail {
 inline void find_by_moving_camera(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
     auto const before = findings.size();
     find_zero_motion(pairs, findings);
-    if (findings.size() == before && !find_inverted_view(seen, pairs, findings)) find_motion_convention(seen, pairs, findings);
+    if (findings.size() == before && !find_inverted_view(seen, pairs, findings) && !find_camera_upside_down(seen, pairs, findings))
+        find_motion_convention(seen, pairs, findings);
+    if (findings.size() == before) find_disagreement(seen, pairs, findings);
 }
 
 /// What is expected, with what is known of the cameras: of one that is not known nothing is, or that it stands still.
@@ -46,7 +49,7 @@ inline void find_mistakes_over_time(Observation seen, bool camera_is_wrong, std:
 inline void find_guide_mistakes(Observation const& seen, std::vector<Finding>& findings) {
     if (seen.albedo) find_albedo_range(seen, findings);
     bool camera_is_wrong = find_wrong_matrices(seen, findings);
-    bool const depth_is_wrong = seen.depth && (find_depth_not_positive(seen, findings) || find_depth_not_linear(seen, findings));
+    bool const depth_is_wrong = seen.depth && find_wrong_depth(seen, findings);
     bool const length_is_wrong = seen.normal && find_normal_length(seen, findings);
     if (!seen.depth || depth_is_wrong) return;
     if (seen.normal && !length_is_wrong && !camera_is_wrong && known(seen.camera)) camera_is_wrong = find_normal_space(seen, findings);
@@ -69,6 +72,7 @@ inline std::vector<Finding> findings_of(Observation const& seen) {
 ///     run(denoise, frame, history);
 /// It looks at the channels that the pipeline reads, at some 16,000 of their pixels (at all of them for samples that are not finite), and
 /// keeps notes in the history, so that it also sees what only several calls show. For Pipeline and Composite, any storage.
+/// Whether the output is the input is not asked after run_into(), whose output the host keeps, nor of motion blur.
 /// Perspective cameras only; objects may move, as long as some quarter of the picture does not.
 /// @param converted_from for hosts that convert their motion vectors before they put them into the frame: the convention from which, so
 ///                       that the mistake is named in its terms. Pipelines with Supplied<> need no mention.

@@ -2,6 +2,8 @@
 
 #include <quell/diagnose/observation.hpp>
 
+#include <algorithm>
+
 namespace quell::detail {
 
 inline std::string why_afresh(Observation const& seen, SignalSeen const& signal) {
@@ -13,9 +15,11 @@ inline std::string why_afresh(Observation const& seen, SignalSeen const& signal)
 
 /// Runs that each began without a past, three times in a row: cuts don't come so often.
 inline void find_resets(Observation const& seen, std::vector<Finding>& findings) {
-    auto const& signal = seen.of_signals.front();
+    auto const with_past = std::ranges::find_if(seen.of_signals, &SignalSeen::has_past);
+    if (with_past == seen.of_signals.end()) return;
+    auto const& signal = *with_past;
     auto& notes = *signal.notes;
-    bool const afresh = signal.has_past && signal.frames <= 1 && signal.resets == notes.resets + 1;
+    bool const afresh = signal.frames <= 1 && signal.resets == notes.resets + 1;
     notes.resets_in_a_row = afresh ? notes.resets_in_a_row + 1 : 0;
     notes.resets = signal.resets;
     if (notes.resets_in_a_row < 3) return;

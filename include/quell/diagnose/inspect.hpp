@@ -55,12 +55,26 @@ template <class P, class F, class H> SignalSeen signal_seen(F const& frame, H& h
     auto const& counted = history.statistics();
     SignalSeen seen{.name = std::string(Output::name), .components = Output::components, .has_past = P::has_past};
     seen.has_stages = std::tuple_size_v<decltype(P::stages)> > 0;
+    seen.blurs = P::reads::template has<Sweep> || P::reads::template has<Time>;
     seen.input = lookup_of<P>(frame, Output{});
     if (Inspect::size(history) == frame.size) seen.output_then = lookup_in(Inspect::output(history));
     seen.frames = counted.frames, seen.resets = counted.resets;
     seen.number_then = Inspect::number(history), seen.size_then = Inspect::size(history);
     seen.notes = &Inspect::notes(history);
     return seen;
+}
+
+/// Channels that are finite on every surface. Others tell by what is not finite that there was nothing, as Blocker does.
+using FiniteGuides =
+    Channels<Albedo, Normal, Position, Instance, Roughness, Motion, Direct, ReceiverPrevious, IndirectDirection, Sweep, SweepBend, Time>;
+
+/// A surface that was behind the camera may well have no motion.
+template <class P, class Set, class Storage> std::vector<GuideSeen> guides_seen(Frame<Set, Storage> const& frame) {
+    std::vector<GuideSeen> guides;
+    for_each_channel(common_to<common_to<FiniteGuides, typename P::reads>, Set>{}, [&](auto c) {
+        guides.push_back({std::string(c.name), c.components, lookup(frame[c].view()), c.components == 2 ? 0.1 : 0.001});
+    });
+    return guides;
 }
 
 /// The last frame's camera and depth, of the first history that has them.
@@ -86,6 +100,7 @@ template <class P, class Set, class FrameStorage, class H> Observation observe(F
     Observation seen{.size = frame.size, .number = frame.number, .camera = frame.camera};
     seen.depth = lookup_of<P>(frame, depth), seen.normal = lookup_of<P>(frame, normal);
     seen.motion = lookup_of<P>(frame, motion), seen.albedo = lookup_of<P>(frame, albedo);
+    seen.guides = guides_seen<P>(frame);
     seen.convention = DeclaredConvention<P>::value;
     for_each_history(history, [&]<class Part>(std::type_identity<Part> part, auto& of_part) {
         seen.of_signals.push_back(signal_seen<Part>(frame, of_part));

@@ -133,18 +133,26 @@ inline std::string jitter_remedy(MotionConvention taken_for) {
            "> for SurfaceMotion<>";
 }
 
-/// The change of jitter in every vector. Returns whether it is there.
+/// Whether an offset is what jitter leaves: the change of camera.jitter, or one that turns back. What slides keeps its direction, and what
+/// it slides by is the change of jitter by chance only.
+inline bool looks_like_jitter(glm::vec2 offset, glm::vec2 before, glm::vec2 change) {
+    bool const is_change = std::min(glm::length(offset - change), glm::length(offset + change)) < 0.05f;
+    return (glm::length(change) > 0.05f && is_change) || glm::dot(offset, before) < 0.f;
+}
+
+/// The change of jitter in every vector, as two frames in a row show it. Returns whether it is there, or may be.
 inline bool find_motion_jitter(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
     CommonOffset const common(pairs);
-    auto const before = std::exchange(seen.notes().motion_offset, common.offset);
-    if (!common.is_jitter()) return false;
-    // Where cameras tell nothing, a slow pan looks the same, but not one that changes from frame to frame.
-    bool const cameras = known(seen.camera) && known(seen.camera_then);
-    if (!cameras && (before == glm::vec2(0.f) || glm::length(common.offset - before) < 0.1f)) return false;
+    auto const offset = common.is_jitter() ? common.offset : glm::vec2(0.f);
+    auto const before = std::exchange(seen.notes().motion_offset, offset);
     auto const change = seen.camera.jitter - seen.camera_then.jitter;
+    auto& in_a_row = seen.notes().jittered_in_a_row;
+    in_a_row = looks_like_jitter(offset, before, change) && common.is_jitter() ? in_a_row + 1 : 0;
+    // Something large that slides is no jitter, nor a camera that is not told of.
+    if (in_a_row < 2) return common.is_jitter() && glm::length(offset - before) > 0.1f;
     findings.push_back({Mistake::motion_jitter,
                         percent(common.sharing.share()) + " of " + std::to_string(pairs.size()) + " surface pixels have " +
-                            pair(common.offset.x, common.offset.y) + " pixels too much in their motion; camera.jitter changed by " +
+                            pair(offset.x, offset.y) + " pixels too much in their motion; camera.jitter changed by " +
                             pair(change.x, change.y),
                         jitter_remedy(seen.convention)});
     return true;

@@ -28,12 +28,21 @@ struct SignalSeen {
     int components = 1;
     bool has_past = false;   ///< whether the pipeline has a history at all
     bool has_stages = false; ///< whether it does anything
+    bool blurs = false;      ///< along sweeps: then what stands still comes out as it went in
     Lookup input{};
     Lookup output_then{}; ///< of the last run; empty where there was none, or where the host keeps it
     long long frames = 0, resets = 0;
     std::optional<long long> number_then{};
     Extent size_then{};
     DiagnosisNotes* notes = nullptr;
+};
+
+/// A channel that must be finite where there is a surface.
+struct GuideSeen {
+    std::string name;
+    int components;
+    Lookup image;
+    double allowed; ///< the share of surface pixels that may be without
 };
 
 /// All that is looked at.
@@ -47,6 +56,7 @@ struct Observation {
     bool has_then = false;         ///< whether camera_then is that of a last frame
     Camera camera{}, camera_then{};
     std::vector<SignalSeen> of_signals{};
+    std::vector<GuideSeen> guides{};
 
     [[nodiscard]] DiagnosisNotes& notes() const { return *of_signals.front().notes; }
     /// Whether there is a surface: misses may hold anything.

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <quell/diagnose/observation.hpp>
-#include <quell/diagnose/statistics.hpp>
+#include <quell/diagnose/noise.hpp>
 
 #include <cmath>
 
@@ -28,22 +27,22 @@ inline void find_bad_samples(Observation const& seen, SignalSeen const& signal, 
          "look for divisions by a probability of 0 and for roots of negative numbers where it is shaded; quell leaves them out"});
 }
 
-/// Guides that are not finite where there is a surface. A surface that was behind the camera may well have no motion.
+/// Guides that are not finite where there is a surface; without depth nobody knows where that is. Of signals find_bad_samples tells.
 inline void find_bad_guides(Observation const& seen, std::vector<Finding>& findings) {
-    auto const look = [&](char const* name, Lookup const& image, int components, double allowed) {
-        if (!image) return;
+    if (!seen.depth) return;
+    for (auto const& guide : seen.guides) {
+        if (std::ranges::find(seen.of_signals, guide.name, &SignalSeen::name) != seen.of_signals.end()) continue;
         Tally bad;
         for_each_hit(seen, [&](int x, int y) {
             bool good = true;
-            for (int c = 0; c < components; ++c) good = good && is_finite(image(c, x, y));
+            for (int c = 0; c < guide.components; ++c) good = good && is_finite(guide.image(c, x, y));
             bad.add(!good);
         });
-        if (bad.share() > allowed)
+        if (bad.share() > guide.allowed)
             findings.push_back({Mistake::bad_guides,
-                                "'" + std::string(name) + "' is NaN or infinite in " + percent(bad.share()) + " of the surface pixels",
+                                "'" + guide.name + "' is NaN or infinite in " + percent(bad.share()) + " of the surface pixels",
                                 "fill the channel wherever depth is finite"});
-    };
-    look("normal", seen.normal, 3, 0.001), look("albedo", seen.albedo, 3, 0.001), look("motion", seen.motion, 2, 0.1);
+    }
 }
 
 /// The signal at the places that are looked at.
@@ -55,40 +54,46 @@ inline std::vector<float> values_of(Observation const& seen, SignalSeen const& s
     return values;
 }
 
-/// Noise that is the same again: the renderer was not asked for a new frame, or its random numbers don't change.
-inline void find_identical_frames(SignalSeen const& signal, std::vector<float> const& now, std::vector<Finding>& findings) {
-    if (signal.notes->input.size() != now.size()) return;
-    Tally same, uneven;
-    for (std::size_t i = 0; i < now.size(); ++i) {
-        same.add(bits(now[i]) == bits(signal.notes->input[i]));
-        if (auto const step = static_cast<std::size_t>(signal.components); i >= step) uneven.add(bits(now[i]) != bits(now[i - step]));
-    }
-    // What has no noise may well stay as it is.
-    if (same.yes < same.asked || uneven.yes < 100 || uneven.share() < 0.3) return;
+/// Noise that is the same again: the renderer was not asked for a new frame, or its random numbers don't change. What has no noise may
+/// well stay as it is.
+inline void find_identical_frames(Observation const& seen, SignalSeen const& signal, std::vector<float> const& now,
+                                  std::vector<Finding>& findings) {
+    auto const same = [](float a, float b) { return bits(a) == bits(b); };
+    if (!std::ranges::equal(now, signal.notes->input, same) || !looks_noisy(seen, signal)) return;
     findings.push_back({Mistake::identical_frames,
-                        "'" + signal.name + "' is the last frame's, bit for bit, at all " + std::to_string(same.asked / signal.components) +
-                            " places that were looked at",
+                        "'" + signal.name + "' is noisy and the last frame's, bit for bit, at all " +
+                            std::to_string(now.size() / static_cast<std::size_t>(signal.components)) + " places that were looked at",
                         "give the random numbers a new seed in every frame, and fill the frame before every run()"});
 }
 
-/// Compares the last run's output with what went in, wherever that is noisy: where it isn't what it was a frame before.
-inline void find_output_is_input(Observation const& seen, SignalSeen const& signal, std::vector<float> const& now,
-                                 std::vector<Finding>& findings) {
+/// How much of the last run's output is what went in, wherever that is noisy: where it isn't what it was a frame before.
+inline Tally unchanged_by_run(Observation const& seen, SignalSeen const& signal, std::vector<float> const& now) {
+    Tally same;
     auto const& in = signal.notes->input;
     // The first frame of a history has nothing to be joined with.
-    if (!signal.has_stages || !signal.output_then || in.size() != now.size() || (signal.has_past && signal.frames < 2)) return;
+    if (!signal.has_stages || signal.blurs || !signal.output_then || in.size() != now.size() || (signal.has_past && signal.frames < 2))
+        return same;
     auto const out = values_of(seen, signal, signal.output_then);
-    Tally same;
     for (std::size_t i = 0; i < in.size(); ++i)
         if (is_finite(in[i]) && in[i] >= 0.f && std::abs(now[i] - in[i]) > 0.1f * in[i] + 1e-4f)
             same.add(std::abs(out[i] - in[i]) <= 2e-3f * in[i]);
+    return same;
+}
+
+/// Runs that each gave back what they got, three times in a row: once is a cut that only the motion tells of.
+inline void find_output_is_input(Observation const& seen, SignalSeen const& signal, std::vector<float> const& now,
+                                 std::vector<Finding>& findings) {
+    auto const same = unchanged_by_run(seen, signal, now);
     // A few values that change are edges that move, and what these uncover has no past.
-    if (same.asked < 100 || 5 * same.asked < static_cast<long long>(in.size()) || same.share() < 0.95) return;
-    findings.push_back(
-        {Mistake::output_is_input,
-         percent(same.share()) + " of the values of '" + signal.name + "' that change from frame to frame came out as they went in",
-         "look at what keeps the past and the neighbours out: motion that leads nowhere, depth or normals that never match, "
-         "weights of 0"});
+    bool const idle = same.asked >= 100 && 5 * same.asked >= static_cast<long long>(now.size()) && same.share() >= 0.95;
+    auto& in_a_row = signal.notes->idle_in_a_row;
+    in_a_row = idle ? in_a_row + 1 : 0;
+    if (in_a_row < 3) return;
+    findings.push_back({Mistake::output_is_input,
+                        percent(same.share()) + " of the values of '" + signal.name +
+                            "' that change from frame to frame came out as they went in, in " + std::to_string(in_a_row) + " runs in a row",
+                        "look at what keeps the past and the neighbours out: motion that leads nowhere, depth or normals that never match, "
+                        "weights of 0"});
 }
 
 /// What each signal's samples show by themselves.
@@ -96,7 +101,7 @@ inline void find_sample_mistakes(Observation const& seen, std::vector<Finding>& 
     find_bad_guides(seen, findings);
     for (auto const& signal : seen.of_signals) {
         find_bad_samples(seen, signal, findings);
-        find_identical_frames(signal, values_of(seen, signal, signal.input), findings);
+        find_identical_frames(seen, signal, values_of(seen, signal, signal.input), findings);
     }
 }
 

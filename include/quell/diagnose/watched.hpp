@@ -146,7 +146,7 @@ template <class M, class B, class F> constexpr auto watched_stage(Temporal<M, B,
 }
 } // namespace detail
 
-/// A pipeline that does the same and keeps DebugChannels in its history, for debug_image() to show: `constexpr auto debug =
+/// A pipeline that does the same and keeps DebugChannels in its history, for debug_images() to show: `constexpr auto debug =
 /// watched(denoise);` It costs about three times as much and needs frames of the same channels.
 template <ChannelTag S, class... Parts> constexpr auto watched(Pipeline<S, Parts...> const& pipeline) {
     return std::apply(
