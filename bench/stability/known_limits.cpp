@@ -25,7 +25,7 @@ std::vector<KnownLimit> listed() {
     add(list, "firefly", "frames_alive", {"surface", "svgf", "dual-color", "glossy", "dual-cone"},
         "no clamp: put SuppressFireflies{} before the stages");
     add(list, "blur-linear", "worst_over_mean", {"blur", "blur-straight"},
-        "the scene's own: most moves where the spheres cross, and the noisy input is worst there too");
+        "where the spheres cross before what stands still three things meet, and two are told apart");
     return list;
 }
 
