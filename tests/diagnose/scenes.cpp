@@ -50,6 +50,22 @@ template <class F> void check_named(std::string const& scene, Mistake mistake, F
     check_found(all, {mistake});
 }
 
+/// Six blurred frames of a scene whose camera moves, each with the same mistake.
+void check_named_when_blurred(std::string const& scene, std::set<Mistake> const& mistakes, auto&& change) {
+    INFO(scene);
+    constexpr auto blur = presets::blur(radiance);
+    tracer::PreparedScene prepared(tracer::built_in_scene(scene));
+    Frame frame{{64, 36}, blur};
+    History history{frame.size, blur};
+    std::vector<Finding> all;
+    trace(prepared, frame, 30, 6, 0.5f, [&] {
+        change(frame);
+        for (auto& finding : diagnose(frame, history)) all.push_back(std::move(finding));
+        run(blur, frame, history, Serial{});
+    });
+    check_found(all, mistakes);
+}
+
 } // namespace
 
 // Every event of a scene is among its frames. To prepare a scene takes longer than to trace it small, so that each is prepared once.
@@ -76,6 +92,14 @@ TEST_CASE("mistakes are named in scenes whose camera moves, and where only objec
     check_named("pinkroom", Mistake::depth_not_linear, [](GoodFrame& frame) { each(frame, depth, [](float z) { return 0.1f / z; }); });
     check_named("fence", Mistake::normal_in_view_space,
                 [](GoodFrame& frame) { each(frame, normal, [&](glm::vec3 n) { return glm::mat3(frame.camera.view) * n; }); });
+}
+
+TEST_CASE("sweeps that lead backwards or last another time than the shutter is open are named where the camera moves") {
+    for (auto const* const scene : {"colonnade", "roll"}) {
+        check_named_when_blurred(scene, {}, [](auto&) {});
+        check_named_when_blurred(scene, {Mistake::sweep_sign}, [](auto& frame) { each(frame, sweep, [](glm::vec2 v) { return -v; }); });
+        check_named_when_blurred(scene, {Mistake::shutter_differs}, [](auto& frame) { frame.shutter = 1; });
+    }
 }
 
 TEST_CASE("shadows of one seed are named, though they are noisy in penumbrae alone") {

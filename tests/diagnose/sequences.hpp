@@ -92,7 +92,7 @@ inline void fill_well(GoodFrame& frame, Shot const& shot, int number) {
 }
 
 /// Changes every pixel of a channel.
-template <ChannelTag C> void each(GoodFrame& frame, C channel, auto&& change) {
+template <ChannelTag C> void each(auto& frame, C channel, auto&& change) {
     fill(frame[channel], [&](int x, int y) { return change(frame[channel].get(x, y)); });
 }
 

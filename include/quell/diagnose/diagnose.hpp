@@ -11,6 +11,7 @@
 #include <quell/diagnose/motion_disagreement.hpp>
 #include <quell/diagnose/normal_hypotheses.hpp>
 #include <quell/diagnose/sample_hypotheses.hpp>
+#include <quell/diagnose/sweep_hypotheses.hpp>
 #include <quell/pipeline/check_frame.hpp>
 
 namespace quell {
@@ -42,7 +43,8 @@ inline void find_mistakes_over_time(Observation seen, bool camera_is_wrong, std:
     // Motion is then judged without it.
     if (jittered) seen.camera_then.projection = seen.camera.projection;
     bool const cameras = !camera_is_wrong && known(seen.camera) && known(seen.camera_then);
-    find_motion_mistakes(seen, cameras, shift_of(seen) == glm::vec2(0.f), findings);
+    if (seen.motion) find_motion_mistakes(seen, cameras, shift_of(seen) == glm::vec2(0.f), findings);
+    if (seen.sweep && cameras) find_wrong_sweeps(seen, findings);
 }
 
 /// Whether depth is wrong is known before anything is built on it, and so on for the camera.
@@ -53,7 +55,7 @@ inline void find_guide_mistakes(Observation const& seen, std::vector<Finding>& f
     bool const length_is_wrong = seen.normal && find_normal_length(seen, findings);
     if (!seen.depth || depth_is_wrong) return;
     if (seen.normal && !length_is_wrong && !camera_is_wrong && known(seen.camera)) camera_is_wrong = find_normal_space(seen, findings);
-    if (seen.motion && seen.has_then) find_mistakes_over_time(seen, camera_is_wrong, findings);
+    if ((seen.motion || seen.sweep) && seen.has_then) find_mistakes_over_time(seen, camera_is_wrong, findings);
 }
 
 inline std::vector<Finding> findings_of(Observation const& seen) {

@@ -100,6 +100,7 @@ template <class P, class Set, class FrameStorage, class H> Observation observe(F
     Observation seen{.size = frame.size, .number = frame.number, .camera = frame.camera};
     seen.depth = lookup_of<P>(frame, depth), seen.normal = lookup_of<P>(frame, normal);
     seen.motion = lookup_of<P>(frame, motion), seen.albedo = lookup_of<P>(frame, albedo);
+    seen.sweep = lookup_of<P>(frame, sweep), seen.shutter = frame.shutter;
     seen.guides = guides_seen<P>(frame);
     seen.convention = DeclaredConvention<P>::value;
     for_each_history(history, [&]<class Part>(std::type_identity<Part> part, auto& of_part) {

@@ -25,6 +25,7 @@ struct DiagnosisNotes {
     int jittered_in_a_row = 0;             ///< frames whose motion had an offset as jitter makes them
     std::vector<Duel> duels{};             ///< of each convention with each, in all frames so far
     int disagreed_in_a_row = 0;            ///< frames whose cameras find the past where motion doesn't
+    int swept_wrongly_in_a_row = 0;        ///< frames whose sweeps are not what the cameras say
     glm::vec2 shift{};                     ///< how the projection's centre moved, in pixels
 };
 

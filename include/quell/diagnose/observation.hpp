@@ -51,6 +51,8 @@ struct Observation {
     std::optional<long long> number;
     Lookup depth{}, normal{}, albedo{};
     Lookup motion{};               ///< as the pipeline understands it
+    Lookup sweep{};                ///< of the surface while the shutter is open
+    float shutter = 0.f;           ///< how long that is
     MotionConvention convention{}; ///< the one that the host's vectors are taken for
     Lookup depth_then{};           ///< of the last frame, where the history remembers it
     bool has_then = false;         ///< whether camera_then is that of a last frame
