@@ -85,7 +85,7 @@ mutant "albedo comes back" pipeline/history pipeline/modulation.hpp 'return a * 
 mutant "the test for what is no light in a picture's factors" pipeline/composite pipeline/composite.hpp 'return select(is_light(f), f,' 'return select(Real(0.f) == Real(0.f), f,'
 mutant "blur: when a sample passes" blur/two_motions blur/usable_path.hpp 'when = time() + along;' 'when = time() - along;'
 mutant "blur: motions too unlike to be of one surface" blur/two_motions blur/pair_guide.hpp \
-    'difference > opposed * opposed,' 'difference > difference,'
+    'difference > unlike_by * unlike_by,' 'difference > difference,'
 mutant "blur: how far the shutter's ends are soft" blur/layers blur/pair_gather.hpp 'Real(2.f), Real(0.5f)' 'Real(2.f), Real(2.f)'
 mutant "blur: what is guessed behind what moves" blur/two_motions blur/pair_gather.hpp \
     'both(back_moves, moving)' 'both(back_moves, invert(back_moves))'

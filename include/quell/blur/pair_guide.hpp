@@ -124,8 +124,8 @@ private:
         auto const speed = sqrt(squared);
         auto const alike = fma(max(speed - 1.f, Real(0.f)), Real(relative), Real(least));
         // A surface that slants or turns has motions of its own that differ, but not so much within a window.
-        auto const opposed = fma(speed, Real(unlike), Real(unlike_least));
-        auto const two = both(difference > alike * alike, either(nearer > farther * (1.f + depth_gap), difference > opposed * opposed,
+        auto const unlike_by = fma(speed, Real(unlike), Real(unlike_least));
+        auto const two = both(difference > alike * alike, either(nearer > farther * (1.f + depth_gap), difference > unlike_by * unlike_by,
                                                                  squared_speed(b) <= Real(still_squared)));
         // What moves faster over something of its own depth is in front.
         auto const level = nearer <= farther * (1.f + least_depth_gap);
@@ -187,11 +187,10 @@ template <class Paths = StraightPaths> struct PairGuide {
     int across = 4, down = 1; ///< how far the window reaches, in pixels
     float least = 0.1f;       ///< pixels; motions that differ less are one
     float relative = 0.25f;   ///< how much more they may differ, of the faster's speed beyond one pixel
-    float depth_gap =
-        0.05f;           ///< relative; what is nearer to each other in depth is one, unless one stands still or their motions are unlike:
-    float unlike = 0.5f; ///< those that differ by more than this, of the faster's speed,
-    float unlike_least = 2.f; ///< and this, in pixels, belong to two things, whatever their depths
-    float likeness = 0.5f;    ///< of the difference between two motions beside: what is nearer to one of them than that may be it
+    /// Relative; what is nearer to each other in depth is one, unless one of them stands still or their motions differ by more than both
+    /// `unlike`, of the faster's speed, and `unlike_least`, in pixels.
+    float depth_gap = 0.05f, unlike = 0.5f, unlike_least = 2.f;
+    float likeness = 0.5f; ///< of the difference between two motions beside: what is nearer to one of them than that may be it
     [[no_unique_address]] PathGuide<Paths> paths{};
 
     constexpr void for_each_pass(auto&& pass) const {
