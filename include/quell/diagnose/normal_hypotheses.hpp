@@ -18,11 +18,11 @@ inline Tally far_without_normal(Observation const& seen) {
     for_each_hit(seen, [&](int x, int y) {
         if (seen.depth) farthest = std::max(farthest, seen.depth(0, x, y));
     });
-    Tally far;
+    Tally distant;
     for_each_hit(seen, [&](int x, int y) {
-        if (seen.depth && has_none(x, y)) far.add(seen.depth(0, x, y) > 0.999f * farthest);
+        if (seen.depth && has_none(x, y)) distant.add(seen.depth(0, x, y) > 0.999f * farthest);
     });
-    return far;
+    return distant;
 }
 
 /// Returns whether lengths are wrong, so that directions need not be asked.
@@ -36,10 +36,10 @@ inline bool find_normal_length(Observation const& seen, std::vector<Finding>& fi
     if (unit.asked == 0 || unit.share() > 0.8) return false;
     auto const evidence =
         percent(unit.share()) + " of the normals are of length 1; the median is " + number(static_cast<double>(median(lengths)));
-    auto const far = far_without_normal(seen);
-    if (far.share() > 0.98 && static_cast<double>(far.yes) > 0.98 * static_cast<double>(unit.asked - unit.yes) && unit.yes > 0)
+    auto const distant = far_without_normal(seen);
+    if (distant.share() > 0.98 && static_cast<double>(distant.yes) > 0.98 * static_cast<double>(unit.asked - unit.yes) && unit.yes > 0)
         findings.push_back({Mistake::depth_of_misses,
-                            evidence + ", and " + std::to_string(far.yes) +
+                            evidence + ", and " + std::to_string(distant.yes) +
                                 " of those that were looked at are 0 and have the farthest depth of the picture",
                             "write +infinity into depth where there is no surface"});
     else if (packed.share() > unit.share() + 0.25)

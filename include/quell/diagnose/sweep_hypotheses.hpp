@@ -25,8 +25,8 @@ struct SweptParts {
     }
     /// Whether nearly all are one part of the way; what moves by itself agrees with nothing.
     [[nodiscard]] bool agree_on(float part) const {
-        auto const near = std::ranges::count_if(parts, [&](float p) { return std::abs(p - part) < 0.15f * std::abs(part); });
-        return asked >= fewest_pairs && static_cast<double>(near) > 0.6 * static_cast<double>(asked);
+        auto const alike = std::ranges::count_if(parts, [&](float p) { return std::abs(p - part) < 0.15f * std::abs(part); });
+        return asked >= fewest_pairs && static_cast<double>(alike) > 0.6 * static_cast<double>(asked);
     }
 };
 

@@ -19,18 +19,19 @@ template <class Whole> QUELL_KERNEL void add_together(std::atomic<Whole>& sum, W
 /// what is left, in multiples of 2^-22. Both are far from their ends with a sample of 1e16 in each fourth of 2^27 pixels; no more than a
 /// fourth outshine all their neighbours.
 class EnergySum {
-    static constexpr float large = 65536.f, small = 1.f / 4194304.f;
+    static constexpr float large_unit = 65536.f, small_unit = 1.f / 4194304.f;
     std::atomic<long long> larges = 0, smalls = 0;
 
 public:
     template <class Real> QUELL_KERNEL void add(Real energy) {
-        auto const whole = static_cast<long long>(energy / large);
-        auto const rest = energy - static_cast<float>(whole) * large; // exact: `whole` has no more digits than `energy`
+        auto const whole = static_cast<long long>(energy / large_unit);
+        auto const rest = energy - static_cast<float>(whole) * large_unit; // exact: `whole` has no more digits than `energy`
         if (whole > 0) add_together(larges, whole);
-        add_together(smalls, static_cast<long long>(rest / small));
+        add_together(smalls, static_cast<long long>(rest / small_unit));
     }
     [[nodiscard]] double total() const {
-        return static_cast<double>(larges) * static_cast<double>(large) + static_cast<double>(smalls) * static_cast<double>(small);
+        return static_cast<double>(larges) * static_cast<double>(large_unit) +
+               static_cast<double>(smalls) * static_cast<double>(small_unit);
     }
 };
 
