@@ -35,35 +35,29 @@ template <class... Ps> void check_silent(tracer::PreparedScene& prepared, Extent
     check_found(all, {});
 }
 
-/// Five frames of a built-in scene, each with the same mistake.
-template <class F> void check_named(std::string const& scene, Mistake mistake, F&& change) {
+/// What is said of some frames of a scene, each with the same mistake.
+template <class P>
+void check_named(std::string const& scene, P const& pipeline, Extent size, int first, int count, float shutter,
+                 std::set<Mistake> const& mistakes, auto&& change) {
     INFO(scene);
     tracer::PreparedScene prepared(tracer::built_in_scene(scene));
-    GoodFrame frame{{96, 54}, denoise};
-    History history{frame.size, denoise};
+    Frame frame{size, pipeline};
+    History history{size, pipeline};
     std::vector<Finding> all;
-    trace(prepared, frame, 20, 5, 0.f, [&] {
+    trace(prepared, frame, first, count, shutter, [&] {
         change(frame);
         for (auto& finding : diagnose(frame, history)) all.push_back(std::move(finding));
-        run(denoise, frame, history, Serial{});
-    });
-    check_found(all, {mistake});
-}
-
-/// Six blurred frames of a scene whose camera moves, each with the same mistake.
-void check_named_when_blurred(std::string const& scene, std::set<Mistake> const& mistakes, auto&& change) {
-    INFO(scene);
-    constexpr auto blur = presets::blur(radiance);
-    tracer::PreparedScene prepared(tracer::built_in_scene(scene));
-    Frame frame{{64, 36}, blur};
-    History history{frame.size, blur};
-    std::vector<Finding> all;
-    trace(prepared, frame, 30, 6, 0.5f, [&] {
-        change(frame);
-        for (auto& finding : diagnose(frame, history)) all.push_back(std::move(finding));
-        run(blur, frame, history, Serial{});
+        run(pipeline, frame, history, Serial{});
     });
     check_found(all, mistakes);
+}
+/// Of sharp frames.
+void check_named(std::string const& scene, Mistake mistake, auto&& change) {
+    check_named(scene, denoise, {96, 54}, 20, 5, 0.f, {mistake}, change);
+}
+/// Of blurred frames of a scene whose camera moves.
+void check_named_when_blurred(std::string const& scene, std::set<Mistake> const& mistakes, auto&& change) {
+    check_named(scene, presets::blur(radiance), {64, 36}, 30, 6, 0.5f, mistakes, change);
 }
 
 } // namespace
