@@ -11,7 +11,17 @@
 #include <utility>
 
 #if !defined(__CUDACC__)
+// Of AVX-512's undefined values, which g++ 12's own headers initialize with themselves, it warns wherever a kernel is inlined
+// (https://gcc.gnu.org/PR105593); a host's -Werror must survive that.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #include <xsimd/xsimd.hpp>
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 
 /// Lets GLM's vectors hold packs: glm::vec<3, Pack> then has arithmetic and dot.
 template <class A> struct std::numeric_limits<xsimd::batch<float, A>> : std::numeric_limits<float> {};
