@@ -48,7 +48,7 @@ inline std::vector<std::string> component_names(std::string_view channel, int co
 template <ChannelTag C> [[nodiscard]] std::vector<std::string> own_names(C channel) {
     auto names = detail::component_names(channel.name, C::components);
     if (std::string_view(channel.name) != radiance.name)
-        for (auto& each : names) each = std::string(channel.name) + "." + each;
+        for (auto& each : names) each.insert(0, std::string(channel.name).append("."));
     return names;
 }
 
