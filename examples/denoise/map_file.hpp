@@ -21,7 +21,7 @@ namespace quell::examples {
 ///
 /// "channels"  quell's channel names, each with a CHANNEL: what every signal's guides are
 /// "motion"    what the vectors mean: "points" to_previous or from_previous, "unit" pixel, uv (1 is the image's size) or ndc (2 is),
-///             "y" down or up, "jitter" left_out or left_in (then files need the attributes quell:view, quell:projection and quell:jitter)
+///             "y" down or up, "jitter" left_out or left_in (then files need the attributes quell:jitter and quell:jitter_previous)
 /// "miss_from" a depth of this or more means that there is no surface
 /// "signals"   what is denoised, each by itself, and then added up. "radiance" holds the albedo, which is divided out and multiplied back
 ///             ("albedo": 1 for none); "irradiance" doesn't, and is multiplied by it at the end. A signal may have "name" and any of

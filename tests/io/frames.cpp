@@ -121,3 +121,16 @@ TEST_CASE("motion of every convention becomes quell's own") {
     io::put_camera(image, {glm::mat4(1.f), glm::mat4(1.f), {-0.25f, 0.5f}}, "_previous");
     CHECK(near(loaded({-3.5f, 2.5f}, {.jitter = C::Jitter::left_in}), {-4.f, 3.f}));
 }
+
+TEST_CASE("jitter that is left in motion is refused where a file doesn't say how much it is") {
+    io::ExrImage image{.name = "f.exr", .size = {4, 4}};
+    for (auto const* const name : {"motion.X", "motion.Y"}) image.planes.push_back(plane(name, image.size, [](int, int) { return 1.f; }));
+    Frame<Channels<Motion>> frame(image.size);
+    auto const load = [&] { io::load(frame, image, io::ChannelNames{.motion = {.jitter = MotionConvention::Jitter::left_in}}); };
+    check_error(load, {"f.exr", "no attribute quell:jitter", "left_out"});
+    image.attributes["quell:jitter"] = glm::vec2(0.25f, 0.f);
+    check_error(load, {"f.exr", "no attribute quell:jitter_previous", "left_out"});
+    image.attributes["quell:jitter_previous"] = glm::vec2(0.5f, 0.f);
+    load();
+    CHECK(frame[motion].get(2, 1) == glm::vec2(1.25f, 1.f));
+}

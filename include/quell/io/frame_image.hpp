@@ -53,6 +53,15 @@ inline void mark_misses(std::vector<float>& depth, ExrImage const& image, Source
     }
 }
 
+/// By how much a renderer moved the samples of this frame or of the last one. Taking what isn't said for none would leave it in the
+/// vectors.
+/// @throws Error naming the file and the attribute
+inline glm::vec2 jitter_in(ExrImage const& image, std::string const& attribute) {
+    if (auto const* const jitter = image.attribute<glm::vec2>(attribute)) return *jitter;
+    throw Error(image.name, "it has no attribute " + attribute + " of two floats, and motion vectors are said to have jitter left in",
+                "write the sample's offset from the pixel's centre, in pixels, y down, or say that jitter is left_out");
+}
+
 /// Turns one component of a motion vector into quell's convention. The same arithmetic as Supplied's, done once on loading.
 inline void to_own_motion(std::vector<float>& motion, int axis, ExrImage const& image, MotionConvention from) {
     using C = MotionConvention;
@@ -62,7 +71,7 @@ inline void to_own_motion(std::vector<float>& motion, int axis, ExrImage const& 
     if (from.unit != C::Unit::pixel) factor *= from.unit == C::Unit::ndc ? extent / 2.f : extent;
     float offset = 0.f;
     if (from.jitter == C::Jitter::left_in) {
-        auto const change = camera_of(image, "_previous").value_or(Camera{}).jitter - camera_of(image).value_or(Camera{}).jitter;
+        auto const change = jitter_in(image, "quell:jitter_previous") - jitter_in(image, "quell:jitter");
         offset = axis == 0 ? change.x : change.y;
     }
     for (auto& m : motion) m = m * factor + offset;
