@@ -6,6 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#if defined(__SSE3__)
+#include <pmmintrin.h>
+#endif
+
 using namespace quell;
 
 namespace {
@@ -90,6 +94,21 @@ TEST_CASE("half precision: every bit pattern survives the way to float and back"
     CHECK(float_from_half(0x0001) == 0x1p-24f);
     CHECK(float_from_half(0x7bff) == 65504.f);
 }
+
+#if defined(__SSE3__)
+TEST_CASE("halves keep their smallest values on threads that take subnormal floats for zero") {
+    auto const before = _mm_getcsr();
+    _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
+    _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
+    std::uint16_t wrong = 0;
+    for (std::uint16_t half = 0; half < 0x400; ++half) {
+        auto const value = static_cast<float>(half) * 0x1p-24f;
+        wrong = static_cast<std::uint16_t>(wrong + (float_from_half(half) != value) + (half_from_float(value) != half));
+    }
+    _mm_setcsr(before);
+    CHECK(wrong == 0);
+}
+#endif
 
 TEST_CASE("half precision rounds to nearest even and saturates") {
     CHECK(half_from_float(1.f + 0x1p-11f) == 0x3c00);            // tie goes to the even neighbour

@@ -113,3 +113,32 @@ TEST_CASE("a pipeline gives the same image in every storage and from a host's me
     }
     CHECK(tests::difference(planar, out) == 0);
 }
+
+TEST_CASE("a host's colours are borrowed in half, beside depth and motion in float") {
+    Extent const size{5, 3};
+    constexpr auto denoise = presets::surface(radiance);
+    Frame frame{size, denoise, Borrowed<Float16>{}};
+    History history{size, denoise};
+    std::vector<std::uint16_t> const colour(static_cast<std::size_t>(size.pixels()) * 4, half_from_float(0.25f));
+    std::vector<float> const depths(static_cast<std::size_t>(size.pixels()), 3.f);
+    std::vector<float> const numbers(static_cast<std::size_t>(size.pixels()) * 3, 0.f);
+    for_each_channel(decltype(frame)::channels{}, [&](auto c) {
+        using Image = std::remove_reference_t<decltype(frame[c])>;
+        if constexpr (std::is_same_v<decltype(c), Depth>)
+            frame[c] = {depths.data(), size, 1, size.width};
+        else if constexpr (std::is_same_v<typename Image::Element const, float const>)
+            frame[c] = {numbers.data(), size, Image::components, std::ptrdiff_t(Image::components) * size.width};
+        else
+            frame[c] = {colour.data(), size, 4, std::ptrdiff_t(4) * size.width};
+    });
+    for (float const value : tests::copy_of(run(denoise, frame, history))) CHECK(value == 0.25f);
+}
+
+TEST_CASE("an image whose pixels 32-bit offsets don't reach is refused before any memory is asked for") {
+    using Image = Interleaved<>::Image<24>;
+    CHECK_THROWS_AS(Image(Extent{10000, 9000}), Error);
+    int const most = std::numeric_limits<int>::max();
+    CHECK_THROWS_AS(Planar<>::Image<1>(Extent{most, 1}), Error);
+    CHECK_THROWS_AS(Planar<>::Image<1>(Extent{most, most}), Error);
+    CHECK_THROWS_AS((Frame{Extent{most, most}, presets::surface(radiance)}), Error);
+}

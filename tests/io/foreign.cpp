@@ -22,6 +22,14 @@ TEST_CASE("a data window anywhere lands at its place in the display window") {
     }
 }
 
+TEST_CASE("a small region of a large picture is read") {
+    Folder const folder;
+    write_scan_lines(folder / "region.exr", box(0, 0, 4095, 2159), box(100, 100, 131, 131), {"R", "G", "B", "Z"});
+    auto const image = io::read_exr(folder / "region.exr");
+    CHECK(image.size == Extent{4096, 2160});
+    CHECK(image["Z"].values[std::size_t(4096) * 100 + 131] == foreign_value(131, 100));
+}
+
 TEST_CASE("outside of the data window there is no surface, and no light") {
     Folder const folder;
     write_scan_lines(folder / "window.exr", box(0, 0, 9, 9), box(2, 2, 7, 7), {"R", "G", "B", "depth.Z"});

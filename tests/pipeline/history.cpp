@@ -285,6 +285,7 @@ TEST_CASE("what can't be used is refused by name") {
     posed.camera.projection = glm::mat4(0.f);
     CHECK(message([&] { run(by_position, posed, its_history); }).find("camera.projection: a singular") == 0);
     posed.camera = Camera{};
+    CHECK(message([&] { run(by_position, posed, its_history); }).find("camera.projection: a matrix without perspective") == 0);
     posed.camera.view[1][2] = not_a_number;
     CHECK(message([&] { run(by_position, posed, its_history); }).find("camera.view") == 0);
 }

@@ -12,10 +12,10 @@ namespace quell {
 QUELL_KERNEL float float_from_half(std::uint16_t half) {
     auto const sign = static_cast<std::uint32_t>(half & 0x8000u) << 16;
     auto const rest = static_cast<std::uint32_t>(half & 0x7fffu) << 13;
-    // Shifting puts the exponent 112 too low; one multiplication corrects it for subnormals too.
-    auto const magnitude = std::bit_cast<float>(rest) * 0x1p112f;
-    auto const special = (half & 0x7c00u) == 0x7c00u ? 0x7f800000u | rest : std::bit_cast<std::uint32_t>(magnitude);
-    return std::bit_cast<float>(sign | special);
+    // Shifting puts the exponent 112 too low. No operand is subnormal, since hosts run with those taken for zero.
+    auto const exponent = half & 0x7c00u;
+    auto const subnormal = std::bit_cast<std::uint32_t>(std::bit_cast<float>(rest | 0x38800000u) - 0x1p-14f);
+    return std::bit_cast<float>(sign | (exponent == 0x7c00u ? 0x7f800000u | rest : exponent == 0 ? subnormal : rest + 0x38000000u));
 }
 
 /// A float as binary16 bits, rounded to nearest even. What exceeds the range becomes the largest finite half (65504), so that a bright

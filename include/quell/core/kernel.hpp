@@ -3,6 +3,9 @@
 #if defined(min) || defined(max)
 #error "quell and the standard library call min and max: define NOMINMAX before windows.h"
 #endif
+#if defined(_MSC_VER) && !defined(__clang__) && !defined(__CUDACC__)
+#error "quell is written for g++ and clang++; on Windows, compile with clang-cl"
+#endif
 
 /// The one macro of quell: marks every function that runs inside a kernel.
 /// Kernels are made of many tiny functions, and a single one left as a call spills every SIMD register (clang was 5.5 times slower), so
@@ -11,8 +14,6 @@
 /// common path nothing.
 #if defined(__CUDACC__)
 #define QUELL_KERNEL constexpr
-#elif defined(__GNUC__)
-#define QUELL_KERNEL [[gnu::always_inline]] inline constexpr
 #else
-#define QUELL_KERNEL inline constexpr
+#define QUELL_KERNEL [[gnu::always_inline]] inline constexpr
 #endif

@@ -123,7 +123,13 @@ template <class A> QUELL_KERNEL auto masked(xsimd::batch_bool<float, A> m, xsimd
 template <class A> QUELL_KERNEL bool any(xsimd::batch_bool<float, A> m) { return xsimd::any(m); }
 template <class A> QUELL_KERNEL bool all(xsimd::batch_bool<float, A> m) { return xsimd::all(m); }
 template <class A> QUELL_KERNEL auto fma(xsimd::batch<float, A> a, xsimd::batch<float, A> b, xsimd::batch<float, A> c) {
-    return xsimd::fma(a, b, c);
+#if defined(__AVX512F__)
+    // xsimd 8 multiplies and adds here.
+    if constexpr (width_of<xsimd::batch<float, A>> == 16)
+        return xsimd::batch<float, A>(_mm512_fmadd_ps(a, b, c));
+    else
+#endif
+        return xsimd::fma(a, b, c);
 }
 /// Not by `!`, for which xsimd 8 takes AVX packs apart and compares their halves.
 template <class A> QUELL_KERNEL auto invert(xsimd::batch_bool<float, A> m) { return ~m; }

@@ -40,13 +40,15 @@ struct Serial {
 
 #if !defined(__CUDACC__)
 /// A pack of pixels after the other, on this thread.
-struct Simd {
+/// @tparam P the pack, so that what is compiled for another instruction set has another name for the linker
+template <class P = Pack> struct SimdOf {
     void for_each_pixel(Region r, auto const& job) const {
-        constexpr int width = width_of<Pack>;
+        constexpr int width = width_of<P>;
         for (int y = r.y0; y < r.y1; ++y)
-            for (int x = r.x0; x < r.x1; x += width) job(at_once<Pack>, x, y, r.x1 - x < width ? r.x1 - x : width);
+            for (int x = r.x0; x < r.x1; x += width) job(at_once<P>, x, y, r.x1 - x < width ? r.x1 - x : width);
     }
 };
+using Simd = SimdOf<>;
 #else
 /// nvcc knows no packs: its host code runs pixel after pixel.
 using Simd = Serial;

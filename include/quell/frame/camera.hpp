@@ -9,8 +9,8 @@
 namespace quell {
 
 /// A host's camera. Column-major GLM matrices, column vectors: clip = projection * view * world.
-/// The view looks down -z; the projection maps to normalised device coordinates in [-1, 1] with y up (image row 0 is y = +1). Whether its
-/// depth range is [0, 1], [-1, 1] or reversed makes no difference: only x, y and w are used.
+/// The view looks down -z; the projection, a perspective one, maps to normalised device coordinates in [-1, 1] with y up (image row 0 is
+/// y = +1). Whether its depth range is [0, 1], [-1, 1] or reversed makes no difference, as long as the matrix can be inverted.
 struct Camera {
     glm::mat4 view{1.f};
     glm::mat4 projection{1.f};

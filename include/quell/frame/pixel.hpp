@@ -179,7 +179,7 @@ template <class R, class S> struct Pixel {
     }
     /// Two uniformly distributed random numbers in [0, 1), likewise; for more of them, from `which` pair (0 to 15).
     QUELL_KERNEL std::pair<Real, Real> random_uniforms(int which = 0) const {
-        return uniform_pair(Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)), scope.frame_index + (which << 26));
+        return uniform_pair(Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)), scope.frame_index ^ (which << 26));
     }
     /// Where a point of the world was on the previous frame's screen (pixels), and its linear depth there (not positive: behind the
     /// camera).

@@ -8,11 +8,12 @@ namespace quell {
 
 /// A host's own memory, copied nowhere: a pointer, the image's size and the strides, set for each channel before a frame runs.
 ///     Frame frame{size, pipeline, Borrowed<>{}};
-///     frame[depth] = {pointer, size, .pixel_stride = 1, .row_stride = 1920};
+///     frame[depth] = {pointer, size, 1, 1920}; // from a pixel to the next, from a row to the next
 /// The memory must outlive the run. Rows whose pixels lie side by side (`pixel_stride` 1) load as fast as Planar.
-/// @tparam Format Float32 or Float16
+/// @tparam Format Float32 or Float16, of colours and the like; what loses its meaning in half (depth, motion, ...) is borrowed in float
 template <class Format = Float32> struct Borrowed {
-    using Exact = Borrowed;
+    using Exact = Borrowed<Float32>;
+    static constexpr bool owns_memory = false;
     static constexpr auto name = "borrowed";
     using format = Format;
 

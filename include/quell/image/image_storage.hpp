@@ -33,6 +33,14 @@ concept ImageStorage = requires(Extent size) {
     { typename S::Exact::template Image<3>(size).view() } -> ImageView;
 };
 
+/// Whether images of a storage can be made and written by quell itself: `owns_memory`, true where a storage doesn't say otherwise.
+template <class Storage> constexpr bool owns_memory() {
+    if constexpr (requires { Storage::owns_memory; })
+        return Storage::owns_memory;
+    else
+        return true;
+}
+
 /// The image in which a storage keeps a channel.
 template <class Storage, ChannelTag C>
 using ImageOf = typename std::conditional_t<C::full_precision, typename Storage::Exact, Storage>::template Image<C::components>;

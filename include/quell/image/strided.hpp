@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/core/error.hpp>
 #include <quell/image/format.hpp>
 #include <quell/image/image_storage.hpp>
 
@@ -11,6 +12,9 @@ namespace quell::detail {
 /// Rows are padded so that a pack may start one pack before a row or end one behind it, without a test in the kernel's inner loop: the
 /// padding of a row is what lies left of the next. It is zero and stays zero.
 inline constexpr int padding = 16; // a power of two
+#if !defined(__CUDACC__)
+static_assert(width_of<Pack> <= padding, "quell: packs of more than 16 floats are wider than the rows' padding");
+#endif
 
 /// A view of pixels at regular distances: planar with `pixel_step` 1, interleaved with `pixel_step` N. The strides follow from the size, so
 /// that a kernel which reads many images of one size computes each address once (see Pixel).
@@ -24,7 +28,7 @@ template <class Format, int N, int pixel_step> struct StridedView {
     /// From a pixel to the one below, in elements.
     QUELL_KERNEL std::ptrdiff_t row_stride() const {
         // By bits and not by division: of a product, compilers take the factor out, and work out each component's address anew.
-        return ((static_cast<std::ptrdiff_t>(size.width + padding - 1) & -padding) + padding) * pixel_step;
+        return (((static_cast<std::ptrdiff_t>(size.width) + padding - 1) & -padding) + padding) * pixel_step;
     }
     /// From a component to the next, in elements.
     QUELL_KERNEL std::ptrdiff_t component_stride() const { return pixel_step > 1 ? 1 : row_stride() * size.height + padding; }
@@ -82,7 +86,8 @@ private:
     QUELL_KERNEL Element* at(int c, int x, int y) const { return data + (c * component_stride() + y * row_stride() + x * pixel_step); }
 };
 
-/// An image that owns zero-initialised, 64-byte aligned memory.
+/// An image that owns zero-initialised, 64-byte aligned memory. A component's pixels must be within reach of 32-bit offsets, which packs
+/// gather by.
 template <class Format, int N, bool interleaved> class StridedImage {
     using Element = typename Format::Element;
     struct Free {
@@ -96,7 +101,11 @@ public:
     static constexpr int step = interleaved ? N : 1;
     using View = StridedView<Format, N, step>;
 
+    /// @throws Error for a size whose pixels are not within reach
     explicit StridedImage(Extent size = {}) : extent(size) {
+        if (size.height > 0 && View{nullptr, size}.row_stride() > std::numeric_limits<std::int32_t>::max() / size.height)
+            throw Error("image size", to_string(size) + " pixels, " + std::to_string(step) + " floats apart",
+                        step > 1 ? "use Planar storage or smaller images" : "use smaller images");
         memory.reset(static_cast<Element*>(::operator new[](bytes(), std::align_val_t{64})));
         std::uninitialized_value_construct_n(memory.get(), elements());
     }

@@ -34,6 +34,10 @@ template <class P, class Set, class Storage> void check_frame(Frame<Set, Storage
             throw Error("camera.view", "a singular or non-finite matrix", "set frame.camera to the host's camera");
         if (!usable(frame.camera.projection))
             throw Error("camera.projection", "a singular or non-finite matrix", "set frame.camera to the host's camera");
+        auto const& p = frame.camera.projection;
+        if (p[0][3] == 0.f && p[1][3] == 0.f && p[2][3] == 0.f)
+            throw Error("camera.projection", "a matrix without perspective, such as the identity of a camera that was never set",
+                        "set frame.camera to the host's camera; orthographic ones are not supported");
     }
 }
 

@@ -31,6 +31,9 @@ struct DiagnosisNotes;
 /// @tparam P       the pipeline's type
 /// @tparam Storage of history and scratch: Planar<> or Planar<Float16>, or another ImageStorage that owns its memory
 template <class P, ImageStorage Storage = Planar<>> class History {
+    static_assert(owns_memory<Storage>(),
+                  "History<P, Storage>: what quell remembers needs memory of its own: Planar<> or Planar<Float16>, not Borrowed");
+
 public:
     /// @throws Error for a size of no pixels
     explicit History(Extent size, P const&, Storage const& = {}) : pool(checked(size)) {}

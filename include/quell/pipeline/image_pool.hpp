@@ -18,7 +18,8 @@ class ImagePool {
     std::vector<Entry> entries;
     Extent extent;
 
-    template <class Image> static constexpr char type_key = 0; // its address stands for the type; hosts may build without RTTI
+    // Its address stands for the type, as hosts may build without RTTI. Not constant: linkers may fold constants that are alike.
+    template <class Image> static inline char type_key = 0;
 
 public:
     explicit ImagePool(Extent size) : extent(size) {}
