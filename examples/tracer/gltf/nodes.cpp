@@ -3,6 +3,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -30,7 +31,15 @@ template <class Value> Key<Value> key_at(std::vector<float> const& times, std::v
     return key;
 }
 
-template <class Value> Track<Value> track_of(Model const& model, tinygltf::AnimationSampler const& sampler) {
+/// All of an animation's samplers start over together, when the longest has ended; frames.
+float period_of(Model const& model, tinygltf::Animation const& animation) {
+    float last = 0;
+    for (auto const& sampler : animation.samplers)
+        for (float const time : model.floats(sampler.input, 1)) last = std::max(last, time);
+    return last * frames_per_second;
+}
+
+template <class Value> Track<Value> track_of(Model const& model, tinygltf::AnimationSampler const& sampler, float period) {
     constexpr int components = std::is_same_v<Value, glm::quat> ? 4 : 3;
     auto const times = model.floats(sampler.input, 1), values = model.floats(sampler.output, components);
     Track<Value> track;
@@ -40,7 +49,7 @@ template <class Value> Track<Value> track_of(Model const& model, tinygltf::Anima
         throw model.error("an animation has " + std::to_string(times.size()) + " times but " + std::to_string(values.size() / components) +
                           " values");
     for (std::size_t i = 0; i < times.size(); ++i) track.keys.push_back(key_at<Value>(times, values, i, cubic));
-    track.period = track.keys.back().frame;
+    track.period = period;
     return track;
 }
 
@@ -57,10 +66,10 @@ struct Animated {
     }
 };
 
-void add_channel(Model const& model, tinygltf::AnimationSampler const& sampler, std::string const& path, Animated& node) {
-    if (path == "translation" && !node.translation) node.translation = track_of<glm::vec3>(model, sampler);
-    if (path == "scale" && !node.scale) node.scale = track_of<glm::vec3>(model, sampler);
-    if (path == "rotation" && !node.rotation) node.rotation = track_of<glm::quat>(model, sampler);
+void add_channel(Model const& model, tinygltf::AnimationSampler const& sampler, float period, std::string const& path, Animated& node) {
+    if (path == "translation" && !node.translation) node.translation = track_of<glm::vec3>(model, sampler, period);
+    if (path == "scale" && !node.scale) node.scale = track_of<glm::vec3>(model, sampler, period);
+    if (path == "rotation" && !node.rotation) node.rotation = track_of<glm::quat>(model, sampler, period);
 }
 
 Transform rest_of(tinygltf::Node const& node) {
@@ -107,13 +116,15 @@ void add_nodes(Model const& model, SceneDescription& scene) {
     auto const& nodes = model.content.nodes;
     std::vector<Animated> animated(nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) animated[i].rest = rest_of(nodes[i]);
-    for (auto const& animation : model.content.animations)
+    for (auto const& animation : model.content.animations) {
+        float const period = period_of(model, animation);
         for (auto const& channel : animation.channels) {
             if (channel.target_node < 0) continue;
             model.item(nodes, channel.target_node, "node");
             auto const& sampler = model.item(animation.samplers, channel.sampler, "animation sampler");
-            add_channel(model, sampler, channel.target_path, animated[static_cast<std::size_t>(channel.target_node)]);
+            add_channel(model, sampler, period, channel.target_path, animated[static_cast<std::size_t>(channel.target_node)]);
         }
+    }
     for (std::size_t i = 0; i < nodes.size(); ++i) scene.add_node(pose_of(nodes[i], animated[i]));
     for (std::size_t i = 0; i < nodes.size(); ++i)
         for (int child : nodes[i].children) {
