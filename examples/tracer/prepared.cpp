@@ -1,5 +1,7 @@
 #include "prepared.hpp"
 
+#include <quell/core/error.hpp>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -110,10 +112,19 @@ std::vector<float> PreparedScene::moments_before(float earlier) const {
     return frames;
 }
 
+/// Embree aborts the program for a ray that isn't finite.
+CameraPose PreparedScene::usable_camera(float frame) const {
+    auto const pose = scene.camera(frame);
+    if (pose.is_usable()) return pose;
+    throw Error("scene '" + scene.name + "'",
+                "its camera at frame " + std::to_string(frame) + " is scaled to nothing, not finite, or far off",
+                "mend the camera's animation, or give --eye, --target and --fov");
+}
+
 void PreparedScene::place_camera() {
     cameras = {};
-    for (float frame : moments_before(0)) cameras.now.push_back(scene.camera(frame));
-    for (float frame : moments_before(1)) cameras.before.push_back(scene.camera(frame));
+    for (float frame : moments_before(0)) cameras.now.push_back(usable_camera(frame));
+    for (float frame : moments_before(1)) cameras.before.push_back(usable_camera(frame));
 }
 
 void PreparedScene::place_instances() {
@@ -199,20 +210,24 @@ void PreparedScene::find_emitters_of(int instance) {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         bool const four = is_quadrilateral(mesh, i);
         glm::uvec4 const corners{mesh.triangles[i], four ? mesh.triangles[i + 1].z : 0u};
-        sources.push_back(
-            {instance, four ? 4 : 3, corners, material(instance).emission * mean_emission_texel(instance, mesh.triangles[i])});
+        int const count = four ? 4 : 3;
+        sources.push_back({instance, count, corners, material(instance).emission * mean_emission_texel(instance, count, corners)});
         if (four) ++i;
     }
 }
 
 /// Lights shine evenly, as their formulas ask for: with the mean of the texels that they cover.
-glm::vec3 PreparedScene::mean_emission_texel(int instance, glm::uvec3 corners) const {
+glm::vec3 PreparedScene::mean_emission_texel(int instance, int count, glm::uvec4 corners) const {
     auto const& uvs = shape(instance).mesh.uvs;
     int const texture = material(instance).emission_texture;
     if (texture < 0 || uvs.empty()) return glm::vec3{1.f};
-    auto const a = uvs[corners.x], b = uvs[corners.y], c = uvs[corners.z];
-    auto const extent = glm::max(glm::max(glm::abs(b - a), glm::abs(c - a)), glm::abs(c - b));
-    return scene.textures[static_cast<std::size_t>(texture)].at((a + b + c) / 3.f, glm::max(extent.x, extent.y));
+    glm::vec2 sum{0.f}, least{infinity}, most{-infinity};
+    for (int i = 0; i < count; ++i) {
+        auto const uv = uvs[corners[i]];
+        sum += uv, least = glm::min(least, uv), most = glm::max(most, uv);
+    }
+    auto const extent = most - least;
+    return scene.textures[static_cast<std::size_t>(texture)].at(sum / static_cast<float>(count), glm::max(extent.x, extent.y));
 }
 
 void PreparedScene::light_up() {

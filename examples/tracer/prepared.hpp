@@ -85,9 +85,10 @@ private:
     void find_emitters_of(int instance);
     void deform_shapes();
     void place_instances();
+    [[nodiscard]] CameraPose usable_camera(float frame) const;
     void place_camera();
     void light_up();
-    [[nodiscard]] glm::vec3 mean_emission_texel(int instance, glm::uvec3 corners) const;
+    [[nodiscard]] glm::vec3 mean_emission_texel(int instance, int count, glm::uvec4 corners) const;
     [[nodiscard]] std::vector<float> moments_before(float earlier) const;
     [[nodiscard]] glm::vec3 local_vertex(int instance, unsigned vertex, float time, When when) const;
     [[nodiscard]] Emitter emitter_at(EmitterSource const& source, float time) const;

@@ -1,9 +1,13 @@
 #include "scene.hpp"
 
+#include <glm/common.hpp>
 #include <glm/ext/matrix_clip_space.hpp>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace quell::tracer {
@@ -62,7 +66,20 @@ TriangleMesh SceneDescription::vertices_at(Shape const& shape, float frame) cons
 
 Camera SceneDescription::camera_at(float frame, Extent size) const { return camera_from(camera(frame), size); }
 
+// Every comparison is false for NaN.
+bool CameraPose::is_usable() const {
+    glm::mat3 axes{world_from_camera};
+    for (int i = 0; i < 3; ++i) axes[i] = glm::normalize(axes[i]);
+    auto const from_origin = glm::abs(glm::vec3(world_from_camera[3]));
+    // Embree takes no origins beyond 1.8e18.
+    bool const in_reach = from_origin.x < 1e15f && from_origin.y < 1e15f && from_origin.z < 1e15f;
+    bool const looks_somewhere = std::abs(glm::determinant(axes)) > 1e-6f;
+    return in_reach && looks_somewhere && vertical_field_of_view > 1e-6f && vertical_field_of_view < std::numbers::pi_v<float> - 1e-6f;
+}
+
 CameraPose look_at(glm::vec3 eye, glm::vec3 target, float field_of_view, glm::vec3 up) {
+    auto const forward = glm::normalize(target - eye);
+    if (glm::length(glm::cross(forward, glm::normalize(up))) < 1e-5f) up = {0, 0, forward.y < 0 ? -1 : 1};
     return {glm::inverse(glm::lookAt(eye, target, up)), glm::radians(field_of_view)};
 }
 

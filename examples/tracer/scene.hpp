@@ -55,6 +55,9 @@ struct Background {
 struct CameraPose {
     glm::mat4 world_from_camera{1.f};
     float vertical_field_of_view = 0.9f; ///< radians
+
+    /// Whether rays can be sent from it: it is finite, near enough to the origin, looks somewhere, and sees between 0 and 180 degrees.
+    [[nodiscard]] bool is_usable() const;
 };
 
 /// A world in y-up coordinates, each part of which is a function of time. Time counts frames: frame i shows time i, and what was
@@ -97,7 +100,8 @@ struct SceneDescription {
 /// From a node's space to the world; -1 is the world itself.
 [[nodiscard]] glm::mat4 node_matrix(std::vector<Node> const& nodes, int node, float frame);
 
-/// A camera that looks from one point at another. `field_of_view` is vertical, in degrees.
+/// A camera that looks from one point at another. `field_of_view` is vertical, in degrees. Where it looks along `up`, the z axis takes its
+/// place: a camera that looks straight down has -z at the top of the picture.
 [[nodiscard]] CameraPose look_at(glm::vec3 eye, glm::vec3 target, float field_of_view, glm::vec3 up = {0, 1, 0});
 
 [[nodiscard]] Camera camera_from(CameraPose const& pose, Extent size);

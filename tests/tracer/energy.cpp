@@ -60,3 +60,15 @@ TEST_CASE("one bounce of indirect light between two walls is what integration gi
     CHECK(pixel(pictures[direct], 1, 1).x == 0);
     CHECK(pixel(pictures[indirect], 1, 1).x == doctest::Approx(0.8).epsilon(0.03));
 }
+
+TEST_CASE("a textured light of four corners shines with the mean of all that it covers") {
+    auto scene = world({0, 1, 2}, {0, 0, 0});
+    // It covers the quarter that is white, and none of the black around it.
+    int const quarter = scene.add(painted(4, 4, [](glm::vec2 uv) { return glm::vec3(uv.x < 0.5f && uv.y < 0.5f ? 1.f : 0.f); }));
+    scene.place(scene.add(rectangle(1, 1, {0.5f, 0.5f})), scene.add(Material{.emission = {3, 2, 1}, .emission_texture = quarter}));
+    PreparedScene prepared{std::move(scene)};
+    prepared.move_to(0);
+    REQUIRE(prepared.emitter_count() == 1);
+    CHECK(prepared.emitter(0, 0).corner_count == 4);
+    CHECK(glm::distance(prepared.emitter(0, 0).radiance, glm::vec3{3, 2, 1}) < 0.01f);
+}

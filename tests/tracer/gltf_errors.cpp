@@ -118,3 +118,16 @@ TEST_CASE("indices that are no whole numbers, and zeros without end, are refused
     content.erase(content.find(R"("bufferView":0,)"), 15);
     check_error(folder.write("zeros.gltf", content), "200000000");
 }
+
+TEST_CASE("cameras that see nothing are refused") {
+    Folder const folder;
+    auto const with_camera = [](std::string const& yfov, std::string const& scale) {
+        auto content = triangle("", "", R"(,"cameras":[{"type":"perspective","perspective":{"yfov":)" + yfov + R"(,"znear":0.1}}])");
+        return content.replace(content.find(R"([{"mesh":0}])"), 12, R"([{"mesh":0},{"camera":0,"scale":[)" + scale + "]}]");
+    };
+    CHECK(load_gltf(folder.write("good.gltf", with_camera("0.7", "2,2,2"))).camera(0).vertical_field_of_view == doctest::Approx(0.7));
+    check_error(folder.write("narrow.gltf", with_camera("0", "1,1,1")), "yfov");
+    check_error(folder.write("wide.gltf", with_camera("3.2", "1,1,1")), "yfov");
+    check_error(folder.write("nothing.gltf", with_camera("0.7", "0,0,0")), "node 1");
+    check_error(folder.write("flat.gltf", with_camera("0.7", "1,0,1")), "node 1");
+}

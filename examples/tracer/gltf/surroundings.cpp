@@ -4,6 +4,8 @@
 #include "../bounds.hpp"
 #include "../shapes.hpp"
 
+#include <quell/core/error.hpp>
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
@@ -36,10 +38,24 @@ glm::vec3 turned(glm::vec3 eye, glm::vec3 target, float degrees) {
     return target + glm::angleAxis(glm::radians(degrees), glm::vec3{0, 1, 0}) * (eye - target);
 }
 
+bool is_finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+std::string text_of(glm::vec3 v) { return std::to_string(v.x) + "," + std::to_string(v.y) + "," + std::to_string(v.z); }
+
+void check(CameraChoice const& choice) {
+    for (auto const& [option, place] :
+         {std::pair{"--eye", choice.eye}, {"--target", choice.target}, {"--dolly", std::optional{choice.dolly}}})
+        if (place && !is_finite(*place)) throw Error(option, text_of(*place), "give three finite numbers, as in 0,1.5,4");
+    if (!std::isfinite(choice.orbit)) throw Error("--orbit", std::to_string(choice.orbit), "give degrees per frame");
+    if (choice.field_of_view && !(*choice.field_of_view > 0 && *choice.field_of_view < 180))
+        throw Error("--fov", std::to_string(*choice.field_of_view), "give degrees, more than 0 and less than 180");
+}
+
 } // namespace
 
 void choose_camera(SceneDescription& scene, CameraChoice const& choice) {
     if (choice.is_default()) return;
+    check(choice);
     auto const start = scene.camera(0);
     auto const bounds = bounds_of(scene, 0);
     float const field_of_view = choice.field_of_view.value_or(glm::degrees(start.vertical_field_of_view));
@@ -48,6 +64,10 @@ void choose_camera(SceneDescription& scene, CameraChoice const& choice) {
     // The scene's own camera looks at whatever is as far along its axis as the middle of the scene.
     auto const ahead = own_eye + glm::normalize(forward) * std::max(glm::distance(own_eye, bounds.centre()), 1e-3f);
     auto const target = choice.target.value_or(choice.eye ? bounds.centre() : ahead);
+    if (eye == target) throw Error("--eye", text_of(eye) + " is also what the camera looks at", "give another --eye or --target");
+    if (!look_at(eye, target, field_of_view).is_usable())
+        throw Error("scene '" + scene.name + "'", "no camera looks from " + text_of(eye) + " at " + text_of(target),
+                    "give another --eye and --target");
     scene.camera = [=](float frame) {
         return look_at(turned(eye, target, choice.orbit * frame) + choice.dolly * frame, target + choice.dolly * frame, field_of_view);
     };
@@ -78,6 +98,11 @@ void add_camera(Model const& model, SceneDescription& scene) {
     }
     auto const number = model.content.nodes[static_cast<std::size_t>(node)].camera;
     auto const field_of_view = static_cast<float>(model.content.cameras[static_cast<std::size_t>(number)].perspective.yfov);
+    if (!CameraPose{.vertical_field_of_view = field_of_view}.is_usable())
+        throw model.error("its camera's yfov is " + std::to_string(field_of_view), "give it more than 0 and less than 3.14159");
+    if (!CameraPose{scene.node_matrix(node, 0), field_of_view}.is_usable())
+        throw model.error("its camera, node " + std::to_string(node) + ", is scaled to nothing, not finite, or far off",
+                          "give that node, and those that it is in, another scale");
     // The nodes are copied, so that the camera doesn't depend on where the description lies.
     scene.camera = [nodes = scene.nodes, node, field_of_view](float frame) {
         return CameraPose{node_matrix(nodes, node, frame), field_of_view};
