@@ -1,12 +1,11 @@
 #include <support/png.hpp>
 
+#include <quell/io/replace_file.hpp>
+
 #include <png.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <system_error>
 
@@ -81,11 +80,7 @@ metrics::Picture read_png(std::filesystem::path const& path) {
 
 void write_png(std::filesystem::path const& path, metrics::Picture const& displayed) {
     auto const bytes = encode(path.string(), displayed);
-    std::ofstream file(path, std::ios::binary);
-    std::copy(bytes.begin(), bytes.end(), std::ostreambuf_iterator<char>(file));
-    file.flush();
-    if (!file)
-        throw Error(path.string(), std::string("can't be written: ") + std::strerror(errno), "check that its folder exists and has room");
+    io::replace_file(path, {reinterpret_cast<char const*>(bytes.data()), bytes.size()});
 }
 
 std::vector<unsigned char> encode_png(metrics::Picture const& displayed) { return encode("PNG in memory", displayed); }

@@ -11,7 +11,7 @@ namespace quell::examples {
 /// laid over black. Throws quell::Error naming the file.
 [[nodiscard]] metrics::Picture read_png(std::filesystem::path const& path);
 
-/// Writes a displayed picture as 8-bit sRGB. Throws quell::Error naming the file.
+/// Writes a displayed picture as 8-bit sRGB; the file appears whole or not at all. Throws quell::Error naming the file.
 void write_png(std::filesystem::path const& path, metrics::Picture const& displayed);
 
 /// The bytes of that file.

@@ -1,4 +1,5 @@
 #include "mesh.hpp"
+#include "unit_or.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -15,11 +16,6 @@ glm::mat4 blended(Skin const& skin, std::vector<glm::mat4> const& joint_matrices
     for (int i = 0; i < 4; ++i)
         if (weights[i] > 0) sum += joint_matrices[joints[i]] * weights[i];
     return sum;
-}
-
-glm::vec3 unit_or(glm::vec3 direction, glm::vec3 otherwise) {
-    float const length = glm::length(direction);
-    return length > 0 && std::isfinite(length) ? direction / length : otherwise;
 }
 
 } // namespace

@@ -1,11 +1,12 @@
 #include "reference_cache.hpp"
 #include "digest.hpp"
 
+#include <quell/io/replace_file.hpp>
+
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <random>
 #include <system_error>
 
 namespace quell::tracer::detail {
@@ -125,15 +126,14 @@ void ReferenceCache::store(Reference const& reference) const {
     std::filesystem::create_directories(file.parent_path(), failed);
     auto const content = serialised(reference);
     auto const sum = checksum(key, content);
-    auto temporary = file;
-    temporary += ".part" + std::to_string(std::random_device{}());
-    std::ofstream out{temporary, std::ios::binary};
-    out << magic;
-    out.write(reinterpret_cast<char const*>(&sum), sizeof sum);
-    out.write(content.data(), static_cast<std::streamsize>(content.size()));
-    out.close();
-    if (out) std::filesystem::rename(temporary, file, failed);
-    if (!out || failed) std::filesystem::remove(temporary, failed);
+    Writer whole;
+    whole.put_bytes(magic.data(), magic.size());
+    whole.put(sum);
+    whole.put_bytes(content.data(), content.size());
+    try {
+        io::replace_file(file, whole.bytes);
+    } catch (Error const&) { // it is computed again next time
+    }
 }
 
 } // namespace quell::tracer::detail

@@ -1,4 +1,5 @@
 #include "surface.hpp"
+#include "unit_or.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -86,11 +87,6 @@ void apply_material(PreparedScene const& scene, Hit const& hit, Geometry const& 
     if (shines)
         surface.emission =
             material.emission * scene.brightness(hit.instance) * glm::vec3(texel(scene, material.emission_texture, geometry, width));
-}
-
-glm::vec3 unit_or(glm::vec3 direction, glm::vec3 otherwise) {
-    float const length = glm::length(direction);
-    return length > 0 && std::isfinite(length) ? direction / length : otherwise;
 }
 
 /// Interpolated normals may point away from the viewer near a silhouette; they are bent back until they no longer do.
