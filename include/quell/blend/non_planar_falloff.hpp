@@ -22,7 +22,7 @@ template <class Inner> struct NonPlanarFalloff {
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;
         if (!any(past.validity > Real(0.f))) return inner.blend(px, past);
-        PastPlace<Real> const place(floor(past.where.x), floor(past.where.y));
+        auto const place = nearest_place(px, past.where);
         auto const z = px.past(place)[depth];
         auto const plane = detail::tangent_plane_then(px);
         vec2<Real> const centre{place.column + 0.5f, place.row + 0.5f};

@@ -55,12 +55,10 @@ template <ChannelTag SweepChannel> struct PathSearchOf {
                                                     max(slack, length * longer),
                                                     turn * turn};
         if (!any(moves)) return found;
-        Real const right(static_cast<float>(px.size().width)), bottom(static_cast<float>(px.size().height));
         Real const per_frame_then(per_frame(px.shutter_then()));
         auto searching = moves;
         for (int i = 0; i <= iterations; ++i) {
-            PastPlace<Real> const place(clamp(floor(found.where.x), Real(0.f), right - 1.f),
-                                        clamp(floor(found.where.y), Real(0.f), bottom - 1.f));
+            auto const place = nearest_place(px, found.where);
             auto const there = scale(px.past(place)[SweepChannel{}], per_frame_then);
             // On an arc the way back is a little longer than the mean of the speeds at its ends: by a twelfth of the turn, squared.
             auto const turn_x = v.x - there.x, turn_y = v.y - there.y;

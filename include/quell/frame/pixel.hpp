@@ -153,7 +153,7 @@ template <class R, class S> struct Pixel {
     QUELL_KERNEL bool has_past() const { return scope.has_past; }
     /// The pixel of the previous frame at an offset from a place there; outside the image it shows something finite of no meaning.
     QUELL_KERNEL PastPixel<Real, S> past(PastPlace<Real> const& place, int dx = 0, int dy = 0) const { return {scope, place, dx, dy}; }
-    /// A channel of this frame, or one that an earlier pass made, at any place; outside the image it shows the border.
+    /// A channel of this frame, or one that an earlier pass made, at any place; outside the image it shows something finite of no meaning.
     template <ChannelTag C> QUELL_KERNEL auto elsewhere(PastPlace<Real> const& place, C c) const {
         constexpr bool made = S::made_channels::template has<C>, given = S::frame_channels::template has<C>;
         static_assert(made || given, "a policy looks at a channel that it does not list: add the channel to its `reads`");
@@ -217,6 +217,12 @@ private:
         });
     }
 };
+
+/// The pixel that a position lies in; of one on the image's far border, or outside, the nearest that there is.
+template <class Px, class Real> QUELL_KERNEL PastPlace<Real> nearest_place(Px const& px, vec2<Real> const& where) {
+    Real const last_column(static_cast<float>(px.size().width - 1)), last_row(static_cast<float>(px.size().height - 1));
+    return {clamp(floor(where.x), Real(0.f), last_column), clamp(floor(where.y), Real(0.f), last_row)};
+}
 
 /// A pixel of the previous frame: what it remembers, what was kept there, and its signal.
 template <class Real, class S> struct PastPixel {

@@ -60,15 +60,14 @@ private:
     /// Where what the previous frame showed at y is now. Hosts supply motion backwards only; so the answer is guessed from the motion
     /// before, and corrected by what is there now: its own motion must lead back to y.
     template <class Px, class Real> QUELL_KERNEL static vec2<Real> carried_forward(Px const& px, vec2<Real> const& y) {
-        PastPlace<Real> const place(floor(y.x), floor(y.y));
+        auto const place = nearest_place(px, y);
         auto const occluder = px.past(place);
         auto const before = occluder[motion];
         auto const z_then = occluder[depth];
         auto const steady = both(is_finite(before.x), is_finite(before.y));
         vec2<Real> z{select(steady, y.x - before.x, y.x), select(steady, y.y - before.y, y.y)};
-        Real const last_column(static_cast<float>(px.size().width - 1)), last_row(static_cast<float>(px.size().height - 1));
         for (int i = 0; i < 2; ++i) {
-            PastPlace<Real> const there(clamp(floor(z.x), Real(0.f), last_column), clamp(floor(z.y), Real(0.f), last_row));
+            auto const there = nearest_place(px, z);
             auto const its_motion = px.elsewhere(there, motion);
             auto const same = abs(px.elsewhere(there, depth) - z_then) < z_then * 0.1f;
             auto const found = both(same, is_finite(its_motion.x), is_finite(its_motion.y));

@@ -93,7 +93,7 @@ template <class Px, class FoundPlace, class Mask>
     using Real = typename Px::Real;
     auto wider = sum;
     wider.keep_only(enough);
-    PastPlace<Real> const nearest(floor(found.where.x), floor(found.where.y));
+    auto const nearest = nearest_place(px, found.where);
     for (int j = -1; j <= 1; ++j)
         for (int i = -1; i <= 1; ++i) {
             auto const then = px.past(nearest, i, j);
@@ -173,7 +173,7 @@ struct Nearest {
     template <class Px, class FoundPlace> QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& unchecked) const {
         using Real = typename Px::Real;
         auto const found = detail::sane(px, unchecked);
-        PastPlace<Real> const place(floor(found.where.x), floor(found.where.y));
+        auto const place = nearest_place(px, found.where);
         detail::PastSum<Px> sum;
         auto const then = px.past(place);
         sum.add(then, masked(detail::counts<Real>(then, found), Real(1.f)));

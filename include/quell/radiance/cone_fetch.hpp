@@ -15,7 +15,7 @@ struct ConeFetch {
     template <class Px, class FoundPlace> QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& found) const {
         using Real = typename Px::Real;
         auto past = inner.fetch(px, found);
-        PastPlace<Real> const place(floor(past.where.x), floor(past.where.y));
+        auto const place = nearest_place(px, past.where);
         auto const now = px[normal], then = px.past(place)[normal];
         auto const differs = both(past.validity > Real(0.f), invert(cone::same_axes(now, then)));
         if (any(differs)) {
