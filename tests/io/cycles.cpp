@@ -19,6 +19,19 @@ std::vector<std::pair<std::string, std::string>> const all_passes{
     {"Combined", "RGBA"}, {"Depth", "Z"},      {"Normal", "XYZ"},   {"Vector", "XYZW"},  {"DiffDir", "RGB"}, {"DiffInd", "RGB"},
     {"DiffCol", "RGB"},   {"GlossDir", "RGB"}, {"GlossInd", "RGB"}, {"GlossCol", "RGB"}, {"Emit", "RGB"},    {"Env", "RGB"}};
 
+/// The same with all passes, and the combined image that these make up.
+io::ExrImage whole_image(std::string const& layer) {
+    auto image = cycles_image(layer, all_passes);
+    for (std::string const letter : {".R", ".G", ".B"}) {
+        auto const value = [&](std::string const& pass) { return image[layer + "." + pass + letter].values[0]; };
+        auto const all = (value("DiffDir") + value("DiffInd")) * value("DiffCol") +
+                         (value("GlossDir") + value("GlossInd")) * value("GlossCol") + value("Emit") + value("Env");
+        for (auto& plane : image.planes)
+            if (plane.name == layer + ".Combined" + letter) plane.values.assign(plane.values.size(), all);
+    }
+    return image;
+}
+
 io::SequenceNames names_of(Folder const& folder, io::ExrImage const& image) {
     io::write_exr(folder / "cycles.exr", image);
     return io::recognise(io::ExrFile(folder / "cycles.exr"));
@@ -29,7 +42,7 @@ io::SequenceNames names_of(Folder const& folder, io::ExrImage const& image) {
 TEST_CASE("Blender's passes are recognised, whatever the view layer's name") {
     Folder const folder;
     for (auto const* const layer : {"ViewLayer", "View Layer", "shot.a"}) {
-        auto const image = cycles_image(layer, all_passes);
+        auto const image = whole_image(layer);
         auto const names = names_of(folder, image);
         CHECK(names.renderer == "Blender Cycles");
         CHECK(names.remarks.empty());
@@ -43,7 +56,7 @@ TEST_CASE("Blender's passes are recognised, whatever the view layer's name") {
 
 TEST_CASE("Cycles' light, motion and depth arrive in quell's conventions") {
     Folder const folder;
-    auto image = cycles_image("ViewLayer", all_passes);
+    auto image = whole_image("ViewLayer");
     auto const names = names_of(folder, image);
     for (auto& plane : image.planes)
         if (plane.name == "ViewLayer.Depth.Z") plane.values[1] = 1e10f;
@@ -60,8 +73,7 @@ TEST_CASE("Cycles' light, motion and depth arrive in quell's conventions") {
 
 TEST_CASE("passes that weren't rendered are done without where that is possible") {
     Folder const folder;
-    auto const image =
-        cycles_image("V", {{"Combined", "RGBA"}, {"Depth", "Z"}, {"Vector", "XYZW"}, {"DiffInd", "RGB"}, {"DiffCol", "RGB"}});
+    auto const image = cycles_image("V", {{"Depth", "Z"}, {"Vector", "XYZW"}, {"DiffInd", "RGB"}, {"DiffCol", "RGB"}});
     auto const names = names_of(folder, image);
     REQUIRE(names.of_signals.size() == 1);
     CHECK(names.added.empty());
@@ -76,6 +88,36 @@ TEST_CASE("passes that weren't rendered are done without where that is possible"
     REQUIRE(combined.of_signals.size() == 1);
     CHECK(combined.of_signals[0].name == "combined");
     CHECK(combined.remarks.size() == 1);
+}
+
+TEST_CASE("light passes without some of the light are left for the combined image") {
+    Folder const folder;
+    auto image = cycles_image("V", {{"Combined", "RGB"}, {"Depth", "Z"}, {"Normal", "XYZ"}, {"Vector", "XYZW"}});
+    auto const add = [&](std::string const& pass, float value) {
+        for (auto const* const letter : {".R", ".G", ".B"})
+            image.planes.push_back(plane("V." + pass + letter, image.size, [=](int, int) { return value; }));
+    };
+    for (auto& each : image.planes)
+        if (each.name.starts_with("V.Combined")) each.values.assign(each.values.size(), 1.f);
+    add("DiffDir", 0.6f), add("DiffCol", 0.5f); // 0.3 of 1
+    auto const lost = names_of(folder, image);
+    REQUIRE(lost.of_signals.size() == 1);
+    CHECK(lost.of_signals[0].name == "combined");
+    CHECK(lost.of_signals[0].factor.empty());
+    CHECK(lost.added.empty());
+    REQUIRE(lost.remarks.size() == 1);
+    for (auto const* const part : {"don't add up to Combined", "DiffInd, GlossDir, ", "Emit, Env", "one signal"})
+        CHECK(contains(lost.remarks[0], part));
+    // The others may be missing where they had nothing to add.
+    add("Emit", 0.7f);
+    auto const whole = names_of(folder, image);
+    REQUIRE(whole.of_signals.size() == 1);
+    CHECK(whole.of_signals[0].name == "diffuse");
+    CHECK(whole.added.size() == 3);
+    CHECK(whole.remarks.empty());
+    // A pass of which one component is there is as good as none.
+    std::erase_if(image.planes, [](auto const& p) { return p.name == "V.Emit.G" || p.name == "V.DiffCol.B"; });
+    CHECK(names_of(folder, image).of_signals[0].name == "combined");
 }
 
 TEST_CASE("a missing Vector pass is named") {

@@ -2,8 +2,10 @@
 
 #include <quell/io/channel_names.hpp>
 #include <quell/io/exr_file.hpp>
+#include <quell/io/light_sum.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace quell::io {
 
@@ -35,7 +37,7 @@ struct ViewLayer {
     [[nodiscard]] bool has(std::string const& pass, std::string const& component) const {
         return std::ranges::any_of(channels, [&](auto const& c) { return c.name == prefix + pass + "." + component; });
     }
-    /// The sum of those of these passes that there are, component by component; nothing where there is none of them.
+    /// The sum of those of these passes that there are, component by component; nothing where a component has none of them.
     [[nodiscard]] std::vector<Source> sum_of(std::vector<std::string> const& passes) const {
         std::vector<Source> sources;
         for (auto const* const component : {"R", "G", "B"}) {
@@ -44,7 +46,14 @@ struct ViewLayer {
                 if (has(pass, component)) source.sum.push_back(prefix + pass + "." + component);
             if (!source.sum.empty()) sources.push_back(source);
         }
-        return sources;
+        return sources.size() == 3 ? sources : std::vector<Source>();
+    }
+    /// Those of these passes that there aren't.
+    [[nodiscard]] std::string missing(std::vector<std::string> const& passes) const {
+        std::string list;
+        for (auto const& pass : passes)
+            if (!has(pass, "R")) list += (list.empty() ? "" : ", ") + pass;
+        return list;
     }
     [[nodiscard]] std::vector<Source> components_of(std::string const& pass, std::string const& letters) const {
         std::vector<Source> sources;
@@ -82,7 +91,7 @@ inline std::vector<SignalNames> cycles_signals(ViewLayer const& layer) {
     std::vector<SignalNames> named;
     auto const add = [&](std::string const& name, std::string const& pass) {
         auto const light = layer.sum_of({pass + "Dir", pass + "Ind"});
-        if (light.size() != 3) return;
+        if (light.empty()) return;
         SignalNames signal{name, cycles_guides(layer), layer.sum_of({pass + "Col"})};
         signal.channels.sources["radiance"] = light;
         named.push_back(std::move(signal));
@@ -93,24 +102,55 @@ inline std::vector<SignalNames> cycles_signals(ViewLayer const& layer) {
     add("volume", "Volume");
     return named;
 }
+
+/// The whole image as one signal, and why.
+inline SequenceNames cycles_combined(ViewLayer const& layer, std::string const& why) {
+    SequenceNames names{"Blender Cycles", {{"combined", cycles_guides(layer)}}};
+    auto& sources = names.of_signals[0].channels.sources;
+    sources["radiance"] = layer.components_of("Combined", "RGB");
+    if (layer.has("Denoising Albedo", "R")) sources["albedo"] = layer.components_of("Denoising Albedo", "RGB");
+    names.remarks.push_back(why + ": the combined image is denoised as one signal");
+    return names;
+}
+
+inline SequenceNames cycles_passes(ViewLayer const& layer) {
+    SequenceNames names{"Blender Cycles", cycles_signals(layer)};
+    if (names.of_signals.empty()) return cycles_combined(layer, "no light passes (DiffDir, DiffInd, DiffCol, ...)");
+    names.added = layer.sum_of({"Emit", "Env"});
+    return names;
+}
+
+/// Whether these names make up a file's combined image, to a hundredth of its light.
+inline bool make_up_combined(SequenceNames const& names, ViewLayer const& layer, ExrFile const& file) {
+    auto const combined = layer.sum_of({"Combined"});
+    if (combined.empty()) return true; // nothing says otherwise
+    auto planes = planes_of(combined);
+    auto const want = [&](std::vector<Source> const& sources) {
+        auto const more = planes_of(sources);
+        planes.insert(planes.end(), more.begin(), more.end());
+    };
+    want(names.added);
+    for (auto const& signal : names.of_signals) want(signal.channels.sources.at("radiance")), want(signal.factor);
+    auto const image = file.read(planes);
+    double light = light_sum(image, names.added);
+    for (auto const& signal : names.of_signals) light += light_sum(image, signal.channels.sources.at("radiance"), signal.factor);
+    auto const whole = light_sum(image, combined);
+    return std::abs(light - whole) <= 0.01 * std::abs(whole);
+}
 } // namespace detail
 
-/// The names of Blender's Cycles, where these are such: every light pass of its first view layer is a signal, emission and environment are
-/// added; a file without light passes has one signal, the combined image. Nothing for the names of others.
-[[nodiscard]] inline std::optional<SequenceNames> cycles_sequence(std::vector<ExrChannel> const& channels) {
-    auto const prefix = detail::view_layer_prefix(channels);
+/// The names of Blender's Cycles, where a file's are such: every light pass of its first view layer is a signal, emission and environment
+/// are added. The combined image is the only signal of a file that has no light passes, or lacks some that its combined image has light
+/// of. Nothing for the names of others.
+[[nodiscard]] inline std::optional<SequenceNames> cycles_sequence(ExrFile const& file) {
+    auto const prefix = detail::view_layer_prefix(file.channels);
     if (!prefix) return std::nullopt;
-    detail::ViewLayer const layer{channels, *prefix};
-    SequenceNames names{"Blender Cycles", detail::cycles_signals(layer)};
-    if (!names.of_signals.empty())
-        names.added = layer.sum_of({"Emit", "Env"});
-    else {
-        names.of_signals.push_back({"combined", detail::cycles_guides(layer)});
-        names.of_signals[0].channels.sources["radiance"] = layer.components_of("Combined", "RGB");
-        if (layer.has("Denoising Albedo", "R"))
-            names.of_signals[0].channels.sources["albedo"] = layer.components_of("Denoising Albedo", "RGB");
-        names.remarks.push_back("no light passes (DiffDir, DiffInd, DiffCol, ...): the combined image is denoised as one signal");
-    }
+    detail::ViewLayer const layer{file.channels, *prefix};
+    auto names = detail::cycles_passes(layer);
+    auto const missing = layer.missing({"DiffDir", "DiffInd", "DiffCol", "GlossDir", "GlossInd", "GlossCol", "TransDir", "TransInd",
+                                        "TransCol", "VolumeDir", "VolumeInd", "Emit", "Env"});
+    if (!missing.empty() && !detail::make_up_combined(names, layer, file))
+        names = detail::cycles_combined(layer, "the light passes don't add up to Combined, for want of some of " + missing);
     if (!layer.has("Normal", "X")) names.remarks.push_back("no Normal pass: surfaces are told apart by depth alone");
     return names;
 }
@@ -121,7 +161,7 @@ inline std::vector<SignalNames> cycles_signals(ViewLayer const& layer) {
     auto const has = [&](char const* name) { return file.find(name) != nullptr; };
     // A sequence traced for single effects has no composite; every one has its depth.
     if ((has("R") && has("G") && has("B")) || has("depth.Z")) return own_sequence();
-    if (auto const names = cycles_sequence(file.channels)) return *names;
+    if (auto const names = cycles_sequence(file)) return *names;
     throw Error(file.name, "its channels are neither quell's (R, G, B, depth.Z, ...) nor Blender's (ViewLayer.Combined.R, ...)",
                 "name them with a channel map; it has: " + detail::list_of_names(file.channels));
 }
