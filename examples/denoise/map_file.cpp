@@ -42,6 +42,7 @@ void check_keys(Member const& object, std::initializer_list<char const*> known) 
 /// One name, or a list of them.
 std::vector<std::string> names_in(Member const& from) {
     if (!from.value.is_array()) return {from.text("write a name or a list of names")};
+    if (from.value.empty()) from.fail("write at least one name");
     std::vector<std::string> names;
     for (std::size_t i = 0; i < from.value.size(); ++i) names.push_back(from.at(i).text("write a name"));
     return names;
@@ -75,10 +76,13 @@ std::vector<io::Source> sources_in(Member const& member, std::string_view channe
     return sources;
 }
 
+/// What presets read that isn't in quell's own files always: how paths bend, how signals change by themselves, and how they sweep.
+using MappedChannels = decltype(AllChannels{} | Channels<SweepBend, GradientOf<Radiance>, SweepOf<Visibility>, SweepOf<Glossy>>{});
+
 /// The number of components of the channel of that name; 0 where there is none.
 int components_of_channel(std::string const& name) {
     int components = 0;
-    for_each_channel(AllChannels{}, [&]<class C>(C) {
+    for_each_channel(MappedChannels{}, [&]<class C>(C) {
         if (C::name == name) components = C::components;
     });
     return components;
@@ -138,17 +142,27 @@ io::SignalNames signal_in(Member const& object, io::ChannelNames const& guides) 
     return signal;
 }
 
+/// Values are walked over by functions that call themselves, those of the library too.
+constexpr int deepest = 16;
+
+Json json_in(std::string const& text, std::string const& name) {
+    auto const remedy = "see `quell-denoise --help` for an example";
+    auto const check_depth = [&](int depth, Json::parse_event_t, Json&) {
+        if (depth > deepest)
+            throw Error(name, "lists and objects lie more than " + std::to_string(deepest) + " deep in each other", remedy);
+        return true;
+    };
+    try {
+        return Json::parse(text, check_depth, true, true);
+    } catch (Json::exception const& why) {
+        throw Error(name, std::string("it isn't JSON: ") + why.what(), remedy);
+    }
+}
+
 } // namespace
 
 io::SequenceNames parse_map(std::string const& text, std::string const& name) {
-    auto json = Json::parse(text, nullptr, false, true);
-    if (json.is_discarded()) {
-        try {
-            json = Json::parse(text, nullptr, true, true); // once more, for the place
-        } catch (Json::exception const& why) {
-            throw Error(name, std::string("it isn't JSON: ") + why.what(), "see `quell-denoise --help` for an example");
-        }
-    }
+    auto const json = json_in(text, name);
     Member const map{name, "", json};
     check_keys(map, {"channels", "motion", "miss_from", "shutter", "signals", "added"});
     auto const guides = guides_in(map);

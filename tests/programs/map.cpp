@@ -41,6 +41,14 @@ TEST_CASE("the layer without a name is the image itself") {
     CHECK(io::planes_of(map(R"({"channels": {"albedo": ""}})").of_signals[0].channels.sources.at("albedo")) == Names{"R", "G", "B"});
 }
 
+TEST_CASE("channels that only some presets read can be named too") {
+    auto const names = map(R"({"channels": {"radiance_gradient": "change", "sweep_bend": ["bx", "by"], "sweep_visibility": 0,
+                                            "sweep_glossy": "mirrored"}})");
+    auto const& channels = names.of_signals[0].channels;
+    CHECK(io::planes_of(Channels<GradientOf<Radiance>, SweepBend, SweepOf<Visibility>, SweepOf<Glossy>>{}, channels) ==
+          Names{"change.X", "change.Y", "bx", "by", "mirrored.X", "mirrored.Y"});
+}
+
 TEST_CASE("motion in another convention") {
     using C = MotionConvention;
     auto const names = map(R"({"motion": {"points": "from_previous", "unit": "ndc", "y": "up", "jitter": "left_in"}})");
@@ -76,18 +84,24 @@ TEST_CASE("mistakes are named with their place and what to write") {
     check("", {"map.json", "isn't JSON"});
     check("{\"channels\": ", {"map.json", "isn't JSON"});
     check("[1]", {"map.json", "it is [1]", "write an object"});
-    check(R"({"chanels": {}})", {"map.json", "chanels is {}", "no member of that name", "channels, motion, miss_from, shutter, signals, added"});
+    check(R"({"chanels": {}})",
+          {"map.json", "chanels is {}", "no member of that name", "channels, motion, miss_from, shutter, signals, added"});
     check(R"({"channels": {"dept": "Z"}})", {"channels.dept is \"Z\"", "no such channel"});
     check(R"({"channels": 3})", {"channels is 3", "write an object"});
     check(R"({"channels": {"normal": ["a", "b"]}})", {"channels.normal is [\"a\",\"b\"]", "a list of 3"});
     check(R"({"channels": {"motion": ["a", true]}})", {"channels.motion[1] is true", "write a name, a number"});
     check(R"({"channels": {"depth": {"scale": 2}}})", {"channels.depth", "name the channel"});
     check(R"({"channels": {"depth": {"from": 5}}})", {"channels.depth.from is 5", "a name or a list"});
+    check(R"({"channels": {"depth": {"from": []}}})", {"channels.depth.from is []", "at least one name"});
+    check(R"({"added": {"from": []}})", {"added.from is []", "at least one name"});
     check(R"({"channels": {"depth": {"from": "Z", "scale": "x"}}})", {"channels.depth.scale is \"x\"", "write a number"});
     check(R"({"motion": {"y": "left"}})", {"motion.y is \"left\"", "write down or up"});
     check(R"({"motion": {"unit": 1}})", {"motion.unit is 1", "pixel or uv or ndc"});
     check(R"({"signals": []})", {"signals is []", "at least one signal"});
     check(R"({"signals": ["beauty"]})", {"signals[0] is \"beauty\"", "\"radiance\" or \"irradiance\""});
     check(R"({"signals": [{"radiance": "a", "irradiance": "b"}]})", {"signals[0]", "not both"});
+    std::string const brackets(100'000, '[');
+    check(brackets, {"map.json", "deep in each other"});
+    check("{\"motion\": " + brackets + std::string(brackets.size(), ']') + "}", {"map.json", "deep in each other"});
     check_error([] { static_cast<void>(examples::read_map("/nowhere/map.json")); }, {"/nowhere/map.json", "can't be read"});
 }
