@@ -54,6 +54,7 @@ metrics::Picture composite(io::ExrImage const& image, io::SequenceNames const& n
         drop_non_finite(factor, missing);
         for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += part.pixels[i] * factor.pixels[i];
     }
+    drop_non_finite(sum, missing); // numbers that are finite can have a product that isn't
     return sum;
 }
 

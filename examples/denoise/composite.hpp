@@ -10,7 +10,7 @@
 namespace quell::examples {
 
 /// The picture that signals make up: the sum of each times its factor, and of what is added. `signal(i)` is the i-th signal's picture.
-/// What isn't finite among factors and added parts counts as 0, and in `missing`.
+/// What isn't finite among factors, added parts and the sum counts as 0, and in `missing`.
 [[nodiscard]] metrics::Picture composite(io::ExrImage const& image, io::SequenceNames const& names,
                                          std::function<metrics::Picture(std::size_t)> const& signal, long long& missing);
 

@@ -39,12 +39,15 @@ bool is_debug_view(std::string const& name) {
 void write_debug_view(std::filesystem::path const& output, std::string const& view, std::string const& name, DebugImage const& image) {
     io::ExrImage exr{.size = image.size};
     exr.planes.push_back({.name = "Y", .type = io::SampleType::float32, .values = image.values});
-    auto file = output;
-    io::write_exr(file.replace_extension(name + ".exr"), exr);
+    auto const beside = [&](char const* ending) {
+        auto file = output;
+        if (file.extension() == ".exr") file.replace_extension(); // what is behind another dot may be the frame's number
+        return file += "." + name + ending;
+    };
+    io::write_exr(beside(".exr"), exr);
     metrics::Picture picture{image.size, {}};
     for (auto const value : image.values) picture.pixels.push_back(color_of(view, value));
-    file = output;
-    write_png(file.replace_extension(name + ".png"), picture);
+    write_png(beside(".png"), picture);
 }
 
 } // namespace quell::examples

@@ -78,9 +78,9 @@ TEST_CASE("the presets of motion blur run on what quell-trace writes for it") {
 
 TEST_CASE("how long the shutter is open is known from the files, or as the command line says") {
     Folder const folder;
-    REQUIRE(trace("--scene mixed --size 48x32 --first 24 --frames 3 --quiet --effects blur --shutter 0.9 --out '" + folder.path.string() +
-                  "'")
-                .code == 0);
+    REQUIRE(
+        trace("--scene mixed --size 48x32 --first 24 --frames 3 --quiet --effects blur --shutter 0.9 --out '" + folder.path.string() + "'")
+            .code == 0);
     auto const last = [&](std::string const& name, std::string const& options) {
         auto const ran = denoise(input(folder) + output(folder, name + ".") + "--preset blur " + options);
         INFO(ran.err);
@@ -247,6 +247,45 @@ TEST_CASE("debug views are written beside the output") {
     check_refused(denoise(at + "--debug-view depth"), {"--debug-view", "'depth'", "rejection"});
     check_refused(denoise(at + "--preset atrous --debug-view clamp"), {"--debug-view", "'atrous'", "svgf"});
     check_refused(denoise(at + "--preset surface --debug-view clamp"), {"clamp", "a preset that clamps"});
+}
+
+TEST_CASE("debug views of frames whose names have no ending keep their numbers") {
+    Folder const folder;
+    write_sequence(folder, 1, 2);
+    CHECK(denoise(input(folder) + "--out '" + (folder / "out.%04d").string() + "' --quiet --preset surface --debug-view history_length")
+              .code == 0);
+    for (auto const* const name : {"out.0001", "out.0002"}) {
+        CHECK(std::filesystem::exists(folder / name));
+        CHECK(std::filesystem::exists(folder / (std::string(name) + ".history_length.exr")));
+        CHECK(std::filesystem::exists(folder / (std::string(name) + ".history_length.png")));
+    }
+}
+
+TEST_CASE("asvgf has its gradients by a map") {
+    Folder const folder;
+    write_sequence(folder, 1, 2);
+    write_bytes(folder / "map.json", R"({"channels": {"radiance_gradient": 0}})");
+    auto const ran = denoise(input(folder) + output(folder) + "--preset asvgf --map '" + (folder / "map.json").string() + "'");
+    INFO(ran.err);
+    CHECK(ran.code == 0);
+    CHECK(readable(folder / "out.0002.exr"));
+}
+
+TEST_CASE("products that are too large for a float are missing, not infinite") {
+    Folder const folder;
+    auto image = noisy_image({48, 32}, 1);
+    for (auto& plane : image.planes) {
+        plane.type = io::SampleType::float32;
+        if (plane.name == "R" || plane.name == "G" || plane.name == "B") plane.values[100] = 1e15f;
+        if (plane.name.starts_with("albedo")) plane.values[100] = 1e30f;
+    }
+    io::write_exr(folder / "frame.0001.exr", image);
+    write_bytes(folder / "map.json", R"({"signals": [{"irradiance": "", "albedo": "albedo"}]})");
+    auto const ran = denoise(input(folder) + output(folder) + "--preset none --map '" + (folder / "map.json").string() + "'");
+    INFO(ran.err);
+    CHECK(ran.code == 0);
+    CHECK(contains(ran.err, "; 1 samples were missing"));
+    CHECK(io::read_exr(folder / "out.0001.exr")["R"].values[100] == 0.f);
 }
 
 TEST_CASE("another renderer's files by a map are denoised as quell's own") {
