@@ -1,5 +1,6 @@
 #include "demo.hpp"
 
+#include <support/output_folder.hpp>
 #include <support/program.hpp>
 #include <tracer/scenes/scenes.hpp>
 
@@ -14,9 +15,9 @@ void run(int argc, char const* const* argv) {
         for (auto const& name : tracer::scene_names()) std::puts(name.c_str());
         return;
     }
-    for (auto const& scene : options.scenes) {
-        auto const folder = options.scenes.size() == 1 ? options.out : options.out / std::filesystem::path(scene).stem();
-        auto const page = examples::run_demo(options, scene, folder);
+    auto const folders = examples::folders_of_scenes(options.out, options.scenes);
+    for (std::size_t i = 0; i < folders.size(); ++i) {
+        auto const page = examples::run_demo(options, options.scenes[i], folders[i]);
         std::printf("%s\n", std::filesystem::absolute(page).string().c_str());
     }
 }

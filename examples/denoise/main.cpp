@@ -6,6 +6,7 @@
 #include <denoise/scores.hpp>
 #include <denoise/sequence_denoiser.hpp>
 #include <support/frame_pattern.hpp>
+#include <support/output_folder.hpp>
 #include <support/program.hpp>
 #include <support/progress.hpp>
 
@@ -40,15 +41,16 @@ class Output {
     std::optional<FramePattern> pattern;
 
 public:
-    Output(std::string const& out, FramePattern const& in, Range const& range) {
-        if (out.empty()) return;
-        pattern.emplace(out);
-        if (std::filesystem::weakly_canonical(pattern->path(range.first)) == std::filesystem::weakly_canonical(in.path(range.first)))
-            throw Error("--out", "it names the input's own files", "choose another name or folder");
-        std::error_code why;
+    Output(DenoiseOptions const& options, FramePattern const& in, Range const& range) {
+        if (options.out.empty()) return;
+        pattern.emplace(options.out);
+        std::vector<long long> written;
+        for (auto const number : in.on_disk())
+            if (number >= range.first && number <= range.last) written.push_back(number);
+        check_keeps(in, "the input's own files", *pattern, written);
+        if (!options.reference.empty()) check_keeps(FramePattern(options.reference), "the references", *pattern, written);
         auto const folder = pattern->path(range.first).parent_path();
-        if (!folder.empty()) std::filesystem::create_directories(folder, why);
-        if (why) throw Error(folder.string(), "the folder can't be made: " + why.message(), "choose another for --out");
+        make_output_folder(folder.empty() ? "." : folder);
     }
 
     void write(long long number, metrics::Picture const& picture) const {
@@ -66,15 +68,6 @@ public:
     void write_views(long long number, std::string const& view, std::vector<std::pair<std::string, DebugImage>> const& images) const {
         if (images.empty()) throw Error("--debug-view", "this preset has no " + view, "leave it out, or choose a preset that clamps");
         for (auto const& each : images) store([&] { write_debug_view(pattern->path(number), view, each.first, each.second); });
-    }
-
-private:
-    static void store(auto&& write_file) {
-        try {
-            write_file();
-        } catch (Error const& error) { // a full disk is no fault of the input
-            throw std::runtime_error(error.what());
-        }
     }
 };
 
@@ -116,7 +109,7 @@ void denoise(DenoiseOptions const& options) {
     auto const range = range_of(options, in);
     std::optional<io::SequenceNames> map;
     if (!options.map.empty()) map = read_map(options.map);
-    Output const output(options.out, in, range);
+    Output const output(options, in, range);
     Comparison comparison(options.reference, range);
     SequenceDenoiser denoiser(preset, options.threads, !options.debug_views.empty(), map);
     if (options.shutter) denoiser.set_shutter(*options.shutter);

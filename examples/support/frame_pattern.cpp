@@ -4,22 +4,30 @@
 
 #include <algorithm>
 #include <charconv>
-#include <regex>
 #include <set>
 
 namespace quell::examples {
+
+namespace {
+/// How many characters of d, 01d, 02d to 09d stand at the beginning; 0 where it is none of them.
+std::size_t length_of_place(std::string const& text) {
+    if (text.starts_with('d')) return 1;
+    return text.size() >= 3 && text[0] == '0' && text[1] >= '1' && text[1] <= '9' && text[2] == 'd' ? 3 : 0;
+}
+} // namespace
 
 FramePattern::FramePattern(std::string const& pattern_) : pattern(pattern_) {
     std::filesystem::path const path(pattern);
     folder = path.parent_path();
     auto const name = path.filename().string();
-    static std::regex const form("([^%]*)%(0([1-9]))?d([^%]*)");
-    std::smatch parts;
-    if (!std::regex_match(name, parts, form))
+    before = name.substr(0, name.find('%'));
+    auto const rest = before == name ? std::string() : name.substr(before.size() + 1);
+    auto const length = length_of_place(rest);
+    if (length == 0 || rest.find('%') != std::string::npos)
         throw Error("'" + pattern + "'", "no place for the frame's number in the file name",
                     "write %04d once where it stands, as in frame.%04d.exr");
-    before = parts[1], after = parts[4];
-    if (parts[3].matched) digits = static_cast<std::size_t>(parts[3].str()[0] - '0');
+    after = rest.substr(length);
+    if (length > 1) digits = static_cast<std::size_t>(rest[1] - '0');
 }
 
 std::filesystem::path FramePattern::path(long long number) const {
@@ -45,6 +53,24 @@ std::vector<long long> FramePattern::on_disk() const {
     for (auto const& entry : std::filesystem::directory_iterator(folder.empty() ? "." : folder, none))
         if (auto const number = number_in(entry.path().filename().string())) numbers.insert(*number);
     return {numbers.begin(), numbers.end()};
+}
+
+namespace {
+std::filesystem::path resolved(std::filesystem::path const& path) {
+    std::error_code none;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, none), none);
+}
+} // namespace
+
+void check_keeps(FramePattern const& kept, std::string const& what, FramePattern const& out, std::vector<long long> const& numbers) {
+    auto const folder = resolved(std::filesystem::absolute(kept.path(0)).parent_path());
+    std::set<std::filesystem::path> files; // links may lead to them from elsewhere
+    for (auto const number : kept.on_disk()) files.insert(resolved(kept.path(number)));
+    for (auto const number : numbers) {
+        auto const path = resolved(out.path(number));
+        if (files.contains(path) || (path.parent_path() == folder && kept.number_in(path.filename().string())))
+            throw Error("--out", out.path(number).string() + " would take the place of one of " + what, "choose another name or folder");
+    }
 }
 
 } // namespace quell::examples

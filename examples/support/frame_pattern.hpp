@@ -16,6 +16,8 @@ public:
     [[nodiscard]] std::filesystem::path path(long long number) const;
     /// The numbers of the frames that there are, ascending.
     [[nodiscard]] std::vector<long long> on_disk() const;
+    /// The number of the frame of that file name; nothing where the pattern never makes it.
+    [[nodiscard]] std::optional<long long> number_in(std::string const& file_name) const;
     [[nodiscard]] std::string const& text() const { return pattern; }
 
 private:
@@ -23,8 +25,10 @@ private:
     std::filesystem::path folder;
     std::string before, after; ///< the file name's parts
     std::size_t digits = 0;
-
-    [[nodiscard]] std::optional<long long> number_in(std::string const& file_name) const;
 };
+
+/// Makes sure that results of these numbers overwrite none of the files of another pattern, of any number, which messages call `what`.
+/// @throws Error naming the file that would
+void check_keeps(FramePattern const& kept, std::string const& what, FramePattern const& out, std::vector<long long> const& numbers);
 
 } // namespace quell::examples

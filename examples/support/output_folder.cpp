@@ -2,6 +2,7 @@
 
 #include <quell/io/replace_file.hpp>
 
+#include <map>
 #include <system_error>
 
 namespace quell::examples {
@@ -17,6 +18,20 @@ void make_output_folder(std::filesystem::path const& folder) {
         throw Error(folder.string(), "no file can be written there", "choose another for --out");
     }
     std::filesystem::remove(probe, why);
+}
+
+std::vector<std::filesystem::path> folders_of_scenes(std::filesystem::path const& out, std::vector<std::string> const& scenes) {
+    if (scenes.size() == 1) return {out};
+    std::map<std::filesystem::path, std::string> taken;
+    std::vector<std::filesystem::path> folders;
+    for (auto const& scene : scenes) {
+        auto const folder = folders.emplace_back(out / std::filesystem::path(scene).stem());
+        auto const [place, is_new] = taken.emplace(folder, scene);
+        if (!is_new)
+            throw Error("--scene", "'" + place->second + "' and '" + scene + "' would both go to " + folder.string(),
+                        "run the program for each by itself, with an --out of its own");
+    }
+    return folders;
 }
 
 void make_folder_for(std::filesystem::path const& file) {

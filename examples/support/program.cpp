@@ -37,6 +37,14 @@ int exit_code_of(std::string const& program, std::function<void()> const& body) 
     }
 }
 
+void store(std::function<void()> const& write_file) {
+    try {
+        write_file();
+    } catch (Error const& error) {
+        throw std::runtime_error(error.what());
+    }
+}
+
 bool parse(CLI::App& app, int argc, char const* const* argv) {
     try {
         app.parse(argc, argv);

@@ -7,6 +7,7 @@
 #include "render.hpp"
 #include "scenes/scenes.hpp"
 
+#include <support/output_folder.hpp>
 #include <support/png.hpp>
 #include <support/program.hpp>
 #include <support/progress.hpp>
@@ -127,6 +128,11 @@ std::optional<glm::vec3> vector_in(char const* option, std::vector<float> const&
 void complete(Options& o) {
     if (o.out.empty()) refuse("command line", "--out is missing", "say which folder the frames go to");
     if (o.frames < 1) refuse("--frames", std::to_string(o.frames), "give at least 1");
+    constexpr long long most = 1 << 24;
+    if (o.first < -most || o.first + static_cast<long long>(o.frames) > most)
+        refuse("--first", std::to_string(o.first) + " and " + std::to_string(o.frames) + " frames",
+               "give numbers from -" + std::to_string(most) + " to " + std::to_string(most) +
+                   ": beyond them, time is the same for several frames");
     if (o.spp < 1) refuse("--spp", std::to_string(o.spp), "give at least 1");
     if (o.reference < 0 || o.reference == 1) refuse("--reference", std::to_string(o.reference), "give at least 2 samples per pixel");
     std::string names;
@@ -165,15 +171,7 @@ struct Sequence {
     void write(char const* name, int frame, io::ExrImage image) const {
         io::put_camera(image, scene.description().camera_at(static_cast<float>(frame), image.size));
         io::put_camera(image, scene.description().camera_at(static_cast<float>(frame - 1), image.size), "_previous");
-        store([&] { io::write_exr(folder / numbered(name, frame, "exr"), image); });
-    }
-
-    static void store(auto&& write_file) {
-        try {
-            write_file();
-        } catch (Error const& error) { // a full disk is no fault of the command line
-            throw std::runtime_error(error.what());
-        }
+        examples::store([&] { io::write_exr(folder / numbered(name, frame, "exr"), image); });
     }
 
     /// Traces all frames with one set of channels, known when this is compiled.
@@ -212,7 +210,8 @@ struct Sequence {
         for (auto const effect : touching) {
             metrics::Picture picture{how.size, {}};
             for (auto const entry : effect_mask(scene, how, effect)) picture.pixels.emplace_back(entry != 0 ? 1.f : 0.f);
-            store([&] { examples::write_png(folder / numbered("mask_" + std::string(name_of(effect)), how.frame, "png"), picture); });
+            examples::store(
+                [&] { examples::write_png(folder / numbered("mask_" + std::string(name_of(effect)), how.frame, "png"), picture); });
         }
     }
 
@@ -259,28 +258,21 @@ void print(std::string const& scene, Options const& options, RayCounts const& ra
               << rays.shadow << " shadow, " << rays.glossy << " glossy, " << rays.indirect << " indirect" << std::endl;
 }
 
-std::filesystem::path folder_for(Options const& options, std::string const& scene) {
-    std::filesystem::path folder = options.out;
-    if (options.scenes.size() > 1) folder /= std::filesystem::path(scene).stem();
-    std::error_code why;
-    std::filesystem::create_directories(folder, why);
-    if (why) refuse(folder.string(), "the folder can't be made: " + why.message(), "choose another for --out");
-    return folder;
-}
-
 void trace_all(Options const& options) {
     CameraChoice const camera{vector_in("--eye", options.eye), vector_in("--target", options.target), options.fov, options.orbit,
                               vector_in("--dolly", options.dolly).value_or(glm::vec3(0.f))};
+    auto const folders = examples::folders_of_scenes(options.out, options.scenes);
     std::vector<SceneDescription> scenes; // all of them, before the first is rendered: a misspelt name shows at once
     for (auto const& name : options.scenes) {
         scenes.push_back(open_scene(name, camera));
         if (options.primary_only) scenes.back().secondary_rays = false;
     }
     static_cast<void>(examples::size_in(options.size));
+    for (auto const& folder : folders) examples::make_output_folder(folder);
     Progress progress("quell-trace", static_cast<long long>(scenes.size()) * options.frames, !options.quiet);
     long long frames_done = 0;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        Sequence sequence{options, PreparedScene(std::move(scenes[i])), folder_for(options, options.scenes[i]), progress, frames_done};
+        Sequence sequence{options, PreparedScene(std::move(scenes[i])), folders[i], progress, frames_done};
         auto const rays = with_channels(
             options, [&]<class Wanted>(Wanted) { return sequence.trace<Wanted>(); }, Channels<>{}, Composite{}, Shadow{},
             GlossyReflection{}, IndirectLight{}, Blur{});

@@ -43,6 +43,17 @@ TEST_CASE("png: the encoded bytes are the file") {
     CHECK(read_png(file.path).size == picture.size);
 }
 
+TEST_CASE("png: a file is replaced by another, not written over") {
+    File const file;
+    auto const before = encode_png(noise({13, 9}, 4));
+    file.hold(before);
+    auto const held = file.folder / "held.png"; // a second name of the same bytes
+    std::filesystem::create_hard_link(file.path, held);
+    write_png(file.path, noise({9, 13}, 5));
+    CHECK(read_png(file.path).size == Extent{9, 13});
+    CHECK(read_png(held).size == Extent{13, 9});
+}
+
 TEST_CASE("png: errors name the file") {
     auto const picture = noise({13, 9}, 4);
     CHECK(refuses([] { (void)read_png("/nowhere/at_all.png"); }, {"/nowhere/at_all.png", "can't be read", "No such file"}));

@@ -31,6 +31,13 @@ TEST_CASE("quell-denoise refuses what it can't use in one line") {
     check_refused(denoise("--in frame.exr " + output(folder)), {"frame.exr", "%04d"});
     check_refused(denoise("--in '" + (folder / "g.%d.exr").string() + "' " + output(folder)), {"g.%d.exr", "no such file"});
     check_refused(denoise(in + output(folder, "frame.")), {"--out", "input's own files"});
+    write_bytes(folder / "ref.2.exr", "x");
+    auto const reference = (folder / "ref.%d.exr").string();
+    check_refused(denoise(in + "--reference '" + reference + "' --out '" + reference + "'"), {"--out", "ref.1.exr", "the references"});
+    std::filesystem::remove(folder / "ref.2.exr");
+    check_refused(denoise(in + "--out '" + (folder / "frame.000%d.exr").string() + "'"), {"--out", "frame.0001.exr"});
+    check_refused(denoise(in + "--out '/proc/quell/f.%d.exr'"), {"/proc/quell", "can't be made"});
+    check_refused(denoise(in + "--out '/proc/f.%d.exr'"), {"/proc", "no file can be written there"});
     check_refused(denoise(both + "--reference '" + (folder / "ref.%d.exr").string() + "'"), {"ref.%d.exr", "none for frames 1 to 3"});
     check_refused(denoise(both + "--map '" + (folder / "map.json").string() + "'"), {"map.json", "can't be read"});
     CHECK(folder.files() == 3);
@@ -43,6 +50,10 @@ TEST_CASE("quell-trace refuses what it can't use in one line") {
     check_refused(trace(out + "--size 16"), {"--size", "1920x1080"});
     check_refused(trace(out + "--size 0x5"), {"--size", "'0x5'"});
     check_refused(trace(out + "--size 99999x99999"), {"--size", "'99999x99999'", "at most"});
+    check_refused(trace("--out /proc"), {"/proc", "no file can be written there"});
+    check_refused(trace(out + "--scene a/x.glb --scene b/x.glb"), {"--scene", "'a/x.glb' and 'b/x.glb'"});
+    check_refused(trace(out + "--first 2147483647 --frames 2"), {"--first", "2147483647", "16777216"});
+    check_refused(trace(out + "--first=-2147483648 --frames 2"), {"--first", "-16777216"});
     check_refused(trace(out + "--threads 70000"), {"--threads", "70000"});
     check_refused(trace(out + "--scene cellar"), {"cellar", "room"});
     check_refused(trace(out + "--scene cellar.gltf"), {"cellar.gltf", "no such file"});
@@ -53,12 +64,15 @@ TEST_CASE("quell-trace refuses what it can't use in one line") {
     check_refused(trace(out + "--frames 0"), {"--frames"});
     check_refused(trace(out + "--reference 1"), {"--reference"});
     check_refused(trace(out + "--eye 1,2"), {"--eye", "three"});
+    check_refused(trace(out + "--eye nan,1,1"), {"--eye", "nan"});
+    check_refused(trace(out + "--eye 1,1,1 --target 1,1,1"), {"--eye", "1.0", "what the camera looks at"});
+    check_refused(trace(out + "--fov 0"), {"--fov", "less than 180"});
 }
 
 TEST_CASE("what is no fault of the arguments or the input is exit code 1") {
     Folder const folder;
     write_sequence(folder, 1, 2);
-    std::filesystem::create_directory(folder / "out.0001.exr"); // can't be replaced by a file
+    std::filesystem::create_directory(folder / "out.0001.exr"); // can't be replaced by a file, in a folder that files can be written to
     auto const ran = denoise(input(folder) + output(folder));
     CHECK(ran.code == 1);
     CHECK(contains(ran.err, "out.0001.exr"));

@@ -56,6 +56,34 @@ TEST_CASE("patterns without one place for the number are refused") {
     }
 }
 
+TEST_CASE("a pattern of any length has its place found") {
+    std::string const many(100'000, 'f');
+    CHECK(FramePattern(many + "%03d" + many).path(5) == many + "005" + many);
+    check_error([&] { FramePattern const p(many); }, {"write %04d once"});
+}
+
+TEST_CASE("results that would take the place of another pattern's files are refused") {
+    using quell::examples::check_keeps;
+    Folder const folder;
+    std::filesystem::create_directories(folder / "in/more");
+    std::filesystem::create_directory_symlink(folder / "in", folder / "link");
+    write_bytes(folder / "in/more/aside.10.exr", "x");
+    std::filesystem::create_symlink(folder / "in/more/aside.10.exr", folder / "in/f.0010.exr");
+    FramePattern const kept((folder / "in/f.%04d.exr").string());
+    auto const check = [&](std::string const& out, std::vector<long long> const& numbers) {
+        return message_of([&] { check_keeps(kept, "the frames", FramePattern((folder / out).string()), numbers); });
+    };
+    CHECK(check("in/g.%04d.exr", {1, 2}).empty());
+    CHECK(check("f.%04d.exr", {1, 2}).empty());
+    CHECK(check("in/f.%02d.exr", {1, 99}).empty());
+    CHECK(contains(check("in/f.%02d.exr", {1, 99, 1000}), "f.1000.exr would take the place of one of the frames"));
+    CHECK(contains(check("in/f.%04d.exr", {1}), "f.0001.exr"));
+    CHECK(contains(check("in/f.00%d.exr", {1, 10}), "f.0010.exr"));
+    CHECK(contains(check("link/more/../f.%04d.exr", {1}), "f.0001.exr"));
+    CHECK(check("in/more/aside.%d.exr", {9, 11}).empty());
+    CHECK(contains(check("in/more/aside.%d.exr", {9, 10, 11}), "aside.10.exr"));
+}
+
 TEST_CASE("the frames on disk are those that the pattern itself would name") {
     Folder const folder;
     for (auto const* const name : {"f.0003.exr", "f.0001.exr", "f.12345.exr", "f.1.exr", "f.00007.exr", "f.0002.exr.123.partial",
@@ -70,6 +98,7 @@ TEST_CASE("what a program throws decides its exit code") {
     using quell::examples::exit_code_of;
     CHECK(exit_code_of("test", [] {}) == 0);
     CHECK(exit_code_of("test (this line is meant to be here)", [] { throw Error("a", "b", "c"); }) == 2);
+    CHECK(exit_code_of("test (this line is meant to be here)", [] { examples::store([] { throw Error("a", "b", "c"); }); }) == 1);
     CHECK(exit_code_of("test (this line is meant to be here)", [] { throw std::runtime_error("two\nlines"); }) == 1);
     CHECK(exit_code_of("test (this line is meant to be here)", [] { throw 7; }) == 1);
 }
@@ -120,6 +149,18 @@ TEST_CASE("where results go is made, and known to take files before there are an
     check_error([&] { make_folder_for(folder / "file/b.hpp"); }, {"file", "the folder can't be made"});
     check_error([&] { make_folder_for(folder / "a"); }, {"a", "it is a folder"});
     check_error([] { make_output_folder("/proc"); }, {"/proc: ", "no file can be written there"}); // also for root
+}
+
+TEST_CASE("each of several scenes has a folder of its own, or there is a word on it") {
+    using quell::examples::folders_of_scenes;
+    using Folders = std::vector<std::filesystem::path>;
+    CHECK(folders_of_scenes("out", {"a/x.glb"}) == Folders{"out"});
+    CHECK(folders_of_scenes("out", {"a/x.glb", "room"}) == Folders{"out/x", "out/room"});
+    check_error(
+        [] {
+            static_cast<void>(folders_of_scenes("out", {"a/x.glb", "room", "b/x.gltf"}));
+        },
+        {"--scene", "'a/x.glb' and 'b/x.gltf'", "out/x", "--out"});
 }
 
 TEST_CASE("gnuplot draws in a folder of any name, and is known not to be there, or to fail") {
