@@ -24,7 +24,10 @@ void check(bool holds) {
 void load_what_fits(io::ExrImage const& image) {
     Frame<Channels<Radiance, Depth, Motion, Instance>> frame(image.size);
     io::ChannelNames names;
-    names.motion = {.unit = MotionConvention::Unit::uv, .jitter = MotionConvention::Jitter::left_in};
+    // Without both frames' jitter, a file would be refused before its other channels are read.
+    bool const jittered = image.attribute<glm::vec2>("quell:jitter") && image.attribute<glm::vec2>("quell:jitter_previous");
+    using Jitter = MotionConvention::Jitter;
+    names.motion = {.unit = MotionConvention::Unit::uv, .jitter = jittered ? Jitter::left_in : Jitter::left_out};
     // Files that have fewer channels: all of them come from the first one.
     auto const first = image.planes.front().name;
     if (!image.find("R")) names.sources = {{"radiance", {{{first}}, {{first}}, {{first}}}}, {"depth", {{{first}}}}};
