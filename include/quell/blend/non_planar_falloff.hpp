@@ -23,10 +23,10 @@ template <class Inner> struct NonPlanarFalloff {
         using Real = typename decltype(px)::Real;
         if (!any(past.validity > Real(0.f))) return inner.blend(px, past);
         auto const place = nearest_place(px, past.where);
-        auto const z = px.past(place)[depth];
+        auto const found = px.past(place);
+        auto const z = found[depth];
         auto const plane = detail::tangent_plane_then(px);
-        vec2<Real> const centre{place.column + 0.5f, place.row + 0.5f};
-        auto const way = px.rays_then().position(centre, z) - plane.point;
+        auto const way = px.rays_then().position(found.sample_position(), z) - plane.point;
         auto const distance = detail::length(way);
         // Within two pixels the direction is that of rounding, not of the surface.
         auto const close_by = distance < px[depth] * (2.f * px.rays().pixel_size);

@@ -181,8 +181,8 @@ template <class R, class S> struct Pixel {
     QUELL_KERNEL std::pair<Real, Real> random_uniforms(int which = 0) const {
         return uniform_pair(Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)), scope.frame_index ^ (which << 26));
     }
-    /// Where a point of the world was on the previous frame's screen (pixels), and its linear depth there (not positive: behind the
-    /// camera).
+    /// Where, in pixels, the previous frame's screen showed what the sample here, displaced by jitter, saw of the world, if the sample
+    /// had been at the pixel's centre, as the history is; and its linear depth there (not positive: behind the camera).
     QUELL_KERNEL vec3<Real> project_to_past(vec3<Real> const& p) const { return project(scope.clip_from_world_then, p); }
     /// The same on this frame's screen.
     QUELL_KERNEL vec3<Real> project(vec3<Real> const& p) const { return project(scope.clip_from_world, p); }
@@ -191,8 +191,8 @@ private:
     QUELL_KERNEL vec3<Real> project(glm::mat4 const& m, vec3<Real> const& p) const {
         auto row = [&](int r) { return p.x * m[0][r] + p.y * m[1][r] + p.z * m[2][r] + m[3][r]; };
         auto const w = row(3), inverse = 1.f / w;
-        return {(row(0) * inverse + 1.f) * (0.5f * static_cast<float>(scope.size.width)),
-                (1.f - row(1) * inverse) * (0.5f * static_cast<float>(scope.size.height)), w};
+        return {(row(0) * inverse + 1.f) * (0.5f * static_cast<float>(scope.size.width)) - scope.jitter.x,
+                (1.f - row(1) * inverse) * (0.5f * static_cast<float>(scope.size.height)) - scope.jitter.y, w};
     }
     /// Every image of a pass has the pass's size; saying so lets the compiler use one address computation for all of them.
     QUELL_KERNEL auto load(auto view) const {
@@ -235,6 +235,11 @@ template <class Real, class S> struct PastPixel {
         auto const column = place.column + static_cast<float>(dx), row = place.row + static_cast<float>(dy);
         return both(column >= Real(0.f), column < Real(static_cast<float>(scope.size.width)), row >= Real(0.f),
                     row < Real(static_cast<float>(scope.size.height)));
+    }
+    /// Where what it remembers was seen, in pixels.
+    QUELL_KERNEL vec2<Real> sample_position() const {
+        return {place.column + (static_cast<float>(dx) + 0.5f + scope.jitter_then.x),
+                place.row + (static_cast<float>(dy) + 0.5f + scope.jitter_then.y)};
     }
 
     template <ChannelTag C> QUELL_KERNEL auto operator[](C c) const {

@@ -20,9 +20,7 @@ struct SamePlane {
 
         QUELL_KERNEL auto accepts(auto const& then, Real, Real) const {
             auto const z = then[depth];
-            vec2<Real> const centre{then.place.column + (static_cast<float>(then.dx) + 0.5f),
-                                    then.place.row + (static_cast<float>(then.dy) + 0.5f)};
-            auto const away = abs(dot(rays.position(centre, z) - plane.point, plane.normal));
+            auto const away = abs(dot(rays.position(then.sample_position(), z) - plane.point, plane.normal));
             auto const off = z * tolerance;
             return both(is_finite(z), away<off, dot(then[normal], plane.normal)> Real(least_cosine));
         }
