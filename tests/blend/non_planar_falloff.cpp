@@ -62,6 +62,8 @@ TEST_CASE("off the plane by an angle, alpha is 1 - G (1 - alpha) (eq. 4)") {
         double const off = std::acos(glm::dot(glm::normalize(there - here), glm::dvec3(0, 0, 1))) - std::acos(0.0);
         double const wanted = 0.9 * std::exp(-off * off / (2 * 0.1 * 0.1));
         CHECK(std::abs(kept_of_the_past(falloff, by, z, x, y) - wanted) < 0.01);
+        // One frame of history, of which half would count.
+        CHECK(std::abs(kept_of_the_past(NonPlanarFalloff{RunningMean{}}, by, z, x, y) - wanted * 0.5 / 0.9) < 0.01);
     }
     CHECK(kept_of_the_past(falloff, by, 3.f, x, y) < 1e-3f);
 }

@@ -7,6 +7,8 @@ constexpr Extent size{37, 22};
 using Gradient = GradientOf<Radiance>;
 constexpr auto antilag =
     Pipeline{radiance, Spatial{TemporalGradient<Radiance>{}}, Temporal{StillMotion{}, Antilag{RunningMean{.cap = 16.f}}}};
+constexpr auto exponential =
+    Pipeline{radiance, Spatial{TemporalGradient<Radiance>{}}, Temporal{StillMotion{}, Antilag{Exponential{.alpha = 0.2f}}}};
 constexpr auto plain = Pipeline{radiance, Temporal{StillMotion{}, RunningMean{.cap = 16.f}}};
 float const not_a_number = std::bit_cast<float>(0x7fc00000u);
 
@@ -43,16 +45,20 @@ TEST_CASE("no gradient leaves everything as it would be without") {
     CHECK(tests::difference(last_of_five(plain, {}), last_of_five(antilag, {})) < 1e-6);
 }
 
-TEST_CASE("a gradient as large as the light itself drops the history at once; half of it halves its weight") {
+TEST_CASE("a gradient as large as the light itself drops the history at once; of half of it, alpha is (1 - 0.5) alpha_0 + 0.5") {
     auto const dropped = last_of_five(antilag, {-4, 4}, 0.1f);
     auto const half = dropped.size() / 2;
     for (std::size_t i = 0; i < half; ++i) REQUIRE(dropped[i] == doctest::Approx(dropped[half + i]).epsilon(1e-5));
-    // Four frames of history count as two, so that the newest weighs a third.
-    auto const shortened = last_of_five(antilag, {2, 4}), mean = last_of_five(plain, {});
-    for (std::size_t i = 0; i < half; ++i) {
-        float const now = shortened[half + i], past = (mean[i] * 5 - now) / 4;
-        REQUIRE(shortened[i] == doctest::Approx(past * 2 / 3 + now / 3).epsilon(1e-4));
-    }
+    // The fifth frame weighs 0.2 by itself.
+    auto const check = [&](auto const& pipeline) {
+        auto const shortened = last_of_five(pipeline, {2, 4}), unchanged = last_of_five(pipeline, {});
+        for (std::size_t i = 0; i < half; ++i) {
+            float const now = shortened[half + i], past = (unchanged[i] - 0.2f * now) / 0.8f;
+            REQUIRE(shortened[i] == doctest::Approx(past * 0.4f + now * 0.6f).epsilon(1e-4));
+        }
+    };
+    check(antilag);
+    check(exponential);
 }
 
 TEST_CASE("the single samples of the 3x3 strata become a gradient everywhere, and stop at edges of depth") {

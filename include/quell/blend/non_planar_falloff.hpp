@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/blend/blend_policy.hpp>
+#include <quell/blend/part_of_past.hpp>
 #include <quell/motion/tangent_plane.hpp>
 
 namespace quell {
@@ -35,8 +35,7 @@ template <class Inner> struct NonPlanarFalloff {
         auto const g = exp(sine * sine * (-0.5f / (deviation * deviation)));
         // Nothing is known of a surface that was nowhere, or farther away than numbers reach.
         auto const known = both(is_finite(z), is_finite(distance), is_finite(sine * sine));
-        past.validity = past.validity * masked(known, select(close_by, Real(1.f), g));
-        return inner.blend(px, past);
+        return detail::blend_part_of_past(inner, px, past, masked(known, select(close_by, Real(1.f), g)));
     }
 };
 template <class Inner> NonPlanarFalloff(Inner) -> NonPlanarFalloff<Inner>;

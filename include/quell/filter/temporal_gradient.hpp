@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/blend/blend_policy.hpp>
+#include <quell/blend/part_of_past.hpp>
 #include <quell/filter/edge_weights.hpp>
 
 namespace quell {
@@ -58,8 +58,8 @@ template <ChannelTag Signal, class Edge = DepthEdge> struct TemporalGradient {
     }
 };
 
-/// Shortens the history where the light itself has changed: alpha = (1 - lambda) alpha_0 + lambda, with lambda = min(1, |change| / light)
-/// (A-SVGF, Schied 2018). Decorates a RunningMean or any policy that goes by the validity of the past.
+/// Shortens the history where the light itself has changed: alpha = (1 - lambda) alpha_0 + lambda, where alpha_0 is the inner policy's and
+/// lambda = min(1, |change| / light) (A-SVGF, Schied 2018).
 template <class Inner> struct Antilag {
     static_assert(BlendPolicy<Inner>, "Antilag{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
     using reads = decltype(reads_of<Inner>{} | Channels<FilteredGradient>{});
@@ -72,8 +72,7 @@ template <class Inner> struct Antilag {
         using Real = typename decltype(px)::Real;
         auto const gradient = px[filtered_gradient];
         auto const change = min(abs(gradient.x) / max(gradient.y, Real(1e-6f)), Real(1.f));
-        past.validity = past.validity * (1.f - change);
-        return inner.blend(px, past);
+        return detail::blend_part_of_past(inner, px, past, 1.f - change);
     }
 };
 template <class Inner> Antilag(Inner) -> Antilag<Inner>;

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <quell/blend/blend_policy.hpp>
+
+namespace quell::detail {
+
+/// What the inner policy makes of a past that weighs only a part of what it would: alpha becomes 1 - part (1 - alpha).
+template <class Inner, class Px, class P>
+QUELL_KERNEL auto blend_part_of_past(Inner const& inner, Px const& px, P past, typename Px::Real part) {
+    using Real = typename Px::Real;
+    if constexpr (keeps_of<Inner>::template has<HistoryLength>) {
+        // Of a mean, validity is the part of its frames that count; alpha is 1 / (frames + 1).
+        auto const whole = result_of([&]() __attribute__((always_inline)) { return inner.blend(px, past); });
+        auto const frames = 1.f / (1.f - part * (1.f - whole.alpha)) - 1.f;
+        past.validity = select(part < Real(1.f), frames / max(past[history_length], Real(1e-6f)), past.validity);
+    } else
+        past.validity = past.validity * part;
+    return inner.blend(px, past);
+}
+
+} // namespace quell::detail
