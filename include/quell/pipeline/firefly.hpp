@@ -10,16 +10,16 @@ namespace quell {
 struct SuppressFireflies {
     float limit = 2.f; ///< at least 1
 
-    /// The factor in (0, 1] for the sample at the cursor.
-    template <class Px, class Value> QUELL_KERNEL auto factor(Px const& px, auto const& value, Value&& value_of) const {
+    /// The factor in (0, 1] for the sample at the cursor, by its luminance and its neighbours'.
+    template <class Px, class Luminance> QUELL_KERNEL auto factor(Px const& px, auto here, Luminance&& luminance_of) const {
         using Real = typename Px::Real;
         Real brightest(0.f);
         for_each_neighbour<1>(
             px, [&](auto neighbour, auto inside, int dx, int dy) __attribute__((always_inline)) {
                 if (dx == 0 && dy == 0) return;
-                brightest = max(brightest, luminance(value_of(neighbour)) * inside);
+                brightest = max(brightest, luminance_of(neighbour) * inside);
             });
-        auto const here = luminance(value), allowed = brightest * limit;
+        auto const allowed = brightest * limit;
         // Alone in the dark is how a correct 1-sample image looks too: without a bright neighbour there is nothing to measure by.
         auto const excessive = both(here > allowed, brightest > Real(0.f));
         return select(excessive, allowed / max(here, Real(1e-30f)), Real(1.f));

@@ -47,9 +47,10 @@ template <ChannelTag Input, Modulation Form, class Suppression> struct Ingest {
             return marked<Px>(value, missing);
         else {
             auto const factor = suppression.factor(
-                px, value, [&](auto neighbour) __attribute__((always_inline)) { return sample(neighbour).value; });
+                px, measured(here), [&](auto neighbour) __attribute__((always_inline)) { return measured(sample(neighbour)); });
+            value = select(missing, value, sample(px, factor).value);
             auto const taken = here.brightness * (Real(1.f) - factor);
-            return Result{marked<Px>(scale(value, factor), missing)}.with(Suppressed{}, taken);
+            return Result{marked<Px>(value, missing)}.with(Suppressed{}, taken);
         }
     }
 
@@ -64,11 +65,18 @@ private:
                 return a;
         });
     }
-    /// The sample of one pixel as the pipeline sees it; of nothing where it is not usable.
-    template <class Px> QUELL_KERNEL Sample<Px> sample(Px const& px) const {
+    /// The luminance by which fireflies are told: of the light as it is denoised, unless that is no colour any more.
+    template <class Px> QUELL_KERNEL static auto measured(Sample<Px> const& s) {
+        if constexpr (components_of<typename Px::Signal> == Input::components)
+            return luminance(s.value);
+        else
+            return s.brightness;
+    }
+    /// The sample of one pixel, dimmed, as the pipeline sees it; of nothing where it is not usable.
+    template <class Px> QUELL_KERNEL Sample<Px> sample(Px const& px, typename Px::Real factor = typename Px::Real(1.f)) const {
         auto const raw = px[Input{}];
         auto const usable = is_light(raw);
-        auto const given = select(usable, raw, zero<decltype(raw + raw)>());
+        auto const given = select(usable, scale(raw, factor), zero<decltype(raw + raw)>());
         auto const value = modulation.inward(px, given);
         return {select(usable, value, zero<typename Px::Signal>()), usable, luminance(given)};
     }
