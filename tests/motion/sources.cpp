@@ -1,4 +1,5 @@
 #include "../frames.hpp"
+#include "../views.hpp"
 
 using namespace quell;
 
@@ -109,12 +110,11 @@ TEST_CASE("jitter left in the vectors is taken out") {
 
 TEST_CASE("previous positions and the previous camera lead where the motion channel leads") {
     glm::vec2 const shift(1.75f, -2.5f);
-    // An orthographic camera: x and y in [-1, 1] fill the image, y up; depth is constant.
     auto const by_position = [](auto& frame, glm::vec2 s) {
-        frame.camera.projection[2][2] = -0.1f;
+        frame.camera = tests::View({0, 0, 4}, {0, 0, 0}, size).camera();
+        PixelRays const rays(frame.camera, size);
         tests::fill(frame[receiver_previous], [&](int x, int y) {
-            float const px = static_cast<float>(x) + 0.5f - s.x, py = static_cast<float>(y) + 0.5f - s.y;
-            return glm::vec3(2.f * px / static_cast<float>(size.width) - 1.f, 1.f - 2.f * py / static_cast<float>(size.height), -4.f);
+            return rays.position(glm::vec2(static_cast<float>(x) + 0.5f - s.x, static_cast<float>(y) + 0.5f - s.y), 4.f);
         });
     };
     CHECK(tests::difference(follow(SurfaceMotion{}, shift, by_motion_channel), follow(PositionMotion{}, shift, by_position)) < 1e-3);

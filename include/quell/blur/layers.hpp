@@ -7,28 +7,28 @@ namespace quell {
 // The two layers of a picture with motion blur (MB section 3): what moves, and what stands still behind it.
 
 /// What moves: the signal times how much of the open shutter it covers the pixel, and that coverage, in [0, 1].
-template <ChannelTag Signal> struct MovingLayer : Channel<Signal::components + 1> { static constexpr auto name = "moving_layer"; };
+template <ChannelTag Signal> struct MovingLayer : MadeChannel<Signal::components + 1> { static constexpr auto name = "moving_layer"; };
 /// What stands still: the signal, and how far it is known: 1 where it was seen in the pixel itself, less where it was guessed from
 /// neighbours, 0 where nothing is known of it.
-template <ChannelTag Signal> struct StaticLayer : Channel<Signal::components + 1> { static constexpr auto name = "static_layer"; };
+template <ChannelTag Signal> struct StaticLayer : MadeChannel<Signal::components + 1> { static constexpr auto name = "static_layer"; };
 /// What is behind: the signal, and how many samples it is the mean of; what stands still and is seen counts as many, what was guessed from
 /// neighbours as a small part of one.
-template <ChannelTag Signal> struct BackLayer : Channel<Signal::components + 1> {
+template <ChannelTag Signal> struct BackLayer : MadeChannel<Signal::components + 1> {
     static constexpr auto name = "back_layer";
     static constexpr float certain = 64.f, guessed = 0.05f;
 };
 /// What is in front of something that moves unlike it: the signal times how much of the open shutter it covers the pixel, that coverage, in
 /// [0, 1], and how many samples they are the mean of.
-template <ChannelTag Signal> struct FrontLayer : Channel<Signal::components + 2> { static constexpr auto name = "front_layer"; };
+template <ChannelTag Signal> struct FrontLayer : MadeChannel<Signal::components + 2> { static constexpr auto name = "front_layer"; };
 /// The mean sweep of what is in front, in pixels; longer than any where nothing is.
-struct FrontSweep : Channel<2> {
+struct FrontSweep : MadeChannel<2> {
     static constexpr auto name = "front_sweep";
 };
 inline constexpr FrontSweep front_sweep;
 /// The moving layer behind the filters that history has nothing of.
-template <ChannelTag Signal> struct FilteredLayer : Channel<Signal::components + 1> { static constexpr auto name = "filtered_layer"; };
+template <ChannelTag Signal> struct FilteredLayer : MadeChannel<Signal::components + 1> { static constexpr auto name = "filtered_layer"; };
 /// The mean sweep of what moves, in pixels.
-struct MeanSweep : Channel<2> {
+struct MeanSweep : MadeChannel<2> {
     static constexpr auto name = "mean_sweep";
 };
 inline constexpr MeanSweep mean_sweep;

@@ -7,21 +7,21 @@
 namespace quell {
 
 /// The mean sweep around a pixel, opposite directions cancelling out. In pixels; 0 where nothing moves.
-struct GuideSweep : Channel<2> {
+struct GuideSweep : MadeChannel<2> {
     static constexpr auto name = "guide_sweep";
 };
 /// The line along which things move around a pixel, opposite directions being one: a vector along it, as long as the sweeps are in the
 /// mean. In pixels; 0 where nothing moves.
-struct GuideAxis : Channel<2> {
+struct GuideAxis : MadeChannel<2> {
     static constexpr auto name = "guide_axis";
 };
 /// How different the sweeps around a pixel are: variance of their lengths (pixels^2), of their axes (0: all have one, 1: no direction
 /// prevails), and the part of the samples that move.
-struct GuideSpread : Channel<3> {
+struct GuideSpread : MadeChannel<3> {
     static constexpr auto name = "guide_spread";
 };
 /// The mean bend of the paths around a pixel, in pixels: made where paths are bent.
-struct GuideBend : Channel<2> {
+struct GuideBend : MadeChannel<2> {
     static constexpr auto name = "guide_bend";
 };
 inline constexpr GuideSweep guide_sweep;
@@ -31,7 +31,7 @@ inline constexpr GuideBend guide_bend;
 
 namespace detail {
 /// Sums over a row, in this order: the number of all its samples; then over those that move; bends where paths are bent.
-template <class Paths> struct MotionSums : Channel<Paths::bent ? 11 : 9> {
+template <class Paths> struct MotionSums : MadeChannel<Paths::bent ? 11 : 9> {
     static constexpr auto name = "motion_sums";
     enum { all, number, sweep_x, sweep_y, length, squared_length, doubled_cosine, doubled_sine, depth, bend_x, bend_y };
 };

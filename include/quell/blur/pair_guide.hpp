@@ -10,7 +10,7 @@ namespace quell {
 /// pixel. Where only one thing is around it is the one behind, and the nearness of the front is negative. Of two rows only the one of
 /// detail::row_of_pair has it: a pair holds for its surroundings.
 /// @tparam Paths StraightPaths, BentPaths or TurningPaths
-template <class Paths> struct MotionPair : Channel<Paths::bent ? 8 : 6> { static constexpr auto name = "motion_pair"; };
+template <class Paths> struct MotionPair : MadeChannel<Paths::bent ? 8 : 6> { static constexpr auto name = "motion_pair"; };
 
 namespace detail {
 /// Rows that share one pair, and which of them has it.
@@ -51,10 +51,10 @@ template <class M> Extreme(M, real_of<M>) -> Extreme<M>; // clang 14 has no dedu
 /// Relative; of things nearer in depth than that, depth doesn't say which is in front.
 inline constexpr float least_depth_gap = 0.02f;
 
-template <class Paths> struct RowExtremes : Channel<2 * components_of<PlacedMover<Paths, float>>> {
+template <class Paths> struct RowExtremes : MadeChannel<2 * components_of<PlacedMover<Paths, float>>> {
     static constexpr auto name = "row_extremes";
 };
-template <class Paths> struct LocalPair : Channel<2 * components_of<PlacedMover<Paths, float>>> {
+template <class Paths> struct LocalPair : MadeChannel<2 * components_of<PlacedMover<Paths, float>>> {
     static constexpr auto name = "local_pair";
 };
 

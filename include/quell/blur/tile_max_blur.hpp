@@ -7,7 +7,7 @@
 namespace quell {
 
 /// The longest sweep that may reach a pixel, in pixels; 0 where none does.
-struct DominantSweep : Channel<2> {
+struct DominantSweep : MadeChannel<2> {
     static constexpr auto name = "dominant_sweep";
 };
 inline constexpr DominantSweep dominant_sweep;

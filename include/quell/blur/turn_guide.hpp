@@ -14,7 +14,7 @@ struct TurningPaths {
 namespace detail {
 /// Sums over the samples around of one and the same thing: of how far the sweep of each is turned, times how much farther along the motion
 /// it is; and of the latter squared. Their ratio is the turn while the shutter is open.
-struct TurnEvidence : Channel<2> {
+struct TurnEvidence : MadeChannel<2> {
     static constexpr auto name = "turn_evidence";
 };
 inline constexpr TurnEvidence turn_evidence;

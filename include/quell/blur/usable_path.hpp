@@ -9,7 +9,7 @@ namespace quell {
 /// paths are bent, its sagitta: how far the middle of the path lies beside that of the sweep, as a part of the sweep's length, to the side
 /// of (sweep.y, -sweep.x). What a bend has along the sweep is another speed at first than later; that is left out.
 /// Made of what StraightPaths, BentPaths or TurningPaths read.
-template <class Paths> struct UsablePath : Channel<Paths::bent ? 6 : 5> { static constexpr auto name = "usable_path"; };
+template <class Paths> struct UsablePath : MadeChannel<Paths::bent ? 6 : 5> { static constexpr auto name = "usable_path"; };
 
 namespace detail {
 

@@ -13,6 +13,9 @@ template <int Components> struct Channel {
     static constexpr bool full_precision = false; ///< true: never stored in half (positions, ids, anything whose ulp at 1000 matters)
 };
 
+/// A channel that stages make themselves: no host supplies it, and a pipeline in which nothing makes it does not compile.
+template <int Components> struct MadeChannel : Channel<Components> { static constexpr bool made_by_stages = true; };
+
 template <class C>
 concept ChannelTag = std::is_empty_v<C> && requires {
     { C::components } -> std::convertible_to<int>;

@@ -8,7 +8,7 @@ namespace quell {
 
 /// How far the luminance around a pixel lies from what the history shows there: the sum of the distances in n pixels, and the root of the
 /// sum of their squares, both over sqrt(n), so that their quotient is Student's statistic and half precision holds them.
-struct LightChange : Channel<2> {
+struct LightChange : MadeChannel<2> {
     static constexpr auto name = "light_change";
 };
 inline constexpr LightChange light_change;

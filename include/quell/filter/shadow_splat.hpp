@@ -8,7 +8,7 @@ namespace quell {
 
 /// The shadow around a pixel: where it moves to in the previous frame (from this pixel, in pixels), how wide its penumbra is (pixels), and
 /// how much of the neighbourhood knows. Each of the first three is a mean weighted by the last.
-struct ShadowTrack : Channel<4> {
+struct ShadowTrack : MadeChannel<4> {
     static constexpr auto name = "shadow_track";
 };
 inline constexpr ShadowTrack shadow_track;

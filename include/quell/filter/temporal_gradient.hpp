@@ -7,7 +7,7 @@ namespace quell {
 
 /// How much light changed at a pixel's place since the previous frame, and how much there is, as means over the surroundings: luminance now
 /// minus luminance before, and the larger of the two.
-struct FilteredGradient : Channel<2> {
+struct FilteredGradient : MadeChannel<2> {
     static constexpr auto name = "filtered_gradient";
 };
 inline constexpr FilteredGradient filtered_gradient;

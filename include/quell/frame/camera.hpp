@@ -13,8 +13,8 @@ namespace quell {
 /// y = +1). Whether its depth range is [0, 1], [-1, 1] or reversed makes no difference, as long as the matrix can be inverted.
 struct Camera {
     glm::mat4 view{1.f};
-    glm::mat4 projection{1.f};
-    glm::vec2 jitter{0.f}; ///< sub-pixel offset of the sample from the pixel's centre, in pixels, y down
+    glm::mat4 projection{1.f}; ///< without jitter
+    glm::vec2 jitter{0.f};     ///< sub-pixel offset of the sample from the pixel's centre, in pixels, y down
 
     [[nodiscard]] glm::mat4 clip_from_world() const { return projection * view; }
     friend bool operator==(Camera const&, Camera const&) = default;
@@ -30,6 +30,10 @@ template <class P> constexpr bool needs_camera() {
     if constexpr (requires { P::kernel; }) needed = needed || needs_camera<decltype(P::kernel)>();
     if constexpr (requires { P::inner; }) needed = needed || needs_camera<decltype(P::inner)>();
     if constexpr (requires { P::first; }) needed = needed || needs_camera<decltype(P::first)>();
+    if constexpr (requires { P::test; }) needed = needed || needs_camera<decltype(P::test)>();
+    if constexpr (requires { P::source; }) needed = needed || needs_camera<decltype(P::source)>();
+    if constexpr (requires { P::fetch; }) needed = needed || needs_camera<decltype(P::fetch)>();
+    if constexpr (requires { P::width; }) needed = needed || needs_camera<decltype(P::width)>();
     if constexpr (requires { P::edge; }) needed = needed || needs_camera<decltype(P::edge)>();
     if constexpr (requires { P::rest; }) needed = needed || needs_camera<decltype(P::rest)>();
     return needed;

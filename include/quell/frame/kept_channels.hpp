@@ -7,22 +7,22 @@ namespace quell {
 // What policies make themselves: `keeps` lives from frame to frame, `emits` until the next pass. No host supplies these.
 
 /// How many frames a pixel's value is the mean of; 0 where every sample so far was missing.
-struct HistoryLength : Channel<1> {
+struct HistoryLength : MadeChannel<1> {
     static constexpr auto name = "history_length";
 };
 /// Mean and variance over time of the signal's luminance, kept by Welford's update.
-struct LuminanceMean : Channel<1> {
+struct LuminanceMean : MadeChannel<1> {
     static constexpr auto name = "luminance_mean";
 };
-struct LuminanceVariance : Channel<1> {
+struct LuminanceVariance : MadeChannel<1> {
     static constexpr auto name = "luminance_variance";
 };
 /// The variance of the luminance that a variance-guided filter works with.
-struct Variance : Channel<1> {
+struct Variance : MadeChannel<1> {
     static constexpr auto name = "variance";
 };
 /// How many pixels wide a clean-up filter should be: a standard deviation (TRMV section 5).
-struct CleanUpDeviation : Channel<1> {
+struct CleanUpDeviation : MadeChannel<1> {
     static constexpr auto name = "clean_up_deviation";
 };
 

@@ -69,11 +69,18 @@ template <class Px> struct PastSum {
     }
 };
 
-/// Whether a past pixel is in the image and shows what was looked for, where a place to look was found at all.
+/// Whether a past pixel has ever had a sample, as far as its length is kept.
+template <class Real, class Scope> QUELL_KERNEL auto ever_sampled(PastPixel<Real, Scope> const& then) {
+    if constexpr (Scope::kept_channels::template has<HistoryLength>)
+        return then[history_length] > Real(0.f);
+    else
+        return Real(0.f) == Real(0.f);
+}
+/// Whether a past pixel is in the image, has a value and shows what was looked for, where a place to look was found at all.
 template <class Real, class Then, class FoundPlace> QUELL_KERNEL auto counts(Then const& then, FoundPlace const& found) {
     auto const dx = then.place.column - found.where.x + (static_cast<float>(then.dx) + 0.5f);
     auto const dy = then.place.row - found.where.y + (static_cast<float>(then.dy) + 0.5f);
-    return both(found.validity > Real(0.f), then.inside(), accepts(found, then, dx, dy));
+    return both(found.validity > Real(0.f), then.inside(), ever_sampled(then), accepts(found, then, dx, dy));
 }
 
 /// A position that is not finite or not in the image becomes a harmless one with validity 0: what was outside was never seen.

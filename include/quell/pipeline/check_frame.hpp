@@ -26,6 +26,10 @@ template <class P, class Set, class Storage> void check_frame(Frame<Set, Storage
         if constexpr (requires { view.data; })
             if (!view.data)
                 throw Error("channel '" + std::string(c.name) + "'", "no memory", "point the channel at the host's image before run()");
+        if constexpr (requires { view.pixel_stride; })
+            if (view.row_stride == 0 && view.pixel_stride != 0 && view.size.height > 1)
+                throw Error("channel '" + std::string(c.name) + "'", "row_stride 0",
+                            "give the distance from a row to the next, in elements");
     });
     if (!(is_finite(frame.shutter) && frame.shutter >= 0.f))
         throw Error("frame.shutter", std::to_string(frame.shutter), "give the part of the frame time during which the shutter is open");

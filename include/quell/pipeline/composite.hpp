@@ -131,6 +131,8 @@ namespace detail {
 struct CompositeRun {
     template <class... Ps, class F, class Storage, class E>
     static auto all(Composite<Ps...> const& composite, F const& frame, History<Composite<Ps...>, Storage>& history, E const& executor) {
+        // Before any part runs: where one refused the frame, the others would have gone ahead of it.
+        check_frame<Composite<Ps...>>(frame);
         if (!(history.picture.size() == frame.size)) history.picture = ImageOf<Storage, Radiance>(frame.size);
         auto const output = history.picture.view();
         [&]<std::size_t... i>(std::index_sequence<i...>) {

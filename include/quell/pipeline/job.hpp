@@ -23,6 +23,17 @@ template <class Form, class Scope, class Output, class RememberedViews> struct F
     }
 };
 
+/// Marks missing samples by the sign of component 0, which has no other meaning: light is not negative.
+template <class V, class Mask> QUELL_KERNEL V with_marks(V const& value, Mask missing) {
+    return make_value<components_of<V>, real_of<V>>([&](auto c) __attribute__((always_inline)) {
+        auto const a = component<c>(value);
+        if constexpr (c == 0)
+            return select(missing, with_sign_bit(a), max(a, real_of<V>(0.f)));
+        else
+            return a;
+    });
+}
+
 /// Whether a pass makes a new signal; one with emit_channels(px) leaves it alone.
 template <class Pass, class Scope> inline constexpr bool makes_signal_of = !requires(Pass const p, Pixel<float, Scope> px) {
     p.emit_channels(px);
@@ -37,7 +48,8 @@ template <class Pass> constexpr auto name_of() {
 }
 
 /// One pass over one region: what an executor runs. Trivially copyable, so that it can be sent to a device as it is.
-template <class Pass, class Scope, class SignalView, class MadeViews, class FinishWork, class RememberedSet> struct Job {
+/// @tparam keeps_marks whether the new signal is still marked where a sample was missing
+template <class Pass, class Scope, class SignalView, class MadeViews, class FinishWork, class RememberedSet, bool keeps_marks> struct Job {
     static constexpr auto name = name_of<Pass>();
     static constexpr bool makes_signal = makes_signal_of<Pass, Scope>;
 
@@ -52,7 +64,7 @@ template <class Pass, class Scope, class SignalView, class MadeViews, class Fini
     template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
         auto const result = result_of([&]() __attribute__((always_inline)) { return evaluate(Pixel<Real, Scope>{scope, x, y}); });
         if constexpr (makes_signal) {
-            if (store_signal) store_pixels<Real>(signal, x, y, result.value, count);
+            if (store_signal) store_pixels<Real>(signal, x, y, marked(Pixel<Real, Scope>{scope, x, y}, result.value), count);
             if (store_output) finish.template store_output<Real>(x, y, count, result.value);
             if (counts) count_missing(component<0>(result.value), count);
             if constexpr (decltype(result.more)::channels::template has<Suppressed>) count_suppressed(result.more[Suppressed{}], count);
@@ -67,6 +79,12 @@ template <class Pass, class Scope, class SignalView, class MadeViews, class Fini
     }
 
 private:
+    template <class Px, class V> QUELL_KERNEL static V marked(Px const& px, V const& value) {
+        if constexpr (!keeps_marks)
+            return value;
+        else
+            return with_marks(value, px.missing());
+    }
     QUELL_KERNEL auto evaluate(auto px) const {
         if constexpr (requires { pass(px); })
             return pass(px);

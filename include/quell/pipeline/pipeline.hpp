@@ -25,6 +25,16 @@ template <class First, class... Rest> constexpr auto modulation_of(First const& 
     else
         return modulation_of(rest...);
 }
+template <class... Cs> constexpr bool any_made_by_stages(Channels<Cs...>) {
+    return (requires { Cs::made_by_stages; } || ...);
+}
+/// Whether no stage reads what only a later one makes. The passes of a filter may read what those before them make.
+template <class Before, class All, class... Stages> inline constexpr bool in_order = true;
+template <class Before, class All, class S, class... Later>
+inline constexpr bool in_order<Before, All, S, Later...> =
+    contained_in<common_to<reads_of<S>, All>, std::conditional_t<is_temporal<S>, Before, decltype(Before{} | emits_of<S>{})>>&&
+        in_order<decltype(Before{} | keeps_of<S>{} | emits_of<S>{}), All, Later...>;
+
 template <class Part> constexpr auto stage_or_nothing(Part const& part) {
     if constexpr (is_stage<Part>)
         return std::tuple<Part>(part);
@@ -48,6 +58,11 @@ template <ChannelTag S, class... Parts> struct Pipeline {
         "Pipeline{channel, parts...}: one Temporal at most, since there is one history; use FirstValid to combine motion sources");
 
     static_assert((0 + ... + int(Modulation<Parts>)) <= 1, "Pipeline{channel, parts...}: one modulation at most");
+    static_assert((0 + ... + int(std::is_same_v<Parts, SuppressFireflies>)) <= 1, "Pipeline{channel, parts...}: one SuppressFireflies{}");
+    static_assert(
+        detail::in_order<Channels<>, decltype(keeps_of<Parts...>{} | emits_of<Parts...>{}), Parts...>,
+        "Pipeline{channel, parts...}: a stage reads what only a later one makes: detectors and splats go before Temporal, filters "
+        "of what Temporal makes (VarianceGuidedAtrous, CleanUp) behind it");
 
     using Output = S; ///< what goes in and comes out
     using Form = decltype(detail::modulation_of(std::declval<Parts>()...));
@@ -57,6 +72,10 @@ template <ChannelTag S, class... Parts> struct Pipeline {
     using made = decltype(keeps{} | emits_of<Parts...>{});
     using remembers = remembers_of<Parts...>;
     using reads = decltype(Channels<S>{} | without<reads_of<Parts...>, made>{} | remembers{});
+    static_assert(!detail::any_made_by_stages(reads{}),
+                  "Pipeline{channel, parts...}: a stage reads what none of them makes: history_length wants RunningMean or Adaptive, "
+                  "luminance_variance WithMoments, clean_up_deviation WithCleanUp, light_change ChangeDetector, a shadow's track "
+                  "ShadowSplat, a gradient TemporalGradient, cones WithCones or Cones, blur's channels its guides");
     static constexpr bool has_past = (detail::is_temporal<Parts> || ...);
     static constexpr bool needs_camera = (needs_camera_of<Parts> || ...);
 

@@ -38,6 +38,7 @@ class Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, Into> {
     Handles<Storage, typename History<P, Storage>::Remembered> remembered;
     int passes_left = 0;
     bool past = false;
+    bool marked = true; ///< whether the current signal marks missing samples
     PixelRays rays, rays_then;
     std::int32_t frame_index = 0;
 
@@ -48,17 +49,42 @@ public:
     OutputView all() {
         check_frame<P>(frame);
         begin();
-        pipeline.for_each_pass([&](auto const&) { ++passes_left; });
+        bool ends_with_signal = false;
+        pipeline.for_each_pass([&](auto const& kernel) { ++passes_left, ends_with_signal = makes_signal<decltype(kernel)>; });
+        if (!ends_with_signal) ++passes_left;
         ingest();
-        if (passes_left == 0)
-            passes_left = 1, pass<true>(PassThrough{});
-        else
-            stages(std::make_index_sequence<std::tuple_size_v<decltype(pipeline.stages)>>{});
+        stages(std::make_index_sequence<stage_count>{});
+        if (!ends_with_signal) pass_through();
         end();
         return history.output ? history.output->view() : OutputView{};
     }
 
 private:
+    static constexpr std::size_t stage_count = std::tuple_size_v<decltype(P::stages)>;
+    template <std::size_t i> using StageAt = std::tuple_element_t<i, decltype(P::stages)>;
+    template <class Kernel>
+    static constexpr bool makes_signal = makes_signal_of<std::remove_cvref_t<Kernel>, ScopeOf<std::remove_cvref_t<Kernel>, true>>;
+    template <class Stage>
+    static constexpr bool always_makes_signal =
+        is_temporal<Stage> || !(leaves_signal<Stage> || requires(Stage s) { s.kernel.for_each_pass(AnyPass{}); });
+    /// Where nothing behind Temporal makes a new signal, the last one does not write the output either.
+    static constexpr bool may_end_without_signal = [] {
+        if constexpr (stage_count == 0)
+            return true;
+        else
+            return !always_makes_signal<StageAt<stage_count - 1>>;
+    }();
+    void pass_through() {
+        if constexpr (may_end_without_signal && P::has_past)
+            pass<false>(PassThrough{});
+        else if constexpr (may_end_without_signal) {
+            if (marked)
+                pass<true>(PassThrough{});
+            else
+                pass<false>(PassThrough{});
+        }
+    }
+
     void begin() {
         bool const follows = !frame.number || !history.number || *frame.number == *history.number + 1;
         if (!(history.pool.size() == frame.size)) history.restart(frame.size);
@@ -93,36 +119,38 @@ private:
         history.counted.suppressed = counts.suppressed.total();
     }
 
-    /// Passes see the marks of missing samples until one of them has made a signal of its own.
-    template <std::size_t... i> void stages(std::index_sequence<i...>) {
-        [[maybe_unused]] bool marked = true;
-        (stage<marked_at<i>(std::make_index_sequence<i>{})>(std::get<i>(pipeline.stages), marked), ...);
+    /// Passes see the marks of missing samples up to Temporal, which keeps the past there; without a Temporal, until one of them has made a
+    /// signal of its own.
+    template <std::size_t... i> void stages(std::index_sequence<i...>) { (stage<i>(std::get<i>(pipeline.stages)), ...); }
+    template <std::size_t... before> static constexpr bool may_be_marked(std::index_sequence<before...>) {
+        return !(... || (P::has_past ? is_temporal<StageAt<before>> : !leaves_signal<StageAt<before>>));
     }
-    template <std::size_t i, std::size_t... before> static constexpr bool marked_at(std::index_sequence<before...>) {
-        return (leaves_signal<std::tuple_element_t<before, decltype(P::stages)>> && ...);
-    }
-    template <bool may_be_marked, class Stage> void stage(Stage const& s, [[maybe_unused]] bool& marked) {
+    template <std::size_t i, class Stage> void stage(Stage const& s) {
         detail::for_each_pass(s, [&](auto const& kernel) {
-            if constexpr (!may_be_marked)
+            if constexpr (!may_be_marked(std::make_index_sequence<i>{}))
                 pass<false>(kernel);
-            else if constexpr (leaves_signal<Stage> || is_temporal<Stage>)
+            else if constexpr (P::has_past || leaves_signal<Stage>)
                 pass<true>(kernel);
             else if (marked)
                 pass<true>(kernel);
             else
                 pass<false>(kernel);
-            marked =
-                marked && !makes_signal_of<std::remove_cvref_t<decltype(kernel)>, ScopeOf<std::remove_cvref_t<decltype(kernel)>, true>>;
+            marked = marked && !makes_signal<decltype(kernel)>;
+            if constexpr (is_temporal<Stage> && !past_wanted_behind(std::make_index_sequence<stage_count - i - 1>{})) drop_past();
         });
+    }
+    /// Whether a filter behind Temporal, which is followed by these many stages, looks at the last frame.
+    template <std::size_t... behind> static constexpr bool past_wanted_behind(std::index_sequence<behind...>) {
+        return (... || (remembers_of<StageAt<stage_count - 1 - behind>>::size > 0));
+    }
+    void drop_past() {
+        history.signal.reset();
+        history.kept.drop_all();
     }
 
     template <bool raw, class Pass> void pass(Pass const& kernel) {
         run<raw>(kernel, --passes_left == 0, nullptr);
-        if constexpr (is_temporal<Pass>) {
-            for_history = current;
-            history.signal.reset();
-            history.kept.drop_all();
-        }
+        if constexpr (is_temporal<Pass>) for_history = current;
         if constexpr (requires { kernel.feedback; })
             if (kernel.feedback) for_history = current;
     }
@@ -130,26 +158,26 @@ private:
     template <bool raw, class Pass> void run(Pass const& kernel, bool last, Counts* counts) {
         using S = ScopeOf<Pass, raw>;
         using Made = decltype(emits_of<Pass>{} | keeps_of<Pass>{});
-        constexpr bool makes_signal = makes_signal_of<Pass, S>;
+        constexpr bool keeps_marks = raw && P::has_past && !is_temporal<Pass>;
         bool const goes_on = !last || is_temporal<Pass> || feeds_back(kernel);
 
         Handles<Storage, Made> next_made;
         next_made.take_all(history.pool);
         auto next = current;
-        if (makes_signal) next = goes_on ? history.pool.template take<SignalImage>() : nullptr;
+        if (makes_signal<Pass>) next = goes_on ? history.pool.template take<SignalImage>() : nullptr;
         auto const seen = scope<S, Pass>();
-        if (last) prepare_end(is_temporal<Pass>, next);
+        if (last) prepare_end(remembers_of<Pass>::size > 0, next);
 
-        auto job =
-            Job<Pass, S, SignalView, decltype(next_made.views(Made{})), decltype(finish()), Remembers>{kernel,
-                                                                                                       seen,
-                                                                                                       next ? next->view() : SignalView{},
-                                                                                                       next_made.views(Made{}),
-                                                                                                       finish(),
-                                                                                                       goes_on && makes_signal,
-                                                                                                       last && stores_output(next),
-                                                                                                       last && Remembers::size > 0,
-                                                                                                       counts};
+        auto job = Job<Pass, S, SignalView, decltype(next_made.views(Made{})), decltype(finish()), Remembers, keeps_marks>{
+            kernel,
+            seen,
+            next ? next->view() : SignalView{},
+            next_made.views(Made{}),
+            finish(),
+            goes_on && makes_signal<Pass>,
+            last && stores_output(next),
+            last && Remembers::size > 0,
+            counts};
         executor.for_each_pixel(Region{0, 0, frame.size.width, frame.size.height}, job);
         current = next;
         for_each_channel(Made{}, [&](auto c) { made[c] = next_made[c]; });
@@ -200,7 +228,7 @@ private:
                 frame.shutter,
                 history.shutter,
                 frame_index,
-                past};
+                past && history.signal != nullptr};
     }
     template <class Stored> auto remembered_views(Stored) const { return history.remembered.views(Stored{}); }
 
@@ -229,11 +257,17 @@ auto run(P const& pipeline, Frame<Set, FrameStorage> const& frame, History<P, St
 }
 
 /// The same, writing the output through a view of the host's own.
+/// @throws Error as run() does, and for a target of another size
 template <class P, class Set, class FrameStorage, class Storage, ImageView Target, Executor E = Simd>
 void run_into(Target const& target, P const& pipeline, Frame<Set, FrameStorage> const& frame, History<P, Storage>& history,
               E const& executor = {}) {
     static_assert(contained_in<typename P::reads, Set>, "run_into(target, pipeline, frame, ...): the frame lacks a channel that the "
                                                         "pipeline reads; construct the frame with this pipeline");
+    static_assert(Target::components == P::Output::components,
+                  "run_into(target, pipeline, frame, ...): the target has another number of components than the pipeline's signal");
+    if (!(target.size == frame.size))
+        throw Error("run_into: the target", to_string(target.size) + " for a frame of " + to_string(frame.size),
+                    "give it the frame's size");
     detail::Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, Target>(pipeline, frame, history, executor, target).all();
 }
 

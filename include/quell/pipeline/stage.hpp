@@ -12,6 +12,8 @@ template <class M, class B, class Fetch = Bilinear> struct Temporal {
     static_assert(std::is_trivially_copyable_v<M> && std::is_trivially_copyable_v<B>,
                   "Temporal{motion, blend}: a policy must be trivially copyable, so that it can be sent to a device: plain numbers only");
     static_assert(MotionSource<M>, "Temporal{motion, blend}: `motion` must have previous(px), see quell/motion/motion_source.hpp");
+    static_assert(std::is_class_v<Fetch> && std::is_trivially_copyable_v<Fetch>,
+                  "Temporal{motion, blend, fetch}: `fetch` must have fetch(px, found), see quell/motion/history_fetch.hpp");
     static_assert(BlendPolicy<B>, "Temporal{motion, blend}: `blend` must have blend(px, past), see quell/blend/blend_policy.hpp");
 
     using reads = reads_of<M, B, Fetch>;
@@ -36,23 +38,29 @@ private:
     /// Of several sources, the next one is asked where the history at the first one's place is not valid.
     QUELL_KERNEL auto find(auto const& px, auto const& source) const {
         if constexpr (requires { source.rest; }) {
-            auto past = fetch.fetch(px, source.first.previous(px));
+            auto past = find(px, source.first);
             auto const lost = past.validity <= decltype(past.validity)(0.f);
             if (any(lost)) past.replace(lost, find(px, source.rest));
             return past;
         } else
             return fetch.fetch(px, source.previous(px));
     }
-    /// Where the host's sample is missing, the past goes on unchanged; where there is no past either, the neighbours' mean stands in and
-    /// nothing is kept, so that the next sample counts fully.
+    /// Where the host's sample is missing, the past goes on, as long as it can be trusted; where there is no past either, the neighbours'
+    /// mean stands in and nothing is kept, so that the next sample counts fully (with Exponential, which keeps nothing, as ever).
     template <class R> QUELL_KERNEL static void keep_past(auto missing, auto const& px, auto const& past, R& result) {
         auto const present = past.validity > decltype(past.validity)(0.f);
         result.value = select(missing, select(present, past.signal, px.signal()), result.value);
         for_each_channel(
             typename decltype(past.kept)::channels{}, [&](auto c) __attribute__((always_inline)) {
                 if constexpr (decltype(result.more)::channels::template has<decltype(c)>)
-                    result.more.set(c, select(missing, select(present, past[c], zero<decltype(past[c])>()), result.more[c]));
+                    result.more.set(c, select(missing, select(present, gone_on(c, past), zero<decltype(past[c])>()), result.more[c]));
             });
+    }
+    template <ChannelTag C> QUELL_KERNEL static auto gone_on(C c, auto const& past) {
+        if constexpr (std::is_same_v<C, HistoryLength>)
+            return past[c] * past.validity;
+        else
+            return past[c];
     }
 };
 template <class M, class B> Temporal(M, B) -> Temporal<M, B>;

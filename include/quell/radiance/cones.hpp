@@ -8,7 +8,7 @@ namespace quell {
 /// Radiance that arrives in six cones of the hemisphere around the normal (TRMV section 4.3). Component 4 k + c is the sum of cone k's
 /// samples of colour c, component 4 k + 3 how many there were: whatever mixes pixels linearly mixes these rightly, and a cone's radiance is
 /// a quotient at the end. Cone 0 lies along the normal, the others at 60 degrees from it, 72 degrees apart, in the frame of the world.
-struct ConeRadiance : Channel<24> {
+struct ConeRadiance : MadeChannel<24> {
     static constexpr auto name = "cone_radiance";
 };
 inline constexpr ConeRadiance cone_radiance;
