@@ -40,7 +40,8 @@ template <class Test = AllOf<SameDepth, SameNormal>> struct PositionMotion {
         using Real = typename decltype(px)::Real;
         auto const then = px.project_to_past(px[receiver_previous]);
         auto const validity = masked(then.z > Real(0.f), Real(1.f));
-        return detail::TestedReprojection<Real, decltype(test.around(px))>{{then.x, then.y}, validity, test.around(px)};
+        return detail::TestedReprojection<Real, decltype(detail::around(test, px, then.z))>{
+            {then.x, then.y}, validity, detail::around(test, px, then.z)};
     }
 };
 template <class Test> PositionMotion(Test) -> PositionMotion<Test>;

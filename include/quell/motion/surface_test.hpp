@@ -6,13 +6,25 @@
 namespace quell {
 
 // Tests of whether a past pixel shows the surface that this pixel shows. `around(px)` prepares what does not depend on the tap;
-// `accepts(then, dx, dy)` then judges one tap, dx and dy pixels away from the reprojected position.
+// `accepts(then, dx, dy)` then judges one tap, dx and dy pixels away from the reprojected position. A test may have `around(px,
+// depth_then)` too, for sources that know the surface's depth in the previous frame.
+
+namespace detail {
+template <class Test> QUELL_KERNEL auto around(Test const& test, auto px, auto depth_then) {
+    if constexpr (requires { test.around(px, depth_then); })
+        return test.around(px, depth_then);
+    else
+        return test.around(px);
+}
+} // namespace detail
 
 /// The depth that the surface's plane has there. A miss accepts only misses.
 struct SameDepth {
     using reads = Channels<Depth>;
     using remembers = Channels<Depth>;
-    float tolerance = 0.05f; ///< allowed distance from the plane, as a part of the depth; also of how much depth may change in a frame
+    /// Allowed distance from the plane, as a part of the depth. Sources that don't know the depth in the previous frame take it for this
+    /// frame's: then it is also how much depth may change in a frame.
+    float tolerance = 0.05f;
 
     template <class Real> struct Plane {
         Real z, slope_x, slope_y, allowed;
@@ -23,8 +35,8 @@ struct SameDepth {
             return either(both(hit, hit_then, on_plane), invert(either(hit, hit_then)));
         }
     };
-    QUELL_KERNEL auto around(auto px) const {
-        auto const z = px[depth];
+    QUELL_KERNEL auto around(auto px) const { return around(px, px[depth]); }
+    QUELL_KERNEL auto around(auto px, auto z) const {
         auto const slope_x = detail::depth_slope(px, 1, 0), slope_y = detail::depth_slope(px, 0, 1);
         // One pixel's change of depth is within what interpolation between taps can be wrong by.
         return Plane<decltype(z + z)>{z, slope_x, slope_y, z * tolerance + abs(slope_x) + abs(slope_y)};
@@ -66,6 +78,10 @@ template <class... Tests> struct AllOf : Tests... {
         QUELL_KERNEL auto accepts(auto const& then, auto dx, auto dy) const { return both(Prepared::accepts(then, dx, dy)...); }
     };
     QUELL_KERNEL auto around(auto px) const { return Every<decltype(Tests::around(px))...>{Tests::around(px)...}; }
+    QUELL_KERNEL auto around(auto px, auto depth_then) const {
+        return Every<decltype(detail::around(static_cast<Tests const&>(*this), px, depth_then))...>{
+            detail::around(static_cast<Tests const&>(*this), px, depth_then)...};
+    }
 };
 template <class... Tests> AllOf(Tests...) -> AllOf<Tests...>;
 
