@@ -60,7 +60,7 @@ mutant() {
 }
 
 mutant "the sign of motion" motion/sources motion/surface_motion.hpp '{{p.x + m.x, p.y + m.y}' '{{p.x - m.x, p.y + m.y}'
-mutant "uv motion's unit" motion/sources motion/supplied_motion.hpp '? 0.5f : 1.f;' '? 2.f : 1.f;'
+mutant "uv motion's unit" motion/sources frame/motion_convention.hpp '? 0.5f : 1.f;' '? 2.f : 1.f;'
 mutant "the weight of a tap between pixels" motion/sources motion/history_fetch.hpp '(i == 0 ? 1.f - u : u)' '(i == 0 ? u : 1.f - u)'
 mutant "the slope in the depth test" motion/sources motion/surface_test.hpp 'z + slope_x * dx' 'z - slope_x * dx'
 mutant "the image's lower border in the past" motion/sources frame/pixel.hpp \

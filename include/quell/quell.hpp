@@ -21,7 +21,6 @@
 #include <quell/motion/dual_motion.hpp>
 #include <quell/motion/first_valid.hpp>
 #include <quell/motion/glossy_motion.hpp>
-#include <quell/motion/supplied_motion.hpp>
 #include <quell/motion/surface_motion.hpp>
 #include <quell/motion/thin_lens.hpp>
 #include <quell/pipeline/pipeline.hpp>

@@ -115,7 +115,7 @@ TEST_CASE("a pipeline without history has none that starts afresh, and one witho
 TEST_CASE("vectors of a convention that the pipeline declares are no mistake; others are, pixels too") {
     using C = MotionConvention;
     constexpr C declared{.points = C::Points::from_previous, .unit = C::Unit::uv, .y = C::Y::up, .jitter = C::Jitter::left_in};
-    constexpr auto other = Pipeline{radiance, Temporal{FirstValid{Supplied<declared>{}, StillMotion{}}, RunningMean{}}};
+    constexpr auto other = Pipeline{radiance, Supplied<declared>{}, Temporal{FirstValid{SurfaceMotion{}, StillMotion{}}, RunningMean{}}};
     glm::vec2 jitter_then{0.f};
     auto const as_declared = [&](GoodFrame& good) {
         auto const change = good.camera.jitter - std::exchange(jitter_then, good.camera.jitter);

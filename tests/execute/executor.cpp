@@ -54,10 +54,9 @@ constexpr auto everything = std::tuple{
              Temporal{FirstValid{SurfaceMotion{AllOf{SameDepth{}, SameInstance{}}}, StillMotion{}}, Clamped{WithCleanUp{Adaptive{}}},
                       CatmullRom{}},
              Spatial{CleanUp{}}},
-    Pipeline{radiance,
-             Temporal{Supplied<MotionConvention{.unit = MotionConvention::Unit::uv, .jitter = MotionConvention::Jitter::left_in}>{},
-                      Exponential{}},
-             Spatial{Bilateral<>{.radius = 7}}, Spatial{Atrous{Product{NormalEdge{}, LuminanceEdge{.sigma = 0.5f}}, 2}}},
+    Pipeline{radiance, Supplied<MotionConvention{.unit = MotionConvention::Unit::uv, .jitter = MotionConvention::Jitter::left_in}>{},
+             Temporal{SurfaceMotion{}, Exponential{}}, Spatial{Bilateral<>{.radius = 7}},
+             Spatial{Atrous{Product{NormalEdge{}, LuminanceEdge{.sigma = 0.5f}}, 2}}},
 };
 } // namespace
 

@@ -11,8 +11,8 @@ float pattern(float x, float y) { return 2.f + std::sin(0.31f * x) + std::cos(0.
 
 /// Shows the pattern once, then once more moved by `shift`, with a source that should follow it; returns what became of the history alone.
 template <class M, class Fetch = Bilinear>
-std::vector<float> follow(M const& motion_source, glm::vec2 shift, auto&& supply, Fetch fetch = {}) {
-    auto const pipeline = Pipeline{visibility, Temporal{motion_source, Exponential{.alpha = 1e-6f}, fetch}};
+std::vector<float> follow(M const& motion_source, glm::vec2 shift, auto&& supply, Fetch fetch = {}, auto... parts) {
+    auto const pipeline = Pipeline{visibility, parts..., Temporal{motion_source, Exponential{.alpha = 1e-6f}, fetch}};
     Frame frame{size, pipeline};
     History history{size, pipeline};
     tests::fill_still(frame);
@@ -78,9 +78,10 @@ TEST_CASE("every convention of motion vectors means the same") {
     using C = MotionConvention;
     glm::vec2 const shift(2.25f, -1.5f);
     auto const wanted = follow(SurfaceMotion{}, shift, by_motion_channel);
-    auto const same = [&](auto source, glm::vec2 factor) {
-        auto const out =
-            follow(source, shift, [&](auto& frame, glm::vec2 s) { tests::fill(frame[motion], [&](int, int) { return -s * factor; }); });
+    auto const same = [&](auto supplied, glm::vec2 factor) {
+        auto const out = follow(
+            SurfaceMotion{}, shift, [&](auto& frame, glm::vec2 s) { tests::fill(frame[motion], [&](int, int) { return -s * factor; }); },
+            Bilinear{}, supplied);
         CHECK(tests::difference(wanted, out) < 1e-4);
     };
     glm::vec2 const uv(1.f / static_cast<float>(size.width), 1.f / static_cast<float>(size.height));
@@ -91,10 +92,33 @@ TEST_CASE("every convention of motion vectors means the same") {
     same(Supplied<C{.points = C::Points::from_previous, .unit = C::Unit::ndc, .y = C::Y::up}>{}, glm::vec2(-2, 2) * uv);
 }
 
+TEST_CASE("a preset takes vectors of another convention, what it remembers of them too") {
+    // Something slides before a wall, which dual_color follows by the motion of what was there, as it was then.
+    auto const shown = [](auto const& denoise, glm::vec2 factor) {
+        Frame frame{size, denoise};
+        History history{size, denoise};
+        std::vector<float> last;
+        for (int i = 0; i < 6; ++i) {
+            auto const before = [&](int x) { return x >= 8 + 4 * i && x < 20 + 4 * i; };
+            tests::fill_still(frame);
+            tests::fill(frame[depth], [&](int x, int) { return before(x) ? 2.f : 4.f; });
+            tests::fill(frame[motion], [&](int x, int) { return before(x) ? glm::vec2(-4.f, 0.f) * factor : glm::vec2(0.f); });
+            tests::fill(frame[radiance],
+                        [&](int x, int y) { return glm::vec3(pattern(static_cast<float>(x * i), static_cast<float>(y))); });
+            last = tests::copy_of(run(denoise, frame, history));
+        }
+        return last;
+    };
+    using C = MotionConvention;
+    constexpr Supplied<C{.points = C::Points::from_previous, .unit = C::Unit::ndc}> supplied;
+    glm::vec2 const factor(-2.f / static_cast<float>(size.width), -2.f / static_cast<float>(size.height));
+    CHECK(tests::difference(shown(presets::dual_color(radiance), {1, 1}), shown(presets::dual_color(radiance, supplied), factor)) < 1e-4);
+}
+
 TEST_CASE("jitter left in the vectors is taken out") {
     // The camera is still; only the sample's offset changed, and the host's vectors carry that change.
-    constexpr auto pipeline = Pipeline{
-        visibility, Temporal{Supplied<MotionConvention{.jitter = MotionConvention::Jitter::left_in}>{}, Exponential{.alpha = 1e-6f}}};
+    constexpr auto pipeline = Pipeline{visibility, Supplied<MotionConvention{.jitter = MotionConvention::Jitter::left_in}>{},
+                                       Temporal{SurfaceMotion{}, Exponential{.alpha = 1e-6f}}};
     Frame frame{size, pipeline};
     History history{size, pipeline};
     tests::fill_still(frame);

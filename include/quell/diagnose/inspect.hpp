@@ -1,6 +1,5 @@
 #pragma once
 
-#include <quell/diagnose/declared_convention.hpp>
 #include <quell/diagnose/observation.hpp>
 #include <quell/pipeline/composite.hpp>
 
@@ -102,7 +101,7 @@ template <class P, class Set, class FrameStorage, class H> Observation observe(F
     seen.motion = lookup_of<P>(frame, motion), seen.albedo = lookup_of<P>(frame, albedo);
     seen.sweep = lookup_of<P>(frame, sweep), seen.shutter = frame.shutter;
     seen.guides = guides_seen<P>(frame);
-    seen.convention = DeclaredConvention<P>::value;
+    seen.convention = P::motion_convention;
     for_each_history(history, [&]<class Part>(std::type_identity<Part> part, auto& of_part) {
         seen.of_signals.push_back(signal_seen<Part>(frame, of_part));
         see_past(seen, part, of_part);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <quell/diagnose/finding.hpp>
+#include <quell/frame/motion_convention.hpp>
 #include <quell/image/extent.hpp>
-#include <quell/motion/supplied_motion.hpp>
 
 #include <algorithm>
 #include <string>

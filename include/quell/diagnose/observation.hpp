@@ -4,7 +4,7 @@
 #include <quell/diagnose/finding.hpp>
 #include <quell/diagnose/notes.hpp>
 #include <quell/frame/camera.hpp>
-#include <quell/motion/supplied_motion.hpp>
+#include <quell/frame/motion_convention.hpp>
 
 #include <glm/vec3.hpp>
 

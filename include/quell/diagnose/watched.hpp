@@ -151,10 +151,11 @@ template <class M, class B, class F> constexpr auto watched_stage(Temporal<M, B,
 template <ChannelTag S, class... Parts> constexpr auto watched(Pipeline<S, Parts...> const& pipeline) {
     return std::apply(
         [&](auto const&... stages) {
+            constexpr Supplied<Pipeline<S, Parts...>::motion_convention> supplied;
             if constexpr (std::is_same_v<typename Pipeline<S, Parts...>::Suppression, NoSuppression>)
-                return Pipeline{S{}, pipeline.ingest.modulation, detail::watched_stage(stages)...};
+                return Pipeline{S{}, supplied, pipeline.ingest.modulation, detail::watched_stage(stages)...};
             else
-                return Pipeline{S{}, pipeline.ingest.modulation, pipeline.ingest.suppression, detail::watched_stage(stages)...};
+                return Pipeline{S{}, supplied, pipeline.ingest.modulation, pipeline.ingest.suppression, detail::watched_stage(stages)...};
         },
         pipeline.stages);
 }

@@ -3,6 +3,7 @@
 #include <quell/core/random.hpp>
 #include <quell/frame/frame.hpp>
 #include <quell/frame/kept_channels.hpp>
+#include <quell/frame/motion_convention.hpp>
 #include <quell/frame/pixel_rays.hpp>
 #include <quell/frame/remembered.hpp>
 
@@ -25,7 +26,10 @@ template <class Storage, class... Cs> struct RememberedViewsOf<Storage, Channels
 /// @tparam KeptViews   what was kept in the previous frame
 /// @tparam Then        the channels that the previous frame is remembered by, and their views
 /// @tparam raw         whether the signal comes from the host, with missing samples marked by the sign of component 0
-template <class FrameViews, class MadeViews, class SignalView, class PastSignalView, class KeptViews, class Then, bool raw> struct Scope {
+/// @tparam Vectors     how the host's motion vectors become quell's
+template <class FrameViews, class MadeViews, class SignalView, class PastSignalView, class KeptViews, class Then, bool raw,
+          class Vectors = detail::VectorConversion<MotionConvention{}>>
+struct Scope {
     using frame_channels = typename FrameViews::channels;
     using made_channels = typename MadeViews::channels;
     using kept_channels = typename KeptViews::channels;
@@ -46,6 +50,7 @@ template <class FrameViews, class MadeViews, class SignalView, class PastSignalV
     float shutter, shutter_then;
     std::int32_t frame_index; ///< for random numbers
     bool has_past;
+    [[no_unique_address]] Vectors vectors{};
 };
 
 /// Whole-numbered coordinates in the previous frame, one for each lane, at most one pixel outside the image. Most packs land on neighbours
@@ -93,6 +98,8 @@ template <class R, class S> struct Pixel {
         static_assert(made || given, "a policy looks at a channel that it does not list: add the channel to its `reads`");
         if constexpr (made)
             return load(scope.made.view(c));
+        else if constexpr (std::is_same_v<C, Motion>)
+            return scope.vectors(load(scope.frame.view(c)));
         else if constexpr (given)
             return load(scope.frame.view(c));
     }
@@ -159,6 +166,8 @@ template <class R, class S> struct Pixel {
         static_assert(made || given, "a policy looks at a channel that it does not list: add the channel to its `reads`");
         if constexpr (made)
             return detail::fetch<Real>(scope.made.view(c), scope.size, place, 0, 0);
+        else if constexpr (std::is_same_v<C, Motion>)
+            return scope.vectors(detail::fetch<Real>(scope.frame.view(c), scope.size, place, 0, 0));
         else if constexpr (given)
             return detail::fetch<Real>(scope.frame.view(c), scope.size, place, 0, 0);
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <quell/frame/channels.hpp>
-#include <quell/motion/supplied_motion.hpp>
+#include <quell/frame/motion_convention.hpp>
 
 #include <limits>
 #include <map>

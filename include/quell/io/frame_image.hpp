@@ -62,7 +62,7 @@ inline glm::vec2 jitter_in(ExrImage const& image, std::string const& attribute) 
                 "write the sample's offset from the pixel's centre, in pixels, y down, or say that jitter is left_out");
 }
 
-/// Turns one component of a motion vector into quell's convention. The same arithmetic as Supplied's, done once on loading.
+/// Turns one component of a motion vector into quell's convention. As Supplied<> does, once on loading.
 inline void to_own_motion(std::vector<float>& motion, int axis, ExrImage const& image, MotionConvention from) {
     using C = MotionConvention;
     auto const extent = static_cast<float>(axis == 0 ? image.size.width : image.size.height);

@@ -27,6 +27,13 @@ template <class... Ps> struct Composite {
     using Output = Radiance;
     using factors = without<detail::FactorsOf<typename Ps::Output...>, union_of<Channels<typename Ps::Output>...>>;
     using reads = decltype(reads_of<Ps...>{} | factors{});
+    static constexpr MotionConvention motion_convention = [] {
+        MotionConvention first;
+        static_cast<void>(((first = Ps::motion_convention, first == MotionConvention{}) && ...));
+        return first;
+    }();
+    static_assert(((!reads_of<Ps>::template has<Motion> || Ps::motion_convention == motion_convention) && ...),
+                  "Composite{pipelines...}: one frame has vectors of one convention: give each pipeline the same Supplied<>");
     static constexpr bool needs_camera = (Ps::needs_camera || ...);
 
     std::tuple<Ps...> pipelines;

@@ -9,7 +9,14 @@ namespace quell {
 
 namespace detail {
 template <class T> inline constexpr bool is_stage = is_temporal<T> || is_spatial<T>;
-template <class T> inline constexpr bool is_input_option = Modulation<T> || std::is_same_v<T, SuppressFireflies>;
+template <class T> inline constexpr bool is_input_option = Modulation<T> || std::is_same_v<T, SuppressFireflies> || is_supplied<T>;
+
+/// Of the Supplied<> among parts, or quell's own.
+template <class... Parts> struct ConventionOf { static constexpr MotionConvention value{}; };
+template <MotionConvention convention, class... Parts> struct ConventionOf<Supplied<convention>, Parts...> {
+    static constexpr MotionConvention value = convention;
+};
+template <class First, class... Parts> struct ConventionOf<First, Parts...> : ConventionOf<Parts...> {};
 
 /// The option of a type among the parts of a pipeline, or the one that does nothing.
 template <class Wanted, class Nothing, class... Parts> constexpr auto option_of(Parts const&... parts) {
@@ -45,19 +52,20 @@ template <class Part> constexpr auto stage_or_nothing(Part const& part) {
 
 /// How one signal is denoised: a constant description that holds no images.
 ///     constexpr auto denoise = Pipeline{radiance, Demodulate{}, Temporal{SurfaceMotion{}, RunningMean{}}, Spatial{Atrous{}}};
-/// The signal's channel comes first, then Demodulate{} or another modulation and SuppressFireflies{} where wanted, then the stages in
-/// order, at most one of them Temporal. `reads` is what a host must supply, `remembers` what of it is kept of the last frame, `keeps` what
-/// the policies keep of their own.
+/// The signal's channel comes first, then Demodulate{} or another modulation, SuppressFireflies{} and Supplied<>{} where wanted, then the
+/// stages in order, at most one of them Temporal. `reads` is what a host must supply, `remembers` what of it is kept of the last frame,
+/// `keeps` what the policies keep of their own.
 template <ChannelTag S, class... Parts> struct Pipeline {
-    static_assert(
-        ((detail::is_stage<Parts> || detail::is_input_option<Parts>)&&...),
-        "Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{} or SuppressFireflies{}, see "
-        "quell/pipeline/stage.hpp");
+    static_assert(((detail::is_stage<Parts> || detail::is_input_option<Parts>)&&...),
+                  "Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{}, SuppressFireflies{} "
+                  "or Supplied<...>{}, see "
+                  "quell/pipeline/stage.hpp");
     static_assert(
         (0 + ... + int(detail::is_temporal<Parts>)) <= 1,
         "Pipeline{channel, parts...}: one Temporal at most, since there is one history; use FirstValid to combine motion sources");
 
     static_assert((0 + ... + int(Modulation<Parts>)) <= 1, "Pipeline{channel, parts...}: one modulation at most");
+    static_assert((0 + ... + int(detail::is_supplied<Parts>)) <= 1, "Pipeline{channel, parts...}: one Supplied<> at most");
     static_assert((0 + ... + int(std::is_same_v<Parts, SuppressFireflies>)) <= 1, "Pipeline{channel, parts...}: one SuppressFireflies{}");
     static_assert(
         detail::in_order<Channels<>, decltype(keeps_of<Parts...>{} | emits_of<Parts...>{}), Parts...>,
@@ -76,6 +84,7 @@ template <ChannelTag S, class... Parts> struct Pipeline {
                   "Pipeline{channel, parts...}: a stage reads what none of them makes: history_length wants RunningMean or Adaptive, "
                   "luminance_variance WithMoments, clean_up_deviation WithCleanUp, light_change ChangeDetector, a shadow's track "
                   "ShadowSplat, a gradient TemporalGradient, cones WithCones or Cones, blur's channels its guides");
+    static constexpr MotionConvention motion_convention = detail::ConventionOf<Parts...>::value;
     static constexpr bool has_past = (detail::is_temporal<Parts> || ...);
     static constexpr bool needs_camera = (needs_camera_of<Parts> || ...);
 

@@ -191,9 +191,11 @@ template <ChannelTag S> constexpr auto blur_fixed_step(S signal, PathSearch sear
 constexpr auto gather_blur(ChannelTag auto signal, auto... parts) { return Pipeline{signal, parts..., Spatial{GatherBlur{}}}; }
 constexpr auto tilemax_blur(ChannelTag auto signal, auto... parts) { return Pipeline{signal, parts..., Spatial{TileMaxBlur{}}}; }
 /// All effects, each by its own preset: direct * visibility + glossy + albedo * indirect.
-template <class = void> constexpr auto trmv() { return Composite{shadow(visibility), glossy(quell::glossy), dual_cone(indirect)}; }
-template <class = void> constexpr auto trmv_paper() {
-    return Composite{shadow_paper(visibility), glossy_paper(quell::glossy), dual_cone_paper(indirect)};
+template <class... Parts> constexpr auto trmv(Parts... parts) {
+    return Composite{shadow(visibility, parts...), glossy(quell::glossy, parts...), dual_cone(indirect, parts...)};
+}
+template <class... Parts> constexpr auto trmv_paper(Parts... parts) {
+    return Composite{shadow_paper(visibility, parts...), glossy_paper(quell::glossy, parts...), dual_cone_paper(indirect, parts...)};
 }
 
 } // namespace quell::presets

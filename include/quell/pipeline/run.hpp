@@ -18,14 +18,16 @@ class Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, Into> {
     using Output = ImageOf<Storage, typename P::Output>;
     using OutputView = ViewOf<Storage, typename P::Output>;
     using Remembers = typename P::remembers;
+    using Vectors = VectorConversion<P::motion_convention>;
     using NoViews = Views<Storage, Channels<>>;
 
     template <class Pass, bool raw>
-    using ScopeOf = Scope<Views<FrameStorage, common_to<reads_of<Pass>, Set>>, Views<Storage, common_to<reads_of<Pass>, typename P::made>>,
-                          SignalView, SignalView, Views<Storage, keeps_of<Pass>>, RememberedViewsOf<Storage, remembers_of<Pass>>, raw>;
+    using ScopeOf =
+        Scope<Views<FrameStorage, common_to<reads_of<Pass>, Set>>, Views<Storage, common_to<reads_of<Pass>, typename P::made>>, SignalView,
+              SignalView, Views<Storage, keeps_of<Pass>>, RememberedViewsOf<Storage, remembers_of<Pass>>, raw, Vectors>;
     using FinishReads = decltype(reads_of<typename P::Form>{} | Remembers{});
-    using FinishScope =
-        Scope<Views<FrameStorage, FinishReads>, NoViews, SignalView, SignalView, NoViews, RememberedViewsOf<Storage, Channels<>>, false>;
+    using FinishScope = Scope<Views<FrameStorage, FinishReads>, NoViews, SignalView, SignalView, NoViews,
+                              RememberedViewsOf<Storage, Channels<>>, false, Vectors>;
 
     P const& pipeline;
     Frame<Set, FrameStorage> const& frame;
@@ -228,12 +230,15 @@ private:
                 frame.shutter,
                 history.shutter,
                 frame_index,
-                past && history.signal != nullptr};
+                past && history.signal != nullptr,
+                vectors()};
     }
+    Vectors vectors() const { return {frame.size, frame.camera.jitter, history.camera.jitter}; }
     template <class Stored> auto remembered_views(Stored) const { return history.remembered.views(Stored{}); }
 
     auto finish() const {
-        FinishScope const scope{frame.size, frame.views(FinishReads{}), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, 0, false};
+        FinishScope const scope{frame.size, frame.views(FinishReads{}), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, 0, false,
+                                vectors()};
         auto const views = remembered.views(typename History<P, Storage>::Remembered{});
         if constexpr (std::is_same_v<Into, NoTarget>) {
             auto const target = history.output ? history.output->view() : OutputView{};
