@@ -35,7 +35,7 @@ check_unbroken() {
 break_line() {
     local file=$copy/include/quell/$1 content count
     content=$(<"$file")
-    count=$(grep -oF -- "$2" <<<"$content" | wc -l)
+    count=$({ grep -oF -- "$2" || true; } <<<"$content" | wc -l)
     [ "$count" = 1 ] || stop "$1 has '$2' $count times, not once: name the line that took its place"
     printf '%s\n' "${content/"$2"/"$3"}" >"$file"
 }
@@ -78,11 +78,14 @@ mutant "a distance in depth without its sign" filter/kernels filter/edge_weights
 mutant "the squared weights of the variance" filter/kernels filter/atrous.hpp 'w * w, noise' 'w, noise'
 mutant "columns outside the image" filter/kernels filter/taps.hpp 'Real(base), Real(too_far)' 'Real(base), Real(base)'
 mutant "rows outside the image" filter/kernels filter/taps.hpp 'below.row_inside ? 0.f : too_little' 'below.row_inside ? 0.f : 0.f'
-mutant "how far the light changed" filter/temporal_gradient filter/temporal_gradient.hpp 'past.validity * (1.f - change)' 'past.validity'
+mutant "how far the light changed" filter/temporal_gradient filter/temporal_gradient.hpp 'past, 1.f - change)' 'past, Real(1.f))'
 mutant "the test for NaN behind a filter" pipeline/history filter/atrous.hpp 'return select(all_finite(v), v, centre);' 'return v;'
 mutant "negative samples" pipeline/history pipeline/ingest.hpp 'a >= Real(0.f), ' ''
 mutant "albedo comes back" pipeline/history pipeline/modulation.hpp 'return a * d;' 'return a;'
 mutant "the test for what is no light in a picture's factors" pipeline/composite pipeline/composite.hpp 'return select(is_light(f), f,' 'return select(Real(0.f) == Real(0.f), f,'
+mutant "what a filter before Temporal does with missing samples" pipeline/stages pipeline/job.hpp 'select(missing, with_sign_bit(a)' 'select(invert(missing), max(a, real_of<V>(0.f))'
+mutant "a past that never had a sample" pipeline/stages motion/history_fetch.hpp 'then[history_length] > Real(0.f)' 'then[history_length] >= Real(0.f)'
+mutant "the order of a pipeline's end: what is remembered is still read" pipeline/stages pipeline/run.hpp 'if (!reads_remembered)' 'if (reads_remembered)'
 mutant "blur: when a sample passes" blur/two_motions blur/usable_path.hpp 'when = time() + along;' 'when = time() - along;'
 mutant "blur: motions too unlike to be of one surface" blur/two_motions blur/pair_guide.hpp \
     'difference > unlike_by * unlike_by,' 'difference > difference,'
