@@ -16,6 +16,8 @@ template <class Test> QUELL_KERNEL auto around(Test const& test, auto px, auto d
     else
         return test.around(px);
 }
+/// Whether a vector is anything like a unit vector.
+template <class Real> QUELL_KERNEL auto is_direction(vec3<Real> const& n) { return both(all_finite(n), dot(n, n) > Real(0.25f)); }
 } // namespace detail
 
 /// The depth that the surface's plane has there. A miss accepts only misses.
@@ -43,7 +45,7 @@ struct SameDepth {
     }
 };
 
-/// A normal not turned away from this one.
+/// A normal not turned away from this one. What has none, as a miss, says nothing of the past.
 struct SameNormal {
     using reads = Channels<Normal>;
     using remembers = Channels<Normal>;
@@ -51,10 +53,15 @@ struct SameNormal {
 
     template <class Real> struct Facing {
         vec3<Real> n;
-        float least_cosine;
-        QUELL_KERNEL auto accepts(auto const& then, Real, Real) const { return dot(n, then[normal]) > Real(least_cosine); }
+        Real least_cosine;
+        QUELL_KERNEL auto accepts(auto const& then, Real, Real) const { return dot(n, then[normal]) > least_cosine; }
     };
-    QUELL_KERNEL auto around(auto px) const { return Facing<typename decltype(px)::Real>{px[normal], least_cosine}; }
+    QUELL_KERNEL auto around(auto px) const {
+        using Real = typename decltype(px)::Real;
+        auto const n = px[normal];
+        auto const given = detail::is_direction(n);
+        return Facing<Real>{select(given, n, zero<vec3<Real>>()), select(given, Real(least_cosine), Real(-1.f))};
+    }
 };
 
 /// The same object.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/motion/history_fetch.hpp>
+#include <quell/motion/surface_test.hpp>
 #include <quell/radiance/cones.hpp>
 
 namespace quell {
@@ -16,8 +17,16 @@ struct ConeFetch {
         using Real = typename Px::Real;
         auto past = inner.fetch(px, found);
         auto const place = nearest_place(px, past.where);
-        auto const now = px[normal], then = px.past(place)[normal];
-        auto const differs = both(past.validity > Real(0.f), invert(cone::same_axes(now, then)));
+        auto const nearest = px.past(place);
+        auto const now = px[normal];
+        auto then = nearest[normal];
+        auto const valid = past.validity > Real(0.f);
+        auto const refused = both(valid, invert(detail::counts<Real>(nearest, found)));
+        if (any(refused)) {
+            auto const where_and_test = found; // what is handed to a function lives in memory
+            then = select(refused, nearest_accepted(px, where_and_test), then);
+        }
+        auto const differs = both(valid, detail::is_direction(now), invert(cone::same_axes(now, then)));
         if (any(differs)) {
             if constexpr (Px::Scope::kept_channels::template has<ConeRadiance>) {
                 auto const before = past[cone_radiance];
@@ -28,6 +37,27 @@ struct ConeFetch {
             }
         }
         return past;
+    }
+
+private:
+    /// The normal of the nearest past pixel that is accepted: of those that were interpolated, it weighs most.
+    template <class Px, class FoundPlace>
+    [[gnu::noinline]] static constexpr vec3<typename Px::Real> nearest_accepted(Px const& px, FoundPlace const& found) {
+        using Real = typename Px::Real;
+        auto const place = nearest_place(px, found.where);
+        vec3<Real> n{Real(0.f), Real(0.f), Real(0.f)};
+        Real least(9.f);
+        for (int j = -1; j <= 1; ++j)
+            for (int i = -1; i <= 1; ++i) {
+                auto const then = px.past(place, i, j);
+                auto const x = place.column - found.where.x + (static_cast<float>(i) + 0.5f),
+                           y = place.row - found.where.y + (static_cast<float>(j) + 0.5f);
+                auto const distance = fma(x, x, y * y);
+                auto const nearer = both(detail::counts<Real>(then, found), distance < least);
+                n = select(nearer, then[normal], n);
+                least = select(nearer, distance, least);
+            }
+        return n;
     }
 };
 
