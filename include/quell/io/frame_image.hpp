@@ -100,10 +100,13 @@ template <ChannelTag C> constexpr SampleType type_of(C) {
 
 /// How long the shutter was open, as a part of the frame time: by the names, or the image's attribute `quell:shutter`. Nothing where
 /// neither says.
+/// @throws Error where the attribute is no number
 [[nodiscard]] inline std::optional<float> shutter_of(ExrImage const& image, ChannelNames const& names = {}) {
     if (names.shutter) return names.shutter;
-    auto const* const stored = image.attribute<float>("quell:shutter");
-    return stored ? std::optional(*stored) : std::nullopt;
+    if (!image.attributes.contains("quell:shutter")) return std::nullopt;
+    if (auto const* const stored = image.attribute<float>("quell:shutter")) return *stored;
+    if (auto const* const whole = image.attribute<int>("quell:shutter")) return static_cast<float>(*whole);
+    throw Error(image.name, "its attribute quell:shutter is no number", "write it as a float, or say --shutter");
 }
 
 /// Fills every channel of a frame from an image, and its camera and shutter where the image has them.
