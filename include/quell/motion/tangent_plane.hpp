@@ -43,7 +43,10 @@ template <class Px> QUELL_KERNEL auto tangent_plane_then(Px const& px) {
     auto const has_moved = dot(moved, moved) > dot(from_eye, from_eye) * 1e-12f;
     if (any(has_moved)) {
         SurfaceEdge<Px> const across(px, now, then, 1, 0), down(px, now, then, 0, 1);
-        auto const turned = n + normalized(cross(down.then, across.then)) - normalized(cross(down.now, across.now));
+        // The triangle's normal faces the camera; the host's may face away.
+        auto const face = normalized(cross(down.now, across.now));
+        auto const side = select(dot(n, face) < Real(0.f), Real(-1.f), Real(1.f));
+        auto const turned = add_scaled(n, normalized(cross(down.then, across.then)) - face, side);
         n = select(both(has_moved, all_finite(turned)), normalized(turned), n);
     }
     return Plane<Real>{then, n};
