@@ -8,6 +8,7 @@ namespace quell {
 /// Keeps the history of a colour as incident radiance in six cones (TRMV section 4.3), mixed with the alpha of the inner policy, and gives
 /// what these shade to: history can be passed between surfaces that face different ways, and what comes after is a colour that costs no
 /// more to filter than any other. For a signal that is one cosine-distributed sample of incident radiance, such as Indirect.
+/// A clamp goes around it: Clamped{WithCones{RunningMean{}}}.
 ///     Pipeline{indirect, Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, WithCones{RunningMean{}}, ConeFetch{}}, Spatial{Atrous{}}}
 template <class Inner> struct WithCones {
     static_assert(BlendPolicy<Inner>, "WithCones{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
@@ -20,9 +21,29 @@ template <class Inner> struct WithCones {
     QUELL_KERNEL auto blend(auto px, auto past) const {
         auto result = detail::result_of([&]() __attribute__((always_inline)) { return inner.blend(px, past); });
         auto const sample = cone::deposit(px.signal(), px[indirect_direction], px[normal]);
-        auto const cones = mix(past[cone_radiance], sample, result.alpha);
+        auto before = past[cone_radiance];
+        auto const clamped = past.clamped > typename decltype(px)::Real(0.f);
+        if (any(clamped)) before = select(clamped, shaded_as(past.signal, before), before);
+        auto const cones = mix(before, sample, result.alpha);
         result.value = cone::shade(cones);
         return result.with(cone_radiance, cones);
+    }
+
+private:
+    /// The past's cones once a clamp has changed its colour: dimmed, or with the same light added to all, until they shade to that.
+    template <class V, class Real> QUELL_KERNEL static Components<24, Real> shaded_as(V const& colour, Components<24, Real> const& cones) {
+        auto const shaded = cone::shade(cones);
+        auto const factor = map(
+            [](auto to, auto from) __attribute__((always_inline)) { return min(to / max(from, Real(1e-30f)), Real(1.f)); }, colour, shaded);
+        auto const added = map(
+            [](auto to, auto from) __attribute__((always_inline)) { return max(to - from, Real(0.f)); }, colour, shaded);
+        return make_value<24, Real>([&](auto i) __attribute__((always_inline)) {
+            constexpr int k = i / 4, c = i % 4;
+            if constexpr (c == 3)
+                return cones.at[i];
+            else
+                return fma(cones.at[i], component<c>(factor), component<c>(added) * cones.at[4 * k + 3]);
+        });
     }
 };
 template <class Inner> WithCones(Inner) -> WithCones<Inner>;
