@@ -19,12 +19,6 @@ template <class... Cs> struct GradientSignals<Channels<Cs...>> { using type = un
 template <class Wanted> using gradient_signals = typename detail::GradientSignals<Wanted>::type;
 template <class Wanted> inline constexpr bool wants_gradients = gradient_signals<Wanted>::size > 0;
 
-/// Whether this is the pixel of its 3x3 stratum whose gradient is traced in a frame. Strata that the image cuts off have one as well.
-[[nodiscard]] bool has_gradient(glm::ivec2 pixel, Extent size, int frame, std::uint32_t seed);
-
-/// Luminance now less luminance before, and the larger of the two.
-[[nodiscard]] glm::vec2 gradient_of(float now, float before);
-
 /// One surface point in two frames: the scene with its camera, standing at this frame, and another standing at the frame before.
 struct TwoFrames {
     PreparedScene const &now, &before;

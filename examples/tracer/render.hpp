@@ -4,6 +4,7 @@
 #include "gradient.hpp"
 
 #include <quell/core/error.hpp>
+#include <quell/frame/gradient_samples.hpp>
 
 #include <tbb/blocked_range2d.h>
 #include <tbb/parallel_for.h>
@@ -215,7 +216,8 @@ private:
     /// With the random numbers that this pixel's first sample had in the last frame.
     void put_gradients(Seen const& seen, View const& view, View const& before) {
         using signals = gradient_signals<Wanted>;
-        bool const chosen = seen.hit && earlier != nullptr && has_gradient({x_, y_}, settings.size, settings.frame, settings.seed);
+        GradientSamples const samples{settings.size, settings.frame, static_cast<std::int32_t>(settings.seed)};
+        bool const chosen = seen.hit && earlier != nullptr && samples.has(x_, y_);
         if (chosen && shade_in_both_frames(seen, view, before)) return;
         for_each_channel(signals{}, [&]<class Signal>(Signal) { put(GradientOf<Signal>{}, glm::vec2{0.f}); });
     }
@@ -223,12 +225,12 @@ private:
     bool shade_in_both_frames(Seen const& seen, View const& view, View const& before) {
         PathContext const path{key(0, 1), seen.ray.time, settings.bounces, &counts};
         TwoFrames const frames{scene, *earlier, view, before, settings.size};
-        return shade_twice<Wanted>(frames, seen.hit, path,
-                                   [&](Surface const& a, Signals const& now, Surface const& b, Signals const& then) {
-                                       for_each_channel(gradient_signals<Wanted>{}, [&]<class Signal>(Signal s) {
-                                           put(GradientOf<Signal>{}, gradient_of(luminance_of(s, a, now), luminance_of(s, b, then)));
-                                       });
-                                   });
+        return shade_twice<Wanted>(
+            frames, seen.hit, path, [&](Surface const& a, Signals const& now, Surface const& b, Signals const& then) {
+                for_each_channel(gradient_signals<Wanted>{}, [&]<class Signal>(Signal s) {
+                    put(GradientOf<Signal>{}, GradientSamples::gradient(luminance_of(s, a, now), luminance_of(s, b, then)));
+                });
+            });
     }
 
     void put_signals(Signals const& signals) {

@@ -14,6 +14,7 @@
 #include <quell/filter/bilateral.hpp>
 #include <quell/filter/shadow_splat.hpp>
 #include <quell/filter/variance_guided_atrous.hpp>
+#include <quell/frame/gradient_samples.hpp>
 #include <quell/image/borrowed.hpp>
 #include <quell/image/interleaved.hpp>
 #include <quell/image/planar.hpp>
