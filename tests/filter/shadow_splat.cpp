@@ -128,3 +128,31 @@ TEST_CASE("a lit picture uses no history, and gets wider filters nowhere; bad sa
         breaks(light), breaks(light_previous), breaks(blocker), breaks(blocker_previous), breaks(position), breaks(normal), breaks(depth);
     }
 }
+
+namespace {
+/// A shadow that comes from far to the right, and the parts of pixels that its track has.
+struct FarShadow {
+    QUELL_KERNEL auto previous(auto px) const {
+        using Real = typename decltype(px)::Real;
+        return Reprojection<Real>{{px.position().x + 900.3125f, px.position().y}, Real(1.f)};
+    }
+};
+struct PartsOfPixels {
+    using Signal = Visibility;
+    using reads = Channels<ShadowTrack>;
+    QUELL_KERNEL auto filter(auto px) const {
+        auto const x = px[shadow_track].x;
+        return x - quell::floor(x);
+    }
+};
+} // namespace
+
+TEST_CASE("tracks are as exact as motion where history and scratch are in half") {
+    constexpr auto show = Pipeline{visibility, Spatial{ShadowSplat{FarShadow{}}}, Spatial{PartsOfPixels{}}};
+    Frame frame{size, show};
+    History history{size, show, Planar<Float16>{}};
+    tests::fill_still(frame);
+    frame.camera = view.camera();
+    tests::fill(frame[light], [](int, int) { return glm::vec3(0, 9, 0); });
+    for (float const part : tests::copy_of(run(show, frame, history))) REQUIRE(part == doctest::Approx(0.3125).epsilon(0.002));
+}

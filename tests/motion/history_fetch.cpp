@@ -81,3 +81,10 @@ TEST_CASE_TEMPLATE("a blend policy is handed zeros where there is no past", Fetc
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) REQUIRE(out.get(0, x, y) == (x < 16 ? 1.f : 3.f));
 }
+
+// A past pixel refers to its place, which must not be gone by then.
+template <class Place>
+concept LedTo = requires(detail::Probe<Nearest> const px, Place place) {
+    px.past(static_cast<Place&&>(place));
+};
+static_assert(LedTo<PastPlace<float> const&> && !LedTo<PastPlace<float>>);

@@ -10,6 +10,7 @@ namespace quell {
 /// how much of the neighbourhood knows. Each of the first three is a mean weighted by the last.
 struct ShadowTrack : MadeChannel<4> {
     static constexpr auto name = "shadow_track";
+    static constexpr bool full_precision = true; // as Motion
 };
 inline constexpr ShadowTrack shadow_track;
 

@@ -160,6 +160,8 @@ template <class R, class S> struct Pixel {
     QUELL_KERNEL bool has_past() const { return scope.has_past; }
     /// The pixel of the previous frame at an offset from a place there; outside the image it shows something finite of no meaning.
     QUELL_KERNEL PastPixel<Real, S> past(PastPlace<Real> const& place, int dx = 0, int dy = 0) const { return {scope, place, dx, dy}; }
+    /// The past pixel keeps no copy of its place: give the place a name.
+    void past(PastPlace<Real>&&, int = 0, int = 0) const = delete;
     /// A channel of this frame, or one that an earlier pass made, at any place; outside the image it shows something finite of no meaning.
     template <ChannelTag C> QUELL_KERNEL auto elsewhere(PastPlace<Real> const& place, C c) const {
         constexpr bool made = S::made_channels::template has<C>, given = S::frame_channels::template has<C>;

@@ -143,7 +143,7 @@ struct Bilinear {
     QUELL_KERNEL static auto interpolated(Px const& px, FoundPlace const& unchecked, ValueOf&& value_of) {
         using Real = typename Px::Real;
         auto const found = detail::sane(px, unchecked);
-        auto sum = zero<std::remove_cvref_t<decltype(value_of(px.past(PastPlace<Real>(Real(0.f), Real(0.f)))))>>();
+        auto sum = zero<std::remove_cvref_t<decltype(value_of(px.past(std::declval<PastPlace<Real> const&>())))>>();
         Real weight(0.f);
         each_tap(
             px, found, [&](auto const& then, Real w) __attribute__((always_inline)) {
