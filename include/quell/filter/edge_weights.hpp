@@ -50,18 +50,23 @@ struct NormalEdge {
     }
 };
 
+namespace detail {
+/// What edges of brightness have prepared for the neighbours: the luminance here, and by what its difference is multiplied.
+template <class Real> struct AroundLuminance {
+    Real centre, inverse;
+    QUELL_KERNEL Real distance(auto neighbour, Real sum) const { return fma(abs(luminance(neighbour.signal()) - centre), inverse, sum); }
+};
+} // namespace detail
+
 /// exp(-|dl| / (sigma * scale)): neighbours of another brightness count less, in absolute units.
 struct LuminanceEdge {
     float sigma = 1.f;
 
-    template <class Real> struct Around {
-        Real centre;
-        float inverse;
-        QUELL_KERNEL Real distance(auto neighbour, Real sum) const {
-            return fma(abs(luminance(neighbour.signal()) - centre), Real(inverse), sum);
-        }
-    };
-    QUELL_KERNEL auto around(auto px) const { return Around<typename decltype(px)::Real>{luminance(px.signal()), 1.f / sigma}; }
+    template <class Real> struct Around : detail::AroundLuminance<Real> {};
+    QUELL_KERNEL auto around(auto px) const {
+        using Real = typename decltype(px)::Real;
+        return Around<Real>{{luminance(px.signal()), Real(1.f / sigma)}};
+    }
 };
 
 /// exp(-|dl| / (sigma sqrt(variance) + 1e-4)) with the variance blurred by a 3x3 Gaussian: only differences beyond the noise are edges
@@ -70,12 +75,7 @@ struct VarianceGuidedEdge {
     using reads = Channels<Variance>;
     float sigma = 4.f;
 
-    template <class Real> struct Around {
-        Real centre, inverse;
-        QUELL_KERNEL Real distance(auto neighbour, Real sum) const {
-            return fma(abs(luminance(neighbour.signal()) - centre), Real(inverse), sum);
-        }
-    };
+    template <class Real> struct Around : detail::AroundLuminance<Real> {};
     QUELL_KERNEL auto around(auto px) const {
         using Real = typename decltype(px)::Real;
         Real sum = px[variance] * 0.25f, weights(0.25f);
@@ -86,7 +86,7 @@ struct VarianceGuidedEdge {
                 weights = weights + (weight + its_weight);
             });
         auto const deviation = sqrt(max(sum / weights, Real(0.f)));
-        return Around<Real>{luminance(px.signal()), 1.f / (deviation * sigma + 1e-4f)};
+        return Around<Real>{{luminance(px.signal()), 1.f / (deviation * sigma + 1e-4f)}};
     }
 };
 

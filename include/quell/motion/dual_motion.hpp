@@ -34,13 +34,6 @@ template <class Test = SimilarDepth> struct DualMotion {
     float trust = 0.5f;   ///< validity of what is found: it is alike, but not the same
     float reach = 0.125f; ///< how far outside the image the border still stands for, as a part of the image's longer side
 
-    template <class Real, class Prepared> struct Found {
-        vec2<Real> where;
-        Real validity;
-        Prepared test;
-        QUELL_KERNEL auto accepts(auto const& then, Real dx, Real dy) const { return test.accepts(then, dx, dy); }
-    };
-
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const x = px.position(), m = px[motion];
@@ -53,7 +46,7 @@ template <class Test = SimilarDepth> struct DualMotion {
         auto const within = both(is_finite(m.x), is_finite(m.y), beyond_x < allowed, beyond_y < allowed);
         auto const z = carried_forward(px, y);
         vec2<Real> const where{select(outside, y.x, y.x + (x.x - z.x)), select(outside, y.y, y.y + (x.y - z.y))};
-        return Found<Real, decltype(test.around(px))>{where, masked(within, Real(trust)), test.around(px)};
+        return detail::TestedReprojection<Real, decltype(test.around(px))>{where, masked(within, Real(trust)), test.around(px)};
     }
 
 private:

@@ -4,16 +4,6 @@
 
 namespace quell {
 
-namespace detail {
-/// A place in the past together with the test that its taps must pass.
-template <class Real, class Prepared> struct TestedReprojection {
-    vec2<Real> where;
-    Real validity;
-    Prepared test;
-    QUELL_KERNEL auto accepts(auto const& then, Real dx, Real dy) const { return test.accepts(then, dx, dy); }
-};
-} // namespace detail
-
 /// Follows the surface seen in the pixel by the host's Motion channel (TRMV eq. 1), and accepts what passes the test.
 /// @tparam Test SameDepth, SameNormal, SameInstance, AllOf several, or the host's own
 template <class Test = AllOf<SameDepth, SameNormal>> struct SurfaceMotion {

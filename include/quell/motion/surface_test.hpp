@@ -16,6 +16,13 @@ template <class Test> QUELL_KERNEL auto around(Test const& test, auto px, auto d
     else
         return test.around(px);
 }
+/// A place in the past together with the test that its taps must pass.
+template <class Real, class Prepared> struct TestedReprojection {
+    vec2<Real> where;
+    Real validity;
+    Prepared test;
+    QUELL_KERNEL auto accepts(auto const& then, Real dx, Real dy) const { return test.accepts(then, dx, dy); }
+};
 /// Whether a vector is anything like a unit vector.
 template <class Real> QUELL_KERNEL auto is_direction(vec3<Real> const& n) { return both(all_finite(n), dot(n, n) > Real(0.25f)); }
 } // namespace detail

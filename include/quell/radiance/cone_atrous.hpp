@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/filter/edge_weights.hpp>
+#include <quell/filter/atrous.hpp>
 #include <quell/radiance/cones.hpp>
 
 namespace quell {
@@ -18,7 +18,7 @@ template <class Edge> struct ConeLevel {
         using Px = decltype(px);
         using Real = typename Px::Real;
         constexpr int taps = 25;
-        constexpr float spline[] = {0.0625f, 0.25f, 0.375f, 0.25f, 0.0625f};
+        auto const spline = [](int i) { return CubicSpline::weights[i < 2 ? 2 - i : i - 2]; };
         auto const around = edge.around(px);
         auto const n = px[normal];
         Real same[taps], other[taps];
@@ -29,7 +29,7 @@ template <class Edge> struct ConeLevel {
             int const dx = (t % 5 - 2) * step, dy = (t / 5 - 2) * step;
             auto const neighbour = px.at(dx, dy);
             column[t] = neighbour.x, row[t] = neighbour.y;
-            float const start = spline[t % 5] * spline[t / 5];
+            float const start = spline(t % 5) * spline(t / 5);
             auto w = Real(start);
             if (t != taps / 2) {
                 auto const& toward = edge_toward(around, dx, dy);
