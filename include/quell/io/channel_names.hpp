@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/core/error.hpp>
 #include <quell/frame/channels.hpp>
 #include <quell/frame/motion_convention.hpp>
 
