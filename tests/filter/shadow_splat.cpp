@@ -148,7 +148,7 @@ struct PartsOfPixels {
 } // namespace
 
 TEST_CASE("tracks are as exact as motion where history and scratch are in half") {
-    constexpr auto show = Pipeline{visibility, Spatial{ShadowSplat{FarShadow{}}}, Spatial{PartsOfPixels{}}};
+    constexpr auto show = Pipeline{visibility, Spatial{ShadowSplat<FarShadow>{}}, Spatial{PartsOfPixels{}}};
     Frame frame{size, show};
     History history{size, show, Planar<Float16>{}};
     tests::fill_still(frame);

@@ -32,8 +32,8 @@ void check_near(std::vector<glm::vec3> const& a, std::vector<glm::vec3> const& b
 
 TEST_CASE("a clamp around cones brings their light to the clamped colour, darker or brighter") {
     glm::vec3 const a(10, 1, 0), b(1, 1, 5);
-    for (auto const& [first, then] : {std::pair{a, b}, std::pair{b, a}}) {
-        auto const light = [&](int i) { return i < 5 ? first : then; };
+    for (bool swapped : {false, true}) {
+        auto const light = [&](int i) { return (i < 5) == swapped ? b : a; };
         check_near(shown(Clamped{WithCones{RunningMean{}}}, light), shown(Clamped{RunningMean{}}, light));
     }
 }
