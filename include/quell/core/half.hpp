@@ -34,16 +34,29 @@ QUELL_KERNEL std::uint16_t half_from_float(float a) {
     return static_cast<std::uint16_t>(sign | ((magnitude - 0x38000000u + 0xfffu + odd) >> 13));
 }
 
+#if defined(__F16C__) && !defined(__CUDACC__)
+namespace detail {
+/// Keeps clang++ from comparing halves instead of the floats that they have become: clang++ 14 swaps the operands of AVX-512 FP16's
+/// comparison, so that 0 < a becomes a < 0.
+template <class Register> QUELL_KERNEL Register as_floats(Register converted) {
+#if defined(__clang__) && defined(__AVX512FP16__)
+    asm("" : "+v"(converted));
+#endif
+    return converted;
+}
+} // namespace detail
+#endif
+
 /// `width_of<Real>` halves that lie side by side, as a Real.
 template <class Real> QUELL_KERNEL Real load_half(std::uint16_t const* p) {
     if constexpr (width_of<Real> == 1) return float_from_half(*p);
 #if defined(__AVX512F__) && !defined(__CUDACC__)
     else if constexpr (width_of<Real> == 16)
-        return Real(_mm512_cvtph_ps(_mm256_loadu_si256(reinterpret_cast<__m256i const*>(p))));
+        return Real(detail::as_floats(_mm512_cvtph_ps(_mm256_loadu_si256(reinterpret_cast<__m256i const*>(p)))));
 #endif
 #if defined(__F16C__) && !defined(__CUDACC__)
     else if constexpr (width_of<Real> == 8)
-        return Real(_mm256_cvtph_ps(_mm_loadu_si128(reinterpret_cast<__m128i const*>(p))));
+        return Real(detail::as_floats(_mm256_cvtph_ps(_mm_loadu_si128(reinterpret_cast<__m128i const*>(p)))));
 #endif
     else {
         float lane[width_of<Real>];
