@@ -18,7 +18,8 @@ struct DepthBefore {
         using Real = typename Px::Real;
         if (!px.has_past()) return px.signal();
         auto const p = px.position();
-        Real const then = px.past(PastPlace<Real>(floor(p.x), floor(p.y) - 1.f))[depth];
+        PastPlace<Real> const above(floor(p.x), floor(p.y) - 1.f);
+        Real const then = px.past(above)[depth];
         return typename Px::Signal{then, then, then};
     }
 };
