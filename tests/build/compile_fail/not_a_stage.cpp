@@ -1,4 +1,4 @@
-// error: Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{}, SuppressFireflies{} or Supplied<...>{}
+// error: Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{}, SuppressFireflies{} or
 #include <quell/quell.hpp>
 
 #ifdef CORRECT
