@@ -15,7 +15,7 @@ std::vector<KnownLimit> listed() {
     std::vector<KnownLimit> list;
     std::string const lag = "light that changes by itself leaves history that is followed rightly and is wrong; nothing but a clamp or the "
                             "host's gradients tells";
-    add(list, "lightswitch", "first_frame_over_no_history", {"surface", "svgf", "asvgf"}, lag);
+    add(list, "lightswitch", "first_frame_over_no_history", {"surface", "svgf"}, lag);
     add(list, "lightswitch", "worst_frame_over_fresh_start", {"surface", "surface-clamp", "svgf", "asvgf"}, lag);
     for (std::string const metric : {"first_frame_over_no_history", "worst_frame_over_fresh_start"})
         add(list, "cut-unnoticed", metric, {"surface", "svgf", "dual-color"},
