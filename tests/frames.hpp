@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <random>
+#include <string>
 #include <vector>
 
 // Frames to test with, and ways to compare what comes out.
@@ -64,6 +65,16 @@ template <class F> void fill_still(F& frame) {
                 return Value<C::components, float>(0.f);
         });
     });
+}
+
+/// What the Error says that f throws.
+template <class F> std::string message(F&& f) {
+    try {
+        f();
+    } catch (Error const& e) {
+        return e.what();
+    }
+    return "nothing thrown";
 }
 
 /// All components of an image, row by row.

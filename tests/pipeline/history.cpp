@@ -261,31 +261,23 @@ TEST_CASE("a host can have the output in an image of its own") {
 }
 
 TEST_CASE("what can't be used is refused by name") {
-    auto const message = [](auto&& f) -> std::string {
-        try {
-            f();
-        } catch (Error const& e) {
-            return e.what();
-        }
-        return "nothing thrown";
-    };
-    CHECK(message([] { Frame frame{Extent{0, 4}, surface}; }).find("frame size: 0x4") == 0);
-    CHECK(message([] { History history{Extent{4, -1}, surface}; }).find("history size: 4x-1") == 0);
+    CHECK(tests::message([] { Frame frame{Extent{0, 4}, surface}; }).find("frame size: 0x4") == 0);
+    CHECK(tests::message([] { History history{Extent{4, -1}, surface}; }).find("history size: 4x-1") == 0);
     Frame frame{size, surface};
     History history{size, surface};
     every_pixel(frame, glm::vec3(1));
     frame[depth] = std::remove_reference_t<decltype(frame[depth])>(Extent{3, 3});
-    CHECK(message([&] { run(surface, frame, history); }) ==
+    CHECK(tests::message([&] { run(surface, frame, history); }) ==
           "channel 'depth': 3x3 in a frame of 40x25; give every channel the frame's size");
     Frame borrowed{size, surface, Borrowed<>{}};
-    CHECK(message([&] { run(surface, borrowed, history); }).find("channel 'radiance': no memory") == 0);
+    CHECK(tests::message([&] { run(surface, borrowed, history); }).find("channel 'radiance': no memory") == 0);
     constexpr auto by_position = Pipeline{radiance, Temporal{PositionMotion{}, Exponential{}}};
     Frame posed{size, by_position};
     History its_history{size, by_position};
     posed.camera.projection = glm::mat4(0.f);
-    CHECK(message([&] { run(by_position, posed, its_history); }).find("camera.projection: a singular") == 0);
+    CHECK(tests::message([&] { run(by_position, posed, its_history); }).find("camera.projection: a singular") == 0);
     posed.camera = Camera{};
-    CHECK(message([&] { run(by_position, posed, its_history); }).find("camera.projection: a matrix without perspective") == 0);
+    CHECK(tests::message([&] { run(by_position, posed, its_history); }).find("camera.projection: a matrix without perspective") == 0);
     posed.camera.view[1][2] = not_a_number;
-    CHECK(message([&] { run(by_position, posed, its_history); }).find("camera.view") == 0);
+    CHECK(tests::message([&] { run(by_position, posed, its_history); }).find("camera.view") == 0);
 }

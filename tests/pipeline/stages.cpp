@@ -146,7 +146,7 @@ TEST_CASE("a pipeline whose last pass makes no signal puts out what there is") {
     constexpr auto demodulated = Pipeline{radiance, Demodulate{}, moments, no_levels};
     constexpr auto plain = Pipeline{radiance, moments, no_levels};
     Frame frame{size, demodulated};
-    History history{size, demodulated}, its_history(size, demodulated);
+    History history{size, demodulated};
     tests::fill_still(frame);
     tests::fill(frame[radiance], [](int, int) { return glm::vec3(1.f); });
     tests::fill(frame[albedo], [](int, int) { return glm::vec3(0.5f); });
@@ -203,20 +203,12 @@ TEST_CASE("a history that is hardly trusted gains no trust by a missing sample")
 }
 
 TEST_CASE("a target of another size, factors of another size and rows without a stride are refused before anything is written") {
-    auto const message = [](auto&& f) -> std::string {
-        try {
-            f();
-        } catch (Error const& e) {
-            return e.what();
-        }
-        return "nothing thrown";
-    };
     constexpr auto surface = presets::surface(direct);
     Frame frame{size, surface};
     History history{size, surface};
     tests::fill_still(frame);
     Planar<>::Image<3> small(Extent{8, 8});
-    CHECK(message([&] { run_into(small.view(), surface, frame, history); }) ==
+    CHECK(tests::message([&] { run_into(small.view(), surface, frame, history); }) ==
           "run_into: the target: 8x8 for a frame of 40x24; give it the frame's size");
 
     constexpr auto both = Composite{presets::surface(glossy), presets::surface(visibility)};
@@ -230,7 +222,7 @@ TEST_CASE("a target of another size, factors of another size and rows without a 
     run_frame(0);
     auto const good = std::move(lit[direct]);
     lit[direct] = Planar<>::Image<3>(Extent{4, 4});
-    CHECK(message([&] { run_frame(1); }) == "channel 'direct': 4x4 in a frame of 40x24; give every channel the frame's size");
+    CHECK(tests::message([&] { run_frame(1); }) == "channel 'direct': 4x4 in a frame of 40x24; give every channel the frame's size");
     lit[direct] = Planar<>::Image<3>(size);
     run_frame(1);
     CHECK(its_history.part<0>().statistics().resets == 1);
@@ -241,6 +233,6 @@ TEST_CASE("a target of another size, factors of another size and rows without a 
     Frame borrowed{size, none, Borrowed<>{}};
     History no_history{size, none};
     borrowed[visibility].data = values.data();
-    CHECK(message([&] { run(none, borrowed, no_history); }) ==
+    CHECK(tests::message([&] { run(none, borrowed, no_history); }) ==
           "channel 'visibility': row_stride 0; give the distance from a row to the next, in elements");
 }

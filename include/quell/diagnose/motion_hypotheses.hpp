@@ -72,9 +72,9 @@ inline void report_convention(MotionConvention convention, Observation const& se
     std::string swapped;
     if (convention.points != seen.convention.points) swapped = ", or swap the current and the previous matrix where it is computed,";
     for (auto const mistake : mistakes_of(convention, seen.convention))
-        findings.push_back({mistake, evidence,
-                            "multiply motion by " + pair(factor.x, factor.y) + swapped + " or give the pipeline Supplied<" +
-                                code_of(convention) + "> for SurfaceMotion<>"});
+        findings.push_back(
+            {mistake, evidence,
+             "multiply motion by " + pair(factor.x, factor.y) + swapped + " or give the pipeline Supplied<" + code_of(convention) + ">{}"});
 }
 
 /// Sign, unit and direction of y, by cameras that move.
@@ -130,7 +130,7 @@ inline std::string jitter_remedy(MotionConvention taken_for) {
         return "leave .jitter out of the MotionConvention: the vectors have none in them, or camera.jitter is not what they have";
     taken_for.jitter = MotionConvention::Jitter::left_in;
     return "project with matrices without jitter where motion is computed, or set camera.jitter and give the pipeline Supplied<" +
-           code_of(taken_for) + "> for SurfaceMotion<>";
+           code_of(taken_for) + ">{}";
 }
 
 /// Whether an offset is what jitter leaves: the change of camera.jitter, or one that turns back. What slides keeps its direction, and what
