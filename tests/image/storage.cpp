@@ -60,6 +60,23 @@ TEST_CASE_TEMPLATE("what is stored is what is loaded, at any width and offset", 
     round_trip<Storage>();
 }
 
+TEST_CASE_TEMPLATE("a variance is kept in half as its root: squares far beyond a half's range are stored to its precision", Storage,
+                   Planar<Float16>, Interleaved<Float16>) {
+    ImageOf<Storage, LuminanceVariance> image(Extent{width_of<Pack>, 1});
+    CHECK(image.bytes() < ImageOf<Planar<>, LuminanceVariance>(Extent{width_of<Pack>, 1}).bytes());
+    auto const view = detail::view_of<LuminanceVariance>(image);
+    for (float const variance : {0.f, 1e-9f, 0.3f, 1.f, 65504.f, 1e6f, 4e9f}) {
+        CAPTURE(variance);
+        view.set(0, 0, 0, variance);
+        CHECK(view.get(0, 0, 0) == doctest::Approx(variance).epsilon(0.001));
+        detail::store_pixels<Pack>(view, 0, 0, {Pack(variance)}, width_of<Pack>);
+        for (int x = 0; x < width_of<Pack>; ++x) CHECK(view.get(0, x, 0) == doctest::Approx(variance).epsilon(0.001));
+        CHECK(lane(component<0>(detail::load_pixels<Pack>(view, 0, 0)), 1) == view.get(0, 1, 0));
+        auto const last = Index<Pack>(width_of<Pack> - 1);
+        CHECK(lane(component<0>(detail::gather_pixels<Pack>(view, last, last - last)), 0) == view.get(0, 0, 0));
+    }
+}
+
 TEST_CASE("a host's memory is read in place, whatever its layout") {
     Extent const size{21, 5};
     std::vector<float> rgba(static_cast<std::size_t>(size.pixels() * 4));

@@ -14,7 +14,11 @@ template <int Components> struct Channel {
 };
 
 /// A channel that stages make themselves: no host supplies it, and a pipeline in which nothing makes it does not compile.
-template <int Components> struct MadeChannel : Channel<Components> { static constexpr bool made_by_stages = true; };
+template <int Components> struct MadeChannel : Channel<Components> {
+    static constexpr bool made_by_stages = true;
+    static constexpr bool squared =
+        false; ///< true: a variance or the like; in half its root is stored, as a half's own range ends at 65504
+};
 
 template <class C>
 concept ChannelTag = std::is_empty_v<C> && requires {

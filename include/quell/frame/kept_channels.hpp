@@ -16,12 +16,12 @@ struct LuminanceMean : MadeChannel<1> {
 };
 struct LuminanceVariance : MadeChannel<1> {
     static constexpr auto name = "luminance_variance";
-    static constexpr bool full_precision = true; ///< a square: half ends at deviations of 256
+    static constexpr bool squared = true;
 };
 /// The variance of the luminance that a variance-guided filter works with.
 struct Variance : MadeChannel<1> {
     static constexpr auto name = "variance";
-    static constexpr bool full_precision = true;
+    static constexpr bool squared = true;
 };
 /// How many pixels wide a clean-up filter should be: a standard deviation (TRMV section 5).
 struct CleanUpDeviation : MadeChannel<1> {

@@ -25,6 +25,7 @@ template <class Real, class F> QUELL_KERNEL Real generate(F&& f) {
 /// 32-bit floats.
 struct Float32 {
     using Element = float;
+    using Squares = Float32; ///< the format of variances
     static constexpr auto name = "float";
 
     QUELL_KERNEL static float get(Element const* p) { return *p; }
@@ -54,9 +55,12 @@ struct Float32 {
     }
 };
 
+struct SquaredFloat16;
+
 /// 16-bit floats (IEEE binary16), computed on in 32 bits.
 struct Float16 {
     using Element = std::uint16_t;
+    using Squares = SquaredFloat16;
     static constexpr auto name = "half";
 
     QUELL_KERNEL static float get(Element const* p) { return float_from_half(*p); }
@@ -73,6 +77,23 @@ struct Float16 {
             return load_half<Real>(lane_bits);
         }
     }
+};
+
+/// Variances and other squares by their roots in 16 bits: as a number itself, a half ends at a deviation of 256.
+struct SquaredFloat16 {
+    using Element = Float16::Element;
+    using Squares = SquaredFloat16;
+    static constexpr auto name = "squared half";
+
+    QUELL_KERNEL static float get(Element const* p) { return square(Float16::get(p)); }
+    QUELL_KERNEL static void set(Element* p, float a) { Float16::set(p, sqrt(max(a, 0.f))); }
+
+    template <class Real> QUELL_KERNEL static Real load(Element const* p) { return square(Float16::load<Real>(p)); }
+    template <class Real> QUELL_KERNEL static void store(Element* p, Real a) { Float16::store(p, sqrt(max(a, Real(0.f)))); }
+    template <class Real> QUELL_KERNEL static Real gather(Element const* p, Index<Real> at) { return square(Float16::gather<Real>(p, at)); }
+
+private:
+    template <class Real> QUELL_KERNEL static Real square(Real a) { return a * a; }
 };
 
 } // namespace quell

@@ -41,10 +41,37 @@ template <class Storage> constexpr bool owns_memory() {
         return true;
 }
 
+namespace detail {
+template <class C> constexpr bool is_squared() {
+    if constexpr (requires { C::squared; })
+        return C::squared;
+    else
+        return false;
+}
+template <class View>
+concept ViewsSquares = requires {
+    typename View::Squares;
+};
+template <ImageStorage S, ChannelTag C>
+inline constexpr bool stored_exactly = C::full_precision ||
+                                       (is_squared<C>() &&
+                                        !ViewsSquares<decltype(std::declval<typename S::template Image<C::components> const&>().view())>);
+
+/// What kernels see of a channel's image.
+template <ChannelTag C, class Image> auto view_of(Image const& image) {
+    auto const view = image.view();
+    if constexpr (is_squared<C>() && ViewsSquares<decltype(image.view())>)
+        return typename decltype(image.view())::Squares{view.data, view.size};
+    else
+        return view;
+}
+} // namespace detail
+
 /// The image in which a storage keeps a channel.
 template <class Storage, ChannelTag C>
-using ImageOf = typename std::conditional_t<C::full_precision, typename Storage::Exact, Storage>::template Image<C::components>;
-template <class Storage, ChannelTag C> using ViewOf = decltype(std::declval<ImageOf<Storage, C> const&>().view());
+using ImageOf =
+    typename std::conditional_t<detail::stored_exactly<Storage, C>, typename Storage::Exact, Storage>::template Image<C::components>;
+template <class Storage, ChannelTag C> using ViewOf = decltype(detail::view_of<C>(std::declval<ImageOf<Storage, C> const&>()));
 
 namespace detail {
 QUELL_KERNEL int clamp_to(int i, int last) { return i < 0 ? 0 : i > last ? last : i; }

@@ -20,6 +20,7 @@ static_assert(width_of<Pack> <= padding, "quell: packs of more than 16 floats ar
 /// that a kernel which reads many images of one size computes each address once (see Pixel).
 template <class Format, int N, int pixel_step> struct StridedView {
     using Element = typename Format::Element;
+    using Squares = StridedView<typename Format::Squares, N, pixel_step>; ///< the same memory, as a channel of variances is written there
     static constexpr int components = N;
 
     Element* data = nullptr; ///< component 0 of pixel (0, 0)

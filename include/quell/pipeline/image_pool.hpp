@@ -45,14 +45,14 @@ template <class Storage, class... Cs> struct Handles<Storage, Channels<Cs...>> :
     template <ChannelTag C> auto& operator[](C) { return slot<C>(*this); }
     /// Views of some of the channels; of an empty handle, a view of nothing.
     template <class... Ds> [[nodiscard]] auto views(Channels<Ds...>) const {
-        return Views<Storage, Channels<Ds...>>{{view(slot<Ds>(*this))}...};
+        return Views<Storage, Channels<Ds...>>{{view<Ds>(slot<Ds>(*this))}...};
     }
     void take_all(ImagePool& pool) { ((slot<Cs>(*this) = pool.take<ImageOf<Storage, Cs>>()), ...); }
     void drop_all() { (slot<Cs>(*this).reset(), ...); }
 
 private:
-    template <class Image> static auto view(std::shared_ptr<Image> const& image) {
-        return image ? image->view() : decltype(image->view()){};
+    template <ChannelTag C, class Image> static auto view(std::shared_ptr<Image> const& image) {
+        return image ? view_of<C>(*image) : ViewOf<Storage, C>{};
     }
 };
 
