@@ -17,6 +17,17 @@ template <class V> QUELL_KERNEL auto is_light(V const& v) {
         Real(0.f) == Real(0.f), v);
 }
 
+/// Marks missing samples by the sign of component 0, which has no other meaning: light is not negative.
+template <class V, class Mask> QUELL_KERNEL V with_marks(V const& value, Mask missing) {
+    return make_value<components_of<V>, real_of<V>>([&](auto c) __attribute__((always_inline)) {
+        auto const a = component<c>(value);
+        if constexpr (c == 0)
+            return select(missing, with_sign_bit(a), max(a, real_of<V>(0.f)));
+        else
+            return a;
+    });
+}
+
 /// What the ingest has taken away from a sample, for Statistics::suppressed only: no image has it.
 struct Suppressed : Channel<1> {
     static constexpr auto name = "suppressed";
@@ -44,27 +55,17 @@ template <ChannelTag Input, Modulation Form, class Suppression> struct Ingest {
         auto const missing = invert(here.usable);
         if (any(missing)) value = select(missing, around(px), value);
         if constexpr (std::is_same_v<Suppression, NoSuppression>)
-            return marked<Px>(value, missing);
+            return with_marks(value, missing);
         else {
             auto const factor = suppression.factor(
                 px, measured(here), [&](auto neighbour) __attribute__((always_inline)) { return measured(sample(neighbour)); });
             value = select(missing, value, sample(px, factor).value);
             auto const taken = here.brightness * (Real(1.f) - factor);
-            return Result{marked<Px>(value, missing)}.with(Suppressed{}, taken);
+            return Result{with_marks(value, missing)}.with(Suppressed{}, taken);
         }
     }
 
 private:
-    /// With the sign of component 0 for a mark.
-    template <class Px> QUELL_KERNEL static auto marked(typename Px::Signal const& value, auto const& missing) {
-        return make_value<components_of<typename Px::Signal>, typename Px::Real>([&](auto c) __attribute__((always_inline)) {
-            auto const a = component<c>(value);
-            if constexpr (c == 0)
-                return select(missing, with_sign_bit(a), without_sign_bit(a));
-            else
-                return a;
-        });
-    }
     /// The luminance by which fireflies are told: of the light as it is denoised, unless that is no colour any more.
     template <class Px> QUELL_KERNEL static auto measured(Sample<Px> const& s) {
         if constexpr (components_of<typename Px::Signal> == Input::components)

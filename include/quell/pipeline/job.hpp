@@ -23,17 +23,6 @@ template <class Form, class Scope, class Output, class RememberedViews> struct F
     }
 };
 
-/// Marks missing samples by the sign of component 0, which has no other meaning: light is not negative.
-template <class V, class Mask> QUELL_KERNEL V with_marks(V const& value, Mask missing) {
-    return make_value<components_of<V>, real_of<V>>([&](auto c) __attribute__((always_inline)) {
-        auto const a = component<c>(value);
-        if constexpr (c == 0)
-            return select(missing, with_sign_bit(a), max(a, real_of<V>(0.f)));
-        else
-            return a;
-    });
-}
-
 /// Whether a pass makes a new signal; one with emit_channels(px) leaves it alone.
 template <class Pass, class Scope> inline constexpr bool makes_signal_of = !requires(Pass const p, Pixel<float, Scope> px) {
     p.emit_channels(px);
