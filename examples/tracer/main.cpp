@@ -64,9 +64,16 @@ struct Blur {
     using reference = Channels<Radiance>;
     static constexpr std::array masks{Effect::blur};
 };
+/// Points of the frame before, shaded anew. Written with `composite` alone, whose light they are of: it takes rays of its own.
+struct TemporalGradient {
+    static constexpr auto name = "gradient";
+    using channels = decltype(Composite::channels{} | Channels<GradientOf<Radiance>>{});
+    using reference = Composite::reference;
+    static constexpr std::array<Effect, 0> masks{};
+};
 
 /// Calls f(effect) for each.
-void for_each_effect(auto&& f) { f(Composite{}), f(Shadow{}), f(GlossyReflection{}), f(IndirectLight{}), f(Blur{}); }
+void for_each_effect(auto&& f) { f(Composite{}), f(Shadow{}), f(GlossyReflection{}), f(IndirectLight{}), f(Blur{}), f(TemporalGradient{}); }
 
 struct Options {
     std::vector<std::string> scenes, effects;
@@ -101,7 +108,9 @@ void describe(CLI::App& app, Options& o) {
     app.add_option("--shutter-keys", o.shutter_keys,
                    "Moments of the open shutter between which everything moves in a straight line: 2 to " +
                        std::to_string(most_shutter_keys) + " (default: " + std::to_string(o.shutter_keys) + ")");
-    app.add_option("--effects", o.effects, "Which channels to write: any of composite,shadow,glossy,indirect,blur (default: composite)")
+    app.add_option(
+           "--effects", o.effects,
+           "Which channels to write: any of composite,shadow,glossy,indirect,blur; or gradient, which asvgf wants (default: composite)")
         ->delimiter(',');
     app.add_option("--eye", o.eye, "Where the camera stands: x,y,z")->delimiter(',');
     app.add_option("--target", o.target, "What it looks at: x,y,z")->delimiter(',');
@@ -141,6 +150,10 @@ void complete(Options& o) {
         if ((", " + names + ",").find(" " + effect + ",") == std::string::npos)
             refuse("--effects", "there is no effect '" + effect + "'", "choose from: " + names);
     if (o.effects.empty()) o.effects = {Composite::name};
+    for (auto const& effect : o.effects)
+        if (o.has(TemporalGradient::name) && effect != TemporalGradient::name && effect != Composite::name)
+            refuse("--effects", std::string(TemporalGradient::name) + " with " + effect,
+                   "trace it by itself, or with " + std::string(Composite::name));
     if (!o.shutter) o.shutter = o.has(Blur::name) ? 0.5f : 0.f;
     if (o.has(Blur::name) && !(*o.shutter > 0))
         refuse("--shutter", std::to_string(*o.shutter), "give more than 0: without time there is no blur");
@@ -248,6 +261,13 @@ template <class Set> RayCounts with_channels(Options const&, auto&& f, Set) {
     else
         return {};
 }
+/// Not with every set: there would be twice as many.
+template <class Set> RayCounts with_channels(Options const& o, auto&& f, Set set, TemporalGradient) {
+    if constexpr (contained_in<Set, TemporalGradient::channels>) {
+        if (o.has(TemporalGradient::name)) return with_channels(o, f, TemporalGradient::channels{});
+    }
+    return with_channels(o, f, set);
+}
 template <class Set, class Effect, class... Rest> RayCounts with_channels(Options const& o, auto&& f, Set set, Effect, Rest... rest) {
     if (o.has(Effect::name)) return with_channels(o, f, set | typename Effect::channels{}, rest...);
     return with_channels(o, f, set, rest...);
@@ -275,7 +295,7 @@ void trace_all(Options const& options) {
         Sequence sequence{options, PreparedScene(std::move(scenes[i])), folders[i], progress, frames_done};
         auto const rays = with_channels(
             options, [&]<class Wanted>(Wanted) { return sequence.trace<Wanted>(); }, Channels<>{}, Composite{}, Shadow{},
-            GlossyReflection{}, IndirectLight{}, Blur{});
+            GlossyReflection{}, IndirectLight{}, Blur{}, TemporalGradient{});
         if (!options.quiet) print(options.scenes[i], options, rays);
     }
 }

@@ -58,6 +58,7 @@ TEST_CASE("quell-trace refuses what it can't use in one line") {
     check_refused(trace(out + "--scene cellar"), {"cellar", "room"});
     check_refused(trace(out + "--scene cellar.gltf"), {"cellar.gltf", "no such file"});
     check_refused(trace(out + "--effects shadow,smoke"), {"'smoke'", "shadow, glossy, indirect, blur"});
+    check_refused(trace(out + "--effects gradient,shadow"), {"gradient with shadow", "by itself"});
     check_refused(trace(out + "--effects blur --shutter 0"), {"--shutter"});
     check_refused(trace(out + "--shutter 2"), {"shutter", "0 to 1"});
     check_refused(trace(out + "--spp 0"), {"--spp"});

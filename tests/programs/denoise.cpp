@@ -62,6 +62,19 @@ TEST_CASE("the effects' presets run on what quell-trace writes for these effects
     check_refused(denoise(input(folder) + output(folder) + "--quiet --preset asvgf"), {"frame.0000.exr", "R"});
 }
 
+TEST_CASE("asvgf runs on what quell-trace writes for it: the same frames, and their gradients") {
+    Folder const folder, plain;
+    CHECK(trace("--scene room --size 48x32 --frames 3 --quiet --effects composite,gradient --out '" + folder.path.string() + "'").code ==
+          0);
+    CHECK(trace("--scene room --size 48x32 --frames 3 --quiet --out '" + plain.path.string() + "'").code == 0);
+    auto const frame = io::read_exr(folder / "frame.0002.exr");
+    CHECK(frame["G"].values == io::read_exr(plain / "frame.0002.exr")["G"].values);
+    auto const shaded = [](io::Plane const& larger) { return std::ranges::count_if(larger.values, [](float a) { return a > 0; }); };
+    CHECK(shaded(io::read_exr(folder / "frame.0000.exr")["radiance_gradient.Y"]) == 0); // nothing before it
+    CHECK(shaded(frame["radiance_gradient.Y"]) > 48 * 32 / 18);                         // of a pixel in nine, those that were seen before
+    CHECK(denoise(input(folder) + output(folder) + "--preset asvgf").code == 0);
+}
+
 TEST_CASE("the presets of motion blur run on what quell-trace writes for it") {
     Folder const folder;
     CHECK(
