@@ -13,6 +13,7 @@ lines_only=
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 cp -r include tests "$copy"
+cp -r include "$copy/unbroken" # so that this tree may be worked in meanwhile
 compiler=("${CXX:-g++}" -std=c++20 -O1 -march=native -w "-I$copy/include")
 [ -n "$lines_only" ] || "${compiler[@]}" -c "$copy/tests/main.cpp" -o "$copy/main.o"
 
@@ -45,17 +46,17 @@ mutant() {
     [[ "$1" == *"$only"* ]] || return 0
     mutants=$((mutants + 1))
     [ -n "$lines_only" ] || check_unbroken "$2"
-    [ -f "tests/$2.cpp" ] || stop "there is no tests/$2.cpp"
+    [ -f "$copy/tests/$2.cpp" ] || stop "there is no tests/$2.cpp"
     break_line "$3" "$4" "$5"
     if [ -n "$lines_only" ]; then
-        cp "include/quell/$3" "$copy/include/quell/$3"
+        cp "$copy/unbroken/quell/$3" "$copy/include/quell/$3"
         return 0
     fi
     build "$2" || stop "'$1' doesn't compile: $(grep -m 1 error "$copy/messages")"
     # A test that hangs has noticed.
     local verdict=noticed
     if timeout 300 "$copy/test" >"$copy/messages" 2>&1; then verdict=SURVIVES survivors=$((survivors + 1)); fi
-    cp "include/quell/$3" "$copy/include/quell/$3"
+    cp "$copy/unbroken/quell/$3" "$copy/include/quell/$3"
     printf '%-9s  %-58s  %-32s  %s\n' "$verdict" "$1" "$3" "tests/$2.cpp"
 }
 
@@ -83,7 +84,7 @@ mutant "the test for NaN behind a filter" pipeline/history filter/atrous.hpp 're
 mutant "negative samples" pipeline/history pipeline/ingest.hpp 'a >= Real(0.f), ' ''
 mutant "albedo comes back" pipeline/history pipeline/modulation.hpp 'return a * d;' 'return a;'
 mutant "the test for what is no light in a picture's factors" pipeline/composite pipeline/composite.hpp 'return select(is_light(f), f,' 'return select(Real(0.f) == Real(0.f), f,'
-mutant "what a filter before Temporal does with missing samples" pipeline/stages pipeline/job.hpp 'select(missing, with_sign_bit(a)' 'select(invert(missing), max(a, real_of<V>(0.f))'
+mutant "what a filter before Temporal does with missing samples" pipeline/stages pipeline/ingest.hpp 'select(missing, with_sign_bit(a)' 'select(invert(missing), max(a, real_of<V>(0.f))'
 mutant "a past that never had a sample" pipeline/stages motion/history_fetch.hpp 'then[history_length] > Real(0.f)' 'then[history_length] >= Real(0.f)'
 mutant "the order of a pipeline's end: what is remembered is still read" pipeline/stages pipeline/run.hpp 'if (!reads_remembered)' 'if (reads_remembered)'
 mutant "blur: when a sample passes" blur/two_motions blur/usable_path.hpp 'when = time() + along;' 'when = time() - along;'
