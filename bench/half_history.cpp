@@ -1,6 +1,6 @@
 // What a history in half costs: RMSE, SSIM and FLIP of `svgf` against a converged reference with the history in float and in half.
 //
-//   half_history 'dir/frame.%04d.exr' LAST reference.exr          frames 0 to LAST of quell-trace, of which the last is compared
+//   quell-half-history 'dir/frame.%04d.exr' LAST reference.exr          frames 0 to LAST of quell-trace, of which the last is compared
 
 #include <quell/io/exr.hpp>
 #include <quell/metrics/flip.hpp>
@@ -47,11 +47,11 @@ double compare(char const* name, std::string const& pattern, int last, metrics::
 } // namespace
 
 int main(int count, char** arguments) try {
-    if (count != 4) throw Error("half_history", std::to_string(count - 1) + " arguments", "give 'dir/frame.%04d.exr' LAST reference.exr");
+    if (count != 4) throw Error("quell-half-history", std::to_string(count - 1) + " arguments", "give 'dir/frame.%04d.exr' LAST reference.exr");
     auto const image = io::read_exr(arguments[3]);
     Frame<Channels<Radiance>> converged{image.size};
     io::load(converged, image);
-    auto const reference = picture_of(converged[radiance].view());
+    auto const reference = metrics::displayed(metrics::picture_of(converged[radiance].view()));
     int const last = std::atoi(arguments[2]);
     double const in_float = compare("float", arguments[1], last, reference, Planar<>{});
     double const in_half = compare("half", arguments[1], last, reference, Planar<Float16>{});

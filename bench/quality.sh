@@ -4,7 +4,6 @@
 #   bench/quality.sh [folder of the built programs] [folder of the Cycles sequence]
 set -euo pipefail
 cd "$(dirname "$0")/.."
-source .ci/packages.sh
 
 build=${1:-build/release}
 cycles=${2:-../shared/data/sequences/cycles_occlusion}
@@ -12,7 +11,6 @@ trace=$build/examples/tracer/quell-trace
 denoise=$build/examples/denoise/quell-denoise
 work=out/quality
 presets=(none surface surface-clamp atrous svgf)
-need_packages g++ libglm-dev libxsimd-dev libopenexr-dev pkg-config
 for program in "$trace" "$denoise"; do
     [ -x "$program" ] || { echo "There is no $program. Build it: cmake --preset release && cmake --build --preset release" >&2; exit 2; }
 done
@@ -32,9 +30,8 @@ for preset in "${presets[@]}"; do
 done
 
 echo "svgf, history in float and in half"
-# shellcheck disable=SC2046 # several flags
-g++ -std=c++20 -O2 -DNDEBUG -march=native -I include bench/half_history.cpp $(pkg-config --cflags --libs OpenEXR) -o "$work/half_history"
-"$work/half_history" "$work/room/frame.%04d.exr" 32 "$work/reference/reference.0032.exr"
+cmake --build "$build" --target quell-half-history
+"$build/bench/quell-half-history" "$work/room/frame.%04d.exr" 32 "$work/reference/reference.0032.exr"
 
 [ -d "$cycles" ] || { echo "skipped: there is no Cycles sequence at $cycles"; exit 0; }
 echo "Cycles, mean of frames 40 and 48:  RMSE SSIM FLIP"
