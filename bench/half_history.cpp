@@ -47,7 +47,8 @@ double compare(char const* name, std::string const& pattern, int last, metrics::
 } // namespace
 
 int main(int count, char** arguments) try {
-    if (count != 4) throw Error("quell-half-history", std::to_string(count - 1) + " arguments", "give 'dir/frame.%04d.exr' LAST reference.exr");
+    if (count != 4)
+        throw Error("quell-half-history", std::to_string(count - 1) + " arguments", "give 'dir/frame.%04d.exr' LAST reference.exr");
     auto const image = io::read_exr(arguments[3]);
     Frame<Channels<Radiance>> converged{image.size};
     io::load(converged, image);
