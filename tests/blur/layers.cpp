@@ -115,6 +115,15 @@ TEST_CASE("the search finds the past of what slides and of what turns, which pla
     CHECK(with_history(plain) < 0.7 * with_history(searched));
 }
 
+TEST_CASE("of what slides evenly, plain reprojection finds the past: nothing has to be searched for") {
+    World const world{.frames = 2};
+    auto const out = world.last(presets::blur_one_step(radiance), [](int, int, int frame, float) {
+        return Seen{frame == 0 ? 1.f : 0.f, {3, 1}};
+    });
+    CHECK(world.at(out, 32, 24) > 0.1f);
+    CHECK(world.at(out, 2, 24) == 0.f); // it came from outside the image
+}
+
 TEST_CASE("the past is found for whatever part of the frame time the shutter is open") {
     // A wave of 16 pixels slides by 6 in a frame.
     auto const error = [](float part, int frames) {

@@ -144,6 +144,23 @@ TEST_CASE("what moves slowly keeps its detail") {
     CHECK(kept / whole < 1.05);
 }
 
+TEST_CASE("what swept another way, or by another length, a frame ago is another thing's past") {
+    auto const kept_of = [](glm::vec2 before) {
+        World const world{.size = size, .frames = 2};
+        auto const out = world.last(denoise, [&](int, int, int frame, float) {
+            return frame == 0 ? Seen{1.f, before} : Seen{0.f, {2, 0}};
+        });
+        return world.at(out, 80, 24);
+    };
+    CHECK(kept_of({2, 0}) > 0.1f);
+    CHECK(kept_of({2.1f, 0}) > 0.1f);
+    CHECK(kept_of({2.6f, 0}) == 0.f);
+    CHECK(kept_of({1.5f, 0}) == 0.f);
+    CHECK(kept_of({1.9f, 0.6f}) > 0.1f);
+    CHECK(kept_of({1.4f, 1.4f}) == 0.f);
+    CHECK(kept_of({-2, 0}) == 0.f);
+}
+
 TEST_CASE("what stands still in front keeps its value, whatever moves behind it") {
     World const world{size, 3};
     auto const out = world.last(denoise, [](int x, int y, int frame, float t) {
