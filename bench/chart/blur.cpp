@@ -17,6 +17,8 @@ auto denoisers() {
                           .vary(
                               "count", {8, 16, 32, 128}, [](auto& p) -> auto& { return stage<1>(p).kernel.count; })
                           .vary(
+                              "tile_width", {4, 16, 32}, [](auto& p) -> auto& { return stage<1>(p).kernel.tile_width; })
+                          .vary(
                               "width", {0.75, 1.5, 2}, [](auto& p) -> auto& { return stage<1>(p).kernel.width; })
                           .vary(
                               "iterations", {0, 1, 2, 8}, [](auto& p) -> auto& { return stage<2>(p).motion.iterations; })
