@@ -24,7 +24,7 @@ struct AnyJob {
 /// Runs a job once for every pixel of a region, in any order, on anything:
 ///     void for_each_pixel(Region region, auto const& job) const
 /// A job computes `count` pixels from (x, y) to the right, at most as many as a Real has lanes, and writes nothing else. `job.name` says
-/// which pass it is.
+/// which pass it is; `job.most_lanes`, if there is one, how many lanes it has a use for.
 template <class E>
 concept Executor = requires(E const e, Region region, detail::AnyJob job) {
     e.for_each_pixel(region, job);
@@ -39,13 +39,24 @@ struct Serial {
 };
 
 #if !defined(__CUDACC__)
+namespace detail {
+/// The pack that a job is computed in: P, unless the job has no use for that many lanes (`most_lanes`) and there are narrower packs.
+template <class P, class Job> struct PackFor { using type = P; };
+template <class P, class Job>
+    requires(Job::most_lanes < width_of<P> && !std::is_void_v<xsimd::make_sized_batch_t<float, std::size_t{Job::most_lanes}>>)
+struct PackFor<P, Job> {
+    using type = xsimd::make_sized_batch_t<float, std::size_t{Job::most_lanes}>;
+};
+} // namespace detail
+
 /// A pack of pixels after the other, on this thread.
 /// @tparam P the pack, so that what is compiled for another instruction set has another name for the linker
 template <class P = Pack> struct SimdOf {
-    void for_each_pixel(Region r, auto const& job) const {
-        constexpr int width = width_of<P>;
+    template <class Job> void for_each_pixel(Region r, Job const& job) const {
+        using Real = typename detail::PackFor<P, Job>::type;
+        constexpr int width = width_of<Real>;
         for (int y = r.y0; y < r.y1; ++y)
-            for (int x = r.x0; x < r.x1; x += width) job(at_once<P>, x, y, r.x1 - x < width ? r.x1 - x : width);
+            for (int x = r.x0; x < r.x1; x += width) job(at_once<Real>, x, y, r.x1 - x < width ? r.x1 - x : width);
     }
 };
 using Simd = SimdOf<>;

@@ -23,6 +23,14 @@ template <class Form, class Scope, class Output, class RememberedViews> struct F
     }
 };
 
+/// How many lanes of a pack a pass has a use for: any number, unless it says so.
+template <class Pass> constexpr int most_lanes_of() {
+    if constexpr (requires { Pass::most_lanes; })
+        return Pass::most_lanes;
+    else
+        return std::numeric_limits<int>::max();
+}
+
 /// Whether a pass makes a new signal; one with emit_channels(px) leaves it alone.
 template <class Pass, class Scope> inline constexpr bool makes_signal_of = !requires(Pass const p, Pixel<float, Scope> px) {
     p.emit_channels(px);
@@ -41,6 +49,7 @@ template <class Pass> constexpr auto name_of() {
 template <class Pass, class Scope, class SignalView, class MadeViews, class FinishWork, class RememberedSet, bool keeps_marks> struct Job {
     static constexpr auto name = name_of<Pass>();
     static constexpr bool makes_signal = makes_signal_of<Pass, Scope>;
+    static constexpr int most_lanes = most_lanes_of<Pass>();
 
     Pass pass;
     Scope scope;
