@@ -29,11 +29,11 @@ template <ChannelTag S, class Paths = StraightPaths, class Footprint = FixedFoot
     using emits = Channels<FrontLayer<Signal>, FrontSweep, BackLayer<Signal>, MeanSweep>;
     static constexpr int most_samples = detail::LineOfPixels::most;
     static constexpr int most_lanes = 8; ///< of a pack: as many as a tile has pixels
-    int count = 64;                ///< samples looked at, at most (no more than `most_samples`); with two motions, half along each
-    float reach = 0.65f;           ///< of a motion, how far along it samples are looked for: those farther away rarely pass in time
-    float width = 1.f;             ///< pixels, more than 0; a sample counts less the farther it passes, and not at all from here on
-    float bend_influence = 0.1f;   ///< per pixel of bend, how much wider that is, up to twice: what bends is known less exactly
-    float depth_tolerance = 0.02f; ///< how much farther, relatively, something is that stands behind something else
+    int count = 64;                      ///< samples looked at, at most (no more than `most_samples`); with two motions, half along each
+    float reach = 0.65f;                 ///< of a motion, how far along it samples are looked for: those farther away rarely pass in time
+    float width = 1.f;                   ///< pixels, more than 0; a sample counts less the farther it passes, and not at all from here on
+    float bend_influence = 0.1f;         ///< per pixel of bend, how much wider that is, up to twice: what bends is known less exactly
+    float depth_tolerance = 0.02f;       ///< how much farther, relatively, something is that stands behind something else
     /// Pixels of a row, at least 1, that share their lines, which makes neighbours' samples neighbours in memory. A pack that is
     /// wider than a tile would visit each line for some of its lanes only; see most_lanes.
     int tile_width = 8;
