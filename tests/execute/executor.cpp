@@ -18,9 +18,20 @@ struct Count {
     }
 };
 
-template <class E> void covers_once(E const& executor, Region r, Extent size) {
+/// The same of a job that has a use for so many lanes.
+template <int lanes> struct CountFew : Count {
+    static constexpr int most_lanes = lanes;
+    template <class Real> void operator()(AtOnce<Real> at_once, int x, int y, int count) const {
+        // There are packs of 4 and 8 wherever there are wider ones, and none of 3.
+        static_assert(lanes == 3 || width_of<Real> <= lanes);
+        CHECK(count <= width_of<Real>);
+        Count::operator()(at_once, x, y, count);
+    }
+};
+
+template <class Job = Count, class E> void covers_once(E const& executor, Region r, Extent size) {
     std::vector<std::atomic<int>> hits(static_cast<std::size_t>(size.pixels()));
-    executor.for_each_pixel(r, Count{&hits, size.width});
+    executor.for_each_pixel(r, Job{&hits, size.width});
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
             bool const inside = x >= r.x0 && x < r.x1 && y >= r.y0 && y < r.y1;
@@ -35,6 +46,9 @@ TEST_CASE("every executor computes each pixel of a region once and none outside"
     for (Region const r : {Region{0, 0, 61, 17}, Region{3, 2, 4, 3}, Region{5, 1, 60, 16}, Region{7, 7, 7, 9}}) {
         covers_once(Serial{}, r, {61, 17});
         covers_once(Simd{}, r, {61, 17});
+        covers_once<CountFew<8>>(Simd{}, r, {61, 17});
+        covers_once<CountFew<4>>(Simd{}, r, {61, 17});
+        covers_once<CountFew<3>>(Simd{}, r, {61, 17});
         for (Extent const tile : {Extent{256, 32}, Extent{1, 1}, Extent{13, 5}, Extent{8, 64}, Extent{0, -1}})
             covers_once(Threads<>{.count = 3, .tile = tile}, r, {61, 17});
         for (int const count : {-1, 0, 1025, 2000000000}) covers_once(Threads<>{.count = count, .tile = {16, 4}}, r, {61, 17});
