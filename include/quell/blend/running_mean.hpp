@@ -8,12 +8,13 @@ namespace quell {
 /// form that is both unbiased at the start and bounded. (NOTES; METHODS section 1)
 struct RunningMean {
     using keeps = Channels<HistoryLength>;
-    float cap = 32.f; ///< frames, at least 1
+    float cap = 32.f; ///< frames, at least 1; where the host says how many samples a pixel has (KnownSamples{}), samples
 
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;
-        auto const n = min(past[history_length] * past.validity + 1.f, Real(cap));
-        return accumulate(px, past, 1.f / n).with(history_length, n);
+        auto const now = px.samples();
+        auto const n = min(past[history_length] * past.validity + now, max(now, Real(cap)));
+        return accumulate(px, past, now / n).with(history_length, n);
     }
 };
 

@@ -21,7 +21,10 @@ template <class Inner> struct WithMoments {
         auto const off = luminance(px.signal()) - before;
         auto const mean = before + off * alpha;
         auto const variance = (1.f - alpha) * (past[luminance_variance] + off * off * alpha);
-        return result.with(luminance_mean, mean).with(luminance_variance, variance);
+        if constexpr (decltype(px)::knows_samples)
+            return result.with(luminance_mean, mean).with(luminance_variance, fma(px.variance_of_sample(), alpha, variance));
+        else
+            return result.with(luminance_mean, mean).with(luminance_variance, variance);
     }
 };
 template <class Inner> WithMoments(Inner) -> WithMoments<Inner>;

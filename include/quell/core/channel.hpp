@@ -75,6 +75,12 @@ template <class P> constexpr auto keeps() {
     else
         return Channels<>{};
 }
+template <class P> constexpr auto reads_kept() {
+    if constexpr (requires { typename P::reads_kept; })
+        return typename P::reads_kept{};
+    else
+        return Channels<>{};
+}
 template <class P> constexpr auto emits() {
     if constexpr (requires { typename P::emits; })
         return typename P::emits{};
@@ -91,6 +97,10 @@ template <class... Ps> using remembers_of = decltype((Channels<>{} | ... | detai
 
 /// What these policies make themselves and keep from frame to frame (history lengths, moments).
 template <class... Ps> using keeps_of = decltype((Channels<>{} | ... | detail::keeps<Ps>()));
+
+/// What of the things that other policies keep these look at in the previous frame, before it is made anew (a detector in front of
+/// Temporal).
+template <class... Ps> using reads_kept_of = decltype((Channels<>{} | ... | detail::reads_kept<Ps>()));
 
 /// What these policies make for the passes after them.
 template <class... Ps> using emits_of = decltype((Channels<>{} | ... | detail::emits<Ps>()));

@@ -50,7 +50,8 @@ struct PackFor<P, Job> {
 } // namespace detail
 
 /// A pack of pixels after the other, on this thread.
-/// @tparam P the pack, so that what is compiled for another instruction set has another name for the linker
+/// @tparam P the pack, so that what is compiled for another instruction set has another name for the linker (but for jobs that are computed
+/// in a narrower one, which another set may have as well)
 template <class P = Pack> struct SimdOf {
     template <class Job> void for_each_pixel(Region r, Job const& job) const {
         using Real = typename detail::PackFor<P, Job>::type;

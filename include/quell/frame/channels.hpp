@@ -45,6 +45,24 @@ struct Motion : Channel<2> {
     static constexpr bool full_precision = true;
 };
 
+/// Where this surface point will be: next position = current position + motion_next. For two-sided accumulation (pipeline/two_sided.hpp).
+struct MotionNext : Channel<2> {
+    static constexpr auto name = "motion_next";
+    static constexpr bool full_precision = true;
+};
+/// How many samples the signal's value is the mean of, in any unit that is the same in all frames; positive. Hosts whose frames or pixels
+/// differ in it say so with KnownSamples{}.
+struct SampleCount : Channel<1> {
+    static constexpr auto name = "sample_count";
+    static constexpr bool full_precision = true;
+};
+/// The variance of the luminance of one such sample, at the pixel, in the form in which the signal is denoised (demodulated where the
+/// pipeline demodulates); 0 where it isn't known.
+struct SampleVariance : Channel<1> {
+    static constexpr auto name = "sample_variance";
+    static constexpr bool full_precision = true;
+};
+
 /// Direct light without shadows, noise-free.
 struct Direct : Channel<3> {
     static constexpr auto name = "direct";
@@ -154,6 +172,9 @@ inline constexpr Position position;
 inline constexpr Instance instance;
 inline constexpr Roughness roughness;
 inline constexpr Motion motion;
+inline constexpr MotionNext motion_next;
+inline constexpr SampleCount sample_count;
+inline constexpr SampleVariance sample_variance;
 inline constexpr Direct direct;
 inline constexpr Visibility visibility;
 inline constexpr Light light;

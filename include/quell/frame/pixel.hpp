@@ -133,6 +133,24 @@ template <class R, class S> struct Pixel {
         else
             return Real(0.f) != Real(0.f);
     }
+    /// Whether the host says how many samples a pixel has: KnownSamples{} is a part of the pipeline.
+    static constexpr bool knows_samples = S::frame_channels::template has<SampleCount>;
+    /// How many samples the signal's value is the mean of: 1, unless the host says.
+    QUELL_KERNEL Real samples() const {
+        if constexpr (knows_samples) {
+            auto const count = (*this)[sample_count];
+            return select(is_finite(count), clamp(count, Real(1e-3f), Real(1e6f)), Real(1.f));
+        } else
+            return Real(1.f);
+    }
+    /// The variance of the luminance of one of them, as far as the host knows it, or 0.
+    QUELL_KERNEL Real variance_of_sample() const {
+        if constexpr (knows_samples) {
+            auto const known = (*this)[sample_variance];
+            return masked(both(is_finite(known), known < Real(1e32f)), max(known, Real(0.f)));
+        } else
+            return Real(0.f);
+    }
     /// The pixel at an offset from here. Rows outside the image repeat the border; columns outside give finite values of no meaning:
     /// ask `inside()`, or use for_each_tap.
     QUELL_KERNEL Pixel at(int dx, int dy) const {
@@ -279,7 +297,7 @@ struct SignalFor<P> {
 /// A pixel by which concepts look at a policy: it has what the policy declares.
 template <class P, class S = typename SignalFor<P>::type>
 using ProbeScope = Scope<Views<Planar<>, reads_of<P>>, Views<Planar<>, Channels<>>, ViewOf<Planar<>, S>, ViewOf<Planar<>, S>,
-                         Views<Planar<>, keeps_of<P>>, RememberedViewsOf<Planar<>, remembers_of<P>>, true>;
+                         Views<Planar<>, decltype(keeps_of<P>{} | reads_kept_of<P>{})>, RememberedViewsOf<Planar<>, remembers_of<P>>, true>;
 template <class P> using Probe = Pixel<float, ProbeScope<P>>;
 } // namespace detail
 

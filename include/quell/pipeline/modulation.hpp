@@ -45,6 +45,12 @@ private:
     }
 };
 
+/// A part of a pipeline for hosts that say, for each pixel, how many samples its value is the mean of, and how much one of them varies:
+/// history then weighs each frame by its samples. Without it every frame of every pixel counts as one sample.
+struct KnownSamples {
+    using reads = Channels<SampleCount, SampleVariance>;
+};
+
 /// Leaves the signal as it is.
 struct NoModulation {
     template <ChannelTag S> using Signal = S;

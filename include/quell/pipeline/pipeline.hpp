@@ -9,7 +9,9 @@ namespace quell {
 
 namespace detail {
 template <class T> inline constexpr bool is_stage = is_temporal<T> || is_spatial<T>;
-template <class T> inline constexpr bool is_input_option = Modulation<T> || std::is_same_v<T, SuppressFireflies> || is_supplied<T>;
+template <class T>
+inline constexpr bool is_input_option =
+    Modulation<T> || std::is_same_v<T, SuppressFireflies> || std::is_same_v<T, KnownSamples> || is_supplied<T>;
 
 /// Of the Supplied<> among parts, or quell's own.
 template <class... Parts> struct ConventionOf { static constexpr MotionConvention value{}; };
@@ -57,8 +59,8 @@ template <class Part> constexpr auto stage_or_nothing(Part const& part) {
 /// `keeps` what the policies keep of their own.
 template <ChannelTag S, class... Parts> struct Pipeline {
     static_assert(((detail::is_stage<Parts> || detail::is_input_option<Parts>)&&...),
-                  "Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{}, SuppressFireflies{} "
-                  "or Supplied<...>{}, see "
+                  "Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{}, SuppressFireflies{}, "
+                  "KnownSamples{} or Supplied<...>{}, see "
                   "quell/pipeline/stage.hpp");
     static_assert(
         (0 + ... + int(detail::is_temporal<Parts>)) <= 1,
@@ -84,6 +86,10 @@ template <ChannelTag S, class... Parts> struct Pipeline {
                   "Pipeline{channel, parts...}: a stage reads what none of them makes: history_length wants RunningMean or Adaptive, "
                   "luminance_variance WithMoments, clean_up_deviation WithCleanUp, light_change ChangeDetector, a shadow's track "
                   "ShadowSplat, a gradient TemporalGradient, cones WithCones or Cones, blur's channels its guides");
+    static_assert(contained_in<reads_kept_of<Parts...>, keeps>,
+                  "Pipeline{channel, parts...}: a stage looks at what no blend policy keeps: a BiasEstimate wants WithMoments{ForgetBiased{"
+                  "RunningMean{}}}");
+    using known_samples = std::conditional_t<(std::is_same_v<KnownSamples, Parts> || ...), KnownSamples::reads, Channels<>>;
     static constexpr MotionConvention motion_convention = detail::ConventionOf<Parts...>::value;
     static constexpr bool has_past = (detail::is_temporal<Parts> || ...);
     static constexpr bool needs_camera = (needs_camera_of<Parts> || ...);

@@ -17,6 +17,8 @@
 #include <quell/blur/tile_max_blur.hpp>
 #include <quell/filter/atrous.hpp>
 #include <quell/filter/bilateral.hpp>
+#include <quell/filter/conserving_atrous.hpp>
+#include <quell/filter/history_bias.hpp>
 #include <quell/filter/light_change.hpp>
 #include <quell/filter/lobe_edge.hpp>
 #include <quell/filter/shadow_splat.hpp>
@@ -56,6 +58,12 @@ constexpr auto svgf(ChannelTag auto signal, auto... parts) {
                     Spatial{VarianceGuidedAtrous{Product{DepthEdge{}, NormalEdge{}}}}};
 }
 
+/// For what every host has: colour and guides. History is long where nothing changes and short where light moves or changes by itself,
+/// which is measured; the filter is as wide as the noise that is left, for any number of samples; and no light is lost.
+constexpr auto general(ChannelTag auto signal, auto... parts) {
+    return Pipeline{signal, parts..., Spatial{BiasEstimate<>{}},
+                    Temporal{SurfaceMotion{}, WithMoments{ForgetBiased{RunningMean{.cap = 24.f}}}}, Spatial{ConservingAtrous<>{}}};
+}
 /// svgf whose history shortens where the host's temporal gradients say that the light itself has changed (Schied 2018).
 template <ChannelTag S> constexpr auto asvgf(S signal, auto... parts) {
     return Pipeline{signal, parts..., Spatial{TemporalGradient<S>{}},

@@ -74,6 +74,7 @@ template <class F> struct Spatial {
                   "Spatial{kernel}: `kernel` must have filter(px) or for_each_pass(pass), see quell/filter/filter_kernel.hpp");
     using reads = reads_of<F>;
     using remembers = remembers_of<F>;
+    using reads_kept = reads_kept_of<F>;
     using emits = emits_of<F>;
     F kernel{};
 };

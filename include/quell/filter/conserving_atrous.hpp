@@ -1,0 +1,147 @@
+#pragma once
+
+#include <quell/filter/atrous.hpp>
+
+namespace quell {
+
+namespace detail {
+/// The variance of each pixel's mean. Over time where the history is long, over the 7x7 around where it is short, and in between both.
+template <class Edge> struct VarianceOfMean {
+    static constexpr auto name = "variance of mean";
+    using reads = decltype(Channels<HistoryLength, LuminanceVariance>{} | reads_of<Edge>{});
+    using emits = Channels<Variance>;
+    Edge edge;
+    float enough;
+
+    QUELL_KERNEL auto emit_channels(auto px) const {
+        using Real = typename decltype(px)::Real;
+        auto const n = max(px[history_length], Real(1.f));
+        // Of n samples, the squares of whose distances from their own mean come out too small by (n - 1) / n.
+        auto const over_time = px[luminance_variance] / max(n - 1.f, Real(1.f));
+        auto const brief = n < Real(enough);
+        if (!any(brief)) return emitted<Real>(variance, over_time);
+        auto const share = min((n - 1.f) / max(enough - 1.f, 1.f), Real(1.f));
+        auto const mixed = mix(spatial_variance(px), over_time, share);
+        return emitted<Real>(variance, select(both(brief, is_finite(mixed)), mixed, over_time));
+    }
+
+private:
+    /// The variance among what is seen around. Distances from the centre don't cancel. Outlined: few histories are short.
+    template <class Px> [[gnu::noinline]] constexpr auto spatial_variance(Px const& px) const {
+        using Real = typename Px::Real;
+        constexpr float box[4] = {1.f, 1.f, 1.f, 1.f};
+        auto const around = edge.around(px);
+        auto const centre = luminance(px.signal());
+        Real weights(0.f), first(0.f), second(0.f);
+        for_each_tap<3>(
+            px, 1, box, [&](auto neighbour, auto inside, int dx, int dy) __attribute__((always_inline)) {
+                auto const sampled = inside * min(neighbour[history_length], Real(1.f));
+                auto const w =
+                    dx == 0 && dy == 0
+                        ? sampled
+                        : sampled * edge_weight(detail::edge_toward(around, dx, dy).distance(neighbour, Real(detail::edge_offset(around))));
+                auto const off = luminance(neighbour.signal()) - centre;
+                weights = weights + w;
+                first = fma(off, w, first);
+                second = fma(off * off, w, second);
+            });
+        auto const known = weights > Real(0.f);
+        auto const inverse = 1.f / select(known, weights, Real(1.f)), mean = first * inverse;
+        // Weights of one pixel alone say nothing of variance; of a pixel in whose surroundings nothing was ever sampled, all may flow in.
+        auto const unbiased = weights / max(weights - 1.f, Real(0.5f));
+        return select(known, max(fma(-mean, mean, second * inverse), Real(0.f)) * unbiased, Real(1e8f));
+    }
+};
+
+/// One level of an edge-avoiding wavelet by which pixels exchange light: see ConservingAtrous.
+template <class Edge, bool guided> struct ExchangeLevel {
+    static constexpr auto name = "conserving a-trous";
+    using reads = decltype(reads_of<Edge>{} | Channels<Variance>{});
+    using emits = Channels<Variance>;
+    Edge edge;
+    int step;
+    float sigma_luminance;
+    float exchange;
+
+    QUELL_KERNEL auto filter(auto px) const {
+        using Px = decltype(px);
+        using Real = typename Px::Real;
+        constexpr float centre = LinearSpline::weights[0] * LinearSpline::weights[0];
+        auto const around = edge.around(px);
+        auto const here = px.signal();
+        auto const brightness = luminance(here);
+        auto const noise_here = px[variance];
+        auto const noise_floor = noise_here + 1e-9f;
+        // Geometry is certain and normalises; brightness is not, and doesn't.
+        auto gained = zero<typename Px::Signal>();
+        Real weights(centre), taken(0.f), noise(0.f);
+        auto const usable = [](auto const& neighbour, auto start) __attribute__((always_inline)) {
+            if constexpr (Px::Scope::marks_missing)
+                return select(neighbour.missing(), decltype(start)(too_far), start);
+            else
+                return start;
+        };
+        auto const add = [&](auto const& neighbour, auto distance, float bits) __attribute__((always_inline)) {
+            weights = weights + edge_weight(distance, bits);
+            auto const there = neighbour.signal();
+            auto const its_noise = neighbour[variance];
+            if constexpr (guided) {
+                auto const off = luminance(there) - brightness;
+                // Both sides see the same difference over the same noise, so that what one gives the other gets. A rational root-free
+                // form of |off| / (sigma sqrt(v + v')) would be cheaper and another function.
+                auto const scale_by = approximate_reciprocal(sqrt(noise_floor + its_noise) * sigma_luminance);
+                distance = fma(abs(off), scale_by, distance);
+            }
+            auto const w = edge_weight(distance, bits);
+            gained = map(
+                [&](auto sum, auto a, auto b) __attribute__((always_inline)) { return fma(a - b, w, sum); }, gained, there, here);
+            taken = taken + w;
+            noise = fma(its_noise, w * w, noise);
+        };
+        for_each_opposite_taps<1>(
+            px, step, edge_offset(around),
+            [&](auto const& neighbour, auto start, float row, auto const& opposite, auto its_start, float its_row, int dx, int dy, int i,
+                int j) __attribute__((always_inline)) {
+                auto const& toward = edge_toward(around, dx, dy);
+                float const bits = spline_bits<LinearSpline>.at[i < 0 ? -i : i][j];
+                add(neighbour, toward.distance(neighbour, usable(neighbour, start)), bits + row);
+                add(opposite, toward.distance(opposite, usable(opposite, its_start)), bits + its_row);
+            });
+        auto const part = exchange / weights;
+        auto const kept = 1.f - taken * part;
+        auto const value = map(
+            [&](auto a, auto g) __attribute__((always_inline)) { return max(fma(g, part, a), Real(0.f)); }, here, gained);
+        return Result{finite_or(value, here)}.with(variance, finite_or(fma(noise, part * part, noise_here * (kept * kept)), noise_here));
+    }
+};
+} // namespace detail
+
+/// A variance-guided a-trous wavelet (after Schied 2017) that conserves light. Other filters take a mean of those neighbours that look like
+/// the pixel; where noise is skewed, as a path tracer's is, most pixels are darker than the mean and find each other, and light is lost.
+/// Here pixels exchange light in pairs instead: out = in + sum of w(p, q) (in(q) - in(p)), where w is the same from both sides since
+/// differences are measured against the noise of both. What one loses the other gains. The first level goes by geometry alone, so that the
+/// others compare what is less noisy. 3x3 taps. Wants a Temporal{motion, WithMoments{...}} before it, of a policy that keeps the history's
+/// length.
+/// @tparam Edge an EdgeWeight for geometry; the weight for luminance is built in
+template <class Edge = Product<DepthEdge, NormalEdge>> struct ConservingAtrous {
+    static_assert(EdgeWeight<Edge>, "ConservingAtrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    using First = detail::ExchangeLevel<Edge, false>;
+    using Level = detail::ExchangeLevel<Edge, true>;
+    using reads = reads_of<detail::VarianceOfMean<Edge>, Level>;
+    using emits = Channels<Variance>;
+    Edge edge{};
+    int levels = 5;
+    float sigma_luminance = 4.f; ///< deviations of the noise of both pixels that they may differ by at weight 1/e
+    float exchange = 1.2f;       ///< 1: a pixel keeps the spline's quarter of itself among equals; up to 1.33, where it keeps nothing
+    float enough = 4.f;          ///< frames over which a variance is trusted; 0 where the host says the variance (KnownSamples{})
+
+    constexpr void for_each_pass(auto&& pass) const {
+        pass(detail::VarianceOfMean<Edge>{edge, enough});
+        if (levels > 0) pass(First{edge, 1, sigma_luminance, exchange});
+        for (int i = 1; i < levels; ++i) pass(Level{edge, 1 << i, sigma_luminance, exchange});
+    }
+};
+template <class... Fields>
+ConservingAtrous(Fields...) -> ConservingAtrous<typename detail::EdgeAmong<Product<DepthEdge, NormalEdge>, Fields...>::type>;
+
+} // namespace quell

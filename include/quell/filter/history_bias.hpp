@@ -1,0 +1,167 @@
+#pragma once
+
+#include <quell/blend/blend_policy.hpp>
+#include <quell/filter/filter_kernel.hpp>
+#include <quell/motion/surface_motion.hpp>
+
+namespace quell {
+
+/// How wrong the history is for the light of now: the square of its bias over the variance of one sample. 0 where there is no evidence.
+struct HistoryBias : MadeChannel<1> {
+    static constexpr auto name = "history_bias";
+};
+inline constexpr HistoryBias history_bias;
+
+/// What BiasEstimate measures around a pixel, as means over a window: luminance now less luminance of the history; root mean square of
+/// that; the root mean square that the history's own variance makes one expect; and the part of the window that has a history.
+struct HistoryDistance : MadeChannel<4> {
+    static constexpr auto name = "history_distance";
+};
+inline constexpr HistoryDistance history_distance;
+
+namespace detail {
+/// The measurements of one pixel: nothing where there is no past or no sample.
+template <class Source> struct OwnHistoryDistance {
+    static constexpr auto name = "history distance";
+    using reads = reads_of<Source>;
+    using remembers = remembers_of<Source>;
+    using reads_kept = Channels<HistoryLength, LuminanceVariance>;
+    using emits = Channels<HistoryDistance>;
+    Source source;
+
+    QUELL_KERNEL auto emit_channels(auto px) const {
+        using Real = typename decltype(px)::Real;
+        using Four = Value<4, Real>;
+        Real const none(0.f);
+        Four own{none, none, none, none};
+        if (!px.has_past()) return emitted<Real>(history_distance, own);
+        auto const past = Nearest{}.fetch(px, source.previous(px));
+        auto const distance = luminance(px.signal()) - luminance(past.signal);
+        auto const known = both(past.validity > none, invert(px.missing()), is_finite(distance));
+        auto const n = max(past[history_length], Real(1e-3f)), now = px.samples();
+        // The unbiased variance of a sample, from a history of at least two; then that of the difference of two means.
+        auto const of_sample = masked(n > Real(1.f), past[luminance_variance] * (n / max(n - 1.f, Real(0.5f))));
+        auto const expected = of_sample * (1.f / now + 1.f / n);
+        auto const usable = both(known, is_finite(expected));
+        return emitted<Real>(history_distance, Four{masked(usable, distance), masked(usable, abs(distance)), masked(usable, sqrt(expected)),
+                                                    masked(usable, Real(1.f))});
+    }
+};
+
+/// Puts together five in a row or a column. Outside the image there is nothing.
+/// @tparam ends whether this completes a window: then it estimates the bias as well
+struct HistoryDistanceLine {
+    static constexpr auto name = "history distance";
+    using reads = Channels<HistoryDistance>;
+    using emits = Channels<HistoryDistance>;
+    int step;
+    bool vertical;
+
+    QUELL_KERNEL auto emit_channels(auto px) const {
+        using Real = typename decltype(px)::Real;
+        return emitted<Real>(history_distance, mean(px));
+    }
+    QUELL_KERNEL auto mean(auto px) const {
+        using Real = typename decltype(px)::Real;
+        Real distance(0.f), square(0.f), expected(0.f), known(0.f);
+        for (int i = -2; i <= 2; ++i) {
+            auto const neighbour = vertical ? px.at(0, i * step) : px.at(i * step, 0);
+            auto const there = neighbour[history_distance];
+            auto const inside = neighbour.inside();
+            distance = distance + masked(inside, there.x);
+            square = fma(there.y, masked(inside, there.y), square);
+            expected = fma(there.z, masked(inside, there.z), expected);
+            known = known + masked(inside, there.w);
+        }
+        return Value<4, Real>{distance * 0.2f, sqrt(square * 0.2f), sqrt(expected * 0.2f), known * 0.2f};
+    }
+};
+
+/// The evidence of one window: how far the mean distance lies beyond what noise explains, squared, over the noise.
+template <class Real> QUELL_KERNEL Real bias_in(Value<4, Real> const& window, float pixels, float by_chance) {
+    auto const share = 1.f / max(window.w, Real(1e-6f));
+    auto const mean = window.x * share;
+    // Skewed noise looks like change where its rare bright samples are missing from a window; the history has seen them.
+    auto const seen = fma(window.y, window.y * share, -mean * mean), expected = window.z * window.z * share;
+    auto const noise = max(max(seen, expected), Real(1e-20f));
+    auto const count = max(window.w * pixels - 1.f, Real(0.5f));
+    auto const excess = max(fma(mean, mean, -(noise * by_chance) / count), Real(0.f));
+    return min(excess / noise, Real(1e6f));
+}
+
+/// The last step of the narrow window, which is the first of the wide one: columns of it put together, and what it says.
+struct NarrowBias {
+    static constexpr auto name = "history bias";
+    using reads = Channels<HistoryDistance>;
+    using emits = Channels<HistoryDistance, HistoryBias>;
+    float by_chance;
+
+    QUELL_KERNEL auto emit_channels(auto px) const {
+        using Real = typename decltype(px)::Real;
+        return emitted<Real>(history_distance, HistoryDistanceLine{5, false}.mean(px))
+            .with(history_bias, bias_in<Real>(px[history_distance], 25.f, by_chance));
+    }
+};
+struct WideBias {
+    static constexpr auto name = "history bias";
+    using reads = Channels<HistoryDistance, HistoryBias>;
+    using emits = Channels<HistoryBias>;
+    float by_chance;
+
+    QUELL_KERNEL auto emit_channels(auto px) const {
+        using Real = typename decltype(px)::Real;
+        auto const wide = bias_in<Real>(HistoryDistanceLine{5, true}.mean(px), 625.f, by_chance);
+        return emitted<Real>(history_bias, max(px[history_bias], wide));
+    }
+};
+} // namespace detail
+
+/// Measures how far the history lies from the light of now, where light moves or changes though no motion vector says so: in many pixels
+/// together the noise cancels that hides it in one. Two windows, of 5x5 and of 25x25 pixels: the narrow one sees sharply what is clear, the
+/// wide one what is faint. Goes before a Temporal{..., WithMoments{ForgetBiased{RunningMean{}}}}.
+/// @tparam Source a MotionSource
+template <class Source = SurfaceMotion<SameDepth>> struct BiasEstimate {
+    using Own = detail::OwnHistoryDistance<Source>;
+    using reads = reads_of<Own>;
+    using remembers = remembers_of<Own>;
+    using reads_kept = reads_kept_of<Own>;
+    using emits = Channels<HistoryDistance, HistoryBias>;
+    static constexpr bool needs_camera = needs_camera_of<Source>;
+    static constexpr bool leaves_signal = true;
+    Source source{};
+    float narrow_by_chance = 9.f; ///< variances of a window's mean that noise alone explains, for 5x5 pixels
+    float wide_by_chance = 1.f;   ///< for 25x25
+
+    constexpr void for_each_pass(auto&& pass) const {
+        pass(Own{source});
+        pass(detail::HistoryDistanceLine{1, false});
+        pass(detail::HistoryDistanceLine{1, true});
+        pass(detail::NarrowBias{narrow_by_chance});
+        pass(detail::WideBias{wide_by_chance});
+    }
+};
+
+/// Shortens a history by as much as it is wrong. A history of n samples has the mean square error variance / n + bias^2; it counts as if
+/// it had the n' of variance / n', after the spatial filter has taken the variance down by `gain` and left the bias as it is:
+///     n' = n / (1 + gain (n / now + 1) bias^2 / variance)
+/// where bias^2 / variance comes from a BiasEstimate. Decorates a policy that keeps the history's length.
+template <class Inner> struct ForgetBiased {
+    static_assert(BlendPolicy<Inner>, "ForgetBiased{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
+    using reads = decltype(reads_of<Inner>{} | Channels<HistoryBias>{});
+    using remembers = remembers_of<Inner>;
+    using keeps = keeps_of<Inner>;
+    using emits = emits_of<Inner>;
+    static_assert(keeps::template has<HistoryLength>, "ForgetBiased{inner}: `inner` must keep the history's length, as RunningMean does");
+    Inner inner{};
+    float gain = 100.f; ///< by how much the filters behind this reduce variance
+
+    QUELL_KERNEL auto blend(auto px, auto past) const {
+        using Real = typename decltype(px)::Real;
+        auto const frames = past[history_length] / px.samples() + 1.f;
+        past.validity = past.validity / fma(px[history_bias] * gain, frames, Real(1.f));
+        return inner.blend(px, past);
+    }
+};
+template <class Inner> ForgetBiased(Inner) -> ForgetBiased<Inner>;
+
+} // namespace quell
