@@ -5,7 +5,7 @@
 namespace quell {
 
 namespace detail {
-/// The variance of each pixel's mean. Over time where the history is long, over the 7x7 around where it is short, and in between both.
+/// The variance of each pixel's mean. Over time where the history is long, from the 5x5 around where it is short, and in between both.
 template <class Edge> struct VarianceOfMean {
     static constexpr auto name = "variance of mean";
     using reads = decltype(Channels<HistoryLength, LuminanceVariance>{} | reads_of<Edge>{});
@@ -21,36 +21,46 @@ template <class Edge> struct VarianceOfMean {
         auto const brief = n < Real(enough);
         if (!any(brief)) return emitted<Real>(variance, over_time);
         auto const share = min((n - 1.f) / max(enough - 1.f, 1.f), Real(1.f));
-        auto const mixed = mix(spatial_variance(px), over_time, share);
+        auto const mixed = mix(spatial_variance(px, over_time), over_time, share);
         return emitted<Real>(variance, select(both(brief, is_finite(mixed)), mixed, over_time));
     }
 
 private:
-    /// The variance among what is seen around. Distances from the centre don't cancel. Outlined: few histories are short.
-    template <class Px> [[gnu::noinline]] constexpr auto spatial_variance(Px const& px) const {
+    static constexpr int radius = 2, side = 2 * radius + 1;
+    /// The least of four directions' is too small where there is nothing but noise; this makes up for it.
+    static constexpr float least_of_four = 1.5f;
+
+    /// Half the mean square difference of neighbours along a row, a column or a diagonal, whichever is least: along the edge of a shadow
+    /// there is only noise, where the variance of all that is seen around would take the edge for it. Outlined: few histories are short.
+    template <class Px> [[gnu::noinline]] constexpr auto spatial_variance(Px const& px, typename Px::Real otherwise) const {
         using Real = typename Px::Real;
-        constexpr float box[4] = {1.f, 1.f, 1.f, 1.f};
         auto const around = edge.around(px);
-        auto const centre = luminance(px.signal());
-        Real weights(0.f), first(0.f), second(0.f);
-        for_each_tap<3>(
-            px, 1, box, [&](auto neighbour, auto inside, int dx, int dy) __attribute__((always_inline)) {
-                auto const sampled = inside * min(neighbour[history_length], Real(1.f));
-                auto const w =
-                    dx == 0 && dy == 0
-                        ? sampled
-                        : sampled * edge_weight(detail::edge_toward(around, dx, dy).distance(neighbour, Real(detail::edge_offset(around))));
-                auto const off = luminance(neighbour.signal()) - centre;
-                weights = weights + w;
-                first = fma(off, w, first);
-                second = fma(off * off, w, second);
-            });
-        auto const known = weights > Real(0.f);
-        auto const inverse = 1.f / select(known, weights, Real(1.f)), mean = first * inverse;
-        // Weights of one pixel alone say nothing of variance; of a pixel in whose surroundings nothing was ever sampled, all may flow in.
-        auto const unbiased = weights / max(weights - 1.f, Real(0.5f));
-        return select(known, max(fma(-mean, mean, second * inverse), Real(0.f)) * unbiased, Real(1e8f));
+        Real light[side][side], weight[side][side];
+        for (int j = 0; j < side; ++j)
+            for (int i = 0; i < side; ++i) {
+                auto const there = px.at(i - radius, j - radius);
+                auto const distance =
+                    detail::edge_toward(around, i - radius, j - radius).distance(there, Real(detail::edge_offset(around)));
+                auto const sampled = masked(there.inside(), min(there[history_length], Real(1.f)));
+                light[j][i] = luminance(there.signal());
+                weight[j][i] = i == radius && j == radius ? sampled : sampled * edge_weight(distance);
+            }
+        Real least(1e30f);
+        for (auto const& [dx, dy] : {std::pair{1, 0}, std::pair{0, 1}, std::pair{1, 1}, std::pair{-1, 1}}) {
+            Real squares(0.f), weights(0.f);
+            for (int j = 0; j + dy < side; ++j)
+                for (int i = max_of(-dx, 0); i + max_of(dx, 0) < side; ++i) {
+                    auto const off = light[j + dy][i + dx] - light[j][i], w = weight[j][i] * weight[j + dy][i + dx];
+                    squares = fma(off * off, w, squares);
+                    weights = weights + w;
+                }
+            // Less than a twentieth of a pair is no evidence.
+            auto const known = weights > Real(0.05f);
+            least = select(known, min(least, squares / select(known, weights, Real(1.f))), least);
+        }
+        return select(least < Real(1e30f), least * (0.5f * least_of_four), otherwise);
     }
+    static constexpr int max_of(int a, int b) { return a > b ? a : b; }
 };
 
 /// One level of an edge-avoiding wavelet by which pixels exchange light: see ConservingAtrous.

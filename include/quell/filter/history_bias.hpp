@@ -12,29 +12,59 @@ struct HistoryBias : MadeChannel<1> {
 };
 inline constexpr HistoryBias history_bias;
 
-/// What BiasEstimate measures around a pixel, as means over a window: luminance now less luminance of the history; root mean square of
-/// that; the root mean square that the history's own variance makes one expect; and the part of the window that has a history.
-struct HistoryDistance : MadeChannel<4> {
+// What BiasEstimate measures, as means over a window. Four channels and not one of four components: their memory serves other passes later.
+
+/// Luminance now less luminance of the history.
+struct HistoryDistance : MadeChannel<1> {
     static constexpr auto name = "history_distance";
 };
+/// Root mean square of that.
+struct HistoryDeviation : MadeChannel<1> {
+    static constexpr auto name = "history_deviation";
+};
+/// The root mean square that the history's own variance makes one expect.
+struct ExpectedDeviation : MadeChannel<1> {
+    static constexpr auto name = "expected_deviation";
+};
+/// The part of the window that has a history.
+struct HistoryShare : MadeChannel<1> {
+    static constexpr auto name = "history_share";
+};
 inline constexpr HistoryDistance history_distance;
+inline constexpr HistoryDeviation history_deviation;
+inline constexpr ExpectedDeviation expected_deviation;
+inline constexpr HistoryShare history_share;
 
 namespace detail {
+using WindowChannels = Channels<HistoryDistance, HistoryDeviation, ExpectedDeviation, HistoryShare>;
+
+template <class Real> struct WindowOfHistory {
+    Real distance, deviation, expected, share;
+
+    QUELL_KERNEL auto emitted() const {
+        return quell::emitted<Real>(history_distance, distance)
+            .with(history_deviation, deviation)
+            .with(expected_deviation, expected)
+            .with(history_share, share);
+    }
+};
+template <class Px> QUELL_KERNEL auto window_at(Px const& px) {
+    return WindowOfHistory<typename Px::Real>{px[history_distance], px[history_deviation], px[expected_deviation], px[history_share]};
+}
+
 /// The measurements of one pixel: nothing where there is no past or no sample.
 template <class Source> struct OwnHistoryDistance {
     static constexpr auto name = "history distance";
     using reads = reads_of<Source>;
     using remembers = remembers_of<Source>;
     using reads_kept = Channels<HistoryLength, LuminanceVariance>;
-    using emits = Channels<HistoryDistance>;
+    using emits = WindowChannels;
     Source source;
 
     QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
-        using Four = Value<4, Real>;
         Real const none(0.f);
-        Four own{none, none, none, none};
-        if (!px.has_past()) return emitted<Real>(history_distance, own);
+        if (!px.has_past()) return WindowOfHistory<Real>{none, none, none, none}.emitted();
         auto const past = Nearest{}.fetch(px, source.previous(px));
         auto const distance = luminance(px.signal()) - luminance(past.signal);
         auto const known = both(past.validity > none, invert(px.missing()), is_finite(distance));
@@ -43,48 +73,46 @@ template <class Source> struct OwnHistoryDistance {
         auto const of_sample = masked(n > Real(1.f), past[luminance_variance] * (n / max(n - 1.f, Real(0.5f))));
         auto const expected = of_sample * (1.f / now + 1.f / n);
         auto const usable = both(known, is_finite(expected));
-        return emitted<Real>(history_distance, Four{masked(usable, distance), masked(usable, abs(distance)), masked(usable, sqrt(expected)),
-                                                    masked(usable, Real(1.f))});
+        return WindowOfHistory<Real>{masked(usable, distance), masked(usable, abs(distance)), masked(usable, sqrt(expected)),
+                                     masked(usable, Real(1.f))}
+            .emitted();
     }
 };
 
 /// Puts together five in a row or a column. Outside the image there is nothing.
-/// @tparam ends whether this completes a window: then it estimates the bias as well
 struct HistoryDistanceLine {
     static constexpr auto name = "history distance";
-    using reads = Channels<HistoryDistance>;
-    using emits = Channels<HistoryDistance>;
+    using reads = WindowChannels;
+    using emits = WindowChannels;
     int step;
     bool vertical;
 
-    QUELL_KERNEL auto emit_channels(auto px) const {
-        using Real = typename decltype(px)::Real;
-        return emitted<Real>(history_distance, mean(px));
-    }
+    QUELL_KERNEL auto emit_channels(auto px) const { return mean(px).emitted(); }
     QUELL_KERNEL auto mean(auto px) const {
         using Real = typename decltype(px)::Real;
-        Real distance(0.f), square(0.f), expected(0.f), known(0.f);
+        Real distance(0.f), square(0.f), expected(0.f), share(0.f);
         for (int i = -2; i <= 2; ++i) {
             auto const neighbour = vertical ? px.at(0, i * step) : px.at(i * step, 0);
-            auto const there = neighbour[history_distance];
+            auto const there = window_at(neighbour);
             auto const inside = neighbour.inside();
-            distance = distance + masked(inside, there.x);
-            square = fma(there.y, masked(inside, there.y), square);
-            expected = fma(there.z, masked(inside, there.z), expected);
-            known = known + masked(inside, there.w);
+            distance = distance + masked(inside, there.distance);
+            square = fma(there.deviation, masked(inside, there.deviation), square);
+            expected = fma(there.expected, masked(inside, there.expected), expected);
+            share = share + masked(inside, there.share);
         }
-        return Value<4, Real>{distance * 0.2f, sqrt(square * 0.2f), sqrt(expected * 0.2f), known * 0.2f};
+        return WindowOfHistory<Real>{distance * 0.2f, sqrt(square * 0.2f), sqrt(expected * 0.2f), share * 0.2f};
     }
 };
 
 /// The evidence of one window: how far the mean distance lies beyond what noise explains, squared, over the noise.
-template <class Real> QUELL_KERNEL Real bias_in(Value<4, Real> const& window, float pixels, float by_chance) {
-    auto const share = 1.f / max(window.w, Real(1e-6f));
-    auto const mean = window.x * share;
+template <class Real> QUELL_KERNEL Real bias_in(WindowOfHistory<Real> const& window, float pixels, float by_chance) {
+    auto const share = 1.f / max(window.share, Real(1e-6f));
+    auto const mean = window.distance * share;
     // Skewed noise looks like change where its rare bright samples are missing from a window; the history has seen them.
-    auto const seen = fma(window.y, window.y * share, -mean * mean), expected = window.z * window.z * share;
+    auto const seen = fma(window.deviation, window.deviation * share, -mean * mean);
+    auto const expected = window.expected * window.expected * share;
     auto const noise = max(max(seen, expected), Real(1e-20f));
-    auto const count = max(window.w * pixels - 1.f, Real(0.5f));
+    auto const count = max(window.share * pixels - 1.f, Real(0.5f));
     auto const excess = max(fma(mean, mean, -(noise * by_chance) / count), Real(0.f));
     return min(excess / noise, Real(1e6f));
 }
@@ -92,19 +120,18 @@ template <class Real> QUELL_KERNEL Real bias_in(Value<4, Real> const& window, fl
 /// The last step of the narrow window, which is the first of the wide one: columns of it put together, and what it says.
 struct NarrowBias {
     static constexpr auto name = "history bias";
-    using reads = Channels<HistoryDistance>;
-    using emits = Channels<HistoryDistance, HistoryBias>;
+    using reads = WindowChannels;
+    using emits = decltype(WindowChannels{} | Channels<HistoryBias>{});
     float by_chance;
 
     QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
-        return emitted<Real>(history_distance, HistoryDistanceLine{5, false}.mean(px))
-            .with(history_bias, bias_in<Real>(px[history_distance], 25.f, by_chance));
+        return HistoryDistanceLine{5, false}.mean(px).emitted().with(history_bias, bias_in<Real>(window_at(px), 25.f, by_chance));
     }
 };
 struct WideBias {
     static constexpr auto name = "history bias";
-    using reads = Channels<HistoryDistance, HistoryBias>;
+    using reads = decltype(WindowChannels{} | Channels<HistoryBias>{});
     using emits = Channels<HistoryBias>;
     float by_chance;
 
@@ -118,14 +145,14 @@ struct WideBias {
 
 /// Measures how far the history lies from the light of now, where light moves or changes though no motion vector says so: in many pixels
 /// together the noise cancels that hides it in one. Two windows, of 5x5 and of 25x25 pixels: the narrow one sees sharply what is clear, the
-/// wide one what is faint. Goes before a Temporal{..., WithMoments{ForgetBiased{RunningMean{}}}}.
+/// wide one what is faint. Goes before a Temporal{..., WithVariance{ForgetBiased{RunningMean{}}}}.
 /// @tparam Source a MotionSource
 template <class Source = SurfaceMotion<SameDepth>> struct BiasEstimate {
     using Own = detail::OwnHistoryDistance<Source>;
     using reads = reads_of<Own>;
     using remembers = remembers_of<Own>;
     using reads_kept = reads_kept_of<Own>;
-    using emits = Channels<HistoryDistance, HistoryBias>;
+    using emits = decltype(detail::WindowChannels{} | Channels<HistoryBias>{});
     static constexpr bool needs_camera = needs_camera_of<Source>;
     static constexpr bool leaves_signal = true;
     Source source{};

@@ -6,6 +6,7 @@
 #include <quell/blend/running_mean.hpp>
 #include <quell/blend/with_clean_up.hpp>
 #include <quell/blend/with_moments.hpp>
+#include <quell/blend/with_variance.hpp>
 #include <quell/blur/directional_atrous.hpp>
 #include <quell/blur/gather_blur.hpp>
 #include <quell/blur/layer_history.hpp>
@@ -62,7 +63,7 @@ constexpr auto svgf(ChannelTag auto signal, auto... parts) {
 /// which is measured; the filter is as wide as the noise that is left, for any number of samples; and no light is lost.
 constexpr auto general(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, parts..., Spatial{BiasEstimate<>{}},
-                    Temporal{SurfaceMotion{}, WithMoments{ForgetBiased{RunningMean{.cap = 24.f}}}}, Spatial{ConservingAtrous<>{}}};
+                    Temporal{SurfaceMotion{}, WithVariance{ForgetBiased{RunningMean{.cap = 24.f}}}}, Spatial{ConservingAtrous<>{}}};
 }
 /// svgf whose history shortens where the host's temporal gradients say that the light itself has changed (Schied 2018).
 template <ChannelTag S> constexpr auto asvgf(S signal, auto... parts) {

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <quell/blend/blend_policy.hpp>
+
+namespace quell {
+
+/// Keeps, beside what the inner policy does, the variance over time of each pixel's luminance, with the same alpha, as WithMoments does;
+/// but takes the mean from the signal itself, so that there is one number less to keep. For policies whose value is the mean of what they
+/// have seen, which a clamp or a filter that feeds back makes untrue.
+template <class Inner> struct WithVariance {
+    static_assert(BlendPolicy<Inner>, "WithVariance{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
+    using reads = reads_of<Inner>;
+    using remembers = remembers_of<Inner>;
+    using keeps = decltype(keeps_of<Inner>{} | Channels<LuminanceVariance>{});
+    using emits = emits_of<Inner>;
+    Inner inner{};
+
+    QUELL_KERNEL auto blend(auto px, auto past) const {
+        auto const result = detail::result_of([&]() __attribute__((always_inline)) { return inner.blend(px, past); });
+        auto const alpha = result.alpha;
+        auto const off = luminance(px.signal()) - luminance(past.signal);
+        auto const between = (1.f - alpha) * fma(off * off, alpha, past[luminance_variance]);
+        return result.with(luminance_variance, fma(px.variance_of_sample(), alpha, between));
+    }
+};
+template <class Inner> WithVariance(Inner) -> WithVariance<Inner>;
+
+} // namespace quell
