@@ -19,6 +19,10 @@ public:
 
     /// The planes that it wants of each file.
     [[nodiscard]] virtual std::vector<std::string> planes(io::ChannelNames const& names) const = 0;
+    /// Planes that it makes use of where a file has them.
+    [[nodiscard]] virtual std::vector<std::string> optional_planes(io::ChannelNames const&) const { return {}; }
+    /// Shows it a frame that comes after those that it has seen, and will be denoised later. Most presets make no use of it.
+    virtual void look_ahead(io::ExrImage const&, io::ChannelNames const&, long long /*number*/) {}
     /// From now on each frame is looked at for what its renderer got wrong.
     virtual void diagnose() = 0;
     /// What was found in the last frame.
@@ -37,6 +41,7 @@ struct Preset {
     std::unique_ptr<Denoiser> (*make)(Extent size, int threads);
     /// The same with debug images, slower; null where there is none.
     std::unique_ptr<Denoiser> (*make_watched)(Extent size) = nullptr;
+    bool looks_ahead = false; ///< whether it makes use of frames that come later
 };
 
 } // namespace quell::examples

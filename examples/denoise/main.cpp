@@ -103,23 +103,43 @@ public:
     }
 };
 
+/// The preset that was asked for, or the one that suits the files, and then why.
+Preset const& choose_preset(DenoiseOptions const& options, std::filesystem::path const& first,
+                            std::optional<io::SequenceNames> const& map) {
+    if (!options.preset.empty()) return preset_of(options.preset);
+    io::ExrFile const file(first);
+    auto const choice = preset_for(file, map ? *map : io::recognise(file));
+    if (!options.quiet) std::fprintf(stderr, "quell-denoise: preset %s, since %s\n", choice.preset->name.c_str(), choice.reason.c_str());
+    return *choice.preset;
+}
+
+int later_frames(DenoiseOptions const& options, Preset const& preset) {
+    if (options.extra_frames.value_or(0) > 0 && !preset.looks_ahead)
+        throw Error("--extra-frames", "preset " + preset.name + " makes no use of later frames", "leave it out, or take --preset general");
+    if (options.extra_frames.value_or(0) > 0 && !options.debug_views.empty())
+        throw Error("--extra-frames", "--debug-view shows what happens without later frames", "leave one of the two out");
+    return options.extra_frames.value_or(preset.looks_ahead ? 2 : 0);
+}
+
 void denoise(DenoiseOptions const& options) {
-    auto const& preset = preset_of(options.preset);
     FramePattern const in(options.in);
     auto const range = range_of(options, in);
     std::optional<io::SequenceNames> map;
     if (!options.map.empty()) map = read_map(options.map);
+    if (!options.preset.empty()) static_cast<void>(preset_of(options.preset));
+    auto const& preset = choose_preset(options, in.path(range.begin), map);
     Output const output(options, in, range);
     Comparison comparison(options.reference, range);
     SequenceDenoiser denoiser(preset, options.threads, !options.debug_views.empty(), map);
+    denoiser.use_later_frames(later_frames(options, preset));
     if (options.shutter) denoiser.set_shutter(*options.shutter);
     if (options.diagnose) denoiser.diagnose();
     int findings = 0;
     {
-        Progress progress(options.preset, range.last - range.begin + 1, !options.quiet);
+        Progress progress(preset.name, range.last - range.begin + 1, !options.quiet);
         for (auto number = range.begin; number <= range.last; ++number) {
             progress.show(number - range.begin, in.path(number).filename().string());
-            auto const picture = denoiser.next(in.path(number), number);
+            auto const picture = denoiser.next(in, number);
             for (auto const& finding : denoiser.findings())
                 progress.say("quell-denoise: frame " + std::to_string(number) + ": " + to_string(finding)), ++findings;
             if (number < range.first) continue;

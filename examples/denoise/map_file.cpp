@@ -76,8 +76,11 @@ std::vector<io::Source> sources_in(Member const& member, std::string_view channe
     return sources;
 }
 
-/// What presets read that isn't in quell's own files always: how paths bend, how signals change by themselves, and how they sweep.
-using MappedChannels = decltype(AllChannels{} | Channels<SweepBend, GradientOf<Radiance>, SweepOf<Visibility>, SweepOf<Glossy>>{});
+/// What presets read that isn't in quell's own files always: how paths bend, how signals change by themselves, how they sweep, where things
+/// go next, and what the renderer knows of its samples.
+using MappedChannels =
+    decltype(AllChannels{} |
+             Channels<SweepBend, GradientOf<Radiance>, SweepOf<Visibility>, SweepOf<Glossy>, MotionNext, SampleCount, SampleVariance>{});
 
 /// The number of components of the channel of that name; 0 where there is none.
 int components_of_channel(std::string const& name) {

@@ -28,7 +28,9 @@ Exit codes: 0 done, 2 unusable arguments or input, 1 anything else.)";
 void describe(CLI::App& app, DenoiseOptions& options) {
     app.add_option("--in", options.in, "Noisy frames, e.g. 'dir/frame.%04d.exr'");
     app.add_option("--out", options.out, "Denoised frames, e.g. 'dir/out.%04d.exr': channels R, G, B");
-    app.add_option("--preset", options.preset, "How to denoise; --list names them (default: " + options.preset + ")");
+    app.add_option("--preset", options.preset,
+                   "How to denoise; --list names them (default: what suits the files' channels: blur where they have "
+                   "sweeps and times, trmv where they have what shadows and reflections move by, else general)");
     app.add_option("--first", options.first, "Number of the first frame (default: the first that there is)");
     app.add_option("--last", options.last, "Number of the last frame (default: the last that there is)");
     app.add_option("--reference", options.reference, "Converged frames, e.g. 'dir/ref.%04d.exr': prints frame,rmse,ssim,flip as CSV");
@@ -36,6 +38,10 @@ void describe(CLI::App& app, DenoiseOptions& options) {
     app.add_option("--shutter", options.shutter,
                    "Part of the frame time during which the shutter is open (default: what the map says, or else the files, or else 0.5)");
     app.add_option("--warmup", options.warmup, "Frames before the first to denoise without writing them (default: 0)");
+    app.add_option(
+        "--extra-frames", options.extra_frames,
+        "Later frames that each one is denoised with, 0 to 8 (default: 2 with the preset general, the only one that makes use of "
+        "them; 0 is what a host has in real time)");
     add_threads(app, options.threads);
     app.add_flag("--diagnose", options.diagnose,
                  "Say on stderr what the renderer seems to have got wrong (motion, cameras, depth, normals, albedo, samples) and in which "
@@ -65,6 +71,8 @@ void check(DenoiseOptions const& options) {
     check_debug_views(options);
     if (options.shutter && !(is_finite(*options.shutter) && *options.shutter >= 0))
         throw Error("--shutter", std::to_string(*options.shutter), "give a part of the frame time, such as 0.5");
+    if (options.extra_frames && (*options.extra_frames < 0 || *options.extra_frames > 8))
+        throw Error("--extra-frames", std::to_string(*options.extra_frames), "give 0 to 8 frames");
     if (options.warmup < 0) throw Error("--warmup", std::to_string(options.warmup), "give 0 or more frames");
 }
 

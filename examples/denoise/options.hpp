@@ -9,9 +9,10 @@ namespace quell::examples {
 /// What the command line of quell-denoise says.
 struct DenoiseOptions {
     std::string in, out, reference, map;
-    std::string preset = "svgf";
+    std::string preset; ///< empty: what suits the files
     std::optional<long long> first, last;
     long long warmup = 0;
+    std::optional<int> extra_frames; ///< later ones that each frame is denoised with
     int threads = 0;
     std::optional<float> shutter; ///< of all frames, whatever the map and the files say
     std::vector<std::string> debug_views;

@@ -2,12 +2,23 @@
 
 #include <denoise/denoiser.hpp>
 
+#include <quell/io/sequence_names.hpp>
+
 namespace quell::examples {
 
 /// All presets, in the order in which --list names them.
 [[nodiscard]] std::vector<Preset> const& presets();
 /// @throws Error, listing the names, where there is no such preset
 [[nodiscard]] Preset const& preset_of(std::string const& name);
+
+/// The preset that suits what a file has, and why: a part of a sentence.
+struct PresetChoice {
+    Preset const* preset;
+    std::string reason;
+};
+/// blur where there are sweeps and times, trmv where there is all by which shadows, reflections and indirect light are followed, else
+/// general.
+[[nodiscard]] PresetChoice preset_for(io::ExrFile const& file, io::SequenceNames const& names);
 
 // One function and one file per family, so that each is compiled by itself: a preset is a line in its family's file.
 [[nodiscard]] std::vector<Preset> temporal_presets();

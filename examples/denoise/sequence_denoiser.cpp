@@ -48,11 +48,14 @@ void SequenceDenoiser::collect(std::vector<Finding> const& findings) {
             found.push_back({finding.mistake, finding.evidence, finding.remedy + remedy_for_files(finding.mistake)});
 }
 
-std::vector<std::string> SequenceDenoiser::planes() const {
+std::vector<std::string> SequenceDenoiser::planes(io::ExrFile const& file) const {
     auto planes = composite_planes(*sequence);
     for (std::size_t s = 0; s < denoisers.size(); ++s) {
-        auto const more = denoisers[s]->planes(sequence->of_signals[s].channels);
+        auto const& channels = sequence->of_signals[s].channels;
+        auto const more = denoisers[s]->planes(channels);
         planes.insert(planes.end(), more.begin(), more.end());
+        for (auto const& plane : denoisers[s]->optional_planes(channels))
+            if (file.find(plane)) planes.push_back(plane);
     }
     return planes;
 }
@@ -70,13 +73,35 @@ std::vector<std::pair<std::string, DebugImage>> SequenceDenoiser::debug_images(s
     return all;
 }
 
-metrics::Picture SequenceDenoiser::next(std::filesystem::path const& path, long long number) {
-    io::ExrFile const file(path);
+void SequenceDenoiser::read(FramePattern const& in, long long number) {
+    io::ExrFile const file(in.path(number));
     if (denoisers.empty()) begin(file);
     if (!(file.size == size))
         throw Error(file.name, "it is " + to_string(file.size) + " but the frames before it are " + to_string(size),
                     "denoise frames of one size, or each size by itself (--first, --last)");
-    auto const image = file.read(planes());
+    auto image = file.read(planes(file));
+    for (std::size_t s = 0; s < denoisers.size(); ++s) denoisers[s]->look_ahead(image, sequence->of_signals[s].channels, number);
+    window.push_back({number, std::move(image)});
+}
+
+/// A frame that is missing or broken ends the window, and is complained of when it is its turn: those before it are written whole.
+void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
+    if (!preset.looks_ahead || watched) return;
+    for (auto later = window.back().number + 1; later <= number + later_frames; ++later) {
+        if (!std::filesystem::exists(in.path(later))) return;
+        try {
+            read(in, later);
+        } catch (Error const&) {
+            return;
+        }
+    }
+}
+
+metrics::Picture SequenceDenoiser::next(FramePattern const& in, long long number) {
+    while (!window.empty() && window.front().number != number) window.pop_front();
+    if (window.empty()) read(in, number);
+    read_ahead(in, number);
+    auto const& image = window.front().image;
     found.clear();
     return composite(
         image, *sequence,

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <denoise/denoiser.hpp>
+#include <support/frame_pattern.hpp>
 
 #include <quell/io/sequence_names.hpp>
 
+#include <deque>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -29,9 +31,12 @@ public:
     /// where there are several.
     [[nodiscard]] std::vector<std::pair<std::string, DebugImage>> debug_images(std::string const& view);
 
-    /// Reads, denoises and puts together one frame: a linear picture.
+    /// Lets each frame be denoised with this many after it, where the preset makes use of them and the files are there.
+    void use_later_frames(int count) { later_frames = count; }
+
+    /// Reads, denoises and puts together one frame: a linear picture. Frames are to be asked for in order.
     /// @throws Error naming the file and what is wrong with it
-    [[nodiscard]] metrics::Picture next(std::filesystem::path const& path, long long number);
+    [[nodiscard]] metrics::Picture next(FramePattern const& in, long long number);
 
     [[nodiscard]] long long missing_samples() const { return missing; } ///< of all frames so far
     [[nodiscard]] std::optional<io::SequenceNames> const& names() const { return sequence; }
@@ -49,9 +54,19 @@ private:
     std::set<Mistake> known; ///< those that were found already
     std::vector<Finding> found;
 
+    int later_frames = 0;
+    /// Frames that were read and shown to the denoisers: the next to be denoised first.
+    struct Seen {
+        long long number;
+        io::ExrImage image;
+    };
+    std::deque<Seen> window;
+
     void begin(io::ExrFile const& file);
+    void read(FramePattern const& in, long long number);
+    void read_ahead(FramePattern const& in, long long number);
     void collect(std::vector<Finding> const& findings);
-    [[nodiscard]] std::vector<std::string> planes() const;
+    [[nodiscard]] std::vector<std::string> planes(io::ExrFile const& file) const;
 };
 
 } // namespace quell::examples

@@ -1,11 +1,12 @@
 #include <denoise/denoiser_of.hpp>
 #include <denoise/presets.hpp>
+#include <denoise/two_sided_denoiser.hpp>
 
 namespace quell::examples {
 
 std::vector<Preset> spatiotemporal_presets() {
     return {
-        watched_preset("general", [] { return quell::presets::general(radiance, Demodulate{}); }),
+        two_sided_preset("general", [](auto... parts) { return quell::presets::general(radiance, Demodulate{}, parts...); }),
         watched_preset("svgf", [] { return quell::presets::svgf(radiance, Demodulate{}); }),
         watched_preset("asvgf", [] { return quell::presets::asvgf(radiance, Demodulate{}); }),
         watched_preset("dual-color", [] { return quell::presets::dual_color(radiance, Demodulate{}); }),

@@ -77,6 +77,13 @@ inline void to_own_motion(std::vector<float>& motion, int axis, ExrImage const& 
     for (auto& m : motion) m = m * factor + offset;
 }
 
+/// Motion to the next frame is of the same unit and direction of y. It points there, and knows nothing of jitter.
+inline MotionConvention next_convention(MotionConvention motion) {
+    motion.points = MotionConvention::Points::to_previous;
+    motion.jitter = MotionConvention::Jitter::left_out;
+    return motion;
+}
+
 template <ChannelTag C> void load_channel(C channel, ImageView auto const& view, ExrImage const& image, ChannelNames const& names) {
     auto const sources = sources_of(names, channel);
     for (int c = 0; c < C::components; ++c) {
@@ -84,6 +91,7 @@ template <ChannelTag C> void load_channel(C channel, ImageView auto const& view,
         auto values = component_of(image, source, std::is_same_v<C, Instance>);
         if constexpr (std::is_same_v<C, Depth>) mark_misses(values, image, source, names.miss_from);
         if constexpr (std::is_same_v<C, Motion>) to_own_motion(values, c, image, names.motion);
+        if constexpr (std::is_same_v<C, MotionNext>) to_own_motion(values, c, image, next_convention(names.motion));
         auto value = values.begin();
         for (int y = 0; y < image.size.height; ++y)
             for (int x = 0; x < image.size.width; ++x) view.set(c, x, y, *value++);
@@ -109,15 +117,20 @@ template <ChannelTag C> constexpr SampleType type_of(C) {
     throw Error(image.name, "its attribute quell:shutter is no number", "write it as a float, or say --shutter");
 }
 
-/// Fills every channel of a frame from an image, and its camera and shutter where the image has them.
+/// Fills some channels of a frame from an image, and its camera and shutter where the image has them.
 /// @throws Error naming the file and the channel: sizes that differ, a channel that is missing or of a type that it can't have
-template <class Set, class Storage> void load(Frame<Set, Storage>& frame, ExrImage const& image, ChannelNames const& names = {}) {
+template <class Some, class Set, class Storage>
+void load_channels(Some some, Frame<Set, Storage>& frame, ExrImage const& image, ChannelNames const& names = {}) {
     if (!(frame.size == image.size))
         throw Error(image.name, "it is " + to_string(image.size) + " but the frame is " + to_string(frame.size),
                     "make the frame of the image's size");
-    for_each_channel(Set{}, [&](auto channel) { detail::load_channel(channel, frame[channel].view(), image, names); });
+    for_each_channel(some, [&](auto channel) { detail::load_channel(channel, frame[channel].view(), image, names); });
     if (auto const camera = camera_of(image)) frame.camera = *camera;
     if (auto const shutter = shutter_of(image, names)) frame.shutter = *shutter;
+}
+/// The same for all channels of the frame.
+template <class Set, class Storage> void load(Frame<Set, Storage>& frame, ExrImage const& image, ChannelNames const& names = {}) {
+    load_channels(Set{}, frame, image, names);
 }
 
 /// Adds a channel to an image under quell's own names.

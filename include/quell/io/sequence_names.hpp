@@ -75,6 +75,10 @@ inline ChannelNames cycles_guides(ViewLayer const& layer) {
     ChannelNames names;
     names.sources["depth"] = layer.components_of("Depth", "Z");
     names.sources["motion"] = layer.components_of("Vector", "XY");
+    if (layer.has("Vector", "Z")) {
+        names.sources["motion_next"] = layer.components_of("Vector", "ZW");
+        for (auto& source : names.sources["motion_next"]) source.scale = -1.f; // the way from there
+    }
     names.sources["position"] = layer.components_of("Position", "XYZ");
     names.sources["instance"] = layer.components_of("IndexOB", "X");
     // A normal that is the same everywhere passes every test and stops no filter.

@@ -46,6 +46,12 @@ public:
     [[nodiscard]] std::size_t bytes() const { return pool.bytes(); }
     [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(pool.size().pixels()); }
 
+    /// What a policy keeps of the last frame (history_length, luminance_variance, ...), once there was one.
+    template <ChannelTag C> [[nodiscard]] auto operator[](C) const {
+        static_assert(P::keeps::template has<C>, "history[channel]: no policy of this pipeline keeps that channel");
+        if constexpr (P::keeps::template has<C>) return kept.views(Channels<C>{}).view(C{});
+    }
+
 private:
     template <class, class, class, class, class> friend class detail::Run;
     friend struct detail::Inspect;

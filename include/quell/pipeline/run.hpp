@@ -62,9 +62,33 @@ public:
         return history.output ? history.output->view() : OutputView{};
     }
 
+    /// The ingest and the stages up to Temporal: what the history is to know of this frame, and what it says then.
+    OutputView accumulated() {
+        static_assert(P::has_past, "accumulate(pipeline, ...): the pipeline has no Temporal{...}, so there is nothing to accumulate");
+        check_frame<P>(frame);
+        begin();
+        passes_left = passes_of_first(std::make_index_sequence<up_to_temporal>{});
+        ingest();
+        stages(std::make_index_sequence<up_to_temporal>{});
+        end();
+        return history.output->view();
+    }
+
 private:
     static constexpr std::size_t stage_count = std::tuple_size_v<decltype(P::stages)>;
     template <std::size_t i> using StageAt = std::tuple_element_t<i, decltype(P::stages)>;
+    /// How many stages there are up to Temporal, which is one of them.
+    static constexpr std::size_t up_to_temporal = []<std::size_t... i>(std::index_sequence<i...>) {
+        std::size_t count = 0;
+        static_cast<void>(((++count, is_temporal<StageAt<i>>) || ...));
+        return count;
+    }
+    (std::make_index_sequence<stage_count>{});
+    template <std::size_t... i> int passes_of_first(std::index_sequence<i...>) const {
+        int count = 0;
+        (detail::for_each_pass(std::get<i>(pipeline.stages), [&](auto const&) { ++count; }), ...);
+        return count;
+    }
     template <class Kernel>
     static constexpr bool makes_signal = makes_signal_of<std::remove_cvref_t<Kernel>, ScopeOf<std::remove_cvref_t<Kernel>, true>>;
     template <class Stage>
@@ -262,7 +286,20 @@ auto run(P const& pipeline, Frame<Set, FrameStorage> const& frame, History<P, St
         .all();
 }
 
-/// The same, writing the output through a view of the host's own.
+/// Adds a frame to the history and does no more: the filters behind Temporal are left out. Returns a view of what the history then shows,
+/// which stays valid until the history's next run. For frames that serve others: those of a warm-up, those after the one that is wanted
+/// (pipeline/two_sided.hpp).
+/// @throws Error as run() does
+template <class P, class Set, class FrameStorage, class Storage, Executor E = Simd>
+auto accumulate(P const& pipeline, Frame<Set, FrameStorage> const& frame, History<P, Storage>& history, E const& executor = {}) {
+    static_assert(contained_in<typename P::reads, Set>, "accumulate(pipeline, frame, ...): the frame lacks a channel that the pipeline "
+                                                        "reads; construct the frame with this pipeline");
+    detail::NoTarget const none;
+    return detail::Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, detail::NoTarget>(pipeline, frame, history, executor, none)
+        .accumulated();
+}
+
+/// run(), writing the output through a view of the host's own.
 /// @throws Error as run() does, and for a target of another size
 template <class P, class Set, class FrameStorage, class Storage, ImageView Target, Executor E = Simd>
 void run_into(Target const& target, P const& pipeline, Frame<Set, FrameStorage> const& frame, History<P, Storage>& history,

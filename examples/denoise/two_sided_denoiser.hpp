@@ -1,0 +1,90 @@
+#pragma once
+
+#include <denoise/denoiser_of.hpp>
+
+#include <quell/pipeline/two_sided.hpp>
+
+#include <deque>
+
+namespace quell::examples {
+
+/// A pipeline that uses the frames after each as well, as far as it is shown them.
+template <class P> class TwoSidedDenoiser final : public Denoiser {
+    using OneFrame = Frame<decltype(typename P::reads{} | TwoSided::reads{})>;
+    /// What a renderer may leave out: then every frame is one sample, and motion to the next frame is that of the next frame turned round.
+    using Optional = Channels<MotionNext, SampleCount, SampleVariance>;
+    using Needed = without<typename OneFrame::channels, Optional>;
+
+    P pipeline;
+    TwoSidedHistory<P> history;
+    Threads<> executor;
+    std::deque<OneFrame> window;
+    std::deque<bool> knows_next; ///< whether a frame of the window has its motion to the next one
+    bool looks = false;
+    std::vector<Finding> found;
+
+public:
+    TwoSidedDenoiser(P const& p, Extent size, Threads<> const& threads) : pipeline(p), history(size, p), executor(threads) {}
+
+    std::vector<std::string> planes(io::ChannelNames const& names) const override { return io::planes_of(Needed{}, names); }
+    std::vector<std::string> optional_planes(io::ChannelNames const& names) const override { return io::planes_of(Optional{}, names); }
+
+    void look_ahead(io::ExrImage const& image, io::ChannelNames const& names, long long number) override {
+        if (!window.empty() && window.back().number == number) return;
+        OneFrame frame(image.size);
+        io::load_channels(Needed{}, frame, image, names);
+        frame.number = number;
+        load_or(frame, sample_count, image, names, 1.f);
+        load_or(frame, sample_variance, image, names, 0.f);
+        bool const has_next = load_or(frame, motion_next, image, names, std::numeric_limits<float>::quiet_NaN());
+        if (!window.empty() && !knows_next.back() && window.back().size == frame.size) {
+            invert_motion(window.back()[motion_next].view(), frame[motion].view(), frame[depth].view());
+            knows_next.back() = true;
+        }
+        window.push_back(std::move(frame));
+        knows_next.push_back(has_next);
+    }
+
+    metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number) override {
+        while (!window.empty() && window.front().number != number) window.pop_front(), knows_next.pop_front();
+        if (window.empty()) look_ahead(image, names, number);
+        if (looks) found = quell::diagnose(window.front(), history.before, names.motion);
+        return metrics::picture_of(run_two_sided(pipeline, window, history, executor));
+    }
+    void diagnose() override { looks = true; }
+    std::vector<Finding> const& findings() const override { return found; }
+    std::vector<DebugImage> debug_images(std::string const&) override { return {}; }
+    long long missing_samples() const override { return history.statistics().missing_samples; }
+
+private:
+    /// Loads a channel, or fills it where the file doesn't have it. Returns whether it had.
+    template <ChannelTag C>
+    static bool load_or(OneFrame& frame, C channel, io::ExrImage const& image, io::ChannelNames const& names, float otherwise) {
+        auto const planes = io::planes_of(Channels<C>{}, names);
+        bool const there = std::ranges::all_of(planes, [&](auto const& plane) { return image.find(plane) != nullptr; });
+        if (there)
+            io::load_channels(Channels<C>{}, frame, image, names);
+        else
+            for (int c = 0; c < C::components; ++c)
+                for (int y = 0; y < frame.size.height; ++y)
+                    for (int x = 0; x < frame.size.width; ++x) frame[channel].view().set(c, x, y, otherwise);
+        return there;
+    }
+};
+
+/// A preset that uses later frames, from a function that makes its pipeline with further parts; with debug images, of the frames before
+/// alone.
+template <class Make> Preset two_sided_preset(std::string name, Make) {
+    return {std::move(name),
+            [](Extent size, int threads) -> std::unique_ptr<Denoiser> {
+                constexpr auto pipeline = Make{}(KnownSamples{});
+                return std::make_unique<TwoSidedDenoiser<std::remove_const_t<decltype(pipeline)>>>(pipeline, size, Threads<>{threads});
+            },
+            [](Extent size) -> std::unique_ptr<Denoiser> {
+                constexpr auto pipeline = watched(Make{}());
+                return std::make_unique<DenoiserOf<std::remove_const_t<decltype(pipeline)>, Serial>>(pipeline, size, Serial{});
+            },
+            true};
+}
+
+} // namespace quell::examples
