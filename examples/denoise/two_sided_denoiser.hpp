@@ -15,7 +15,7 @@ template <class P> class TwoSidedDenoiser final : public Denoiser {
     using Optional = Channels<MotionNext, SampleCount, SampleVariance>;
     using Needed = without<typename OneFrame::channels, Optional>;
 
-    P pipeline;
+    P pipeline, joining;
     TwoSidedHistory<P> history;
     Threads<> executor;
     std::deque<OneFrame> window;
@@ -24,7 +24,8 @@ template <class P> class TwoSidedDenoiser final : public Denoiser {
     std::vector<Finding> found;
 
 public:
-    TwoSidedDenoiser(P const& p, Extent size, Threads<> const& threads) : pipeline(p), history(size, p), executor(threads) {}
+    TwoSidedDenoiser(P const& p, P const& j, Extent size, Threads<> const& threads)
+        : pipeline(p), joining(j), history(size, p), executor(threads) {}
 
     std::vector<std::string> planes(io::ChannelNames const& names) const override { return io::planes_of(Needed{}, names); }
     std::vector<std::string> optional_planes(io::ChannelNames const& names) const override { return io::planes_of(Optional{}, names); }
@@ -49,7 +50,7 @@ public:
         while (!window.empty() && window.front().number != number) window.pop_front(), knows_next.pop_front();
         if (window.empty()) look_ahead(image, names, number);
         if (looks) found = quell::diagnose(window.front(), history.before, names.motion);
-        return metrics::picture_of(run_two_sided(pipeline, window, history, executor));
+        return metrics::picture_of(run_two_sided(pipeline, joining, window, history, executor));
     }
     void diagnose() override { looks = true; }
     std::vector<Finding> const& findings() const override { return found; }
@@ -72,13 +73,14 @@ private:
     }
 };
 
-/// A preset that uses later frames, from a function that makes its pipeline with further parts; with debug images, of the frames before
-/// alone.
-template <class Make> Preset two_sided_preset(std::string name, Make) {
+/// A preset that uses later frames, from functions that make its pipeline, and the one that joins both sides, with further parts; with
+/// debug images, of the frames before alone.
+template <class Make, class Join> Preset two_sided_preset(std::string name, Make, Join) {
     return {std::move(name),
             [](Extent size, int threads) -> std::unique_ptr<Denoiser> {
-                constexpr auto pipeline = Make{}(KnownSamples{});
-                return std::make_unique<TwoSidedDenoiser<std::remove_const_t<decltype(pipeline)>>>(pipeline, size, Threads<>{threads});
+                constexpr auto pipeline = Make{}(KnownSamples{}), joining = Join{}(KnownSamples{});
+                return std::make_unique<TwoSidedDenoiser<std::remove_const_t<decltype(pipeline)>>>(pipeline, joining, size,
+                                                                                                   Threads<>{threads});
             },
             [](Extent size) -> std::unique_ptr<Denoiser> {
                 constexpr auto pipeline = watched(Make{}());

@@ -61,9 +61,17 @@ constexpr auto svgf(ChannelTag auto signal, auto... parts) {
 
 /// For what every host has: colour and guides. History is long where nothing changes and short where light moves or changes by itself,
 /// which is measured; the filter is as wide as the noise that is left, for any number of samples; and no light is lost.
+/// @param accumulated how far history is trusted
+constexpr auto general_with(ForgetBiased<RunningMean> accumulated, ChannelTag auto signal, auto... parts) {
+    return Pipeline{signal, parts..., Spatial{BiasEstimate<>{}}, Temporal{SurfaceMotion{}, WithVariance{accumulated}},
+                    Spatial{ConservingAtrous<>{}}};
+}
 constexpr auto general(ChannelTag auto signal, auto... parts) {
-    return Pipeline{signal, parts..., Spatial{BiasEstimate<>{}},
-                    Temporal{SurfaceMotion{}, WithVariance{ForgetBiased{RunningMean{.cap = 24.f}}}}, Spatial{ConservingAtrous<>{}}};
+    return general_with({.inner = {.cap = 24.f}, .gain = 100.f}, signal, parts...);
+}
+/// general for joining the frames before with the frames after (run_two_sided): what the two get wrong cancels in part.
+constexpr auto general_joining(ChannelTag auto signal, auto... parts) {
+    return general_with({.inner = {.cap = 48.f}, .gain = 30.f}, signal, parts...);
 }
 /// svgf whose history shortens where the host's temporal gradients say that the light itself has changed (Schied 2018).
 template <ChannelTag S> constexpr auto asvgf(S signal, auto... parts) {

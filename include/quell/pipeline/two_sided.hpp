@@ -93,10 +93,12 @@ struct AccumulatedSamples {
 ///     auto clean = run_two_sided(denoise, window, history, Threads{});    // window[0] is denoised, the others follow it
 /// Frames whose numbers don't follow each other end the window; one frame is a window too. Each call does the work of run() and, for every
 /// further frame, of accumulate(). The frames are changed while this runs, and left as they were.
+/// @param joining the same pipeline, with other numbers if that is better for joining what comes before with what comes after: where light
+/// moves, the one lags and the other leads, so that their mean is less wrong than either (presets::general_joining)
 /// @param window any range of frames by index, such as std::deque<Frame<...>>, which own their memory and have MotionNext
 /// @throws Error for a window of no frames, and as run() does
 template <class P, class Window, class Storage, Executor E = Simd>
-auto run_two_sided(P const& pipeline, Window& window, TwoSidedHistory<P, Storage>& history, E const& executor = {}) {
+auto run_two_sided(P const& pipeline, P const& joining, Window& window, TwoSidedHistory<P, Storage>& history, E const& executor = {}) {
     using F = std::remove_reference_t<decltype(window[0])>;
     using FrameStorage = typename F::storage;
     using Light = typename P::Output;
@@ -129,7 +131,11 @@ auto run_two_sided(P const& pipeline, Window& window, TwoSidedHistory<P, Storage
     detail::Exchanged const of_variance(frame[sample_variance], known_variance);
     detail::Exchanged const backwards(frame[motion], frame[motion_next]);
     detail::CountedBackwards const number(frame);
-    return run(pipeline, frame, history.after, executor);
+    return run(joining, frame, history.after, executor);
+}
+template <class P, class Window, class Storage, Executor E = Simd>
+auto run_two_sided(P const& pipeline, Window& window, TwoSidedHistory<P, Storage>& history, E const& executor = {}) {
+    return run_two_sided(pipeline, pipeline, window, history, executor);
 }
 
 /// Motion to the next frame where a renderer gives none: the next frame's motion to this one, turned round. Every pixel of the next frame
