@@ -67,6 +67,7 @@ void drift(std::string const& name, Making const& making, Results& results) {
     add(examples::preset_of("surface"), 1);
     add(examples::preset_of("surface-clamp"), 1);
     add(examples::preset_of("svgf"), 1);
+    add(examples::preset_of("general"), 1);
     add(svgf_in_half(), 1);
     add(examples::preset_of("glossy"), 0.25f);
     add(examples::preset_of("dual-cone"), 0.25f);

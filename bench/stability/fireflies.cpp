@@ -6,6 +6,9 @@
 #include <quell/metrics/picture.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <random>
 
 namespace quell::stability {
@@ -21,7 +24,8 @@ struct Watched {
 
 std::vector<Watched> all_methods() {
     std::vector<Watched> list;
-    for (std::string const name : {"surface", "surface-clamp", "svgf", "dual-color"}) list.push_back({examples::preset_of(name), 1});
+    for (std::string const name : {"surface", "surface-clamp", "svgf", "general", "dual-color"})
+        list.push_back({examples::preset_of(name), 1});
     list.push_back({svgf_without_fireflies(), 1});
     list.push_back({examples::preset_of("glossy"), 0.25f});
     list.push_back({examples::preset_of("dual-cone"), 0.25f});
@@ -92,11 +96,57 @@ void variance(std::string const& name, Making const& making, Results& results) {
     }
 }
 
+/// Frames in each of which a part p of the samples, other ones each time, has all of the light.
+std::vector<io::ExrImage> skewed_frames(io::ExrImage const& even, double p, int count, std::uint32_t seed) {
+    std::mt19937 random(seed);
+    std::vector<std::size_t> pixels(even.pixels());
+    std::iota(pixels.begin(), pixels.end(), 0);
+    auto const lit = static_cast<std::size_t>(p * static_cast<double>(pixels.size()));
+    std::vector<io::ExrImage> frames(static_cast<std::size_t>(count), even);
+    for (auto& frame : frames) {
+        std::ranges::shuffle(pixels, random);
+        std::vector<float> factors(pixels.size());
+        for (std::size_t i = 0; i < lit; ++i) factors[pixels[i]] = static_cast<float>(pixels.size()) / static_cast<float>(lit);
+        for (auto const& each : signal_planes())
+            if (each.name != "visibility.V")
+                for (std::size_t i = 0; i < factors.size(); ++i) plane(frame, each.name)[i] *= factors[i];
+    }
+    return frames;
+}
+
+/// The light of a picture of which a part p of the samples has all, over that of an even one: no method may lose any.
+void energy(std::string const& name, Making const& making, Results& results) {
+    constexpr int settled = 32;
+    auto const even = even_frame(light, making);
+    struct Skew {
+        double p, limit;
+        std::vector<io::ExrImage> frames;
+    };
+    std::vector<Skew> skews{{0.5, 0.005, {}}, {0.2, 0.005, {}}, {0.05, 0.005, {}}, {0.01, 0.02, {}}};
+    for (auto& skew : skews) skew.frames = skewed_frames(even, skew.p, 96, making.seed + 11);
+    for (auto const& preset : examples::presets()) {
+        if (preset.name == "shadow") continue; // of visibility, which is 0 or 1
+        auto const truth = sum_of(preset.make(making.size, making.threads)->denoise(even, {}, 0));
+        for (auto const& skew : skews) {
+            auto const denoiser = preset.make(making.size, making.threads);
+            double sum = 0;
+            for (int i = 0; i < static_cast<int>(skew.frames.size()); ++i) {
+                auto const picture = denoiser->denoise(skew.frames[static_cast<std::size_t>(i)], {}, i);
+                if (i >= settled) sum += sum_of(picture);
+            }
+            auto const mean = sum / static_cast<double>(skew.frames.size() - settled);
+            auto const percent = std::to_string(static_cast<int>(skew.p * 100 + 0.5));
+            results.promises.push_back({name, preset.name, "light_off_at_" + percent + "_percent", std::abs(mean / truth - 1), skew.limit});
+        }
+    }
+}
+
 } // namespace
 
 std::vector<Case> firefly_cases() {
     return {{"firefly", "A single sample of 10,000. Its energy doesn't grow, and it doesn't live on in the history.", true, firefly},
-            {"variance", "One sample in fifty has all the light. Energy stays bounded.", true, variance}};
+            {"variance", "One sample in fifty has all the light. Energy stays bounded.", true, variance},
+            {"energy", "A half, a fifth, a 20th and a 100th of the samples have all the light. None is lost, none is won.", true, energy}};
 }
 
 } // namespace quell::stability

@@ -51,7 +51,7 @@ void pan(std::string const& name, Making const& making, Results& results) {
     auto sequence = traced({.scene = "pan", .signal = Signal::indirect, .scored_from = event, .last = event + 8}, making);
     for (int i = event; i <= sequence.last(); ++i) sequence.masks.push_back(unseen(sequence.frame(i)));
     std::map<std::string, Errors> kept;
-    for (std::string const method : {"surface", "surface-clamp", "svgf", "dual-color", "dual-cone"}) {
+    for (std::string const method : {"surface", "surface-clamp", "svgf", "general", "dual-color", "dual-cone"}) {
         auto const& preset = examples::preset_of(method);
         kept[method] = errors(sequence, watch(preset, sequence, {}, making.threads));
         auto const none = errors(sequence, watch(preset, sequence, {Memory::Kind::none}, making.threads));
@@ -101,7 +101,7 @@ double lag_in_frames(Sequence const& sequence, Pictures const& pictures) {
 
 void bright_box(std::string const& name, Making const& making, Results& results) {
     auto const sequence = traced({.scene = "boxes", .signal = Signal::indirect, .scored_from = 24, .last = 36}, making);
-    for (std::string const method : {"surface", "surface-clamp", "svgf", "dual-color", "dual-cone"}) {
+    for (std::string const method : {"surface", "surface-clamp", "svgf", "general", "dual-color", "dual-cone"}) {
         auto const pictures = watch(examples::preset_of(method), sequence, {}, making.threads);
         record(results, name, method, errors(sequence, pictures));
         // A ghost of which a tenth is left after ten frames has a lag of 10 / log(10) frames.

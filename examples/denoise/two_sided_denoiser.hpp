@@ -78,7 +78,8 @@ private:
 template <class Make, class Join> Preset two_sided_preset(std::string name, Make, Join) {
     return {std::move(name),
             [](Extent size, int threads) -> std::unique_ptr<Denoiser> {
-                constexpr auto pipeline = Make{}(KnownSamples{}), joining = Join{}(KnownSamples{});
+                constexpr auto pipeline = Make{}(KnownSamples{});
+                constexpr decltype(pipeline) joining = Join{}(KnownSamples{});
                 return std::make_unique<TwoSidedDenoiser<std::remove_const_t<decltype(pipeline)>>>(pipeline, joining, size,
                                                                                                    Threads<>{threads});
             },

@@ -26,6 +26,7 @@ constexpr auto kernels = std::tuple{
     Pipeline{radiance, Temporal{StillMotion{}, WithMoments{RunningMean{}}}, Spatial{VarianceGuidedAtrous{}}},
     Pipeline{radiance, Temporal{StillMotion{}, WithCleanUp{RunningMean{}}}, Spatial{CleanUp{}}},
     presets::svgf(radiance, Demodulate{}),
+    presets::general(radiance, Demodulate{}),
 };
 } // namespace
 

@@ -30,4 +30,8 @@ TEST_CASE("serial, SIMD and threads compute the same: dual_color") { same_everyw
 TEST_CASE("serial, SIMD and threads compute the same: dual_cone") { same_everywhere(presets::dual_cone(indirect)); }
 TEST_CASE("serial, SIMD and threads compute the same: dual_cone_paper") { same_everywhere(presets::dual_cone_paper(indirect)); }
 TEST_CASE("serial, SIMD and threads compute the same: asvgf") { same_everywhere(presets::asvgf(radiance, Demodulate{})); }
+TEST_CASE("serial, SIMD and threads compute the same: general") {
+    same_everywhere(presets::general(radiance, Demodulate{}));
+    same_everywhere(presets::general(visibility, KnownSamples{}));
+}
 TEST_CASE("serial, SIMD and threads compute the same: trmv") { same_everywhere(presets::trmv()); }

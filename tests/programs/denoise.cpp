@@ -8,7 +8,7 @@ using namespace quell::tests;
 namespace {
 
 /// Those that need no more than the image and its guides.
-constexpr auto image_presets = {"none", "surface", "surface-clamp", "atrous", "svgf", "dual-color"};
+constexpr auto image_presets = {"none", "surface", "surface-clamp", "atrous", "general", "svgf", "dual-color"};
 
 bool readable(std::filesystem::path const& file) {
     auto const image = io::read_exr(file);

@@ -64,7 +64,7 @@ private:
 };
 
 /// One level of an edge-avoiding wavelet by which pixels exchange light: see ConservingAtrous.
-template <class Edge, bool guided> struct ExchangeLevel {
+template <class Edge> struct ExchangeLevel {
     static constexpr auto name = "conserving a-trous";
     using reads = decltype(reads_of<Edge>{} | Channels<Variance>{});
     using emits = Channels<Variance>;
@@ -81,7 +81,9 @@ template <class Edge, bool guided> struct ExchangeLevel {
         auto const here = px.signal();
         auto const brightness = luminance(here);
         auto const noise_here = px[variance];
-        auto const noise_floor = noise_here + 1e-9f;
+        // Differences under a ten-thousandth of the light are no edge.
+        constexpr float rounding = 1e-8f;
+        auto const tolerated = fma(brightness * brightness, Real(rounding), noise_here + 1e-20f);
         // Geometry is certain and normalises; brightness is not, and doesn't.
         auto gained = zero<typename Px::Signal>();
         Real weights(centre), taken(0.f), noise(0.f);
@@ -95,13 +97,10 @@ template <class Edge, bool guided> struct ExchangeLevel {
             weights = weights + edge_weight(distance, bits);
             auto const there = neighbour.signal();
             auto const its_noise = neighbour[variance];
-            if constexpr (guided) {
-                auto const off = luminance(there) - brightness;
-                // Both sides see the same difference over the same noise, so that what one gives the other gets. A rational root-free
-                // form of |off| / (sigma sqrt(v + v')) would be cheaper and another function.
-                auto const scale_by = approximate_reciprocal(sqrt(noise_floor + its_noise) * sigma_luminance);
-                distance = fma(abs(off), scale_by, distance);
-            }
+            // Both sides see the same difference over the same noise, so that what one gives the other gets.
+            auto const its_brightness = luminance(there);
+            auto const of_both = fma(its_brightness * its_brightness, Real(rounding), tolerated + its_noise);
+            distance = fma(abs(its_brightness - brightness), approximate_reciprocal(sqrt(of_both) * sigma_luminance), distance);
             auto const w = edge_weight(distance, bits);
             gained = map(
                 [&](auto sum, auto a, auto b) __attribute__((always_inline)) { return fma(a - b, w, sum); }, gained, there, here);
@@ -129,26 +128,25 @@ template <class Edge, bool guided> struct ExchangeLevel {
 /// A variance-guided a-trous wavelet (after Schied 2017) that conserves light. Other filters take a mean of those neighbours that look like
 /// the pixel; where noise is skewed, as a path tracer's is, most pixels are darker than the mean and find each other, and light is lost.
 /// Here pixels exchange light in pairs instead: out = in + sum of w(p, q) (in(q) - in(p)), where w is the same from both sides since
-/// differences are measured against the noise of both. What one loses the other gains. The first level goes by geometry alone, so that the
-/// others compare what is less noisy. 3x3 taps. Wants a Temporal{motion, WithMoments{...}} before it, of a policy that keeps the history's
-/// length.
+/// differences are measured against the noise of both. What one loses the other gains. The first level, which sees the noise as it is, asks
+/// for more evidence of an edge than the others, which compare what is less noisy. 3x3 taps. Wants a Temporal{motion, WithVariance{...}}
+/// before it, of a policy that keeps the history's length.
 /// @tparam Edge an EdgeWeight for geometry; the weight for luminance is built in
 template <class Edge = Product<DepthEdge, NormalEdge>> struct ConservingAtrous {
     static_assert(EdgeWeight<Edge>, "ConservingAtrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
-    using First = detail::ExchangeLevel<Edge, false>;
-    using Level = detail::ExchangeLevel<Edge, true>;
+    using Level = detail::ExchangeLevel<Edge>;
     using reads = reads_of<detail::VarianceOfMean<Edge>, Level>;
     using emits = Channels<Variance>;
     Edge edge{};
     int levels = 5;
     float sigma_luminance = 4.f; ///< deviations of the noise of both pixels that they may differ by at weight 1/e
+    float sigma_first = 6.f;     ///< the same for the first level
     float exchange = 1.2f;       ///< 1: a pixel keeps the spline's quarter of itself among equals; up to 1.33, where it keeps nothing
     float enough = 4.f;          ///< frames over which a variance is trusted; 0 where the host says the variance (KnownSamples{})
 
     constexpr void for_each_pass(auto&& pass) const {
         pass(detail::VarianceOfMean<Edge>{edge, enough});
-        if (levels > 0) pass(First{edge, 1, sigma_luminance, exchange});
-        for (int i = 1; i < levels; ++i) pass(Level{edge, 1 << i, sigma_luminance, exchange});
+        for (int i = 0; i < levels; ++i) pass(Level{edge, 1 << i, i == 0 ? sigma_first : sigma_luminance, exchange});
     }
 };
 template <class... Fields>

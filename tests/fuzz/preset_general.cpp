@@ -1,0 +1,6 @@
+#include "arbitrary_frames.hpp"
+
+using namespace quell;
+using namespace quell::fuzz;
+
+static Known const all[] = {known("general", presets::general(radiance, Demodulate{}, KnownSamples{}))};
