@@ -71,8 +71,18 @@ mutant "on which side of a mirror the image is" motion/mirror motion/mirror_moti
 mutant "a shadow's blocker before its receiver" motion/shadow motion/shadow_motion.hpp 't >= Real(0.999f)' 't >= Real(0.f)'
 mutant "the angle off the plane" blend/non_planar_falloff blend/non_planar_falloff.hpp '-0.5f / (deviation * deviation)' '-0.5f / deviation'
 mutant "a clamp's upper bound" blend/policies blend/clamped.hpp 'return m + r; }, middle' 'return m + 1.1f * r; }, middle'
+mutant "history that is wrong for the light of now" filter/history_bias filter/history_bias.hpp \
+    'px[history_bias] * gain' 'px[history_bias] * 0.f'
+mutant "rare bright samples that the history has seen" filter/conserving_atrous filter/history_bias.hpp \
+    'max(max(seen, expected), Real(1e-20f))' 'max(seen, Real(1e-20f))'
+mutant "light exchanged by the noise of both pixels" filter/conserving_atrous filter/conserving_atrous.hpp \
+    'tolerated + its_noise' 'tolerated'
+mutant "what is in front in the next frame" pipeline/two_sided pipeline/two_sided.hpp \
+    'now.depth < so_far.depth * 0.95f' 'now.depth > so_far.depth * 1.05f'
+mutant "frames from after run backwards" pipeline/two_sided pipeline/two_sided.hpp \
+    'frame.number = -*number' 'frame.number = *number'
 mutant "the cap of a history's age" blend/policies blend/running_mean.hpp \
-    'accumulate(px, past, 1.f / n)' 'accumulate(px, past, 1.f / (past[history_length] * past.validity + 1.f))'
+    'accumulate(px, past, now / n)' 'accumulate(px, past, 1.f / (past[history_length] * past.validity + 1.f))'
 mutant "the weight of the newest frame" blend/policies blend/exponential.hpp '(1.f - alpha)' 'alpha'
 mutant "a term of the variance" blend/policies blend/with_moments.hpp 'off * off * alpha' 'off * off'
 mutant "a distance in depth without its sign" filter/kernels filter/edge_weights.hpp 'fma(abs(neighbour[depth] - z), inverse, sum)' 'fma(neighbour[depth] - z, inverse, sum)'

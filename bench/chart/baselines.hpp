@@ -27,6 +27,11 @@ template <class Spline> constexpr auto svgf_with(Spline, ChannelTag auto signal,
 auto baselines(ChannelTag auto signal, auto... parts) {
     auto const cap = [](auto& p) -> auto& { return stage<0>(p).blending.inner.cap; };
     auto const svgf = vary_guided_atrous<0>(Named{"svgf", presets::svgf(signal, parts...)}.vary("cap", caps, cap));
+    auto const general = Named{"general", presets::general(signal, parts...)}
+                             .vary(
+                                 "gain", {25, 50, 200}, [](auto& p) -> auto& { return stage<1>(p).blending.inner.gain; })
+                             .vary(
+                                 "levels", {2, 3, 4, 6}, [](auto& p) -> auto& { return stage<2>(p).kernel.levels; });
     return std::tuple(
         Named{"none", presets::none(signal, parts...)},
         Named{"surface", presets::surface(signal, parts...)}.vary(
@@ -39,7 +44,7 @@ auto baselines(ChannelTag auto signal, auto... parts) {
         Named{"atrous", presets::atrous(signal, parts...)}.vary(
             "levels", {1, 2, 3, 4, 5, 6}, [](auto& p) -> auto& { return stage<0>(p).kernel.levels; }),
         variant_of({"atrous", "taps", 3., 5.}, Pipeline{signal, parts..., Spatial{Atrous<Product<DepthEdge, NormalEdge>, LinearSpline>{}}}),
-        svgf, svgf.in_half(), variant_of({"svgf", "taps", 3., 5.}, svgf_with(LinearSpline{}, signal, parts...)),
+        general, general.in_half(), svgf, svgf.in_half(), variant_of({"svgf", "taps", 3., 5.}, svgf_with(LinearSpline{}, signal, parts...)),
         vary_guided_atrous<1>(Named{"asvgf", presets::asvgf(signal, parts...)})
             .vary(
                 "cap", caps, [](auto& p) -> auto& { return stage<1>(p).blending.inner.inner.cap; }));

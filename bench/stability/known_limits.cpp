@@ -20,10 +20,19 @@ std::vector<KnownLimit> listed() {
     for (std::string const metric : {"first_frame_over_no_history", "worst_frame_over_fresh_start"})
         add(list, "cut-unnoticed", metric, {"surface", "svgf", "dual-color"},
             "depth and normals don't tell two rooms of one shape apart: call history.forget() at a cut");
-    add(list, "thin-shadows", "contrast_over_reference", {"surface", "surface-clamp", "svgf"},
+    add(list, "cut-unnoticed", "worst_frame_over_fresh_start", {"general"},
+        "what is left of the old room's light, where the two are nearly alike, is not told from noise");
+    add(list, "thin-shadows", "contrast_over_reference", {"surface", "surface-clamp", "svgf", "general"},
         "a filter in space is wider than the shadow, and history along the surface smears it");
     add(list, "firefly", "frames_alive", {"surface", "svgf", "dual-color", "glossy", "dual-cone"},
         "no clamp: put SuppressFireflies{} before the stages");
+    add(list, "firefly", "frames_alive", {"general"}, "it loses no light, not even a firefly's: put SuppressFireflies{} before the stages");
+    std::string const dark =
+        "most samples of skewed noise are darker than its mean, and a clamp or a filter guided by brightness finds those";
+    for (std::string const part : {"20", "5", "1"})
+        add(list, "energy", "light_off_at_" + part + "_percent",
+            {"surface-clamp", "mirror-clamp", "svgf", "asvgf", "dual-color", "glossy", "trmv", "trmv-paper"}, dark);
+    for (std::string const part : {"5", "1"}) add(list, "energy", "light_off_at_" + part + "_percent", {"dual-cone"}, dark);
     add(list, "blur-linear", "worst_over_mean", {"blur", "blur-straight"},
         "where the spheres cross before what stands still three things meet, and two are told apart");
     return list;

@@ -104,13 +104,10 @@ public:
 };
 
 /// The preset that was asked for, or the one that suits the files, and then why.
-Preset const& choose_preset(DenoiseOptions const& options, std::filesystem::path const& first,
-                            std::optional<io::SequenceNames> const& map) {
-    if (!options.preset.empty()) return preset_of(options.preset);
+PresetChoice choose_preset(DenoiseOptions const& options, std::filesystem::path const& first, std::optional<io::SequenceNames> const& map) {
+    if (!options.preset.empty()) return {&preset_of(options.preset), {}};
     io::ExrFile const file(first);
-    auto const choice = preset_for(file, map ? *map : io::recognise(file));
-    if (!options.quiet) std::fprintf(stderr, "quell-denoise: preset %s, since %s\n", choice.preset->name.c_str(), choice.reason.c_str());
-    return *choice.preset;
+    return preset_for(file, map ? *map : io::recognise(file));
 }
 
 int later_frames(DenoiseOptions const& options, Preset const& preset) {
@@ -122,12 +119,13 @@ int later_frames(DenoiseOptions const& options, Preset const& preset) {
 }
 
 void denoise(DenoiseOptions const& options) {
+    if (!options.preset.empty()) static_cast<void>(preset_of(options.preset));
     FramePattern const in(options.in);
     auto const range = range_of(options, in);
     std::optional<io::SequenceNames> map;
     if (!options.map.empty()) map = read_map(options.map);
-    if (!options.preset.empty()) static_cast<void>(preset_of(options.preset));
-    auto const& preset = choose_preset(options, in.path(range.begin), map);
+    auto const choice = choose_preset(options, in.path(range.begin), map);
+    auto const& preset = *choice.preset;
     Output const output(options, in, range);
     Comparison comparison(options.reference, range);
     SequenceDenoiser denoiser(preset, options.threads, !options.debug_views.empty(), map);
@@ -151,6 +149,7 @@ void denoise(DenoiseOptions const& options) {
     comparison.finish();
     if (options.quiet) return;
     if (options.diagnose && findings == 0) std::fprintf(stderr, "quell-denoise: --diagnose found nothing wrong\n");
+    if (!choice.reason.empty()) std::fprintf(stderr, "quell-denoise: preset %s, since %s\n", preset.name.c_str(), choice.reason.c_str());
     for (auto const& remark : denoiser.names()->remarks) std::fprintf(stderr, "quell-denoise: %s\n", remark.c_str());
     std::fprintf(stderr, "quell-denoise: %lld frames of %s; %lld samples were missing (not finite, or negative)\n",
                  range.last - range.first + 1, denoiser.names()->renderer.c_str(), denoiser.missing_samples());

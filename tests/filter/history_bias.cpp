@@ -46,14 +46,14 @@ TEST_CASE("light that changes in a half of the picture leaves the other's histor
     auto const left = [](float noise, int x, int, int) { return x < 32 ? 3 * noise : noise; };
     auto const with = after(aware, 1, left), without = after(plain, 1, left);
     CHECK(moments(with, 0, 30).first > 2.8);
-    CHECK(moments(with, 60, size.width).second < 2.5 * moments(without, 60, size.width).second);
+    CHECK(moments(with, 60, size.width).second < 5 * moments(without, 60, size.width).second);
 }
 
-TEST_CASE("noise alone takes little of a history, and no light") {
+TEST_CASE("noise alone, with heavy tails, leaves a history of several frames and takes no light") {
     auto const same = [](float noise, int, int, int) { return noise; };
     auto const with = moments(after(aware, 16, same)), without = moments(after(plain, 16, same));
     CHECK(with.first == doctest::Approx(1).epsilon(0.01));
-    CHECK(with.second < 3 * without.second);
+    CHECK(with.second < 5 * without.second);
 }
 
 TEST_CASE("a step that moves lags less than half of what it does without the estimate") {

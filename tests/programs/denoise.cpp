@@ -150,6 +150,49 @@ TEST_CASE("a gap, a broken frame or another size stops a sequence with the frame
     stopped_at_4({"frame.0004.exr", "motion.Y", "motion.X"});
 }
 
+TEST_CASE("without --preset quell-denoise takes what suits the files' channels, and says so") {
+    Folder const folder;
+    write_sequence(folder, 1, 3);
+    auto const plain = denoise(input(folder) + output(folder));
+    CHECK(contains(plain.err, "preset general, since the files have colour and guides"));
+    auto const said = denoise(input(folder) + output(folder, "said.") + "--preset general");
+    CHECK_FALSE(contains(said.err, "since"));
+    CHECK(bytes_of(folder / "out.0002.exr") == bytes_of(folder / "said.0002.exr"));
+    auto const made = [&](std::string const& effects) {
+        auto const to = folder / effects;
+        CHECK(trace("--scene room --size 48x32 --frames 1 --quiet --effects " + effects + " --out '" + to.string() + "'").code == 0);
+        return denoise("--in '" + (to / "frame.%04d.exr").string() + "' --out '" + (to / "out.%04d.exr").string() + "'").err;
+    };
+    CHECK(contains(made("blur"), "preset blur, since"));
+    CHECK(contains(made("shadow,glossy,indirect"), "preset trmv, since"));
+    CHECK(contains(made("composite,shadow,glossy,indirect"), "preset trmv, since"));
+}
+
+TEST_CASE("frames from after are used by general, as many as there are and are asked for") {
+    Folder const folder;
+    write_sequence(folder, 1, 6);
+    auto const with = [&](std::string const& name, std::string const& more) {
+        auto const ran = denoise(input(folder) + output(folder, name) + "--quiet " + more);
+        INFO(ran.err);
+        CHECK(ran.code == 0);
+    };
+    with("none.", "--extra-frames 0");
+    with("two.", "");
+    with("same.", "--extra-frames 2 --threads 1");
+    with("job.", "--first 1 --last 3");
+    CHECK(bytes_of(folder / "none.0004.exr") != bytes_of(folder / "two.0004.exr"));
+    CHECK(noise_of(io::read_exr(folder / "two.0001.exr")) < noise_of(io::read_exr(folder / "none.0001.exr")));
+    for (int i = 1; i <= 6; ++i) CHECK(bytes_of(folder / numbered("two.", i)) == bytes_of(folder / numbered("same.", i)));
+    // Frames beyond --last count as well, so that a shot may be split.
+    CHECK(bytes_of(folder / "two.0003.exr") == bytes_of(folder / "job.0003.exr"));
+    // The last has none after it, and a history that was made without.
+    CHECK(bytes_of(folder / "two.0006.exr") == bytes_of(folder / "none.0006.exr"));
+    check_refused(denoise(input(folder) + output(folder) + "--preset svgf --extra-frames 1"), {"--extra-frames", "svgf", "general"});
+    for (std::string const count : {"-1", "9"})
+        check_refused(denoise(input(folder) + output(folder) + "--extra-frames " + count), {"--extra-frames", count, "0 to 8"});
+    check_refused(denoise(input(folder) + output(folder) + "--preset general --extra-frames 1 --debug-view clamp"), {"--extra-frames"});
+}
+
 TEST_CASE("first and last choose frames") {
     Folder const folder;
     write_sequence(folder, 1, 6);
@@ -338,7 +381,7 @@ TEST_CASE("another renderer's files by a map are denoised as quell's own") {
                   {"other.0001.exr", "channel map", "beauty.R"});
 }
 
-TEST_CASE("svgf at least halves the FLIP of the Cycles sequence") {
+TEST_CASE("svgf at least halves the FLIP of the Cycles sequence, and general leaves less still") {
     auto const folder = shared("data/sequences/cycles_occlusion");
     if (folder.empty()) return;
     auto const flip = [&](std::string const& preset) {
@@ -351,7 +394,8 @@ TEST_CASE("svgf at least halves the FLIP of the Cycles sequence") {
         CHECK(lines[3].starts_with("mean,"));
         return std::stod(lines[3].substr(lines[3].rfind(',') + 1));
     };
-    auto const noisy = flip("none"), clean = flip("svgf");
-    MESSAGE("FLIP of the Cycles sequence: none ", noisy, ", svgf ", clean);
+    auto const noisy = flip("none"), clean = flip("svgf"), best = flip("general");
+    MESSAGE("FLIP of the Cycles sequence: none ", noisy, ", svgf ", clean, ", general ", best);
     CHECK(clean <= 0.5 * noisy);
+    CHECK(best <= 0.85 * clean);
 }

@@ -1,4 +1,4 @@
-// error: Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{}, SuppressFireflies{} or
+// error: Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{}, SuppressFireflies{}, KnownSamples{} or Supplied
 #include <quell/quell.hpp>
 
 #ifdef CORRECT
