@@ -66,12 +66,14 @@ template <class Source> struct OwnHistoryDistance {
         Real const none(0.f);
         if (!px.has_past()) return WindowOfHistory<Real>{none, none, none, none}.emitted();
         auto const past = Nearest{}.fetch(px, source.previous(px));
-        auto const distance = luminance(px.signal()) - luminance(past.signal);
+        auto const light_then = luminance(past.signal);
+        auto const distance = luminance(px.signal()) - light_then;
         auto const known = both(past.validity > none, invert(px.missing()), is_finite(distance));
         auto const n = max(past[history_length], Real(1e-3f)), now = px.samples();
         // The unbiased variance of a sample, from a history of at least two; then that of the difference of two means.
         auto const of_sample = masked(n > Real(1.f), past[luminance_variance] * (n / max(n - 1.f, Real(0.5f))));
-        auto const expected = of_sample * (1.f / now + 1.f / n);
+        // A thousandth of the light is what interpolation gets wrong of a picture without noise.
+        auto const expected = fma(light_then * light_then, Real(1e-6f), of_sample * (1.f / now + 1.f / n));
         auto const usable = both(known, is_finite(expected));
         return WindowOfHistory<Real>{masked(usable, distance), masked(usable, abs(distance)), masked(usable, sqrt(expected)),
                                      masked(usable, Real(1.f))}

@@ -1,4 +1,4 @@
-// error: Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{}, SuppressFireflies{}, KnownSamples{} or Supplied
+// error: Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{}, SuppressFireflies{},
 #include <quell/quell.hpp>
 
 #ifdef CORRECT
