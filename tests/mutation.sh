@@ -64,7 +64,7 @@ mutant "the sign of motion" motion/sources motion/surface_motion.hpp '{{p.x + m.
 mutant "uv motion's unit" motion/sources frame/motion_convention.hpp '? 0.5f : 1.f;' '? 2.f : 1.f;'
 mutant "the weight of a tap between pixels" motion/sources motion/history_fetch.hpp '(i == 0 ? 1.f - u : u)' '(i == 0 ? u : 1.f - u)'
 mutant "the slope in the depth test" motion/sources motion/surface_test.hpp 'z + slope_x * dx' 'z - slope_x * dx'
-mutant "the image's lower border in the past" motion/sources frame/pixel.hpp \
+mutant "the image's lower border in the past" motion/sources frame/past_pixel.hpp \
     'row < Real(static_cast<float>(scope.size.height)));' 'row <= Real(static_cast<float>(scope.size.height)));'
 mutant "misses find misses" motion/sources motion/surface_test.hpp 'invert(either(hit, hit_then))' 'both(hit, invert(hit))'
 mutant "on which side of a mirror the image is" motion/mirror motion/mirror_motion.hpp 'height * -2.f' 'height * 2.f'
@@ -77,14 +77,14 @@ mutant "rare bright samples that the history has seen" filter/conserving_atrous 
     'max(max(seen, expected), Real(1e-20f))' 'max(seen, Real(1e-20f))'
 mutant "light exchanged by the noise of both pixels" filter/conserving_atrous filter/conserving_atrous.hpp \
     'tolerated + its_noise' 'tolerated'
-mutant "what is in front in the next frame" pipeline/two_sided pipeline/two_sided.hpp \
+mutant "what is in front in the next frame" motion/invert_motion motion/invert_motion.hpp \
     'now.depth < so_far.depth * 0.95f' 'now.depth > so_far.depth * 1.05f'
 mutant "frames from after run backwards" pipeline/two_sided pipeline/two_sided.hpp \
     'frame.number = -*number' 'frame.number = *number'
 mutant "the cap of a history's age" blend/policies blend/running_mean.hpp \
     'accumulate(px, past, now / n)' 'accumulate(px, past, 1.f / (past[history_length] * past.validity + 1.f))'
 mutant "the weight of the newest frame" blend/policies blend/exponential.hpp '(1.f - alpha)' 'alpha'
-mutant "a term of the variance" blend/policies blend/with_moments.hpp 'off * off * alpha' 'off * off'
+mutant "a term of the variance" blend/policies blend/variance_over_time.hpp 'off * off * alpha' 'off * off'
 mutant "a distance in depth without its sign" filter/kernels filter/edge_weights.hpp 'fma(abs(neighbour[depth] - z), inverse, sum)' 'fma(neighbour[depth] - z, inverse, sum)'
 mutant "the squared weights of the variance" filter/kernels filter/atrous.hpp 'w * w, noise' 'w, noise'
 mutant "columns outside the image" filter/kernels filter/taps.hpp 'Real(base), Real(too_far)' 'Real(base), Real(base)'
@@ -96,7 +96,7 @@ mutant "albedo comes back" pipeline/history pipeline/modulation.hpp 'return a * 
 mutant "the test for what is no light in a picture's factors" pipeline/composite pipeline/composite.hpp 'return select(is_light(f), f,' 'return select(Real(0.f) == Real(0.f), f,'
 mutant "what a filter before Temporal does with missing samples" pipeline/stages pipeline/ingest.hpp 'select(missing, with_sign_bit(a)' 'select(invert(missing), max(a, real_of<V>(0.f))'
 mutant "a past that never had a sample" pipeline/stages motion/history_fetch.hpp 'then[history_length] > Real(0.f)' 'then[history_length] >= Real(0.f)'
-mutant "the order of a pipeline's end: what is remembered is still read" pipeline/stages pipeline/run.hpp 'if (!reads_remembered)' 'if (reads_remembered)'
+mutant "the order of a pipeline's end: what is remembered is still read" pipeline/stages pipeline/frame_run.hpp 'if (!reads_remembered)' 'if (reads_remembered)'
 mutant "blur: when a sample passes" blur/two_motions blur/usable_path.hpp 'when = time() + along;' 'when = time() - along;'
 mutant "blur: motions too unlike to be of one surface" blur/two_motions blur/pair_guide.hpp \
     'difference > unlike_by * unlike_by,' 'difference > difference,'

@@ -21,6 +21,8 @@ public:
     [[nodiscard]] virtual std::vector<std::string> planes(io::ChannelNames const& names) const = 0;
     /// Planes that it makes use of where a file has them.
     [[nodiscard]] virtual std::vector<std::string> optional_planes(io::ChannelNames const&) const { return {}; }
+    /// Whether each file must say where its camera is.
+    [[nodiscard]] virtual bool needs_camera() const = 0;
     /// Shows it a frame that comes after those that it has seen, and will be denoised later. Most presets make no use of it.
     virtual void look_ahead(io::ExrImage const&, io::ChannelNames const&, long long /*number*/) {}
     /// From now on each frame is looked at for what its renderer got wrong.

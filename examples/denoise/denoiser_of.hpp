@@ -34,6 +34,7 @@ public:
         if (looks) found = quell::diagnose(frame, history, names.motion);
         return metrics::picture_of(quell::run(pipeline, frame, history, executor));
     }
+    bool needs_camera() const override { return P::needs_camera; }
     void diagnose() override { looks = true; }
     std::vector<Finding> const& findings() const override { return found; }
     std::vector<DebugImage> debug_images(std::string const& view) override {

@@ -103,9 +103,8 @@ public:
     }
 };
 
-/// The preset that was asked for, or the one that suits the files, and then why.
-PresetChoice choose_preset(DenoiseOptions const& options, std::filesystem::path const& first, std::optional<io::SequenceNames> const& map) {
-    if (!options.preset.empty()) return {&preset_of(options.preset), {}};
+/// What suits the files, where no preset was asked for.
+PresetChoice suitable_preset(std::filesystem::path const& first, std::optional<io::SequenceNames> const& map) {
     io::ExrFile const file(first);
     return preset_for(file, map ? *map : io::recognise(file));
 }
@@ -119,12 +118,13 @@ int later_frames(DenoiseOptions const& options, Preset const& preset) {
 }
 
 void denoise(DenoiseOptions const& options) {
-    if (!options.preset.empty()) static_cast<void>(preset_of(options.preset));
+    PresetChoice choice;
+    if (!options.preset.empty()) choice.preset = &preset_of(options.preset);
     FramePattern const in(options.in);
     auto const range = range_of(options, in);
     std::optional<io::SequenceNames> map;
     if (!options.map.empty()) map = read_map(options.map);
-    auto const choice = choose_preset(options, in.path(range.begin), map);
+    if (!choice.preset) choice = suitable_preset(in.path(range.begin), map);
     auto const& preset = *choice.preset;
     Output const output(options, in, range);
     Comparison comparison(options.reference, range);

@@ -27,6 +27,8 @@ Preset const& preset_of(std::string const& name) {
 PresetChoice preset_for(io::ExrFile const& file, io::SequenceNames const& names) {
     auto const has_all = [&](Preset const& preset) {
         auto const denoiser = preset.make({1, 1}, 1);
+        if (denoiser->needs_camera() && !(file.attributes.contains("quell:view") && file.attributes.contains("quell:projection")))
+            return false;
         return std::ranges::all_of(names.of_signals, [&](auto const& signal) {
             return std::ranges::all_of(denoiser->planes(signal.channels), [&](auto const& plane) { return file.find(plane) != nullptr; });
         });

@@ -13,8 +13,8 @@ namespace quell::examples {
 
 /// The preset that suits what a file has, and why: a part of a sentence.
 struct PresetChoice {
-    Preset const* preset;
-    std::string reason;
+    Preset const* preset = nullptr;
+    std::string reason = {};
 };
 /// blur where there are sweeps and times, trmv where there is all by which shadows, reflections and indirect light are followed, else
 /// general.

@@ -2,6 +2,7 @@
 
 #include <denoise/denoiser_of.hpp>
 
+#include <quell/motion/invert_motion.hpp>
 #include <quell/pipeline/two_sided.hpp>
 
 #include <deque>
@@ -19,7 +20,7 @@ template <class P> class TwoSidedDenoiser final : public Denoiser {
     TwoSidedHistory<P> history;
     Threads<> executor;
     std::deque<OneFrame> window;
-    std::deque<bool> knows_next; ///< whether a frame of the window has its motion to the next one
+    bool last_knows_next = false; ///< whether the window's last frame has its motion to the next one
     bool looks = false;
     std::vector<Finding> found;
 
@@ -37,21 +38,20 @@ public:
         frame.number = number;
         load_or(frame, sample_count, image, names, 1.f);
         load_or(frame, sample_variance, image, names, 0.f);
-        bool const has_next = load_or(frame, motion_next, image, names, std::numeric_limits<float>::quiet_NaN());
-        if (!window.empty() && !knows_next.back() && window.back().size == frame.size) {
+        bool const knows_next = load_or(frame, motion_next, image, names, std::numeric_limits<float>::quiet_NaN());
+        if (!window.empty() && !last_knows_next && window.back().size == frame.size)
             invert_motion(window.back()[motion_next].view(), frame[motion].view(), frame[depth].view());
-            knows_next.back() = true;
-        }
         window.push_back(std::move(frame));
-        knows_next.push_back(has_next);
+        last_knows_next = knows_next;
     }
 
     metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number) override {
-        while (!window.empty() && window.front().number != number) window.pop_front(), knows_next.pop_front();
+        while (!window.empty() && window.front().number != number) window.pop_front();
         if (window.empty()) look_ahead(image, names, number);
         if (looks) found = quell::diagnose(window.front(), history.before, names.motion);
         return metrics::picture_of(run_two_sided(pipeline, joining, window, history, executor));
     }
+    bool needs_camera() const override { return P::needs_camera; }
     void diagnose() override { looks = true; }
     std::vector<Finding> const& findings() const override { return found; }
     std::vector<DebugImage> debug_images(std::string const&) override { return {}; }

@@ -166,6 +166,13 @@ TEST_CASE("without --preset quell-denoise takes what suits the files' channels, 
     CHECK(contains(made("blur"), "preset blur, since"));
     CHECK(contains(made("shadow,glossy,indirect"), "preset trmv, since"));
     CHECK(contains(made("composite,shadow,glossy,indirect"), "preset trmv, since"));
+    // What trmv reads, but no camera, without which it can't follow any of it.
+    auto image = io::read_exr(folder / "composite,shadow,glossy,indirect" / "frame.0000.exr");
+    std::erase_if(image.attributes, [](auto const& each) { return each.first.starts_with("quell:view"); });
+    io::write_exr(folder / "blind.0001.exr", image);
+    auto const blind = denoise("--in '" + (folder / "blind.%04d.exr").string() + "' " + output(folder, "blind-out."));
+    CHECK(blind.code == 0);
+    CHECK(contains(blind.err, "preset general, since"));
 }
 
 TEST_CASE("frames from after are used by general, as many as there are and are asked for") {

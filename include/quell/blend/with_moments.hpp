@@ -1,11 +1,10 @@
 #pragma once
 
-#include <quell/blend/blend_policy.hpp>
+#include <quell/blend/variance_over_time.hpp>
 
 namespace quell {
 
-/// Keeps, beside what the inner policy does, the mean and variance over time of each pixel's luminance, with the same alpha. Updated by
-/// differences (Welford 1962, in West's exponential form): E[x^2] - E[x]^2 would cancel at HDR magnitudes.
+/// Keeps, beside what the inner policy does, the mean and variance over time of each pixel's luminance, with the same alpha.
 template <class Inner> struct WithMoments {
     static_assert(BlendPolicy<Inner>, "WithMoments{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
     using reads = reads_of<Inner>;
@@ -20,11 +19,8 @@ template <class Inner> struct WithMoments {
         auto const before = past[luminance_mean];
         auto const off = luminance(px.signal()) - before;
         auto const mean = before + off * alpha;
-        auto const variance = (1.f - alpha) * (past[luminance_variance] + off * off * alpha);
-        if constexpr (decltype(px)::knows_samples)
-            return result.with(luminance_mean, mean).with(luminance_variance, fma(px.variance_of_sample(), alpha, variance));
-        else
-            return result.with(luminance_mean, mean).with(luminance_variance, variance);
+        auto const variance = detail::variance_over_time(px, past[luminance_variance], off, alpha);
+        return result.with(luminance_mean, mean).with(luminance_variance, variance);
     }
 };
 template <class Inner> WithMoments(Inner) -> WithMoments<Inner>;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/blend/blend_policy.hpp>
+#include <quell/blend/variance_over_time.hpp>
 
 namespace quell {
 
@@ -17,10 +17,8 @@ template <class Inner> struct WithVariance {
 
     QUELL_KERNEL auto blend(auto px, auto past) const {
         auto const result = detail::result_of([&]() __attribute__((always_inline)) { return inner.blend(px, past); });
-        auto const alpha = result.alpha;
         auto const off = luminance(px.signal()) - luminance(past.signal);
-        auto const between = (1.f - alpha) * fma(off * off, alpha, past[luminance_variance]);
-        return result.with(luminance_variance, fma(px.variance_of_sample(), alpha, between));
+        return result.with(luminance_variance, detail::variance_over_time(px, past[luminance_variance], off, result.alpha));
     }
 };
 template <class Inner> WithVariance(Inner) -> WithVariance<Inner>;

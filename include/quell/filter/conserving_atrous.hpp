@@ -87,13 +87,7 @@ template <class Edge> struct ExchangeLevel {
         // Geometry is certain and normalises; brightness is not, and doesn't.
         auto gained = zero<typename Px::Signal>();
         Real weights(centre), taken(0.f), noise(0.f);
-        auto const usable = [](auto const& neighbour, auto start) __attribute__((always_inline)) {
-            if constexpr (Px::Scope::marks_missing)
-                return select(neighbour.missing(), decltype(start)(too_far), start);
-            else
-                return start;
-        };
-        auto const add = [&](auto const& neighbour, auto distance, float bits) __attribute__((always_inline)) {
+        auto const exchanged = [&](auto const& neighbour, auto distance, float bits) __attribute__((always_inline)) {
             weights = weights + edge_weight(distance, bits);
             auto const there = neighbour.signal();
             auto const its_noise = neighbour[variance];
@@ -107,15 +101,8 @@ template <class Edge> struct ExchangeLevel {
             taken = taken + w;
             noise = fma(its_noise, w * w, noise);
         };
-        for_each_opposite_taps<1>(
-            px, step, edge_offset(around),
-            [&](auto const& neighbour, auto start, float row, auto const& opposite, auto its_start, float its_row, int dx, int dy, int i,
-                int j) __attribute__((always_inline)) {
-                auto const& toward = edge_toward(around, dx, dy);
-                float const bits = spline_bits<LinearSpline>.at[i < 0 ? -i : i][j];
-                add(neighbour, toward.distance(neighbour, usable(neighbour, start)), bits + row);
-                add(opposite, toward.distance(opposite, usable(opposite, its_start)), bits + its_row);
-            });
+        for_each_edge_distance<true, 1>(
+            px, step, around, [](int i, int j) __attribute__((always_inline)) { return spline_bits<LinearSpline>.at[i][j]; }, exchanged);
         auto const part = exchange / weights;
         auto const kept = 1.f - taken * part;
         auto const value = map(

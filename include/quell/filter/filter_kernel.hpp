@@ -84,11 +84,11 @@ template <class Real> QUELL_KERNEL Real edge_weight(Real distance, float bits_of
 }
 
 namespace detail {
-/// Calls add(near, w) for the neighbours in a (2 radius + 1)^2 whose taps stand `step` pixels apart. w is the tap's edge weight times the
-/// weight whose bits (weight_bits) are bits_of(|column|, |row|).
+/// Calls visit(near, distance, bits) for the neighbours in a (2 radius + 1)^2 whose taps stand `step` pixels apart: edge_weight(distance,
+/// bits) is the tap's edge weight times the weight whose bits (weight_bits) are bits_of(|column|, |row|).
 /// @tparam skips_missing missing samples, where they are still marked, weigh nothing
-template <bool skips_missing, int radius = 2, class Px, class Around, class Bits, class Add>
-QUELL_KERNEL void for_each_edge_tap(Px const& px, int step, Around const& around, Bits&& bits_of, Add&& add) {
+template <bool skips_missing, int radius = 2, class Px, class Around, class Bits, class Visit>
+QUELL_KERNEL void for_each_edge_distance(Px const& px, int step, Around const& around, Bits&& bits_of, Visit&& visit) {
     auto const usable = [](auto const& neighbour, auto start) __attribute__((always_inline)) {
         if constexpr (skips_missing && Px::Scope::marks_missing)
             return select(neighbour.missing(), decltype(start)(too_far), start);
@@ -104,9 +104,17 @@ QUELL_KERNEL void for_each_edge_tap(Px const& px, int step, Around const& around
                 float const weight = bits_of(i < 0 ? -i : i, j);
                 auto const distance = toward.distance(neighbour, usable(neighbour, start));
                 auto const its_distance = toward.distance(opposite, usable(opposite, its_start));
-                add(neighbour, edge_weight(distance, weight + row));
-                add(opposite, edge_weight(its_distance, weight + its_row));
+                visit(neighbour, distance, weight + row);
+                visit(opposite, its_distance, weight + its_row);
             });
+}
+/// The same with the weight itself: add(near, w).
+template <bool skips_missing, int radius = 2, class Px, class Around, class Bits, class Add>
+QUELL_KERNEL void for_each_edge_tap(Px const& px, int step, Around const& around, Bits&& bits_of, Add&& add) {
+    for_each_edge_distance<skips_missing, radius>(
+        px, step, around, bits_of, [&](auto const& neighbour, auto distance, float bits) __attribute__((always_inline)) {
+            add(neighbour, edge_weight(distance, bits));
+        });
 }
 } // namespace detail
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <quell/blend/blend_policy.hpp>
-#include <quell/filter/filter_kernel.hpp>
-#include <quell/motion/surface_motion.hpp>
+#include <quell/blend/variance_over_time.hpp>
+#include <quell/filter/light_change.hpp>
 
 namespace quell {
 
@@ -65,14 +64,11 @@ template <class Source> struct OwnHistoryDistance {
         using Real = typename decltype(px)::Real;
         Real const none(0.f);
         if (!px.has_past()) return WindowOfHistory<Real>{none, none, none, none}.emitted();
-        auto const past = Nearest{}.fetch(px, source.previous(px));
-        auto const light_then = luminance(past.signal);
-        auto const distance = luminance(px.signal()) - light_then;
-        auto const known = both(past.validity > none, invert(px.missing()), is_finite(distance));
+        auto const [past, distance, known] = beside_past(px, source);
         auto const n = max(past[history_length], Real(1e-3f)), now = px.samples();
-        // The unbiased variance of a sample, from a history of at least two; then that of the difference of two means.
-        auto const of_sample = masked(n > Real(1.f), past[luminance_variance] * (n / max(n - 1.f, Real(0.5f))));
-        // A thousandth of the light is what interpolation gets wrong of a picture without noise.
+        auto const of_sample = masked(n > Real(1.f), unbiased_variance(past[luminance_variance], n));
+        // Less than a thousandth of the light may be rounding, or interpolation of a picture without noise.
+        auto const light_then = luminance(past.signal);
         auto const expected = fma(light_then * light_then, Real(1e-6f), of_sample * (1.f / now + 1.f / n));
         auto const usable = both(known, is_finite(expected));
         return WindowOfHistory<Real>{masked(usable, distance), masked(usable, abs(distance)), masked(usable, sqrt(expected)),
@@ -93,15 +89,14 @@ struct HistoryDistanceLine {
     QUELL_KERNEL auto mean(auto px) const {
         using Real = typename decltype(px)::Real;
         Real distance(0.f), square(0.f), expected(0.f), share(0.f);
-        for (int i = -2; i <= 2; ++i) {
-            auto const neighbour = vertical ? px.at(0, i * step) : px.at(i * step, 0);
-            auto const there = window_at(neighbour);
-            auto const inside = neighbour.inside();
-            distance = distance + masked(inside, there.distance);
-            square = fma(there.deviation, masked(inside, there.deviation), square);
-            expected = fma(there.expected, masked(inside, there.expected), expected);
-            share = share + masked(inside, there.share);
-        }
+        for_each_of_five(
+            px, step, vertical, [&](auto const& neighbour, auto inside) __attribute__((always_inline)) {
+                auto const there = window_at(neighbour);
+                distance = distance + masked(inside, there.distance);
+                square = fma(there.deviation, masked(inside, there.deviation), square);
+                expected = fma(there.expected, masked(inside, there.expected), expected);
+                share = share + masked(inside, there.share);
+            });
         return WindowOfHistory<Real>{distance * 0.2f, sqrt(square * 0.2f), sqrt(expected * 0.2f), share * 0.2f};
     }
 };

@@ -14,6 +14,20 @@ struct LightChange : MadeChannel<2> {
 inline constexpr LightChange light_change;
 
 namespace detail {
+/// A sample beside its history, in which there is no interpolation: the luminance now less that of then, where both are known.
+template <class P, class Real, class Mask> struct BesidePast {
+    P past;
+    Real distance;
+    Mask known;
+};
+template <class P, class Real, class Mask> BesidePast(P, Real, Mask) -> BesidePast<P, Real, Mask>;
+template <class Px> QUELL_KERNEL auto beside_past(Px const& px, auto const& source) {
+    using Real = typename Px::Real;
+    auto const past = Nearest{}.fetch(px, source.previous(px));
+    auto const distance = luminance(px.signal()) - luminance(past.signal);
+    return BesidePast{past, distance, both(past.validity > Real(0.f), invert(px.missing()), is_finite(distance))};
+}
+
 /// What a pixel by itself knows: nothing where there is no past or no sample.
 template <class Source> struct OwnLightChange {
     static constexpr auto name = "light change";
@@ -26,10 +40,8 @@ template <class Source> struct OwnLightChange {
         using Real = typename decltype(px)::Real;
         Real distance(0.f);
         if (px.has_past()) {
-            auto const past = Nearest{}.fetch(px, source.previous(px));
-            auto const found = luminance(px.signal()) - luminance(past.signal);
-            auto const known = both(past.validity > Real(0.f), invert(px.missing()), is_finite(found));
-            distance = select(known, found, distance);
+            auto const found = beside_past(px, source);
+            distance = select(found.known, found.distance, distance);
         }
         return emitted<Real>(light_change, vec2<Real>{distance, abs(distance)});
     }
@@ -46,13 +58,12 @@ struct LightChangeLine {
     QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
         Real sum(0.f), squares(0.f);
-        for (int i = -2; i <= 2; ++i) {
-            auto const neighbour = vertical ? px.at(0, i * step) : px.at(i * step, 0);
-            auto const change = neighbour[light_change];
-            auto const inside = neighbour.inside();
-            sum = sum + masked(inside, change.x);
-            squares = squares + masked(inside, change.y * change.y);
-        }
+        for_each_of_five(
+            px, step, vertical, [&](auto const& neighbour, auto inside) __attribute__((always_inline)) {
+                auto const change = neighbour[light_change];
+                sum = sum + masked(inside, change.x);
+                squares = squares + masked(inside, change.y * change.y);
+            });
         return emitted<Real>(light_change, vec2<Real>{sum * 0.4472136f, sqrt(squares * 0.2f)});
     }
 };

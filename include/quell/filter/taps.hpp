@@ -67,6 +67,15 @@ QUELL_KERNEL void for_each_tap_pair(Px const& px, int step, float const (&profil
     (std::make_integer_sequence<int, pairs>{});
 }
 
+/// Calls `body(near, inside)` for the five pixels in a row or a column around this one that stand `step` pixels apart; `inside` is false
+/// where there is none. For sums over windows, which rows and columns put together.
+template <class Px, class Body> QUELL_KERNEL void for_each_of_five(Px const& px, int step, bool vertical, Body&& body) {
+    for (int i = -2; i <= 2; ++i) {
+        auto const neighbour = vertical ? px.at(0, i * step) : px.at(i * step, 0);
+        body(neighbour, neighbour.inside());
+    }
+}
+
 /// A distance so far, and a weight's bits so low, that edge_weight is the least there is.
 inline constexpr float too_far = 1e9f, too_little = -1e10f;
 

@@ -1,86 +1,10 @@
 #pragma once
 
 #include <quell/core/random.hpp>
-#include <quell/frame/frame.hpp>
 #include <quell/frame/kept_channels.hpp>
-#include <quell/frame/motion_convention.hpp>
-#include <quell/frame/pixel_rays.hpp>
-#include <quell/frame/remembered.hpp>
-
-#include <glm/mat4x4.hpp>
+#include <quell/frame/past_pixel.hpp>
 
 namespace quell {
-
-namespace detail {
-template <class Storage, class Set> struct RememberedViewsOf;
-template <class Storage, class... Cs> struct RememberedViewsOf<Storage, Channels<Cs...>> {
-    using channels = Channels<Cs...>;
-    using type = Views<Storage, Channels<typename Remembered<Cs>::Stored...>>;
-};
-} // namespace detail
-
-/// All that the kernels of one pass can see.
-/// @tparam FrameViews  the frame's channels
-/// @tparam MadeViews   what earlier passes of this frame keep or emit
-/// @tparam SignalView  the signal being denoised, now and then
-/// @tparam KeptViews   what was kept in the previous frame
-/// @tparam Then        the channels that the previous frame is remembered by, and their views
-/// @tparam raw         whether the signal comes from the host, with missing samples marked by the sign of component 0
-/// @tparam Vectors     how the host's motion vectors become quell's
-template <class FrameViews, class MadeViews, class SignalView, class PastSignalView, class KeptViews, class Then, bool raw,
-          class Vectors = detail::VectorConversion<MotionConvention{}>>
-struct Scope {
-    using frame_channels = typename FrameViews::channels;
-    using made_channels = typename MadeViews::channels;
-    using kept_channels = typename KeptViews::channels;
-    using remembered_channels = typename Then::channels;
-    static constexpr bool marks_missing = raw;
-    static constexpr int components = SignalView::components;
-
-    Extent size;
-    FrameViews frame;
-    MadeViews made;
-    SignalView signal;
-    PastSignalView signal_then;
-    KeptViews kept_then;
-    typename Then::type remembered;
-    glm::mat4 clip_from_world, clip_from_world_then;
-    PixelRays rays, rays_then;
-    glm::vec2 jitter, jitter_then;
-    float shutter, shutter_then;
-    std::int32_t frame_index; ///< for random numbers
-    bool has_past;
-    [[no_unique_address]] Vectors vectors{};
-};
-
-/// Whole-numbered coordinates in the previous frame, one for each lane, at most one pixel outside the image. Most packs land on neighbours
-/// in one row (still or panning camera): then `together`, and one load a component serves instead of a gather.
-template <class Real> struct PastPlace {
-    Real column, row;
-    int x = 0, y = 0; ///< of the first lane
-    bool together = false;
-
-    QUELL_KERNEL PastPlace(Real column_, Real row_) : column(column_), row(row_) {
-        if constexpr (width_of < Real >> 1) {
-            x = lane(truncate(column), 0), y = lane(truncate(row), 0);
-            auto const expected = Real(static_cast<float>(x)) + lanes<Real>();
-            together = !any(abs(column - expected) + abs(row - static_cast<float>(y)) > Real(0.5f));
-        }
-    }
-};
-
-template <class Real, class Scope> struct PastPixel;
-
-namespace detail {
-/// The values of a view at a place.
-template <class Real, class View> QUELL_KERNEL auto fetch(View view, Extent size, PastPlace<Real> const& place, int dx, int dy) {
-    view.size = size;
-    if (place.together) return load_pixels<Real>(view, place.x + dx, clamp_to(place.y + dy, size.height - 1));
-    Real const last_column(static_cast<float>(size.width - 1)), last_row(static_cast<float>(size.height - 1));
-    return gather_pixels<Real>(view, truncate(clamp(place.column + static_cast<float>(dx), Real(0.f), last_column)),
-                               truncate(clamp(place.row + static_cast<float>(dy), Real(0.f), last_row)));
-}
-} // namespace detail
 
 /// The cursor that every policy is written against: one pixel if Real is float, neighbours in a row if it is a pack.
 template <class R, class S> struct Pixel {
@@ -252,39 +176,6 @@ template <class Px, class Real> QUELL_KERNEL PastPlace<Real> nearest_place(Px co
     Real const last_column(static_cast<float>(px.size().width - 1)), last_row(static_cast<float>(px.size().height - 1));
     return {clamp(floor(where.x), Real(0.f), last_column), clamp(floor(where.y), Real(0.f), last_row)};
 }
-
-/// A pixel of the previous frame: what it remembers, what was kept there, and its signal.
-template <class Real, class S> struct PastPixel {
-    S const& scope;
-    PastPlace<Real> const& place; ///< not a copy: g++ makes those 16 bytes at a time and then waits for the stores
-    int dx, dy;
-
-    /// True where the image has such a pixel.
-    QUELL_KERNEL auto inside() const {
-        auto const column = place.column + static_cast<float>(dx), row = place.row + static_cast<float>(dy);
-        return both(column >= Real(0.f), column < Real(static_cast<float>(scope.size.width)), row >= Real(0.f),
-                    row < Real(static_cast<float>(scope.size.height)));
-    }
-    /// Where what it remembers was seen, in pixels.
-    QUELL_KERNEL vec2<Real> sample_position() const {
-        return {place.column + (static_cast<float>(dx) + 0.5f + scope.jitter_then.x),
-                place.row + (static_cast<float>(dy) + 0.5f + scope.jitter_then.y)};
-    }
-
-    template <ChannelTag C> QUELL_KERNEL auto operator[](C c) const {
-        constexpr bool remembered = S::remembered_channels::template has<C>, kept = S::kept_channels::template has<C>;
-        static_assert(remembered || kept,
-                      "a policy looks at the previous frame's channel that it does not list: add it to `remembers` or `keeps`");
-        if constexpr (remembered)
-            return detail::Remembered<C>::unpack(fetch(scope.remembered.view(typename detail::Remembered<C>::Stored{})));
-        else if constexpr (kept)
-            return fetch(scope.kept_then.view(c));
-    }
-    QUELL_KERNEL auto signal() const { return fetch(scope.signal_then); }
-
-private:
-    QUELL_KERNEL auto fetch(auto const& view) const { return detail::fetch<Real>(view, scope.size, place, dx, dy); }
-};
 
 namespace detail {
 /// The signal that a policy is for, if it says so; else any, such as a colour.

@@ -46,7 +46,8 @@ private:
 };
 
 /// A part of a pipeline for hosts that say, for each pixel, how many samples its value is the mean of, and how much one of them varies:
-/// history then weighs each frame by its samples. Without it every frame of every pixel counts as one sample.
+/// RunningMean then weighs each frame by its samples, and WithMoments and WithVariance know of the variance among them. Without it every
+/// frame of every pixel counts as one sample.
 struct KnownSamples {
     using reads = Channels<SampleCount, SampleVariance>;
 };

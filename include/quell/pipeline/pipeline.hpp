@@ -54,9 +54,9 @@ template <class Part> constexpr auto stage_or_nothing(Part const& part) {
 
 /// How one signal is denoised: a constant description that holds no images.
 ///     constexpr auto denoise = Pipeline{radiance, Demodulate{}, Temporal{SurfaceMotion{}, RunningMean{}}, Spatial{Atrous{}}};
-/// The signal's channel comes first, then Demodulate{} or another modulation, SuppressFireflies{} and Supplied<>{} where wanted, then the
-/// stages in order, at most one of them Temporal. `reads` is what a host must supply, `remembers` what of it is kept of the last frame,
-/// `keeps` what the policies keep of their own.
+/// The signal's channel comes first, then Demodulate{} or another modulation, SuppressFireflies{}, KnownSamples{} and Supplied<>{} where
+/// wanted, then the stages in order, at most one of them Temporal. `reads` is what a host must supply, `remembers` what of it is kept of
+/// the last frame, `keeps` what the policies keep of their own.
 template <ChannelTag S, class... Parts> struct Pipeline {
     static_assert(((detail::is_stage<Parts> || detail::is_input_option<Parts>)&&...),
                   "Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{}, SuppressFireflies{}, "
@@ -86,9 +86,10 @@ template <ChannelTag S, class... Parts> struct Pipeline {
                   "Pipeline{channel, parts...}: a stage reads what none of them makes: history_length wants RunningMean or Adaptive, "
                   "luminance_variance WithMoments, clean_up_deviation WithCleanUp, light_change ChangeDetector, a shadow's track "
                   "ShadowSplat, a gradient TemporalGradient, cones WithCones or Cones, blur's channels its guides");
-    static_assert(contained_in<reads_kept_of<Parts...>, keeps>,
-                  "Pipeline{channel, parts...}: a stage looks at what no blend policy keeps: a BiasEstimate wants WithMoments{ForgetBiased{"
-                  "RunningMean{}}}");
+    static_assert(
+        contained_in<reads_kept_of<Parts...>, keeps>,
+        "Pipeline{channel, parts...}: a stage looks at what no blend policy keeps: a BiasEstimate wants WithVariance{ForgetBiased{"
+        "RunningMean{}}}");
     using known_samples = std::conditional_t<(std::is_same_v<KnownSamples, Parts> || ...), KnownSamples::reads, Channels<>>;
     static constexpr MotionConvention motion_convention = detail::ConventionOf<Parts...>::value;
     static constexpr bool has_past = (detail::is_temporal<Parts> || ...);

@@ -1,14 +1,11 @@
 #pragma once
 
+#include <quell/blend/variance_over_time.hpp>
 #include <quell/pipeline/run.hpp>
 
-#include <cstdint>
 #include <iterator>
-#include <limits>
-#include <math.h>
-#include <string>
+#include <optional>
 #include <utility>
-#include <vector>
 
 namespace quell {
 
@@ -68,28 +65,28 @@ public:
     CountedBackwards& operator=(CountedBackwards const&) = delete;
 };
 
-/// Copies what `before` knows of a frame to where the pipeline finds it when it runs backwards.
-struct AccumulatedSamples {
-    template <class Accumulated, class Kept, class Light, class Scalar>
-    static void copy(Accumulated const& light, Kept const& length, Kept const& variance, Light& to_light, Scalar& to_count,
-                     Scalar& to_variance) {
-        constexpr int components = Accumulated::components;
-        for (int y = 0; y < light.size.height; ++y)
-            for (int x = 0; x < light.size.width; ++x) {
-                for (int c = 0; c < components; ++c) to_light.view().set(c, x, y, light.get(c, x, y));
-                float const n = length.get(0, x, y);
-                to_count.view().set(0, x, y, n);
-                // Of n samples; the variance of one of many.
-                to_variance.view().set(0, x, y, n > 1.f ? variance.get(0, x, y) * n / max(n - 1.f, 0.5f) : 0.f);
-            }
-    }
-};
+/// Copies what a history shows of a frame, and of how many samples of which variance, to where the pipeline finds it when it runs
+/// backwards.
+template <class P, class Storage>
+void copy_accumulated(ImageView auto const& light, History<P, Storage> const& history, ImageView auto const& to_light,
+                      ImageView auto const& to_count, ImageView auto const& to_variance) {
+    auto const length = history[history_length];
+    auto const variance = history[luminance_variance];
+    for (int y = 0; y < light.size.height; ++y)
+        for (int x = 0; x < light.size.width; ++x) {
+            for (int c = 0; c < P::Output::components; ++c) to_light.set(c, x, y, light.get(c, x, y));
+            float const n = length.get(0, x, y);
+            to_count.set(0, x, y, n);
+            to_variance.set(0, x, y, n > 1.f ? unbiased_variance(variance.get(0, x, y), n) : 0.f);
+        }
+}
 } // namespace detail
 
 /// Denoises a frame with those before it, which the history knows, and those after it: for files, where nobody waits. The frames after it
 /// are accumulated backwards in time, along their motion to the next frame, by the same pipeline; what they show of this frame is joined
 /// with what the frames before show as if it were one more history, so that it is forgotten where the light has changed; then comes the
-/// rest of the pipeline. Half of the lag goes, and half of the noise where things have just been uncovered.
+/// rest of the pipeline. Light that moves is followed with less lag, and what has
+/// just been uncovered has a history as well.
 ///     Frame frame{size, denoise, two_sided};     TwoSidedHistory history{size, denoise};
 ///     auto clean = run_two_sided(denoise, window, history, Threads{});    // window[0] is denoised, the others follow it
 /// Frames whose numbers don't follow each other end the window; one frame is a window too. Each call does the work of run() and, for every
@@ -125,8 +122,7 @@ auto run_two_sided(P const& pipeline, P const& joining, Window& window, TwoSided
     }
     ImageOf<FrameStorage, Light> known_light(frame.size);
     ImageOf<FrameStorage, SampleCount> known_count(frame.size), known_variance(frame.size);
-    detail::AccumulatedSamples::copy(light, history.before[history_length], history.before[luminance_variance], known_light, known_count,
-                                     known_variance);
+    detail::copy_accumulated(light, history.before, known_light.view(), known_count.view(), known_variance.view());
     detail::Exchanged const of_light(frame[Light{}], known_light);
     detail::Exchanged const of_count(frame[sample_count], known_count);
     detail::Exchanged const of_variance(frame[sample_variance], known_variance);
@@ -137,65 +133,6 @@ auto run_two_sided(P const& pipeline, P const& joining, Window& window, TwoSided
 template <class P, class Window, class Storage, Executor E = Simd>
 auto run_two_sided(P const& pipeline, Window& window, TwoSidedHistory<P, Storage>& history, E const& executor = {}) {
     return run_two_sided(pipeline, pipeline, window, history, executor);
-}
-
-namespace detail {
-/// Lets every pixel of the next frame say where it was to the pixels within `reach` of there that aren't taken.
-template <ImageView To, ImageView NextMotion, ImageView NextDepth>
-void splat_motion(To const& to, NextMotion const& next_motion, NextDepth const& next_depth, float reach, std::vector<std::uint8_t>& taken) {
-    auto const width = static_cast<std::size_t>(to.size.width);
-    struct Offer {
-        float depth = std::numeric_limits<float>::infinity(), distance = 4.f;
-    };
-    std::vector<Offer> best(taken.size());
-    auto const offer = [&](int x, int y, float dx, float dy, Offer const& now) {
-        auto const i = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
-        if (taken[i] == 1) return;
-        auto& so_far = best[i];
-        // Of one surface, that which comes closest to the pixel's centre; of two, the one in front.
-        bool const in_front = now.depth < so_far.depth * 0.95f,
-                   same = now.depth <= so_far.depth * 1.05f || (!is_finite(now.depth) && !is_finite(so_far.depth));
-        if (!in_front && !(same && now.distance < so_far.distance)) return;
-        so_far = now;
-        to.set(0, x, y, dx), to.set(1, x, y, dy);
-    };
-    for (int y = 0; y < to.size.height; ++y)
-        for (int x = 0; x < to.size.width; ++x) {
-            float const dx = next_motion.get(0, x, y), dy = next_motion.get(1, x, y), z = next_depth.get(0, x, y);
-            if (!is_finite(dx) || !is_finite(dy) || abs(dx) > 1e6f || abs(dy) > 1e6f) continue;
-            float const u = static_cast<float>(x) + dx, v = static_cast<float>(y) + dy;
-            int const left = static_cast<int>(::floorf(u)), top = static_cast<int>(::floorf(v));
-            for (int j = 0; j < 2; ++j)
-                for (int i = 0; i < 2; ++i) {
-                    int const column = left + i, row = top + j;
-                    float const off_x = abs(u - static_cast<float>(column)), off_y = abs(v - static_cast<float>(row));
-                    bool const inside = column >= 0 && row >= 0 && column < to.size.width && row < to.size.height;
-                    if (inside && off_x <= reach && off_y <= reach) offer(column, row, -dx, -dy, {z, off_x * off_x + off_y * off_y});
-                }
-        }
-    for (std::size_t i = 0; i < taken.size(); ++i)
-        if (best[i].distance < 4.f) taken[i] = 1;
-}
-} // namespace detail
-
-/// Motion to the next frame where a renderer gives none: the next frame's motion to this one, turned round. Every pixel of the next frame
-/// says where it was; of several that were in one pixel, the nearest to the camera counts. Where nothing was (it is hidden in the next
-/// frame) the motion is not finite, and there is no history from that side.
-/// @param to is this frame's motion_next
-/// @param next_motion, next_depth the next frame's, of the same size
-template <ImageView To, ImageView NextMotion, ImageView NextDepth>
-void invert_motion(To const& to, NextMotion const& next_motion, NextDepth const& next_depth) {
-    static_assert(To::components == 2 && NextMotion::components == 2 && NextDepth::components == 1,
-                  "invert_motion(to, next_motion, next_depth): motion has two components and depth has one");
-    if (!(to.size == next_motion.size && to.size == next_depth.size))
-        throw Error("invert_motion", to_string(to.size) + ", " + to_string(next_motion.size) + " and " + to_string(next_depth.size),
-                    "give images of one size");
-    auto const nowhere = std::numeric_limits<float>::quiet_NaN();
-    for (int y = 0; y < to.size.height; ++y)
-        for (int x = 0; x < to.size.width; ++x) to.set(0, x, y, nowhere), to.set(1, x, y, nowhere);
-    // What comes to lie in a pixel first; then, for pixels that nothing came to lie in since things grow, what comes within a pixel.
-    std::vector<std::uint8_t> taken(static_cast<std::size_t>(to.size.pixels()), 0);
-    for (float const reach : {0.5f, 0.99f}) detail::splat_motion(to, next_motion, next_depth, reach, taken);
 }
 
 } // namespace quell

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <quell/pipeline/pipeline.hpp>
+
+namespace quell::detail {
+
+/// What follows from the order of a pipeline's stages alone.
+template <class P> class StageOrder {
+    using Stages = decltype(P::stages);
+    template <std::size_t i> using StageAt = std::tuple_element_t<i, Stages>;
+
+public:
+    static constexpr std::size_t count = std::tuple_size_v<Stages>;
+
+private:
+    template <std::size_t... i> static constexpr std::size_t counted_up_to_temporal(std::index_sequence<i...>) {
+        std::size_t n = 0;
+        static_cast<void>(((++n, is_temporal<StageAt<i>>) || ...));
+        return n;
+    }
+    template <std::size_t... before> static constexpr bool marked_behind(std::index_sequence<before...>) {
+        return !(... || (P::has_past ? is_temporal<StageAt<before>> : !leaves_signal<StageAt<before>>));
+    }
+    template <std::size_t i, std::size_t... behind> static constexpr bool remembers_behind(std::index_sequence<behind...>) {
+        return (... || (remembers_of<StageAt<i + 1 + behind>>::size > 0));
+    }
+    template <class Stage>
+    static constexpr bool always_makes_signal =
+        is_temporal<Stage> || !(leaves_signal<Stage> || requires(Stage s) { s.kernel.for_each_pass(AnyPass{}); });
+    static constexpr bool last_may_leave_signal() {
+        if constexpr (count == 0)
+            return true;
+        else
+            return !always_makes_signal<StageAt<count - 1>>;
+    }
+
+public:
+    /// How many stages there are up to Temporal, which is one of them.
+    static constexpr std::size_t up_to_temporal = counted_up_to_temporal(std::make_index_sequence<count>{});
+    /// Whether stage i may see the marks of missing samples. They are there up to Temporal, which keeps the past in their place; without a
+    /// Temporal, until a stage has made a signal of its own.
+    template <std::size_t i> static constexpr bool may_be_marked = marked_behind(std::make_index_sequence<i>{});
+    /// Whether a stage behind stage i looks at the last frame.
+    template <std::size_t i> static constexpr bool past_wanted_behind = remembers_behind<i>(std::make_index_sequence<count - i - 1>{});
+    /// Where nothing behind Temporal makes a new signal, the last stage does not write the output either.
+    static constexpr bool may_end_without_signal = last_may_leave_signal();
+};
+
+} // namespace quell::detail
