@@ -26,6 +26,14 @@ struct TwoFrames {
     Extent size;
 };
 
+/// What gradients are of.
+template <class Signal> float luminance_of(Signal, Surface const& surface, Signals const& signals) {
+    if constexpr (std::is_same_v<Signal, Visibility>) return signals.visibility;
+    if constexpr (std::is_same_v<Signal, Glossy>) return luminance(signals.glossy);
+    if constexpr (std::is_same_v<Signal, Indirect>) return luminance(signals.indirect);
+    if constexpr (std::is_same_v<Signal, Radiance>) return luminance(composite(surface.diffuse(), signals));
+}
+
 /// Shades the point that was hit with the same random numbers in both frames, and hands take() the surface and the signals now, and those
 /// before. False, and nothing shaded, where the point was not seen before. Such points that were not seen before are left out: there is
 /// nothing that their history could be compared with, and as they add nothing to either of the sums that A-SVGF divides by each other,

@@ -77,9 +77,10 @@ void for_each_effect(auto&& f) { f(Composite{}), f(Shadow{}), f(GlossyReflection
 
 struct Options {
     std::vector<std::string> scenes, effects;
-    std::string out, size = "480x270";
+    std::string out, size = "480x270", jitter_name{name_of(Jitter::none)};
     int frames = 48, first = 0, spp = 1, reference = 0, threads = 0, shutter_keys = default_shutter_keys;
     std::uint32_t seed = 0;
+    Jitter jitter = Jitter::none;
     std::optional<float> shutter, fov;
     std::vector<float> eye, target, dolly;
     float orbit = 0;
@@ -96,6 +97,11 @@ void describe(CLI::App& app, Options& o) {
     app.add_option("--frames", o.frames, "How many frames (default: " + std::to_string(o.frames) + ")");
     app.add_option("--first", o.first, "Number of the first frame (default: 0)");
     app.add_option("--spp", o.spp, "Samples per pixel (default: 1)");
+    app.add_option("--jitter", o.jitter_name,
+                   "Where primary rays go through the pixel: none (its centre), frame (one offset for all, another in each frame; the "
+                   "camera says it) or pixel (each sample at a place of its own, spread as Cycles' pixel filter) (default: " +
+                       o.jitter_name + ")")
+        ->take_last();
     app.add_option(
         "--reference", o.reference,
         "Write converged frames too, reference.0000.exr and so on: at most so many samples per pixel, fewer where two halves agree");
@@ -133,6 +139,15 @@ std::optional<glm::vec3> vector_in(char const* option, std::vector<float> const&
     return glm::vec3(numbers[0], numbers[1], numbers[2]);
 }
 
+Jitter jitter_in(std::string const& name) {
+    std::string names;
+    for (auto const jitter : jitters) {
+        if (name == name_of(jitter)) return jitter;
+        names += (names.empty() ? "" : ", ") + std::string(name_of(jitter));
+    }
+    refuse("--jitter", "there is no jitter '" + name + "'", "choose from: " + names);
+}
+
 /// Checks what the command line says and fills in what it leaves out.
 void complete(Options& o) {
     if (o.out.empty()) refuse("command line", "--out is missing", "say which folder the frames go to");
@@ -143,6 +158,7 @@ void complete(Options& o) {
                "give numbers from -" + std::to_string(most) + " to " + std::to_string(most) +
                    ": beyond them, time is the same for several frames");
     if (o.spp < 1) refuse("--spp", std::to_string(o.spp), "give at least 1");
+    o.jitter = jitter_in(o.jitter_name);
     if (o.reference < 0 || o.reference == 1) refuse("--reference", std::to_string(o.reference), "give at least 2 samples per pixel");
     std::string names;
     for_each_effect([&](auto effect) { names += (names.empty() ? "" : ", ") + std::string(effect.name); });
@@ -178,12 +194,19 @@ struct Sequence {
                 .seed = options.seed,
                 .threads = options.threads,
                 .shutter = *options.shutter,
-                .shutter_keys = options.shutter_keys};
+                .shutter_keys = options.shutter_keys,
+                .jitter = options.jitter};
+    }
+
+    [[nodiscard]] Camera camera_at(int frame, Extent size) const {
+        auto camera = scene.description().camera_at(static_cast<float>(frame), size);
+        camera.jitter = camera_jitter(options.jitter, frame);
+        return camera;
     }
 
     void write(char const* name, int frame, io::ExrImage image) const {
-        io::put_camera(image, scene.description().camera_at(static_cast<float>(frame), image.size));
-        io::put_camera(image, scene.description().camera_at(static_cast<float>(frame - 1), image.size), "_previous");
+        io::put_camera(image, camera_at(frame, image.size));
+        io::put_camera(image, camera_at(frame - 1, image.size), "_previous");
         examples::store([&] { io::write_exr(folder / numbered(name, frame, "exr"), image); });
     }
 

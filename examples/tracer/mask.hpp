@@ -27,7 +27,8 @@ struct MaskSettings {
 };
 
 /// The pixels of a frame that an effect touches, from the scene alone, so that no denoiser has a say in where it is judged. Non-zero
-/// entries count; all are zero where nothing moves. The shutter counts as closed, but for `blur`. Afterwards the scene stands at the frame.
+/// entries count; all are zero where nothing moves. The shutter counts as closed, but for `blur`, and samples as lying in the
+/// pixels' centres, whatever the jitter. Afterwards the scene stands at the frame.
 [[nodiscard]] metrics::Mask effect_mask(PreparedScene& scene, RenderSettings const& settings, Effect effect, MaskSettings const& how = {});
 
 /// The part of all pixels that count.

@@ -84,7 +84,7 @@ Reference converged(RenderPass const& render_pass, int least_samples, ReferenceS
 
 Reference cached_or_converged(PreparedScene& scene, RenderSettings const& render_settings, ReferenceSettings const& settings,
                               std::string const& channels, RenderPass const& render_pass) {
-    int const least_samples = render_settings.shutter > 0 ? settings.least_samples_of_blur : 0;
+    int const least_samples = render_settings.one_ray_per_pixel() ? 0 : settings.least_samples_of_blur;
     if (!settings.use_cache) return converged(render_pass, least_samples, settings);
     scene.move_to(static_cast<float>(render_settings.frame), render_settings.shutter, render_settings.shutter_keys);
     Digest key;
@@ -96,6 +96,8 @@ Reference cached_or_converged(PreparedScene& scene, RenderSettings const& render
     if (least_samples > 0) key.add(least_samples);
     key.add(render_settings.seed);
     key.add(settings.tolerance);
+    // Only what differs from the rule counts, so that other references stay what they are. A frame's offset follows from its number.
+    if (render_settings.jitter != Jitter::none) key.add(name_of(render_settings.jitter));
     ReferenceCache const cache{settings.cache, scene.description().name, render_settings.frame, key.value()};
     if (auto found = cache.load(render_settings.size)) return *found;
     auto result = converged(render_pass, least_samples, settings);

@@ -19,8 +19,8 @@ struct ReferenceProgress {
 struct ReferenceSettings {
     double tolerance = 0.005; ///< converged when the mean FLIP between two independent halves is below it, for every effect
     int most_samples = 16384; ///< per pixel, both halves together; the end even where it hasn't converged
-    /// Per pixel, both halves together, with an open shutter: what moves may be so small that the mean over the image is below the
-    /// tolerance while the blur itself is not smooth yet.
+    /// Per pixel, both halves together, with an open shutter or jitter of the samples: what is soft may be so small that the mean over the
+    /// image is below the tolerance while the blur itself is not smooth yet.
     int least_samples_of_blur = 128;
     int samples_per_pass = 16;     ///< per pixel and half, between two looks at the clock
     std::filesystem::path cache{}; ///< empty: $QUELL_CACHE, else ~/.cache/quell
@@ -57,6 +57,11 @@ template <class Wanted> PassPictures render_pass(PreparedScene& scene, RenderSet
     return named;
 }
 
+/// What is wanted, and what scales it where it is displayed.
+template <class Wanted>
+using WithFactors = union_of<Wanted, std::conditional_t<Wanted::template has<Visibility>, Channels<Direct>, Channels<>>,
+                             std::conditional_t<Wanted::template has<Indirect>, Channels<Albedo>, Channels<>>>;
+
 /// Converges the channels in `Traced` together.
 template <class Traced> Reference converge(PreparedScene& scene, RenderSettings settings, ReferenceSettings const& reference_settings) {
     std::string names;
@@ -69,9 +74,9 @@ template <class Traced> Reference converge(PreparedScene& scene, RenderSettings 
         // Seeds that no noisy frame uses, and different ones for the halves.
         settings.seed = combine(seed, half == 0 ? 0x5eed0001u : 0x5eed0002u);
         settings.first_sample = first_sample;
-        // A frame over time starts the sequence from its beginning: the first 2^n samples fill 2^n strata of the open shutter, one each,
-        // which those amid the sequence don't. Frames differ by their seeds instead.
-        if (settings.shutter > 0) {
+        // Primary rays start the sequence from its beginning: the first 2^n samples fill 2^n strata of the open shutter and of the pixel
+        // filter, one each, which those amid the sequence don't. Frames differ by their seeds instead.
+        if (!settings.one_ray_per_pixel()) {
             settings.first_sample -= settings.frame * settings.samples_per_pixel;
             settings.seed = combine(settings.seed, static_cast<std::uint32_t>(settings.frame));
         }
@@ -89,11 +94,11 @@ void merge(Reference& whole, Reference part);
 
 /// The reference of each effect in `Wanted` (of visibility, glossy, indirect, radiance) at a frame. Each effect takes the samples that it
 /// needs by itself, in two independent halves, until these differ by less than the tolerance as displayed pictures of what the effect adds
-/// to the image: direct * visibility, glossy, albedo * indirect. Radiance is put together from these three; with an open shutter, where
-/// that isn't possible, it converges as a whole.
+/// to the image: direct * visibility, glossy, albedo * indirect. Radiance is put together from these three; with an open shutter or jitter
+/// of the samples, where that isn't possible, all converges as a whole.
 template <class Wanted>
 Reference reference(PreparedScene& scene, RenderSettings const& settings, ReferenceSettings const& reference_settings = {}) {
-    if (settings.shutter > 0) return detail::converge<Wanted>(scene, settings, reference_settings);
+    if (!settings.one_ray_per_pixel()) return detail::converge<detail::WithFactors<Wanted>>(scene, settings, reference_settings);
     constexpr bool whole = Wanted::template has<Radiance>;
     Reference result;
     auto const add = [&]<class Traced>(Traced) { detail::merge(result, detail::converge<Traced>(scene, settings, reference_settings)); };

@@ -2,8 +2,9 @@
 
 #include "effect_sweep.hpp"
 #include "gradient.hpp"
+#include "guides.hpp"
+#include "render_settings.hpp"
 
-#include <quell/core/error.hpp>
 #include <quell/frame/gradient_samples.hpp>
 
 #include <tbb/blocked_range2d.h>
@@ -12,26 +13,8 @@
 
 #include <cmath>
 #include <mutex>
-#include <optional>
-#include <string>
 
 namespace quell::tracer {
-
-struct RenderSettings {
-    Extent size{480, 270};
-    int frame = 0;
-    int samples_per_pixel = 1;
-    std::uint32_t seed = 0;
-    int threads = 0;                         ///< 0: as many as the machine has
-    float shutter = 0;                       ///< part of the frame time during which the shutter is open; 0: a frozen moment
-    int first_sample = 0;                    ///< number of the first sample, to continue an earlier rendering of the same frame
-    int bounces = 1;                         ///< how often indirect light is scattered on its way
-    int shutter_keys = default_shutter_keys; ///< moments of the open shutter between which all moves straight: 2 as in MB, more for arcs
-    bool stratified_times = true;            ///< false: each sample's time takes no notice of the pixel's others, as in MB
-    /// The time of every sample, in [0, 1] over the open shutter: a sharp picture, whose sweeps still last as long as the shutter is open.
-    /// References are blurred nevertheless.
-    std::optional<float> frozen_at{};
-};
 
 /// Takes what was rendered: `sink.put(quell::normal, x, y, value)` with a float, glm::vec2 or glm::vec3 by the channel's components.
 /// It is called from several threads at once, never twice for the same pixel and channel.
@@ -55,61 +38,73 @@ public:
 
     void render(int x, int y) {
         x_ = x, y_ = y;
-        if (settings.shutter > 0)
-            render_over_time();
+        if (settings.one_ray_per_pixel())
+            render_at_once();
         else
-            render_frozen();
+            render_one_by_one();
     }
 
 private:
-    struct Seen {
-        Ray ray;
-        Hit hit;
-        Surface surface;
-    };
-
-    /// The scene stands still: one primary ray serves all samples.
-    void render_frozen() {
-        auto const seen = look(still, 0);
-        put_guides(seen, still, still_before);
+    /// All samples see the same point, and one primary ray serves them.
+    void render_at_once() {
+        auto const seen = look(still, 0, 0);
+        auto const guides = guides_of<Wanted>(scene, seen, still, still_before);
+        put_place(seen, still, guides.previous);
+        put_guides(guides);
         if constexpr (wants_gradients<Wanted>) put_gradients(seen, still, still_before);
         Signals mean = signals_of(seen, 0);
-        for (int i = 1; i < settings.samples_per_pixel; ++i) accumulate(mean, signals_of(seen, i), i);
+        for (int i = 1; i < settings.samples_per_pixel; ++i) add_to_mean(mean, signals_of(seen, i), i);
         put_sweeps(seen, mean);
         put_signals(mean);
         put(radiance, composite(seen, mean));
     }
 
-    /// Every sample has its own time, unless all are frozen at one, and so its own primary ray. Guides are those of the first one.
-    void render_over_time() {
+    /// Every sample has its own time or its own place in the pixel, and so its own primary ray. What says where something is, is the first
+    /// sample's, as a mean of places is no place; the other guides are means only if the samples' places differ.
+    void render_one_by_one() {
         Signals mean;
+        MeanGuides guides;
         glm::vec3 sum{0.f};
         for (int i = 0; i < settings.samples_per_pixel; ++i) {
-            float const time = settings.frozen_at.value_or(time_of(key(i)));
+            float const time = time_of(i);
             View const view{scene.camera(time, When::now), settings.size};
-            auto const seen = look(view, time);
-            if (i == 0) {
+            auto const seen = look(view, i, time);
+            if (i == 0 || settings.jitter == Jitter::pixel) {
                 View const before{scene.camera(time, When::before), settings.size};
-                put_guides(seen, view, before);
-                if constexpr (wants_gradients<Wanted>) put_gradients(seen, view, before);
+                auto const of_sample = guides_of<Wanted>(scene, seen, view, before);
+                guides.add(of_sample);
+                if (i == 0) {
+                    put_place(seen, view, of_sample.previous);
+                    if constexpr (wants_gradients<Wanted>) put_gradients(seen, view, before);
+                }
             }
             auto const signals = signals_of(seen, i);
             if (i == 0) {
                 mean = signals;
                 put_sweeps(seen, signals);
             } else {
-                accumulate(mean, signals, i);
+                add_to_mean(mean, signals, i);
             }
             sum += composite(seen, signals);
         }
+        put_guides(guides.value());
         put_signals(mean);
         put(radiance, sum / static_cast<float>(settings.samples_per_pixel));
     }
 
-    [[nodiscard]] float time_of(SampleKey const& sample) const {
-        return settings.stratified_times ? sample_pair(sample, SampleUse::time).x : lone_sample(sample, SampleUse::time);
+    [[nodiscard]] float time_of(int sample) const {
+        if (!(settings.shutter > 0)) return 0;
+        if (settings.frozen_at) return *settings.frozen_at;
+        return settings.stratified_times ? sample_pair(key(sample), SampleUse::time).x : lone_sample(key(sample), SampleUse::time);
     }
-    [[nodiscard]] glm::vec2 centre() const { return {static_cast<float>(x_) + 0.5f, static_cast<float>(y_) + 0.5f}; }
+
+    /// Where in the image a sample's primary ray goes through.
+    [[nodiscard]] glm::vec2 place_in_image(int sample) const {
+        glm::vec2 const centre{static_cast<float>(x_) + 0.5f, static_cast<float>(y_) + 0.5f};
+        if (settings.jitter == Jitter::none) return centre;
+        if (settings.jitter == Jitter::pixel) return centre + filter_offset(sample_pair(key(sample), SampleUse::pixel_filter));
+        return centre + camera_jitter(settings.jitter, settings.frame);
+    }
 
     [[nodiscard]] SampleKey key(int sample, int frames_ago = 0) const {
         // Frame after frame continues one sequence per pixel.
@@ -118,15 +113,9 @@ private:
         return {{x_, y_}, index, settings.seed};
     }
 
-    Seen look(View const& view, float time) {
+    Seen look(View const& view, int sample, float time) {
         ++counts.primary;
-        Seen seen{{view.eye(), view.direction(centre()), infinity, time}, {}, {}};
-        seen.hit = scene.intersect(seen.ray);
-        if (seen.hit)
-            seen.surface = surface_at(scene, seen.ray, seen.hit, view.pixel_angle());
-        else
-            seen.surface.normal = -seen.ray.direction;
-        return seen;
+        return seen_at(scene, view, place_in_image(sample), time);
     }
 
     Signals signals_of(Seen const& seen, int sample) {
@@ -140,46 +129,25 @@ private:
         return signals;
     }
 
-    static void accumulate(Signals& mean, Signals const& next, int count) {
-        float const part = 1 / static_cast<float>(count + 1);
-        mean.visibility += (next.visibility - mean.visibility) * part;
-        mean.direct += (next.direct - mean.direct) * part;
-        mean.glossy += (next.glossy - mean.glossy) * part;
-        mean.indirect += (next.indirect - mean.indirect) * part;
-    }
-
-    static bool has_reflectance(Seen const& seen) { return seen.hit && !seen.surface.is_emitter; }
-    static glm::vec3 albedo_of(Seen const& seen) { return has_reflectance(seen) ? seen.surface.diffuse() : glm::vec3{1.f}; }
-
-    static glm::vec3 composite(glm::vec3 diffuse, Signals const& signals) {
-        return signals.direct * signals.visibility + signals.glossy + diffuse * signals.indirect;
-    }
-    static glm::vec3 composite(Seen const& seen, Signals const& signals) { return composite(albedo_of(seen), signals); }
+    static glm::vec3 composite(Seen const& seen, Signals const& signals) { return tracer::composite(seen.albedo(), signals); }
 
     template <class C, class Value> void put([[maybe_unused]] C channel, [[maybe_unused]] Value const& value) {
         if constexpr (Wanted::template has<C>) sink.put(channel, x_, y_, value);
     }
 
-    void put_guides(Seen const& seen, View const& view, View const& before) {
-        auto const& surface = seen.surface;
-        put(depth, seen.hit ? view.depth(surface.position) : infinity);
-        put(position, surface.position);
-        put(normal, surface.normal);
-        put(albedo, albedo_of(seen));
-        put(roughness, has_reflectance(seen) ? surface.roughness : 1.f);
+    void put_place(Seen const& seen, View const& view, glm::vec3 previous) {
+        put(depth, seen.hit ? view.depth(seen.surface.position) : infinity);
+        put(position, seen.surface.position);
+        put(receiver_previous, previous);
         put(instance, static_cast<float>(seen.hit.instance + 1));
         put(time, seen.ray.time);
-        if constexpr (rays::previous) put_previous(seen, view, before);
     }
 
-    void put_previous(Seen const& seen, View const& view, View const& before) {
-        auto const previous = seen.hit ? scene.point(seen.hit, seen.ray.time, When::before) : glm::vec3{not_a_number};
-        put(receiver_previous, previous);
-        // Both ends are projected, so that rounding cancels and what stands still has a motion of exactly zero.
-        if (seen.hit)
-            put(motion, before.project(previous) - view.project(scene.point(seen.hit, seen.ray.time, When::now)));
-        else
-            put(motion, before.project(seen.ray.direction, 0) - view.project(seen.ray.direction, 0));
+    void put_guides(Guides const& guides) {
+        put(normal, guides.normal);
+        put(albedo, guides.albedo);
+        put(roughness, guides.roughness);
+        put(motion, guides.motion);
     }
 
     /// Where the image shows the point that was seen, or the direction of the sky, at a time of the open shutter.
@@ -204,13 +172,6 @@ private:
     template <class C> void put_effect_sweep(C channel, Seen const& seen, auto const& place) {
         auto const way = place(ShutterMoment{scene, seen.hit, closing, 1}) - place(ShutterMoment{scene, seen.hit, still, 0});
         put(channel, std::isfinite(way.x + way.y) ? way : sweep_of(seen));
-    }
-
-    template <class Signal> static float luminance_of(Signal, Surface const& surface, Signals const& signals) {
-        if constexpr (std::is_same_v<Signal, Visibility>) return signals.visibility;
-        if constexpr (std::is_same_v<Signal, Glossy>) return luminance(signals.glossy);
-        if constexpr (std::is_same_v<Signal, Indirect>) return luminance(signals.indirect);
-        if constexpr (std::is_same_v<Signal, Radiance>) return luminance(composite(surface.diffuse(), signals));
     }
 
     /// With the random numbers that this pixel's first sample had in the last frame.
@@ -256,24 +217,13 @@ private:
     int x_ = 0, y_ = 0;
 };
 
-inline void check(RenderSettings const& settings) {
-    if (settings.size.width <= 0 || settings.size.height <= 0)
-        throw Error{"render size", to_string(settings.size), "give a width and a height of at least 1"};
-    if (settings.samples_per_pixel <= 0) throw Error{"samples per pixel", std::to_string(settings.samples_per_pixel), "give at least 1"};
-    if (!(settings.shutter >= 0 && settings.shutter <= 1))
-        throw Error{"shutter", std::to_string(settings.shutter), "give a part of the frame time from 0 to 1"};
-    if (settings.shutter_keys < 2 || settings.shutter_keys > most_shutter_keys)
-        throw Error{"shutter keys", std::to_string(settings.shutter_keys), "give 2 to " + std::to_string(most_shutter_keys)};
-    if (settings.frozen_at && !(*settings.frozen_at >= 0 && *settings.frozen_at <= 1))
-        throw Error{"time of a frozen frame", std::to_string(*settings.frozen_at), "give a time from 0 to 1 over the open shutter"};
-}
-
 } // namespace detail
 
-/// Traces the channels in `Wanted`, exactly the rays that they need, and hands every pixel to the sink. Primary rays go through pixel
-/// centres whatever the number of samples per pixel, so signals always match the guides; visibility, direct, glossy, indirect and
-/// radiance are means over the samples, all other channels are those of the first one. Frame 0 has nothing before it: no gradients. The
-/// picture doesn't depend on the number of threads.
+/// Traces the channels in `Wanted`, exactly the rays that they need, and hands every pixel to the sink. Visibility, direct, glossy,
+/// indirect and radiance are means over the samples. So are normal (at unit length), albedo, roughness and motion where Jitter::pixel sends
+/// samples to different places; all other channels are those of the first sample, gradients too. Without it, primary rays go through one
+/// place per pixel whatever the number of samples, so that signals always match the guides. Frame 0 has nothing before it: no gradients.
+/// The picture doesn't depend on the number of threads.
 template <class Wanted, Sink S> RayCounts render(PreparedScene& scene, RenderSettings const& settings, S& sink) {
     detail::check(settings);
     scene.move_to(static_cast<float>(settings.frame), settings.shutter, settings.shutter_keys);

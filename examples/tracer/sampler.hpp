@@ -18,7 +18,17 @@ struct SampleKey {
 };
 
 /// What a pair of random numbers is for. Each use owns a pair of dimensions, so tracing fewer effects changes nothing in the others.
-enum class SampleUse : std::uint32_t { time, light_point, light_choice, glossy, indirect, second_light_point, second_light_choice, bounce };
+enum class SampleUse : std::uint32_t {
+    time,
+    light_point,
+    light_choice,
+    glossy,
+    indirect,
+    second_light_point,
+    second_light_choice,
+    bounce,
+    pixel_filter
+};
 
 namespace detail {
 

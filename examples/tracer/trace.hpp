@@ -39,6 +39,20 @@ struct Signals {
     std::size_t emitter = 0;        ///< the one that `light` lies on
 };
 
+/// Takes one more sample into the mean of `count` others. What tells of places remains that of the first one.
+inline void add_to_mean(Signals& mean, Signals const& next, int count) {
+    float const part = 1 / static_cast<float>(count + 1);
+    mean.visibility += (next.visibility - mean.visibility) * part;
+    mean.direct += (next.direct - mean.direct) * part;
+    mean.glossy += (next.glossy - mean.glossy) * part;
+    mean.indirect += (next.indirect - mean.indirect) * part;
+}
+
+/// The radiance that the signals make together.
+inline glm::vec3 composite(glm::vec3 diffuse, Signals const& signals) {
+    return signals.direct * signals.visibility + signals.glossy + diffuse * signals.indirect;
+}
+
 /// Traces the shadow ray towards `signals.light`; `find_blocker` also asks what is in the way (nearest to the receiver).
 void trace_shadow(PreparedScene const& scene, Surface const& surface, PathContext const& path, bool find_blocker, Signals& signals);
 
