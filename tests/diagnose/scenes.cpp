@@ -9,29 +9,36 @@ using namespace quell::tests;
 
 namespace {
 
+using tracer::Jitter;
+
 /// Calls use() with these frames of a scene.
-template <class F> void trace(tracer::PreparedScene& prepared, auto& frame, int first, int count, float shutter, F&& use) {
+template <class F>
+void trace(tracer::PreparedScene& prepared, auto& frame, int first, int count, float shutter, F&& use, Jitter jitter = Jitter::none) {
     for (int number = first; number < first + count; ++number) {
         using FrameT = std::remove_cvref_t<decltype(frame)>;
         tracer::FrameSink<FrameT> sink{frame};
-        tracer::render<typename FrameT::channels>(prepared, {.size = frame.size, .frame = number, .threads = 1, .shutter = shutter}, sink);
+        tracer::render<typename FrameT::channels>(
+            prepared, {.size = frame.size, .frame = number, .threads = 1, .shutter = shutter, .jitter = jitter}, sink);
         frame.camera = prepared.description().camera_at(static_cast<float>(number), frame.size), frame.number = number;
+        frame.camera.jitter = tracer::camera_jitter(jitter, number);
         use();
     }
 }
 
 /// What is said of a scene, frame after frame, for several pipelines.
-template <class... Ps> void check_silent(tracer::PreparedScene& prepared, Extent size, float shutter, Ps const&... pipelines) {
+template <class... Ps>
+void check_silent(tracer::PreparedScene& prepared, Extent size, float shutter, Jitter jitter, Ps const&... pipelines) {
     Frame frame{size, pipelines...};
     std::tuple<History<Ps>...> histories(History<Ps>(size, pipelines)...);
     std::vector<Finding> all;
-    trace(prepared, frame, 20, 11, shutter, [&] {
+    auto const diagnose_and_run = [&] {
         auto const one = [&](auto const& pipeline, auto& history) {
             for (auto& finding : diagnose(frame, history)) all.push_back(std::move(finding));
             run(pipeline, frame, history, Serial{});
         };
         (one(pipelines, std::get<History<Ps>>(histories)), ...);
-    });
+    };
+    trace(prepared, frame, 20, 11, shutter, diagnose_and_run, jitter);
     check_found(all, {});
 }
 
@@ -67,9 +74,34 @@ TEST_CASE("nothing is said of any built-in scene, sharp or blurred; blur passes 
     for (auto const& scene : tracer::scene_names()) {
         INFO(scene);
         tracer::PreparedScene prepared(tracer::built_in_scene(scene));
-        check_silent(prepared, {64, 36}, 0.f, denoise, presets::surface_clamp(radiance));
-        check_silent(prepared, {48, 27}, 0.5f, denoise, presets::blur(radiance));
+        check_silent(prepared, {64, 36}, 0.f, Jitter::none, denoise, presets::surface_clamp(radiance));
+        check_silent(prepared, {48, 27}, 0.5f, Jitter::none, denoise, presets::blur(radiance));
     }
+}
+
+TEST_CASE("nothing is said of scenes whose samples lie beside the pixels' centres, a frame's together or each by itself") {
+    for (auto const* const name : {"room", "temple", "fence", "boxes"}) {
+        tracer::PreparedScene prepared(tracer::built_in_scene(name));
+        for (auto const jitter : {Jitter::frame, Jitter::pixel}) {
+            INFO(name, " ", tracer::name_of(jitter));
+            check_silent(prepared, {64, 36}, 0.f, jitter, presets::svgf(radiance, Demodulate{}), presets::general(radiance, Demodulate{}));
+        }
+    }
+}
+
+TEST_CASE("a frame's jitter is named where it is left in the motion") {
+    tracer::PreparedScene prepared(tracer::built_in_scene("fence"));
+    GoodFrame frame{{96, 54}, denoise};
+    History history{frame.size, denoise};
+    std::vector<Finding> all;
+    auto const spoil_and_diagnose = [&] {
+        auto const left_in = tracer::camera_jitter(Jitter::frame, static_cast<int>(*frame.number) - 1) - frame.camera.jitter;
+        each(frame, motion, [&](glm::vec2 m) { return m + left_in; });
+        for (auto& finding : diagnose(frame, history)) all.push_back(std::move(finding));
+        run(denoise, frame, history, Serial{});
+    };
+    trace(prepared, frame, 20, 5, 0.f, spoil_and_diagnose, Jitter::frame);
+    check_found(all, {Mistake::motion_jitter});
 }
 
 TEST_CASE("mistakes are named in scenes whose camera moves, and where only objects do") {

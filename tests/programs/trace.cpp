@@ -1,5 +1,7 @@
 #include "programs.hpp"
 
+#include <set>
+
 using namespace quell;
 using namespace quell::tests;
 
@@ -98,6 +100,47 @@ TEST_CASE("the previous camera is the last frame's") {
     CHECK_FALSE(io::camera_of(second) == io::camera_of(first));
 }
 
+TEST_CASE("with jitter files are usable, and say where a frame's samples lie") {
+    for (auto const* const jitter : {"none", "frame", "pixel"}) {
+        INFO(jitter);
+        Folder const folder;
+        auto const ran = trace(to(folder) + "--scene room --frames 3 --first 5 --spp 2 --reference 4 --jitter " + jitter);
+        INFO(ran.err);
+        CHECK(ran.code == 0);
+        bool const of_samples = jitter == std::string("pixel");
+        CHECK(contains(ran.out, of_samples ? "rays: 2304 primary" : "rays: 1152 primary"));
+        std::set<std::pair<float, float>> offsets;
+        for (int i = 5; i < 8; ++i) {
+            auto const image = io::read_exr(folder / numbered("frame.", i));
+            auto const now = io::camera_of(image), then = io::camera_of(image, "_previous");
+            REQUIRE((now && then));
+            offsets.emplace(now->jitter.x, now->jitter.y);
+            if (i > 5) CHECK(*then == *io::camera_of(io::read_exr(folder / numbered("frame.", i - 1))));
+            CHECK(io::camera_of(io::read_exr(folder / numbered("reference.", i)))->jitter == now->jitter);
+        }
+        CHECK(offsets.size() == (jitter == std::string("frame") ? 3 : 1));
+        if (jitter != std::string("frame")) CHECK(offsets.contains({0.f, 0.f}));
+        auto const done =
+            denoise(input(folder) + output(folder) + "--preset general --reference '" + (folder / "reference.%04d.exr").string() + "'");
+        INFO(done.err);
+        CHECK(done.code == 0);
+        CHECK(done.lines().size() == 5);
+    }
+    Folder const folder;
+    check_refused(trace(to(folder) + "--jitter halton"), {"--jitter", "there is no jitter 'halton'", "choose from: none, frame, pixel"});
+    CHECK(folder.files() == 0);
+}
+
+TEST_CASE("jitter of the samples goes with every effect, an open shutter and gradients") {
+    Folder const folder;
+    for (auto const* const more : {"--effects shadow,glossy,indirect", "--effects blur", "--effects gradient"})
+        for (auto const* const jitter : {"frame", "pixel"}) {
+            auto const ran = trace(to(folder) + "--frames 2 --reference 4 " + more + " --jitter " + jitter);
+            INFO(ran.err);
+            CHECK(ran.code == 0);
+        }
+}
+
 TEST_CASE("the same seed and any number of threads give the same files, another seed other noise") {
     Folder const folder;
     auto const run = [&](std::string const& more) {
@@ -106,6 +149,8 @@ TEST_CASE("the same seed and any number of threads give the same files, another 
     };
     auto const one = run("--threads 1");
     CHECK(run("--threads 3") == one);
+    CHECK(run("--threads 3 --jitter none") == one);
+    CHECK(run("--threads 1 --jitter pixel") == run("--threads 3 --jitter pixel"));
     CHECK(run("--seed 9") != one);
 }
 
