@@ -2,10 +2,10 @@
 #include "worlds.hpp"
 
 #include <tracer/reference.hpp>
-#include <tracer/scenes/scenes.hpp>
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -119,7 +119,7 @@ TEST_CASE("offsets of samples have the filter's mean and variance, in x and y ap
     }
 }
 
-TEST_CASE("without jitter a picture is the same whatever the filter's random numbers") {
+TEST_CASE("without jitter, which is the default, one primary ray through the pixel's centre serves all samples") {
     PreparedScene scene{room_of_boxes()};
     Pictures<Wanted> plain{size}, many{size};
     CHECK(render<Wanted>(scene, {.size = size, .frame = 3}, plain).primary == size.pixels());
