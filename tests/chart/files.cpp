@@ -102,7 +102,9 @@ TEST_CASE("files are charted by all presets whose channels they have, and by no 
     chart(options_of({shot}, folder / "out"));
     auto rows = chart_in(folder / "out");
     CHECK(methods_of(rows) == "atrous dual-color general general-two-sided none surface surface-clamp svgf ");
-    for (auto& [method, row] : rows) {
+    for (auto& named : rows) {
+        auto const& method = named.first;
+        auto& row = named.second;
         INFO(method);
         CHECK(row["scene"] == "shot.01");
         CHECK(row["effect"] == "composite");
