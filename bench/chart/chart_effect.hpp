@@ -99,7 +99,9 @@ void chart_feeds(Job const& job, Signal signal, std::vector<tracer::Effect> cons
     std::vector<Contest<FrameT>> contests;
     (contests.emplace_back(job.options, feeds), ...);
     tracer::PreparedScene scene(tracer::open_scene(job.what.scene));
-    Judge const judge(job.options, job.what, wanted_frames(job, signal, scene, contests.front().rendered, effects));
+    Case const shown{std::filesystem::path(job.what.scene).stem().string(), job.what.effect};
+    Judge const judge(job.options, shown, wanted_frames(job, signal, scene, contests.front().rendered, effects),
+                      job.options.pictured_frame());
     ExternalRuns others;
     run_contests(job, signal, scene, contests, judge, others);
     std::vector<Row> rows;

@@ -47,7 +47,7 @@ public:
             auto picture = method->run(frame);
             if (judge) pictures.push_back(std::move(picture));
         }
-        if (judge) judge->measure(static_cast<int>(*frame.number), entries, pictures);
+        if (judge) judge->measure(*frame.number, entries, pictures);
     }
 
     void put_rows(Judge const& judge, std::vector<Row>& rows) const {

@@ -8,6 +8,15 @@
 
 namespace quell::bench {
 
+void mark_flicker(std::vector<Wanted>& wanted) {
+    std::size_t begin = 0, end = 0, longest = 0;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        if (i > 0 && wanted[i].frame != wanted[i - 1].frame + 1) begin = i;
+        if (i + 1 - begin > longest) end = i + 1, longest = end - begin;
+    }
+    for (auto i = end - std::min<std::size_t>(longest, 4); i < end; ++i) wanted[i].shows_flicker = true;
+}
+
 void Errors::add(Wanted const& wanted, metrics::Picture const& shown) {
     auto const difference = metrics::flip(wanted.displayed, shown);
     rmse += metrics::rmse(wanted.displayed, shown), ssim += metrics::ssim(wanted.displayed, shown);
@@ -16,7 +25,7 @@ void Errors::add(Wanted const& wanted, metrics::Picture const& shown) {
         mask_rmse += metrics::rmse(wanted.displayed, shown, wanted.mask), mask_ssim += metrics::ssim(wanted.displayed, shown, wanted.mask);
         mask_flip += difference.mean(wanted.mask), ++masked_frames;
     }
-    if (wanted.frame >= 31 && wanted.frame <= 34) flicker.add(wanted.displayed, shown);
+    if (wanted.shows_flicker) flicker.add(wanted.displayed, shown);
 }
 
 void Errors::put(Row& row) const {

@@ -17,22 +17,23 @@ std::string file_name(std::string name) {
     return name;
 }
 
-Judge::Judge(ChartOptions const& options_, Case const& what, std::vector<Wanted> wanted_)
-    : options(options_), scene(std::filesystem::path(what.scene).stem().string()), effect(what.effect), wanted(std::move(wanted_)) {
+Judge::Judge(ChartOptions const& options_, Case const& what, std::vector<Wanted> wanted_, long long pictured_)
+    : options(options_), scene(what.scene), effect(what.effect), wanted(std::move(wanted_)), pictured(pictured_) {
+    mark_flicker(wanted);
     for (auto const& one : wanted)
-        if (one.frame == options.pictured_frame()) reference = write(reference_name, one.displayed);
+        if (one.frame == pictured) reference = write(reference_name, one.displayed);
 }
 
-void Judge::measure(int frame, std::span<Entry> entries, std::span<metrics::Picture const> pictures) const {
+void Judge::measure(long long frame, std::span<Entry> entries, std::span<metrics::Picture const> pictures) const {
     auto const found = std::ranges::find(wanted, frame, &Wanted::frame);
     tbb::parallel_for(std::size_t(0), entries.size(), [&](std::size_t i) {
         auto const shown = displayed(entries[i].method, frame, pictures[i]);
         entries[i].errors.add(*found, shown);
-        if (frame == options.pictured_frame()) entries[i].picture = write(entries[i].method, shown);
+        if (frame == pictured) entries[i].picture = write(entries[i].method, shown);
     });
 }
 
-metrics::Picture Judge::displayed(std::string const& method, int frame, metrics::Picture const& linear) const {
+metrics::Picture Judge::displayed(std::string const& method, long long frame, metrics::Picture const& linear) const {
     try {
         return metrics::displayed(linear);
     } catch (Error const& error) {

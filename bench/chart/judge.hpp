@@ -25,11 +25,13 @@ public:
     static constexpr auto reference_name = "reference"; ///< as if it were a method
 
     /// Writes the picture of the reference. @throws Error where it can't
-    Judge(ChartOptions const& options, Case const& what, std::vector<Wanted> wanted);
+    /// @param wanted in order
+    /// @param pictured the frame whose pictures are kept
+    Judge(ChartOptions const& options, Case const& what, std::vector<Wanted> wanted, long long pictured);
 
     /// Measures what each method made of a scored frame, side by side, and keeps one frame's pictures as files.
     /// @param pictures linear, one for each entry; @throws Error for a picture that isn't finite, or can't be written
-    void measure(int frame, std::span<Entry> entries, std::span<metrics::Picture const> pictures) const;
+    void measure(long long frame, std::span<Entry> entries, std::span<metrics::Picture const> pictures) const;
     /// What is known of a method in the end.
     [[nodiscard]] Row row_of(Entry const& entry, double ms_per_frame, double bytes_per_pixel) const;
     [[nodiscard]] Extent size() const { return options.size; }
@@ -39,9 +41,10 @@ private:
     ChartOptions const& options;
     std::string scene, effect;
     std::vector<Wanted> wanted;
+    long long pictured;
     std::string reference;
 
-    [[nodiscard]] metrics::Picture displayed(std::string const& method, int frame, metrics::Picture const& linear) const;
+    [[nodiscard]] metrics::Picture displayed(std::string const& method, long long frame, metrics::Picture const& linear) const;
     std::string write(std::string const& method, metrics::Picture const& shown) const;
 };
 

@@ -1,8 +1,10 @@
 // quell-chart: what each method costs and how close it comes, on every scene and effect:
 //   quell-chart --scene all --size 480x270 --out out/chart      writes chart.csv, chart.svg and index.html
 //   quell-chart --scene fence --few --tolerance 0.02 --sweep    three frames scored; presets with one number changed too
+//   quell-chart --in 'dir/frame_%04d.exr' --reference 'dir/reference_%04d.exr'       quell-denoise's presets on files of any renderer
 // References and masks are cached in ~/.cache/quell.
 #include "chart_effect.hpp"
+#include "file_sequence.hpp"
 
 #include <support/program.hpp>
 #include <tracer/scenes/scenes.hpp>
@@ -24,12 +26,18 @@ void chart(Job const& job) {
 
 void chart_all(ChartOptions const& options) {
     for (auto const& what : options.cases) static_cast<void>(quell::tracer::open_scene(what.scene)); // a misspelt name shows at once
+    auto const sequences = file_sequences(options);
     Results results(options);
     auto const steps = static_cast<int>(options.scored_frames().size()) + options.frames + static_cast<int>(options.externals.size());
-    quell::examples::Progress bar("quell-chart", static_cast<long long>(options.cases.size()) * steps, !options.quiet);
+    auto all_steps = static_cast<long long>(options.cases.size()) * steps;
+    for (auto const& sequence : sequences) all_steps += sequence.steps();
+    quell::examples::Progress bar("quell-chart", all_steps, !options.quiet);
     long long done = 0;
     for (auto const& what : options.cases)
         chart({options, what, [&](std::string const& doing) { bar.show(done++, what.scene + " " + what.effect + " " + doing); }, results});
+    for (auto const& sequence : sequences)
+        chart_files(
+            options, sequence, [&](std::string const& doing) { bar.show(done++, sequence.scene + " " + doing); }, results);
 }
 
 } // namespace

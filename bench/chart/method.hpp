@@ -7,7 +7,6 @@
 #include <quell/metrics/picture.hpp>
 #include <quell/quell.hpp>
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -22,13 +21,7 @@ public:
     [[nodiscard]] virtual double bytes_per_pixel() const = 0;
 
     /// The middle time of those from first_timed on; unknown where there is none.
-    [[nodiscard]] double ms_per_frame() const {
-        auto times = milliseconds;
-        if (times.empty()) return Row::unknown;
-        auto const middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-        std::ranges::nth_element(times, middle);
-        return *middle;
-    }
+    [[nodiscard]] double ms_per_frame() const { return middle_of(milliseconds); }
 
 protected:
     std::vector<double> milliseconds;

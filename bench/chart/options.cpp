@@ -18,7 +18,7 @@ namespace {
 
 /// What the command line has in words.
 struct Words {
-    std::vector<std::string> scenes{"all"}, effects, externals;
+    std::vector<std::string> scenes{"all"}, effects, externals, ins, references;
     std::string size;
 };
 
@@ -29,6 +29,13 @@ void describe(CLI::App& app, ChartOptions& o, Words& words) {
     app.add_option("--effect", words.effects,
                    "shadow, glossy, curved, indirect, blur or composite; repeatable (default: what the scene was made for)")
         ->delimiter(',');
+    app.add_option("--in", words.ins,
+                   "noisy frames of any renderer in place of a scene, e.g. 'dir/frame.%04d.exr': charts those presets of quell-denoise "
+                   "whose channels they have; repeatable");
+    app.add_option("--reference", words.references, "converged frames of some of their numbers; one for each --in, in their order");
+    app.add_option("--map", o.map, "JSON file that names the channels of --in, see quell-denoise --help");
+    app.add_option("--first", o.first, "number of the first frame of --in (default: the first that there is)");
+    app.add_option("--last", o.last, "number of the last frame of --in (default: the last that there is)");
     app.add_option("--out", o.out, "folder for chart.csv, chart.svg, index.html and pictures")->capture_default_str();
     app.add_option("--size", words.size, "width x height in pixels")->capture_default_str();
     app.add_option("--frames", o.frames, "number of frames; 24, 28, 31 to 34, 36 and 40 are scored")
@@ -71,6 +78,28 @@ void check_names_differ(std::vector<External> const& externals) {
             throw Error("--external", "two are called '" + external.name + "'", "give each a name of its own");
 }
 
+/// Scenes and files are not charted together: nothing that the one is asked for means anything to the other.
+void check_files_or_scenes(CLI::App const& app) {
+    auto const check_none = [&](std::initializer_list<char const*> options, std::string const& found, std::string const& remedy) {
+        for (auto const* option : options)
+            if (app.count(option) > 0) throw Error(option, found, remedy);
+    };
+    if (app.count("--in") == 0)
+        return check_none({"--reference", "--map", "--first", "--last"}, "there is no --in", "give the noisy frames, or leave it out");
+    check_none({"--scene", "--effect", "--size", "--frames", "--seed", "--tolerance", "--few", "--times", "--sweep", "--external"},
+               "it is for scenes, and --in is for files", "chart the one without the other");
+}
+
+std::vector<Files> files_of(Words const& words) {
+    if (words.ins.size() != words.references.size())
+        throw Error("--reference",
+                    "there are " + std::to_string(words.references.size()) + " for " + std::to_string(words.ins.size()) + " of --in",
+                    "give one for each, in their order");
+    std::vector<Files> files;
+    for (std::size_t i = 0; i < words.ins.size(); ++i) files.push_back({words.ins[i], words.references[i]});
+    return files;
+}
+
 } // namespace
 
 std::vector<int> ChartOptions::scored_frames() const {
@@ -97,7 +126,9 @@ ChartOptions chart_options(int argc, char const* const* argv) {
     options.size = examples::size_in(words.size);
     if (!options.times && options.frames <= ChartOptions::first_scored)
         throw Error("--frames", std::to_string(options.frames) + ", of which none is scored", "give more than 24, or --times too");
-    options.cases = cases_of(words.scenes, words.effects);
+    check_files_or_scenes(app);
+    options.files = files_of(words);
+    if (options.files.empty()) options.cases = cases_of(words.scenes, words.effects);
     for (auto const& text : words.externals) options.externals.push_back(external_in(text));
     check_names_differ(options.externals);
     if (options.threads == 0) options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));

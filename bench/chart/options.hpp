@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,17 @@ struct External {
     std::string name, command; ///< the command has {in} and {out} in it
 };
 
+/// A sequence of files that is charted as a scene: patterns such as dir/frame.%04d.exr.
+struct Files {
+    std::string in, reference;
+};
+
 /// What the command line of quell-chart says.
 struct ChartOptions {
-    std::vector<Case> cases;
+    std::vector<Case> cases; ///< none where there are files
+    std::vector<Files> files;
+    std::string map;                      ///< how they name their channels; empty: by what they are
+    std::optional<long long> first, last; ///< of their frames; what isn't given is what there is
     std::filesystem::path out = "out/chart";
     Extent size{480, 270};
     int frames = 41; ///< more than first_scored, or than first_timed if only times are wanted

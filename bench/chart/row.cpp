@@ -15,9 +15,24 @@ std::string cell(double value, int digits) {
     return text;
 }
 
+/// Text that has commas of its own, in quotes (RFC 4180).
+std::string cell(std::string const& text) {
+    if (text.find_first_of(",\"\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (char const c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + "\"";
+}
+
 bool beats(Row const& other, Row const& row) { return other.competes && other.ms_per_frame < row.ms_per_frame && other.rmse < row.rmse; }
 
 } // namespace
+
+double middle_of(std::vector<double> times) {
+    if (times.empty()) return Row::unknown;
+    auto const middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+    std::ranges::nth_element(times, middle);
+    return *middle;
+}
 
 void mark_pareto_front(std::vector<Row>& rows) {
     for (auto& row : rows)
@@ -32,7 +47,7 @@ std::string csv_header() {
 }
 
 std::string csv_line(Row const& row) {
-    std::string line = row.scene + "," + row.effect + "," + row.method;
+    std::string line = cell(row.scene) + "," + row.effect + "," + row.method;
     for (int whole : {row.size.width, row.size.height, row.frames, row.threads}) line += "," + std::to_string(whole);
     line += "," + cell(row.ms_per_frame, 3);
     for (auto const& measure : measures) line += "," + cell(row.*measure.value, measure.value == &Row::bytes_per_pixel ? 1 : 6);

@@ -34,6 +34,9 @@ struct Row {
     std::string picture{}, reference{}; ///< PNG files, from the chart's folder; empty for none
 };
 
+/// The middle one of some times, the upper one of an even number; unknown where there is none.
+[[nodiscard]] double middle_of(std::vector<double> times);
+
 /// A number that a chart can show.
 struct Measure {
     char const* name; ///< its column
@@ -49,7 +52,7 @@ inline constexpr std::array measures{
     Measure{"mask_rmse", &Row::mask_rmse, "root mean square error where the effect is"},
     Measure{"mask_ssim", &Row::mask_ssim, "structural similarity where the effect is", true},
     Measure{"mask_flip", &Row::mask_flip, "FLIP where the effect is"},
-    Measure{"flicker", &Row::flicker, "deviation of the error over frames 31 to 34"},
+    Measure{"flicker", &Row::flicker, "deviation of the error over up to four successive frames"},
     Measure{"bytes_per_pixel", &Row::bytes_per_pixel, "bytes per pixel of history and scratch"},
 };
 

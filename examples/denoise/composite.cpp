@@ -77,4 +77,18 @@ metrics::Picture read_reference(std::filesystem::path const& path, std::optional
         ignored);
 }
 
+metrics::Picture read_reference(std::filesystem::path const& path, std::optional<io::SequenceNames> const& map, Extent size) {
+    auto reference = read_reference(path, map);
+    if (reference.size == size) return reference;
+    throw Error(path.string(), "it is " + to_string(reference.size) + " but the frame is " + to_string(size),
+                "compare pictures of one size");
+}
+
+std::vector<long long> numbers_of_references(FramePattern const& references, FrameRange const& frames) {
+    auto numbers = references.on_disk(frames.first, frames.last);
+    if (!numbers.empty()) return numbers;
+    throw Error(references.text(), "there is none for frames " + std::to_string(frames.first) + " to " + std::to_string(frames.last),
+                "give converged frames with the numbers of the noisy ones");
+}
+
 } // namespace quell::examples

@@ -2,6 +2,7 @@
 
 #include <quell/io/sequence_names.hpp>
 #include <quell/metrics/picture.hpp>
+#include <support/frame_pattern.hpp>
 
 #include <filesystem>
 #include <functional>
@@ -19,5 +20,9 @@ namespace quell::examples {
 
 /// A converged frame as a linear picture. Its file may follow the map, where there is one, or a naming that quell recognises.
 [[nodiscard]] metrics::Picture read_reference(std::filesystem::path const& path, std::optional<io::SequenceNames> const& map);
+/// The same for frames of that size. @throws Error for another one
+[[nodiscard]] metrics::Picture read_reference(std::filesystem::path const& path, std::optional<io::SequenceNames> const& map, Extent size);
+/// The frames that have one. @throws Error where none has
+[[nodiscard]] std::vector<long long> numbers_of_references(FramePattern const& references, FrameRange const& frames);
 
 } // namespace quell::examples

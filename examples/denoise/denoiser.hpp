@@ -6,11 +6,25 @@
 #include <quell/io/exr_image.hpp>
 #include <quell/metrics/picture.hpp>
 
+#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace quell::examples {
+
+/// Adds the time for which it lives to a sum of milliseconds.
+class Timer {
+    using Clock = std::chrono::steady_clock;
+    double& sum;
+    Clock::time_point begin = Clock::now();
+
+public:
+    explicit Timer(double& milliseconds) : sum(milliseconds) {}
+    Timer(Timer const&) = delete;
+    Timer& operator=(Timer const&) = delete;
+    ~Timer() { sum += std::chrono::duration<double, std::milli>(Clock::now() - begin).count(); }
+};
 
 /// A pipeline of any type together with its frame and its history: what one signal of a sequence is denoised by.
 class Denoiser {
@@ -35,6 +49,13 @@ public:
     [[nodiscard]] virtual metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number) = 0;
     /// How many samples of the last frame were not finite, or negative.
     [[nodiscard]] virtual long long missing_samples() const = 0;
+    /// Memory of history and scratch. Complete once a frame was denoised.
+    [[nodiscard]] virtual double bytes_per_pixel() const = 0;
+    /// How long denoising has taken so far, without reading files and loading frames from them.
+    [[nodiscard]] double milliseconds() const { return taken; }
+
+protected:
+    double taken = 0; ///< milliseconds
 };
 
 /// A pipeline by its name, for a size and a number of threads (0: all that there are).
@@ -44,6 +65,9 @@ struct Preset {
     /// The same with debug images, slower; null where there is none.
     std::unique_ptr<Denoiser> (*make_watched)(Extent size) = nullptr;
     bool looks_ahead = false; ///< whether it makes use of frames that come later
+    bool is_part = false;     ///< whether what comes out is one effect's part of the picture
+
+    static constexpr int usual_later_frames = 2; ///< of those that it looks ahead at
 };
 
 } // namespace quell::examples

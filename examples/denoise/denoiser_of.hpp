@@ -32,7 +32,11 @@ public:
         io::load(frame, image, names);
         frame.number = number;
         if (looks) found = quell::diagnose(frame, history, names.motion);
-        return metrics::picture_of(quell::run(pipeline, frame, history, executor));
+        auto const view = [&] {
+            Timer const timer(taken);
+            return quell::run(pipeline, frame, history, executor);
+        }();
+        return metrics::picture_of(view);
     }
     bool needs_camera() const override { return P::needs_camera; }
     void diagnose() override { looks = true; }
@@ -45,6 +49,7 @@ public:
         return images;
     }
     long long missing_samples() const override { return history.statistics().missing_samples; }
+    double bytes_per_pixel() const override { return history.bytes_per_pixel(); }
 };
 
 /// A preset from a function without state that makes its pipeline: preset("atrous", [] { return presets::atrous(radiance); }).

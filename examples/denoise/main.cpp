@@ -20,20 +20,14 @@ using namespace quell::examples;
 
 namespace {
 
-struct Range {
-    long long begin, first, last; ///< from begin on frames are denoised, from first on they are written
+struct Range : FrameRange {
+    long long begin; ///< from here on frames are denoised, from first on they are written
 };
 
-/// What isn't given is found on disk.
 Range range_of(DenoiseOptions const& options, FramePattern const& in) {
-    auto const there = in.on_disk();
-    if (there.empty()) throw Error(in.text(), "there is no such file for any number", "check the folder and the name before and after %d");
-    auto const first = options.first.value_or(there.front()), last = options.last.value_or(there.back());
-    if (first > last)
-        throw Error("frames", "the first is " + std::to_string(first) + " and the last is " + std::to_string(last),
-                    "give --first and --last in order; there are " + std::to_string(there.front()) + " to " + std::to_string(there.back()));
+    auto const range = examples::range_of(in, options.first, options.last);
     // A shot's first frames have none before them to warm up with.
-    return {std::max(first - options.warmup, std::min(first, there.front())), first, last};
+    return {range, std::max(range.first - options.warmup, std::min(range.first, in.on_disk().front()))};
 }
 
 /// Where the results go.
@@ -44,9 +38,7 @@ public:
     Output(DenoiseOptions const& options, FramePattern const& in, Range const& range) {
         if (options.out.empty()) return;
         pattern.emplace(options.out);
-        std::vector<long long> written;
-        for (auto const number : in.on_disk())
-            if (number >= range.first && number <= range.last) written.push_back(number);
+        auto const written = in.on_disk(range.first, range.last);
         check_keeps(in, "the input's own files", *pattern, written);
         if (!options.reference.empty()) check_keeps(FramePattern(options.reference), "the references", *pattern, written);
         auto const folder = pattern->path(range.first).parent_path();
@@ -80,23 +72,13 @@ public:
     Comparison(std::string const& reference, Range const& range) {
         if (reference.empty()) return;
         pattern.emplace(reference);
-        for (auto const number : pattern->on_disk())
-            if (number >= range.first && number <= range.last) {
-                scores.emplace(std::cout);
-                return;
-            }
-        throw Error(reference, "there is none for frames " + std::to_string(range.first) + " to " + std::to_string(range.last),
-                    "give converged frames with the numbers of the noisy ones");
+        static_cast<void>(numbers_of_references(*pattern, range)); // there is at least one
+        scores.emplace(std::cout);
     }
 
     void add(long long number, metrics::Picture const& picture, std::optional<io::SequenceNames> const& map) {
         if (!pattern || !std::filesystem::exists(pattern->path(number))) return;
-        auto const path = pattern->path(number);
-        auto const reference = read_reference(path, map);
-        if (!(reference.size == picture.size))
-            throw Error(path.string(), "it is " + to_string(reference.size) + " but the frame is " + to_string(picture.size),
-                        "compare pictures of one size");
-        scores->add(number, reference, picture);
+        scores->add(number, read_reference(pattern->path(number), map, picture.size), picture);
     }
     void finish() const {
         if (scores) scores->finish();
@@ -114,7 +96,7 @@ int later_frames(DenoiseOptions const& options, Preset const& preset) {
         throw Error("--extra-frames", "preset " + preset.name + " makes no use of later frames", "leave it out, or take --preset general");
     if (options.extra_frames.value_or(0) > 0 && !options.debug_views.empty())
         throw Error("--extra-frames", "--debug-view shows what happens without later frames", "leave one of the two out");
-    return options.extra_frames.value_or(preset.looks_ahead ? 2 : 0);
+    return options.extra_frames.value_or(preset.looks_ahead ? Preset::usual_later_frames : 0);
 }
 
 void denoise(DenoiseOptions const& options) {

@@ -24,17 +24,17 @@ Preset const& preset_of(std::string const& name) {
     throw Error("--preset", "there is no preset '" + name + "'", "choose one of: " + names);
 }
 
+bool applies(Preset const& preset, io::ExrFile const& file, io::SequenceNames const& names) {
+    auto const denoiser = preset.make({1, 1}, 1);
+    if (denoiser->needs_camera() && !(file.attributes.contains("quell:view") && file.attributes.contains("quell:projection"))) return false;
+    return std::ranges::all_of(names.of_signals, [&](auto const& signal) {
+        return std::ranges::all_of(denoiser->planes(signal.channels), [&](auto const& plane) { return file.find(plane) != nullptr; });
+    });
+}
+
 PresetChoice preset_for(io::ExrFile const& file, io::SequenceNames const& names) {
-    auto const has_all = [&](Preset const& preset) {
-        auto const denoiser = preset.make({1, 1}, 1);
-        if (denoiser->needs_camera() && !(file.attributes.contains("quell:view") && file.attributes.contains("quell:projection")))
-            return false;
-        return std::ranges::all_of(names.of_signals, [&](auto const& signal) {
-            return std::ranges::all_of(denoiser->planes(signal.channels), [&](auto const& plane) { return file.find(plane) != nullptr; });
-        });
-    };
-    if (auto const& blur = preset_of("blur"); has_all(blur)) return {&blur, "the files have sweeps and times of samples"};
-    if (auto const& trmv = preset_of("trmv"); has_all(trmv))
+    if (auto const& blur = preset_of("blur"); applies(blur, file, names)) return {&blur, "the files have sweeps and times of samples"};
+    if (auto const& trmv = preset_of("trmv"); applies(trmv, file, names))
         return {&trmv, "the files have blockers, hits and directions, by which shadows, reflections and indirect light are followed"};
     return {&preset_of("general"), "the files have colour and guides"};
 }

@@ -11,6 +11,9 @@ namespace quell::examples {
 /// @throws Error, listing the names, where there is no such preset
 [[nodiscard]] Preset const& preset_of(std::string const& name);
 
+/// Whether a file has all the planes that a preset wants for these signals, and a camera where it needs one.
+[[nodiscard]] bool applies(Preset const& preset, io::ExrFile const& file, io::SequenceNames const& names);
+
 /// The preset that suits what a file has, and why: a part of a sentence.
 struct PresetChoice {
     Preset const* preset = nullptr;

@@ -73,6 +73,18 @@ std::vector<std::pair<std::string, DebugImage>> SequenceDenoiser::debug_images(s
     return all;
 }
 
+double SequenceDenoiser::milliseconds() const {
+    double sum = 0;
+    for (auto const& denoiser : denoisers) sum += denoiser->milliseconds();
+    return sum;
+}
+
+double SequenceDenoiser::bytes_per_pixel() const {
+    double sum = 0;
+    for (auto const& denoiser : denoisers) sum += denoiser->bytes_per_pixel();
+    return sum;
+}
+
 void SequenceDenoiser::read(FramePattern const& in, long long number) {
     io::ExrFile const file(in.path(number));
     if (denoisers.empty()) begin(file);

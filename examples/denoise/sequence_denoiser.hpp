@@ -39,6 +39,10 @@ public:
     [[nodiscard]] metrics::Picture next(FramePattern const& in, long long number);
 
     [[nodiscard]] long long missing_samples() const { return missing; } ///< of all frames so far
+    /// Of all frames so far: how long denoising took, without reading and loading files.
+    [[nodiscard]] double milliseconds() const;
+    /// Memory of history and scratch of all signals. Complete once a frame was denoised.
+    [[nodiscard]] double bytes_per_pixel() const;
     [[nodiscard]] std::optional<io::SequenceNames> const& names() const { return sequence; }
 
 private:

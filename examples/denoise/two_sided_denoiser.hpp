@@ -39,8 +39,10 @@ public:
         load_or(frame, sample_count, image, names, 1.f);
         load_or(frame, sample_variance, image, names, 0.f);
         bool const knows_next = load_or(frame, motion_next, image, names, std::numeric_limits<float>::quiet_NaN());
-        if (!window.empty() && !last_knows_next && window.back().size == frame.size)
+        if (!window.empty() && !last_knows_next && window.back().size == frame.size) {
+            Timer const timer(taken);
             invert_motion(window.back()[motion_next].view(), frame[motion].view(), frame[depth].view());
+        }
         window.push_back(std::move(frame));
         last_knows_next = knows_next;
     }
@@ -49,13 +51,18 @@ public:
         while (!window.empty() && window.front().number != number) window.pop_front();
         if (window.empty()) look_ahead(image, names, number);
         if (looks) found = quell::diagnose(window.front(), history.before, names.motion);
-        return metrics::picture_of(run_two_sided(pipeline, joining, window, history, executor));
+        auto const view = [&] {
+            Timer const timer(taken);
+            return run_two_sided(pipeline, joining, window, history, executor);
+        }();
+        return metrics::picture_of(view);
     }
     bool needs_camera() const override { return P::needs_camera; }
     void diagnose() override { looks = true; }
     std::vector<Finding> const& findings() const override { return found; }
     std::vector<DebugImage> debug_images(std::string const&) override { return {}; }
     long long missing_samples() const override { return history.statistics().missing_samples; }
+    double bytes_per_pixel() const override { return history.before.bytes_per_pixel() + history.after.bytes_per_pixel(); }
 
 private:
     /// Loads a channel, or fills it where the file doesn't have it. Returns whether it had.

@@ -55,6 +55,22 @@ std::vector<long long> FramePattern::on_disk() const {
     return {numbers.begin(), numbers.end()};
 }
 
+std::vector<long long> FramePattern::on_disk(long long first, long long last) const {
+    auto numbers = on_disk();
+    std::erase_if(numbers, [&](auto number) { return number < first || number > last; });
+    return numbers;
+}
+
+FrameRange range_of(FramePattern const& files, std::optional<long long> first, std::optional<long long> last) {
+    auto const there = files.on_disk();
+    if (there.empty())
+        throw Error(files.text(), "there is no such file for any number", "check the folder and the name before and after %d");
+    FrameRange const range{first.value_or(there.front()), last.value_or(there.back())};
+    if (range.first <= range.last) return range;
+    throw Error("frames", "the first is " + std::to_string(range.first) + " and the last is " + std::to_string(range.last),
+                "give --first and --last in order; there are " + std::to_string(there.front()) + " to " + std::to_string(there.back()));
+}
+
 namespace {
 std::filesystem::path resolved(std::filesystem::path const& path) {
     std::error_code none;

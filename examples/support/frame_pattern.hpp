@@ -16,6 +16,8 @@ public:
     [[nodiscard]] std::filesystem::path path(long long number) const;
     /// The numbers of the frames that there are, ascending.
     [[nodiscard]] std::vector<long long> on_disk() const;
+    /// Those of them from first to last.
+    [[nodiscard]] std::vector<long long> on_disk(long long first, long long last) const;
     /// The number of the frame of that file name; nothing where the pattern never makes it.
     [[nodiscard]] std::optional<long long> number_in(std::string const& file_name) const;
     [[nodiscard]] std::string const& text() const { return pattern; }
@@ -26,6 +28,13 @@ private:
     std::string before, after; ///< the file name's parts
     std::size_t digits = 0;
 };
+
+/// Numbers of the first and the last frame of those that are wanted.
+struct FrameRange {
+    long long first, last;
+};
+/// What isn't given is found on disk. @throws Error where there is no file, or the first comes after the last
+[[nodiscard]] FrameRange range_of(FramePattern const& files, std::optional<long long> first, std::optional<long long> last);
 
 /// Makes sure that results of these numbers overwrite none of the files of another pattern, of any number, which messages call `what`.
 /// @throws Error naming the file that would

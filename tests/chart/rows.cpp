@@ -1,3 +1,4 @@
+#include "chart/errors.hpp"
 #include "chart/external.hpp"
 #include "chart/plot.hpp"
 #include "made_up_rows.hpp"
@@ -51,6 +52,26 @@ TEST_CASE("a row has the columns of SCENES.md, and nothing where nothing is know
     auto row = point("svgf", 12.3456, 0.0123456789);
     row.frames = 41, row.threads = 2, row.pareto = true, row.bytes_per_pixel = 68.55;
     CHECK(csv_line(row) == "s,e,svgf,2,1,41,2,12.346,0.012346,,,,,,,,68.5,1");
+    row.scene = "a,\"b\"";
+    CHECK(csv_line(row).starts_with("\"a,\"\"b\"\"\",e,svgf,"));
+}
+
+TEST_CASE("flicker is measured by four frames that follow each other") {
+    auto const marked = [](std::vector<long long> const& frames) {
+        std::vector<Wanted> wanted;
+        for (auto const frame : frames) wanted.push_back({frame, {}, {}});
+        mark_flicker(wanted);
+        std::vector<long long> found;
+        for (auto const& one : wanted)
+            if (one.shows_flicker) found.push_back(one.frame);
+        return found;
+    };
+    CHECK(marked({24, 28, 31, 32, 33, 34, 36, 40}) == std::vector<long long>{31, 32, 33, 34});
+    CHECK(marked({41, 42, 43, 44, 45, 46, 47, 48}) == std::vector<long long>{45, 46, 47, 48});
+    CHECK(marked({24, 28, 31, 32}) == std::vector<long long>{31, 32});
+    CHECK(marked({-1, 0, 1, 5, 6}) == std::vector<long long>{-1, 0, 1});
+    CHECK(marked({24, 32, 40}).size() == 1); // of which nothing is known
+    CHECK(marked({}).empty());
 }
 
 TEST_CASE("a curve goes through a preset and its variants by their values") {

@@ -1,3 +1,4 @@
+#include "chart_in.hpp"
 #include "small_chart.hpp"
 
 #include <quell/core/error.hpp>
@@ -5,38 +6,12 @@
 #include <doctest/doctest.h>
 
 #include <cstdlib>
-#include <map>
-#include <sstream>
 
 using namespace quell::bench;
 using quell::tests::bytes_of;
 using quell::tests::Folder;
 
 namespace {
-
-using Cells = std::map<std::string, std::string>; ///< by column
-
-std::vector<std::string> split(std::string const& text, char at) {
-    std::vector<std::string> parts;
-    std::istringstream in(text + at);
-    for (std::string part; std::getline(in, part, at);) parts.push_back(part);
-    return parts;
-}
-
-/// The rows of chart.csv by method.
-std::map<std::string, Cells> chart_in(std::filesystem::path const& folder) {
-    auto lines = split(bytes_of(folder / "chart.csv"), '\n');
-    auto const columns = split(lines.at(0), ',');
-    std::map<std::string, Cells> rows;
-    for (std::size_t i = 1; i < lines.size() && !lines[i].empty(); ++i) {
-        auto const cells = split(lines[i], ',');
-        REQUIRE(cells.size() == columns.size());
-        Cells row;
-        for (std::size_t c = 0; c < cells.size(); ++c) row[columns[c]] = cells[c];
-        rows[cells.at(2)] = row;
-    }
-    return rows;
-}
 
 /// All but what depends on the clock.
 void forget_times(std::map<std::string, Cells>& rows) {
