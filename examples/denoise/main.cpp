@@ -93,7 +93,8 @@ PresetChoice suitable_preset(std::filesystem::path const& first, std::optional<i
 
 int later_frames(DenoiseOptions const& options, Preset const& preset) {
     if (options.extra_frames.value_or(0) > 0 && !preset.looks_ahead)
-        throw Error("--extra-frames", "preset " + preset.name + " makes no use of later frames", "leave it out, or take --preset general");
+        throw Error("--extra-frames", "preset " + preset.name + " makes no use of later frames",
+                    "leave it out, or take --preset final-frame");
     if (options.extra_frames.value_or(0) > 0 && !options.debug_views.empty())
         throw Error("--extra-frames", "--debug-view shows what happens without later frames", "leave one of the two out");
     return options.extra_frames.value_or(preset.looks_ahead ? Preset::usual_later_frames : 0);

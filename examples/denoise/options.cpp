@@ -30,7 +30,7 @@ void describe(CLI::App& app, DenoiseOptions& options) {
     app.add_option("--out", options.out, "Denoised frames, e.g. 'dir/out.%04d.exr': channels R, G, B");
     app.add_option("--preset", options.preset,
                    "How to denoise; --list names them (default: what suits the files' channels: blur where they have "
-                   "sweeps and times, trmv where they have what shadows and reflections move by, else general)");
+                   "sweeps and times, trmv where they have what shadows and reflections move by, else final-frame)");
     app.add_option("--first", options.first, "Number of the first frame (default: the first that there is)");
     app.add_option("--last", options.last, "Number of the last frame (default: the last that there is)");
     app.add_option("--reference", options.reference, "Converged frames, e.g. 'dir/ref.%04d.exr': prints frame,rmse,ssim,flip as CSV");
@@ -40,8 +40,8 @@ void describe(CLI::App& app, DenoiseOptions& options) {
     app.add_option("--warmup", options.warmup, "Frames before the first to denoise without writing them (default: 0)");
     app.add_option(
         "--extra-frames", options.extra_frames,
-        "Later frames that each one is denoised with, 0 to 8 (default: 2 with the preset general, the only one that makes use of "
-        "them; 0 is what a host has in real time)");
+        "Later frames that each one is denoised with, 0 to 8 (default: 2 with the presets final-frame and general, the only ones that "
+        "make use of them; 0 is what a host has in real time)");
     add_threads(app, options.threads);
     app.add_flag("--diagnose", options.diagnose,
                  "Say on stderr what the renderer seems to have got wrong (motion, cameras, depth, normals, albedo, samples) and in which "

@@ -36,7 +36,7 @@ PresetChoice preset_for(io::ExrFile const& file, io::SequenceNames const& names)
     if (auto const& blur = preset_of("blur"); applies(blur, file, names)) return {&blur, "the files have sweeps and times of samples"};
     if (auto const& trmv = preset_of("trmv"); applies(trmv, file, names))
         return {&trmv, "the files have blockers, hits and directions, by which shadows, reflections and indirect light are followed"};
-    return {&preset_of("general"), "the files have colour and guides"};
+    return {&preset_of("final-frame"), "the files have colour and guides"};
 }
 
 } // namespace quell::examples

@@ -20,7 +20,7 @@ struct PresetChoice {
     std::string reason = {};
 };
 /// blur where there are sweeps and times, trmv where there is all by which shadows, reflections and indirect light are followed, else
-/// general.
+/// final-frame.
 [[nodiscard]] PresetChoice preset_for(io::ExrFile const& file, io::SequenceNames const& names);
 
 // One function and one file per family, so that each is compiled by itself: a preset is a line in its family's file.

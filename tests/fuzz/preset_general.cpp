@@ -3,4 +3,5 @@
 using namespace quell;
 using namespace quell::fuzz;
 
-static Known const all[] = {known("general", presets::general(radiance, Demodulate{}, KnownSamples{}))};
+static Known const all[] = {known("general", presets::general(radiance, Demodulate{}, KnownSamples{})),
+                            known("final-frame", presets::final_frame(radiance, Demodulate{}))};

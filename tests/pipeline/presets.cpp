@@ -33,5 +33,6 @@ TEST_CASE("serial, SIMD and threads compute the same: asvgf") { same_everywhere(
 TEST_CASE("serial, SIMD and threads compute the same: general") {
     same_everywhere(presets::general(radiance, Demodulate{}));
     same_everywhere(presets::general(visibility, KnownSamples{}));
+    same_everywhere(presets::final_frame(radiance, Demodulate{}));
 }
 TEST_CASE("serial, SIMD and threads compute the same: trmv") { same_everywhere(presets::trmv()); }

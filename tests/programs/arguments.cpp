@@ -8,7 +8,7 @@ TEST_CASE("help and lists end well") {
     CHECK(contains(denoise("--help").out, "--warmup"));
     std::string names;
     for (auto const& line : denoise("--list").lines()) names += line + ' ';
-    CHECK(names == "none surface surface-clamp atrous general svgf asvgf dual-color shadow glossy mirror-clamp dual-cone trmv trmv-paper "
+    CHECK(names == "none surface surface-clamp atrous general final-frame svgf asvgf dual-color shadow glossy mirror-clamp dual-cone trmv trmv-paper "
                    "blur blur-straight blur-bent blur-wavelet blur-fixed-step blur-one-step blur-paper blur-no-pre-filter blur-split ");
     CHECK(trace("--help").code == 0);
     CHECK(trace("--list").code == 0);
@@ -23,7 +23,7 @@ TEST_CASE("quell-denoise refuses what it can't use in one line") {
     check_refused(denoise(in), {"none of --out, --reference and --diagnose"});
     check_refused(denoise(both + "--nonsense"), {"--nonsense", "--help"});
     check_refused(denoise(both + "--first x"), {"--first"});
-    check_refused(denoise(both + "--preset best"), {"'best'", "none, surface, surface-clamp, atrous, general, svgf"});
+    check_refused(denoise(both + "--preset best"), {"'best'", "none, surface, surface-clamp, atrous, general, final-frame, svgf"});
     check_refused(denoise(both + "--threads=-2"), {"--threads", "-2"});
     check_refused(denoise(both + "--threads=70000"), {"--threads", "70000"});
     check_refused(denoise(both + "--warmup=-1"), {"--warmup", "-1"});

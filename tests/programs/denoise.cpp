@@ -8,7 +8,7 @@ using namespace quell::tests;
 namespace {
 
 /// Those that need no more than the image and its guides.
-constexpr auto image_presets = {"none", "surface", "surface-clamp", "atrous", "general", "svgf", "dual-color"};
+constexpr auto image_presets = {"none", "surface", "surface-clamp", "atrous", "general", "final-frame", "svgf", "dual-color"};
 
 bool readable(std::filesystem::path const& file) {
     auto const image = io::read_exr(file);
@@ -154,8 +154,8 @@ TEST_CASE("without --preset quell-denoise takes what suits the files' channels, 
     Folder const folder;
     write_sequence(folder, 1, 3);
     auto const plain = denoise(input(folder) + output(folder));
-    CHECK(contains(plain.err, "preset general, since the files have colour and guides"));
-    auto const said = denoise(input(folder) + output(folder, "said.") + "--preset general");
+    CHECK(contains(plain.err, "preset final-frame, since the files have colour and guides"));
+    auto const said = denoise(input(folder) + output(folder, "said.") + "--preset final-frame");
     CHECK_FALSE(contains(said.err, "since"));
     CHECK(bytes_of(folder / "out.0002.exr") == bytes_of(folder / "said.0002.exr"));
     auto const made = [&](std::string const& effects) {
@@ -172,7 +172,7 @@ TEST_CASE("without --preset quell-denoise takes what suits the files' channels, 
     io::write_exr(folder / "blind.0001.exr", image);
     auto const blind = denoise("--in '" + (folder / "blind.%04d.exr").string() + "' " + output(folder, "blind-out."));
     CHECK(blind.code == 0);
-    CHECK(contains(blind.err, "preset general, since"));
+    CHECK(contains(blind.err, "preset final-frame, since"));
 }
 
 TEST_CASE("frames from after are used by general, as many as there are and are asked for") {
@@ -194,7 +194,7 @@ TEST_CASE("frames from after are used by general, as many as there are and are a
     CHECK(bytes_of(folder / "two.0003.exr") == bytes_of(folder / "job.0003.exr"));
     // The last has none after it, and a history that was made without.
     CHECK(bytes_of(folder / "two.0006.exr") == bytes_of(folder / "none.0006.exr"));
-    check_refused(denoise(input(folder) + output(folder) + "--preset svgf --extra-frames 1"), {"--extra-frames", "svgf", "general"});
+    check_refused(denoise(input(folder) + output(folder) + "--preset svgf --extra-frames 1"), {"--extra-frames", "svgf", "final-frame"});
     for (std::string const count : {"-1", "9"})
         check_refused(denoise(input(folder) + output(folder) + "--extra-frames " + count), {"--extra-frames", count, "0 to 8"});
     check_refused(denoise(input(folder) + output(folder) + "--preset general --extra-frames 1 --debug-view clamp"), {"--extra-frames"});

@@ -9,6 +9,9 @@ std::vector<Preset> spatiotemporal_presets() {
         two_sided_preset(
             "general", [](auto... parts) { return quell::presets::general(radiance, Demodulate{}, parts...); },
             [](auto... parts) { return quell::presets::general_joining(radiance, Demodulate{}, parts...); }),
+        two_sided_preset(
+            "final-frame", [](auto... parts) { return quell::presets::final_frame(radiance, Demodulate{}, parts...); },
+            [](auto... parts) { return quell::presets::final_frame_joining(radiance, Demodulate{}, parts...); }),
         watched_preset("svgf", [] { return quell::presets::svgf(radiance, Demodulate{}); }),
         watched_preset("asvgf", [] { return quell::presets::asvgf(radiance, Demodulate{}); }),
         watched_preset("dual-color", [] { return quell::presets::dual_color(radiance, Demodulate{}); }),

@@ -22,6 +22,7 @@
 #include <quell/filter/history_bias.hpp>
 #include <quell/filter/light_change.hpp>
 #include <quell/filter/lobe_edge.hpp>
+#include <quell/filter/local_regression.hpp>
 #include <quell/filter/shadow_splat.hpp>
 #include <quell/filter/temporal_gradient.hpp>
 #include <quell/filter/variance_guided_atrous.hpp>
@@ -62,16 +63,25 @@ constexpr auto svgf(ChannelTag auto signal, auto... parts) {
 /// For what every host has: colour and guides. History is long where nothing changes and short where light moves or changes by itself,
 /// which is measured; the filter is as wide as the noise that is left, for any number of samples; and no light is lost.
 /// @param accumulated how far history is trusted
-constexpr auto general_with(ForgetBiased<RunningMean> accumulated, ChannelTag auto signal, auto... parts) {
-    return Pipeline{signal, parts..., Spatial{BiasEstimate<>{}}, Temporal{SurfaceMotion{}, WithVariance{accumulated}},
-                    Spatial{ConservingAtrous<>{}}};
+/// @param filter      the filter over space
+constexpr auto general_with(ForgetBiased<RunningMean> accumulated, auto filter, ChannelTag auto signal, auto... parts) {
+    return Pipeline{signal, parts..., Spatial{BiasEstimate<>{}}, Temporal{SurfaceMotion{}, WithVariance{accumulated}}, Spatial{filter}};
 }
+inline constexpr ForgetBiased<RunningMean> general_history{.inner = {.cap = 24.f}, .gain = 100.f};
+/// For joining the frames before with the frames after (run_two_sided): what the two get wrong cancels in part.
+inline constexpr ForgetBiased<RunningMean> joined_history{.inner = {.cap = 48.f}, .gain = 30.f};
 constexpr auto general(ChannelTag auto signal, auto... parts) {
-    return general_with({.inner = {.cap = 24.f}, .gain = 100.f}, signal, parts...);
+    return general_with(general_history, ConservingAtrous<>{}, signal, parts...);
 }
-/// general for joining the frames before with the frames after (run_two_sided): what the two get wrong cancels in part.
 constexpr auto general_joining(ChannelTag auto signal, auto... parts) {
-    return general_with({.inner = {.cap = 48.f}, .gain = 30.f}, signal, parts...);
+    return general_with(joined_history, ConservingAtrous<>{}, signal, parts...);
+}
+/// general for final frames, where nobody waits: a regression on the guides follows its filter.
+constexpr auto final_frame(ChannelTag auto signal, auto... parts) {
+    return general_with(general_history, LocalRegression<>{}, signal, parts...);
+}
+constexpr auto final_frame_joining(ChannelTag auto signal, auto... parts) {
+    return general_with(joined_history, LocalRegression<>{}, signal, parts...);
 }
 /// svgf whose history shortens where the host's temporal gradients say that the light itself has changed (Schied 2018).
 template <ChannelTag S> constexpr auto asvgf(S signal, auto... parts) {
