@@ -52,7 +52,7 @@ for filter in "${filters[@]}"; do
     printf '\n| --- |'
     for scene in "${scenes[@]}"; do for count in "${samples[@]}"; do printf ' --- |'; done; done
     printf '\n'
-    for preset in none surface surface-clamp atrous svgf dual-color "general --extra-frames 0" general; do
+    for preset in none surface surface-clamp atrous svgf dual-color "general --extra-frames 0" general "final-frame --extra-frames 0" final-frame; do
         printf '| `%s` |' "$preset"
         read -ra words <<<"$preset"
         for scene in "${scenes[@]}"; do for count in "${samples[@]}"; do score "$scene" "$filter" "$count" "${words[@]}"; done; done

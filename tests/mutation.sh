@@ -77,6 +77,10 @@ mutant "rare bright samples that the history has seen" filter/conserving_atrous 
     'max(max(seen, expected), Real(1e-20f))' 'max(seen, Real(1e-20f))'
 mutant "light exchanged by the noise of both pixels" filter/conserving_atrous filter/conserving_atrous.hpp \
     'tolerated + its_noise' 'tolerated'
+mutant "regressors of a fit" filter/local_regression filter/local_regression.hpp \
+    'n_there.x - centre.n_here.x' 'n_there.x'
+mutant "a window as wide as there is noise" filter/local_regression filter/local_regression.hpp \
+    'auto const w = clamp(root * width' 'auto const w = clamp(root * 0.f'
 mutant "what is in front in the next frame" motion/invert_motion motion/invert_motion.hpp \
     'now.depth < so_far.depth * 0.95f' 'now.depth > so_far.depth * 1.05f'
 mutant "frames from after run backwards" pipeline/two_sided pipeline/two_sided.hpp \
