@@ -214,7 +214,7 @@ TEST_CASE("files of Blender's Cycles are charted as they are") {
     options.first = 38, options.last = 41;
     chart(options);
     auto rows = chart_in(folder / "out");
-    CHECK(rows.size() == 8);
+    CHECK(rows.size() == 10);
     CHECK(rows["none"]["scene"] == "cycles_occlusion");
     CHECK(std::stod(rows["general-two-sided"]["flip"]) < std::stod(rows["general"]["flip"]));
     CHECK(std::stod(rows["general"]["flip"]) < std::stod(rows["none"]["flip"]));

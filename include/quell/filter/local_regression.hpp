@@ -13,6 +13,11 @@ struct UnfilteredVariance : MadeChannel<1> {
     static constexpr bool squared = true;
 };
 inline constexpr UnfilteredVariance unfiltered_variance;
+/// Means over a window of the luminance of the pilot, which has all of the light, and of the fit.
+struct LightOfPilotAndFit : MadeChannel<2> {
+    static constexpr auto name = "light_of_pilot_and_fit";
+};
+inline constexpr LightOfPilotAndFit light_of_pilot_and_fit;
 
 namespace detail {
 /// Keeps the signal, and at first its variance, for a later pass.
@@ -107,6 +112,7 @@ template <class Edge, int n> struct RegressionOnGuides {
     template <int level> using Light = LessFilteredLight<level, n>;
     using reads = decltype(Channels<Normal, HistoryLength, Variance, UnfilteredVariance, Light<0>, Light<1>, Light<2>>{} |
                            reads_of<Edge>{});
+    using emits = Channels<LightOfPilotAndFit>;
     Edge edge;
     float width, least_width, most_width, tolerance, sigma_light, sigma_noise;
 
@@ -125,7 +131,8 @@ template <class Edge, int n> struct RegressionOnGuides {
         auto const value = map(
             [](auto a) __attribute__((always_inline)) { return max(a, Real(0.f)); }, fit.constant(ridge));
         auto const known = both(fit.weights > Real(1e-6f), all_finite(value));
-        return Result{select(known, value, pilot)};
+        auto const result = select(known, value, pilot);
+        return Result{result}.with(light_of_pilot_and_fit, vec2<Real>{luminance(pilot), luminance(result)});
     }
 
 private:
@@ -189,6 +196,39 @@ private:
         fit.add(at, tap[Light<level>{}], w);
     }
 };
+/// Puts together five in a row or a column.
+struct LightLine {
+    static constexpr auto name = "light of pilot and fit";
+    using reads = Channels<LightOfPilotAndFit>;
+    using emits = Channels<LightOfPilotAndFit>;
+    int step;
+    bool vertical;
+
+    QUELL_KERNEL auto emit_channels(auto px) const {
+        using Real = typename decltype(px)::Real;
+        Real pilot(0.f), fit(0.f);
+        for_each_of_five(
+            px, step, vertical, [&](auto const& neighbour, auto inside) __attribute__((always_inline)) {
+                auto const light = neighbour[light_of_pilot_and_fit];
+                pilot = pilot + masked(inside, light.x);
+                fit = fit + masked(inside, light.y);
+            });
+        return emitted<Real>(light_of_pilot_and_fit, vec2<Real>{pilot * 0.2f, fit * 0.2f});
+    }
+};
+/// Gives the fit as much light as the pilot has around.
+struct RestoreLight {
+    static constexpr auto name = "restore light";
+    using reads = Channels<LightOfPilotAndFit>;
+
+    QUELL_KERNEL auto filter(auto px) const {
+        using Real = typename decltype(px)::Real;
+        auto const light = px[light_of_pilot_and_fit];
+        auto const factor = clamp(light.x / max(light.y, Real(1e-20f)), Real(0.5f), Real(2.f));
+        return Result{finite_or(scale(px.signal(), factor), px.signal())};
+    }
+};
+
 template <class Edge> constexpr Edge loose_edge() {
     if constexpr (std::is_same_v<Edge, Product<DepthEdge, NormalEdge>>)
         return {DepthEdge{}, NormalEdge{.sharpness = 8.f}};
@@ -201,15 +241,17 @@ template <class Edge> constexpr Edge loose_edge() {
 /// its value at the pixel (first-order regression on guides; after Moon et al. 2014 and Bitterli et al. 2016). Where means blur, along
 /// gradients, on curved surfaces and over edges that pixels mix, a linear function does not. Neighbours weigh by geometry and by how much
 /// the light differs in a pilot: the result of ConservingAtrous, which runs first. The window is as wide as there is noise, of 145 taps:
-/// 5x5, and two sparse rings that read light of the pilot's first levels. For files, where nobody waits: it costs several times the pilot.
-/// Wants what ConservingAtrous wants.
+/// 5x5, and two sparse rings that read light of the pilot's first levels. What looks alike in the pilot is on average darker than its
+/// surroundings where noise is skewed; so the fit gets as much light, over 25x25 pixels, as the pilot has, which conserves light. For
+/// files, where nobody waits: it costs several times the pilot. Wants what ConservingAtrous wants.
 /// @tparam Edge an EdgeWeight for geometry; normals may differ, since they are regressors
 /// @tparam n    the signal's components
 template <class Edge = Product<DepthEdge, NormalEdge>, int n = 3> struct LocalRegression {
     static_assert(EdgeWeight<Edge>, "LocalRegression{...}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
     using Fit = detail::RegressionOnGuides<Edge, n>;
     using reads = reads_of<ConservingAtrous<>, detail::KeepLight<0, n>, Fit>;
-    using emits = decltype(Channels<Variance>{} | emits_of<detail::KeepLight<0, n>, detail::KeepLight<1, n>, detail::KeepLight<2, n>>{});
+    using emits = decltype(Channels<Variance>{} | emits_of<detail::KeepLight<0, n>, detail::KeepLight<1, n>, detail::KeepLight<2, n>>{} |
+                           Channels<LightOfPilotAndFit>{});
     ConservingAtrous<> pilot{};
     Edge edge = detail::loose_edge<Edge>();
     float width = 25.f;        ///< of the window, in pixels, where the noise is as large as the light; its taps weigh 1/e there
@@ -229,6 +271,11 @@ template <class Edge = Product<DepthEdge, NormalEdge>, int n = 3> struct LocalRe
             ++done;
         });
         pass(Fit{edge, width, least_width, most_width, tolerance, sigma_light, sigma_noise});
+        for (int const step : {1, 5}) {
+            pass(detail::LightLine{step, false});
+            pass(detail::LightLine{step, true});
+        }
+        pass(detail::RestoreLight{});
     }
 };
 
