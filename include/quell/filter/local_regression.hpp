@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/filter/conserving_atrous.hpp>
+#include <quell/filter/least_squares.hpp>
 
 namespace quell {
 
@@ -46,65 +47,6 @@ template <class V> QUELL_KERNEL auto largest_difference(V const& a, V const& b) 
     }
     (std::make_integer_sequence<int, components_of<V>>{});
 }
-
-/// A weighted least-squares fit of a constant and five slopes, and the constant that it finds: the value where all regressors are 0.
-template <class V> struct LeastSquares {
-    using Real = real_of<V>;
-    static constexpr int slopes = 5;
-    Real products[slopes][slopes], regressors[slopes], weights;
-    V of_regressor[slopes], sum;
-
-    QUELL_KERNEL LeastSquares() : weights(0.f), sum(zero<V>()) {
-        repeat<slopes>([&](auto i) __attribute__((always_inline)) {
-            regressors[i] = Real(0.f);
-            of_regressor[i] = zero<V>();
-            for (int j = 0; j < slopes; ++j) products[i][j] = Real(0.f);
-        });
-    }
-    QUELL_KERNEL void add(Real const (&at)[slopes], V const& value, Real w) {
-        repeat<slopes>([&](auto i) __attribute__((always_inline)) {
-            auto const weighted = at[i] * w;
-            repeat<slopes>([&](auto j) __attribute__((always_inline)) {
-                if constexpr (j <= i) products[i][j] = fma(weighted, at[j], products[i][j]);
-            });
-            regressors[i] = regressors[i] + weighted;
-            of_regressor[i] = add_scaled(of_regressor[i], value, weighted);
-        });
-        weights = weights + w;
-        sum = add_scaled(sum, value, w);
-    }
-    /// @param ridge keeps each slope small: the mean square of its regressor under which it is not believed
-    QUELL_KERNEL V constant(float const (&ridge)[slopes]) {
-        // products = L D L^T; then `slope` solves products * slope = regressors.
-        Real slope[slopes], inverse[slopes];
-        for (int i = 0; i < slopes; ++i) {
-            auto diagonal = fma(weights, Real(ridge[i]), products[i][i]);
-            slope[i] = regressors[i];
-            for (int k = 0; k < i; ++k) {
-                auto const below = products[i][k] * inverse[k];
-                for (int j = i; j < slopes; ++j) {
-                    if (j == i)
-                        diagonal = diagonal - products[i][k] * below;
-                    else
-                        products[j][i] = products[j][i] - products[j][k] * below;
-                }
-                slope[i] = slope[i] - slope[k] * below;
-            }
-            inverse[i] = 1.f / max(diagonal, weights * 1e-9f + 1e-30f);
-        }
-        for (int i = slopes - 1; i >= 0; --i) {
-            slope[i] = slope[i] * inverse[i];
-            for (int j = i + 1; j < slopes; ++j) slope[i] = slope[i] - products[j][i] * inverse[i] * slope[j];
-        }
-        auto value = sum;
-        auto rest = weights;
-        for (int i = 0; i < slopes; ++i) {
-            value = add_scaled(value, of_regressor[i], -slope[i]);
-            rest = rest - regressors[i] * slope[i];
-        }
-        return scale(value, 1.f / max(rest, weights * 1e-6f + 1e-30f));
-    }
-};
 
 /// The fit itself: see LocalRegression.
 template <class Edge, int n> struct RegressionOnGuides {
