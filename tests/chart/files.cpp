@@ -101,7 +101,8 @@ TEST_CASE("files are charted by all presets whose channels they have, and by no 
     write_references(shot, {4, 13, 14, 16, 17}); // not all are of frames that there are
     chart(options_of({shot}, folder / "out"));
     auto rows = chart_in(folder / "out");
-    CHECK(methods_of(rows) == "atrous dual-color final-frame final-frame-two-sided general general-two-sided none surface surface-clamp svgf ");
+    CHECK(methods_of(rows) ==
+          "atrous dual-color final-frame final-frame-two-sided general general-two-sided none surface surface-clamp svgf ");
     for (auto& named : rows) {
         auto const& method = named.first;
         auto& row = named.second;

@@ -8,8 +8,10 @@ TEST_CASE("help and lists end well") {
     CHECK(contains(denoise("--help").out, "--warmup"));
     std::string names;
     for (auto const& line : denoise("--list").lines()) names += line + ' ';
-    CHECK(names == "none surface surface-clamp atrous general final-frame svgf asvgf dual-color shadow glossy mirror-clamp dual-cone trmv trmv-paper "
-                   "blur blur-straight blur-bent blur-wavelet blur-fixed-step blur-one-step blur-paper blur-no-pre-filter blur-split ");
+    CHECK(
+        names ==
+        "none surface surface-clamp atrous general final-frame svgf asvgf dual-color shadow glossy mirror-clamp dual-cone trmv trmv-paper "
+        "blur blur-straight blur-bent blur-wavelet blur-fixed-step blur-one-step blur-paper blur-no-pre-filter blur-split ");
     CHECK(trace("--help").code == 0);
     CHECK(trace("--list").code == 0);
     CHECK(contains(trace("--list").out, "room\n"));
