@@ -42,6 +42,7 @@ TEST_CASE("no light is lost of skewed noise, which other guided filters darken")
     constexpr auto svgf = presets::svgf(radiance);
     for (double const p : {0.5, 0.2, 0.05}) CHECK(light_kept(general, p) == doctest::Approx(1).epsilon(0.005));
     CHECK(light_kept(general, 0.01) == doctest::Approx(1).epsilon(0.02));
+    CHECK(light_kept(presets::final_frame(radiance), 0.05) == doctest::Approx(1).epsilon(0.005));
     CHECK(light_kept(svgf, 0.05) < 0.9);
 }
 

@@ -81,22 +81,3 @@ TEST_CASE("a regression in packs is a regression pixel by pixel") {
     auto const packs = denoised(denoise, truth, 0.3f, cylinder), pixels = denoised(denoise, truth, 0.3f, cylinder, Serial{});
     for (std::size_t i = 0; i < packs.size(); ++i) CHECK(packs[i] == doctest::Approx(pixels[i]).epsilon(1e-4));
 }
-
-TEST_CASE("a final frame keeps all the light of skewed noise") {
-    constexpr auto pipeline = presets::final_frame(radiance);
-    Frame frame{size, pipeline};
-    History history{size, pipeline};
-    std::mt19937 random(3);
-    std::vector<float> samples(static_cast<std::size_t>(size.pixels()));
-    std::fill_n(samples.begin(), samples.size() / 20, 20.f);
-    double sum = 0;
-    for (int i = 0; i < 40; ++i) {
-        std::shuffle(samples.begin(), samples.end(), random);
-        tests::fill_still(frame);
-        tests::fill(frame[radiance], [&](int x, int y) { return glm::vec3(samples[static_cast<std::size_t>(y * size.width + x)]); });
-        auto const out = tests::copy_of(run(pipeline, frame, history));
-        if (i >= 20)
-            for (float const a : out) sum += a;
-    }
-    CHECK(sum / (20. * 3. * static_cast<double>(size.pixels())) == doctest::Approx(1).epsilon(0.005));
-}

@@ -138,6 +138,7 @@ private:
         fit.add(at, tap[Light<level>{}], w);
     }
 };
+
 /// Puts together five in a row or a column.
 struct LightLine {
     static constexpr auto name = "light of pilot and fit";
@@ -171,6 +172,7 @@ struct RestoreLight {
     }
 };
 
+/// Slopes show only where normals differ, so the edge of normals is sixteen times less sharp than that of other filters.
 template <class Edge> constexpr Edge loose_edge() {
     if constexpr (std::is_same_v<Edge, Product<DepthEdge, NormalEdge>>)
         return {DepthEdge{}, NormalEdge{.sharpness = 8.f}};
