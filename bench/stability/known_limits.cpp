@@ -26,7 +26,6 @@ std::vector<KnownLimit> listed() {
         "a filter in space is wider than the shadow, and history along the surface smears it");
     add(list, "firefly", "frames_alive", {"surface", "svgf", "dual-color", "glossy", "dual-cone"},
         "no clamp: put SuppressFireflies{} before the stages");
-    add(list, "firefly", "frames_alive", {"general"}, "it loses no light, not even a firefly's: put SuppressFireflies{} before the stages");
     std::string const dark =
         "most samples of skewed noise are darker than its mean, and a clamp or a filter guided by brightness finds those";
     for (std::string const part : {"20", "5", "1"})

@@ -56,6 +56,24 @@ TEST_CASE("noise alone, with heavy tails, leaves a history of several frames and
     CHECK(with.second < 5 * without.second);
 }
 
+TEST_CASE("a firefly is forgotten in the next frame, rare bright samples that come back are not") {
+    auto const once = [](float noise, int x, int y, int i) { return i == 16 && x == 40 && y == 30 ? 10000.f : noise; };
+    auto const at = [](std::vector<float> const& picture, int x, int y) {
+        return picture[static_cast<std::size_t>(3 * (y * size.width + x))];
+    };
+    CHECK(at(after(aware, 1, once), 40, 30) > 100);
+    CHECK(at(after(aware, 2, once), 40, 30) < 20);
+
+    constexpr auto patient =
+        Pipeline{radiance, Spatial{BiasEstimate<StillMotion>{}},
+                 Temporal{StillMotion{}, WithVariance{ForgetBiased<RunningMean>{.inner = {.cap = 24.f}, .firefly_share = 1.f}}}};
+    std::mt19937 random(7);
+    auto const rare = [&](float, int, int, int) { return random() % 100 == 0 ? 100.f : 0.f; };
+    auto const all = moments(after(patient, 24, rare)).first;
+    random.seed(7);
+    CHECK(moments(after(aware, 24, rare)).first == doctest::Approx(all).epsilon(0.005));
+}
+
 TEST_CASE("a step that moves lags less than half of what it does without the estimate") {
     auto const step = [](float noise, int x, int, int i) { return (x < 20 + 2 * (i - 16) ? 4.f : 1.f) * (0.9f + 0.1f * noise); };
     auto const error = [&](std::vector<float> const& out, int i) {

@@ -101,6 +101,8 @@ struct HistoryDistanceLine {
     }
 };
 
+inline constexpr float wide_window = 625.f; ///< pixels
+
 /// The evidence of one window: how far the mean distance lies beyond what noise explains, squared, over the noise.
 template <class Real> QUELL_KERNEL Real bias_in(WindowOfHistory<Real> const& window, float pixels, float by_chance) {
     auto const share = 1.f / max(window.share, Real(1e-6f));
@@ -129,13 +131,14 @@ struct NarrowBias {
 struct WideBias {
     static constexpr auto name = "history bias";
     using reads = decltype(WindowChannels{} | Channels<HistoryBias>{});
-    using emits = Channels<HistoryBias>;
+    using emits = Channels<HistoryBias, HistoryDeviation>;
     float by_chance;
 
     QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
-        auto const wide = bias_in<Real>(HistoryDistanceLine{5, true}.mean(px), 625.f, by_chance);
-        return emitted<Real>(history_bias, max(px[history_bias], wide));
+        auto const wide = HistoryDistanceLine{5, true}.mean(px);
+        return emitted<Real>(history_bias, max(px[history_bias], bias_in<Real>(wide, wide_window, by_chance)))
+            .with(history_deviation, wide.deviation);
     }
 };
 } // namespace detail
@@ -169,18 +172,25 @@ template <class Source = SurfaceMotion<SameDepth>> struct BiasEstimate {
 /// it had the n' of variance / n', after the spatial filter has taken the variance down by `gain` and left the bias as it is:
 ///     n' = n / (1 + gain (n / now + 1) bias^2 / variance)
 /// where bias^2 / variance comes from a BiasEstimate. Decorates a policy that keeps the history's length.
+/// A firefly is forgotten at once: a pixel whose history alone is brighter than the light of now, by more than `firefly_share` of all the
+/// squared differences in the wide window. Noise that comes back has more such pixels in a window, and stays.
 template <class Inner> struct ForgetBiased {
     static_assert(BlendPolicy<Inner>, "ForgetBiased{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    using reads = decltype(reads_of<Inner>{} | Channels<HistoryBias>{});
+    using reads = decltype(reads_of<Inner>{} | Channels<HistoryBias, HistoryDeviation>{});
     using remembers = remembers_of<Inner>;
     using keeps = keeps_of<Inner>;
     using emits = emits_of<Inner>;
     static_assert(keeps::template has<HistoryLength>, "ForgetBiased{inner}: `inner` must keep the history's length, as RunningMean does");
     Inner inner{};
-    float gain = 100.f; ///< by how much the filters behind this reduce variance
+    float gain = 100.f;           ///< by how much the filters behind this reduce variance
+    float firefly_share = 0.125f; ///< in (0, 1]; 1: no history is forgotten as a firefly
 
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;
+        auto const then = luminance(past.signal), brighter = max(then - luminance(px.signal()), Real(0.f)), around = px[history_deviation];
+        // A thousandth of the light may be rounding, or interpolation.
+        auto const usual = fma(around * around, Real(detail::wide_window * firefly_share), then * then * 1e-6f);
+        past.validity = masked(brighter * brighter <= usual, past.validity);
         auto const frames = past[history_length] / px.samples() + 1.f;
         past.validity = past.validity / fma(px[history_bias] * gain, frames, Real(1.f));
         return inner.blend(px, past);
