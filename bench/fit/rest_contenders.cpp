@@ -26,5 +26,7 @@ std::vector<quell::bench::Contender> quell::bench::rest_contenders() {
                       std::get<0>(pipeline.stages).blending.inner.cap = 16;
                       return pipeline;
                   }())),
+        contender("general", false, QUELL_FIT_CODE(presets::general(radiance, Demodulate{}))),
+        contender("final-frame", false, QUELL_FIT_CODE(presets::final_frame(radiance, Demodulate{}))),
     };
 }

@@ -29,8 +29,8 @@ void settle(std::string const& name, Sequence const& sequence, std::vector<std::
 Shot shot_of(std::string const& scene) { return {.scene = scene, .scored_from = event, .last = event + 10}; }
 
 void cut(std::string const& name, Making const& making, Results& results) {
-    settle(name, traced(shot_of("cut"), making), {"surface", "surface-clamp", "svgf", "general", "dual-color", "trmv"}, making.threads,
-           results);
+    settle(name, traced(shot_of("cut"), making), {"surface", "surface-clamp", "svgf", "general", "final-frame", "dual-color", "trmv"},
+           making.threads, results);
 }
 
 /// A host that doesn't notice: its motion says that nothing has moved.
@@ -38,12 +38,12 @@ void cut_unnoticed(std::string const& name, Making const& making, Results& resul
     auto sequence = traced(shot_of("cut"), making);
     auto& frame = sequence.frames[static_cast<std::size_t>(event - sequence.first)];
     for (auto const* const component : {"motion.X", "motion.Y"}) std::ranges::fill(plane(frame, component), 0.f);
-    settle(name, sequence, {"surface", "surface-clamp", "svgf", "general", "dual-color"}, making.threads, results);
+    settle(name, sequence, {"surface", "surface-clamp", "svgf", "general", "final-frame", "dual-color"}, making.threads, results);
 }
 
 void lightswitch(std::string const& name, Making const& making, Results& results) {
-    settle(name, traced(shot_of("lightswitch"), making), {"surface", "surface-clamp", "svgf", "general", "asvgf", "trmv"}, making.threads,
-           results);
+    settle(name, traced(shot_of("lightswitch"), making), {"surface", "surface-clamp", "svgf", "general", "final-frame", "asvgf", "trmv"},
+           making.threads, results);
 }
 
 } // namespace

@@ -24,7 +24,7 @@ struct Watched {
 
 std::vector<Watched> all_methods() {
     std::vector<Watched> list;
-    for (std::string const name : {"surface", "surface-clamp", "svgf", "general", "dual-color"})
+    for (std::string const name : {"surface", "surface-clamp", "svgf", "general", "final-frame", "dual-color"})
         list.push_back({examples::preset_of(name), 1});
     list.push_back({svgf_without_fireflies(), 1});
     list.push_back({examples::preset_of("glossy"), 0.25f});

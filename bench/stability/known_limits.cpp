@@ -20,9 +20,9 @@ std::vector<KnownLimit> listed() {
     for (std::string const metric : {"first_frame_over_no_history", "worst_frame_over_fresh_start"})
         add(list, "cut-unnoticed", metric, {"surface", "svgf", "dual-color"},
             "depth and normals don't tell two rooms of one shape apart: call history.forget() at a cut");
-    add(list, "cut-unnoticed", "worst_frame_over_fresh_start", {"general"},
+    add(list, "cut-unnoticed", "worst_frame_over_fresh_start", {"general", "final-frame"},
         "what is left of the old room's light, where the two are nearly alike, is not told from noise");
-    add(list, "thin-shadows", "contrast_over_reference", {"surface", "surface-clamp", "svgf", "general"},
+    add(list, "thin-shadows", "contrast_over_reference", {"surface", "surface-clamp", "svgf", "general", "final-frame"},
         "a filter in space is wider than the shadow, and history along the surface smears it");
     add(list, "firefly", "frames_alive", {"surface", "svgf", "dual-color", "glossy", "dual-cone"},
         "no clamp: put SuppressFireflies{} before the stages");

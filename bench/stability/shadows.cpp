@@ -52,7 +52,7 @@ void thin(std::string const& name, Making const& making, Results& results) {
     auto finer = making;
     finer.size = {2 * making.size.width, 2 * making.size.height};
     auto const sequence = traced(shot_of("thinshadows"), finer);
-    for (std::string const method : {"surface", "surface-clamp", "svgf", "general", "shadow"}) {
+    for (std::string const method : {"surface", "surface-clamp", "svgf", "general", "final-frame", "shadow"}) {
         auto const pictures = watch(examples::preset_of(method), sequence, {}, making.threads);
         record(results, name, method, errors(sequence, pictures));
         // Kept: no more than a tenth is lost.
