@@ -92,10 +92,7 @@ struct YCoCg {
 /// @tparam radius of the neighbourhood, in pixels
 template <class Inner, class Range = MeanDeviation, class Axes = Rgb, int radius = 1> struct Clamped {
     static_assert(BlendPolicy<Inner>, "Clamped{inner, range}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    using reads = reads_of<Inner>;
-    using remembers = remembers_of<Inner>;
-    using keeps = keeps_of<Inner>;
-    using emits = emits_of<Inner>;
+    using parts = Parts<Inner>;
 
     Inner inner{};
     Range range{};

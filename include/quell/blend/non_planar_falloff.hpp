@@ -11,10 +11,9 @@ namespace quell {
 ///     NonPlanarFalloff{Exponential{.alpha = 0.1f}}
 template <class Inner> struct NonPlanarFalloff {
     static_assert(BlendPolicy<Inner>, "NonPlanarFalloff{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    using reads = decltype(detail::TangentPlaneChannels{} | Channels<Depth>{} | reads_of<Inner>{});
-    using remembers = decltype(Channels<Depth>{} | remembers_of<Inner>{});
-    using keeps = keeps_of<Inner>;
-    using emits = emits_of<Inner>;
+    using parts = Parts<Inner>;
+    using reads = decltype(detail::TangentPlaneChannels{} | Channels<Depth>{});
+    using remembers = Channels<Depth>;
     static constexpr bool needs_camera = true;
     Inner inner{};
     float deviation = 0.1f; ///< of the angle, in radians

@@ -9,10 +9,8 @@ namespace quell {
 ///     Temporal{SurfaceMotion{}, Clamped{WithCleanUp{Exponential{.alpha = 0.1f}}}}
 template <class Inner> struct WithCleanUp {
     static_assert(BlendPolicy<Inner>, "WithCleanUp{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    using reads = reads_of<Inner>;
-    using remembers = remembers_of<Inner>;
-    using keeps = keeps_of<Inner>;
-    using emits = decltype(emits_of<Inner>{} | Channels<CleanUpDeviation>{});
+    using parts = Parts<Inner>;
+    using emits = Channels<CleanUpDeviation>;
     Inner inner{};
     float usual_alpha = 0.1f;
     float widest = 5.f; ///< pixels

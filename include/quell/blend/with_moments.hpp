@@ -7,10 +7,8 @@ namespace quell {
 /// Keeps, beside what the inner policy does, the mean and variance over time of each pixel's luminance, with the same alpha.
 template <class Inner> struct WithMoments {
     static_assert(BlendPolicy<Inner>, "WithMoments{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    using reads = reads_of<Inner>;
-    using remembers = remembers_of<Inner>;
-    using keeps = decltype(keeps_of<Inner>{} | Channels<LuminanceMean, LuminanceVariance>{});
-    using emits = emits_of<Inner>;
+    using parts = Parts<Inner>;
+    using keeps = Channels<LuminanceMean, LuminanceVariance>;
     Inner inner{};
 
     QUELL_KERNEL auto blend(auto px, auto past) const {

@@ -9,10 +9,8 @@ namespace quell {
 /// have seen, which a clamp or a filter that feeds back makes untrue.
 template <class Inner> struct WithVariance {
     static_assert(BlendPolicy<Inner>, "WithVariance{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    using reads = reads_of<Inner>;
-    using remembers = remembers_of<Inner>;
-    using keeps = decltype(keeps_of<Inner>{} | Channels<LuminanceVariance>{});
-    using emits = emits_of<Inner>;
+    using parts = Parts<Inner>;
+    using keeps = Channels<LuminanceVariance>;
     Inner inner{};
 
     QUELL_KERNEL auto blend(auto px, auto past) const {

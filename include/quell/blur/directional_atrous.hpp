@@ -13,7 +13,8 @@ template <ChannelTag S, ChannelTag From> struct DirectionalLevel {
     using Signal = S;
     static constexpr auto name = "directional a-trous";
     static constexpr int taps_along = 2; ///< to either side: the paper's 5x5
-    using reads = decltype(Channels<GuideAxis, MeanSweep, From>{} | reads_of<PathWeight>{});
+    using parts = Parts<PathWeight>;
+    using reads = Channels<GuideAxis, MeanSweep, From>;
     using emits = Channels<FilteredLayer<Signal>>;
     float part;      ///< of the sweep's length, from tap to tap
     float fixed;     ///< pixels from tap to tap, instead, where it is above 0
@@ -60,7 +61,8 @@ template <ChannelTag S, ChannelTag From> struct DirectionalLevel {
 template <ChannelTag S, ChannelTag From> struct LastDirectionalLevel {
     using Signal = S;
     static constexpr auto name = "directional a-trous and composite";
-    using reads = decltype(reads_of<DirectionalLevel<Signal, From>>{} | Channels<StaticLayer<Signal>>{});
+    using parts = Parts<DirectionalLevel<Signal, From>>;
+    using reads = Channels<StaticLayer<Signal>>;
     DirectionalLevel<Signal, From> level;
 
     template <class Px> QUELL_KERNEL auto filter(Px const& px) const {
@@ -77,8 +79,7 @@ template <ChannelTag S> struct DirectionalAtrous {
     using Signal = S;
     using First = detail::DirectionalLevel<Signal, MovingLayer<Signal>>;
     using Next = detail::DirectionalLevel<Signal, FilteredLayer<Signal>>;
-    using reads = decltype(reads_of<detail::LastDirectionalLevel<Signal, FilteredLayer<Signal>>>{} | reads_of<First>{});
-    using emits = emits_of<First>;
+    using parts = Parts<detail::LastDirectionalLevel<Signal, FilteredLayer<Signal>>, First>;
     int levels = 3;         ///< at least 2
     float reach = 0.2f;     ///< of the last level: distance between taps as a part of the sweep
     float fixed_step = 0.f; ///< pixels between the taps of the first level, in place of `reach`, where above 0: an ordinary a-trous

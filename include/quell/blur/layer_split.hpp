@@ -16,7 +16,8 @@ template <ChannelTag S, class Paths = StraightPaths> struct LayerSplit {
     using Signal = S;
     static constexpr auto name = "layer split";
     static constexpr bool leaves_signal = true;
-    using reads = decltype(Channels<Depth, GuideSweep>{} | reads_of<Paths, PathWeight>{});
+    using parts = Parts<Paths, PathWeight>;
+    using reads = Channels<Depth, GuideSweep>;
     using emits = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep>;
     static constexpr int radius = 2; ///< pixels: the paper's 5x5
     PathWeight weight{};

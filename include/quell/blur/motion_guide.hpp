@@ -48,7 +48,8 @@ template <class Paths, class Px> QUELL_KERNEL auto still_depth(Px const& px) {
 template <class Paths> struct MotionRow {
     static constexpr auto name = "motion guide, rows";
     static constexpr bool leaves_signal = true;
-    using reads = decltype(Channels<Depth>{} | reads_of<Paths>{});
+    using parts = Parts<Paths>;
+    using reads = Channels<Depth>;
     using emits = Channels<MotionSums<Paths>>;
     int radius;
     float depth_tolerance;
@@ -90,7 +91,8 @@ template <class Paths> struct MotionColumn {
     using Sums = MotionSums<Paths>;
     static constexpr auto name = "motion guide, columns";
     static constexpr bool leaves_signal = true;
-    using reads = decltype(Channels<Depth, MotionSums<Paths>>{} | reads_of<Paths>{});
+    using parts = Parts<Paths>;
+    using reads = Channels<Depth, MotionSums<Paths>>;
     using emits = std::conditional_t<Paths::bent, Channels<GuideSweep, GuideAxis, GuideSpread, GuideBend>,
                                      Channels<GuideSweep, GuideAxis, GuideSpread>>;
     int radius;
@@ -152,8 +154,7 @@ template <class Paths = StraightPaths> struct MotionGuide {
     using Row = detail::MotionRow<Paths>;
     using Column = detail::MotionColumn<Paths>;
     static constexpr bool leaves_signal = true;
-    using reads = reads_of<Row, Column>;
-    using emits = emits_of<Row, Column>;
+    using parts = Parts<Row, Column>;
     int radius = 7;                ///< pixels; 7 is the paper's 15x15
     float depth_tolerance = 0.02f; ///< how much farther, relatively, something is that stands behind something else
 

@@ -180,9 +180,8 @@ template <class Paths> struct NearestPair {
 /// the time. Emits MotionPair, for every second row, and UsablePath for who looks at single samples afterwards.
 /// @tparam Paths StraightPaths, BentPaths, or TurningPaths, which a TurnGuide measures
 template <class Paths = StraightPaths> struct PairGuide {
-    using reads = reads_of<PathGuide<Paths>>;
-    using emits = decltype(emits_of<PathGuide<Paths>>{} |
-                           Channels<detail::RowExtremes<Paths>, detail::LocalPair<Paths>, MotionPair<Paths>>{});
+    using parts = Parts<PathGuide<Paths>>;
+    using emits = Channels<detail::RowExtremes<Paths>, detail::LocalPair<Paths>, MotionPair<Paths>>;
     static constexpr bool leaves_signal = true;
     int across = 4, down = 1; ///< how far the window reaches, in pixels
     float least = 0.1f;       ///< pixels; motions that differ less are one

@@ -64,7 +64,8 @@ template <ChannelTag S, class Paths = StraightPaths, class Places = AlongGuide<P
     using Signal = S;
     static constexpr auto name = "path gather";
     static constexpr bool leaves_signal = true;
-    using reads = decltype(Channels<Depth, GuideSweep, GuideAxis>{} | reads_of<Paths, Places, PathWeight>{});
+    using parts = Parts<Paths, Places, PathWeight>;
+    using reads = Channels<Depth, GuideSweep, GuideAxis>;
     using emits = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep>;
     Places where{};
     PathWeight weight{};

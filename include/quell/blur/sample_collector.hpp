@@ -11,7 +11,7 @@ namespace quell {
 /// @tparam Paths StraightPaths or BentPaths, of which the bend is not looked at
 template <class Paths = StraightPaths> struct SampleCollector {
     static constexpr auto name = "sample collector";
-    using reads = reads_of<Paths>;
+    using parts = Parts<Paths>;
     int samples = 2;        ///< random places on each path, at most 8
     int radius = 1;         ///< pixels; how far around paths are shared: 1 is the paper's 3x3
     float threshold = 2.5f; ///< pixels; samples that pass nearer count, all alike

@@ -120,7 +120,8 @@ template <class Paths, class Px> QUELL_KERNEL auto usable_sample(Px const& px) {
 template <class Paths> struct UsablePathOf {
     static constexpr auto name = "usable path";
     static constexpr bool leaves_signal = true;
-    using reads = decltype(Channels<Depth>{} | reads_of<Paths>{});
+    using parts = Parts<Paths>;
+    using reads = Channels<Depth>;
     using emits = Channels<UsablePath<Paths>>;
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
@@ -145,7 +146,7 @@ template <class Paths> struct UsablePathOf {
 
 /// Makes the paths usable. Those of TurningPaths are measured: TurnGuide.
 template <class Paths> struct PathGuide {
-    using reads = reads_of<detail::UsablePathOf<Paths>>;
+    using parts = Parts<detail::UsablePathOf<Paths>>;
     using emits = Channels<UsablePath<Paths>>;
     static constexpr bool leaves_signal = true;
     constexpr void for_each_pass(auto&& pass) const { pass(detail::UsablePathOf<Paths>{}); }

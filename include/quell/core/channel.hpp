@@ -56,55 +56,6 @@ template <class A, class B> using without = decltype(detail::filtered<false>(A{}
 /// Whether every channel of `Part` is in `Whole`.
 template <class Part, class Whole> inline constexpr bool contained_in = std::is_same_v<decltype(Whole{} | Part{}), Whole>;
 
-namespace detail {
-template <class P> constexpr auto reads() {
-    if constexpr (requires { typename P::reads; })
-        return typename P::reads{};
-    else
-        return Channels<>{};
-}
-template <class P> constexpr auto remembers() {
-    if constexpr (requires { typename P::remembers; })
-        return typename P::remembers{};
-    else
-        return Channels<>{};
-}
-template <class P> constexpr auto keeps() {
-    if constexpr (requires { typename P::keeps; })
-        return typename P::keeps{};
-    else
-        return Channels<>{};
-}
-template <class P> constexpr auto reads_kept() {
-    if constexpr (requires { typename P::reads_kept; })
-        return typename P::reads_kept{};
-    else
-        return Channels<>{};
-}
-template <class P> constexpr auto emits() {
-    if constexpr (requires { typename P::emits; })
-        return typename P::emits{};
-    else
-        return Channels<>{};
-}
-} // namespace detail
-
-/// The channels of the current frame that these policies look at; a policy that names none reads none.
-template <class... Ps> using reads_of = decltype((Channels<>{} | ... | detail::reads<Ps>()));
-
-/// The channels of the previous frame that these policies look at.
-template <class... Ps> using remembers_of = decltype((Channels<>{} | ... | detail::remembers<Ps>()));
-
-/// What these policies make themselves and keep from frame to frame (history lengths, moments).
-template <class... Ps> using keeps_of = decltype((Channels<>{} | ... | detail::keeps<Ps>()));
-
-/// What of the things that other policies keep these look at in the previous frame, before it is made anew (a detector in front of
-/// Temporal).
-template <class... Ps> using reads_kept_of = decltype((Channels<>{} | ... | detail::reads_kept<Ps>()));
-
-/// What these policies make for the passes after them.
-template <class... Ps> using emits_of = decltype((Channels<>{} | ... | detail::emits<Ps>()));
-
 /// Calls `f(channel)` for every channel of a set, in order.
 template <class... Cs, class F> constexpr void for_each_channel(Channels<Cs...>, F&& f) { (f(Cs{}), ...); }
 

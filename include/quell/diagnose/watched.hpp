@@ -84,10 +84,8 @@ template <class Source> QUELL_KERNEL auto const& first_of(Source const& source) 
 
 /// The policy inside a clamp, which says by how much that moved the past.
 template <class Inner> struct WatchedClamp {
-    using reads = reads_of<Inner>;
-    using remembers = remembers_of<Inner>;
-    using keeps = decltype(keeps_of<Inner>{} | Channels<DebugClamp>{});
-    using emits = emits_of<Inner>;
+    using parts = Parts<Inner>;
+    using keeps = Channels<DebugClamp>;
     Inner inner{};
 
     QUELL_KERNEL auto blend(auto px, auto past) const {
@@ -98,10 +96,8 @@ template <class Inner> struct WatchedClamp {
 
 /// A blend policy as it is, which keeps what the motion sources did.
 template <class M, class Inner, class Fetch> struct Watched {
-    using reads = reads_of<M, Inner, Fetch>;
-    using remembers = remembers_of<M, Inner, Fetch>;
-    using keeps = decltype(keeps_of<M, Inner>{} | Channels<DebugLength, DebugSource, DebugRejection>{});
-    using emits = emits_of<Inner>;
+    using parts = Parts<M, Inner, Fetch>;
+    using keeps = Channels<DebugLength, DebugSource, DebugRejection>;
     M motion{};
     Inner inner{};
     Fetch fetch{};

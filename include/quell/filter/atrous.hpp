@@ -34,8 +34,9 @@ template <class V> QUELL_KERNEL V finite_or(V const& v, V const& centre) { retur
 /// One level of the edge-avoiding wavelet. With `guided` it filters the variance along, by squared weights.
 template <class Edge, bool guided, class Spline = CubicSpline> struct AtrousLevel {
     static constexpr auto name = guided ? "variance-guided a-trous" : "a-trous";
-    using reads = std::conditional_t<guided, decltype(reads_of<Edge>{} | Channels<Variance>{}), reads_of<Edge>>;
-    using emits = std::conditional_t<guided, Channels<Variance>, Channels<>>;
+    using parts = Parts<Edge>;
+    using reads = std::conditional_t<guided, Channels<Variance>, Channels<>>;
+    using emits = reads;
     Edge edge;
     int step = 1;
     bool feedback = false;
@@ -71,7 +72,7 @@ template <class Edge, bool guided, class Spline = CubicSpline> struct AtrousLeve
 /// @tparam Spline CubicSpline, or LinearSpline for 3x3
 template <class Edge = Product<DepthEdge, NormalEdge>, class Spline = CubicSpline> struct Atrous {
     static_assert(EdgeWeight<Edge>, "Atrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
-    using reads = reads_of<Edge>;
+    using parts = Parts<Edge>;
     Edge edge{};
     int levels = 5;
 

@@ -28,7 +28,7 @@ template <class Real> struct GaussianSteps {
 /// One direction of a separable joint bilateral filter; `Deviation` says how wide, for the frame or for each pixel.
 template <class Edge, class Deviation> struct BilateralLine {
     static constexpr auto name = "bilateral";
-    using reads = reads_of<Edge, Deviation>;
+    using parts = Parts<Edge, Deviation>;
     Edge edge;
     Deviation deviation;
     int radius;
@@ -77,7 +77,7 @@ struct DeviationChannel {
 /// @tparam Edge an EdgeWeight
 template <class Edge = Product<DepthEdge, NormalEdge>> struct Bilateral {
     static_assert(EdgeWeight<Edge>, "Bilateral{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
-    using reads = reads_of<Edge>;
+    using parts = Parts<Edge>;
     Edge edge{};
     int radius = 4;        ///< pixels; 15 is a 31x31 filter
     float deviation = 0.f; ///< of the Gaussian, in pixels; 0: half the radius
@@ -106,7 +106,7 @@ struct Gaussian {
 template <class Width, class Edge = Product<DepthEdge, NormalEdge>> struct AdaptiveBilateral {
     static_assert(EdgeWeight<Edge>, "AdaptiveBilateral{width, edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
     using Line = detail::BilateralLine<Edge, Width>;
-    using reads = reads_of<Line>;
+    using parts = Parts<Line>;
     Width width{};
     Edge edge{};
     int radius = 4; ///< pixels; wider Gaussians are cut off there
@@ -121,7 +121,7 @@ template <class Width, class Edge = Product<DepthEdge, NormalEdge>> struct Adapt
 /// Wants a blend policy WithCleanUp before it.
 template <class Edge = Product<DepthEdge, NormalEdge>> struct CleanUp {
     static_assert(EdgeWeight<Edge>, "CleanUp{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
-    using reads = reads_of<detail::BilateralLine<Edge, detail::DeviationChannel>>;
+    using parts = Parts<detail::BilateralLine<Edge, detail::DeviationChannel>>;
     Edge edge{};
 
     constexpr void for_each_pass(auto&& pass) const { AdaptiveBilateral<detail::DeviationChannel, Edge>{{}, edge, 4}.for_each_pass(pass); }

@@ -8,7 +8,8 @@ namespace detail {
 /// The variance of each pixel's mean. Over time where the history is long, from the 5x5 around where it is short, and in between both.
 template <class Edge> struct VarianceOfMean {
     static constexpr auto name = "variance of mean";
-    using reads = decltype(Channels<HistoryLength, LuminanceVariance>{} | reads_of<Edge>{});
+    using parts = Parts<Edge>;
+    using reads = Channels<HistoryLength, LuminanceVariance>;
     using emits = Channels<Variance>;
     Edge edge;
     float enough;
@@ -66,7 +67,8 @@ private:
 /// One level of an edge-avoiding wavelet by which pixels exchange light: see ConservingAtrous.
 template <class Edge> struct ExchangeLevel {
     static constexpr auto name = "conserving a-trous";
-    using reads = decltype(reads_of<Edge>{} | Channels<Variance>{});
+    using parts = Parts<Edge>;
+    using reads = Channels<Variance>;
     using emits = Channels<Variance>;
     Edge edge;
     int step;
@@ -122,8 +124,7 @@ template <class Edge> struct ExchangeLevel {
 template <class Edge = Product<DepthEdge, NormalEdge>> struct ConservingAtrous {
     static_assert(EdgeWeight<Edge>, "ConservingAtrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
     using Level = detail::ExchangeLevel<Edge>;
-    using reads = reads_of<detail::VarianceOfMean<Edge>, Level>;
-    using emits = Channels<Variance>;
+    using parts = Parts<detail::VarianceOfMean<Edge>, Level>;
     Edge edge{};
     int levels = 5;
     float sigma_luminance = 4.f; ///< deviations of the noise of both pixels that they may differ by at weight 1/e

@@ -93,8 +93,7 @@ struct VarianceGuidedEdge {
 /// The product of several edge weights (their distances added), which is one.
 template <class... Edges> struct Product : Edges... {
     static_assert((EdgeWeight<Edges> && ...), "Product{edges...}: each must have around(px), see quell/filter/filter_kernel.hpp");
-    using reads = reads_of<Edges...>;
-    static constexpr bool needs_camera = (needs_camera_of<Edges> || ...);
+    using parts = Parts<Edges...>;
 
     /// What an edge prepares for a tap, or a reference to what it prepared for the centre: copies of GLM's vectors (they are unions) go
     /// through memory.

@@ -54,8 +54,7 @@ template <class Px> QUELL_KERNEL auto window_at(Px const& px) {
 /// The measurements of one pixel: nothing where there is no past or no sample.
 template <class Source> struct OwnHistoryDistance {
     static constexpr auto name = "history distance";
-    using reads = reads_of<Source>;
-    using remembers = remembers_of<Source>;
+    using parts = Parts<Source>;
     using reads_kept = Channels<HistoryLength, LuminanceVariance>;
     using emits = WindowChannels;
     Source source;
@@ -149,11 +148,7 @@ struct WideBias {
 /// @tparam Source a MotionSource
 template <class Source = SurfaceMotion<SameDepth>> struct BiasEstimate {
     using Own = detail::OwnHistoryDistance<Source>;
-    using reads = reads_of<Own>;
-    using remembers = remembers_of<Own>;
-    using reads_kept = reads_kept_of<Own>;
-    using emits = decltype(detail::WindowChannels{} | Channels<HistoryBias>{});
-    static constexpr bool needs_camera = needs_camera_of<Source>;
+    using parts = Parts<Own, detail::NarrowBias, detail::WideBias>;
     static constexpr bool leaves_signal = true;
     Source source{};
     float narrow_by_chance = 9.f; ///< variances of a window's mean that noise alone explains, for 5x5 pixels
@@ -176,11 +171,10 @@ template <class Source = SurfaceMotion<SameDepth>> struct BiasEstimate {
 /// squared differences in the wide window. Noise that comes back has more such pixels in a window, and stays.
 template <class Inner> struct ForgetBiased {
     static_assert(BlendPolicy<Inner>, "ForgetBiased{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    using reads = decltype(reads_of<Inner>{} | Channels<HistoryBias, HistoryDeviation>{});
-    using remembers = remembers_of<Inner>;
-    using keeps = keeps_of<Inner>;
-    using emits = emits_of<Inner>;
-    static_assert(keeps::template has<HistoryLength>, "ForgetBiased{inner}: `inner` must keep the history's length, as RunningMean does");
+    using parts = Parts<Inner>;
+    using reads = Channels<HistoryBias, HistoryDeviation>;
+    static_assert(keeps_of<Inner>::template has<HistoryLength>,
+                  "ForgetBiased{inner}: `inner` must keep the history's length, as RunningMean does");
     Inner inner{};
     float gain = 100.f;           ///< by how much the filters behind this reduce variance
     float firefly_share = 0.125f; ///< in (0, 1]; 1: no history is forgotten as a firefly

@@ -31,8 +31,7 @@ template <class Px> QUELL_KERNEL auto beside_past(Px const& px, auto const& sour
 /// What a pixel by itself knows: nothing where there is no past or no sample.
 template <class Source> struct OwnLightChange {
     static constexpr auto name = "light change";
-    using reads = reads_of<Source>;
-    using remembers = remembers_of<Source>;
+    using parts = Parts<Source>;
     using emits = Channels<LightChange>;
     Source source;
 
@@ -76,10 +75,7 @@ struct LightChangeLine {
 template <class Source = SurfaceMotion<SameDepth>> struct ChangeDetector {
     using Own = detail::OwnLightChange<Source>;
     using Line = detail::LightChangeLine;
-    using reads = reads_of<Own>;
-    using remembers = remembers_of<Own>;
-    using emits = Channels<LightChange>;
-    static constexpr bool needs_camera = needs_camera_of<Source>;
+    using parts = Parts<Own>;
     static constexpr bool leaves_signal = true;
     Source source{};
     int levels = 2; ///< 1: 5x5 pixels, 2: 25x25, which sees through more noise and less sharply
@@ -98,10 +94,8 @@ template <class Source = SurfaceMotion<SameDepth>> struct ChangeDetector {
 /// of pixels where something has. Decorates a RunningMean or any policy that goes by the validity of the past.
 template <class Inner> struct ForgetChanged {
     static_assert(BlendPolicy<Inner>, "ForgetChanged{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    using reads = decltype(reads_of<Inner>{} | Channels<LightChange>{});
-    using remembers = remembers_of<Inner>;
-    using keeps = keeps_of<Inner>;
-    using emits = emits_of<Inner>;
+    using parts = Parts<Inner>;
+    using reads = Channels<LightChange>;
     Inner inner{};
     float by_chance = 16.f;  ///< what the statistic reaches where nothing has changed
     float sharpness = 400.f; ///< validity is divided by 1 + sharpness * (statistic - by_chance); one that beats a long history is larger

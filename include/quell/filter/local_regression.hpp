@@ -52,8 +52,8 @@ template <class V> QUELL_KERNEL auto largest_difference(V const& a, V const& b) 
 template <class Edge, int n> struct RegressionOnGuides {
     static constexpr auto name = "local regression";
     template <int level> using Light = LessFilteredLight<level, n>;
-    using reads = decltype(Channels<Normal, HistoryLength, Variance, UnfilteredVariance, Light<0>, Light<1>, Light<2>>{} |
-                           reads_of<Edge>{});
+    using parts = Parts<Edge>;
+    using reads = Channels<Normal, HistoryLength, Variance, UnfilteredVariance, Light<0>, Light<1>, Light<2>>;
     using emits = Channels<LightOfPilotAndFit>;
     Edge edge;
     float width, least_width, most_width, tolerance, sigma_light, sigma_noise;
@@ -193,9 +193,7 @@ template <class Edge> constexpr Edge loose_edge() {
 template <class Edge = Product<DepthEdge, NormalEdge>, int n = 3> struct LocalRegression {
     static_assert(EdgeWeight<Edge>, "LocalRegression{...}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
     using Fit = detail::RegressionOnGuides<Edge, n>;
-    using reads = reads_of<ConservingAtrous<>, detail::KeepLight<0, n>, Fit>;
-    using emits = decltype(Channels<Variance>{} | emits_of<detail::KeepLight<0, n>, detail::KeepLight<1, n>, detail::KeepLight<2, n>>{} |
-                           Channels<LightOfPilotAndFit>{});
+    using parts = Parts<ConservingAtrous<>, detail::KeepLight<0, n>, detail::KeepLight<1, n>, detail::KeepLight<2, n>, Fit>;
     ConservingAtrous<> pilot{};
     Edge edge = detail::loose_edge<Edge>();
     float width = 25.f;        ///< of the window, in pixels, where the noise is as large as the light; its taps weigh 1/e there

@@ -18,7 +18,8 @@ namespace detail {
 /// What a shadowed pixel by itself knows of its shadow.
 template <class Source> struct OwnShadowTrack {
     static constexpr auto name = "shadow motion";
-    using reads = decltype(reads_of<Source>{} | Channels<Position, Depth, Light, Blocker>{});
+    using parts = Parts<Source>;
+    using reads = Channels<Position, Depth, Light, Blocker>;
     using emits = Channels<ShadowTrack>;
     Source source;
     float light_size;
@@ -66,7 +67,8 @@ private:
 /// Spreads what is known to the pixels around, as far as edges let it.
 template <class Edge> struct SplatLevel {
     static constexpr auto name = "shadow splat";
-    using reads = decltype(reads_of<Edge>{} | Channels<ShadowTrack>{});
+    using parts = Parts<Edge>;
+    using reads = Channels<ShadowTrack>;
     using emits = Channels<ShadowTrack>;
     Edge edge;
     int step;
@@ -98,8 +100,7 @@ template <class Edge> struct SplatLevel {
 /// @tparam Edge   an EdgeWeight that keeps surfaces apart
 template <class Source = ShadowMotion, class Edge = DepthEdge> struct ShadowSplat {
     static_assert(EdgeWeight<Edge>, "ShadowSplat{source, edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
-    using reads = without<reads_of<detail::OwnShadowTrack<Source>, detail::SplatLevel<Edge>>, Channels<ShadowTrack>>;
-    using emits = Channels<ShadowTrack>;
+    using parts = Parts<detail::OwnShadowTrack<Source>, detail::SplatLevel<Edge>>;
     static constexpr bool needs_camera = true;
     static constexpr bool leaves_signal = true;
     Source source{};

@@ -16,7 +16,8 @@ namespace detail {
 /// One level of a wavelet over the gradients. The first one gathers the single samples of the 3x3 strata.
 template <class Source, class Edge> struct GradientLevel {
     static constexpr auto name = "temporal gradient";
-    using reads = decltype(reads_of<Edge>{} | Channels<Source>{});
+    using parts = Parts<Edge>;
+    using reads = Channels<Source>;
     using emits = Channels<FilteredGradient>;
     Edge edge;
     int step;
@@ -46,7 +47,8 @@ template <class Source, class Edge> struct GradientLevel {
 /// @tparam Edge   an EdgeWeight
 template <ChannelTag Signal, class Edge = DepthEdge> struct TemporalGradient {
     static_assert(EdgeWeight<Edge>, "TemporalGradient{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
-    using reads = decltype(reads_of<Edge>{} | Channels<GradientOf<Signal>>{});
+    using parts = Parts<Edge>;
+    using reads = Channels<GradientOf<Signal>>;
     using emits = Channels<FilteredGradient>;
     static constexpr bool leaves_signal = true;
     Edge edge{};
@@ -62,10 +64,8 @@ template <ChannelTag Signal, class Edge = DepthEdge> struct TemporalGradient {
 /// lambda = min(1, |change| / light) (A-SVGF, Schied 2018).
 template <class Inner> struct Antilag {
     static_assert(BlendPolicy<Inner>, "Antilag{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    using reads = decltype(reads_of<Inner>{} | Channels<FilteredGradient>{});
-    using remembers = remembers_of<Inner>;
-    using keeps = keeps_of<Inner>;
-    using emits = emits_of<Inner>;
+    using parts = Parts<Inner>;
+    using reads = Channels<FilteredGradient>;
     Inner inner{};
 
     QUELL_KERNEL auto blend(auto px, auto past) const {

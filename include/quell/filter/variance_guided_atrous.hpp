@@ -10,7 +10,8 @@ namespace detail {
 /// around.
 template <class Edge> struct VarianceEstimate {
     static constexpr auto name = "variance estimate";
-    using reads = decltype(Channels<HistoryLength, LuminanceMean, LuminanceVariance>{} | reads_of<Edge>{});
+    using parts = Parts<Edge>;
+    using reads = Channels<HistoryLength, LuminanceMean, LuminanceVariance>;
     using emits = Channels<Variance>;
     Edge edge;
     float enough = 4.f; ///< frames
@@ -66,8 +67,7 @@ template <class Edge = Product<DepthEdge, NormalEdge>, class Spline = CubicSplin
     static_assert(EdgeWeight<Edge>, "VarianceGuidedAtrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
     using Guided = Product<Edge, VarianceGuidedEdge>;
     using Level = detail::AtrousLevel<Guided, true, Spline>;
-    using reads = reads_of<detail::VarianceEstimate<Edge>, Level>;
-    using emits = Channels<Variance>;
+    using parts = Parts<detail::VarianceEstimate<Edge>, Level>;
     Edge edge{};
     int levels = 5;
     float sigma_luminance = 3.f; ///< deviations of a pixel's mean that a neighbour may be off at weight 1/e; SVGF's 4 deviations of a

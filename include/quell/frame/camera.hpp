@@ -20,27 +20,4 @@ struct Camera {
     friend bool operator==(Camera const&, Camera const&) = default;
 };
 
-namespace detail {
-template <class P> constexpr bool needs_camera() {
-    bool needed = false;
-    if constexpr (requires { P::needs_camera; }) needed = P::needs_camera;
-    // A combinator needs what its parts need.
-    if constexpr (requires { P::motion; }) needed = needed || needs_camera<decltype(P::motion)>();
-    if constexpr (requires { P::blending; }) needed = needed || needs_camera<decltype(P::blending)>();
-    if constexpr (requires { P::kernel; }) needed = needed || needs_camera<decltype(P::kernel)>();
-    if constexpr (requires { P::inner; }) needed = needed || needs_camera<decltype(P::inner)>();
-    if constexpr (requires { P::first; }) needed = needed || needs_camera<decltype(P::first)>();
-    if constexpr (requires { P::test; }) needed = needed || needs_camera<decltype(P::test)>();
-    if constexpr (requires { P::source; }) needed = needed || needs_camera<decltype(P::source)>();
-    if constexpr (requires { P::fetch; }) needed = needed || needs_camera<decltype(P::fetch)>();
-    if constexpr (requires { P::width; }) needed = needed || needs_camera<decltype(P::width)>();
-    if constexpr (requires { P::edge; }) needed = needed || needs_camera<decltype(P::edge)>();
-    if constexpr (requires { P::rest; }) needed = needed || needs_camera<decltype(P::rest)>();
-    return needed;
-}
-} // namespace detail
-
-/// Whether a policy, or one that it is made of, says `static constexpr bool needs_camera = true`: then hosts must set frame.camera.
-template <class P> inline constexpr bool needs_camera_of = detail::needs_camera<P>();
-
 } // namespace quell

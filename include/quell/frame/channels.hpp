@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/core/channel.hpp>
+#include <quell/core/policy.hpp>
 
 #include <array>
 #include <string_view>

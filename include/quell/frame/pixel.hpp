@@ -124,8 +124,8 @@ template <class R, class S> struct Pixel {
             return std::pair{v, Real(0.f) != Real(0.f)};
     }
     /// From pixels to the world, in this frame and in the previous one. Wants `needs_camera`.
-    QUELL_KERNEL PixelRays const& rays() const { return scope.rays; }
-    QUELL_KERNEL PixelRays const& rays_then() const { return scope.rays_then; }
+    QUELL_KERNEL PixelRays const& rays() const { return require_camera(), scope.rays; }
+    QUELL_KERNEL PixelRays const& rays_then() const { return require_camera(), scope.rays_then; }
     /// Two normally distributed random numbers, other ones in each pixel and frame, always the same in the same.
     QUELL_KERNEL std::pair<Real, Real> random_normals() const {
         return normal_pair(Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)), scope.frame_index);
@@ -135,13 +135,18 @@ template <class R, class S> struct Pixel {
         return uniform_pair(Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)), scope.frame_index ^ (which << 26));
     }
     /// Where, in pixels, the previous frame's screen showed what the sample here, displaced by jitter, saw of the world, if the sample
-    /// had been at the pixel's centre, as the history is; and its linear depth there (not positive: behind the camera).
+    /// had been at the pixel's centre, as the history is; and its linear depth there (not positive: behind the camera). Wants
+    /// `needs_camera`.
     QUELL_KERNEL vec3<Real> project_to_past(vec3<Real> const& p) const { return project(scope.clip_from_world_then, p); }
     /// The same on this frame's screen.
     QUELL_KERNEL vec3<Real> project(vec3<Real> const& p) const { return project(scope.clip_from_world, p); }
 
 private:
+    QUELL_KERNEL static void require_camera() {
+        static_assert(S::has_camera, "a policy uses the camera without saying so: add `static constexpr bool needs_camera = true` to it");
+    }
     QUELL_KERNEL vec3<Real> project(glm::mat4 const& m, vec3<Real> const& p) const {
+        require_camera();
         auto row = [&](int r) { return p.x * m[0][r] + p.y * m[1][r] + p.z * m[2][r] + m[3][r]; };
         auto const w = row(3), inverse = 1.f / w;
         return {(row(0) * inverse + 1.f) * (0.5f * static_cast<float>(scope.size.width)) - scope.jitter.x,
@@ -188,8 +193,10 @@ struct SignalFor<P> {
 /// A pixel by which concepts look at a policy: it has what the policy declares.
 template <class P, class S = typename SignalFor<P>::type>
 using ProbeScope = Scope<Views<Planar<>, reads_of<P>>, Views<Planar<>, Channels<>>, ViewOf<Planar<>, S>, ViewOf<Planar<>, S>,
-                         Views<Planar<>, decltype(keeps_of<P>{} | reads_kept_of<P>{})>, RememberedViewsOf<Planar<>, remembers_of<P>>, true>;
+                         Views<Planar<>, decltype(keeps_of<P>{} | reads_kept_of<P>{})>, RememberedViewsOf<Planar<>, remembers_of<P>>, true,
+                         needs_camera_of<P>>;
 template <class P> using Probe = Pixel<float, ProbeScope<P>>;
+template <class P> using PastProbe = PastPixel<float, ProbeScope<P>>;
 } // namespace detail
 
 } // namespace quell

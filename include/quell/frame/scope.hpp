@@ -24,8 +24,9 @@ template <class Storage, class... Cs> struct RememberedViewsOf<Storage, Channels
 /// @tparam KeptViews   what was kept in the previous frame
 /// @tparam Then        the channels that the previous frame is remembered by, and their views
 /// @tparam raw         whether the signal comes from the host, with missing samples marked by the sign of component 0
+/// @tparam camera      whether a policy of the pass says that it `needs_camera`
 /// @tparam Vectors     how the host's motion vectors become quell's
-template <class FrameViews, class MadeViews, class SignalView, class PastSignalView, class KeptViews, class Then, bool raw,
+template <class FrameViews, class MadeViews, class SignalView, class PastSignalView, class KeptViews, class Then, bool raw, bool camera,
           class Vectors = detail::VectorConversion<MotionConvention{}>>
 struct Scope {
     using frame_channels = typename FrameViews::channels;
@@ -33,6 +34,7 @@ struct Scope {
     using kept_channels = typename KeptViews::channels;
     using remembered_channels = typename Then::channels;
     static constexpr bool marks_missing = raw;
+    static constexpr bool has_camera = camera;
     static constexpr int components = SignalView::components;
 
     Extent size;

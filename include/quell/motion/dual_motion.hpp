@@ -28,8 +28,9 @@ struct SimilarDepth {
 /// from its border; what was farther away, as after a cut, has none.
 /// @tparam Test what a past pixel must pass
 template <class Test = SimilarDepth> struct DualMotion {
-    using reads = decltype(Channels<Motion, Depth>{} | reads_of<Test>{});
-    using remembers = decltype(Channels<Motion, Depth>{} | remembers_of<Test>{});
+    using parts = Parts<Test>;
+    using reads = Channels<Motion, Depth>;
+    using remembers = Channels<Motion, Depth>;
     Test test{};
     float trust = 0.5f;   ///< validity of what is found: it is alike, but not the same
     float reach = 0.125f; ///< how far outside the image the border still stands for, as a part of the image's longer side

@@ -5,14 +5,6 @@
 namespace quell {
 
 namespace detail {
-/// Whether a source's finding accepts a past pixel; one without a test accepts all.
-template <class FoundPlace, class Then, class Real> QUELL_KERNEL auto accepts(FoundPlace const& found, Then const& then, Real dx, Real dy) {
-    if constexpr (requires { found.accepts(then, dx, dy); })
-        return found.accepts(then, dx, dy);
-    else
-        return Real(0.f) == Real(0.f);
-}
-
 template <class Real, class A, class B> struct FirstFound {
     vec2<Real> where;
     Real validity;
@@ -29,8 +21,7 @@ template <class Real, class A, class B> struct FirstFound {
 /// where the history at the place that a source names turns out not to be valid.
 template <class First, class... Rest> struct FirstValid {
     static_assert(MotionSource<First>, "FirstValid{sources...}: each must have previous(px), see quell/motion/motion_source.hpp");
-    using reads = reads_of<First, Rest...>;
-    using remembers = remembers_of<First, Rest...>;
+    using parts = Parts<First, Rest...>;
 
     First first;
     FirstValid<Rest...> rest;

@@ -9,8 +9,8 @@ namespace quell {
 /// virtual image towards the mirror, cuts from the tangent plane. The vectors are noisy where the surface is rough: clean up afterwards.
 /// Roughness 0 is MirrorMotion exactly. The random numbers are the same in every run.
 template <class Mirror = FlatMirror> struct GlossyMotion {
-    using reads = decltype(detail::VirtualImageChannels{} | reads_of<Mirror>{} | Channels<Roughness>{});
-    using remembers = remembers_of<SamePlane>;
+    using parts = Parts<Mirror, SamePlane>;
+    using reads = decltype(detail::VirtualImageChannels{} | Channels<Roughness>{});
     static constexpr bool needs_camera = true;
     Mirror mirror{};
     SamePlane test{};

@@ -41,8 +41,8 @@ template <class Px> QUELL_KERNEL auto virtual_image_then(Px const& px, auto cons
 /// hit is not before the plane, behind the camera, and for anything not finite.
 /// @tparam Mirror where the virtual image is: FlatMirror, or ThinLens for curved mirrors
 template <class Mirror = FlatMirror> struct MirrorMotion {
-    using reads = decltype(detail::VirtualImageChannels{} | reads_of<Mirror>{});
-    using remembers = remembers_of<SamePlane>;
+    using parts = Parts<Mirror, SamePlane>;
+    using reads = detail::VirtualImageChannels;
     static constexpr bool needs_camera = true;
     Mirror mirror{};
     SamePlane test{};
@@ -59,8 +59,8 @@ template <class Mirror> MirrorMotion(Mirror) -> MirrorMotion<Mirror>;
 /// was. A rough surface shows a hit in many pixels around the mirror direction's: each of them keeps its own place in the lobe, so what
 /// stands still stays exactly where it is, with no noise in the vectors.
 template <class Mirror = FlatMirror> struct ImageMotion {
-    using reads = decltype(detail::VirtualImageChannels{} | reads_of<Mirror>{});
-    using remembers = remembers_of<SamePlane>;
+    using parts = Parts<Mirror, SamePlane>;
+    using reads = detail::VirtualImageChannels;
     static constexpr bool needs_camera = true;
     Mirror mirror{};
     SamePlane test{};

@@ -7,8 +7,8 @@ namespace quell {
 /// Follows the surface seen in the pixel by the host's Motion channel (TRMV eq. 1), and accepts what passes the test.
 /// @tparam Test SameDepth, SameNormal, SameInstance, AllOf several, or the host's own
 template <class Test = AllOf<SameDepth, SameNormal>> struct SurfaceMotion {
-    using reads = decltype(Channels<Motion>{} | reads_of<Test>{});
-    using remembers = remembers_of<Test>;
+    using parts = Parts<Test>;
+    using reads = Channels<Motion>;
     Test test{};
 
     QUELL_KERNEL auto previous(auto px) const {
@@ -21,8 +21,8 @@ template <class Test> SurfaceMotion(Test) -> SurfaceMotion<Test>;
 
 /// Follows the surface by its previous world position and the previous camera: for hosts that have no Motion channel.
 template <class Test = AllOf<SameDepth, SameNormal>> struct PositionMotion {
-    using reads = decltype(Channels<ReceiverPrevious>{} | reads_of<Test>{});
-    using remembers = remembers_of<Test>;
+    using parts = Parts<Test>;
+    using reads = Channels<ReceiverPrevious>;
     static constexpr bool needs_camera = true;
     Test test{};
 

@@ -85,8 +85,7 @@ struct SameInstance {
 
 /// Every one of several tests.
 template <class... Tests> struct AllOf : Tests... {
-    using reads = reads_of<Tests...>;
-    using remembers = remembers_of<Tests...>;
+    using parts = Parts<Tests...>;
 
     template <class... Prepared> struct Every : Prepared... {
         QUELL_KERNEL auto accepts(auto const& then, auto dx, auto dy) const { return both(Prepared::accepts(then, dx, dy)...); }

@@ -27,10 +27,10 @@ class Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, Into> {
     using ScopeOf = Scope<Views<FrameStorage, common_to<decltype(reads_of<Pass>{} | typename P::known_samples{}), Set>>,
                           Views<Storage, common_to<reads_of<Pass>, typename P::made>>, SignalView, SignalView,
                           Views<Storage, decltype(keeps_of<Pass>{} | reads_kept_of<Pass>{})>,
-                          RememberedViewsOf<Storage, remembers_of<Pass>>, raw, Vectors>;
+                          RememberedViewsOf<Storage, remembers_of<Pass>>, raw, needs_camera_of<Pass>, Vectors>;
     using FinishReads = decltype(reads_of<typename P::Form>{} | Remembers{});
     using FinishScope = Scope<Views<FrameStorage, FinishReads>, NoViews, SignalView, SignalView, NoViews,
-                              RememberedViewsOf<Storage, Channels<>>, false, Vectors>;
+                              RememberedViewsOf<Storage, Channels<>>, false, false, Vectors>;
 
     P const& pipeline;
     Frame<Set, FrameStorage> const& frame;

@@ -37,7 +37,8 @@ struct Suppressed : Channel<1> {
 /// fireflies. A sample that is no light is missing: it is marked by the sign of component 0, and carries the mean of its usable neighbours.
 template <ChannelTag Input, Modulation Form, class Suppression> struct Ingest {
     static constexpr auto name = "ingest";
-    using reads = decltype(Channels<Input>{} | reads_of<Form>{});
+    using parts = Parts<Form>;
+    using reads = Channels<Input>;
     Form modulation;
     Suppression suppression;
 

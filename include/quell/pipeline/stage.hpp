@@ -16,10 +16,7 @@ template <class M, class B, class Fetch = Bilinear> struct Temporal {
                   "Temporal{motion, blend, fetch}: `fetch` must have fetch(px, found), see quell/motion/history_fetch.hpp");
     static_assert(BlendPolicy<B>, "Temporal{motion, blend}: `blend` must have blend(px, past), see quell/blend/blend_policy.hpp");
 
-    using reads = reads_of<M, B, Fetch>;
-    using remembers = remembers_of<M, B, Fetch>;
-    using keeps = keeps_of<M, B>;
-    using emits = emits_of<B>;
+    using parts = Parts<M, B, Fetch>;
     static constexpr auto name = "temporal";
 
     M motion{};
@@ -72,10 +69,7 @@ template <class F> struct Spatial {
                   "Spatial{kernel}: a policy must be trivially copyable, so that it can be sent to a device: plain numbers only");
     static_assert(FilterKernel<F>,
                   "Spatial{kernel}: `kernel` must have filter(px) or for_each_pass(pass), see quell/filter/filter_kernel.hpp");
-    using reads = reads_of<F>;
-    using remembers = remembers_of<F>;
-    using reads_kept = reads_kept_of<F>;
-    using emits = emits_of<F>;
+    using parts = Parts<F>;
     F kernel{};
 };
 template <class F> Spatial(F) -> Spatial<F>;

@@ -9,7 +9,8 @@ namespace detail {
 /// One level of an a-trous wavelet over cones. Where the normals agree, cone by cone; elsewhere by the overlap of all pairs.
 template <class Edge> struct ConeLevel {
     static constexpr auto name = "cone a-trous";
-    using reads = decltype(reads_of<Edge>{} | Channels<Normal>{});
+    using parts = Parts<Edge>;
+    using reads = Channels<Normal>;
     Edge edge;
     int step = 1;
     float least_cosine = 0.f;
@@ -90,7 +91,7 @@ private:
 template <class Edge = DepthEdge> struct ConeAtrous {
     static_assert(EdgeWeight<Edge>, "ConeAtrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
     using Level = detail::ConeLevel<Edge>;
-    using reads = reads_of<Level>;
+    using parts = Parts<Level>;
     Edge edge{};
     int levels = 4;
     float least_cosine = 0.f; ///< surfaces turned further away than this contribute nothing

@@ -13,7 +13,8 @@ namespace quell {
 template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
     static_assert(EdgeWeight<Edge>, "ConeGather{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
     static constexpr auto name = "cone gather";
-    using reads = decltype(reads_of<Edge>{} | Channels<ConeRadiance>{});
+    using parts = Parts<Edge>;
+    using reads = Channels<ConeRadiance>;
     Edge edge{};
 
     QUELL_KERNEL auto filter(auto px) const {

@@ -12,10 +12,9 @@ namespace quell {
 ///     Pipeline{indirect, Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, WithCones{RunningMean{}}, ConeFetch{}}, Spatial{Atrous{}}}
 template <class Inner> struct WithCones {
     static_assert(BlendPolicy<Inner>, "WithCones{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    using reads = decltype(Channels<Normal, IndirectDirection>{} | reads_of<Inner>{});
-    using remembers = remembers_of<Inner>;
-    using keeps = decltype(keeps_of<Inner>{} | Channels<ConeRadiance>{});
-    using emits = emits_of<Inner>;
+    using parts = Parts<Inner>;
+    using reads = Channels<Normal, IndirectDirection>;
+    using keeps = Channels<ConeRadiance>;
     Inner inner{};
 
     QUELL_KERNEL auto blend(auto px, auto past) const {
