@@ -7,6 +7,7 @@
 
 #include "timed.hpp"
 
+#include <quell/presets/blur.hpp>
 #include <quell/quell.hpp>
 #include <support/program.hpp>
 #include <support/size_in.hpp>

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Renders three scenes with Blender's Cycles, which quell was not made for, at several numbers of samples, denoises them by every preset that
-# wants no more than colour and guides, and prints the README's table: FLIP (RMSE) of frames 41 to 48 against 512 samples.
+# wants no more than colour and guides, and prints the table of docs/figures.md: FLIP (RMSE) of frames 41 to 48 against 512 samples.
 #   bench/cycles.sh [FOLDER [SCENES [FILTERS [SAMPLES]]]]          for instance: bench/cycles.sh out/cycles "lamp brass" box "1 16"
 # FILTERS: box (samples at the pixels' centres) and default (Cycles' own, samples anywhere within a pixel and a half).
 # What has been rendered stays in the folder and is not rendered again. On 2 cores: references 40 to 60 s a frame, 64 samples 6 to 12 s,

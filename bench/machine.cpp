@@ -49,7 +49,7 @@ constexpr int chains = 12, turns = 2'000'000;
 /// The chains must live in registers: they are parameters of a fold, never an array that is indexed at run time.
 float multiply_and_add(float start) {
     Pack chain[chains], factor(0.999f), term(0.001f);
-    auto const all = [&]<std::size_t... i>(std::index_sequence<i...>, int count) __attribute__((always_inline)) {
+    auto const all = [&]<std::size_t... i>(std::index_sequence<i...>, int count) QUELL_INLINED {
         ((chain[i] = Pack(start + static_cast<float>(i))), ...);
         for (int turn = 0; turn < count; ++turn) ((chain[i] = fma(chain[i], factor, term)), ...);
         return (chain[i] + ...);

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The README's table of presets: milliseconds per frame at 1280x720 and 1920x1080, bytes per pixel at the latter, and errors at 480x270 on a
+# The table of presets in docs/figures.md: milliseconds per frame at 1280x720 and 1920x1080, bytes per pixel at the latter, and errors at 480x270 on a
 # scene that was made for the effect, of a chart of all scenes:
 #   quell-chart --scene all --out out/chart && bench/preset_table.sh [folder of the chart] [folder of the built programs] [threads]
 set -euo pipefail

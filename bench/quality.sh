@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The README's figures of quality: RMSE, SSIM and FLIP of the presets on `room` (frame 32, 480x270, against a converged reference, which takes
+# The figures of quality in docs/figures.md: RMSE, SSIM and FLIP of the presets on `room` (frame 32, 480x270, against a converged reference, which takes
 # long the first time and is kept in ~/.cache/quell), svgf with its history in float and in half, and the Cycles sequence where it is there:
 #   bench/quality.sh [folder of the built programs] [folder of the Cycles sequence]
 set -euo pipefail

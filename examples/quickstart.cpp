@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <random>
 
-constexpr auto denoise = quell::presets::svgf(quell::radiance, quell::Demodulate{});
+constexpr auto denoise = quell::presets::general(quell::radiance, quell::Demodulate{});
 
 /// Stands for a path tracer: a grey wall in noisy light.
 void render(auto& frame) {

@@ -64,16 +64,16 @@ mutant "the sign of motion" motion/sources motion/surface_motion.hpp '{{p.x + m.
 mutant "uv motion's unit" motion/sources frame/motion_convention.hpp '? 0.5f : 1.f;' '? 2.f : 1.f;'
 mutant "the weight of a tap between pixels" motion/sources motion/history_fetch.hpp '(i == 0 ? 1.f - u : u)' '(i == 0 ? u : 1.f - u)'
 mutant "the slope in the depth test" motion/sources motion/surface_test.hpp 'z + slope_x * dx' 'z - slope_x * dx'
-mutant "the image's lower border in the past" motion/sources frame/past_pixel.hpp \
+mutant "the image's lower border in the past" motion/sources frame/cursor/past_pixel.hpp \
     'row < Real(static_cast<float>(scope.size.height)));' 'row <= Real(static_cast<float>(scope.size.height)));'
 mutant "misses find misses" motion/sources motion/surface_test.hpp 'invert(either(hit, hit_then))' 'both(hit, invert(hit))'
-mutant "on which side of a mirror the image is" motion/mirror motion/mirror_motion.hpp 'height * -2.f' 'height * 2.f'
+mutant "on which side of a mirror the image is" motion/mirror motion/reflection/mirror_motion.hpp 'height * -2.f' 'height * 2.f'
 mutant "a shadow's blocker before its receiver" motion/shadow motion/shadow_motion.hpp 't >= Real(0.999f)' 't >= Real(0.f)'
 mutant "the angle off the plane" blend/non_planar_falloff blend/non_planar_falloff.hpp '-0.5f / (deviation * deviation)' '-0.5f / deviation'
 mutant "a clamp's upper bound" blend/policies blend/clamped.hpp 'return m + r; }, middle' 'return m + 1.1f * r; }, middle'
-mutant "history that is wrong for the light of now" filter/history_bias filter/history_bias.hpp \
+mutant "history that is wrong for the light of now" filter/history_bias filter/change/history_bias.hpp \
     'px[history_bias] * gain' 'px[history_bias] * 0.f'
-mutant "rare bright samples that the history has seen" filter/conserving_atrous filter/history_bias.hpp \
+mutant "rare bright samples that the history has seen" filter/conserving_atrous filter/change/history_bias.hpp \
     'max(max(seen, expected), Real(1e-20f))' 'max(seen, Real(1e-20f))'
 mutant "light exchanged by the noise of both pixels" filter/conserving_atrous filter/conserving_atrous.hpp \
     'tolerated + its_noise' 'tolerated'
@@ -91,24 +91,24 @@ mutant "the weight of the newest frame" blend/policies blend/exponential.hpp '(1
 mutant "a term of the variance" blend/policies blend/variance_over_time.hpp 'off * off * alpha' 'off * off'
 mutant "a distance in depth without its sign" filter/kernels filter/edge_weights.hpp 'fma(abs(neighbour[depth] - z), inverse, sum)' 'fma(neighbour[depth] - z, inverse, sum)'
 mutant "the squared weights of the variance" filter/kernels filter/atrous.hpp 'w * w, noise' 'w, noise'
-mutant "columns outside the image" filter/kernels filter/taps.hpp 'Real(base), Real(too_far)' 'Real(base), Real(base)'
-mutant "rows outside the image" filter/kernels filter/taps.hpp 'below.row_inside ? 0.f : too_little' 'below.row_inside ? 0.f : 0.f'
-mutant "how far the light changed" filter/temporal_gradient filter/temporal_gradient.hpp 'past, 1.f - change)' 'past, Real(1.f))'
+mutant "columns outside the image" filter/kernels frame/cursor/taps.hpp 'Real(base), Real(too_far)' 'Real(base), Real(base)'
+mutant "rows outside the image" filter/kernels frame/cursor/taps.hpp 'below.row_inside ? 0.f : too_little' 'below.row_inside ? 0.f : 0.f'
+mutant "how far the light changed" filter/temporal_gradient filter/change/temporal_gradient.hpp 'past, 1.f - change)' 'past, Real(1.f))'
 mutant "the test for NaN behind a filter" pipeline/history filter/atrous.hpp 'return select(all_finite(v), v, centre);' 'return v;'
 mutant "negative samples" pipeline/history pipeline/ingest.hpp 'a >= Real(0.f), ' ''
-mutant "albedo comes back" pipeline/history pipeline/modulation.hpp 'return a * d;' 'return a;'
+mutant "albedo comes back" pipeline/history frame/modulation.hpp 'return a * d;' 'return a;'
 mutant "the test for what is no light in a picture's factors" pipeline/composite pipeline/composite.hpp 'return select(is_light(f), f,' 'return select(Real(0.f) == Real(0.f), f,'
 mutant "what a filter before Temporal does with missing samples" pipeline/stages pipeline/ingest.hpp 'select(missing, with_sign_bit(a)' 'select(invert(missing), max(a, real_of<V>(0.f))'
 mutant "a past that never had a sample" pipeline/stages motion/history_fetch.hpp 'then[history_length] > Real(0.f)' 'then[history_length] >= Real(0.f)'
-mutant "the order of a pipeline's end: what is remembered is still read" pipeline/stages pipeline/frame_run.hpp 'if (!reads_remembered)' 'if (reads_remembered)'
-mutant "blur: when a sample passes" blur/two_motions blur/usable_path.hpp 'when = time() + along;' 'when = time() - along;'
-mutant "blur: motions too unlike to be of one surface" blur/two_motions blur/pair_guide.hpp \
+mutant "the order of a pipeline's end: what is remembered is still read" pipeline/stages pipeline/execution/frame_run.hpp 'if (!reads_remembered)' 'if (reads_remembered)'
+mutant "blur: when a sample passes" blur/two_motions blur/trajectory/usable_path.hpp 'when = time() + along;' 'when = time() - along;'
+mutant "blur: motions too unlike to be of one surface" blur/two_motions blur/two_motions/pair_guide.hpp \
     'difference > unlike_by * unlike_by,' 'difference > difference,'
-mutant "blur: how far the shutter's ends are soft" blur/layers blur/pair_gather.hpp 'Real(2.f), Real(0.5f)' 'Real(2.f), Real(2.f)'
-mutant "blur: what is guessed behind what moves" blur/two_motions blur/pair_gather.hpp \
+mutant "blur: how far the shutter's ends are soft" blur/layers blur/two_motions/pair_gather.hpp 'Real(2.f), Real(0.5f)' 'Real(2.f), Real(2.f)'
+mutant "blur: what is guessed behind what moves" blur/two_motions blur/two_motions/pair_gather.hpp \
     'both(back_moves, moving)' 'both(back_moves, invert(back_moves))'
-mutant "blur: how far the samples of a part count" blur/part_means blur/part_means.hpp '(after + here + 1.f) * 0.5f' '(after + here + 1.f) * 0.4f'
-mutant "blur: the past of what is in front" blur/two_motions blur/pair_history.hpp 'at_most(front_cap, px[front_sweep])' 'Real(0.f)'
+mutant "blur: how far the samples of a part count" blur/part_means blur/two_motions/part_means.hpp '(after + here + 1.f) * 0.5f' '(after + here + 1.f) * 0.4f'
+mutant "blur: the past of what is in front" blur/two_motions blur/two_motions/pair_history.hpp 'at_most(front_cap, px[front_sweep])' 'Real(0.f)'
 mutant "blur: what of the past moves otherwise" blur/two_motions blur/path_search.hpp '- length) <= length_tolerance' '- length) >= Real(0.f)'
 mutant "blur: where the past is looked for" blur/layers blur/path_search.hpp '{{p.x - v.x, p.y - v.y}' '{{p.x + v.x, p.y - v.y}'
 

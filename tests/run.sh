@@ -2,11 +2,14 @@
 # Installs what is missing, builds everything and tests it:
 #   tests/run.sh                  all steps below
 #   tests/run.sh gcc asan         these steps only
+#   tests/run.sh filter gcc       one folder of tests, built and run in one step (or several: tests/run.sh filter gcc asan)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source .ci/packages.sh
 
 all_steps=(gcc clang asan fuzz tsan)
+# The folders of tests to run, where some are named: then nothing else is built.
+only=()
 # What each of the other builds compiles and runs, as far as it exists: the library, and no slow programs. The clang build, at -O2, has
 # whole pipelines and what the sanitizers' builds, which are clang's too, leave out.
 clang_tests=(blur radiance pipeline execute two_units fast_math)
@@ -41,6 +44,10 @@ build_and_test() {
 step_gcc() {
     # One storage is enough to see that the benchmarks run.
     cmake --preset release -D CMAKE_CXX_COMPILER=g++ -D "QUELL_BENCH_STORAGES=Planar<>"
+    if [ ${#only[@]} -gt 0 ]; then
+        build_and_test build/release "${only[@]}"
+        return
+    fi
     cmake --build --preset release
     ctest --preset release -j "$jobs" 2>&1 | tee build/release/ctest.log
 }
@@ -65,10 +72,24 @@ step_tsan() {
 }
 
 need_packages "${build_packages[@]}" "${library_packages[@]}" "${program_packages[@]}" "${test_packages[@]}"
-[ $# -gt 0 ] || set -- "${all_steps[@]}"
+steps=()
+for word in "$@"; do
+    if declare -F "step_$word" >/dev/null; then
+        steps+=("$word")
+    elif [ -f "tests/$word/CMakeLists.txt" ]; then
+        only+=("$word")
+    else
+        echo "No step and no folder of tests '$word'; steps: ${all_steps[*]}; folders: $(cd tests && echo */ | tr -d /)" >&2
+        exit 2
+    fi
+done
+if [ ${#only[@]} -gt 0 ]; then
+    clang_tests=("${only[@]}") asan_tests=("${only[@]}") tsan_tests=("${only[@]}")
+    [ ${#steps[@]} -gt 0 ] || steps=(gcc)
+fi
+[ ${#steps[@]} -gt 0 ] || steps=("${all_steps[@]}")
 times=""
-for step in "$@"; do
-    declare -F "step_$step" >/dev/null || { echo "No step '$step'; there are: ${all_steps[*]}" >&2; exit 2; }
+for step in "${steps[@]}"; do
     echo "== $step"
     started=$SECONDS
     "step_$step"
@@ -78,4 +99,4 @@ done
 echo "== all steps passed"
 printf '%s' "$times"
 # The full suite's own summary comes last.
-[[ " $* " != *" gcc "* ]] || sed -n '/tests passed/,$p' build/release/ctest.log
+[[ ${#only[@]} -gt 0 || " ${steps[*]} " != *" gcc "* ]] || sed -n '/tests passed/,$p' build/release/ctest.log

@@ -2,6 +2,8 @@
 
 #include "chart_effect.hpp"
 
+#include <quell/presets/published.hpp>
+
 namespace quell::bench {
 
 /// References to the numbers that a sweep changes, for Named::vary. `stage<i>` counts from the pipeline's first stage.

@@ -1,5 +1,7 @@
 #include "baselines.hpp"
 
+#include <quell/presets/published.hpp>
+
 namespace quell::bench {
 namespace {
 /// Keeps the history out of a pipeline.

@@ -11,7 +11,7 @@ namespace {
 
 using Effects = std::vector<std::string>;
 
-/// What each built-in scene was made for (SCENES.md).
+/// What each built-in scene was made for.
 std::map<std::string, Effects> const& made_for() {
     static std::map<std::string, Effects> const effects{
         {"room", {"composite", "shadow", "glossy", "indirect"}},

@@ -1,5 +1,7 @@
 #include "baselines.hpp"
 
+#include <quell/presets/published.hpp>
+
 namespace quell::bench {
 void chart_glossy(Job const& job) {
     auto const effect = job.what.effect == "curved" ? tracer::Effect::curved : tracer::Effect::glossy;

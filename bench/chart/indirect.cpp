@@ -1,5 +1,7 @@
 #include "baselines.hpp"
 
+#include <quell/presets/published.hpp>
+
 void quell::bench::chart_indirect(Job const& job) {
     auto const trust = [](auto& p) -> auto& { return stage<1>(p).motion.rest.trust; };
     auto const cones = Named{"dual-cone", presets::dual_cone(indirect)}

@@ -16,7 +16,7 @@ struct Variant {
     double value = 0, preset_value = 0;
 };
 
-/// One method on one scene and effect: a row of chart.csv (SCENES.md), and what else is shown of it. NaN stands for what isn't known.
+/// One method on one scene and effect: a row of chart.csv, and what else is shown of it. NaN stands for what isn't known.
 struct Row {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 

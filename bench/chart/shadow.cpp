@@ -1,5 +1,7 @@
 #include "baselines.hpp"
 
+#include <quell/presets/published.hpp>
+
 void quell::bench::chart_shadow(Job const& job) {
     auto const alpha = [](auto& p) -> auto& { return stage<3>(p).blending.inner.inner.inner.inner.alpha; };
     auto const shadow = Named{"shadow", presets::shadow(visibility)}

@@ -1,5 +1,7 @@
 #include "contenders.hpp"
 
+#include <quell/presets/blur.hpp>
+
 std::vector<quell::bench::Contender> quell::bench::blur_contenders() {
     return {
         contender("blur-straight/count=24", true, QUELL_FIT_CODE(presets::blur<StraightPaths>(radiance, {}, {.count = 24}))),

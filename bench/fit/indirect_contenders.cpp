@@ -1,5 +1,7 @@
 #include "contenders.hpp"
 
+#include <quell/presets/published.hpp>
+
 std::vector<quell::bench::Contender> quell::bench::indirect_contenders() {
     return {
         contender("svgf/levels=3", false, QUELL_FIT_CODE([] {

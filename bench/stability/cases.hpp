@@ -8,7 +8,7 @@
 
 namespace quell::stability {
 
-/// A row of the failure catalogue (METHODS.md section 10), or a part of one.
+/// A situation in which methods of some kind are known to fail.
 struct Case {
     std::string name;
     std::string about; ///< what happens, and what is promised

@@ -9,7 +9,7 @@ struct KnownLimit {
     std::string subject, method, metric, reason;
 };
 
-/// What the README lists as limits. Everything else has to hold.
+/// What docs/limits.md lists. Everything else has to hold.
 [[nodiscard]] std::vector<KnownLimit> const& known_limits();
 
 /// Null where a promise has to hold.

@@ -29,7 +29,7 @@ struct Results {
     std::vector<FrameError> frames;
 };
 
-/// Writes stability.csv and frames.csv, columns as in SCENES.md.
+/// Writes stability.csv and frames.csv, with columns that other tools rely on.
 void write_tables(Results const& results, std::filesystem::path const& folder);
 
 } // namespace quell::stability

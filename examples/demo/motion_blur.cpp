@@ -1,5 +1,7 @@
 #include "denoised.hpp"
 
+#include <quell/presets/published.hpp>
+
 namespace quell::examples {
 
 namespace {

@@ -49,6 +49,8 @@ public:
     [[nodiscard]] virtual metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number) = 0;
     /// How many samples of the last frame were not finite, or negative.
     [[nodiscard]] virtual long long missing_samples() const = 0;
+    /// Its passes in order, what each reads and writes, and memory: a table in Markdown.
+    [[nodiscard]] virtual std::string plan() const = 0;
     /// Memory of history and scratch. Complete once a frame was denoised.
     [[nodiscard]] virtual double bytes_per_pixel() const = 0;
     /// How long denoising has taken so far, without reading files and loading frames from them.

@@ -6,6 +6,7 @@
 #include <quell/diagnose/diagnose.hpp>
 #include <quell/execute/threads.hpp>
 #include <quell/io/frame_image.hpp>
+#include <quell/pipeline/plan.hpp>
 #include <quell/quell.hpp>
 
 namespace quell::examples {
@@ -49,6 +50,7 @@ public:
         return images;
     }
     long long missing_samples() const override { return history.statistics().missing_samples; }
+    std::string plan() const override { return to_string(plan_of(pipeline, Storage{})); }
     double bytes_per_pixel() const override { return history.bytes_per_pixel(); }
 };
 

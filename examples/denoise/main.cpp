@@ -100,6 +100,18 @@ int later_frames(DenoiseOptions const& options, Preset const& preset) {
     return options.extra_frames.value_or(preset.looks_ahead ? Preset::usual_later_frames : 0);
 }
 
+void print_plan(DenoiseOptions const& options) {
+    auto const choose = [&] {
+        if (!options.preset.empty()) return &preset_of(options.preset);
+        FramePattern const in(options.in);
+        std::optional<io::SequenceNames> map;
+        if (!options.map.empty()) map = read_map(options.map);
+        return suitable_preset(in.path(range_of(options, in).begin), map).preset;
+    };
+    auto const& preset = *choose();
+    std::cout << preset.name << "\n\n" << preset.make({1, 1}, 1)->plan();
+}
+
 void denoise(DenoiseOptions const& options) {
     PresetChoice choice;
     if (!options.preset.empty()) choice.preset = &preset_of(options.preset);
@@ -144,6 +156,7 @@ int main(int argc, char** argv) {
     return exit_code_of("quell-denoise", [&] {
         auto const options = denoise_options(argc, argv);
         if (!options) return;
+        if (options->plan) return print_plan(*options);
         if (!options->list) return denoise(*options);
         for (auto const& preset : presets()) std::cout << preset.name << '\n';
     });

@@ -93,7 +93,7 @@ int components_of_channel(std::string const& name) {
 
 void add_channel(Member const& object, std::string const& name, io::ChannelNames& names) {
     auto const components = components_of_channel(name);
-    if (components == 0) object.at(name).fail("quell has no such channel; see the table of channels in SCENES.md");
+    if (components == 0) object.at(name).fail("quell has no such channel; see the table of channels in docs/channels.md");
     names.sources[name] = sources_in(object.at(name), name, components);
 }
 

@@ -52,6 +52,10 @@ void describe(CLI::App& app, DenoiseOptions& options) {
         ->delimiter(',');
     app.add_flag("--quiet", options.quiet, "Say nothing on stderr but errors");
     app.add_flag("--list", options.list, "Print the names of the presets");
+    app.add_flag(
+        "--plan", options.plan,
+        "Print the passes of --preset, or of the preset that suits --in, with what each reads and writes, and the memory that they take; "
+        "denoise nothing");
     app.footer(footer);
 }
 
@@ -64,6 +68,9 @@ void check_debug_views(DenoiseOptions const& options) {
 
 void check(DenoiseOptions const& options) {
     if (options.list) return;
+    if (options.plan && options.in.empty() && options.preset.empty())
+        throw Error("--plan", "neither --preset nor --in is there", "say of which preset, or which files it is to suit");
+    if (options.plan) return;
     if (options.in.empty()) throw Error("command line", "--in is missing", "say where the frames are, as in --in 'dir/frame.%04d.exr'");
     if (options.out.empty() && options.reference.empty() && !options.diagnose)
         throw Error("command line", "none of --out, --reference and --diagnose is there",

@@ -16,7 +16,7 @@ struct DenoiseOptions {
     int threads = 0;
     std::optional<float> shutter; ///< of all frames, whatever the map and the files say
     std::vector<std::string> debug_views;
-    bool quiet = false, list = false, diagnose = false;
+    bool quiet = false, list = false, plan = false, diagnose = false;
 };
 
 /// Nothing where help was asked for, which has then been printed.

@@ -62,6 +62,7 @@ public:
     std::vector<Finding> const& findings() const override { return found; }
     std::vector<DebugImage> debug_images(std::string const&) override { return {}; }
     long long missing_samples() const override { return history.statistics().missing_samples; }
+    std::string plan() const override { return to_string(plan_of(pipeline)); }
     double bytes_per_pixel() const override { return history.before.bytes_per_pixel() + history.after.bytes_per_pixel(); }
 
 private:

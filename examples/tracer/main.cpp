@@ -15,7 +15,7 @@
 
 #include <quell/io/frame_image.hpp>
 #include <quell/io/write_exr.hpp>
-#include <quell/pipeline/presets.hpp>
+#include <quell/presets/general.hpp>
 
 #include <CLI/CLI.hpp>
 

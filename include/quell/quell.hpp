@@ -1,7 +1,7 @@
 #pragma once
 
 // Everything that needs GLM and xsimd only. Opt-in: quell/execute/threads.hpp (oneTBB), quell/io/exr.hpp (OpenEXR), quell/metrics/*.hpp,
-// quell/diagnose/diagnose.hpp.
+// quell/presets/blur.hpp (motion blur), quell/presets/published.hpp (what others published), quell/diagnose/diagnose.hpp.
 
 #include <quell/blend/clamped.hpp>
 #include <quell/blend/exponential.hpp>
@@ -21,13 +21,15 @@
 #include <quell/motion/catmull_rom.hpp>
 #include <quell/motion/dual_motion.hpp>
 #include <quell/motion/first_valid.hpp>
-#include <quell/motion/glossy_motion.hpp>
+#include <quell/motion/reflection/glossy_motion.hpp>
+#include <quell/motion/reflection/thin_lens.hpp>
 #include <quell/motion/surface_motion.hpp>
-#include <quell/motion/thin_lens.hpp>
 #include <quell/pipeline/pipeline.hpp>
-#include <quell/pipeline/presets.hpp>
 #include <quell/pipeline/run.hpp>
+#include <quell/presets/effects.hpp>
+#include <quell/presets/general.hpp>
 #include <quell/radiance/cone_atrous.hpp>
 #include <quell/radiance/cone_fetch.hpp>
 #include <quell/radiance/cone_gather.hpp>
 #include <quell/radiance/with_cones.hpp>
+#include <quell/version.hpp>

@@ -1,4 +1,4 @@
-#include <quell/blur/part_means.hpp>
+#include <quell/blur/two_motions/part_means.hpp>
 
 #include <doctest/doctest.h>
 

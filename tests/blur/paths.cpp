@@ -1,5 +1,7 @@
 #include "../frames.hpp"
 
+#include <quell/presets/blur.hpp>
+
 using namespace quell;
 
 namespace {

@@ -1,6 +1,7 @@
 #include "../frames.hpp"
 
 #include <quell/execute/threads.hpp>
+#include <quell/presets/published.hpp>
 
 #include <algorithm>
 

@@ -1,5 +1,7 @@
 #include "world.hpp"
 
+#include <quell/presets/blur.hpp>
+
 #include <algorithm>
 
 using namespace quell;

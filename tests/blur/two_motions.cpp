@@ -1,5 +1,7 @@
 #include "world.hpp"
 
+#include <quell/presets/blur.hpp>
+
 #include <set>
 
 using namespace quell;

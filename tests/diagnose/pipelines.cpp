@@ -1,5 +1,7 @@
 #include "sequences.hpp"
 
+#include <quell/presets/published.hpp>
+
 using namespace quell;
 using namespace quell::tests;
 

@@ -1,5 +1,7 @@
 #include "sequences.hpp"
 
+#include <quell/presets/blur.hpp>
+
 #include <tracer/frame_sink.hpp>
 #include <tracer/render.hpp>
 #include <tracer/scenes/scenes.hpp>

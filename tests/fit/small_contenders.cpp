@@ -1,5 +1,7 @@
 #include "small_contenders.hpp"
 
+#include <quell/presets/published.hpp>
+
 std::vector<quell::bench::Contender> quell::bench::small_contenders() {
     return {
         contender("none", false, QUELL_FIT_CODE(presets::none(radiance))),

@@ -1,5 +1,7 @@
 #include "arbitrary_frames.hpp"
 
+#include <quell/presets/published.hpp>
+
 using namespace quell;
 using namespace quell::fuzz;
 

@@ -1,6 +1,8 @@
 #include "../frames.hpp"
 #include "../views.hpp"
 
+#include <quell/presets/published.hpp>
+
 using namespace quell;
 
 namespace {

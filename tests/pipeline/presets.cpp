@@ -1,6 +1,7 @@
 #include "../views.hpp"
 
 #include <quell/execute/threads.hpp>
+#include <quell/presets/published.hpp>
 
 using namespace quell;
 

@@ -1,5 +1,7 @@
 #include "../views.hpp"
 
+#include <quell/presets/published.hpp>
+
 #include <algorithm>
 #include <array>
 

@@ -175,6 +175,17 @@ TEST_CASE("without --preset quell-denoise takes what suits the files' channels, 
     CHECK(contains(blind.err, "preset final-frame, since"));
 }
 
+TEST_CASE("--plan shows the passes of a preset, named or suited to the files, and denoises nothing") {
+    auto const svgf = denoise("--plan --preset svgf");
+    CHECK(svgf.code == 0);
+    CHECK(contains(svgf.out, "| temporal | signal, motion, depth, normal | signal, luminance_mean"));
+    CHECK(contains(svgf.out, "bytes a pixel"));
+    Folder const folder;
+    write_sequence(folder, 1, 2);
+    CHECK(contains(denoise("--plan " + input(folder)).out, "final-frame"));
+    CHECK(contains(denoise("--plan").err, "neither --preset nor --in is there"));
+}
+
 TEST_CASE("frames from after are used by general, as many as there are and are asked for") {
     Folder const folder;
     write_sequence(folder, 1, 6);

@@ -1,5 +1,7 @@
 #include "../frames.hpp"
 
+#include <quell/presets/published.hpp>
+
 using namespace quell;
 
 namespace {

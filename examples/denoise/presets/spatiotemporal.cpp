@@ -1,3 +1,5 @@
+#include <quell/presets/published.hpp>
+
 #include <denoise/denoiser_of.hpp>
 #include <denoise/presets.hpp>
 #include <denoise/two_sided_denoiser.hpp>

@@ -8,7 +8,7 @@
 
 namespace quell::tracer {
 
-/// Names of the built-in scenes, in the order of SCENES.md.
+/// Names of the built-in scenes.
 [[nodiscard]] std::vector<std::string> scene_names();
 
 /// Throws quell::Error, listing the names, where there is no such scene.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <quell/blend/blend_policy.hpp>
-#include <quell/filter/taps.hpp>
+#include <quell/frame/cursor/taps.hpp>
 
 namespace quell {
 
@@ -15,10 +15,8 @@ struct MinMax {
         QUELL_KERNEL explicit Gatherer(V const& centre) : low(centre), high(centre) {}
         QUELL_KERNEL void add(V const& v, Real weight) {
             auto const counts = weight > Real(0.f);
-            low = map(
-                [&](auto a, auto b) __attribute__((always_inline)) { return select(counts, min(a, b), a); }, low, v);
-            high = map(
-                [&](auto a, auto b) __attribute__((always_inline)) { return select(counts, max(a, b), a); }, high, v);
+            low = map([&](auto a, auto b) QUELL_INLINED { return select(counts, min(a, b), a); }, low, v);
+            high = map([&](auto a, auto b) QUELL_INLINED { return select(counts, max(a, b), a); }, high, v);
         }
         QUELL_KERNEL void finish(MinMax) {}
     };
@@ -35,27 +33,19 @@ struct MeanDeviation {
         QUELL_KERNEL explicit Gatherer(V const& centre_) : low(zero<V>()), high(zero<V>()), centre(centre_) {}
         /// Sums of distances from the centre: sums of squares of the values themselves cancel at HDR magnitudes.
         QUELL_KERNEL void add(V const& v, Real w) {
-            auto const d = map(
-                [](auto a, auto b) __attribute__((always_inline)) { return a - b; }, v, centre);
-            low = map(
-                [&](auto s, auto a) __attribute__((always_inline)) { return s + a * w; }, low, d);
-            high = map(
-                [&](auto s, auto a) __attribute__((always_inline)) { return s + a * a * w; }, high, d);
+            auto const d = map([](auto a, auto b) QUELL_INLINED { return a - b; }, v, centre);
+            low = map([&](auto s, auto a) QUELL_INLINED { return s + a * w; }, low, d);
+            high = map([&](auto s, auto a) QUELL_INLINED { return s + a * a * w; }, high, d);
             weight = weight + w;
         }
         QUELL_KERNEL void finish(MeanDeviation p) {
             auto const inverse = 1.f / max(weight, Real(1.f));
             auto const mean = scale(low, inverse);
             auto const reach = map(
-                [&](auto squares, auto m)
-                    __attribute__((always_inline)) { return sqrt(max(squares * inverse - m * m, Real(0.f))) * p.sigmas; },
-                high, mean);
-            auto const middle = map(
-                [](auto m, auto c) __attribute__((always_inline)) { return m + c; }, mean, centre);
-            low = map(
-                [](auto m, auto r) __attribute__((always_inline)) { return m - r; }, middle, reach);
-            high = map(
-                [](auto m, auto r) __attribute__((always_inline)) { return m + r; }, middle, reach);
+                [&](auto squares, auto m) QUELL_INLINED { return sqrt(max(squares * inverse - m * m, Real(0.f))) * p.sigmas; }, high, mean);
+            auto const middle = map([](auto m, auto c) QUELL_INLINED { return m + c; }, mean, centre);
+            low = map([](auto m, auto r) QUELL_INLINED { return m - r; }, middle, reach);
+            high = map([](auto m, auto r) QUELL_INLINED { return m + r; }, middle, reach);
         }
     };
 };
@@ -102,14 +92,12 @@ template <class Inner, class Range = MeanDeviation, class Axes = Rgb, int radius
         using V = typename decltype(px)::Signal;
         using Real = typename decltype(px)::Real;
         typename Range::template Gatherer<V> bounds(Axes::from(px.signal()));
-        for_each_neighbour<radius>(
-            px, [&](auto neighbour, auto weight, int, int) __attribute__((always_inline)) {
-                bounds.add(Axes::from(neighbour.signal()), select(neighbour.missing(), Real(0.f), weight));
-            });
+        for_each_neighbour<radius>(px, [&](auto neighbour, auto weight, int, int) QUELL_INLINED {
+            bounds.add(Axes::from(neighbour.signal()), select(neighbour.missing(), Real(0.f), weight));
+        });
         bounds.finish(range);
-        auto const inside = Axes::to(map(
-            [](auto a, auto low, auto high) __attribute__((always_inline)) { return clamp(a, low, high); }, Axes::from(past.signal),
-            bounds.low, bounds.high));
+        auto const inside = Axes::to(map([](auto a, auto low, auto high) QUELL_INLINED { return clamp(a, low, high); },
+                                         Axes::from(past.signal), bounds.low, bounds.high));
         past.clamped = past.clamped + relative_change(inside, past.signal);
         past.signal = inside;
         return inner.blend(px, past);
@@ -118,8 +106,7 @@ template <class Inner, class Range = MeanDeviation, class Axes = Rgb, int radius
 private:
     /// w_C of TRMV eq. 8.
     template <class V> QUELL_KERNEL static auto relative_change(V const& after, V const& before) {
-        auto const change = map(
-            [](auto a, auto b) __attribute__((always_inline)) { return abs(a - b); }, after, before);
+        auto const change = map([](auto a, auto b) QUELL_INLINED { return abs(a - b); }, after, before);
         return luminance(change) / (luminance(before) + 1e-3f);
     }
 };

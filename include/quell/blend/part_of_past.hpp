@@ -10,7 +10,7 @@ QUELL_KERNEL auto blend_part_of_past(Inner const& inner, Px const& px, P past, t
     using Real = typename Px::Real;
     if constexpr (keeps_of<Inner>::template has<HistoryLength>) {
         // Of a mean, validity is the part of its frames that count; alpha is 1 / (frames + 1).
-        auto const whole = result_of([&]() __attribute__((always_inline)) { return inner.blend(px, past); });
+        auto const whole = result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
         auto const frames = 1.f / (1.f - part * (1.f - whole.alpha)) - 1.f;
         past.validity = select(part < Real(1.f), frames / max(past[history_length], Real(1e-6f)), past.validity);
     } else

@@ -5,7 +5,7 @@
 namespace quell {
 
 /// The exact mean of a pixel's last frames, until there are `cap` of them; from then on a moving average with alpha = 1 / cap. The only
-/// form that is both unbiased at the start and bounded. (NOTES; METHODS section 1)
+/// form that is both unbiased at the start and bounded.
 struct RunningMean {
     using keeps = Channels<HistoryLength>;
     float cap = 32.f; ///< frames, at least 1; where the host says how many samples a pixel has (KnownSamples{}), samples

@@ -12,7 +12,7 @@ template <class Inner> struct WithMoments {
     Inner inner{};
 
     QUELL_KERNEL auto blend(auto px, auto past) const {
-        auto const result = detail::result_of([&]() __attribute__((always_inline)) { return inner.blend(px, past); });
+        auto const result = detail::result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
         auto const alpha = result.alpha;
         auto const before = past[luminance_mean];
         auto const off = luminance(px.signal()) - before;

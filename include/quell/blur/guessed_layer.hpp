@@ -1,7 +1,7 @@
 #pragma once
 
 #include <quell/blur/layers.hpp>
-#include <quell/filter/taps.hpp>
+#include <quell/frame/cursor/taps.hpp>
 
 namespace quell::detail {
 
@@ -11,12 +11,11 @@ template <class Px, class Counts> [[gnu::noinline]] constexpr auto guessed_layer
     using Real = typename Px::Real;
     auto sum = zero<typename Px::Signal>();
     Real weights(0.f);
-    for_each_neighbour<2>(
-        px, [&](auto neighbour, auto inside, int, int) __attribute__((always_inline)) {
-            auto const w = masked(counts(neighbour), inside);
-            sum = add_scaled(sum, neighbour.signal(), w);
-            weights = weights + w;
-        });
+    for_each_neighbour<2>(px, [&](auto neighbour, auto inside, int, int) QUELL_INLINED {
+        auto const w = masked(counts(neighbour), inside);
+        sum = add_scaled(sum, neighbour.signal(), w);
+        weights = weights + w;
+    });
     return layer_of(scale(sum, 1.f / max(weights, Real(1.f))), masked(weights > Real(0.f), Real(certainty)));
 }
 

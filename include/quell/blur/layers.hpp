@@ -17,8 +17,8 @@ template <ChannelTag Signal> struct BackLayer : MadeChannel<Signal::components +
     static constexpr auto name = "back_layer";
     static constexpr float certain = 64.f, guessed = 0.05f;
 };
-/// What is in front of something that moves unlike it: the signal times how much of the open shutter it covers the pixel, that coverage, in
-/// [0, 1], and how many samples they are the mean of.
+/// The foreground layer: its signal times its coverage; its coverage, the part of the open shutter for which it hides the background, in
+/// [0, 1]; and how many samples pass in that time, as many as it sweeps pixels, by which history weighs it.
 template <ChannelTag Signal> struct FrontLayer : MadeChannel<Signal::components + 2> { static constexpr auto name = "front_layer"; };
 /// The mean sweep of what is in front, in pixels; longer than any where nothing is.
 struct FrontSweep : MadeChannel<2> {
@@ -27,7 +27,7 @@ struct FrontSweep : MadeChannel<2> {
 inline constexpr FrontSweep front_sweep;
 /// The moving layer behind the filters that history has nothing of.
 template <ChannelTag Signal> struct FilteredLayer : MadeChannel<Signal::components + 1> { static constexpr auto name = "filtered_layer"; };
-/// The mean sweep of what moves, in pixels.
+/// The mean sweep of the moving layer, in pixels; with two layers in motion, that of the background.
 struct MeanSweep : MadeChannel<2> {
     static constexpr auto name = "mean_sweep";
 };
@@ -37,7 +37,7 @@ namespace detail {
 /// A layer's value from a signal and its weight, and back.
 template <class V> QUELL_KERNEL auto layer_of(V const& signal, real_of<V> weight) {
     constexpr int n = components_of<V>;
-    return make_value<n + 1, real_of<V>>([&](auto c) __attribute__((always_inline)) {
+    return make_value<n + 1, real_of<V>>([&](auto c) QUELL_INLINED {
         if constexpr (c < n)
             return component<c>(signal);
         else
@@ -45,7 +45,7 @@ template <class V> QUELL_KERNEL auto layer_of(V const& signal, real_of<V> weight
     });
 }
 template <class L> QUELL_KERNEL auto signal_of(L const& layer) {
-    return make_value<components_of<L> - 1, real_of<L>>([&](auto c) __attribute__((always_inline)) { return component<c>(layer); });
+    return make_value<components_of<L> - 1, real_of<L>>([&](auto c) QUELL_INLINED { return component<c>(layer); });
 }
 template <class L> QUELL_KERNEL auto weight_of(L const& layer) { return component<components_of<L> - 1>(layer); }
 

@@ -28,7 +28,7 @@ template <class SweepChannel, class Real> struct PathFound {
 template <ChannelTag SweepChannel> struct PathSearchOf {
     using reads = Channels<SweepChannel>;
     using keeps = Channels<SweepChannel>;
-    int iterations = 4;   ///< how often the place may be moved (MB: 2); 0: plain reprojection
+    int iterations = 4;   ///< how often the place may be moved again (MB: 2); 0: it is moved once, and refused where it missed
     float accept = 0.25f; ///< pixels; a difference below it will do
     float give_up = 32.f; ///< pixels; a difference beyond it will not be mended
     // The place half way between two motions satisfies both directions as well: what differs in length is another thing.
@@ -82,7 +82,7 @@ private:
     QUELL_KERNEL static float per_frame(float shutter) { return 1.f / max(shutter, 1e-6f); }
 };
 
-/// Of the whole picture, or of what is behind where two things meet.
+/// Along the mean motion of the picture, or of the background where two layers meet.
 using PathSearch = PathSearchOf<MeanSweep>;
 
 static_assert(MotionSource<PathSearch>);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/frame/pixel.hpp>
+#include <quell/frame/cursor/pixel.hpp>
 
 namespace quell {
 

@@ -11,6 +11,7 @@ namespace quell {
 template <int Components> struct Channel {
     static constexpr int components = Components;
     static constexpr bool full_precision = false; ///< true: never stored in half (positions, ids, anything whose ulp at 1000 matters)
+    static constexpr int fraction = 1;            ///< its image is as wide and high as the frame divided by this, rounded up: 2 for a half
 };
 
 /// A channel that stages make themselves: no host supplies it, and a pipeline in which nothing makes it does not compile.

@@ -7,7 +7,7 @@
 #error "quell is written for g++ and clang++; on Windows, compile with clang-cl"
 #endif
 
-/// The one macro of quell: marks every function that runs inside a kernel.
+/// Marks every function that runs inside a kernel.
 /// Kernels are made of many tiny functions, and a single one left as a call spills every SIMD register (clang was 5.5 times slower), so
 /// inlining is forced. `constexpr` lets nvcc take the same function for the device (`--expt-relaxed-constexpr`).
 /// What few pixels need and what is large is marked [[gnu::noinline]] constexpr instead: as a call it is compiled once, and costs the
@@ -17,3 +17,6 @@
 #else
 #define QUELL_KERNEL [[gnu::always_inline]] inline constexpr
 #endif
+
+/// Marks a lambda inside a kernel, behind its parameters: [&](auto a) QUELL_INLINED { ... }. It is inlined by force, for the same reason.
+#define QUELL_INLINED __attribute__((always_inline))

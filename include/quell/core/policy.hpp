@@ -84,4 +84,10 @@ template <class... Ps> using emits_of = union_of<typename detail::Declared<detai
 /// Whether a policy, or a part of it, says `static constexpr bool needs_camera = true`: then hosts must set frame.camera.
 template <class P> inline constexpr bool needs_camera_of = detail::needs_camera<P>();
 
+/// At which fraction of the frame's width and height a pass runs, as it says by `static constexpr int fraction`: 1 where it doesn't.
+template <class P> inline constexpr int fraction_of = 1;
+template <class P>
+    requires requires { P::fraction; }
+inline constexpr int fraction_of<P> = P::fraction;
+
 } // namespace quell

@@ -41,14 +41,12 @@ template <class V, class Set = Channels<>> struct Result {
         static_assert(std::is_convertible_v<T, Value<C::components, Real>>,
                       "with(channel, value): the value must have as many components as the channel");
         using Wider = decltype(Set{} + c);
-        return Result<V, Wider>{value, alpha,
-                                make_record<Real>(
-                                    Wider{}, [&](auto d) __attribute__((always_inline)) {
-                                        if constexpr (std::is_same_v<decltype(d), C>)
-                                            return Value<C::components, Real>(v);
-                                        else
-                                            return more[d];
-                                    })};
+        return Result<V, Wider>{value, alpha, make_record<Real>(Wider{}, [&](auto d) QUELL_INLINED {
+                                    if constexpr (std::is_same_v<decltype(d), C>)
+                                        return Value<C::components, Real>(v);
+                                    else
+                                        return more[d];
+                                })};
     }
 };
 template <class V> Result(V) -> Result<V>;

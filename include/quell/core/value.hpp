@@ -65,29 +65,26 @@ template <int c, class V> QUELL_KERNEL auto component(V const& v) {
 
 /// Makes a value whose component c is f(integral_constant<c>), in one expression.
 template <int N, class Real, class F> QUELL_KERNEL Value<N, Real> make_value(F&& f) {
-    return [&]<int... c>(std::integer_sequence<int, c...>) __attribute__((always_inline)) {
-        return Value<N, Real>{f(std::integral_constant<int, c>{})...};
-    }
+    return [&]<int... c>(std::integer_sequence<int, c...>) QUELL_INLINED { return Value<N, Real>{f(std::integral_constant<int, c>{})...}; }
     (std::make_integer_sequence<int, N>{});
 }
 
 /// Applies f to each component of one value or of several of the same shape.
 template <class F, class V, class... Vs> QUELL_KERNEL auto map(F&& f, V const& v, Vs const&... vs) {
     using Result = decltype(f(component<0>(v), component<0>(vs)...));
-    return make_value<components_of<V>, Result>([&](auto c)
-                                                    __attribute__((always_inline)) { return f(component<c>(v), component<c>(vs)...); });
+    return make_value<components_of<V>, Result>([&](auto c) QUELL_INLINED { return f(component<c>(v), component<c>(vs)...); });
 }
 
 /// Combines all components of a value: f(f(f(first, c0), c1), c2)...
 template <class F, class V, class R> QUELL_KERNEL R fold(F&& f, R first, V const& v) {
-    [&]<int... c>(std::integer_sequence<int, c...>) __attribute__((always_inline)) { ((first = f(first, component<c>(v))), ...); }
+    [&]<int... c>(std::integer_sequence<int, c...>) QUELL_INLINED { ((first = f(first, component<c>(v))), ...); }
     (std::make_integer_sequence<int, components_of<V>>{});
     return first;
 }
 
 /// The value with every component `a`.
 template <class V> QUELL_KERNEL V splat(real_of<V> a) {
-    return make_value<components_of<V>, real_of<V>>([&](auto) __attribute__((always_inline)) { return a; });
+    return make_value<components_of<V>, real_of<V>>([&](auto) QUELL_INLINED { return a; });
 }
 template <class V> QUELL_KERNEL V zero() { return splat<V>(real_of<V>(0.f)); }
 
@@ -96,30 +93,25 @@ template <class Real> QUELL_KERNEL vec3<Real> broadcast(glm::vec3 const& v) { re
 
 /// sum + v * weight.
 template <class V> QUELL_KERNEL V add_scaled(V const& sum, V const& v, real_of<V> weight) {
-    return map(
-        [&](auto s, auto a) __attribute__((always_inline)) { return fma(a, weight, s); }, sum, v);
+    return map([&](auto s, auto a) QUELL_INLINED { return fma(a, weight, s); }, sum, v);
 }
 template <class V> QUELL_KERNEL V scale(V const& v, real_of<V> factor) {
-    return map(
-        [&](auto a) __attribute__((always_inline)) { return a * factor; }, v);
+    return map([&](auto a) QUELL_INLINED { return a * factor; }, v);
 }
 /// a + (b - a) * t.
 template <class V> QUELL_KERNEL V mix(V const& a, V const& b, real_of<V> t) {
-    return map(
-        [&](auto x, auto y) __attribute__((always_inline)) { return fma(y - x, t, x); }, a, b);
+    return map([&](auto x, auto y) QUELL_INLINED { return fma(y - x, t, x); }, a, b);
 }
 /// Where the mask holds, a; elsewhere, b.
 template <class Mask, class V>
     requires(components_of<V> > 1)
 QUELL_KERNEL V select(Mask mask, V const& a, V const& b) {
-    return map(
-        [&](auto x, auto y) __attribute__((always_inline)) { return quell::select(mask, x, y); }, a, b);
+    return map([&](auto x, auto y) QUELL_INLINED { return quell::select(mask, x, y); }, a, b);
 }
 /// True where every component is finite.
 template <class V> QUELL_KERNEL auto all_finite(V const& v) {
     // Adding up first would be cheaper, and wrong: inf - inf, and overflow of large finite values.
-    return fold(
-        [](auto sofar, auto a) __attribute__((always_inline)) { return both(sofar, is_finite(a)); }, is_finite(component<0>(v)), v);
+    return fold([](auto sofar, auto a) QUELL_INLINED { return both(sofar, is_finite(a)); }, is_finite(component<0>(v)), v);
 }
 template <class Real> QUELL_KERNEL Real dot(vec3<Real> const& a, vec3<Real> const& b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
 
@@ -129,9 +121,7 @@ template <class V> QUELL_KERNEL auto luminance(V const& v) {
         using Real = real_of<V>;
         return fma(component<0>(v), Real(0.2126f), fma(component<1>(v), Real(0.7152f), component<2>(v) * 0.0722f));
     } else
-        return fold(
-                   [](auto sofar, auto a) __attribute__((always_inline)) { return sofar + a; }, real_of<V>(0.f), v) *
-               (1.f / components_of<V>);
+        return fold([](auto sofar, auto a) QUELL_INLINED { return sofar + a; }, real_of<V>(0.f), v) * (1.f / components_of<V>);
 }
 
 } // namespace quell

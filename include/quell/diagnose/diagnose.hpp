@@ -2,17 +2,17 @@
 
 // Opt-in: what a host that integrates quell gets wrong, in words. Needs no more than quell.hpp does.
 
-#include <quell/diagnose/albedo_hypotheses.hpp>
-#include <quell/diagnose/camera_hypotheses.hpp>
-#include <quell/diagnose/depth_hypotheses.hpp>
-#include <quell/diagnose/history_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/albedo_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/camera_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/depth_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/history_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/motion_by_history.hpp>
+#include <quell/diagnose/hypotheses/motion_disagreement.hpp>
+#include <quell/diagnose/hypotheses/normal_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/sample_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/sweep_hypotheses.hpp>
 #include <quell/diagnose/inspect.hpp>
-#include <quell/diagnose/motion_by_history.hpp>
-#include <quell/diagnose/motion_disagreement.hpp>
-#include <quell/diagnose/normal_hypotheses.hpp>
-#include <quell/diagnose/sample_hypotheses.hpp>
-#include <quell/diagnose/sweep_hypotheses.hpp>
-#include <quell/pipeline/check_frame.hpp>
+#include <quell/pipeline/execution/check_frame.hpp>
 
 namespace quell {
 

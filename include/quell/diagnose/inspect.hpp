@@ -12,7 +12,7 @@ struct Inspect {
     template <class H> static bool has_past(H const& history) { return !history.empty; }
     template <class H> static Camera const& camera(H const& history) { return history.camera; }
     template <class H> static std::optional<long long> number(H const& history) { return history.number; }
-    template <class H> static Extent size(H const& history) { return history.pool.size(); }
+    template <class H> static Extent size(H const& history) { return history.size; }
     template <class H> static auto const& output(H const& history) { return history.output; }
     /// What the next frame's temporal pass finds.
     template <class H> static auto const& signal(H const& history) { return history.signal; }

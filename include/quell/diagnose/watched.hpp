@@ -4,8 +4,8 @@
 #include <quell/blend/with_clean_up.hpp>
 #include <quell/blend/with_moments.hpp>
 #include <quell/diagnose/debug_channels.hpp>
-#include <quell/filter/light_change.hpp>
-#include <quell/filter/temporal_gradient.hpp>
+#include <quell/filter/change/light_change.hpp>
+#include <quell/filter/change/temporal_gradient.hpp>
 #include <quell/motion/surface_motion.hpp>
 #include <quell/pipeline/composite.hpp>
 #include <quell/radiance/with_cones.hpp>
@@ -44,7 +44,7 @@ template <class Px, class Test> QUELL_KERNEL auto refusal(Px const& px, vec2<typ
 template <class Px, class... Tests> QUELL_KERNEL auto refusal(Px const& px, vec2<typename Px::Real> where, AllOf<Tests...> const& all) {
     using Real = typename Px::Real;
     Real reason = code_of<Real>(Rejection::other);
-    auto const unless_earlier = [&]<class Test>(Test const& test) __attribute__((always_inline)) {
+    auto const unless_earlier = [&]<class Test>(Test const& test) QUELL_INLINED {
         auto const open = reason > code_of<Real>(Rejection::instance);
         reason = select(both(open, refuses(px, where, test)), code_of<Real>(rejection_by<Test>()), reason);
     };
@@ -89,7 +89,7 @@ template <class Inner> struct WatchedClamp {
     Inner inner{};
 
     QUELL_KERNEL auto blend(auto px, auto past) const {
-        auto const result = detail::result_of([&]() __attribute__((always_inline)) { return inner.blend(px, past); });
+        auto const result = detail::result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
         return result.with(debug_clamp, select(past.validity > decltype(past.validity)(0.f), past.clamped, decltype(past.clamped)(0.f)));
     }
 };
@@ -104,7 +104,7 @@ template <class M, class Inner, class Fetch> struct Watched {
 
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;
-        auto const result = detail::result_of([&]() __attribute__((always_inline)) { return inner.blend(px, past); });
+        auto const result = detail::result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
         auto const source = px.has_past() ? detail::source_of(px, motion, fetch, 1.f) : Real(0.f);
         auto const refused =
             px.has_past() ? detail::rejection_of(px, detail::first_of(motion)) : detail::code_of<Real>(Rejection::no_frame);

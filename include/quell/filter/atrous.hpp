@@ -49,13 +49,13 @@ template <class Edge, bool guided, class Spline = CubicSpline> struct AtrousLeve
         auto sum = scale(px.signal(), Real(centre));
         Real weights(centre), noise(0.f);
         if constexpr (guided) noise = px[variance] * (weights * weights);
-        auto const add = [&](auto const& neighbour, auto w) __attribute__((always_inline)) {
+        auto const add = [&](auto const& neighbour, auto w) QUELL_INLINED {
             sum = add_scaled(sum, neighbour.signal(), w);
             weights = weights + w;
             if constexpr (guided) noise = fma(neighbour[variance], w * w, noise);
         };
         for_each_edge_tap<true, SplineBits<Spline>::radius>(
-            px, step, around, [](int i, int j) __attribute__((always_inline)) { return spline_bits<Spline>.at[i][j]; }, add);
+            px, step, around, [](int i, int j) QUELL_INLINED { return spline_bits<Spline>.at[i][j]; }, add);
         auto const inverse = 1.f / weights;
         auto const result = Result{finite_or(scale(sum, inverse), px.signal())};
         if constexpr (guided)

@@ -49,7 +49,7 @@ template <class Edge, class Deviation> struct BilateralLine {
             auto const reaches = gauss > Real(1e-7f);
             if (!any(reaches)) break;
             auto const falloff = masked(reaches, gauss);
-            auto const add = [&](auto neighbour) __attribute__((always_inline)) {
+            auto const add = [&](auto neighbour) QUELL_INLINED {
                 auto const counts = both(neighbour.inside(), invert(neighbour.missing()));
                 auto const w = masked(counts, falloff * edge_weight(toward.distance(neighbour, Real(detail::edge_offset(around)))));
                 sum = add_scaled(sum, neighbour.signal(), w);

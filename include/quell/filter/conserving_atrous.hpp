@@ -89,7 +89,7 @@ template <class Edge> struct ExchangeLevel {
         // Geometry is certain and normalises; brightness is not, and doesn't.
         auto gained = zero<typename Px::Signal>();
         Real weights(centre), taken(0.f), noise(0.f);
-        auto const exchanged = [&](auto const& neighbour, auto distance, float bits) __attribute__((always_inline)) {
+        auto const exchanged = [&](auto const& neighbour, auto distance, float bits) QUELL_INLINED {
             weights = weights + edge_weight(distance, bits);
             auto const there = neighbour.signal();
             auto const its_noise = neighbour[variance];
@@ -98,17 +98,15 @@ template <class Edge> struct ExchangeLevel {
             auto const of_both = fma(its_brightness * its_brightness, Real(rounding), tolerated + its_noise);
             distance = fma(abs(its_brightness - brightness), approximate_reciprocal(sqrt(of_both) * sigma_luminance), distance);
             auto const w = edge_weight(distance, bits);
-            gained = map(
-                [&](auto sum, auto a, auto b) __attribute__((always_inline)) { return fma(a - b, w, sum); }, gained, there, here);
+            gained = map([&](auto sum, auto a, auto b) QUELL_INLINED { return fma(a - b, w, sum); }, gained, there, here);
             taken = taken + w;
             noise = fma(its_noise, w * w, noise);
         };
         for_each_edge_distance<true, 1>(
-            px, step, around, [](int i, int j) __attribute__((always_inline)) { return spline_bits<LinearSpline>.at[i][j]; }, exchanged);
+            px, step, around, [](int i, int j) QUELL_INLINED { return spline_bits<LinearSpline>.at[i][j]; }, exchanged);
         auto const part = exchange / weights;
         auto const kept = 1.f - taken * part;
-        auto const value = map(
-            [&](auto a, auto g) __attribute__((always_inline)) { return max(fma(g, part, a), Real(0.f)); }, here, gained);
+        auto const value = map([&](auto a, auto g) QUELL_INLINED { return max(fma(g, part, a), Real(0.f)); }, here, gained);
         return Result{finite_or(value, here)}.with(variance, finite_or(fma(noise, part * part, noise_here * (kept * kept)), noise_here));
     }
 };

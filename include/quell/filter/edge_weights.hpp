@@ -1,7 +1,7 @@
 #pragma once
 
 #include <quell/filter/filter_kernel.hpp>
-#include <quell/frame/depth_slope.hpp>
+#include <quell/frame/cursor/depth_slope.hpp>
 
 namespace quell {
 
@@ -80,11 +80,10 @@ struct VarianceGuidedEdge {
         using Real = typename decltype(px)::Real;
         Real sum = px[variance] * 0.25f, weights(0.25f);
         constexpr float profile[] = {0.5f, 0.25f};
-        for_each_tap_pair<1>(
-            px, 1, profile, [&](auto neighbour, auto weight, auto opposite, auto its_weight, int, int) __attribute__((always_inline)) {
-                sum = fma(neighbour[variance], weight, fma(opposite[variance], its_weight, sum));
-                weights = weights + (weight + its_weight);
-            });
+        for_each_tap_pair<1>(px, 1, profile, [&](auto neighbour, auto weight, auto opposite, auto its_weight, int, int) QUELL_INLINED {
+            sum = fma(neighbour[variance], weight, fma(opposite[variance], its_weight, sum));
+            weights = weights + (weight + its_weight);
+        });
         auto const deviation = sqrt(max(sum / weights, Real(0.f)));
         return Around<Real>{{luminance(px.signal()), 1.f / (deviation * sigma + 1e-4f)}};
     }

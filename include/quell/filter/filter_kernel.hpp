@@ -1,6 +1,7 @@
 #pragma once
 
-#include <quell/filter/taps.hpp>
+#include <quell/frame/cursor/probe.hpp>
+#include <quell/frame/cursor/taps.hpp>
 
 namespace quell {
 
@@ -89,32 +90,30 @@ namespace detail {
 /// @tparam skips_missing missing samples, where they are still marked, weigh nothing
 template <bool skips_missing, int radius = 2, class Px, class Around, class Bits, class Visit>
 QUELL_KERNEL void for_each_edge_distance(Px const& px, int step, Around const& around, Bits&& bits_of, Visit&& visit) {
-    auto const usable = [](auto const& neighbour, auto start) __attribute__((always_inline)) {
+    auto const usable = [](auto const& neighbour, auto start) QUELL_INLINED {
         if constexpr (skips_missing && Px::Scope::marks_missing)
             return select(neighbour.missing(), decltype(start)(too_far), start);
         else
             return start;
     };
     // Both distances come first, so that two chains of dependent operations are under way at a time.
-    for_each_opposite_taps<radius>(
-        px, step, edge_offset(around),
-        [&](auto const& neighbour, auto start, float row, auto const& opposite, auto its_start, float its_row, int dx, int dy, int i, int j)
-            __attribute__((always_inline)) {
-                auto const& toward = edge_toward(around, dx, dy);
-                float const weight = bits_of(i < 0 ? -i : i, j);
-                auto const distance = toward.distance(neighbour, usable(neighbour, start));
-                auto const its_distance = toward.distance(opposite, usable(opposite, its_start));
-                visit(neighbour, distance, weight + row);
-                visit(opposite, its_distance, weight + its_row);
-            });
+    for_each_opposite_taps<radius>(px, step, edge_offset(around),
+                                   [&](auto const& neighbour, auto start, float row, auto const& opposite, auto its_start, float its_row,
+                                       int dx, int dy, int i, int j) QUELL_INLINED {
+                                       auto const& toward = edge_toward(around, dx, dy);
+                                       float const weight = bits_of(i < 0 ? -i : i, j);
+                                       auto const distance = toward.distance(neighbour, usable(neighbour, start));
+                                       auto const its_distance = toward.distance(opposite, usable(opposite, its_start));
+                                       visit(neighbour, distance, weight + row);
+                                       visit(opposite, its_distance, weight + its_row);
+                                   });
 }
 /// The same with the weight itself: add(near, w).
 template <bool skips_missing, int radius = 2, class Px, class Around, class Bits, class Add>
 QUELL_KERNEL void for_each_edge_tap(Px const& px, int step, Around const& around, Bits&& bits_of, Add&& add) {
-    for_each_edge_distance<skips_missing, radius>(
-        px, step, around, bits_of, [&](auto const& neighbour, auto distance, float bits) __attribute__((always_inline)) {
-            add(neighbour, edge_weight(distance, bits));
-        });
+    for_each_edge_distance<skips_missing, radius>(px, step, around, bits_of,
+                                                  [&](auto const& neighbour, auto distance, float bits)
+                                                      QUELL_INLINED { add(neighbour, edge_weight(distance, bits)); });
 }
 } // namespace detail
 

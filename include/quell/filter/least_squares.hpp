@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/filter/taps.hpp>
+#include <quell/frame/cursor/taps.hpp>
 
 namespace quell::detail {
 
@@ -12,16 +12,16 @@ template <class V> struct LeastSquares {
     V of_regressor[slopes], sum;
 
     QUELL_KERNEL LeastSquares() : weights(0.f), sum(zero<V>()) {
-        repeat<slopes>([&](auto i) __attribute__((always_inline)) {
+        repeat<slopes>([&](auto i) QUELL_INLINED {
             regressors[i] = Real(0.f);
             of_regressor[i] = zero<V>();
             for (int j = 0; j < slopes; ++j) products[i][j] = Real(0.f);
         });
     }
     QUELL_KERNEL void add(Real const (&at)[slopes], V const& value, Real w) {
-        repeat<slopes>([&](auto i) __attribute__((always_inline)) {
+        repeat<slopes>([&](auto i) QUELL_INLINED {
             auto const weighted = at[i] * w;
-            repeat<slopes>([&](auto j) __attribute__((always_inline)) {
+            repeat<slopes>([&](auto j) QUELL_INLINED {
                 if constexpr (j <= i) products[i][j] = fma(weighted, at[j], products[i][j]);
             });
             regressors[i] = regressors[i] + weighted;

@@ -40,7 +40,7 @@ template <int level, int n> struct KeepLight {
 
 /// The largest difference of any component.
 template <class V> QUELL_KERNEL auto largest_difference(V const& a, V const& b) {
-    return [&]<int... c>(std::integer_sequence<int, c...>) __attribute__((always_inline)) {
+    return [&]<int... c>(std::integer_sequence<int, c...>) QUELL_INLINED {
         auto most = abs(component<0>(a) - component<0>(b));
         ((most = max(most, abs(component<c>(a) - component<c>(b)))), ...);
         return most;
@@ -70,8 +70,7 @@ template <class Edge, int n> struct RegressionOnGuides {
         add_ring<1>(centre, fit, 3, 9, 3);
         add_ring<2>(centre, fit, 12, 24, 6);
         constexpr float ridge[] = {0.02f, 0.02f, 2e-5f, 2e-5f, 2e-5f};
-        auto const value = map(
-            [](auto a) __attribute__((always_inline)) { return max(a, Real(0.f)); }, fit.constant(ridge));
+        auto const value = map([](auto a) QUELL_INLINED { return max(a, Real(0.f)); }, fit.constant(ridge));
         auto const known = both(fit.weights > Real(1e-6f), all_finite(value));
         auto const result = select(known, value, pilot);
         return Result{result}.with(light_of_pilot_and_fit, vec2<Real>{luminance(pilot), luminance(result)});
@@ -91,11 +90,10 @@ private:
     template <class Px> QUELL_KERNEL static auto deviation_around(Px const& px) {
         using Real = typename Px::Real;
         Real sum(0.f), count(0.f);
-        for_each_neighbour<2>(
-            px, [&](auto const& neighbour, auto inside, int, int) __attribute__((always_inline)) {
-                sum = fma(neighbour[unfiltered_variance], inside, sum);
-                count = count + inside;
-            });
+        for_each_neighbour<2>(px, [&](auto const& neighbour, auto inside, int, int) QUELL_INLINED {
+            sum = fma(neighbour[unfiltered_variance], inside, sum);
+            count = count + inside;
+        });
         return sqrt(sum / count);
     }
     /// 1 / w^2, where w is the width of the window in pixels: it grows with the cube root of the relative noise, which balances variance
@@ -150,12 +148,11 @@ struct LightLine {
     QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
         Real pilot(0.f), fit(0.f);
-        for_each_of_five(
-            px, step, vertical, [&](auto const& neighbour, auto inside) __attribute__((always_inline)) {
-                auto const light = neighbour[light_of_pilot_and_fit];
-                pilot = pilot + masked(inside, light.x);
-                fit = fit + masked(inside, light.y);
-            });
+        for_each_of_five(px, step, vertical, [&](auto const& neighbour, auto inside) QUELL_INLINED {
+            auto const light = neighbour[light_of_pilot_and_fit];
+            pilot = pilot + masked(inside, light.x);
+            fit = fit + masked(inside, light.y);
+        });
         return emitted<Real>(light_of_pilot_and_fit, vec2<Real>{pilot * 0.2f, fit * 0.2f});
     }
 };

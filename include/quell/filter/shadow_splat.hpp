@@ -51,14 +51,13 @@ private:
     template <class Px, class V> QUELL_KERNEL static auto spread(Px const& px, V const& centre) {
         using Real = typename Px::Real;
         Real sum(0.f), count(1e-6f);
-        for_each_neighbour<1>(
-            px, [&](auto neighbour, auto inside, int, int) __attribute__((always_inline)) {
-                auto const off = neighbour[light] - centre;
-                auto const square = dot(off, off);
-                auto const w = masked(is_finite(square), inside);
-                sum = fma(masked(is_finite(square), square), w, sum);
-                count = count + w;
-            });
+        for_each_neighbour<1>(px, [&](auto neighbour, auto inside, int, int) QUELL_INLINED {
+            auto const off = neighbour[light] - centre;
+            auto const square = dot(off, off);
+            auto const w = masked(is_finite(square), inside);
+            sum = fma(masked(is_finite(square), square), w, sum);
+            count = count + w;
+        });
         // Two points of a square are sqrt(side^2 / 3) apart, in the mean of squares; the centre itself is one of the nine.
         return sqrt(sum / count * (3.f * 9.f / 8.f));
     }
@@ -78,14 +77,14 @@ template <class Edge> struct SplatLevel {
         auto const around = edge.around(px);
         auto const own = px[shadow_track];
         Value<4, Real> sum{own.x * own.w, own.y * own.w, own.z * own.w, own.w};
-        auto const add = [&](auto const& neighbour, auto w) __attribute__((always_inline)) {
+        auto const add = [&](auto const& neighbour, auto w) QUELL_INLINED {
             auto const track = neighbour[shadow_track];
             auto const weight = track.w * w;
             sum = Value<4, Real>{fma(track.x, weight, sum.x), fma(track.y, weight, sum.y), fma(track.z, weight, sum.z), sum.w + weight};
         };
         // Neighbours are little beside what a pixel knows itself: the mean of a moving and a resting shadow is neither.
         for_each_edge_tap<false>(
-            px, step, around, [](int, int) __attribute__((always_inline)) { return weight_bits(0.01f); }, add);
+            px, step, around, [](int, int) QUELL_INLINED { return weight_bits(0.01f); }, add);
         auto const known = sum.w > Real(1e-5f);
         auto const inverse = 1.f / select(known, sum.w, Real(1.f));
         return emitted<Real>(shadow_track, Value<4, Real>{sum.x * inverse, sum.y * inverse, sum.z * inverse, masked(known, sum.w)});
@@ -95,7 +94,7 @@ template <class Edge> struct SplatLevel {
 
 /// Lets every pixel in or near a shadow know how the shadow moves and how wide its penumbra is (TRMV section 4.1, which calls this
 /// splatting): only pixels whose own shadow ray was blocked know by themselves. Two sparse 5x5 means reach 12 pixels. Goes before whatever
-/// uses ShadowTrack: Bilateral with PenumbraWidth, and SplattedShadowMotion.
+/// uses ShadowTrack: AdaptiveBilateral with PenumbraWidth, and SplattedShadowMotion.
 /// @tparam Source a MotionSource that is valid in shadowed pixels only
 /// @tparam Edge   an EdgeWeight that keeps surfaces apart
 template <class Source = ShadowMotion, class Edge = DepthEdge> struct ShadowSplat {
@@ -114,9 +113,9 @@ template <class Source = ShadowMotion, class Edge = DepthEdge> struct ShadowSpla
     }
 };
 
-/// How wide a Bilateral is to filter shadows: a part of the penumbra's width, but no less than reaches the next pixels; a shadow whose
-/// penumbra is as narrow as they are has hardly any noise, and may itself be no wider, so that there it is a part of the penumbra again.
-/// Where no shadow is near, as narrow as it gets.
+/// The width of an AdaptiveBilateral that filters shadows: a part of the penumbra's width, but no less than reaches the next pixels; a
+/// shadow whose penumbra is as narrow as they are has hardly any noise, and may itself be no wider, so that there it is a part of the
+/// penumbra again. Where no shadow is near, as narrow as it gets.
 struct PenumbraWidth {
     using reads = Channels<ShadowTrack>;
     float part = 0.15f;          ///< deviation of the Gaussian, as a part of the penumbra

@@ -38,19 +38,18 @@ private:
         auto const around = edge.around(px);
         auto const centre = px[luminance_mean];
         Real weights(0.f), first(0.f), second(0.f);
-        for_each_tap<3>(
-            px, 1, box, [&](auto neighbour, auto inside, int dx, int dy) __attribute__((always_inline)) {
-                auto const sampled = min(neighbour[history_length], Real(1.f));
-                auto const w =
-                    dx == 0 && dy == 0
-                        ? inside * sampled
-                        : inside * sampled *
-                              edge_weight(detail::edge_toward(around, dx, dy).distance(neighbour, Real(detail::edge_offset(around))));
-                auto const off = neighbour[luminance_mean] - centre;
-                weights = weights + w;
-                first = first + off * w;
-                second = second + (off * off + neighbour[luminance_variance]) * w;
-            });
+        for_each_tap<3>(px, 1, box, [&](auto neighbour, auto inside, int dx, int dy) QUELL_INLINED {
+            auto const sampled = min(neighbour[history_length], Real(1.f));
+            auto const w =
+                dx == 0 && dy == 0
+                    ? inside * sampled
+                    : inside * sampled *
+                          edge_weight(detail::edge_toward(around, dx, dy).distance(neighbour, Real(detail::edge_offset(around))));
+            auto const off = neighbour[luminance_mean] - centre;
+            weights = weights + w;
+            first = first + off * w;
+            second = second + (off * off + neighbour[luminance_variance]) * w;
+        });
         auto const known = weights > Real(0.f);
         auto const inverse = 1.f / select(known, weights, Real(1.f)), mean = first * inverse;
         return select(known, max(second * inverse - mean * mean, Real(0.f)), Real(unknown));

@@ -7,7 +7,7 @@
 
 namespace quell {
 
-// What a renderer can hand over. A pipeline asks for only those that its policies read. Names are those of SCENES.md's EXR layers.
+// What a renderer can hand over. A pipeline asks for only those that its policies read. Their names are those of the layers in EXR files.
 // Units: radiance linear and scene-referred; positions in world space; Motion and Sweep in pixels, y down; Depth linear along the view
 // axis, > 0, +inf for a miss; normals unit length, world space.
 
@@ -191,7 +191,7 @@ inline constexpr Sweep sweep;
 inline constexpr SweepBend sweep_bend;
 inline constexpr Time time;
 
-/// Every channel that SCENES.md names, in the order in which files list them.
+/// Every channel that files may hold, in the order in which they list them.
 using AllChannels =
     Channels<Radiance, Albedo, Normal, Depth, Position, Instance, Roughness, Motion, Direct, Visibility, Light, LightPrevious, Blocker,
              BlockerPrevious, ReceiverPrevious, Glossy, GlossyHit, GlossyHitPrevious, Indirect, IndirectDirection, Sweep, Time>;

@@ -42,7 +42,7 @@ template <class... Cs, class Storage> struct Frame<Channels<Cs...>, Storage> : d
     /// @throws Error for a size of no pixels
     template <class... Ps>
     explicit Frame(Extent size_, Ps const&...)
-        : detail::Slot<Cs, ImageOf<Storage, Cs>>{ImageOf<Storage, Cs>(checked(size_))}..., size(size_) {}
+        : detail::Slot<Cs, ImageOf<Storage, Cs>>{ImageOf<Storage, Cs>(divided(checked(size_), Cs::fraction))}..., size(size_) {}
 
     template <ChannelTag C> auto& operator[](C) {
         static_assert(channels::template has<C>, "this frame has no such channel: construct it with a pipeline that reads the channel");

@@ -4,7 +4,8 @@
 
 namespace quell {
 
-// What policies make themselves: `keeps` lives from frame to frame, `emits` until the next pass. No host supplies these.
+// Channels that policies make themselves: what they keep lives from frame to frame, what they emit until the frame's end. No host supplies
+// them.
 
 /// How many frames a pixel's value is the mean of; 0 where every sample so far was missing.
 struct HistoryLength : MadeChannel<1> {
@@ -23,7 +24,7 @@ struct Variance : MadeChannel<1> {
     static constexpr auto name = "variance";
     static constexpr bool squared = true;
 };
-/// How many pixels wide a clean-up filter should be: a standard deviation (TRMV section 5).
+/// The standard deviation of a clean-up filter, in pixels (TRMV section 5).
 struct CleanUpDeviation : MadeChannel<1> {
     static constexpr auto name = "clean_up_deviation";
 };

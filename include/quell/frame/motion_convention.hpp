@@ -21,7 +21,7 @@ struct MotionConvention {
 
 /// For a host whose Motion channel follows another convention: a part of a pipeline, or of a preset, that goes before the stages.
 ///     presets::svgf(radiance, Demodulate{}, Supplied<MotionConvention{.unit = MotionConvention::Unit::uv}>{})
-/// Vectors are converted where they are loaded; nothing past that knows another convention. (METHODS section 0)
+/// Vectors are converted where they are loaded; nothing past that knows another convention.
 template <MotionConvention convention> struct Supplied {};
 
 namespace detail {

@@ -46,9 +46,8 @@ template <class Format = Float32> struct Borrowed {
             QUELL_KERNEL void set(int, int, int, float) const {} // a host's input is never written
             template <class Real> QUELL_KERNEL Value<N, Real> load(int x, int y) const {
                 bool const side_by_side = pixel_stride == 1 && x >= 0 && x + width_of<Real> <= size.width;
-                return make_value<N, Real>([&](auto c) __attribute__((always_inline)) {
-                    return side_by_side ? Format::template load<Real>(at(c, x, y)) : apart<Real>(c, x, y);
-                });
+                return make_value<N, Real>(
+                    [&](auto c) QUELL_INLINED { return side_by_side ? Format::template load<Real>(at(c, x, y)) : apart<Real>(c, x, y); });
             }
 
         private:

@@ -15,9 +15,7 @@ template <class Real, class F> QUELL_KERNEL Real generate(F&& f) {
     if constexpr (width_of<Real> == 1)
         return f(0);
     else
-        return [&]<int... i>(std::integer_sequence<int, i...>) __attribute__((always_inline)) {
-            return Real(typename Real::register_type{f(i)...});
-        }
+        return [&]<int... i>(std::integer_sequence<int, i...>) QUELL_INLINED { return Real(typename Real::register_type{f(i)...}); }
     (std::make_integer_sequence<int, width_of<Real>>{});
 }
 } // namespace detail
@@ -50,7 +48,7 @@ struct Float32 {
             // xsimd 8 calls a function for this, around which all registers are saved; vgatherdps is slower too on AMD's Zen 3.
             alignas(64) std::int32_t lanes[width_of<Real>];
             at.store_aligned(lanes);
-            return detail::generate<Real>([&](int i) __attribute__((always_inline)) { return p[lanes[i]]; });
+            return detail::generate<Real>([&](int i) QUELL_INLINED { return p[lanes[i]]; });
         }
     }
 };

@@ -42,7 +42,7 @@ template <class Format, int N, int pixel_step> struct StridedView {
 
     template <class Real> QUELL_KERNEL Value<N, Real> load(int x, int y) const {
         if constexpr (pixel_step == 1 || width_of<Real> == 1)
-            return make_value<N, Real>([&](auto c) __attribute__((always_inline)) { return Format::template load<Real>(at(c, x, y)); });
+            return make_value<N, Real>([&](auto c) QUELL_INLINED { return Format::template load<Real>(at(c, x, y)); });
         else {
             float const* run = nullptr;
             alignas(64) float converted[N * width_of<Real>];
@@ -53,9 +53,8 @@ template <class Format, int N, int pixel_step> struct StridedView {
                     Format::template load<Real>(at(0, x, y) + k * width_of<Real>).store_aligned(converted + k * width_of<Real>);
                 run = converted;
             }
-            return make_value<N, Real>([&](auto c) __attribute__((always_inline)) {
-                return detail::generate<Real>([&](int i) __attribute__((always_inline)) { return run[c + i * pixel_step]; });
-            });
+            return make_value<N, Real>(
+                [&](auto c) QUELL_INLINED { return detail::generate<Real>([&](int i) QUELL_INLINED { return run[c + i * pixel_step]; }); });
         }
     }
     template <class Real>
@@ -64,12 +63,11 @@ template <class Format, int N, int pixel_step> struct StridedView {
     const { return Format::template load<Real>(at(c, x, y)); }
     template <class Real> QUELL_KERNEL Value<N, Real> gather(Index<Real> x, Index<Real> y) const {
         auto const offset = y * Index<Real>(static_cast<std::int32_t>(row_stride())) + x * Index<Real>(pixel_step);
-        return make_value<N, Real>([&](auto c) __attribute__((always_inline)) {
-            return Format::template gather<Real>(data + c * component_stride(), offset);
-        });
+        return make_value<N, Real>([&](auto c)
+                                       QUELL_INLINED { return Format::template gather<Real>(data + c * component_stride(), offset); });
     }
     template <class Real> QUELL_KERNEL void store(int x, int y, Value<N, Real> const& value) const {
-        [&]<int... c>(std::integer_sequence<int, c...>) __attribute__((always_inline)) {
+        [&]<int... c>(std::integer_sequence<int, c...>) QUELL_INLINED {
             if constexpr (pixel_step == 1 || width_of<Real> == 1)
                 (Format::store(at(c, x, y), component<c>(value)), ...);
             else {

@@ -19,7 +19,7 @@ struct Source {
     float scale = 1.f;
 };
 
-/// How another renderer calls and counts what quell's channels hold. Empty, it stands for quell's own names (SCENES.md): `R`, `albedo.R`,
+/// How another renderer calls and counts what quell's channels hold. Empty, it stands for quell's own names: `R`, `albedo.R`,
 /// `normal.X`, `depth.Z`. For a depth called Z in a file and motion whose y points up:
 ///     ChannelNames{.sources = {{"depth", {{{"Z"}}}}}, .motion = {.y = MotionConvention::Y::up}}
 struct ChannelNames {

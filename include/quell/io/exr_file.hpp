@@ -1,7 +1,7 @@
 #pragma once
 
-#include <quell/io/exr_attributes.hpp>
-#include <quell/io/exr_errors.hpp>
+#include <quell/io/exr/exr_attributes.hpp>
+#include <quell/io/exr/exr_errors.hpp>
 #include <quell/io/exr_image.hpp>
 
 #include <OpenEXR/ImfChannelList.h>

@@ -98,7 +98,7 @@ template <ChannelTag C> void load_channel(C channel, ImageView auto const& view,
     }
 }
 
-/// SCENES.md: numbers of objects are uint, what must stay exact is float, the rest half.
+/// Numbers of objects are uint, what must stay exact is float, the rest half.
 template <ChannelTag C> constexpr SampleType type_of(C) {
     if constexpr (std::is_same_v<C, Instance>) return SampleType::uint32;
     return C::full_precision ? SampleType::float32 : SampleType::half;

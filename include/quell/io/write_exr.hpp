@@ -1,8 +1,8 @@
 #pragma once
 
 #include <quell/core/half.hpp>
-#include <quell/io/exr_attributes.hpp>
-#include <quell/io/exr_errors.hpp>
+#include <quell/io/exr/exr_attributes.hpp>
+#include <quell/io/exr/exr_errors.hpp>
 #include <quell/io/exr_image.hpp>
 #include <quell/io/replace_file.hpp>
 

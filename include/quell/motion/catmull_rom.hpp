@@ -14,8 +14,7 @@ struct CatmullRom {
         auto past = elsewhere.fetch(px, unchecked);
         auto const known = past.validity > typename Px::Real(0.f);
         if (any(known)) {
-            auto const spline = interpolated(
-                px, unchecked, past.signal, [](auto const& then) __attribute__((always_inline)) { return then.signal(); });
+            auto const spline = interpolated(px, unchecked, past.signal, [](auto const& then) QUELL_INLINED { return then.signal(); });
             past.signal = select(known, spline, past.signal);
         }
         return past;
@@ -41,8 +40,7 @@ struct CatmullRom {
             }
         sum = add_scaled(sum, smooth, 1.f - known);
         // The negative lobes overshoot at bright edges; light is never negative.
-        return map(
-            [](auto a) __attribute__((always_inline)) { return max(a, Real(0.f)); }, sum);
+        return map([](auto a) QUELL_INLINED { return max(a, Real(0.f)); }, sum);
     }
 
 private:

@@ -21,8 +21,7 @@ template <class V, class Kept> struct Past {
         where = select(lanes, other.where, where);
         validity = select(lanes, other.validity, validity);
         clamped = select(lanes, other.clamped, clamped);
-        kept = make_record<Real>(
-            typename Kept::channels{}, [&](auto c) __attribute__((always_inline)) { return select(lanes, other.kept[c], kept[c]); });
+        kept = make_record<Real>(typename Kept::channels{}, [&](auto c) QUELL_INLINED { return select(lanes, other.kept[c], kept[c]); });
     }
 };
 
@@ -33,9 +32,8 @@ template <class Px> using PastOf = Past<typename Px::Signal, KeptRecord<Px>>;
 template <class Px> QUELL_KERNEL PastOf<Px> no_past() {
     using Real = typename Px::Real;
     return {zero<typename Px::Signal>(), vec2<Real>{Real(0.f), Real(0.f)}, Real(0.f), Real(0.f),
-            make_record<Real>(
-                typename Px::Scope::kept_channels{},
-                [](auto c) __attribute__((always_inline)) { return zero<Value<decltype(c)::components, Real>>(); })};
+            make_record<Real>(typename Px::Scope::kept_channels{},
+                              [](auto c) QUELL_INLINED { return zero<Value<decltype(c)::components, Real>>(); })};
 }
 
 /// A weighted sum of past pixels.
@@ -47,25 +45,21 @@ template <class Px> struct PastSum {
     QUELL_KERNEL void add(auto const& then, Real w) {
         weight = weight + w;
         sum.signal = add_scaled(sum.signal, then.signal(), w);
-        sum.kept = make_record<Real>(
-            typename Px::Scope::kept_channels{}, [&](auto c)
-                                                     __attribute__((always_inline)) { return add_scaled(sum.kept[c], then[c], w); });
+        sum.kept = make_record<Real>(typename Px::Scope::kept_channels{},
+                                     [&](auto c) QUELL_INLINED { return add_scaled(sum.kept[c], then[c], w); });
     }
     /// Starts again from nothing in the other lanes.
     QUELL_KERNEL void keep_only(auto enough) {
         weight = masked(enough, weight);
         sum.signal = select(enough, sum.signal, zero<typename Px::Signal>());
-        sum.kept = make_record<Real>(
-            typename Px::Scope::kept_channels{}, [&](auto c) __attribute__((always_inline)) {
-                return select(enough, sum.kept[c], zero<Value<decltype(c)::components, Real>>());
-            });
+        sum.kept = make_record<Real>(typename Px::Scope::kept_channels{}, [&](auto c) QUELL_INLINED {
+            return select(enough, sum.kept[c], zero<Value<decltype(c)::components, Real>>());
+        });
     }
     QUELL_KERNEL PastOf<Px> mean(auto const& found) const {
         auto const scale_by = masked(weight > Real(0.f), 1.f / weight);
-        return {
-            scale(sum.signal, scale_by), found.where, masked(weight > Real(0.f), found.validity), Real(0.f),
-            make_record<Real>(
-                typename Px::Scope::kept_channels{}, [&](auto c) __attribute__((always_inline)) { return scale(sum.kept[c], scale_by); })};
+        return {scale(sum.signal, scale_by), found.where, masked(weight > Real(0.f), found.validity), Real(0.f),
+                make_record<Real>(typename Px::Scope::kept_channels{}, [&](auto c) QUELL_INLINED { return scale(sum.kept[c], scale_by); })};
     }
 };
 
@@ -118,16 +112,15 @@ template <class V, class Mask> Interpolated(V, Mask) -> Interpolated<V, Mask>; /
 } // namespace detail
 
 /// History at a position between pixels from the four nearest, each tested, weights renormalised over those that pass; where none does,
-/// from whatever passes in the 3x3 around. (METHODS section 1)
+/// from whatever passes in the 3x3 around.
 struct Bilinear {
     bool rescue = true;
 
     template <class Px, class FoundPlace> QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& unchecked) const {
         auto const found = detail::sane(px, unchecked);
         detail::PastSum<Px> sum;
-        each_tap(
-            px, found, [&](auto const& then, auto w) __attribute__((always_inline)) { sum.add(then, w); });
-        // A sliver of a tap is no interpolation: let the wider search decide.
+        each_tap(px, found, [&](auto const& then, auto w) QUELL_INLINED { sum.add(then, w); });
+        // With a total weight under 1 % the 3x3 around is used.
         auto const enough = sum.weight > sliver;
         if (rescue && any(both(invert(enough), found.validity > real_of<decltype(sum.weight)>(0.f)))) {
             // A copy, since what is handed to a function lives in memory.
@@ -145,11 +138,10 @@ struct Bilinear {
         auto const found = detail::sane(px, unchecked);
         auto sum = zero<std::remove_cvref_t<decltype(value_of(px.past(std::declval<PastPlace<Real> const&>())))>>();
         Real weight(0.f);
-        each_tap(
-            px, found, [&](auto const& then, Real w) __attribute__((always_inline)) {
-                sum = add_scaled(sum, value_of(then), w);
-                weight = weight + w;
-            });
+        each_tap(px, found, [&](auto const& then, Real w) QUELL_INLINED {
+            sum = add_scaled(sum, value_of(then), w);
+            weight = weight + w;
+        });
         auto const enough = weight > Real(sliver);
         return detail::Interpolated{scale(sum, masked(enough, 1.f / weight)), enough};
     }

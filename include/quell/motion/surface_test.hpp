@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/frame/depth_slope.hpp>
+#include <quell/frame/cursor/depth_slope.hpp>
 #include <quell/motion/motion_source.hpp>
 
 namespace quell {

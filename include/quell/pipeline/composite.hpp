@@ -45,10 +45,8 @@ template <class... Ps> struct Composite {
 template <class... Ps, ImageStorage Storage> class History<Composite<Ps...>, Storage> {
 public:
     /// @throws Error for a size of no pixels
-    explicit History(Extent size, Composite<Ps...> const& composite, Storage const& storage = {})
-        : parts(std::apply([&](auto const&... p) { return std::tuple<History<Ps, Storage>...>(History<Ps, Storage>(size, p, storage)...); },
-                           composite.pipelines)),
-          picture(size) {}
+    explicit History(Extent size, Composite<Ps...> const&, Storage const& = {})
+        : pool(std::make_shared<detail::ImagePool>(detail::checked(size))), parts(History<Ps, Storage>(pool)...), picture(size) {}
 
     /// Starts afresh at the next frame: for a scene cut or a teleport that the host knows of.
     void forget() {
@@ -63,15 +61,14 @@ public:
         sum.suppressed = std::apply([](auto const&... h) { return (h.statistics().suppressed + ...); }, parts);
         return sum;
     }
-    [[nodiscard]] std::size_t bytes() const {
-        return picture.bytes() + std::apply([](auto const&... h) { return (h.bytes() + ...); }, parts);
-    }
+    [[nodiscard]] std::size_t bytes() const { return picture.bytes() + pool->bytes(); }
     [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(picture.size().pixels()); }
 
 private:
     friend struct detail::CompositeRun;
     friend struct detail::Inspect;
 
+    std::shared_ptr<detail::ImagePool> pool; ///< one for all parts: what one has used up is scratch for the next
     std::tuple<History<Ps, Storage>...> parts;
     ImageOf<Storage, Radiance> picture;
 };
@@ -86,8 +83,7 @@ template <class FrameViews, class OutputView, class... Parts> struct CompositeJo
 
     template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
         vec3<Real> sum{Real(0.f), Real(0.f), Real(0.f)};
-        std::apply(
-            [&](auto const&... part) __attribute__((always_inline)) { (add<Real>(sum, part, x, y), ...); }, parts);
+        std::apply([&](auto const&... part) QUELL_INLINED { (add<Real>(sum, part, x, y), ...); }, parts);
         store_pixels<Real>(output, x, y, sum, count);
     }
 
@@ -98,15 +94,12 @@ private:
         if constexpr (!AllFactors::template has<typename Part::Channel>) {
             auto const value = load_pixels<Real>(part.view, x, y);
             vec3<Real> times{Real(1.f), Real(1.f), Real(1.f)};
-            for_each_channel(
-                typename Share<typename Part::Channel>::factor{}, [&]<class C>(C) __attribute__((always_inline)) {
-                    times = usable(factor<Real, C>(x, y));
-                });
+            for_each_channel(typename Share<typename Part::Channel>::factor{},
+                             [&]<class C>(C) QUELL_INLINED { times = usable(factor<Real, C>(x, y)); });
             if constexpr (components_of<std::remove_const_t<decltype(value)>> == 1)
                 sum = add_scaled(sum, times, value);
             else
-                sum = map(
-                    [](auto s, auto f, auto v) __attribute__((always_inline)) { return fma(f, v, s); }, sum, times, value);
+                sum = map([](auto s, auto f, auto v) QUELL_INLINED { return fma(f, v, s); }, sum, times, value);
         }
     }
     /// Denoised where there is a pipeline for it.
@@ -149,7 +142,9 @@ struct CompositeRun {
                              decltype(parts)...> const job{factors, output, {parts...}};
                 executor.for_each_pixel(Region{0, 0, frame.size.width, frame.size.height}, job);
             };
-            sum(part<typename Ps::Output>(run(std::get<i>(composite.pipelines), frame, std::get<i>(history.parts), executor))...);
+            // In braces the parts run in order.
+            std::apply(sum, std::tuple{part<typename Ps::Output>(
+                                run(std::get<i>(composite.pipelines), frame, std::get<i>(history.parts), executor))...});
         }
         (std::index_sequence_for<Ps...>{});
         return output;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/filter/taps.hpp>
+#include <quell/frame/cursor/taps.hpp>
 
 namespace quell {
 
@@ -14,11 +14,10 @@ struct SuppressFireflies {
     template <class Px, class Luminance> QUELL_KERNEL auto factor(Px const& px, auto here, Luminance&& luminance_of) const {
         using Real = typename Px::Real;
         Real brightest(0.f);
-        for_each_neighbour<1>(
-            px, [&](auto neighbour, auto inside, int dx, int dy) __attribute__((always_inline)) {
-                if (dx == 0 && dy == 0) return;
-                brightest = max(brightest, luminance_of(neighbour) * inside);
-            });
+        for_each_neighbour<1>(px, [&](auto neighbour, auto inside, int dx, int dy) QUELL_INLINED {
+            if (dx == 0 && dy == 0) return;
+            brightest = max(brightest, luminance_of(neighbour) * inside);
+        });
         auto const allowed = brightest * limit;
         // Alone in the dark is how a correct 1-sample image looks too: without a bright neighbour there is nothing to measure by.
         auto const excessive = both(here > allowed, brightest > Real(0.f));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/pipeline/image_pool.hpp>
+#include <quell/pipeline/execution/image_pool.hpp>
 #include <quell/pipeline/pipeline.hpp>
 
 #include <optional>
@@ -23,6 +23,12 @@ template <class... Cs> struct StoredChannels<Channels<Cs...>> { using type = Cha
 template <class P, class FrameT, class H, class E, class Into> class Run;
 struct Inspect;
 struct DiagnosisNotes;
+
+/// The size of a history.
+inline Extent checked(Extent size) {
+    if (size.width > 0 && size.height > 0) return size;
+    throw Error("history size", to_string(size), "give a width and a height of at least one pixel");
+}
 } // namespace detail
 
 /// All the state there is between frames: the signal, what the pipeline remembers of the last frame, what its policies keep, and scratch.
@@ -36,15 +42,15 @@ template <class P, ImageStorage Storage = Planar<>> class History {
 
 public:
     /// @throws Error for a size of no pixels
-    explicit History(Extent size, P const&, Storage const& = {}) : pool(checked(size)) {}
+    explicit History(Extent size_, P const&, Storage const& = {}) : History(std::make_shared<detail::ImagePool>(detail::checked(size_))) {}
 
     /// Starts afresh at the next frame: for a scene cut or a teleport that the host knows of.
     void forget() { empty = true; }
 
     [[nodiscard]] Statistics const& statistics() const { return counted; }
     /// Memory of history and scratch. Complete once a frame has run.
-    [[nodiscard]] std::size_t bytes() const { return pool.bytes(); }
-    [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(pool.size().pixels()); }
+    [[nodiscard]] std::size_t bytes() const { return pool->bytes(); }
+    [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(size.pixels()); }
 
     /// What a policy keeps of the last frame (history_length, luminance_variance, ...), once there was one.
     template <ChannelTag C> [[nodiscard]] auto operator[](C) const {
@@ -55,9 +61,11 @@ public:
 private:
     template <class, class, class, class, class> friend class detail::Run;
     friend struct detail::Inspect;
+    template <class, ImageStorage> friend class History;
     using Remembered = typename detail::StoredChannels<typename P::remembers>::type;
 
-    detail::ImagePool pool;
+    std::shared_ptr<detail::ImagePool> pool; ///< of this history alone, or of all those of a composite
+    Extent size;
     std::shared_ptr<ImageOf<Storage, typename P::Signal>> signal;
     std::shared_ptr<ImageOf<Storage, typename P::Output>> output;
     detail::Handles<Storage, typename P::keeps> kept;
@@ -69,18 +77,17 @@ private:
     Statistics counted;
     std::shared_ptr<detail::DiagnosisNotes> notes; ///< of quell::diagnose, where it is called
 
+    explicit History(std::shared_ptr<detail::ImagePool> shared) : pool(std::move(shared)), size(pool->size()) {}
+
     /// Another size: nothing of the old is worth keeping.
-    void restart(Extent size) {
+    void restart(Extent new_size) {
         signal.reset();
         output.reset();
         kept.drop_all();
         remembered.drop_all();
-        pool = detail::ImagePool(size);
+        pool->resize(new_size);
+        size = new_size;
         empty = true;
-    }
-    static Extent checked(Extent size) {
-        if (size.width > 0 && size.height > 0) return size;
-        throw Error("history size", to_string(size), "give a width and a height of at least one pixel");
     }
 };
 template <class P> History(Extent, P const&) -> History<P>;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <quell/filter/taps.hpp>
+#include <quell/frame/cursor/taps.hpp>
+#include <quell/frame/modulation.hpp>
 #include <quell/pipeline/firefly.hpp>
-#include <quell/pipeline/modulation.hpp>
 
 namespace quell::detail {
 
@@ -11,15 +11,13 @@ inline constexpr float brightest_sample = 1e16f;
 /// Whether a value may be light, or what light is multiplied by: no component is NaN, infinite, negative or beyond that.
 template <class V> QUELL_KERNEL auto is_light(V const& v) {
     using Real = real_of<V>;
-    return fold(
-        [](auto sofar, auto a)
-            __attribute__((always_inline)) { return both(sofar, is_finite(a), a >= Real(0.f), a <= Real(brightest_sample)); },
-        Real(0.f) == Real(0.f), v);
+    return fold([](auto sofar, auto a) QUELL_INLINED { return both(sofar, is_finite(a), a >= Real(0.f), a <= Real(brightest_sample)); },
+                Real(0.f) == Real(0.f), v);
 }
 
 /// Marks missing samples by the sign of component 0, which has no other meaning: light is not negative.
 template <class V, class Mask> QUELL_KERNEL V with_marks(V const& value, Mask missing) {
-    return make_value<components_of<V>, real_of<V>>([&](auto c) __attribute__((always_inline)) {
+    return make_value<components_of<V>, real_of<V>>([&](auto c) QUELL_INLINED {
         auto const a = component<c>(value);
         if constexpr (c == 0)
             return select(missing, with_sign_bit(a), max(a, real_of<V>(0.f)));
@@ -58,8 +56,8 @@ template <ChannelTag Input, Modulation Form, class Suppression> struct Ingest {
         if constexpr (std::is_same_v<Suppression, NoSuppression>)
             return with_marks(value, missing);
         else {
-            auto const factor = suppression.factor(
-                px, measured(here), [&](auto neighbour) __attribute__((always_inline)) { return measured(sample(neighbour)); });
+            auto const factor =
+                suppression.factor(px, measured(here), [&](auto neighbour) QUELL_INLINED { return measured(sample(neighbour)); });
             value = select(missing, value, sample(px, factor).value);
             auto const taken = here.brightness * (Real(1.f) - factor);
             return Result{with_marks(value, missing)}.with(Suppressed{}, taken);
@@ -87,13 +85,12 @@ private:
         using Real = typename Px::Real;
         auto sum = zero<typename Px::Signal>();
         Real weights(0.f);
-        for_each_neighbour<1>(
-            px, [&](auto neighbour, auto inside, int, int) __attribute__((always_inline)) {
-                auto const s = sample(neighbour);
-                auto const w = masked(s.usable, inside);
-                sum = add_scaled(sum, s.value, w);
-                weights = weights + w;
-            });
+        for_each_neighbour<1>(px, [&](auto neighbour, auto inside, int, int) QUELL_INLINED {
+            auto const s = sample(neighbour);
+            auto const w = masked(s.usable, inside);
+            sum = add_scaled(sum, s.value, w);
+            weights = weights + w;
+        });
         return scale(sum, 1.f / max(weights, Real(1.f)));
     }
 };

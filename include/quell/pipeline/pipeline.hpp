@@ -37,6 +37,7 @@ template <class First, class... Rest> constexpr auto modulation_of(First const& 
 template <class... Cs> constexpr bool any_made_by_stages(Channels<Cs...>) {
     return (requires { Cs::made_by_stages; } || ...);
 }
+template <class... Cs> constexpr bool all_of_frame_size(Channels<Cs...>) { return ((Cs::fraction == 1) && ...); }
 /// Whether no stage reads what only a later one makes. The passes of a filter may read what those before them make.
 template <class Before, class All, class... Stages> inline constexpr bool in_order = true;
 template <class Before, class All, class S, class... Later>
@@ -90,6 +91,8 @@ template <ChannelTag S, class... Parts> struct Pipeline {
         contained_in<reads_kept_of<Parts...>, keeps>,
         "Pipeline{channel, parts...}: a stage looks at what no blend policy keeps: a BiasEstimate wants WithVariance{ForgetBiased{"
         "RunningMean{}}}");
+    static_assert(detail::all_of_frame_size(decltype(keeps{} | remembers{}){}),
+                  "Pipeline{channel, parts...}: what is kept or remembered for the next frame must be of the frame's size (fraction 1)");
     using known_samples = std::conditional_t<(std::is_same_v<KnownSamples, Parts> || ...), KnownSamples::reads, Channels<>>;
     static constexpr MotionConvention motion_convention = detail::ConventionOf<Parts...>::value;
     static constexpr bool has_past = (detail::is_temporal<Parts> || ...);

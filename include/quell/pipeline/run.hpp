@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/pipeline/frame_run.hpp>
+#include <quell/pipeline/execution/frame_run.hpp>
 
 namespace quell {
 

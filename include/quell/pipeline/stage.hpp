@@ -26,7 +26,7 @@ template <class M, class B, class Fetch = Bilinear> struct Temporal {
     QUELL_KERNEL auto operator()(auto px) const {
         using Px = decltype(px);
         auto const past = px.has_past() ? find(px, motion) : detail::no_past<Px>();
-        auto result = detail::result_of([&]() __attribute__((always_inline)) { return blending.blend(px, past); });
+        auto result = detail::result_of([&]() QUELL_INLINED { return blending.blend(px, past); });
         if (auto const missing = px.missing(); any(missing)) keep_past(missing, px, past, result);
         return result;
     }
@@ -47,11 +47,10 @@ private:
     template <class R> QUELL_KERNEL static void keep_past(auto missing, auto const& px, auto const& past, R& result) {
         auto const present = past.validity > decltype(past.validity)(0.f);
         result.value = select(missing, select(present, past.signal, px.signal()), result.value);
-        for_each_channel(
-            typename decltype(past.kept)::channels{}, [&](auto c) __attribute__((always_inline)) {
-                if constexpr (decltype(result.more)::channels::template has<decltype(c)>)
-                    result.more.set(c, select(missing, select(present, gone_on(c, past), zero<decltype(past[c])>()), result.more[c]));
-            });
+        for_each_channel(typename decltype(past.kept)::channels{}, [&](auto c) QUELL_INLINED {
+            if constexpr (decltype(result.more)::channels::template has<decltype(c)>)
+                result.more.set(c, select(missing, select(present, gone_on(c, past), zero<decltype(past[c])>()), result.more[c]));
+        });
     }
     template <ChannelTag C> QUELL_KERNEL static auto gone_on(C c, auto const& past) {
         if constexpr (std::is_same_v<C, HistoryLength>)

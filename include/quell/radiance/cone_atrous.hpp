@@ -47,7 +47,7 @@ template <class Edge> struct ConeLevel {
         }
         // The samples of turned surfaces count like all others, but they come in other cones.
         Components<24, Real> value{};
-        [&]<int... k>(std::integer_sequence<int, k...>) __attribute__((always_inline)) { (add_cone<k>(px, column, row, same, value), ...); }
+        [&]<int... k>(std::integer_sequence<int, k...>) QUELL_INLINED { (add_cone<k>(px, column, row, same, value), ...); }
         (std::make_integer_sequence<int, cone::count>{});
         if (turned) add_turned(px, n, other, value, sum_of_weights);
         auto const inverse = 1.f / max(sum_of_weights, Real(1e-12f));

@@ -23,17 +23,16 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
         auto const around = edge.around(px);
         Taps<Px> taps;
         taps.add(px, Real(profile[0] * profile[0]));
-        for_each_opposite_taps<1>(
-            px, 1, detail::edge_offset(around),
-            [&](auto const& one, auto start, float row, auto const& other, auto its_start, float its_row, int dx, int dy, int, int)
-                __attribute__((always_inline)) {
-                    auto const& toward = detail::edge_toward(around, dx, dy);
-                    float const bits = weight_bits(profile[dx != 0] * profile[dy != 0]);
-                    taps.add(one, edge_weight(toward.distance(one, start), bits + row));
-                    taps.add(other, edge_weight(toward.distance(other, its_start), bits + its_row));
-                });
+        for_each_opposite_taps<1>(px, 1, detail::edge_offset(around),
+                                  [&](auto const& one, auto start, float row, auto const& other, auto its_start, float its_row, int dx,
+                                      int dy, int, int) QUELL_INLINED {
+                                      auto const& toward = detail::edge_toward(around, dx, dy);
+                                      float const bits = weight_bits(profile[dx != 0] * profile[dy != 0]);
+                                      taps.add(one, edge_weight(toward.distance(one, start), bits + row));
+                                      taps.add(other, edge_weight(toward.distance(other, its_start), bits + its_row));
+                                  });
         Components<24, Real> sum;
-        detail::repeat<3>([&](auto i) __attribute__((always_inline)) { add_two_cones<2 * i>(px, taps, sum); });
+        detail::repeat<3>([&](auto i) QUELL_INLINED { add_two_cones<2 * i>(px, taps, sum); });
         auto const shaded = cone::shade(sum);
         // Around a missing sample without a past there may be next to nothing to shade by.
         return select(both(cone::samples(sum) > Real(1e-6f), all_finite(shaded)), shaded, px.signal());
@@ -51,7 +50,7 @@ private:
     /// As many at a time as have all their sums in registers.
     template <int k, class Px, class Real>
     QUELL_KERNEL static void add_two_cones(Px const& px, Taps<Px> const& taps, Components<24, Real>& sum) {
-        [&]<int... c>(std::integer_sequence<int, c...>) __attribute__((always_inline)) {
+        [&]<int... c>(std::integer_sequence<int, c...>) QUELL_INLINED {
             Real part[] = {((void)c, Real(0.f))...};
             for (int t = 0; t < 9; ++t) {
                 Px const tap{px.scope, taps.column[t], taps.row[t]};

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <quell/frame/modulation.hpp>
 #include <quell/motion/tangent_plane.hpp>
-#include <quell/pipeline/modulation.hpp>
 
 namespace quell {
 
@@ -89,7 +89,7 @@ QUELL_KERNEL Components<24, Real> deposit(vec3<Real> const& radiance, vec3<Real>
         best = select(nearer, closeness, best);
         nearest = select(nearer, Real(static_cast<float>(k)), nearest);
     }
-    return make_value<24, Real>([&](auto i) __attribute__((always_inline)) {
+    return make_value<24, Real>([&](auto i) QUELL_INLINED {
         auto const here = nearest == Real(static_cast<float>(i / 4));
         if constexpr (i % 4 == 3)
             return masked(here, Real(1.f));

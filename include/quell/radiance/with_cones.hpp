@@ -18,7 +18,7 @@ template <class Inner> struct WithCones {
     Inner inner{};
 
     QUELL_KERNEL auto blend(auto px, auto past) const {
-        auto result = detail::result_of([&]() __attribute__((always_inline)) { return inner.blend(px, past); });
+        auto result = detail::result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
         auto const sample = cone::deposit(px.signal(), px[indirect_direction], px[normal]);
         auto before = past[cone_radiance];
         auto const clamped = past.clamped > typename decltype(px)::Real(0.f);
@@ -32,11 +32,10 @@ private:
     /// The past's cones once a clamp has changed its colour: dimmed, or with the same light added to all, until they shade to that.
     template <class V, class Real> QUELL_KERNEL static Components<24, Real> shaded_as(V const& colour, Components<24, Real> const& cones) {
         auto const shaded = cone::shade(cones);
-        auto const factor = map(
-            [](auto to, auto from) __attribute__((always_inline)) { return min(to / max(from, Real(1e-30f)), Real(1.f)); }, colour, shaded);
-        auto const added = map(
-            [](auto to, auto from) __attribute__((always_inline)) { return max(to - from, Real(0.f)); }, colour, shaded);
-        return make_value<24, Real>([&](auto i) __attribute__((always_inline)) {
+        auto const factor =
+            map([](auto to, auto from) QUELL_INLINED { return min(to / max(from, Real(1e-30f)), Real(1.f)); }, colour, shaded);
+        auto const added = map([](auto to, auto from) QUELL_INLINED { return max(to - from, Real(0.f)); }, colour, shaded);
+        return make_value<24, Real>([&](auto i) QUELL_INLINED {
             constexpr int k = i / 4, c = i % 4;
             if constexpr (c == 3)
                 return cones.at[i];

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <quell/blend/blend_policy.hpp>
+#include <quell/blur/layers.hpp>
+#include <quell/motion/catmull_rom.hpp>
+
+namespace quell {
+
+/// History of a picture in two layers: what moves comes from where the motion source says, what stands still from the pixel itself.
+/// @tparam S the pipeline's signal
+template <ChannelTag S> struct LayerFetch {
+    using Signal = S;
+    bool sharp = true; ///< a Catmull-Rom spline for what moves; false: bilinear, which blurs a little more in each frame
+
+    template <class Px, class Found> QUELL_KERNEL auto fetch(Px const& px, Found const& found) const {
+        using Real = typename Px::Real;
+        constexpr MovingLayer<Signal> moving;
+        constexpr StaticLayer<Signal> still;
+        auto past = Bilinear{}.fetch(px, found);
+        if (auto const valid = past.validity > Real(0.f); sharp && any(valid)) {
+            auto const spline = CatmullRom::interpolated(px, found, past.kept[moving],
+                                                         [](auto const& then) QUELL_INLINED { return then[MovingLayer<Signal>{}]; });
+            past.kept.set(moving, select(valid, detail::covering(spline), past.kept[moving]));
+        }
+        auto const p = px.position();
+        PastPlace<Real> const here(p.x - 0.5f, p.y - 0.5f);
+        past.kept.set(still, px.past(here)[still]);
+        return past;
+    }
+};
+
+/// Accumulates both layers, each for itself, and puts them together. What moves: the running mean of its coverage and of the signal in it.
+/// What stands still keeps its value while it is seen, and is remembered while it is covered.
+template <ChannelTag S> struct LayerBlend {
+    using Signal = S;
+    using reads = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep>;
+    using keeps = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep, HistoryLength>;
+    float cap = 8.f; ///< frames that the moving layer is the mean of, at most; at least 1
+
+    template <class Px, class P> QUELL_KERNEL auto blend(Px const& px, P const& past) const {
+        using Real = typename Px::Real;
+        constexpr MovingLayer<Signal> moving;
+        constexpr StaticLayer<Signal> still;
+        auto const length = min(masked(past.validity > Real(0.f), past[history_length]) + 1.f, Real(cap));
+        auto const alpha = 1.f / length;
+        auto const layer = mix(past[moving], px[moving], alpha);
+        auto const seen = px[still], remembered = past[still];
+        auto const background = select(detail::weight_of(remembered) > detail::weight_of(seen), remembered, seen);
+        return Result{detail::layers_together(layer, background, px.signal()), alpha}
+            .with(moving, layer)
+            .with(still, background)
+            .with(mean_sweep, px[mean_sweep])
+            .with(history_length, length);
+    }
+};
+
+} // namespace quell

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <quell/blur/layers.hpp>
+#include <quell/blur/trajectory/path_weight.hpp>
+#include <quell/frame/cursor/taps.hpp>
+
+namespace quell {
+
+/// Separates what moves from what stands still: the means of each over the 5x5 around, of the samples that move by how near they pass
+/// (MB section 4.3, the first stage). How much of the time what moves covers a pixel is the part of all samples of the MotionGuide's window
+/// that move. Where nothing moves around, what stands still keeps its value to the last bit.
+/// Emits MovingLayer, StaticLayer and MeanSweep; leaves the signal alone. Wants a MotionGuide before it.
+/// @tparam S the pipeline's signal
+/// @tparam Paths StraightPaths or BentPaths, as the MotionGuide's
+template <ChannelTag S, class Paths = StraightPaths> struct LayerSplit {
+    using Signal = S;
+    static constexpr auto name = "layer split";
+    static constexpr bool leaves_signal = true;
+    using parts = Parts<Paths, PathWeight>;
+    using reads = Channels<Depth, GuideSweep>;
+    using emits = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep>;
+    static constexpr int radius = 2; ///< pixels: the paper's 5x5
+    PathWeight weight{};
+    float depth_tolerance = 0.02f; ///< how much farther, relatively, something is that stands behind something else
+
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
+        using Real = typename Px::Real;
+        auto const own = Paths::here(px);
+        auto const coverage = px[guide_spread].z;
+        auto const alone = both(invert(own.moves()), coverage <= Real(0.f), invert(px.missing()));
+        Sums<Px> sums;
+        if (!all(alone)) gather(px, own, sums);
+        auto const moving = sums.moving > Real(0.f), still = sums.still > Real(0.f);
+        auto const inverse = 1.f / max(sums.moving, Real(1e-6f));
+        auto const covers = masked(moving, coverage);
+        auto const around = px[guide_sweep];
+        auto const background = select(alone, px.signal(), scale(sums.behind, 1.f / max(sums.still, Real(1.f))));
+        vec2<Real> const swept{select(moving, sums.sweep.x * inverse, around.x), select(moving, sums.sweep.y * inverse, around.y)};
+        return emitted<Real>(MovingLayer<Signal>{}, detail::layer_of(scale(sums.front, inverse * covers), covers))
+            .with(StaticLayer<Signal>{}, detail::layer_of(background, masked(either(alone, still), Real(1.f))))
+            .with(mean_sweep, select(alone, zero<vec2<Real>>(), swept));
+    }
+
+private:
+    template <class Px> struct Sums {
+        using Real = typename Px::Real;
+        typename Px::Signal front = zero<typename Px::Signal>(), behind = front;
+        vec2<Real> sweep{Real(0.f), Real(0.f)};
+        Real moving = Real(0.f), still = Real(0.f);
+    };
+    template <class Px> QUELL_KERNEL void gather(Px const& px, auto const& own, Sums<Px>& sums) const {
+        using Real = typename Px::Real;
+        auto const z = px[depth], reach = weight.reach(px);
+        auto const nearest = select(own.moves(), Real(1e30f), z);
+        for_each_neighbour<radius>(px, [&](auto neighbour, auto inside, int dx, int dy) QUELL_INLINED {
+            auto const path = Paths::here(neighbour);
+            auto const passing = path.passing({Real(static_cast<float>(-dx)), Real(static_cast<float>(-dy))});
+            auto const hidden = detail::hidden_behind(neighbour[depth], nearest, depth_tolerance);
+            auto const in_front = both(path.moves(), invert(hidden), invert(neighbour.missing()));
+            auto const w = masked(in_front, weight.weight(passing, reach) * inside);
+            auto const before = both(own.moves(), detail::hidden_behind(z, neighbour[depth], depth_tolerance));
+            auto const s = masked(both(invert(path.moves()), invert(neighbour.missing()), invert(before)), inside);
+            sums.front = add_scaled(sums.front, neighbour.signal(), w), sums.moving = sums.moving + w;
+            sums.behind = add_scaled(sums.behind, neighbour.signal(), s), sums.still = sums.still + s;
+            sums.sweep = add_scaled(sums.sweep, path.sweep, w);
+        });
+    }
+};
+
+} // namespace quell

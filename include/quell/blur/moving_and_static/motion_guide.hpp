@@ -1,0 +1,166 @@
+#pragma once
+
+#include <quell/blur/layers.hpp>
+#include <quell/blur/trajectory/path.hpp>
+#include <quell/filter/filter_kernel.hpp>
+
+namespace quell {
+
+/// The mean sweep around a pixel, opposite directions cancelling out. In pixels; 0 where nothing moves.
+struct GuideSweep : MadeChannel<2> {
+    static constexpr auto name = "guide_sweep";
+};
+/// The line along which things move around a pixel, opposite directions being one: a vector along it, as long as the sweeps are in the
+/// mean. In pixels; 0 where nothing moves.
+struct GuideAxis : MadeChannel<2> {
+    static constexpr auto name = "guide_axis";
+};
+/// How different the sweeps around a pixel are: variance of their lengths (pixels^2), of their axes (0: all have one, 1: no direction
+/// prevails), and the part of the samples that move.
+struct GuideSpread : MadeChannel<3> {
+    static constexpr auto name = "guide_spread";
+};
+/// The mean bend of the paths around a pixel, in pixels: made where paths are bent.
+struct GuideBend : MadeChannel<2> {
+    static constexpr auto name = "guide_bend";
+};
+inline constexpr GuideSweep guide_sweep;
+inline constexpr GuideAxis guide_axis;
+inline constexpr GuideSpread guide_spread;
+inline constexpr GuideBend guide_bend;
+
+namespace detail {
+/// Sums over a row, in this order: the number of all its samples; then over those that move; bends where paths are bent.
+template <class Paths> struct MotionSums : MadeChannel<Paths::bent ? 11 : 9> {
+    static constexpr auto name = "motion_sums";
+    enum { all, number, sweep_x, sweep_y, length, squared_length, doubled_cosine, doubled_sine, depth, bend_x, bend_y };
+};
+template <class Paths, class Real> using MotionSumsOf = Components<MotionSums<Paths>::components, Real>;
+template <class Sums, class Mask> QUELL_KERNEL void add_where(Mask counts, Sums& sums, Sums const& more) {
+    sums = map([&](auto s, auto a) QUELL_INLINED { return s + select(counts, a, decltype(a)(0.f)); }, sums, more);
+}
+/// The depth behind which nothing counts that moves: of what stands still here.
+template <class Paths, class Px> QUELL_KERNEL auto still_depth(Px const& px) {
+    return select(Paths::here(px).moves(), typename Px::Real(1e30f), px[depth]);
+}
+
+template <class Paths> struct MotionRow {
+    static constexpr auto name = "motion guide, rows";
+    static constexpr bool leaves_signal = true;
+    using parts = Parts<Paths>;
+    using reads = Channels<Depth>;
+    using emits = Channels<MotionSums<Paths>>;
+    int radius;
+    float depth_tolerance;
+
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
+        using Real = typename Px::Real;
+        auto const nearest = still_depth<Paths>(px);
+        auto sums = zero<MotionSumsOf<Paths, Real>>();
+        Real samples(0.f);
+        for (int i = -radius; i <= radius; ++i) {
+            auto const neighbour = px.at(i, 0);
+            auto const path = Paths::here(neighbour);
+            auto const z = neighbour[depth];
+            auto const known = both(neighbour.inside(), invert(neighbour.missing()));
+            samples = samples + masked(known, Real(1.f));
+            auto const counts = both(known, path.moves(), invert(hidden_behind(z, nearest, depth_tolerance)));
+            if (!any(counts)) continue;
+            auto const inverse = 1.f / max(path.squared, Real(1e-6f));
+            auto const x = path.sweep.x, y = path.sweep.y;
+            MotionSumsOf<Paths, Real> sample{Real(0.f),
+                                             Real(1.f),
+                                             x,
+                                             y,
+                                             path.length(),
+                                             path.squared,
+                                             fma(x, x, -(y * y)) * inverse,
+                                             2.f * x * y * inverse,
+                                             select(is_finite(z), min(z, Real(1e6f)), Real(1e6f))};
+            if constexpr (Paths::bent)
+                sample.at[MotionSums<Paths>::bend_x] = path.bend.x, sample.at[MotionSums<Paths>::bend_y] = path.bend.y;
+            add_where(counts, sums, sample);
+        }
+        sums.at[MotionSums<Paths>::all] = samples;
+        return emitted<Real>(MotionSums<Paths>{}, sums);
+    }
+};
+
+template <class Paths> struct MotionColumn {
+    using Sums = MotionSums<Paths>;
+    static constexpr auto name = "motion guide, columns";
+    static constexpr bool leaves_signal = true;
+    using parts = Parts<Paths>;
+    using reads = Channels<Depth, MotionSums<Paths>>;
+    using emits = std::conditional_t<Paths::bent, Channels<GuideSweep, GuideAxis, GuideSpread, GuideBend>,
+                                     Channels<GuideSweep, GuideAxis, GuideSpread>>;
+    int radius;
+    float depth_tolerance;
+
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
+        using Real = typename Px::Real;
+        auto const nearest = still_depth<Paths>(px);
+        auto sums = zero<MotionSumsOf<Paths, Real>>();
+        Real samples(0.f);
+        for (int i = -radius; i <= radius; ++i) {
+            auto const neighbour = px.at(0, i);
+            if (!neighbour.row_inside) continue;
+            auto const row = neighbour[Sums{}];
+            samples = samples + row.at[Sums::all];
+            auto const mean_depth = row.at[Sums::depth] / max(row.at[Sums::number], Real(1.f));
+            add_where(invert(hidden_behind(mean_depth, nearest, depth_tolerance)), sums, row);
+        }
+        auto const some = sums.at[Sums::number] > Real(0.5f);
+        auto const inverse = masked(some, 1.f / max(sums.at[Sums::number], Real(1.f)));
+        auto const mean = scale(sums, inverse);
+        auto const length = mean.at[Sums::length];
+        vec3<Real> const spread{max(fma(-length, length, mean.at[Sums::squared_length]), Real(0.f)),
+                                variance(mean.at[Sums::doubled_cosine], mean.at[Sums::doubled_sine], some),
+                                sums.at[Sums::number] / max(samples, Real(1.f))};
+        auto const guide = emitted<Real>(guide_sweep, vec2<Real>{mean.at[Sums::sweep_x], mean.at[Sums::sweep_y]})
+                               .with(guide_axis, axis(sums.at[Sums::doubled_cosine], sums.at[Sums::doubled_sine], length))
+                               .with(guide_spread, spread);
+        if constexpr (Paths::bent)
+            return guide.with(guide_bend, vec2<Real>{mean.at[Sums::bend_x], mean.at[Sums::bend_y]});
+        else
+            return guide;
+    }
+
+private:
+    /// Half of the doubled angle's direction.
+    template <class Real> QUELL_KERNEL static vec2<Real> axis(Real c, Real s, Real length) {
+        auto const norm = sqrt(fma(c, c, s * s));
+        // Where all directions are alike, none is better than another.
+        auto const cosine = select(norm > Real(1e-6f), c / max(norm, Real(1e-6f)), Real(1.f));
+        auto const x = sqrt(max(fma(cosine, Real(0.5f), Real(0.5f)), Real(0.f))),
+                   y = sqrt(max(fma(cosine, Real(-0.5f), Real(0.5f)), Real(0.f)));
+        return {x * length, select(s < Real(0.f), -y, y) * length};
+    }
+    template <class Real, class Mask> QUELL_KERNEL static Real variance(Real c, Real s, Mask some) {
+        return masked(some, clamp(1.f - sqrt(fma(c, c, s * s)), Real(0.f), Real(1.f)));
+    }
+};
+} // namespace detail
+
+/// Mean and variance of the motion around each pixel, which say where and how far to look for samples (MB section 4.1). Samples that stand
+/// still don't count, nor does what moves behind something that stands still. Angles are doubled before they are averaged, so that opposite
+/// directions count as one and the result depends neither on where 0 degrees is nor on the centre's own noisy sample.
+/// Emits GuideSweep, GuideAxis and GuideSpread, and GuideBend for bent paths.
+/// @tparam Paths StraightPaths or BentPaths
+template <class Paths = StraightPaths> struct MotionGuide {
+    static_assert(
+        requires { typename Paths::reads; }, "MotionGuide<Paths>: `Paths` is StraightPaths or BentPaths; TurningPaths go with a PairGuide");
+    using Row = detail::MotionRow<Paths>;
+    using Column = detail::MotionColumn<Paths>;
+    static constexpr bool leaves_signal = true;
+    using parts = Parts<Row, Column>;
+    int radius = 7;                ///< pixels; 7 is the paper's 15x15
+    float depth_tolerance = 0.02f; ///< how much farther, relatively, something is that stands behind something else
+
+    constexpr void for_each_pass(auto&& pass) const {
+        pass(Row{radius, depth_tolerance});
+        pass(Column{radius, depth_tolerance});
+    }
+};
+
+} // namespace quell

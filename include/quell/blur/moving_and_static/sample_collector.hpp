@@ -1,0 +1,61 @@
+#pragma once
+
+#include <quell/blur/pixel_under.hpp>
+#include <quell/blur/trajectory/path.hpp>
+#include <quell/filter/filter_kernel.hpp>
+
+namespace quell {
+
+/// Adds to what a moving pixel shows samples from far along its path that pass it as well, up to 18 of them: two random places on the paths
+/// of each of the 3x3 pixels around (MB section 4.2, the pre-filter). What moves little, or stands still, stays as it is.
+/// @tparam Paths StraightPaths or BentPaths, of which the bend is not looked at
+template <class Paths = StraightPaths> struct SampleCollector {
+    static constexpr auto name = "sample collector";
+    using parts = Parts<Paths>;
+    int samples = 2;        ///< random places on each path, at most 8
+    int radius = 1;         ///< pixels; how far around paths are shared: 1 is the paper's 3x3
+    float threshold = 2.5f; ///< pixels; samples that pass nearer count, all alike
+    float least = 3.f;      ///< pixels; what sweeps less is skipped
+    float jitter = 1.5f;    ///< pixels that places may lie off the path, in x and in y
+
+    template <class Px> QUELL_KERNEL auto filter(Px const& px) const {
+        using Real = typename Px::Real;
+        auto const wanted = both(Paths::here(px).squared >= Real(least * least), invert(px.missing()));
+        auto sum = px.signal();
+        if (!any(wanted)) return sum;
+        Real count(1.f);
+        for (int dy = -radius; dy <= radius; ++dy)
+            for (int dx = -radius; dx <= radius; ++dx)
+                for (int k = 0; k < samples; ++k) {
+                    auto const neighbour = px.at(dx, dy);
+                    PixelUnder<Px> const there(px, place(neighbour, k));
+                    auto const [value, missing] = px.signal_elsewhere(there.place);
+                    auto const counts = both(wanted, neighbour.inside(), there.inside, invert(missing), passes(px, there));
+                    sum = add_scaled(sum, value, masked(counts, Real(1.f)));
+                    count = count + masked(counts, Real(1.f));
+                }
+        return scale(sum, 1.f / count);
+    }
+
+private:
+    template <class Px> QUELL_KERNEL vec2<typename Px::Real> place(Px const& px, int k) const {
+        using Real = typename Px::Real;
+        auto const path = Paths::here(px);
+        auto const p = px.position();
+        auto const when = px.random_uniforms(2 * k).first;
+        auto const [jx, jy] = px.random_uniforms(2 * k + 1);
+        auto const since = when - path.time;
+        // Every rounding is spelled out: where it ends decides which pixel is looked at.
+        return {fma(path.sweep.x, since, fma(jx, Real(2.f * jitter), p.x - jitter)),
+                fma(path.sweep.y, since, fma(jy, Real(2.f * jitter), p.y - jitter))};
+    }
+    template <class Px> QUELL_KERNEL auto passes(Px const& px, PixelUnder<Px> const& there) const {
+        using Real = typename Px::Real;
+        auto const centre = px.position();
+        auto const path = Paths::there(px, there.place);
+        auto const passing = path.passing({centre.x - there.column - 0.5f, centre.y - there.row - 0.5f});
+        return both(path.moves(), passing.in_time(), passing.distance < Real(threshold));
+    }
+};
+
+} // namespace quell

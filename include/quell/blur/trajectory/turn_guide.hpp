@@ -1,0 +1,141 @@
+#pragma once
+
+#include <quell/blur/trajectory/usable_path.hpp>
+#include <quell/filter/filter_kernel.hpp>
+#include <quell/frame/cursor/taps.hpp>
+
+namespace quell {
+
+/// Arcs, of what turns: how far they bend, a TurnGuide measures.
+struct TurningPaths {
+    static constexpr bool bent = true;
+};
+
+namespace detail {
+/// Sums over the samples around of one and the same thing: of how far the sweep of each is turned, times how much farther along the motion
+/// it is; and of the latter squared. Their ratio is the turn while the shutter is open.
+struct TurnEvidence : MadeChannel<2> {
+    static constexpr auto name = "turn_evidence";
+};
+inline constexpr TurnEvidence turn_evidence;
+
+/// Whether two samples may be of one thing, which turns.
+struct OneThing {
+    float depth_gap, likeness;
+    template <class Sample> QUELL_KERNEL auto operator()(Sample const& a, Sample const& b) const {
+        using Real = decltype(a.time());
+        auto const x = b.sweep().x - a.sweep().x, y = b.sweep().y - a.sweep().y;
+        return both(b.known(), b.moves(), abs(b.nearness() - a.nearness()) < a.nearness() * Real(depth_gap),
+                    fma(x, x, y * y) < a.squared_length() * (likeness * likeness));
+    }
+};
+struct TurnEvidenceOf {
+    static constexpr auto name = "turn, evidence";
+    static constexpr bool leaves_signal = true;
+    using reads = Channels<UsablePath<StraightPaths>>;
+    using emits = Channels<TurnEvidence>;
+    static constexpr float least_turn = 2e-3f; ///< radians, about
+    static constexpr int radius = 1;
+    OneThing one_thing;
+    int step;
+
+    /// Regression of the sweep's direction over the place of the sweep's middle: along the motion, and across it, where it may differ
+    /// without anything turning.
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
+        using Real = typename Px::Real;
+        auto const own = usable_sample<StraightPaths>(px);
+        auto const turnable = both(own.known(), own.moves());
+        if (!any(turnable)) return emitted<Real>(turn_evidence, zero<vec2<Real>>());
+        auto const v = own.sweep();
+        auto const per_squared = own.time_per_pixel() * own.time_per_pixel();
+        auto const until_middle = [](auto const& sample) QUELL_INLINED { return scale(sample.sweep(), Real(0.5f) - sample.time()); };
+        auto const middle = until_middle(own);
+        Real along_along(0.f), along_across(0.f), across_across(1e-3f), turned_along(0.f), turned_across(0.f);
+        for_each_neighbour<radius>(px, step, [&](auto const& beside, auto inside, int dx, int dy) QUELL_INLINED {
+            auto const other = usable_sample<StraightPaths>(beside);
+            auto const weight = masked(one_thing(own, other), inside * per_squared);
+            auto const m = until_middle(other);
+            auto const x = m.x - middle.x + static_cast<float>(dx), y = m.y - middle.y + static_cast<float>(dy);
+            auto const along = fma(x, v.x, y * v.y) * weight, across = fma(v.x, y, -(x * v.y)) * weight;
+            auto const turned = fma(v.x, other.sweep().y, -(v.y * other.sweep().x)) * weight;
+            along_along = fma(along, along, along_along);
+            along_across = fma(along, across, along_across);
+            across_across = fma(across, across, across_across);
+            turned_along = fma(turned, along, turned_along);
+            turned_across = fma(turned, across, turned_across);
+        });
+        auto const mixed = along_across / across_across;
+        auto const spread = max(fma(-mixed, along_across, along_along), Real(0.f)), turned = fma(-mixed, turned_across, turned_along);
+        // A turn of next to nothing is none, so that what doesn't turn is soon told.
+        auto const turns = both(turnable, abs(turned) > spread * Real(least_turn));
+        return emitted<Real>(turn_evidence, vec2<Real>{masked(turns, turned), masked(turnable, spread)});
+    }
+};
+
+struct TurningPathOf {
+    static constexpr auto name = "turn, paths";
+    static constexpr bool leaves_signal = true;
+    using reads = Channels<UsablePath<StraightPaths>, TurnEvidence>;
+    using emits = Channels<UsablePath<TurningPaths>>;
+    static constexpr int radius = 2;
+    OneThing one_thing;
+    int step;
+    float least_evidence, least_bend;
+
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
+        using Real = typename Px::Real;
+        auto const own = usable_sample<StraightPaths>(px);
+        auto const turn = masked(both(own.known(), own.moves()), sagitta(px, own));
+        auto const bent = turn * turn * own.squared_length() > Real(least_bend * least_bend);
+        return emitted<Real>(UsablePath<TurningPaths>{}, make_value<6, Real>([&](auto c) QUELL_INLINED {
+                                 if constexpr (c < 5)
+                                     return component<c>(own.at);
+                                 else
+                                     return masked(bent, turn);
+                             }));
+    }
+
+private:
+    template <class Px, class Sample> QUELL_KERNEL auto sagitta(Px const& px, Sample const& own) const {
+        using Real = typename Px::Real;
+        auto turns = Real(0.f) > Real(0.f);
+        for_each_neighbour<radius>(px, step, [&](auto const& beside, auto, int, int) QUELL_INLINED {
+            turns = either(turns, beside[turn_evidence].x != Real(0.f));
+        });
+        if (!any(turns)) return Real(0.f);
+        auto sums = zero<vec2<Real>>();
+        for_each_neighbour<radius>(px, step, [&](auto const& beside, auto inside, int, int) QUELL_INLINED {
+            sums = add_scaled(sums, beside[turn_evidence], masked(one_thing(own, usable_sample<StraightPaths>(beside)), inside));
+        });
+        // Sweeps are chords, so that the slope is twice the sine of half the angle.
+        auto const half_sine = clamp(sums.x / max(sums.y, Real(1e-9f)) * 0.5f, Real(-0.99f), Real(0.99f));
+        return masked(sums.y > Real(least_evidence), half_sine * 0.5f / (sqrt(fma(-half_sine, half_sine, Real(1.f))) + 1.f));
+    }
+};
+} // namespace detail
+
+/// Measures how far paths bend, which no host needs to say: where a thing turns in the plane of the image, its samples farther along the
+/// motion have sweeps that are turned farther. Of what moves in a straight line all sweeps have one direction along the motion, however
+/// long they are. What goes along while it turns is taken to turn about the place that stands still: the top of a wheel that rolls bends
+/// twice as much as it should, and its hub as much as that. Emits UsablePath<TurningPaths>.
+template <> struct PathGuide<TurningPaths> {
+    using reads = Channels<Depth, Sweep, Time>;
+    using emits = Channels<UsablePath<StraightPaths>, detail::TurnEvidence, UsablePath<TurningPaths>>;
+    static constexpr bool leaves_signal = true;
+    int near_step = 3, far_step = 9; ///< pixels between 3x3 samples that are compared, and between 5x5 such comparisons that are summed
+    float depth_gap = 0.1f;          ///< relative; what is nearer to each other in depth may be one thing
+    float likeness = 0.7f;           ///< of its own sweep, how far another's may differ from it
+    float least_evidence = 1e-3f;    ///< how far samples must be apart along the motion: in sweeps, squared, the sum of all
+    float least_bend = 0.05f;        ///< pixels; what bends less is straight
+
+    constexpr void for_each_pass(auto&& pass) const {
+        detail::OneThing const one_thing{depth_gap, likeness};
+        pass(detail::UsablePathOf<StraightPaths>{});
+        pass(detail::TurnEvidenceOf{one_thing, near_step});
+        pass(detail::TurningPathOf{one_thing, far_step, least_evidence, least_bend});
+    }
+};
+
+using TurnGuide = PathGuide<TurningPaths>;
+
+} // namespace quell

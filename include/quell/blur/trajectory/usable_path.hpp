@@ -1,0 +1,155 @@
+#pragma once
+
+#include <quell/blur/trajectory/path.hpp>
+
+namespace quell {
+
+/// How what each pixel's sample shows moves, made usable once for all that look at it: its sweep (pixels; 0 where it stands still), its
+/// time, 1 / depth, and the time that it takes to pass a pixel as a part of the open shutter (0 for a sample that is missing); then, where
+/// paths are bent, its sagitta: how far the middle of the path lies beside that of the sweep, as a part of the sweep's length, to the side
+/// of (sweep.y, -sweep.x). What a bend has along the sweep is another speed at first than later; that is left out.
+/// Made of what StraightPaths, BentPaths or TurningPaths read.
+template <class Paths> struct UsablePath : MadeChannel<Paths::bent ? 6 : 5> { static constexpr auto name = "usable_path"; };
+
+namespace detail {
+
+/// What a sample shows, as far as motion and depth tell it from other things: its speed (pixels in the time that the shutter is open), its
+/// nearness (1 / depth), and its sagitta.
+template <class Paths, class Real> using Mover = Value<Paths::bent ? 4 : 3, Real>;
+/// What moves less than this, squared, in pixels, stands still.
+inline constexpr float still_squared = Path<float>::least * Path<float>::least;
+
+template <class M> QUELL_KERNEL auto speed_of(M const& mover) { return vec2<real_of<M>>{component<0>(mover), component<1>(mover)}; }
+template <class M> QUELL_KERNEL auto nearness_of(M const& mover) { return component<2>(mover); }
+template <class M> QUELL_KERNEL auto sagitta_of([[maybe_unused]] M const& mover) {
+    if constexpr (3 < components_of<M>)
+        return component<3>(mover);
+    else
+        return real_of<M>(0.f);
+}
+/// In pixels.
+template <class M> QUELL_KERNEL auto bend_of(M const& mover) {
+    auto const s = sagitta_of(mover);
+    return vec2<real_of<M>>{component<1>(mover) * s, -(component<0>(mover) * s)};
+}
+template <class M> QUELL_KERNEL auto squared_speed(M const& mover) {
+    return fma(component<0>(mover), component<0>(mover), component<1>(mover) * component<1>(mover));
+}
+/// How different two motions are: the squared distance of their speeds.
+template <class M> QUELL_KERNEL auto squared_difference(M const& a, M const& b) {
+    auto const x = component<0>(a) - component<0>(b), y = component<1>(a) - component<1>(b);
+    return fma(x, x, y * y);
+}
+
+/// A usable path as kernels want it.
+template <class Paths, class Real> struct UsableSample {
+    Value<UsablePath<Paths>::components, Real> at;
+
+    /// The same as if it moved otherwise: with its sagitta, or without.
+    template <class As> QUELL_KERNEL UsableSample<As, Real> as() const {
+        if constexpr (As::bent == Paths::bent)
+            return {at};
+        else
+            return {{component<0>(at), component<1>(at), component<2>(at), component<3>(at), component<4>(at)}};
+    }
+    QUELL_KERNEL vec2<Real> sweep() const { return {component<0>(at), component<1>(at)}; }
+    QUELL_KERNEL Real time() const { return component<2>(at); }
+    QUELL_KERNEL Real nearness() const { return component<3>(at); }
+    QUELL_KERNEL Real time_per_pixel() const { return component<4>(at); }
+    QUELL_KERNEL Real squared_length() const { return fma(sweep().x, sweep().x, sweep().y * sweep().y); }
+    /// Of its sweep, in pixels; 0 where it stands still.
+    QUELL_KERNEL Real length() const { return squared_length() * time_per_pixel(); }
+    QUELL_KERNEL auto moves() const { return time_per_pixel() < Real(1.f / Path<Real>::least); }
+    QUELL_KERNEL auto known() const { return time_per_pixel() > Real(0.f); }
+    /// How far from a point it passes, and when; `offset` is the point minus the sample's pixel.
+    QUELL_KERNEL typename Path<Real>::Passing passing(vec2<Real> const& offset) const {
+        auto const moving = passing_in_motion(offset);
+        return {select(moves(), moving.distance, sqrt(fma(offset.x, offset.x, offset.y * offset.y))), moving.when};
+    }
+    /// The same for what is known to move. Of a path that bends, when it is as far along its sweep as the point is: a point that counts is
+    /// so near that this is hardly later or earlier than when it is nearest.
+    QUELL_KERNEL typename Path<Real>::Passing passing_in_motion(vec2<Real> const& offset) const {
+        auto const v = sweep();
+        auto const along = fma(offset.x, v.x, offset.y * v.y) * time_per_pixel() * time_per_pixel(), when = time() + along;
+        auto const aside = fma(offset.x, v.y, -(offset.y * v.x)) * time_per_pixel();
+        if constexpr (Paths::bent) {
+            auto const bent = along * (1.f - when - time()) * sagitta() * 4.f;
+            return {abs(fma(-bent, length(), aside)) * cosine(slope_at(when, sagitta())), when};
+        } else
+            return {abs(aside), when};
+    }
+    /// Something else at a sample's place and time, such that it has a given speed, sagitta, and time to pass a pixel once it is where a
+    /// point lies, `offset` from the sample's pixel: what bends has not been going that way all the time.
+    QUELL_KERNEL static UsableSample at_speed(auto const& mover, Real a_pixel, UsableSample const& sample,
+                                              [[maybe_unused]] vec2<Real> const& offset) {
+        auto const speed = speed_of(mover);
+        if constexpr (Paths::bent) {
+            auto const until_there = fma(offset.x, speed.x, offset.y * speed.y) * a_pixel * a_pixel;
+            auto const slope = slope_at(sample.time() + until_there, sagitta_of(mover)), along = cosine(slope), per_longer = along * along;
+            return {{fma(-slope, speed.y, speed.x) * per_longer, fma(slope, speed.x, speed.y) * per_longer, sample.time(),
+                     sample.nearness(), min(a_pixel * fma(slope, slope, Real(1.f)) * along, Real(1.f / Path<Real>::least)),
+                     sagitta_of(mover)}};
+        } else
+            return {{{speed.x, speed.y, sample.time(), sample.nearness(), a_pixel}}};
+    }
+    QUELL_KERNEL Mover<Paths, Real> mover() const {
+        auto const v = sweep();
+        if constexpr (Paths::bent) {
+            auto const slope = slope_at(time(), sagitta());
+            return {fma(slope, v.y, v.x), fma(-slope, v.x, v.y), nearness(), sagitta()};
+        } else
+            return {v.x, v.y, nearness()};
+    }
+
+private:
+    QUELL_KERNEL Real sagitta() const { return component<5>(at); }
+    /// The tangent of the angle between a path and its sweep.
+    QUELL_KERNEL static Real slope_at(Real when, Real sagitta) {
+        return clamp(fma(when, Real(-8.f), Real(4.f)), Real(-4.f), Real(4.f)) * sagitta;
+    }
+    /// Of an angle of a given tangent, to 2 percent up to half a right angle; of a larger one as if it were that: it only makes weights.
+    QUELL_KERNEL static Real cosine(Real tangent) {
+        auto const squared = min(tangent * tangent, Real(1.f));
+        return fma(squared, fma(squared, Real(0.16f), Real(-0.46f)), Real(1.f));
+    }
+};
+template <class Paths, class Px> QUELL_KERNEL auto usable_sample(Px const& px) {
+    return UsableSample<Paths, typename Px::Real>{px[UsablePath<Paths>{}]};
+}
+
+template <class Paths> struct UsablePathOf {
+    static constexpr auto name = "usable path";
+    static constexpr bool leaves_signal = true;
+    using parts = Parts<Paths>;
+    using reads = Channels<Depth>;
+    using emits = Channels<UsablePath<Paths>>;
+
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
+        using Real = typename Px::Real;
+        auto const path = Paths::here(px);
+        auto const moves = path.moves();
+        auto const z = px[depth];
+        auto const nearness = 1.f / select(is_finite(z), clamp(z, Real(1e-6f), Real(1e6f)), Real(1e6f));
+        auto const a_pixel = select(moves, min(sqrt(path.per_squared()), Real(1.f / Path<Real>::least)), Real(1.f / Path<Real>::least));
+        auto const usable = select(px.missing(), Real(0.f), a_pixel);
+        auto const x = masked(moves, path.sweep.x), y = masked(moves, path.sweep.y);
+        if constexpr (Paths::bent) {
+            constexpr float most = 0.5f; // a half circle's
+            auto const sagitta = fma(path.bend.x, y, -(path.bend.y * x)) * a_pixel * a_pixel;
+            return emitted<Real>(UsablePath<Paths>{},
+                                 Value<6, Real>{{x, y, path.time, nearness, usable, clamp(sagitta, Real(-most), Real(most))}});
+        } else
+            return emitted<Real>(UsablePath<Paths>{}, Value<5, Real>{{x, y, path.time, nearness, usable}});
+    }
+};
+} // namespace detail
+
+/// Makes the paths usable. Those of TurningPaths are measured: TurnGuide.
+template <class Paths> struct PathGuide {
+    using parts = Parts<detail::UsablePathOf<Paths>>;
+    using emits = Channels<UsablePath<Paths>>;
+    static constexpr bool leaves_signal = true;
+    constexpr void for_each_pass(auto&& pass) const { pass(detail::UsablePathOf<Paths>{}); }
+};
+
+} // namespace quell

@@ -1,0 +1,243 @@
+#pragma once
+
+#include <quell/blur/guessed_layer.hpp>
+#include <quell/blur/two_motions/footprint.hpp>
+#include <quell/blur/two_motions/line_of_pixels.hpp>
+#include <quell/blur/two_motions/part_means.hpp>
+#include <quell/blur/two_motions/standard_error.hpp>
+#include <quell/blur/two_motions/which_of_two.hpp>
+
+namespace quell {
+
+/// Gathers the samples that pass each pixel while the shutter is open, in two layers: of the two things that meet around the pixel, how
+/// much of the time the one in front covers it, and what of it is seen meanwhile; and what is seen of the one behind. The coverage is the
+/// part of all samples along the front's motion that show it. Samples are tested by their own paths; one counts for as long as it takes to
+/// pass, as a fast one has more pixels to be seen in, and stands for half a pixel of its path, so that half of one counts that passes just
+/// as the shutter opens: more would make less noise, and blur more than the motion does. What stands still keeps its value to the last bit.
+/// Emits FrontLayer and FrontSweep, BackLayer, and MeanSweep of the back: 0 where it stands still, longer than any sweep where nothing is
+/// known. Wants a PairGuide before it.
+/// @tparam S the pipeline's signal
+/// @tparam Paths the PairGuide's
+/// @tparam Footprint FixedFootprint, or AdaptiveFootprint
+template <ChannelTag S, class Paths = StraightPaths, class Footprint = FixedFootprint> struct PairGather {
+    static_assert(
+        requires { Footprint::adapts; }, "PairGather<Signal, Paths, Footprint>: `Footprint` is FixedFootprint or AdaptiveFootprint");
+    using Signal = S;
+    static constexpr auto name = "pair gather";
+    static constexpr bool leaves_signal = true;
+    using reads = Channels<MotionPair<Paths>, UsablePath<Paths>>;
+    using emits = Channels<FrontLayer<Signal>, FrontSweep, BackLayer<Signal>, MeanSweep>;
+    static constexpr int most_samples = detail::LineOfPixels::most;
+    static constexpr int most_lanes = 8; ///< of a pack: as many as a tile has pixels
+    int count = 64; ///< samples per pixel, no more than `most_samples`; with two motions, half along each. AdaptiveFootprint adds others
+    float reach = 0.65f;           ///< of a motion, how far along it samples are looked for: those farther away rarely pass in time
+    float width = 1.f;             ///< pixels, more than 0; a sample counts less the farther it passes, and not at all from here on
+    float bend_influence = 0.1f;   ///< per pixel of bend, how much wider that is, up to twice: what bends is known less exactly
+    float depth_tolerance = 0.02f; ///< how much farther, relatively, something is that stands behind something else
+    /// Pixels of a row, at least 1, that share their lines, which makes neighbours' samples neighbours in memory. A pack that is
+    /// wider than a tile would visit each line for some of its lanes only; see most_lanes.
+    int tile_width = 8;
+    [[no_unique_address]] Footprint footprint{};
+
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
+        Work<Px> work(*this, px);
+        if (any(either(work.of.two, work.back_moves))) work.gather(px);
+        return work.result(px);
+    }
+
+private:
+    template <class Px> struct Work {
+        using Real = typename Px::Real;
+        using Mask = decltype(Real(0.f) < Real(0.f));
+        using Colour = typename Px::Signal;
+        using Mover = detail::Mover<Paths, Real>;
+        PairGather const& settings;
+        detail::UsableSample<Paths, Real> own;
+        detail::WhichOfTwo<Paths, Real> of;
+        Mask own_in_front, own_still, back_moves;
+        Real front_per_length;
+        struct Width {
+            Real per_pixel;
+            detail::StandardError<Real> error{};
+        } front_width, back_width;
+        detail::PartMeans<Value<Signal::components + 1, Real>, most_samples + 1> in_front; ///< its signal and its coverage
+        detail::PartMeans<Colour, most_samples + 1> behind;
+        struct Swept {
+            vec2<Real> sum{Real(0.f), Real(0.f)};
+            Real weight = Real(0.f);
+            QUELL_KERNEL void add(vec2<Real> const& sweep, Real w) { sum = add_scaled(sum, sweep, w), weight = weight + w; }
+            QUELL_KERNEL auto known() const { return weight > Real(0.f); }
+            QUELL_KERNEL auto mean() const { return scale(sum, 1.f / max(weight, Real(1e-12f))); }
+        } front_swept, back_swept;
+        Real samples = Real(0.f);
+
+        QUELL_KERNEL Work(PairGather const& g, Px const& px)
+            : settings(g), own(detail::usable_sample<Paths>(px)), of(px.elsewhere(g.shared(px), MotionPair<Paths>{})),
+              own_in_front(of.is_front(own.mover())), own_still(own_speed() <= Real(detail::still_squared)),
+              back_moves(detail::squared_speed(of.back) > Real(detail::still_squared)),
+              front_per_length(1.f / max(speed(of.front), Real(Path<float>::least))), front_width{per_width(of.front)},
+              back_width{per_width(of.back)}, in_front(speed(of.front)), behind(speed(of.back)) {}
+
+        /// Tile by tile, of which a pack may meet several: within one, all pixels look at the same offsets, so that loads are of
+        /// neighbours.
+        QUELL_KERNEL void gather(Px const& px) {
+            auto const column = Real(static_cast<float>(px.x)) + lanes<Real>();
+            for (int first = px.x; first < px.x + width_of<Real>;) {
+                int const next = (first / settings.tile_width + 1) * settings.tile_width;
+                auto const tile = both(column >= Real(static_cast<float>(first)), column < Real(static_cast<float>(next)));
+                gather(px, tile, first - px.x);
+                first = next;
+            }
+        }
+        /// For a tile whose pixels include lane k.
+        QUELL_KERNEL void gather(Px const& px, Mask tile, int k) {
+            in_front.restart(), behind.restart();
+            if constexpr (Paths::bent)
+                if (lane(detail::sagitta_of(of.front), k) == 0.f && lane(detail::sagitta_of(of.back), k) == 0.f)
+                    return gather_as<StraightPaths>(px, tile, k);
+            gather_as<Paths>(px, tile, k);
+        }
+        /// @tparam As how what is around moves: straight where nothing bends, which is cheaper
+        template <class As> QUELL_KERNEL void gather_as(Px const& px, Mask tile, int k) {
+            auto const behind_speed = in_lane(detail::speed_of(of.back), k);
+            bool const moves = dot(behind_speed, behind_speed) > detail::still_squared;
+            if (lane(detail::nearness_of(of.front), k) > 0.f) {
+                int const shares = moves ? 2 : 1;
+                gather_along<As>(ForBoth{}, px, k, tile, of.front, shares, front_width);
+                if (moves) gather_along<As>(ForBack{}, px, k, tile, of.back, shares, back_width);
+            } else if (moves)
+                gather_along<As>(OnlyOne{}, px, k, tile, of.back, 1, back_width);
+        }
+        /// The lines of a whole tile are alike, so that all its lanes can go along one, whatever each finds there.
+        template <class As, class What>
+        QUELL_KERNEL void gather_along(What what, Px const& px, int k, Mask tile, Mover const& mover, int shares, Width& width) {
+            auto const speed = in_lane(detail::speed_of(mover), k), bend = in_lane(detail::bend_of(mover), k);
+            int const count = settings.count < most_samples ? settings.count : most_samples;
+            detail::LineOfPixels const line(speed, bend, settings.reach, count / shares);
+            auto const visit = [&](int dx, int dy) QUELL_INLINED { add<As>(what, px, dx, dy, tile); };
+            if constexpr (std::is_same_v<What, ForBack>)
+                line.for_each_other(visit); // the line of the front had the pixel itself
+            else
+                line.for_each(visit);
+            if constexpr (Footprint::adapts) {
+                auto const unsure = both(tile, width.error.above(settings.footprint.allowed_error));
+                if (!any(unsure)) return;
+                width.per_pixel = select(unsure, width.per_pixel * 0.5f, width.per_pixel);
+                int const room = most_samples / shares - line.size();
+                detail::LineOfPixels(speed, bend, settings.reach, line.slanted ? room : room / 2)
+                    .for_each_beside([&](int dx, int dy) QUELL_INLINED { add<As>(what, px, dx, dy, unsure); });
+            }
+        }
+
+        // What is looked for along a line: samples of both things, of the one behind, or of the only one that there is.
+        struct ForBoth {};
+        struct ForBack {};
+        struct OnlyOne {};
+
+        /// Adds the sample at an offset to the layers, as far as it is wanted.
+        template <class As, class What> QUELL_KERNEL void add(What, Px const& px, int dx, int dy, Mask wanted) {
+            auto const there = px.at(dx, dy);
+            if (!there.row_inside) return;
+            auto const sample = detail::usable_sample<Paths>(there).template as<As>();
+            auto const usable = both(wanted, there.inside(), sample.known());
+            vec2<Real> const away{Real(static_cast<float>(-dx)), Real(static_cast<float>(-dy))};
+            auto for_back = both(usable, sample.moves());
+            if constexpr (!std::is_same_v<What, OnlyOne>) {
+                auto const shows_front = of.is_front(sample.mover());
+                for_back = both(for_back, invert(shows_front));
+                if constexpr (std::is_same_v<What, ForBoth>)
+                    if (any(usable)) add_front(there.signal(), sample, away, shows_front, usable);
+            }
+            if (any(for_back)) add_back(there.signal(), sample, away, for_back);
+        }
+        /// What shows something else is looked at as if it moved like the front: how many samples there are in all must not depend on what
+        /// they show.
+        template <class Sample>
+        QUELL_KERNEL void add_front(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask shows_front, Mask counts) {
+            auto const looked_at = Sample{select(shows_front, sample.at, like_front(sample, away).at)};
+            auto const passing = looked_at.passing(away);
+            auto const close = weight(counts, passing, looked_at, front_width.per_pixel);
+            auto const w = close * looked_at.time_per_pixel();
+            auto const hidden = both(own_still, invert(own_in_front), settings.is_behind(sample.nearness(), own.nearness()));
+            auto const seen = masked(both(shows_front, invert(hidden)), w);
+            // What does not pass while the shutter is open counts where nothing else does.
+            front_swept.add(sample.sweep(), seen + masked(both(shows_front, counts), Real(1e-4f)));
+            if constexpr (Footprint::adapts) front_width.error.add(masked(seen > Real(0.f), luminance(value)), close);
+            in_front.add(detail::layer_of(scale(value, seen), seen), w, passing.when);
+        }
+        template <class Sample> QUELL_KERNEL void add_back(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask counts) {
+            auto const passing = sample.passing_in_motion(away);
+            auto const close = weight(counts, passing, sample, back_width.per_pixel);
+            auto const w = close * sample.time_per_pixel();
+            if constexpr (Footprint::adapts) back_width.error.add(luminance(value), close);
+            behind.add(scale(value, w), w, passing.when);
+            back_swept.add(sample.sweep(), w);
+            samples = samples + close;
+        }
+        QUELL_KERNEL static Real weight(Mask counts, auto const& passing, auto const& sample, Real per_width) {
+            // What moves by less than a pixel stands for one all the same.
+            auto const pixels_inside = min(passing.when, 1.f - passing.when) * max(sample.length(), Real(1.f));
+            auto const open = clamp(fma(pixels_inside, Real(2.f), Real(0.5f)), Real(0.f), Real(1.f));
+            return masked(counts, open * max(fma(passing.distance, -per_width, Real(1.f)), Real(0.f)));
+        }
+        QUELL_KERNEL Real per_width(Mover const& mover) const {
+            auto const bend = detail::bend_of(mover);
+            auto const bent = sqrt(fma(bend.x, bend.x, bend.y * bend.y));
+            return 1.f / (settings.width * fma(min(bent * settings.bend_influence, Real(1.f)), Real(1.f), Real(1.f)));
+        }
+        template <class Sample> QUELL_KERNEL Sample like_front(Sample const& sample, vec2<Real> const& away) const {
+            return Sample::at_speed(of.front, front_per_length, sample, away);
+        }
+        QUELL_KERNEL Real own_speed() const { return detail::squared_speed(own.mover()); }
+        QUELL_KERNEL static Real speed(Mover const& mover) { return sqrt(detail::squared_speed(mover)); }
+        QUELL_KERNEL static glm::vec2 in_lane(vec2<Real> const& v, int k) { return {lane(v.x, k), lane(v.y, k)}; }
+
+        QUELL_KERNEL auto result(Px const& px) const {
+            constexpr float beyond = 4.f * Path<float>::longest;
+            vec2<Real> const nowhere{Real(beyond), Real(beyond)};
+            auto const still_here = both(own.known(), own_still, invert(own_in_front));
+            auto const found = both(invert(still_here), back_swept.known());
+            auto back = detail::layer_of(select(still_here, px.signal(), behind.mean()),
+                                         select(still_here, Real(BackLayer<Signal>::certain), masked(found, samples)));
+            auto sweep = select(found, back_swept.mean(), zero<vec2<Real>>());
+            auto const covered = invert(either(still_here, found));
+            if (any(covered)) {
+                back = select(covered, guessed(px), back);
+                auto const nothing = both(covered, detail::weight_of(back) <= Real(0.f));
+                sweep = select(both(covered, back_moves), detail::speed_of(of.back), sweep);
+                sweep = select(nothing, nowhere, sweep);
+            }
+            // As many samples pass as it sweeps pixels.
+            auto const front = detail::layer_of(in_front.mean(), masked(of.two, max(speed(of.front), Real(1.f))));
+            auto const front_moves = select(front_swept.known(), front_swept.mean(), detail::speed_of(of.front));
+            return emitted<Real>(FrontLayer<Signal>{}, front)
+                .with(front_sweep, select(of.two, front_moves, nowhere))
+                .with(BackLayer<Signal>{}, back)
+                .with(mean_sweep, sweep);
+        }
+        /// What is behind what moves here, where no sample of it passes: by what is seen of it around.
+        QUELL_KERNEL auto guessed(Px const& px) const {
+            return detail::guessed_layer(px, BackLayer<Signal>::guessed, [&](auto const& neighbour) QUELL_INLINED {
+                auto const there = detail::usable_sample<Paths>(neighbour);
+                auto const still = both(invert(there.moves()), invert(settings.is_behind(own.nearness(), there.nearness())));
+                auto const moving = both(there.known(), invert(of.is_front(there.mover())));
+                return either(both(back_moves, moving), both(invert(back_moves), still));
+            });
+        }
+    };
+
+    /// The pixel whose pair a tile shares.
+    template <class Px> QUELL_KERNEL auto shared(Px const& px) const {
+        using Real = typename Px::Real;
+        auto const tile = floor(px.position().x / static_cast<float>(tile_width));
+        auto const column = fma(tile, Real(static_cast<float>(tile_width)), Real(static_cast<float>(tile_width / 2)));
+        return PastPlace<Real>(min(column, Real(static_cast<float>(px.size().width - 1))),
+                               Real(static_cast<float>(detail::row_of_pair(px.y, px.size()))));
+    }
+    /// Whether something can't be seen, since something nearer is before it.
+    template <class Real> QUELL_KERNEL auto is_behind(Real nearness, Real before) const {
+        return nearness * (1.f + depth_tolerance) < before;
+    }
+};
+
+} // namespace quell

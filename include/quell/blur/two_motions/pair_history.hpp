@@ -1,0 +1,113 @@
+#pragma once
+
+#include <quell/blend/blend_policy.hpp>
+#include <quell/blur/path_search.hpp>
+#include <quell/blur/two_motions/pair_gather.hpp>
+#include <quell/motion/catmull_rom.hpp>
+
+namespace quell {
+
+/// History of the two things that meet around a pixel: of what is behind from where the motion source finds it, of what is in front from
+/// where `front` does. What is seen often is interpolated by the cheaper bilinear: its mean is smooth, and it hardly needs a past.
+/// @tparam S the pipeline's signal
+template <ChannelTag S> struct PairFetch {
+    using Signal = S;
+    using reads = Channels<FrontLayer<Signal>, FrontSweep, BackLayer<Signal>>;
+    PathSearchOf<FrontSweep> front{};
+    float often =
+        10.f; ///< samples in one frame; of fewer, the past is interpolated by a Catmull-Rom spline; what is in front of more has none
+
+    template <class Px, class Found> QUELL_KERNEL auto fetch(Px const& px, Found const& unchecked) const {
+        constexpr BackLayer<Signal> back;
+        // All else of the past is wanted only where samples are missing.
+        auto past = any(px.missing()) ? Bilinear{.rescue = false}.fetch(px, unchecked) : detail::no_past<Px>();
+        auto const found = detail::sane(px, unchecked);
+        auto const known = interpolated(px, found, back);
+        past.where = found.where;
+        past.validity = masked(known.accepted, found.validity);
+        // What stands still is where it was, to the last bit.
+        auto const seldom =
+            both(known.accepted, invert(found.still), detail::weight_of(px[back]) < real_of<decltype(past.validity)>(often));
+        past.kept.set(back, sharpened(px, found, seldom, known.value, back));
+        past.kept.set(FrontLayer<Signal>{}, past_front(px));
+        return past;
+    }
+
+private:
+    /// 0, of no samples, where it has no past.
+    template <class Px> QUELL_KERNEL auto past_front(Px const& px) const {
+        using Real = typename Px::Real;
+        constexpr FrontLayer<Signal> layer;
+        auto const samples = detail::weight_of(px[layer]);
+        auto const seldom = both(samples > Real(0.f), samples < Real(often));
+        if (!any(seldom)) return zero<Value<layer.components, Real>>();
+        auto found = front.previous(px);
+        found.validity = masked(seldom, found.validity);
+        auto const known = interpolated(px, found, layer);
+        return sharpened(px, found, known.accepted, known.value, layer);
+    }
+    template <class Layer> QUELL_KERNEL static auto interpolated(auto const& px, auto const& found, Layer) {
+        return Bilinear::interpolated(px, found, [](auto const& then) QUELL_INLINED { return then[Layer{}]; });
+    }
+    /// A layer by the spline where that is wanted; its count of samples stays as it is.
+    template <class Px, class Found, class Mask, class V, class Layer>
+    QUELL_KERNEL static V sharpened(Px const& px, Found const& found, Mask wanted, V const& smooth, Layer) {
+        if (!any(wanted)) return smooth;
+        auto const spline = CatmullRom::interpolated(px, found, detail::signal_of(smooth),
+                                                     [](auto const& then) QUELL_INLINED { return detail::signal_of(then[Layer{}]); });
+        return select(wanted, detail::layer_of(spline, detail::weight_of(smooth)), smooth);
+    }
+};
+
+/// Accumulates what is in front and what is behind, each for itself, and puts them together. A mean counts the samples that it is made of,
+/// not frames: fast motion passes many samples within one frame and needs no history, which is never as sharp; slow motion needs it. What
+/// stands still keeps its value while it is seen, and is remembered while it is covered.
+template <ChannelTag S> struct PairBlend {
+    using Signal = S;
+    using reads = Channels<FrontLayer<Signal>, FrontSweep, BackLayer<Signal>, MeanSweep>;
+    using keeps = reads;
+    float cap = 6.f; ///< samples that the past of what is behind counts as, at most
+    /// The same of what is in front: fewer, since its parts never move quite alike, and an outline that lags is seen more than its noise.
+    float front_cap = 4.f;
+    /// Pixels, more than 0; of what sweeps less, the past counts less, in proportion: it has less noise, and is interpolated, and so
+    /// softened, as often.
+    float slow = 2.5f;
+
+    template <class Px, class P> QUELL_KERNEL auto blend(Px const& px, P const& past) const {
+        using Real = typename Px::Real;
+        constexpr FrontLayer<Signal> front;
+        constexpr BackLayer<Signal> back;
+        auto const sweep = px[mean_sweep];
+        auto const still = both(sweep.x == Real(0.f), sweep.y == Real(0.f));
+        auto const samples = detail::weight_of(px[back]), known = detail::weight_of(past[back]);
+        auto const counted = min(known, select(still, known, at_most(cap, sweep)));
+        auto const share = select(still, masked(samples >= known, Real(1.f)), share_of(samples, counted));
+        auto const behind = joined(past[back], px[back], share, select(still, max(samples, known), samples + counted));
+
+        auto const front_samples = detail::weight_of(px[front]),
+                   front_counted = min(detail::weight_of(past[front]), at_most(front_cap, px[front_sweep]));
+        auto const in_front = joined(past[front], px[front], share_of(front_samples, front_counted), front_samples + front_counted);
+        auto const covering = detail::covering(detail::signal_of(in_front));
+        return Result{detail::layers_together(covering, behind, px.signal()), share}
+            .with(front, in_front)
+            .with(front_sweep, px[front_sweep])
+            .with(back, behind)
+            .with(mean_sweep, sweep);
+    }
+
+private:
+    /// What the past of something counts as, by its sweep.
+    template <class Real> QUELL_KERNEL Real at_most(float most, vec2<Real> const& sweep) const {
+        return min(sqrt(fma(sweep.x, sweep.x, sweep.y * sweep.y)) * (most / slow), Real(most));
+    }
+    /// What samples weigh beside those of the past.
+    template <class Real> QUELL_KERNEL static Real share_of(Real samples, Real past) {
+        return select(past > Real(0.f), samples / max(samples + past, Real(1e-6f)), Real(1.f));
+    }
+    template <class L, class Real> QUELL_KERNEL static L joined(L const& then, L const& now, Real share, Real samples) {
+        auto const signal = mix(detail::signal_of(then), detail::signal_of(now), share);
+        return detail::layer_of(select(share >= Real(1.f), detail::signal_of(now), signal), samples);
+    }
+};
+
+} // namespace quell

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <quell/core/value.hpp>
+
+namespace quell::detail {
+
+/// The mean over the open shutter of what is known at random times in it: each of its equal parts has the mean of the samples that pass
+/// then, and one without has that of the nearest part that has some. That makes much less noise than the mean of all samples, since random
+/// times crowd. Samples are held back until it is known how much each part has.
+/// @tparam V what is averaged, times a weight; @tparam most samples that it holds of each pixel: no more may be added
+template <class V, int most> struct PartMeans {
+    using Real = real_of<V>;
+    static constexpr int most_parts = 8; ///< they are as long as it takes to pass `pixels_a_part`, at least
+    static constexpr float pixels_a_part = 0.5f;
+    static constexpr int components = components_of<V>;
+    Real count;                      ///< of parts, from 1
+    Real weight[most_parts];         ///< of all samples in each
+    Real held[most][components + 1]; ///< values, times their weights, and the parts that they are in
+    int size = 0, next = 0;
+
+    QUELL_KERNEL explicit PartMeans(Real pixels)
+        : count(floor(clamp(pixels * (1.f / pixels_a_part), Real(1.f), Real(static_cast<float>(most_parts))))) {
+        for (auto& w : weight) w = Real(0.f);
+    }
+    /// Samples that are added from here on are for other pixels of the pack than those before: they share the room.
+    QUELL_KERNEL void restart() { next = 0; }
+    /// @param weighted the value times its weight, @param w the weight that counts in the mean, @param when as a part of the open
+    /// shutter; before it opens counts as its beginning, and after it closes as its end
+    QUELL_KERNEL void add(V const& weighted, Real w, Real when) {
+        auto const counts = w > Real(0.f);
+        if (!any(counts)) return;
+        auto const part = clamp(floor(when * count), Real(0.f), count - 1.f);
+        for_each<most_parts>([&](auto i) QUELL_INLINED { weight[i] = weight[i] + masked(part == Real(static_cast<float>(i)), w); });
+        auto& place = held[next];
+        if (next++ == size) {
+            ++size;
+            for_each<components>([&](auto c) QUELL_INLINED { place[c] = component<c>(weighted); });
+            place[components] = part;
+        } else {
+            for_each<components>([&](auto c) QUELL_INLINED { place[c] = select(counts, component<c>(weighted), place[c]); });
+            place[components] = select(counts, part, place[components]);
+        }
+    }
+    QUELL_KERNEL V mean() const {
+        Real share[most_parts];
+        find_shares(share);
+        auto sum = zero<V>();
+        for (int k = 0; k < size; ++k) {
+            auto const& one = held[k];
+            auto const value = make_value<components, Real>([&](auto c) QUELL_INLINED { return one[c]; });
+            sum = add_scaled(sum, value, looked_up<0, most_parts>(share, one[components]));
+        }
+        return scale(sum, 1.f / count);
+    }
+
+private:
+    /// How many parts the samples of each one count for, per weight: up to half way to the parts before and after it that have samples.
+    QUELL_KERNEL void find_shares(Real (&share)[most_parts]) const {
+        Real begin[most_parts], before(-1.f), after = count;
+        for (int i = 0; i < most_parts; ++i) {
+            Real const here(static_cast<float>(i));
+            auto const some = weight[i] > Real(0.f);
+            begin[i] = masked(before >= Real(0.f), (before + here + 1.f) * 0.5f);
+            before = select(some, here, before);
+        }
+        for (int i = most_parts - 1; i >= 0; --i) {
+            Real const here(static_cast<float>(i));
+            auto const some = weight[i] > Real(0.f);
+            auto const end = select(after < count, (after + here + 1.f) * 0.5f, count);
+            share[i] = masked(some, (end - begin[i]) / max(weight[i], Real(1e-12f)));
+            after = select(some, here, after);
+        }
+    }
+    /// Unrolled, whatever the host's flags: a loop would make its constants anew each time.
+    template <int n, class Visit> QUELL_KERNEL static void for_each(Visit&& visit) {
+        [&]<int... i>(std::integer_sequence<int, i...>) QUELL_INLINED { (visit(std::integral_constant<int, i>{}), ...); }
+        (std::make_integer_sequence<int, n>{});
+    }
+    /// The entry of a part, by halving.
+    template <int first, int size> QUELL_KERNEL static Real looked_up(Real const (&entries)[most_parts], Real part) {
+        if constexpr (size == 1)
+            return entries[first];
+        else
+            return select(part < Real(static_cast<float>(first + size / 2)), looked_up<first, size / 2>(entries, part),
+                          looked_up<first + size / 2, size / 2>(entries, part));
+    }
+};
+
+} // namespace quell::detail

@@ -1,0 +1,141 @@
+#pragma once
+
+#include <quell/diagnose/hypotheses/static_motion.hpp>
+#include <quell/diagnose/observation.hpp>
+#include <quell/diagnose/statistics.hpp>
+
+#include <glm/gtc/matrix_access.hpp>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace quell::detail {
+
+inline bool is_miss(float depth) { return bits(depth) == bits(std::numeric_limits<float>::infinity()); }
+
+/// What is neither a distance nor a miss.
+inline void find_depth_not_finite(Observation const& seen, std::vector<Finding>& findings) {
+    Tally bad;
+    for_each_place(seen.size, [&](int x, int y) { bad.add(!seen.hit(x, y) && !is_miss(seen.depth(0, x, y))); });
+    if (bad.share() > 0.001)
+        findings.push_back({Mistake::bad_guides, "'depth' is NaN or -infinity in " + percent(bad.share()) + " of the pixels",
+                            "write +infinity where there is no surface, and the distance along the view axis everywhere else"});
+}
+
+/// No surface in any frame so far, and these are several: whoever looks into the sky has most often seen the ground before. Returns
+/// whether that is so.
+inline bool find_no_surface(Observation const& seen, std::vector<Finding>& findings) {
+    auto& notes = seen.notes();
+    Tally misses;
+    for_each_place(seen.size, [&](int x, int y) { misses.add(is_miss(seen.depth(0, x, y))); });
+    notes.had_surface = notes.had_surface || misses.yes < misses.asked;
+    if (notes.had_surface || ++notes.calls_without_surface < 8) return false;
+    findings.push_back(
+        {Mistake::depth_says_nothing,
+         "it was +infinity at all places that were looked at in all " + std::to_string(notes.calls_without_surface) + " frames so far",
+         "fill the channel before every run(): the distance along the view axis in world units"});
+    return true;
+}
+
+/// The depth that all of the picture has.
+inline std::optional<float> constant_depth(Observation const& seen) {
+    float const first = seen.depth(0, 0, 0);
+    Tally same;
+    for_each_place(seen.size, [&](int x, int y) { same.add(bits(seen.depth(0, x, y)) == bits(first)); });
+    return same.yes == same.asked && is_finite(first) ? std::optional(first) : std::nullopt;
+}
+/// Whether the camera has turned or come closer, so that what was a plane before it is none any more. One that slides along a wall keeps
+/// it.
+inline bool changes_depth(Camera const& now, Camera const& then, float depth) {
+    auto const turned = glm::row(now.view, 2) - glm::row(then.view, 2);
+    return glm::length(glm::vec3(turned)) > 1e-4f || std::abs(turned.w) > 1e-3f * depth;
+}
+/// One depth for all, although the camera moves. Returns whether that is so.
+inline bool find_constant_depth(Observation const& seen, std::vector<Finding>& findings) {
+    auto const now = constant_depth(seen), before = std::exchange(seen.notes().constant_depth, now);
+    if (!now || now != before || !seen.has_then || !known(seen.camera) || !known(seen.camera_then)) return false;
+    if (!changes_depth(seen.camera, seen.camera_then, *now)) return false;
+    findings.push_back({Mistake::depth_says_nothing,
+                        "it is " + number(static_cast<double>(*now)) +
+                            " at all places that were looked at, as in the last frame, although the camera turned or came closer",
+                        "fill the channel before every run(): the distance along the view axis in world units"});
+    return true;
+}
+
+/// Zero or less: the view's own z, or misses that are not infinite. Returns whether it is so.
+inline bool find_depth_not_positive(Observation const& seen, std::vector<Finding>& findings) {
+    Tally bad;
+    float least = 0.f;
+    for_each_hit(seen, [&](int x, int y) {
+        auto const z = seen.depth(0, x, y);
+        bad.add(!(z > 0.f)), least = std::min(least, z);
+    });
+    if (bad.share() < 0.01) return false;
+    findings.push_back({Mistake::depth_not_positive,
+                        percent(bad.share()) + " of the finite depths are 0 or less; the least is " + number(static_cast<double>(least)),
+                        least < 0.f ? "write the distance along the view axis as a positive number: negate the view's z"
+                                    : "write +infinity where there is no surface"});
+    return true;
+}
+
+/// How planes look in an image of depths: along a line, linear depth z has a 1 / z that changes evenly; what a depth buffer holds
+/// changes evenly itself. Told by three depths l, c, r at equal steps: (l + r - 2 c) / |r - l| is 0 for the buffer, and for linear depth
+/// as much as depth changes, in parts of itself.
+struct Evenness {
+    Tally linear, buffer;
+
+    void add(float l, float c, float r) {
+        double const step = std::abs(static_cast<double>(r) - l), slope = step / (2. * c);
+        double const bend = (static_cast<double>(l) + r - 2. * c) / step, rounding = 1.2e-7 * c / step;
+        // Slopes that rounding hides, and edges of objects, tell nothing.
+        if (!(step > 0.) || slope < 20. * rounding || std::abs(bend) > 0.5 || !(slope < 0.3)) return;
+        linear.add(std::abs(bend / slope - 1.) < 0.25), buffer.add(std::abs(bend / slope) < 0.25);
+    }
+};
+
+inline Evenness evenness_of(Observation const& seen) {
+    Evenness evenness;
+    auto const add = [&](int x, int y, int dx, int dy) {
+        if (x < dx || y < dy || x + dx >= seen.size.width || y + dy >= seen.size.height) return;
+        float const l = seen.depth(0, x - dx, y - dy), c = seen.depth(0, x, y), r = seen.depth(0, x + dx, y + dy);
+        // Exactly 0 and 1 are where a depth buffer has no surface.
+        auto const surface = [](float z) { return is_finite(z) && z > 0.f && z < 1.f; };
+        if (surface(l) && surface(c) && surface(r)) evenness.add(l, c, r);
+    };
+    // Near steps stay on one plane, far ones stand out from rounding.
+    for (int const part : {64, 32, 16}) {
+        int const reach = std::max(1, seen.size.width / part);
+        for_each_place(seen.size, [&](int x, int y) { add(x, y, reach, 0), add(x, y, 0, reach); });
+    }
+    return evenness;
+}
+
+/// A depth buffer's values. Returns whether that is so.
+inline bool find_depth_not_linear(Observation const& seen, std::vector<Finding>& findings) {
+    Tally in_unit_range;
+    std::vector<float> depths;
+    for_each_hit(seen, [&](int x, int y) {
+        depths.push_back(seen.depth(0, x, y));
+        in_unit_range.add(depths.back() >= 0.f && depths.back() <= 1.f);
+    });
+    if (in_unit_range.share() < 0.99) return false;
+    auto const evenness = evenness_of(seen);
+    if (evenness.buffer.asked < 50 || evenness.buffer.share() < evenness.linear.share() + 0.25) return false;
+    findings.push_back({Mistake::depth_not_linear,
+                        "all depths lie in [0, 1], their median at " + number(static_cast<double>(median(depths))) + ", and of " +
+                            std::to_string(evenness.buffer.asked) + " places on slopes " + percent(evenness.buffer.share()) +
+                            " look like planes in a depth buffer, " + percent(evenness.linear.share()) + " like planes in linear depth",
+                        "write the distance along the view axis in world units, +infinity where there is no surface: for depth d in [0, 1] "
+                        "near * far / (far - d * (far - near)), with near and far exchanged where it is reversed"});
+    return true;
+}
+
+/// All that depth alone shows. Returns whether nothing can be built on it.
+inline bool find_wrong_depth(Observation const& seen, std::vector<Finding>& findings) {
+    find_depth_not_finite(seen, findings);
+    bool const says_nothing = find_no_surface(seen, findings) || find_constant_depth(seen, findings);
+    return says_nothing || find_depth_not_positive(seen, findings) || find_depth_not_linear(seen, findings);
+}
+
+} // namespace quell::detail

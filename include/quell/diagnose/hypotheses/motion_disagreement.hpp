@@ -1,0 +1,41 @@
+#pragma once
+
+#include <quell/diagnose/hypotheses/motion_by_history.hpp>
+
+namespace quell::detail {
+
+/// Where motion leads, against where the cameras say that what stands still was. What moves by itself is found by its motion alone.
+inline Duel duel_with_cameras(Observation const& seen) {
+    StaticMotion const expected(seen.camera, seen.camera_then, seen.size);
+    Trial by_motion, by_cameras;
+    for_each_hit(seen, [&](int x, int y) {
+        auto const found = vec2_at(seen.motion, x, y);
+        auto const still = expected.at(x, y, seen.depth(0, x, y));
+        if (!still || !all_finite(found) || !all_finite(*still)) return;
+        by_motion.add(seen, x, y, found), by_cameras.add(seen, x, y, *still);
+    });
+    Duel duel;
+    add(duel, by_motion, by_cameras);
+    return duel;
+}
+
+/// What no known convention explains: motion that loses the past where the cameras find it, two frames in a row.
+inline void find_disagreement(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
+    if (!seen.depth_then) return;
+    BestConvention const choice(pairs, seen);
+    auto const duel = duel_with_cameras(seen);
+    bool const disagrees = choice.own.share() < 0.5 && duel.second >= 50 && duel.second > 2 * duel.first;
+    auto& in_a_row = seen.notes().disagreed_in_a_row;
+    in_a_row = disagrees ? in_a_row + 1 : 0;
+    if (in_a_row < 2) return;
+    findings.push_back({Mistake::motion_disagrees,
+                        "of " + std::to_string(pairs.size()) + " surface pixels " + percent(choice.own.share()) +
+                            " move as depth and cameras say of what stands still, and no known convention makes it more than " +
+                            percent(choice.best.share()) + "; " + std::to_string(duel.second) +
+                            " find their surface in the last frame where the cameras say and not by motion, " + std::to_string(duel.first) +
+                            " the other way round",
+                        "compare one pixel by hand: motion is where its point was in the last picture less where it is in this one, in "
+                        "pixels, x first, y down, with the matrices of camera.view and camera.projection in both frames"});
+}
+
+} // namespace quell::detail

@@ -1,0 +1,161 @@
+#pragma once
+
+#include <quell/diagnose/hypotheses/motion_conventions.hpp>
+#include <quell/diagnose/hypotheses/static_motion.hpp>
+#include <quell/diagnose/observation.hpp>
+#include <quell/diagnose/statistics.hpp>
+
+#include <glm/geometric.hpp>
+
+namespace quell::detail {
+
+/// A motion vector of the host, and the one that a surface which stands still would have there.
+struct ComparedMotion {
+    glm::vec2 found, expected;
+    /// Objects that move agree with nothing; that is why shares are compared, and never looked at alone.
+    [[nodiscard]] bool agrees(glm::vec2 motion) const { return glm::length(motion - expected) < 0.1f + 0.03f * glm::length(expected); }
+    /// Where nothing is expected to move, every convention says the same.
+    [[nodiscard]] bool moves() const { return glm::length(expected) > 0.5f; }
+};
+using ComparedMotions = std::vector<ComparedMotion>;
+
+/// Wherever depth and cameras tell what to expect.
+inline ComparedMotions motion_pairs(Observation const& seen, Camera const& now, Camera const& then) {
+    StaticMotion const expected(now, then, seen.size);
+    ComparedMotions pairs;
+    for_each_hit(seen, [&](int x, int y) {
+        auto const found = vec2_at(seen.motion, x, y);
+        auto const still = expected.at(x, y, seen.depth(0, x, y));
+        if (still && all_finite(found) && all_finite(*still)) pairs.push_back({found, *still});
+    });
+    return pairs;
+}
+/// Of a camera that stands still.
+inline ComparedMotions still_pairs(Observation const& seen) {
+    ComparedMotions pairs;
+    for_each_hit(seen, [&](int x, int y) {
+        if (auto const found = vec2_at(seen.motion, x, y); all_finite(found)) pairs.push_back({found, glm::vec2(0.f)});
+    });
+    return pairs;
+}
+inline ComparedMotions moving(ComparedMotions pairs) {
+    std::erase_if(pairs, [](ComparedMotion const& pair) { return !pair.moves(); });
+    return pairs;
+}
+inline Tally agreeing(ComparedMotions const& pairs, glm::vec2 factor) {
+    Tally tally;
+    for (auto const& pair : pairs) tally.add(pair.agrees(pair.found * factor));
+    return tally;
+}
+
+inline constexpr std::size_t fewest_pairs = 50; ///< fewer are no evidence
+inline constexpr double clear_margin = 0.25;    ///< by so much the share of a mistake must beat that of all being well
+
+/// The convention that most vectors agree with; of those that are alike, the one nearest to quell's own.
+struct BestConvention {
+    MotionConvention convention;
+    Tally own, best;
+
+    BestConvention(ComparedMotions const& pairs, Observation const& seen)
+        : convention(seen.convention), own(agreeing(pairs, {1.f, 1.f})), best(own) {
+        for (auto const each : motion_conventions(seen.convention)) {
+            auto const tally = agreeing(pairs, correction(each, seen.convention, seen.size));
+            if (tally.share() > best.share() + 0.02) best = tally, convention = each;
+        }
+    }
+    [[nodiscard]] bool clear() const { return best.share() > own.share() + clear_margin; }
+};
+
+inline void report_convention(MotionConvention convention, Observation const& seen, std::string const& evidence,
+                              std::vector<Finding>& findings) {
+    auto const factor = correction(convention, seen.convention, seen.size);
+    std::string swapped;
+    if (convention.points != seen.convention.points) swapped = ", or swap the current and the previous matrix where it is computed,";
+    for (auto const mistake : mistakes_of(convention, seen.convention))
+        findings.push_back(
+            {mistake, evidence,
+             "multiply motion by " + pair(factor.x, factor.y) + swapped + " or give the pipeline Supplied<" + code_of(convention) + ">{}"});
+}
+
+/// Sign, unit and direction of y, by cameras that move.
+inline void find_motion_convention(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
+    BestConvention const choice(pairs, seen);
+    if (!choice.clear()) return;
+    auto const factor = correction(choice.convention, seen.convention, seen.size);
+    report_convention(choice.convention, seen,
+                      "of " + std::to_string(pairs.size()) + " surface pixels " + percent(choice.own.share()) +
+                          " move as depth and cameras say of what stands still, but " + percent(choice.best.share()) + " times " +
+                          pair(factor.x, factor.y),
+                      findings);
+}
+
+/// Nothing moves on the screen although the camera does.
+inline void find_zero_motion(ComparedMotions const& pairs, std::vector<Finding>& findings) {
+    Tally zero;
+    std::vector<float> expected;
+    for (auto const& pair : pairs) zero.add(glm::length(pair.found) < 1e-6f), expected.push_back(glm::length(pair.expected));
+    // What moves with the camera is still on the screen: then something else moves as expected.
+    if (zero.share() < 0.6 || agreeing(pairs, {1.f, 1.f}).share() > 0.05) return;
+    findings.push_back({Mistake::motion_zero,
+                        "motion is exactly 0 in " + percent(zero.share()) + " of " + std::to_string(pairs.size()) +
+                            " surface pixels, which by depth and cameras move by " + number(static_cast<double>(median(expected))) +
+                            " pixels (median)",
+                        "compute motion with the previous frame's matrices, which must not be those of this frame, and fill the channel"});
+}
+
+/// What all motion vectors have that still surfaces should not: its median, and how many pixels share it.
+struct CommonOffset {
+    glm::vec2 offset{};
+    Tally sharing, without;
+
+    explicit CommonOffset(ComparedMotions const& pairs) {
+        std::vector<float> xs, ys;
+        for (auto const& pair : pairs) xs.push_back(pair.found.x - pair.expected.x), ys.push_back(pair.found.y - pair.expected.y);
+        offset = {median(xs), median(ys)};
+        for (auto const& pair : pairs) {
+            auto const rest = pair.found - pair.expected;
+            float const allowed = 0.02f + 0.01f * glm::length(pair.expected);
+            sharing.add(glm::length(rest - offset) < allowed), without.add(glm::length(rest) < allowed);
+        }
+    }
+    /// Less than a pixel and a half each way, as two frames' jitter may differ, and not all being well.
+    [[nodiscard]] bool is_jitter() const {
+        bool const subpixel = std::abs(offset.x) < 1.5f && std::abs(offset.y) < 1.5f && glm::length(offset) > 0.05f;
+        return subpixel && sharing.share() > 0.6 && sharing.share() > without.share() + clear_margin;
+    }
+};
+
+inline std::string jitter_remedy(MotionConvention taken_for) {
+    if (taken_for.jitter == MotionConvention::Jitter::left_in)
+        return "leave .jitter out of the MotionConvention: the vectors have none in them, or camera.jitter is not what they have";
+    taken_for.jitter = MotionConvention::Jitter::left_in;
+    return "project with matrices without jitter where motion is computed, or set camera.jitter and give the pipeline Supplied<" +
+           code_of(taken_for) + ">{}";
+}
+
+/// Whether an offset is what jitter leaves: the change of camera.jitter, or one that turns back. What slides keeps its direction, and what
+/// it slides by is the change of jitter by chance only.
+inline bool looks_like_jitter(glm::vec2 offset, glm::vec2 before, glm::vec2 change) {
+    bool const is_change = std::min(glm::length(offset - change), glm::length(offset + change)) < 0.05f;
+    return (glm::length(change) > 0.05f && is_change) || glm::dot(offset, before) < 0.f;
+}
+
+/// The change of jitter in every vector, as two frames in a row show it. Returns whether it is there, or may be.
+inline bool find_motion_jitter(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
+    CommonOffset const common(pairs);
+    auto const offset = common.is_jitter() ? common.offset : glm::vec2(0.f);
+    auto const before = std::exchange(seen.notes().motion_offset, offset);
+    auto const change = seen.camera.jitter - seen.camera_then.jitter;
+    auto& in_a_row = seen.notes().jittered_in_a_row;
+    in_a_row = looks_like_jitter(offset, before, change) && common.is_jitter() ? in_a_row + 1 : 0;
+    // Something large that slides is no jitter, nor a camera that is not told of.
+    if (in_a_row < 2) return common.is_jitter() && glm::length(offset - before) > 0.1f;
+    findings.push_back({Mistake::motion_jitter,
+                        percent(common.sharing.share()) + " of " + std::to_string(pairs.size()) + " surface pixels have " +
+                            pair(offset.x, offset.y) + " pixels too much in their motion; camera.jitter changed by " +
+                            pair(change.x, change.y),
+                        jitter_remedy(seen.convention)});
+    return true;
+}
+
+} // namespace quell::detail

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <quell/diagnose/hypotheses/motion_hypotheses.hpp>
+
+#include <algorithm>
+
+namespace quell::detail {
+
+/// Sweeps of what stands still before a camera that moves, as parts of the way that its surface goes until the next frame.
+struct SweptParts {
+    std::vector<float> parts; ///< of those that lead along that way, or back along it
+    std::size_t asked = 0;
+
+    explicit SweptParts(Observation const& seen) {
+        StaticMotion const expected(seen.camera, seen.camera_then, seen.size);
+        for_each_hit(seen, [&](int x, int y) {
+            auto const sweep = vec2_at(seen.sweep, x, y);
+            auto const motion = expected.at(x, y, seen.depth(0, x, y));
+            if (!motion || !all_finite(sweep) || !all_finite(*motion) || glm::length(*motion) < 2.f) return;
+            ++asked;
+            auto const way = -*motion;
+            float const part = glm::dot(sweep, way) / glm::dot(way, way);
+            if (glm::length(sweep - part * way) < 0.2f * glm::length(sweep)) parts.push_back(part);
+        });
+    }
+    /// Whether nearly all are one part of the way; what moves by itself agrees with nothing.
+    [[nodiscard]] bool agree_on(float part) const {
+        auto const alike = std::ranges::count_if(parts, [&](float p) { return std::abs(p - part) < 0.15f * std::abs(part); });
+        return asked >= fewest_pairs && static_cast<double>(alike) > 0.6 * static_cast<double>(asked);
+    }
+};
+
+/// Sweeps that lead backwards, or last another time than the shutter is open, three frames in a row: a camera that speeds up sweeps more in
+/// one frame than it moved before it.
+inline void find_wrong_sweeps(Observation const& seen, std::vector<Finding>& findings) {
+    SweptParts swept(seen);
+    float const part = median(swept.parts);
+    bool const backwards = part<0.f, longer = std::abs(part)> 1.3f * seen.shutter, shorter = std::abs(part) < 0.7f * seen.shutter;
+    bool const wrong = part != 0.f && swept.agree_on(part) && (backwards || longer || shorter);
+    auto& in_a_row = seen.notes().swept_wrongly_in_a_row;
+    in_a_row = wrong ? in_a_row + 1 : 0;
+    if (in_a_row < 3) return;
+    auto const evidence = "sweeps are " + number(part) +
+                          " of the way that depth and cameras say until the next frame, and frame.shutter is " + number(seen.shutter);
+    if (backwards)
+        findings.push_back({Mistake::sweep_sign, evidence,
+                            "multiply sweep by -1: it leads from where a point is when the shutter opens to where it is when it closes"});
+    else
+        findings.push_back({Mistake::shutter_differs, evidence,
+                            "set frame.shutter to " + number(part) + ", or give sweeps in pixels of that part of the frame time"});
+}
+
+} // namespace quell::detail

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <quell/blend/part_of_past.hpp>
+#include <quell/filter/edge_weights.hpp>
+
+namespace quell {
+
+/// How much light changed at a pixel's place since the previous frame, and how much there is, as means over the surroundings: luminance now
+/// minus luminance before, and the larger of the two.
+struct FilteredGradient : MadeChannel<2> {
+    static constexpr auto name = "filtered_gradient";
+};
+inline constexpr FilteredGradient filtered_gradient;
+
+namespace detail {
+/// One level of a wavelet over the gradients. The first one gathers the single samples of the 3x3 strata.
+template <class Source, class Edge> struct GradientLevel {
+    static constexpr auto name = "temporal gradient";
+    using parts = Parts<Edge>;
+    using reads = Channels<Source>;
+    using emits = Channels<FilteredGradient>;
+    Edge edge;
+    int step;
+
+    QUELL_KERNEL auto emit_channels(auto px) const {
+        using Real = typename decltype(px)::Real;
+        auto const around = edge.around(px);
+        auto sum = px[Source{}];
+        sum = select(all_finite(sum), sum, zero<vec2<Real>>());
+        Real weights(1.f);
+        auto const add = [&](auto const& neighbour, auto w) QUELL_INLINED {
+            auto const there = neighbour[Source{}];
+            auto const usable = masked(all_finite(there), w);
+            sum = add_scaled(sum, select(all_finite(there), there, zero<vec2<Real>>()), usable);
+            weights = weights + usable;
+        };
+        for_each_edge_tap<false>(
+            px, step, around, [](int, int) QUELL_INLINED { return weight_bits(1.f); }, add);
+        return emitted<Real>(filtered_gradient, scale(sum, 1.f / weights));
+    }
+};
+} // namespace detail
+
+/// Makes of the gradient samples, one in each 3x3 pixels, a gradient everywhere (A-SVGF, Schied 2018). Goes before a Temporal{...,
+/// Antilag}.
+/// @tparam Signal the signal whose gradient the host supplies, as GradientOf<Signal>
+/// @tparam Edge   an EdgeWeight
+template <ChannelTag Signal, class Edge = DepthEdge> struct TemporalGradient {
+    static_assert(EdgeWeight<Edge>, "TemporalGradient{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    using parts = Parts<Edge>;
+    using reads = Channels<GradientOf<Signal>>;
+    using emits = Channels<FilteredGradient>;
+    static constexpr bool leaves_signal = true;
+    Edge edge{};
+    int levels = 3; ///< after the first; each reaches twice as far
+
+    constexpr void for_each_pass(auto&& pass) const {
+        pass(detail::GradientLevel<GradientOf<Signal>, Edge>{edge, 1});
+        for (int i = 0; i < levels; ++i) pass(detail::GradientLevel<FilteredGradient, Edge>{edge, 3 << i});
+    }
+};
+
+/// Shortens the history where the light itself has changed: alpha = (1 - lambda) alpha_0 + lambda, where alpha_0 is the inner policy's and
+/// lambda = min(1, |change| / light) (A-SVGF, Schied 2018).
+template <class Inner> struct Antilag {
+    static_assert(BlendPolicy<Inner>, "Antilag{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
+    using parts = Parts<Inner>;
+    using reads = Channels<FilteredGradient>;
+    Inner inner{};
+
+    QUELL_KERNEL auto blend(auto px, auto past) const {
+        using Real = typename decltype(px)::Real;
+        auto const gradient = px[filtered_gradient];
+        auto const change = min(abs(gradient.x) / max(gradient.y, Real(1e-6f)), Real(1.f));
+        return detail::blend_part_of_past(inner, px, past, 1.f - change);
+    }
+};
+template <class Inner> Antilag(Inner) -> Antilag<Inner>;
+
+} // namespace quell

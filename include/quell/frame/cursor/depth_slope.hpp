@@ -1,0 +1,20 @@
+#pragma once
+
+#include <quell/frame/cursor/pixel.hpp>
+
+namespace quell::detail {
+
+/// How much depth changes from this pixel to the next along (dx, dy): the smaller of the two one-sided differences, since across a
+/// silhouette one of them is the edge and not the surface. 0 where neither neighbour is a surface in the image.
+template <class Px> QUELL_KERNEL auto depth_slope(Px const& px, int dx, int dy) {
+    using Real = typename Px::Real;
+    auto const before = px.at(-dx, -dy), after = px.at(dx, dy);
+    auto const z = px[depth], back = z - before[depth], forth = after[depth] - z;
+    Real const none(3e38f);
+    auto const size = [&](Real difference, auto inside)
+                          QUELL_INLINED { return select(both(inside, is_finite(difference)), abs(difference), none); };
+    auto const behind = size(back, before.inside()), ahead = size(forth, after.inside());
+    return masked(min(behind, ahead) < none, select(behind < ahead, back, forth));
+}
+
+} // namespace quell::detail

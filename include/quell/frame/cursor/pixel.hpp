@@ -1,0 +1,242 @@
+#pragma once
+
+#include <quell/core/random.hpp>
+#include <quell/frame/cursor/past_pixel.hpp>
+#include <quell/frame/kept_channels.hpp>
+
+namespace quell {
+
+/// The cursor that every policy is written against: one pixel if Real is float, neighbours in a row if it is a pack.
+template <class R, class S> struct Pixel {
+    using Real = R;
+    using Scope = S;
+    using Signal = Value<S::components, R>;
+
+    S const& scope;
+    int x, y;
+    bool row_inside = true;
+
+    /// The value, here and now, of a channel of the frame or of one that an earlier pass made.
+    template <ChannelTag C> QUELL_KERNEL auto operator[](C c) const {
+        constexpr bool made = S::made_channels::template has<C>, given = S::frame_channels::template has<C>;
+        static_assert(made || given, "a policy looks at a channel that it does not list: add the channel to its `reads`");
+        require_same_size<C>();
+        if constexpr (made)
+            return load(scope.made.view(c));
+        else if constexpr (std::is_same_v<C, Motion>)
+            return scope.vectors(load(scope.frame.view(c)));
+        else if constexpr (given)
+            return load(scope.frame.view(c));
+    }
+    /// One component of it, for channels of many.
+    template <int c, ChannelTag C> QUELL_KERNEL Real channel_component(C channel) const {
+        if constexpr (S::made_channels::template has<C>)
+            return load_one<c>(scope.made.view(channel));
+        else
+            return load_one<c>(scope.frame.view(channel));
+    }
+    /// A channel of a finer size at a pixel under this one: i and j count from 0 to less than the ratio of the sizes, or beyond, to pixels
+    /// under neighbours. Beyond the image's border the border repeats.
+    template <ChannelTag C> QUELL_KERNEL auto finer(C c, int i, int j) const {
+        constexpr int ratio = S::fraction / C::fraction;
+        static_assert(ratio > 1 && ratio * C::fraction == S::fraction,
+                      "px.finer(channel, i, j): the pass's fraction must be a multiple of the channel's");
+        return at_place(c, under(ratio, i, j));
+    }
+    /// The signal at a pixel under this one, likewise. Always finite and not negative.
+    QUELL_KERNEL Signal finer_signal(int i, int j) const {
+        static_assert(S::fraction > 1, "px.finer_signal(i, j): the pass is of the frame's size: use px.signal()");
+        auto const v = detail::fetch<Real>(scope.signal, scope.signal.size, under(S::fraction, i, j), 0, 0);
+        if constexpr (S::marks_missing)
+            return clear_mark(v);
+        else
+            return v;
+    }
+    /// A channel of a coarser size at the pixel over this one, or dx and dy pixels of its own from there. Beyond the border the border
+    /// repeats.
+    template <ChannelTag C> QUELL_KERNEL auto coarser(C c, int dx = 0, int dy = 0) const {
+        auto const where = over<C>();
+        return at_place(c, PastPlace<Real>(floor(where.x) + static_cast<float>(dx), floor(where.y) + static_cast<float>(dy)));
+    }
+    /// The same interpolated at this pixel's centre between the four nearest.
+    template <ChannelTag C> QUELL_KERNEL auto coarser_interpolated(C c) const {
+        auto const where = over<C>();
+        auto const column = floor(where.x - 0.5f), row = floor(where.y - 0.5f);
+        auto const u = where.x - 0.5f - column, v = where.y - 0.5f - row;
+        auto const tap = [&](float i, float j) QUELL_INLINED { return at_place(c, PastPlace<Real>(column + i, row + j)); };
+        return mix(mix(tap(0.f, 0.f), tap(1.f, 0.f), u), mix(tap(0.f, 1.f), tap(1.f, 1.f), u), v);
+    }
+    /// The value, here, of the signal being denoised. Always finite and not negative; a missing sample shows what its neighbours suggest.
+    QUELL_KERNEL Signal signal() const {
+        static_assert(S::fraction == 1, "a pass of a fraction of the frame's size looks at the signal: use px.finer_signal(i, j)");
+        auto const v = load(scope.signal);
+        if constexpr (S::marks_missing)
+            return clear_mark(v);
+        else
+            return v;
+    }
+    /// One component of it.
+    template <int c> QUELL_KERNEL Real signal_component() const {
+        auto const a = load_one<c>(scope.signal);
+        if constexpr (S::marks_missing && c == 0)
+            return without_sign_bit(a);
+        else
+            return a;
+    }
+    /// True where the host's sample was not usable (NaN, infinite, negative): it must weigh nothing. Known to the
+    /// stages up to Temporal; without a Temporal, until a stage has made a new signal.
+    QUELL_KERNEL auto missing() const {
+        if constexpr (S::marks_missing)
+            return sign_bit(component<0>(load(scope.signal)));
+        else
+            return Real(0.f) != Real(0.f);
+    }
+    /// Whether the host says how many samples a pixel has: KnownSamples{} is a part of the pipeline.
+    static constexpr bool knows_samples = S::frame_channels::template has<SampleCount>;
+    /// How many samples the signal's value is the mean of: 1, unless the host says.
+    QUELL_KERNEL Real samples() const {
+        if constexpr (knows_samples) {
+            auto const count = (*this)[sample_count];
+            return select(is_finite(count), clamp(count, Real(1e-3f), Real(1e6f)), Real(1.f));
+        } else
+            return Real(1.f);
+    }
+    /// The variance of the luminance of one of them, as far as the host knows it, or 0.
+    QUELL_KERNEL Real variance_of_sample() const {
+        if constexpr (knows_samples) {
+            auto const known = (*this)[sample_variance];
+            return masked(both(is_finite(known), known < Real(1e32f)), max(known, Real(0.f)));
+        } else
+            return Real(0.f);
+    }
+    /// The pixel at an offset from here. Rows outside the image repeat the border; columns outside give finite values of no meaning:
+    /// ask `inside()`, or use for_each_tap.
+    QUELL_KERNEL Pixel at(int dx, int dy) const {
+        int const row = y + dy, last = scope.size.height - 1;
+        return {scope, column(x + dx), detail::clamp_to(row, last), row_inside && row >= 0 && row <= last};
+    }
+    /// True where this pixel lies in the image.
+    QUELL_KERNEL auto inside() const {
+        auto const column = Real(static_cast<float>(x)) + lanes<Real>();
+        auto const width = Real(row_inside ? static_cast<float>(scope.size.width) : 0.f);
+        return both(column >= Real(0.f), column < width);
+    }
+    /// The pixel's centre, in pixels.
+    QUELL_KERNEL vec2<Real> position() const {
+        return {Real(static_cast<float>(x)) + lanes<Real>() + 0.5f, Real(static_cast<float>(y) + 0.5f)};
+    }
+    QUELL_KERNEL Extent size() const { return scope.size; }
+    /// The samples' offset from the pixels' centres, in pixels.
+    QUELL_KERNEL glm::vec2 jitter_now() const { return scope.jitter; }
+    QUELL_KERNEL glm::vec2 jitter_then() const { return scope.jitter_then; }
+    /// The part of the time between frames during which the shutter is open.
+    QUELL_KERNEL float shutter_now() const { return scope.shutter; }
+    QUELL_KERNEL float shutter_then() const { return scope.shutter_then; }
+    /// Whether there is a previous frame at all.
+    QUELL_KERNEL bool has_past() const { return scope.has_past; }
+    /// The pixel of the previous frame at an offset from a place there; outside the image it shows something finite of no meaning.
+    QUELL_KERNEL PastPixel<Real, S> past(PastPlace<Real> const& place, int dx = 0, int dy = 0) const { return {scope, place, dx, dy}; }
+    /// The past pixel keeps no copy of its place: give the place a name.
+    void past(PastPlace<Real>&&, int = 0, int = 0) const = delete;
+    /// A channel of this frame, or one that an earlier pass made, at any place; outside the image it shows something finite of no meaning.
+    template <ChannelTag C> QUELL_KERNEL auto elsewhere(PastPlace<Real> const& place, C c) const {
+        require_same_size<C>();
+        return at_place(c, place);
+    }
+    /// The signal at any place, and whether the host's sample there was missing.
+    QUELL_KERNEL auto signal_elsewhere(PastPlace<Real> const& place) const {
+        auto const v = detail::fetch<Real>(scope.signal, scope.size, place, 0, 0);
+        if constexpr (S::marks_missing)
+            return std::pair{clear_mark(v), sign_bit(component<0>(v))};
+        else
+            return std::pair{v, Real(0.f) != Real(0.f)};
+    }
+    /// From pixels to the world, in this frame and in the previous one. Wants `needs_camera`.
+    QUELL_KERNEL PixelRays const& rays() const { return require_camera(), scope.rays; }
+    QUELL_KERNEL PixelRays const& rays_then() const { return require_camera(), scope.rays_then; }
+    /// Two normally distributed random numbers, other ones in each pixel and frame, always the same in the same.
+    QUELL_KERNEL std::pair<Real, Real> random_normals() const {
+        return normal_pair(Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)), scope.frame_index);
+    }
+    /// Two uniformly distributed random numbers in [0, 1), likewise; for more of them, from `which` pair (0 to 15).
+    QUELL_KERNEL std::pair<Real, Real> random_uniforms(int which = 0) const {
+        return uniform_pair(Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)), scope.frame_index ^ (which << 26));
+    }
+    /// Where, in pixels, the previous frame's screen showed what the sample here, displaced by jitter, saw of the world, if the sample
+    /// had been at the pixel's centre, as the history is; and its linear depth there (not positive: behind the camera). Wants
+    /// `needs_camera`.
+    QUELL_KERNEL vec3<Real> project_to_past(vec3<Real> const& p) const { return project(scope.clip_from_world_then, p); }
+    /// The same on this frame's screen.
+    QUELL_KERNEL vec3<Real> project(vec3<Real> const& p) const { return project(scope.clip_from_world, p); }
+
+private:
+    template <class C> QUELL_KERNEL static void require_same_size() {
+        static_assert(C::fraction == S::fraction,
+                      "a policy looks at a channel of another size than the pass: read a finer one by px.finer(channel, i, j), a coarser "
+                      "one by px.coarser(channel)");
+    }
+    /// The place of a pixel under this one in an image `ratio` times as fine.
+    QUELL_KERNEL PastPlace<Real> under(int ratio, int i, int j) const {
+        return {(Real(static_cast<float>(x)) + lanes<Real>()) * static_cast<float>(ratio) + static_cast<float>(i),
+                Real(static_cast<float>(y * ratio + j))};
+    }
+    /// This pixel's centre in pixels of a coarser channel.
+    template <class C> QUELL_KERNEL vec2<Real> over() const {
+        constexpr int ratio = C::fraction / S::fraction;
+        static_assert(ratio > 1 && ratio * S::fraction == C::fraction,
+                      "px.coarser(channel): the channel's fraction must be a multiple of the pass's");
+        auto const p = position();
+        return {p.x * (1.f / ratio), p.y * (1.f / ratio)};
+    }
+    /// A channel of any size at a place of its own.
+    template <ChannelTag C> QUELL_KERNEL auto at_place(C c, PastPlace<Real> const& place) const {
+        constexpr bool made = S::made_channels::template has<C>, given = S::frame_channels::template has<C>;
+        static_assert(made || given, "a policy looks at a channel that it does not list: add the channel to its `reads`");
+        if constexpr (made)
+            return detail::fetch<Real>(scope.made.view(c), scope.made.view(c).size, place, 0, 0);
+        else if constexpr (std::is_same_v<C, Motion>)
+            return scope.vectors(detail::fetch<Real>(scope.frame.view(c), scope.frame.view(c).size, place, 0, 0));
+        else if constexpr (given)
+            return detail::fetch<Real>(scope.frame.view(c), scope.frame.view(c).size, place, 0, 0);
+    }
+    QUELL_KERNEL static void require_camera() {
+        static_assert(S::has_camera, "a policy uses the camera without saying so: add `static constexpr bool needs_camera = true` to it");
+    }
+    QUELL_KERNEL vec3<Real> project(glm::mat4 const& m, vec3<Real> const& p) const {
+        require_camera();
+        auto row = [&](int r) { return p.x * m[0][r] + p.y * m[1][r] + p.z * m[2][r] + m[3][r]; };
+        auto const w = row(3), inverse = 1.f / w;
+        return {(row(0) * inverse + 1.f) * (0.5f * static_cast<float>(scope.size.width)) - scope.jitter.x,
+                (1.f - row(1) * inverse) * (0.5f * static_cast<float>(scope.size.height)) - scope.jitter.y, w};
+    }
+    /// Every image of a pass has the pass's size; saying so lets the compiler use one address computation for all of them.
+    QUELL_KERNEL auto load(auto view) const {
+        view.size = scope.size;
+        return detail::load_pixels<R>(view, x, y);
+    }
+    template <int c> QUELL_KERNEL Real load_one(auto view) const {
+        view.size = scope.size;
+        return detail::load_one<R, c>(view, x, y);
+    }
+    /// As far outside as a pack may reach: there, no lane is inside any more, so it does not matter where it reads.
+    QUELL_KERNEL int column(int i) const {
+        int const low = -width_of<Real>, high = scope.size.width;
+        return i < low ? low : i > high ? high : i;
+    }
+    QUELL_KERNEL static Signal clear_mark(Signal const& v) {
+        return make_value<S::components, R>([&](auto c) QUELL_INLINED {
+            if constexpr (c == 0)
+                return without_sign_bit(component<c>(v));
+            else
+                return component<c>(v);
+        });
+    }
+};
+
+/// The pixel that a position lies in; of one on the image's far border, or outside, the nearest that there is.
+template <class Px, class Real> QUELL_KERNEL PastPlace<Real> nearest_place(Px const& px, vec2<Real> const& where) {
+    Real const last_column(static_cast<float>(px.size().width - 1)), last_row(static_cast<float>(px.size().height - 1));
+    return {clamp(floor(where.x), Real(0.f), last_column), clamp(floor(where.y), Real(0.f), last_row)};
+}
+
+} // namespace quell

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <quell/core/error.hpp>
+#include <quell/io/exr/exr_header_check.hpp>
+
+#include <OpenEXR/ImfTestFile.h>
+
+#include <filesystem>
+#include <new>
+#include <system_error>
+
+namespace quell::io::detail {
+
+/// The first line of what a library says.
+inline std::string first_line(std::string const& text) { return text.substr(0, text.find('\n')); }
+
+/// Runs f; whatever the OpenEXR library throws there becomes an Error that names the file.
+inline void naming_file(std::string const& file, std::string const& trouble, auto&& f) {
+    auto const remedy = "render or copy it again";
+    try {
+        f();
+    } catch (Error const&) {
+        throw;
+    } catch (std::bad_alloc const&) {
+        throw Error(file, trouble + ": it asks for more memory than there is", remedy);
+    } catch (std::exception const& why) { // OpenEXR's own exceptions derive from it
+        throw Error(file, trouble + " (" + first_line(why.what()) + ")", remedy);
+    }
+}
+
+/// Says which of the usual things is wrong with a path, before the library is asked.
+inline void check_is_exr(std::filesystem::path const& path) {
+    std::error_code why;
+    auto const status = std::filesystem::status(path, why);
+    if (!std::filesystem::exists(status)) throw Error(path.string(), "there is no such file", "check the path and the frame's number");
+    if (std::filesystem::is_directory(status)) throw Error(path.string(), "it is a folder", "give the path of an EXR file");
+    if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(path, why) == 0)
+        throw Error(path.string(), "it is empty", "render or copy it again");
+    if (!Imf::isOpenExrFile(path.string().c_str())) throw Error(path.string(), "it isn't an EXR file", "give an OpenEXR file");
+    if (!HeaderCheck(path).passes()) throw Error(path.string(), "its header is truncated or damaged", "render or copy it again");
+}
+
+} // namespace quell::io::detail

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <quell/frame/frame.hpp>
+
+#include <glm/matrix.hpp>
+
+namespace quell::detail {
+
+/// The output goes to an image of the history's own.
+struct NoTarget {};
+
+inline bool usable(glm::mat4 const& m) {
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r)
+            if (!is_finite(m[c][r])) return false;
+    return abs(glm::determinant(m)) > 0.f;
+}
+
+/// @throws Error naming the channel, matrix or shutter that can't be used
+template <class P, class Set, class Storage> void check_frame(Frame<Set, Storage> const& frame) {
+    for_each_channel(typename P::reads{}, [&](auto c) {
+        auto const view = frame[c].view();
+        if (auto const wanted = divided(frame.size, c.fraction); !(view.size == wanted))
+            throw Error("channel '" + std::string(c.name) + "'", to_string(view.size) + " in a frame of " + to_string(frame.size),
+                        c.fraction == 1
+                            ? "give every channel the frame's size"
+                            : "give it a " + std::to_string(c.fraction) + "th of the frame's width and height: " + to_string(wanted));
+        if constexpr (requires { view.data; })
+            if (!view.data)
+                throw Error("channel '" + std::string(c.name) + "'", "no memory", "point the channel at the host's image before run()");
+        if constexpr (requires { view.pixel_stride; })
+            if (view.row_stride == 0 && view.pixel_stride != 0 && view.size.height > 1)
+                throw Error("channel '" + std::string(c.name) + "'", "row_stride 0",
+                            "give the distance from a row to the next, in elements");
+    });
+    if (!(is_finite(frame.shutter) && frame.shutter >= 0.f))
+        throw Error("frame.shutter", std::to_string(frame.shutter), "give the part of the frame time during which the shutter is open");
+    if constexpr (P::needs_camera) {
+        if (!usable(frame.camera.view))
+            throw Error("camera.view", "a singular or non-finite matrix", "set frame.camera to the host's camera");
+        if (!usable(frame.camera.projection))
+            throw Error("camera.projection", "a singular or non-finite matrix", "set frame.camera to the host's camera");
+        auto const& p = frame.camera.projection;
+        if (p[0][3] == 0.f && p[1][3] == 0.f && p[2][3] == 0.f)
+            throw Error("camera.projection", "a matrix without perspective, such as the identity of a camera that was never set",
+                        "set frame.camera to the host's camera; orthographic ones are not supported");
+    }
+}
+
+} // namespace quell::detail

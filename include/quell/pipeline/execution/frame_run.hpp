@@ -1,0 +1,250 @@
+#pragma once
+
+#include <quell/pipeline/execution/check_frame.hpp>
+#include <quell/pipeline/execution/job.hpp>
+#include <quell/pipeline/execution/pass_scopes.hpp>
+#include <quell/pipeline/execution/readers.hpp>
+#include <quell/pipeline/history.hpp>
+#include <quell/pipeline/stage_order.hpp>
+
+namespace quell {
+
+namespace detail {
+/// One frame's way through a pipeline: ingest, then pass after pass, each with views of exactly what it declares.
+template <class P, class FrameT, class H, class E, class Into> class Run;
+
+template <class P, class Set, class FrameStorage, class Storage, class E, class Into>
+class Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, Into> {
+    using Signal = typename P::Signal;
+    using SignalImage = ImageOf<Storage, Signal>;
+    using SignalView = ViewOf<Storage, Signal>;
+    using Output = ImageOf<Storage, typename P::Output>;
+    using OutputView = ViewOf<Storage, typename P::Output>;
+    using Remembers = typename P::remembers;
+    using Vectors = VectorConversion<P::motion_convention>;
+    using Order = StageOrder<P>;
+
+    using Scopes = PassScopes<P, Set, FrameStorage, Storage>;
+    template <class Pass, bool raw> using ScopeOf = typename Scopes::template Of<Pass, raw>;
+    using FinishScope = typename Scopes::Finish;
+
+    P const& pipeline;
+    Frame<Set, FrameStorage> const& frame;
+    History<P, Storage>& history;
+    E const& executor;
+    Into const& into;
+
+    std::shared_ptr<SignalImage> current, for_history;
+    Handles<Storage, typename P::made> made;
+    Readers<typename P::made> readers; ///< of what passes have made or will make
+    Handles<Storage, typename History<P, Storage>::Remembered> remembered;
+    int passes_left = 0;
+    bool past = false;
+    bool marked = true; ///< whether the current signal marks missing samples
+    PixelRays rays, rays_then;
+    std::int32_t frame_index = 0;
+
+public:
+    Run(P const& p, Frame<Set, FrameStorage> const& f, History<P, Storage>& h, E const& e, Into const& i)
+        : pipeline(p), frame(f), history(h), executor(e), into(i) {}
+
+    /// All of the pipeline.
+    OutputView all() { return through<Order::count>(); }
+    /// The ingest and the stages up to Temporal: what the history is to know of this frame, and what it says then.
+    OutputView accumulated() {
+        static_assert(P::has_past, "accumulate(pipeline, ...): the pipeline has no Temporal{...}, so there is nothing to accumulate");
+        return through<Order::up_to_temporal>();
+    }
+
+private:
+    /// The ingest and the first stages.
+    template <std::size_t stage_count> OutputView through() {
+        constexpr std::make_index_sequence<stage_count> all_of_them{};
+        check_frame<P>(frame);
+        begin();
+        bool ends_with_signal = false;
+        for_each_pass(all_of_them, [&]<class Kernel>(Kernel const&) {
+            ++passes_left, ends_with_signal = makes_signal<Kernel>;
+            readers.template expect<Kernel>();
+        });
+        if (!ends_with_signal) ++passes_left;
+        ingest();
+        stages(all_of_them);
+        if (!ends_with_signal) pass_through();
+        end();
+        return history.output ? history.output->view() : OutputView{};
+    }
+    template <std::size_t... i> void for_each_pass(std::index_sequence<i...>, auto&& visit) const {
+        (detail::for_each_pass(std::get<i>(pipeline.stages), visit), ...);
+    }
+
+    template <class Kernel>
+    static constexpr bool makes_signal = makes_signal_of<std::remove_cvref_t<Kernel>, ScopeOf<std::remove_cvref_t<Kernel>, true>>;
+    void pass_through() {
+        if constexpr (Order::may_end_without_signal && P::has_past)
+            pass<false>(PassThrough{});
+        else if constexpr (Order::may_end_without_signal) {
+            if (marked)
+                pass<true>(PassThrough{});
+            else
+                pass<false>(PassThrough{});
+        }
+    }
+
+    void begin() {
+        bool const follows = !frame.number || !history.number || *frame.number == *history.number + 1;
+        if (!(history.size == frame.size)) history.restart(frame.size);
+        if (!follows) history.empty = true;
+        past = !history.empty;
+        if (!past) ++history.counted.resets, history.counted.frames = 0;
+        // Until the frame is complete there is no history: an exception on the way must not leave half of one.
+        history.empty = true;
+        history.output.reset();
+        if constexpr (P::needs_camera) {
+            rays = PixelRays(frame.camera, frame.size);
+            rays_then = PixelRays(past ? history.camera : frame.camera, frame.size);
+        }
+        frame_index = static_cast<std::int32_t>(frame.number.value_or(history.counted.frames));
+    }
+
+    void end() {
+        if constexpr (P::has_past) history.signal = for_history;
+        for_each_channel(typename P::keeps{}, [&](auto c) { history.kept[c] = made[c]; });
+        history.remembered = remembered;
+        history.camera = frame.camera;
+        history.shutter = frame.shutter;
+        history.number = frame.number;
+        history.empty = !P::has_past;
+        ++history.counted.frames;
+    }
+
+    void ingest() {
+        Counts counts;
+        run<false>(pipeline.ingest, false, &counts);
+        history.counted.missing_samples = counts.missing;
+        history.counted.suppressed = counts.suppressed.total();
+    }
+
+    /// Passes see the marks of missing samples up to Temporal, which keeps the past there; without a Temporal, until one of them has made a
+    /// signal of its own.
+    template <std::size_t... i> void stages(std::index_sequence<i...>) { (stage<i>(std::get<i>(pipeline.stages)), ...); }
+    template <std::size_t i, class Stage> void stage(Stage const& s) {
+        detail::for_each_pass(s, [&](auto const& kernel) {
+            if constexpr (!Order::template may_be_marked<i>)
+                pass<false>(kernel);
+            else if constexpr (P::has_past || leaves_signal<Stage>)
+                pass<true>(kernel);
+            else if (marked)
+                pass<true>(kernel);
+            else
+                pass<false>(kernel);
+            marked = marked && !makes_signal<decltype(kernel)>;
+            if constexpr (is_temporal<Stage> && !Order::template past_wanted_behind<i>) drop_past();
+        });
+    }
+    void drop_past() {
+        history.signal.reset();
+        history.kept.drop_all();
+    }
+
+    template <bool raw, class Pass> void pass(Pass const& kernel) {
+        run<raw>(kernel, --passes_left == 0, nullptr);
+        if constexpr (is_temporal<Pass>) for_history = current;
+        if constexpr (requires { kernel.feedback; })
+            if (kernel.feedback) for_history = current;
+    }
+
+    template <bool raw, class Pass> void run(Pass const& kernel, bool last, Counts* counts) {
+        using S = ScopeOf<Pass, raw>;
+        using Made = decltype(emits_of<Pass>{} | keeps_of<Pass>{});
+        constexpr bool keeps_marks = raw && P::has_past && !is_temporal<Pass>;
+        bool const goes_on = !last || is_temporal<Pass> || feeds_back(kernel);
+
+        Handles<Storage, Made> next_made;
+        next_made.take_all(*history.pool);
+        auto next = current;
+        if (makes_signal<Pass>) next = goes_on ? history.pool->template take<SignalImage>() : nullptr;
+        auto const seen = scope<S, Pass>();
+        if (last) prepare_end(remembers_of<Pass>::size > 0, next);
+
+        auto job = Job<Pass, S, SignalView, decltype(next_made.views(Made{})), decltype(finish()), Remembers, keeps_marks>{
+            kernel,
+            seen,
+            next ? next->view() : SignalView{},
+            next_made.views(Made{}),
+            finish(),
+            goes_on && makes_signal<Pass>,
+            last && stores_output(next),
+            last && Remembers::size > 0,
+            counts};
+        executor.for_each_pixel(Region{0, 0, seen.size.width, seen.size.height}, job);
+        current = next;
+        for_each_channel(Made{}, [&](auto c) { made[c] = next_made[c]; });
+        readers.template done<Pass>();
+        for_each_channel(without<typename P::made, typename P::keeps>{}, [&](auto c) {
+            if (!readers.any(c)) made[c].reset();
+        });
+    }
+
+    template <class Pass> static bool feeds_back(Pass const& kernel) {
+        if constexpr (requires { kernel.feedback; })
+            return kernel.feedback;
+        else
+            return false;
+    }
+
+    /// The last pass writes the output, unless that is the very image which goes into the history, and what is remembered of this frame:
+    /// over the old, unless this pass still reads the old.
+    void prepare_end(bool reads_remembered, std::shared_ptr<SignalImage> const& next) {
+        if (!reads_remembered) history.remembered.drop_all();
+        remembered.take_all(*history.pool);
+        if constexpr (std::is_same_v<Into, NoTarget>) {
+            if constexpr (!remodulates) history.output = next;
+            if (!history.output) history.output = history.pool->template take<Output>();
+        }
+        history.remembered.drop_all();
+    }
+    static constexpr bool remodulates = !std::is_same_v<typename P::Form, NoModulation>;
+
+    bool stores_output(std::shared_ptr<SignalImage> const& next) const {
+        if constexpr (remodulates || !std::is_same_v<Into, NoTarget>)
+            return true;
+        else
+            return history.output != next;
+    }
+
+    template <class S, class Pass> S scope() const {
+        return {.size = divided(frame.size, S::fraction),
+                .frame = frame.views(typename S::frame_channels{}),
+                .made = made.views(typename S::made_channels{}),
+                .signal = current ? current->view() : SignalView{},
+                .signal_then = history.signal ? history.signal->view() : SignalView{},
+                .kept_then = history.kept.views(typename S::kept_channels{}),
+                .remembered = history.remembered.views(typename StoredChannels<remembers_of<Pass>>::type{}),
+                .clip_from_world = frame.camera.clip_from_world(),
+                .clip_from_world_then = (past ? history.camera : frame.camera).clip_from_world(),
+                .rays = rays,
+                .rays_then = rays_then,
+                .jitter = frame.camera.jitter,
+                .jitter_then = history.camera.jitter,
+                .shutter = frame.shutter,
+                .shutter_then = history.shutter,
+                .frame_index = frame_index,
+                .has_past = past && history.signal != nullptr,
+                .vectors = vectors()};
+    }
+    Vectors vectors() const { return {frame.size, frame.camera.jitter, history.camera.jitter}; }
+
+    auto finish() const {
+        FinishScope const scope{.size = frame.size, .frame = frame.views(typename FinishScope::frame_channels{}), .vectors = vectors()};
+        auto const views = remembered.views(typename History<P, Storage>::Remembered{});
+        if constexpr (std::is_same_v<Into, NoTarget>) {
+            auto const target = history.output ? history.output->view() : OutputView{};
+            return Finish<typename P::Form, FinishScope, OutputView, decltype(views)>{pipeline.ingest.modulation, scope, target, views};
+        } else
+            return Finish<typename P::Form, FinishScope, Into, decltype(views)>{pipeline.ingest.modulation, scope, into, views};
+    }
+};
+} // namespace detail
+
+} // namespace quell

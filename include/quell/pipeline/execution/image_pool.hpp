@@ -1,0 +1,68 @@
+#pragma once
+
+#include <quell/frame/frame.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace quell::detail {
+
+/// Images of a frame's size, or of fractions of it, that passes take and give back. A handle is shared; an image whose handles are all gone
+/// is free again, so that what one pass has read is the memory that the next one writes. After the first frame nothing is allocated.
+class ImagePool {
+    struct Entry {
+        void const* type;
+        Extent size;
+        std::shared_ptr<void> image;
+        std::size_t bytes;
+    };
+    std::vector<Entry> entries;
+    Extent extent;
+
+    // Its address stands for the type, as hosts may build without RTTI. Not constant: linkers may fold constants that are alike.
+    template <class Image> static inline char type_key = 0;
+
+public:
+    explicit ImagePool(Extent size) : extent(size) {}
+
+    /// An image of a fraction of the pool's width and height.
+    template <class Image> [[nodiscard]] std::shared_ptr<Image> take(int fraction = 1) {
+        auto const size = divided(extent, fraction);
+        for (auto const& e : entries)
+            if (e.type == &type_key<Image> && e.size == size && e.image.use_count() == 1) return std::static_pointer_cast<Image>(e.image);
+        auto image = std::make_shared<Image>(size);
+        entries.push_back({&type_key<Image>, size, image, image->bytes()});
+        return image;
+    }
+    [[nodiscard]] std::size_t bytes() const {
+        std::size_t sum = 0;
+        for (auto const& e : entries) sum += e.bytes;
+        return sum;
+    }
+    [[nodiscard]] Extent size() const { return extent; }
+    /// Forgets the images of another size; those still held live on until they are given back.
+    void resize(Extent new_size) {
+        if (new_size == extent) return;
+        entries.clear();
+        extent = new_size;
+    }
+};
+
+/// Handles to the images of several channels, any of which may be empty.
+template <class Storage, class Set> struct Handles;
+template <class Storage, class... Cs> struct Handles<Storage, Channels<Cs...>> : Slot<Cs, std::shared_ptr<ImageOf<Storage, Cs>>>... {
+    template <ChannelTag C> auto& operator[](C) { return slot<C>(*this); }
+    /// Views of some of the channels; of an empty handle, a view of nothing.
+    template <class... Ds> [[nodiscard]] auto views(Channels<Ds...>) const {
+        return Views<Storage, Channels<Ds...>>{{view<Ds>(slot<Ds>(*this))}...};
+    }
+    void take_all(ImagePool& pool) { ((slot<Cs>(*this) = pool.take<ImageOf<Storage, Cs>>(Cs::fraction)), ...); }
+    void drop_all() { (slot<Cs>(*this).reset(), ...); }
+
+private:
+    template <ChannelTag C, class Image> static auto view(std::shared_ptr<Image> const& image) {
+        return image ? view_of<C>(*image) : ViewOf<Storage, C>{};
+    }
+};
+
+} // namespace quell::detail

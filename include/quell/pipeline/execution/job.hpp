@@ -1,0 +1,117 @@
+#pragma once
+
+#include <quell/execute/executor.hpp>
+#include <quell/pipeline/execution/counts.hpp>
+#include <quell/pipeline/ingest.hpp>
+
+namespace quell::detail {
+
+/// Epilogue fused into the last pass: remodulate, store the output, save the guides that history keeps.
+template <class Form, class Scope, class Output, class RememberedViews> struct Finish {
+    Form modulation;
+    Scope scope; ///< of the modulation's and the remembered channels
+    Output output;
+    RememberedViews remembered;
+
+    template <class Real, class V> QUELL_KERNEL void store_output(int x, int y, int count, V const& value) const {
+        store_pixels<Real>(output, x, y, modulation.outward(Pixel<Real, Scope>{scope, x, y}, value), count);
+    }
+    template <class Real, class... Cs> QUELL_KERNEL void remember(int x, int y, [[maybe_unused]] int count, Channels<Cs...>) const {
+        [[maybe_unused]] Pixel<Real, Scope> const px{scope, x, y};
+        (store_pixels<Real>(remembered.view(typename Remembered<Cs>::Stored{}), x, y, Remembered<Cs>::pack(px[Cs{}]), count), ...);
+    }
+};
+
+/// Largest useful SIMD width of a pass: any, unless it says so.
+template <class Pass> constexpr int most_lanes_of() {
+    if constexpr (requires { Pass::most_lanes; })
+        return Pass::most_lanes;
+    else
+        return std::numeric_limits<int>::max();
+}
+
+/// Whether a pass makes a new signal; one with emit_channels(px) leaves it alone.
+template <class Pass, class Scope> inline constexpr bool makes_signal_of = !requires(Pass const p, Pixel<float, Scope> px) {
+    p.emit_channels(px);
+};
+
+/// A pass's name for profilers; a host's own policy need not have one.
+template <class Pass> constexpr auto name_of() {
+    if constexpr (requires { Pass::name; })
+        return Pass::name;
+    else
+        return "filter";
+}
+
+template <int fraction, class... Cs> constexpr bool all_of_fraction(Channels<Cs...>) { return ((Cs::fraction == fraction) && ...); }
+
+/// One pass over one region: what an executor runs. Trivially copyable, so that it can be sent to a device as it is.
+/// @tparam keeps_marks whether the new signal is still marked where a sample was missing
+template <class Pass, class Scope, class SignalView, class MadeViews, class FinishWork, class RememberedSet, bool keeps_marks> struct Job {
+    static constexpr auto name = name_of<Pass>();
+    static constexpr bool makes_signal = makes_signal_of<Pass, Scope>;
+    static constexpr int most_lanes = most_lanes_of<Pass>();
+    static_assert(Scope::fraction == 1 || !makes_signal,
+                  "a pass of a fraction of the frame's size makes the signal, which is of the frame's size: give it emit_channels(px)");
+    static_assert(all_of_fraction<Scope::fraction>(typename MadeViews::channels{}),
+                  "a pass makes a channel of another size than its own: give the pass and what it `emits` the same `fraction`");
+
+    Pass pass;
+    Scope scope;
+    SignalView signal;
+    MadeViews made;
+    FinishWork finish;
+    bool store_signal, store_output, store_remembered;
+    Counts* counts = nullptr; ///< where the ingest counts
+
+    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
+        auto const result = result_of([&]() QUELL_INLINED { return evaluate(Pixel<Real, Scope>{scope, x, y}); });
+        if constexpr (makes_signal) {
+            if (store_signal) store_pixels<Real>(signal, x, y, marked(Pixel<Real, Scope>{scope, x, y}, result.value), count);
+            if (store_output) finish.template store_output<Real>(x, y, count, result.value);
+            if (counts) count_missing(component<0>(result.value), count);
+            if constexpr (decltype(result.more)::channels::template has<Suppressed>) count_suppressed(result.more[Suppressed{}], count);
+        }
+        for_each_channel(typename MadeViews::channels{}, [&](auto c) QUELL_INLINED {
+            static_assert(decltype(result.more)::channels::template has<decltype(c)>,
+                          "a policy does not return a channel that it `keeps` or `emits`: add .with(channel, value) to its result");
+            store_pixels<Real>(made.view(c), x, y, result.more[c], count);
+        });
+        if (store_remembered) finish.template remember<Real>(x, y, count, RememberedSet{});
+    }
+
+private:
+    template <class Px, class V> QUELL_KERNEL static V marked(Px const& px, V const& value) {
+        if constexpr (!keeps_marks)
+            return value;
+        else
+            return with_marks(value, px.missing());
+    }
+    QUELL_KERNEL auto evaluate(auto px) const {
+        if constexpr (requires { pass(px); })
+            return pass(px);
+        else if constexpr (requires { pass.filter(px); })
+            return pass.filter(px);
+        else
+            return pass.emit_channels(px);
+    }
+    template <class Real> QUELL_KERNEL void count_missing(Real const& marked, int count) const {
+        if (!any(sign_bit(marked))) return;
+        long long n = 0;
+        for (int i = 0; i < count; ++i) n += bits(lane(marked, i)) < 0;
+        add_together(counts->missing, n);
+    }
+    template <class Real> QUELL_KERNEL void count_suppressed(Real const& taken, int count) const {
+        if (!any(taken > Real(0.f))) return;
+        for (int i = 0; i < count; ++i)
+            if (lane(taken, i) > 0.f) counts->suppressed.add(lane(taken, i));
+    }
+};
+
+/// The last pass where no other one makes a signal: it stores the signal as it is.
+struct PassThrough {
+    static constexpr auto name = "pass through";
+    QUELL_KERNEL auto filter(auto px) const { return px.signal(); }
+};
+
+} // namespace quell::detail

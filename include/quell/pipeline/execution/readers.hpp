@@ -1,0 +1,24 @@
+#pragma once
+
+#include <quell/core/policy.hpp>
+#include <quell/core/record.hpp>
+
+namespace quell::detail {
+
+/// How many passes are still to read each channel that passes make: an image that none will read is free for others.
+template <class Made> class Readers;
+template <class... Cs> class Readers<Channels<Cs...>> : Slot<Cs, int>... {
+    template <class Pass> using OfPass = common_to<reads_of<Pass>, Channels<Cs...>>;
+
+public:
+    Readers() : Slot<Cs, int>{0}... {}
+    template <class Pass> void expect() {
+        for_each_channel(OfPass<Pass>{}, [&]<class C>(C) { ++slot<C>(*this); });
+    }
+    template <class Pass> void done() {
+        for_each_channel(OfPass<Pass>{}, [&]<class C>(C) { --slot<C>(*this); });
+    }
+    template <class C> [[nodiscard]] bool any(C) const { return slot<C>(*this) > 0; }
+};
+
+} // namespace quell::detail

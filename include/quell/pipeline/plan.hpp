@@ -1,0 +1,103 @@
+#pragma once
+
+#include <quell/pipeline/composite.hpp>
+#include <quell/pipeline/run.hpp>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace quell {
+
+/// One pass over the image, as run() executes it. Channels go by their names; "signal" is what is denoised, "output" what the
+/// host gets where that is not the last signal itself.
+struct PlannedPass {
+    using Names = std::vector<std::string_view>;
+    std::string_view name;
+    int fraction = 1;   ///< of the frame's width and height, at which it runs
+    Names reads{};      ///< of this frame: what the host supplies and what earlier passes have made
+    Names reads_past{}; ///< of the last frame
+    Names writes{};     ///< for later passes, for the next frame, and for the host
+};
+
+/// What run() does with every frame but the first, and what memory it takes.
+struct Plan {
+    std::vector<PlannedPass> passes{};
+    double bytes_per_pixel = 0; ///< of history and scratch: what history.bytes_per_pixel() says
+};
+
+namespace detail {
+template <class Pass> inline constexpr bool is_ingest = false;
+template <class S, class Form, class Suppression> inline constexpr bool is_ingest<Ingest<S, Form, Suppression>> = true;
+
+/// An executor that computes nothing, and writes down what it was asked to run.
+struct PassRecorder {
+    std::vector<PlannedPass>* passes;
+
+    template <class Job> void for_each_pixel(Region, Job const& job) const {
+        passes->push_back({.name = Job::name});
+        describe(job, passes->back());
+    }
+
+private:
+    template <class... Cs> static void add(PlannedPass::Names& to, Channels<Cs...>) { (add(to, Cs::name), ...); }
+    static void add(PlannedPass::Names& to, std::string_view name) {
+        if (std::find(to.begin(), to.end(), name) == to.end()) to.push_back(name);
+    }
+
+    template <class Pass, class S, class SignalView, class MadeViews, class FinishWork, class RememberedSet, bool keeps_marks>
+    static void describe(Job<Pass, S, SignalView, MadeViews, FinishWork, RememberedSet, keeps_marks> const& job, PlannedPass& pass) {
+        pass.fraction = S::fraction;
+        if (!is_ingest<Pass>) add(pass.reads, "signal");
+        add(pass.reads, typename S::frame_channels{});
+        add(pass.reads, typename S::made_channels{});
+        if (is_temporal<Pass> || S::kept_channels::size + S::remembered_channels::size > 0) add(pass.reads_past, "signal");
+        add(pass.reads_past, typename S::kept_channels{});
+        add(pass.reads_past, typename S::remembered_channels{});
+        if (job.store_signal) add(pass.writes, "signal");
+        add(pass.writes, typename MadeViews::channels{});
+        if (job.store_output) add(pass.writes, "output");
+        if (job.store_remembered) add(pass.writes, RememberedSet{});
+    }
+    template <class FrameViews, class OutputView, class... Parts>
+    static void describe(CompositeJob<FrameViews, OutputView, Parts...> const&, PlannedPass& pass) {
+        (add(pass.reads, Parts::Channel::name), ...);
+        add(pass.reads, typename FrameViews::channels{});
+        add(pass.writes, "output");
+    }
+};
+} // namespace detail
+
+/// The plan of a pipeline or a composite: what each pass reads and writes, in the order in which they run, and the memory that this takes.
+/// Nothing is computed: two small frames go through run() with an executor that only looks.
+/// @param storage of the history
+template <class P, ImageStorage Storage = Planar<>> Plan plan_of(P const& pipeline, Storage const& storage = {}) {
+    // Large enough that the padding of rows and images hardly counts.
+    constexpr Extent size{1024, 16};
+    Frame frame{size, pipeline};
+    frame.camera.projection[2][3] = -1.f, frame.camera.projection[3][3] = 0.f, frame.camera.projection[3][2] = -1.f;
+    History<P, Storage> history{size, pipeline, storage};
+    Plan plan;
+    run(pipeline, frame, history, detail::PassRecorder{&plan.passes});
+    plan.passes.clear();
+    run(pipeline, frame, history, detail::PassRecorder{&plan.passes});
+    plan.bytes_per_pixel = history.bytes_per_pixel();
+    return plan;
+}
+
+/// The plan as a table in Markdown, a row per pass.
+inline std::string to_string(Plan const& plan) {
+    auto const joined = [](PlannedPass::Names const& names) {
+        std::string text;
+        for (auto const name : names) (text += text.empty() ? "" : ", ") += name;
+        return text;
+    };
+    std::string text = "| pass | reads | of the last frame | writes |\n| --- | --- | --- | --- |\n";
+    for (auto const& pass : plan.passes)
+        text += "| " + std::string(pass.name) + (pass.fraction > 1 ? ", 1/" + std::to_string(pass.fraction) : "") + " | " +
+                joined(pass.reads) + " | " + joined(pass.reads_past) + " | " + joined(pass.writes) + " |\n";
+    return text + "History and scratch: " + std::to_string(static_cast<long>(plan.bytes_per_pixel + 0.5)) + " bytes a pixel.\n";
+}
+
+} // namespace quell

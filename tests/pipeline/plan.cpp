@@ -1,0 +1,78 @@
+#include "../frames.hpp"
+
+#include <quell/pipeline/plan.hpp>
+#include <quell/presets/blur.hpp>
+
+#include <algorithm>
+
+using namespace quell;
+
+namespace {
+bool has(PlannedPass::Names const& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
+
+/// What a run of two frames has taken.
+template <class P> double bytes_of(P const& pipeline) {
+    Frame frame{Extent{1024, 16}, pipeline};
+    History history{frame.size, pipeline};
+    for (int i = 0; i < 2; ++i) run(pipeline, frame, history);
+    return history.bytes_per_pixel();
+}
+template <class P> std::vector<std::string_view> kept_by(P const&) {
+    PlannedPass::Names names;
+    for_each_channel(typename P::keeps{}, [&](auto c) { names.push_back(c.name); });
+    return names;
+}
+
+/// Whatever a pass reads is the host's or was written before, and the past that it reads was written in the last frame.
+template <class P> void check_order(P const& pipeline) {
+    auto const plan = plan_of(pipeline);
+    PlannedPass::Names supplied, written;
+    for_each_channel(typename P::reads{}, [&](auto c) { supplied.push_back(c.name); });
+    for (auto const& pass : plan.passes) {
+        CAPTURE(pass.name);
+        for (auto const name : pass.reads) CHECK((has(supplied, name) || has(written, name)));
+        written.insert(written.end(), pass.writes.begin(), pass.writes.end());
+    }
+    for (auto const& pass : plan.passes)
+        for (auto const name : pass.reads_past) CHECK(has(written, name));
+    CHECK((has(plan.passes.back().writes, "output") || has(plan.passes.back().writes, "signal")));
+    for (auto const name : kept_by(pipeline)) CHECK(has(written, name));
+}
+} // namespace
+
+TEST_CASE("a plan names the passes in order, with what they read and write") {
+    auto const plan = plan_of(presets::svgf(radiance, Demodulate{}));
+    REQUIRE(plan.passes.size() == 8);
+    CHECK(plan.passes[0].name == "ingest");
+    CHECK(plan.passes[0].reads == PlannedPass::Names{"radiance", "albedo"});
+    CHECK(plan.passes[1].name == "temporal");
+    CHECK(has(plan.passes[1].reads, "motion"));
+    CHECK(has(plan.passes[1].reads_past, "luminance_mean"));
+    CHECK(has(plan.passes[1].writes, "history_length"));
+    CHECK(to_string(plan).find("| ingest | radiance, albedo |  | signal |") != std::string::npos);
+    check_order(presets::svgf(radiance, Demodulate{}));
+    check_order(presets::general(radiance, Demodulate{}));
+    check_order(presets::shadow(visibility));
+    check_order(presets::blur(radiance));
+}
+
+TEST_CASE("a plan's memory is what a run takes, and what nothing reads any more is used again") {
+    auto const check = [](auto const& pipeline) { CHECK(plan_of(pipeline).bytes_per_pixel == doctest::Approx(bytes_of(pipeline))); };
+    check(presets::none(radiance));
+    check(presets::svgf(radiance, Demodulate{}));
+    check(presets::general(radiance, Demodulate{}));
+    CHECK(bytes_of(presets::general(radiance, Demodulate{})) <= 96);
+    CHECK(plan_of(presets::svgf(radiance), Planar<Float16>{}).bytes_per_pixel < 0.6 * plan_of(presets::svgf(radiance)).bytes_per_pixel);
+}
+
+TEST_CASE("the pipelines of a composite run in order and share what is scratch") {
+    constexpr auto one = presets::svgf(glossy);
+    constexpr auto other = presets::svgf(indirect);
+    constexpr Composite both{one, other};
+    auto const plan = plan_of(both);
+    REQUIRE(plan.passes.size() == 17);
+    CHECK(has(plan.passes[0].reads, "glossy"));
+    CHECK(has(plan.passes[8].reads, "indirect"));
+    CHECK(plan.passes.back().name == "composite");
+    CHECK(plan.bytes_per_pixel < plan_of(one).bytes_per_pixel + plan_of(other).bytes_per_pixel);
+}
