@@ -1,6 +1,14 @@
-# Compiles every ```cpp block of some pages:
+# Compiles every ```cpp block of some pages, and of each that defines a pipeline `denoise` what running it takes, pixel by pixel and in packs:
+# kernels are templates, in which a compiler finds little wrong before they are used.
 #     cmake -DROOT=. "-DPAGES=docs/*.md" -DCOMPILER=g++ -DINCLUDE=include -DFOLDER=/tmp/blocks -P compile_blocks.cmake
 cmake_minimum_required(VERSION 3.22)
+set(runs "
+void run_what_is_shown(quell::Extent size) {
+    quell::Frame frame{size, denoise}; quell::History history{size, denoise};
+    static_cast<void>(quell::run(denoise, frame, history, quell::Serial{}));
+    static_cast<void>(quell::run(denoise, frame, history, quell::Simd{}));
+}
+")
 file(GLOB pages LIST_DIRECTORIES false RELATIVE ${ROOT} ${ROOT}/${PAGES})
 set(total 0)
 foreach(page IN LISTS pages)
@@ -24,6 +32,9 @@ foreach(page IN LISTS pages)
         string(REPLACE "<semicolon>" ";" code "${code}")
         string(REPLACE "<open>" "[" code "${code}")
         string(REPLACE "<close>" "]" code "${code}")
+        if(code MATCHES "(^|\n)constexpr auto denoise =")
+            string(APPEND code "${runs}")
+        endif()
         file(WRITE ${FOLDER}/${name}_${number}.cpp "${code}")
         execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -Wall -Wextra -I${INCLUDE} ${FOLDER}/${name}_${number}.cpp
             RESULT_VARIABLE failed)
