@@ -46,7 +46,7 @@ TEST_CASE("on the front is what nothing else is both faster and more accurate th
     CHECK(front({}).empty());
 }
 
-TEST_CASE("a row has the columns of SCENES.md, and nothing where nothing is known") {
+TEST_CASE("a row has the columns that docs/programs.md names, and nothing where nothing is known") {
     CHECK(csv_header() == "scene,effect,method,width,height,frames,threads,ms_per_frame,rmse,ssim,flip,flip_median,mask_rmse,mask_ssim,"
                           "mask_flip,flicker,bytes_per_pixel,pareto");
     auto row = point("svgf", 12.3456, 0.0123456789);

@@ -4,7 +4,7 @@
 using namespace quell;
 using namespace quell::tests;
 
-TEST_CASE("a frame of all channels comes back from a file under the names of SCENES.md") {
+TEST_CASE("a frame of all channels comes back from a file under the names of docs/channels.md") {
     Folder const folder;
     Frame<AllChannels> frame({23, 11});
     fill_randomly(frame, 5);

@@ -33,7 +33,7 @@ Six even(glm::vec3 radiance) {
 }
 double const half_angle = std::acos(5.0 / 6.0);
 
-/// METHODS section 5: the part of a cone that two cones share, whose axes are `alpha` apart.
+/// The part of a cone that two cones share, whose axes are `alpha` apart.
 double overlap_in_closed_form(double alpha) {
     double const full = 2 * std::numbers::pi * (1 - std::cos(half_angle));
     if (alpha >= 2 * half_angle) return 0;

@@ -53,7 +53,7 @@ TEST_CASE("a broken promise counts unless it is a known limit") {
     CHECK(out.str().find("holds, though a known limit") == 0);
 }
 
-TEST_CASE("tables have the columns of SCENES.md") {
+TEST_CASE("tables have the columns that docs/programs.md names") {
     tests::Folder const folder;
     Results results;
     results.promises = {{"cut", "svgf", "metric", 0.5, 1}, {"cut", "none", "other", 0.5, 0.9, true}};
