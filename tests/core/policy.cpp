@@ -19,7 +19,9 @@ template <class Inner> struct Wrapper {
     using reads = Channels<Albedo>;
     Inner child;
 };
-struct UsesCameraToo : UsesCamera {};
+struct UsesCameraToo {
+    static constexpr bool needs_camera = true;
+};
 } // namespace
 
 static_assert(std::is_same_v<reads_of<Wrapper<KeepsLength>>, Channels<Albedo, Depth>>);
