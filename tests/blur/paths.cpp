@@ -1,6 +1,6 @@
 #include "../frames.hpp"
 
-#include <quell/presets/blur.hpp>
+#include <quell/presets/published.hpp>
 
 using namespace quell;
 

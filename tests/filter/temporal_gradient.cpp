@@ -1,5 +1,7 @@
 #include "../frames.hpp"
 
+#include <quell/filter/change/temporal_gradient.hpp>
+
 using namespace quell;
 
 namespace {

@@ -20,6 +20,7 @@ template <class Source> struct OwnShadowTrack {
     static constexpr auto name = "shadow motion";
     using parts = Parts<Source>;
     using reads = Channels<Position, Depth, Light, Blocker>;
+    static constexpr bool needs_camera = true;
     using emits = Channels<ShadowTrack>;
     Source source;
     float light_size;
@@ -100,7 +101,6 @@ template <class Edge> struct SplatLevel {
 template <class Source = ShadowMotion, class Edge = DepthEdge> struct ShadowSplat {
     static_assert(EdgeWeight<Edge>, "ShadowSplat{source, edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
     using parts = Parts<detail::OwnShadowTrack<Source>, detail::SplatLevel<Edge>>;
-    static constexpr bool needs_camera = true;
     static constexpr bool leaves_signal = true;
     Source source{};
     Edge edge{};
