@@ -66,6 +66,9 @@ template <class Pass, class Scope, class SignalView, class MadeViews, class Fini
 
     template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
         auto const result = result_of([&]() QUELL_INLINED { return evaluate(Pixel<Real, Scope>{scope, x, y}); });
+        static_assert(
+            contained_in<typename decltype(result.more)::channels, decltype(typename MadeViews::channels{} | Channels<Suppressed>{})>,
+            "a policy returns a channel that it does not list: add the channel to its `emits` or `keeps`");
         if constexpr (makes_signal) {
             if (store_signal) store_pixels<Real>(signal, x, y, marked(Pixel<Real, Scope>{scope, x, y}, result.value), count);
             if (store_output) finish.template store_output<Real>(x, y, count, result.value);
