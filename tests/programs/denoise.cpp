@@ -44,6 +44,8 @@ TEST_CASE("every preset for whole images runs, and none leaves the image as it i
         INFO(preset);
         CHECK(denoise(input(folder) + output(folder, preset + ".") + "--preset " + preset).code == 0);
         CHECK(readable(folder / (preset + ".0001.exr")));
+        if (preset != "none")
+            CHECK(noise_of(io::read_exr(folder / (preset + ".0001.exr"))) < 0.9 * noise_of(io::read_exr(folder / "frame.0001.exr")));
     }
     CHECK(io::read_exr(folder / "none.0001.exr")["G"].values == io::read_exr(folder / "frame.0001.exr")["G"].values);
 }
@@ -58,6 +60,8 @@ TEST_CASE("the effects' presets run on what quell-trace writes for these effects
         INFO(preset, ran.err);
         CHECK(ran.code == 0);
         CHECK(readable(folder / (preset + ".0001.exr")));
+        if (preset != "none")
+            CHECK(noise_of(io::read_exr(folder / (preset + ".0001.exr"))) < 0.9 * noise_of(io::read_exr(folder / "frame.0001.exr")));
     }
     check_refused(denoise(input(folder) + output(folder) + "--quiet --preset asvgf"), {"frame.0000.exr", "R"});
 }

@@ -84,7 +84,16 @@ TEST_CASE("references are cached by all that they depend on") {
     CHECK(!reference<Wanted>(other, {.size = size, .frame = 4}, settings).from_cache);
     CHECK(!reference<Wanted>(scene, {.size = size, .frame = 5}, settings).from_cache);
     CHECK(reference<Channels<Indirect>>(scene, {.size = size, .frame = 4}, settings).from_cache);
-    CHECK(!reference<Wanted>(scene, {.size = {30, 18}, .frame = 4}, settings).from_cache);
+    for (RenderSettings const& changed :
+         {RenderSettings{.size = {30, 18}, .frame = 4}, RenderSettings{.size = size, .frame = 4, .seed = 1},
+          RenderSettings{.size = size, .frame = 4, .shutter = 0.5f}, RenderSettings{.size = size, .frame = 4, .bounces = 2},
+          RenderSettings{.size = size, .frame = 4, .jitter = Jitter::frame}})
+        CHECK(!reference<Wanted>(scene, changed, settings).from_cache);
+    for (auto const& changed : {ReferenceSettings{.tolerance = 0.04, .cache = cache.path},
+                                ReferenceSettings{.tolerance = 0.05, .most_samples = 256, .cache = cache.path},
+                                ReferenceSettings{.tolerance = 0.05, .samples_per_pass = 4, .cache = cache.path}})
+        CHECK(!reference<Wanted>(scene, {.size = size, .frame = 4}, changed).from_cache);
+    CHECK(reference<Wanted>(scene, {.size = size, .frame = 4, .threads = 1}, settings).from_cache);
 }
 
 TEST_CASE("a damaged cache file is computed again") {

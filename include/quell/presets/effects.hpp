@@ -12,6 +12,7 @@
 #include <quell/filter/shadow_splat.hpp>
 #include <quell/filter/variance_guided_atrous.hpp>
 #include <quell/motion/dual_motion.hpp>
+#include <quell/motion/reflection/mirror_motion.hpp>
 #include <quell/motion/reflection/thin_lens.hpp>
 #include <quell/motion/surface_motion.hpp>
 #include <quell/pipeline/composite.hpp>
