@@ -12,11 +12,15 @@
 // the time measured; allocations/frame by operator new, which is 0 for quell itself (see --summary, executor simd).
 
 #include "benchmarks.hpp"
+#include "family.hpp"
 #include "machine.hpp"
 #include "summary.hpp"
 
+#include <quell/core/error.hpp>
+
 #include <benchmark/benchmark.h>
 
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
@@ -42,6 +46,23 @@ std::optional<std::string> take_flag(int& count, char** arguments, std::string c
     return found;
 }
 
+/// @throws quell::Error for anything but a number of rounds
+int rounds_in(std::string const& text) {
+    int rounds = 0;
+    auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), rounds);
+    if (error == std::errc{} && end == text.data() + text.size() && rounds >= 1) return rounds;
+    throw quell::Error("--rounds", "'" + text + "'", "give a number of 1 or more, as in --rounds=5");
+}
+/// @throws quell::Error for a preset that isn't measured
+void check_summary(std::string const& preset) {
+    std::string names;
+    for (auto const& family : quell::bench::families()) {
+        if (preset.empty() || family.preset == preset) return;
+        if (names.find(family.preset) == std::string::npos) names += (names.empty() ? "" : ", ") + family.preset;
+    }
+    throw quell::Error("--summary", "there is no preset '" + preset + "'", "choose one of: " + names);
+}
+
 } // namespace
 
 int main(int count, char** arguments) {
@@ -50,10 +71,14 @@ int main(int count, char** arguments) {
     auto const rounds = take_flag(count, arguments, "--rounds");
     benchmark::Initialize(&count, arguments);
     if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;
-    if (summary) {
-        print_summary(*summary, std::max(1, rounds ? std::atoi(rounds->c_str()) : 5));
-        return 0;
-    }
+    if (summary) try {
+            check_summary(*summary);
+            print_summary(*summary, rounds ? rounds_in(*rounds) : 5);
+            return 0;
+        } catch (quell::Error const& error) {
+            std::fprintf(stderr, "quell-bench: %s\n", error.what());
+            return 2;
+        }
     register_benchmarks();
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
