@@ -8,8 +8,10 @@ namespace quell {
 
 /// A place in the previous frame (pixels; a pixel's centre is at .5), and how far it can be trusted: 0 not at all, 1 fully.
 /// A source may return a struct of its own with these two members and, beside them,
+///
 ///     auto accepts(auto then, Real dx, Real dy) const      whether the past pixel `then`, dx and dy away from `where`, shows the same
 ///     thing
+///
 /// History is then interpolated over the accepted taps only.
 template <class Real> struct Reprojection {
     vec2<Real> where;
@@ -34,6 +36,7 @@ concept Found = requires(F found) {
 } // namespace detail
 
 /// Says where, in the previous frame, the thing seen in a pixel was:
+///
 ///     auto previous(auto px) const -> Reprojection
 template <class M>
 concept MotionSource = std::is_trivially_copyable_v<M> && requires(M const m, detail::Probe<M> px, detail::PastProbe<M> then) {
