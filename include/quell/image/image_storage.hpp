@@ -8,17 +8,17 @@
 
 namespace quell {
 
-/// A view of an image, which kernels take by value. Required are the access to one component of one pixel:
+/// A view of an image, which kernels take by value. Required:
 ///
 ///     Extent size;  static constexpr int components;
 ///     float get(int c, int x, int y) const;  void set(int c, int x, int y, float) const;
 ///
-/// Optional are packs of pixels; without them quell puts packs together lane by lane:
+/// Optional, for packs; without these functions quell assembles packs lane by lane:
 ///
-///     Value<N, Real> load<Real>(int x, int y) const              `width_of<Real>` pixels from (x, y) to the right; see below
-///     Real load_component<Real>(int c, int x, int y) const       the same for one component
-///     Value<N, Real> gather<Real>(Index x, Index y) const        scattered pixels, all inside the image
-///     void store<Real>(int x, int y, Value<N, Real>) const       all lanes inside the image or in the row's padding
+///     Value<N, Real> load<Real>(int x, int y) const;           // width_of<Real> pixels from (x, y) to the right; see below
+///     Real load_component<Real>(int c, int x, int y) const;    // the same for one component
+///     Value<N, Real> gather<Real>(Index x, Index y) const;     // scattered pixels, all inside the image
+///     void store<Real>(int x, int y, Value<N, Real>) const;    // all lanes inside the image or in the row's padding
 ///
 /// `load` must accept an x up to `width_of<Real>` pixels outside the row on either side. Lanes outside must be finite; their values are not
 /// used.

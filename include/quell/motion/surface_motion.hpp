@@ -4,13 +4,14 @@
 
 namespace quell {
 
-/// Follows the surface seen in the pixel by the host's Motion channel (TRMV eq. 1), and accepts what passes the test.
+/// Follows the surface by the host's Motion channel (TRMV eq. 1). Validity is 1.
 /// @tparam Test SameDepth, SameNormal, SameInstance, AllOf several, or the host's own
 template <class Test = AllOf<SameDepth, SameNormal>> struct SurfaceMotion {
-    using parts = Parts<Test>;
-    using reads = Channels<Motion>;
-    Test test{};
+    using parts = Parts<Test>;      ///< what it is made of
+    using reads = Channels<Motion>; ///< of this frame
+    Test test{};                    ///< what a past pixel must pass
 
+    /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const p = px.position(), m = px[motion];
@@ -19,13 +20,16 @@ template <class Test = AllOf<SameDepth, SameNormal>> struct SurfaceMotion {
 };
 template <class Test> SurfaceMotion(Test) -> SurfaceMotion<Test>;
 
-/// Follows the surface by its previous world position and the previous camera: for hosts that have no Motion channel.
+/// Follows the surface by its previous world-space position and the previous camera, for hosts without a Motion channel. Validity is 1, or
+/// 0 behind the camera.
+/// @tparam Test SameDepth, SameNormal, SameInstance, AllOf several, or the host's own
 template <class Test = AllOf<SameDepth, SameNormal>> struct PositionMotion {
-    using parts = Parts<Test>;
-    using reads = Channels<ReceiverPrevious>;
-    static constexpr bool needs_camera = true;
-    Test test{};
+    using parts = Parts<Test>;                 ///< what it is made of
+    using reads = Channels<ReceiverPrevious>;  ///< of this frame
+    static constexpr bool needs_camera = true; ///< to project
+    Test test{};                               ///< what a past pixel must pass
 
+    /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const then = px.project_to_past(px[receiver_previous]);
@@ -36,8 +40,9 @@ template <class Test = AllOf<SameDepth, SameNormal>> struct PositionMotion {
 };
 template <class Test> PositionMotion(Test) -> PositionMotion<Test>;
 
-/// Nothing moves: a still camera and still objects. Without a test every past pixel is accepted.
+/// For a still camera and still objects: the same pixel, validity 1. It has no test.
 struct StillMotion {
+    /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         return Reprojection<Real>{px.position(), Real(1.f)};
