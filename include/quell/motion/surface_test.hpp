@@ -106,6 +106,6 @@ template <class... Tests> struct AllOf : Tests... {
     }
     /// @endcond
 };
-template <class... Tests> AllOf(Tests...) -> AllOf<Tests...>;
+template <class... Tests> AllOf(Tests...) -> AllOf<Tests...>; ///< deduction guide
 
 } // namespace quell

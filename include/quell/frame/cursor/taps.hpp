@@ -16,10 +16,9 @@ template <int n, class F> QUELL_KERNEL void repeat(F&& f) {
 } // namespace detail
 
 /// Calls `body(near, weight, dx, dy)` for each tap of a separable kernel of (2 radius + 1)^2 taps, `step` pixels apart. `near` is the
-/// cursor at the tap, (dx, dy) its offset in pixels. `weight` is profile[|column|] * profile[|row|], and 0 in columns outside the image.
-/// Rows outside are skipped. Divide sums by the sum of the weights.
+/// cursor at the tap, (dx, dy) its offset in pixels. `weight` is profile[|column|] * profile[|row|] (distances in taps), and 0 in columns
+/// outside the image. Rows outside are skipped. Divide sums by the sum of the weights.
 /// @tparam radius in taps
-/// @param profile weights by distance in taps; [0] is the centre
 template <int radius, class Px, class Body>
 QUELL_KERNEL void for_each_tap(Px const& px, int step, float const (&profile)[radius + 1], Body&& body) {
     using Real = typename Px::Real;
