@@ -9,8 +9,7 @@ namespace quell {
 /// What a motion source found: a position in the previous frame, and how far it can be trusted.
 /// A source may return a struct of its own that has these two members and also
 ///
-///     auto accepts(auto then, Real dx, Real dy) const; // whether the past pixel `then`, (dx, dy) pixels from `where`, shows the same
-///     thing
+///     auto accepts(auto then, Real dx, Real dy) const; // whether `then`, a past pixel (dx, dy) from `where`, shows the same thing
 ///
 /// History is then interpolated over accepted taps only.
 template <class Real> struct Reprojection {
