@@ -14,7 +14,7 @@ namespace quell {
 /// `count` 0 it uses the threads of the task arena that it is called in.
 /// @tparam Each the executor of one tile
 template <class Each = Simd> struct Threads {
-    static constexpr int most = 1024; ///< limit of `count`: oneTBB allocates memory for each thread and crashes without it
+    static constexpr int most = 1024; ///< limit of `count`: oneTBB allocates memory for each thread and crashes where that fails
 
     int count = 0;           ///< threads, at most `most`; 0: those of the calling arena
     Extent tile = {256, 32}; ///< pixels. With the rows that a 5x5 kernel at step 16 reads, 256 columns fit a 512 KB L2 cache.
