@@ -1,7 +1,8 @@
 #pragma once
 
-// Everything that needs GLM and xsimd only. Opt-in: quell/execute/threads.hpp (oneTBB), quell/io/exr.hpp (OpenEXR), quell/metrics/*.hpp,
-// quell/presets/blur.hpp (motion blur), quell/presets/published.hpp (what others published), quell/diagnose/diagnose.hpp.
+// Everything that needs GLM and xsimd only. Include separately: quell/execute/threads.hpp (oneTBB), quell/io/exr.hpp (OpenEXR),
+// quell/metrics/*.hpp, quell/presets/blur.hpp (motion blur), quell/presets/published.hpp (methods as published by others),
+// quell/diagnose/diagnose.hpp.
 
 #include <quell/blend/clamped.hpp>
 #include <quell/blend/exponential.hpp>

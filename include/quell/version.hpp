@@ -2,17 +2,17 @@
 
 #include <string_view>
 
-/// The version of quell. CMakeLists.txt reads it from here.
-#define QUELL_VERSION_MAJOR 0
-#define QUELL_VERSION_MINOR 1
-#define QUELL_VERSION_PATCH 0
+// CMakeLists.txt reads the version from here.
+#define QUELL_VERSION_MAJOR 0 ///< first number of quell's version
+#define QUELL_VERSION_MINOR 1 ///< second number of quell's version
+#define QUELL_VERSION_PATCH 0 ///< third number of quell's version
 
 #define QUELL_TEXT_OF(a) #a
 #define QUELL_TEXT(a) QUELL_TEXT_OF(a)
 
 namespace quell {
 
-/// The same as text, such as "1.2.3".
+/// The version of quell as text, such as "1.2.3".
 inline constexpr std::string_view version =
     QUELL_TEXT(QUELL_VERSION_MAJOR) "." QUELL_TEXT(QUELL_VERSION_MINOR) "." QUELL_TEXT(QUELL_VERSION_PATCH);
 

@@ -8,25 +8,25 @@
 
 namespace quell {
 
-/// IEEE 754 binary16 bits as a float.
+/// Converts IEEE 754 binary16 bits to float, exactly. Infinity and NaN keep their meaning.
 QUELL_KERNEL float float_from_half(std::uint16_t half) {
     auto const sign = static_cast<std::uint32_t>(half & 0x8000u) << 16;
     auto const rest = static_cast<std::uint32_t>(half & 0x7fffu) << 13;
-    // Shifting puts the exponent 112 too low. No operand is subnormal, since hosts run with those taken for zero.
+    // The shifted exponent is 112 too low. No float operand here is subnormal: hosts may flush those to zero.
     auto const exponent = half & 0x7c00u;
     auto const subnormal = std::bit_cast<std::uint32_t>(std::bit_cast<float>(rest | 0x38800000u) - 0x1p-14f);
     return std::bit_cast<float>(sign | (exponent == 0x7c00u ? 0x7f800000u | rest : exponent == 0 ? subnormal : rest + 0x38000000u));
 }
 
-/// A float as binary16 bits, rounded to nearest even. What exceeds the range becomes the largest finite half (65504), so that a bright
-/// highlight can't turn into an infinity that history would keep. NaN becomes 0x7e00.
+/// Converts float to binary16 bits, rounding to nearest even. Values beyond the range become +-65504, the largest finite half: an infinity
+/// would stay in the history. NaN becomes 0x7e00.
 QUELL_KERNEL std::uint16_t half_from_float(float a) {
     auto const all = std::bit_cast<std::uint32_t>(a);
     auto const sign = static_cast<std::uint16_t>((all >> 16) & 0x8000u);
     auto const magnitude = all & 0x7fffffffu;
     if (magnitude > 0x7f800000u) return 0x7e00;
     if (magnitude >= 0x477ff000u) return static_cast<std::uint16_t>(sign | 0x7bffu); // 65520 and above would round to infinity
-    if (magnitude < 0x38800000u) { // subnormal half: let the float adder round at the right bit
+    if (magnitude < 0x38800000u) { // subnormal half: the float adder rounds at the right bit
         auto const rounded = std::bit_cast<std::uint32_t>(std::bit_cast<float>(magnitude) + 0.5f) - 0x3f000000u;
         return static_cast<std::uint16_t>(sign | rounded);
     }
@@ -36,8 +36,8 @@ QUELL_KERNEL std::uint16_t half_from_float(float a) {
 
 #if defined(__F16C__) && !defined(__CUDACC__)
 namespace detail {
-/// Keeps clang++ from comparing halves instead of the floats that they have become: clang++ 14 swaps the operands of AVX-512 FP16's
-/// comparison, so that 0 < a becomes a < 0.
+/// Makes clang++ compare floats and not halves after a conversion. clang++ 14 swaps the operands of the AVX-512 FP16 comparison: 0 < a
+/// becomes a < 0.
 template <class Register> QUELL_KERNEL Register as_floats(Register converted) {
 #if defined(__clang__) && defined(__AVX512FP16__)
     asm("" : "+v"(converted));
@@ -47,7 +47,7 @@ template <class Register> QUELL_KERNEL Register as_floats(Register converted) {
 } // namespace detail
 #endif
 
-/// `width_of<Real>` halves that lie side by side, as a Real.
+/// Loads `width_of<Real>` adjacent halves. `p` needs no alignment.
 template <class Real> QUELL_KERNEL Real load_half(std::uint16_t const* p) {
     if constexpr (width_of<Real> == 1) return float_from_half(*p);
 #if defined(__AVX512F__) && !defined(__CUDACC__)
@@ -65,7 +65,7 @@ template <class Real> QUELL_KERNEL Real load_half(std::uint16_t const* p) {
     }
 }
 
-/// Stores a Real as halves side by side.
+/// Stores `width_of<Real>` adjacent halves. Values beyond the range become +-65504. NaN must not occur: its result depends on the machine.
 template <class Real> QUELL_KERNEL void store_half(std::uint16_t* p, Real a) {
     if constexpr (width_of<Real> == 1)
         *p = half_from_float(a);

@@ -7,16 +7,15 @@
 #error "quell is written for g++ and clang++; on Windows, compile with clang-cl"
 #endif
 
-/// Marks every function that runs inside a kernel.
-/// Kernels are made of many tiny functions, and a single one left as a call spills every SIMD register (clang was 5.5 times slower), so
-/// inlining is forced. `constexpr` lets nvcc take the same function for the device (`--expt-relaxed-constexpr`).
-/// What few pixels need and what is large is marked [[gnu::noinline]] constexpr instead: as a call it is compiled once, and costs the
-/// common path nothing.
+/// Marks a function that runs inside a kernel.
+/// It forces inlining: one remaining call spills every SIMD register (5.5 times slower with clang). `constexpr` lets nvcc compile the same
+/// function for the device (`--expt-relaxed-constexpr`). Large code that few pixels need is marked [[gnu::noinline]] constexpr instead, so
+/// that it costs the common case nothing.
 #if defined(__CUDACC__)
 #define QUELL_KERNEL constexpr
 #else
 #define QUELL_KERNEL [[gnu::always_inline]] inline constexpr
 #endif
 
-/// Marks a lambda inside a kernel, behind its parameters: [&](auto a) QUELL_INLINED { ... }. It is inlined by force, for the same reason.
+/// The same for a lambda inside a kernel. It stands after the parameters: [&](auto a) QUELL_INLINED { ... }.
 #define QUELL_INLINED __attribute__((always_inline))

@@ -4,8 +4,8 @@
 
 namespace quell {
 
-/// What a policy is made of. A combinator says `using parts = Parts<Inner>`; what its parts declare then counts as declared by it, and it
-/// lists only what it adds.
+/// The policies that a policy is made of: `using parts = Parts<Inner>`. Declarations of the parts (`reads`, `keeps`, ...) count as
+/// declarations of the whole, which lists only what it adds.
 template <class... Ps> struct Parts {};
 
 namespace detail {
@@ -16,7 +16,7 @@ struct PartsOf<P> {
     using type = typename P::parts;
 };
 
-// One for each kind of declaration: what a policy itself says.
+// One struct for each kind of declaration. `by<P>()` is what P itself declares, without its parts.
 struct SaidToRead {
     template <class P>
         requires requires { typename P::reads; }
@@ -48,7 +48,7 @@ template <class Kind, class Ps> struct DeclaredByParts;
 template <class Kind, class... Ps> struct DeclaredByParts<Kind, Parts<Ps...>> {
     using type = union_of<typename Declared<Kind, Ps>::type...>;
 };
-/// What a policy and its parts declare together.
+/// The union of what a policy and its parts declare.
 template <class Kind, class P> struct Declared { using type = typename DeclaredByParts<Kind, typename PartsOf<P>::type>::type; };
 template <class Kind, class P>
     requires requires { Kind::template by<P>(); }
@@ -65,29 +65,31 @@ template <class P> constexpr bool needs_camera() {
 }
 } // namespace detail
 
-/// The channels of the current frame that these policies look at, as they or their parts say by `reads`.
+/// The channels of the current frame that these policies and their parts read (`reads`).
 template <class... Ps> using reads_of = union_of<typename detail::Declared<detail::SaidToRead, Ps>::type...>;
 
-/// The channels of the previous frame that these policies look at (`remembers`).
+/// The channels of the previous frame that these policies read (`remembers`). History stores them.
 template <class... Ps> using remembers_of = union_of<typename detail::Declared<detail::SaidToRemember, Ps>::type...>;
 
-/// What these policies make themselves and keep from frame to frame (`keeps`): history lengths, moments.
+/// The channels that these policies make and keep from frame to frame (`keeps`), such as the history length.
 template <class... Ps> using keeps_of = union_of<typename detail::Declared<detail::SaidToKeep, Ps>::type...>;
 
-/// What of the things that other policies keep these look at in the previous frame, before it is made anew (`reads_kept`): a detector in
-/// front of Temporal does.
+/// The channels kept by other policies that these policies read in the previous frame (`reads_kept`). A change detector in front of
+/// Temporal needs that.
 template <class... Ps> using reads_kept_of = union_of<typename detail::Declared<detail::SaidToReadKept, Ps>::type...>;
 
-/// What these policies make for the passes after them (`emits`).
+/// The channels that these policies make for later passes of the same frame (`emits`).
 template <class... Ps> using emits_of = union_of<typename detail::Declared<detail::SaidToEmit, Ps>::type...>;
 
-/// Whether a policy, or a part of it, says `static constexpr bool needs_camera = true`: then hosts must set frame.camera.
+/// Whether a policy or a part of it has `static constexpr bool needs_camera = true`. Hosts must then set frame.camera.
 template <class P> inline constexpr bool needs_camera_of = detail::needs_camera<P>();
 
-/// At which fraction of the frame's width and height a pass runs, as it says by `static constexpr int fraction`: 1 where it doesn't.
+/// The divisor of the frame's width and height at which a pass runs: its `static constexpr int fraction`, or 1.
 template <class P> inline constexpr int fraction_of = 1;
+/// @cond
 template <class P>
     requires requires { P::fraction; }
 inline constexpr int fraction_of<P> = P::fraction;
+/// @endcond
 
 } // namespace quell

@@ -11,8 +11,8 @@
 #include <utility>
 
 #if !defined(__CUDACC__)
-// Of AVX-512's undefined values, which g++ 12's own headers initialize with themselves, it warns wherever a kernel is inlined
-// (https://gcc.gnu.org/PR105593); a host's -Werror must survive that.
+// g++ 12 warns of uninitialized values in its own AVX-512 headers wherever a kernel is inlined (https://gcc.gnu.org/PR105593). Hosts may
+// compile with -Werror.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wuninitialized"
@@ -23,50 +23,56 @@
 #pragma GCC diagnostic pop
 #endif
 
-/// Lets GLM's vectors hold packs: glm::vec<3, Pack> then has arithmetic and dot.
+/// GLM needs this for vectors of packs: glm::vec<3, Pack> then has arithmetic and dot.
 template <class A> struct std::numeric_limits<xsimd::batch<float, A>> : std::numeric_limits<float> {};
 #endif
 
 namespace quell {
 
-// A Real is a float (the reference, a GPU thread) or a pack of floats (neighbouring pixels of a row). Kernels are written once over Real;
-// what GLM can't do on packs is here, with the same result for both. Comparisons give a Mask: bool, or one bit a lane.
+// A Real is a float (Serial, a GPU thread) or a pack of floats (neighbouring pixels of a row). Kernels are written once for both. Here is
+// what GLM cannot do on packs. Comparisons give a Mask: a bool, or one bit per lane.
 
-template <class Real> inline constexpr int width_of = 1; ///< how many pixels one Real stands for
+template <class Real> inline constexpr int width_of = 1; ///< pixels per Real: 1 for float
 
 namespace detail {
 template <class Real> struct IndexOf { using type = std::int32_t; };
 } // namespace detail
 
-/// The integer counterpart of a Real: pixel coordinates, bit patterns.
+/// The 32-bit integer of the same width as a Real: pixel coordinates, bit patterns.
 template <class Real> using Index = typename detail::IndexOf<Real>::type;
 
+/// The smaller one; b if either is NaN.
 QUELL_KERNEL float min(float a, float b) { return a < b ? a : b; }
+/// The larger one; b if either is NaN.
 QUELL_KERNEL float max(float a, float b) { return a > b ? a : b; }
+/// a with its sign bit cleared.
 QUELL_KERNEL float abs(float a) { return std::bit_cast<float>(std::bit_cast<std::uint32_t>(a) & 0x7fffffffu); }
+/// a where the mask is true, else b.
 QUELL_KERNEL float select(bool condition, float a, float b) { return condition ? a : b; }
-/// Where the mask holds, a; elsewhere 0: one instruction of a pack.
+/// a where the mask is true, else 0. One instruction on packs.
 QUELL_KERNEL float masked(bool condition, float a) { return condition ? a : 0.f; }
+/// select() for an Index.
 QUELL_KERNEL std::int32_t select_index(bool condition, std::int32_t a, std::int32_t b) { return condition ? a : b; }
-QUELL_KERNEL bool any(bool mask) { return mask; }
-QUELL_KERNEL bool all(bool mask) { return mask; }
-QUELL_KERNEL bool invert(bool mask) { return !mask; }
-/// Where all of the masks hold, and where at least one does. (Written with & and |, compilers would suspect a slip for && of bools.)
+QUELL_KERNEL bool any(bool mask) { return mask; }     ///< true in at least one lane
+QUELL_KERNEL bool all(bool mask) { return mask; }     ///< true in every lane
+QUELL_KERNEL bool invert(bool mask) { return !mask; } ///< not
+/// And of all masks. A function, since compilers warn of & between bools.
 template <class Mask, class... Masks> QUELL_KERNEL Mask both(Mask first, Masks... more) { return (first & ... & more); }
+/// Or of all masks.
 template <class Mask, class... Masks> QUELL_KERNEL Mask either(Mask first, Masks... more) { return (first | ... | more); }
-QUELL_KERNEL std::int32_t bits(float a) { return std::bit_cast<std::int32_t>(a); }
-QUELL_KERNEL float from_bits(std::int32_t a) { return std::bit_cast<float>(a); }
-/// Towards zero; of what no integer holds, the least one in floats, and one that depends on the machine in packs.
+QUELL_KERNEL std::int32_t bits(float a) { return std::bit_cast<std::int32_t>(a); } ///< the bit pattern of a float
+QUELL_KERNEL float from_bits(std::int32_t a) { return std::bit_cast<float>(a); }   ///< the float of a bit pattern
+/// Rounds toward zero. Out of range and NaN: INT32_MIN for float, machine-dependent for packs.
 QUELL_KERNEL std::int32_t truncate(float a) {
     return abs(a) < 0x1p31f ? static_cast<std::int32_t>(a) : std::numeric_limits<std::int32_t>::min();
 }
-QUELL_KERNEL float to_real(std::int32_t a) { return static_cast<float>(a); }
-// Templates because clang 14 has no constant evaluation of these two, which it refuses in a plain constexpr function.
-template <std::same_as<float> F> QUELL_KERNEL float sqrt(F a) { return ::sqrtf(a); }
-template <std::same_as<float> F> QUELL_KERNEL float floor(F a) { return ::floorf(a); }
+QUELL_KERNEL float to_real(std::int32_t a) { return static_cast<float>(a); } ///< converts an Index to Real
+// Templates, since clang 14 refuses a plain constexpr function that it cannot evaluate at compile time.
+template <std::same_as<float> F> QUELL_KERNEL float sqrt(F a) { return ::sqrtf(a); }   ///< square root
+template <std::same_as<float> F> QUELL_KERNEL float floor(F a) { return ::floorf(a); } ///< rounds toward minus infinity
 
-/// a * b + c, in one rounding where the instruction set has it. Kernels say so explicitly: left to itself a compiler contracts differently
-/// from one inlined copy to the next (and g++ for AMD's Zen not at all), so that results would depend on where a kernel is used.
+/// a * b + c, rounded once where the instruction set has FMA. Kernels call it explicitly: compilers contract a * b + c differently in each
+/// inlined copy, so results would depend on where a kernel is used.
 template <std::same_as<float> F> QUELL_KERNEL float fma(F a, F b, F c) {
 #if defined(__FMA__) && !defined(__CUDACC__)
     return __builtin_fmaf(a, b, c);
@@ -76,9 +82,10 @@ template <std::same_as<float> F> QUELL_KERNEL float fma(F a, F b, F c) {
 }
 
 #if !defined(__CUDACC__)
-/// The widest pack of the instruction set that this translation unit is compiled for.
+/// The widest pack of floats of the instruction set that the translation unit is compiled for.
 using Pack = xsimd::batch<float>;
 
+/// Pixels per pack.
 template <class A> inline constexpr int width_of<xsimd::batch<float, A>> = static_cast<int>(xsimd::batch<float, A>::size);
 
 namespace detail {
@@ -86,7 +93,7 @@ template <class A> struct IndexOf<xsimd::batch<float, A>> { using type = xsimd::
 template <class A> using PackOf = xsimd::batch<float, A>;
 template <class A> using LanesOf = xsimd::batch<std::int32_t, A>;
 template <class A> using MaskOf = xsimd::batch_bool<float, A>;
-// What bitwise_cast is told: up to xsimd 10 the pack that comes out, since then its element.
+// The template argument of bitwise_cast: the resulting pack up to xsimd 10, its element type since xsimd 11.
 #if XSIMD_VERSION_MAJOR < 11
 template <class T, class A> using CastTo = xsimd::batch<T, A>;
 #else
@@ -94,6 +101,8 @@ template <class T, class A> using CastTo = T;
 #endif
 } // namespace detail
 
+// The same functions for packs.
+/// @cond
 template <class A> QUELL_KERNEL auto min(xsimd::batch<float, A> a, xsimd::batch<float, A> b) { return xsimd::min(a, b); }
 template <class A> QUELL_KERNEL auto max(xsimd::batch<float, A> a, xsimd::batch<float, A> b) { return xsimd::max(a, b); }
 template <class A> QUELL_KERNEL auto min(xsimd::batch<float, A> a, float b) { return xsimd::min(a, detail::PackOf<A>(b)); }
@@ -115,7 +124,7 @@ template <class A> QUELL_KERNEL auto select(xsimd::batch_bool<float, A> m, float
 }
 template <class A> QUELL_KERNEL auto masked(xsimd::batch_bool<float, A> m, xsimd::batch<float, A> a) {
     using Pack = detail::PackOf<A>;
-    if constexpr (sizeof(m) == sizeof(a)) // all bits of a lane say the same
+    if constexpr (sizeof(m) == sizeof(a)) // the mask is as wide as the pack: all bits of a lane are equal
         return a & std::bit_cast<Pack>(m);
     else
         return xsimd::select(m, a, Pack(0.f));
@@ -124,14 +133,14 @@ template <class A> QUELL_KERNEL bool any(xsimd::batch_bool<float, A> m) { return
 template <class A> QUELL_KERNEL bool all(xsimd::batch_bool<float, A> m) { return xsimd::all(m); }
 template <class A> QUELL_KERNEL auto fma(xsimd::batch<float, A> a, xsimd::batch<float, A> b, xsimd::batch<float, A> c) {
 #if defined(__AVX512F__)
-    // xsimd 8 multiplies and adds here.
+    // xsimd 8 uses two instructions for AVX-512.
     if constexpr (width_of<xsimd::batch<float, A>> == 16)
         return xsimd::batch<float, A>(_mm512_fmadd_ps(a, b, c));
     else
 #endif
         return xsimd::fma(a, b, c);
 }
-/// Not by `!`, for which xsimd 8 takes AVX packs apart and compares their halves.
+// Not `!`: xsimd 8 splits AVX masks for it.
 template <class A> QUELL_KERNEL auto invert(xsimd::batch_bool<float, A> m) { return ~m; }
 template <class A> QUELL_KERNEL auto bits(xsimd::batch<float, A> a) { return xsimd::bitwise_cast<detail::CastTo<std::int32_t, A>>(a); }
 template <class A> QUELL_KERNEL auto from_bits(xsimd::batch<std::int32_t, A> a) { return xsimd::bitwise_cast<detail::CastTo<float, A>>(a); }
@@ -141,16 +150,17 @@ template <class A>
 QUELL_KERNEL auto select_index(xsimd::batch_bool<float, A> m, xsimd::batch<std::int32_t, A> a, xsimd::batch<std::int32_t, A> b) {
     return bits(xsimd::select(m, from_bits(a), from_bits(b)));
 }
+/// @endcond
 #endif
 
-/// A value between two bounds; a NaN becomes the lower one.
+/// Clamps to [low, high]. NaN becomes low.
 template <class Real> QUELL_KERNEL Real clamp(Real a, Real low, Real high) { return min(max(a, low), high); }
 
 namespace detail {
 alignas(64) inline constexpr float counting[] = {0.f, 1.f, 2.f, 3.f, 4.f, 5.f, 6.f, 7.f, 8.f, 9.f, 10.f, 11.f, 12.f, 13.f, 14.f, 15.f};
 }
 
-/// (0, 1, 2, ...): which pixel of the pack each lane is.
+/// The index of each lane: (0, 1, 2, ...).
 template <class Real> QUELL_KERNEL Real lanes() {
     if constexpr (width_of<Real> == 1)
         return 0.f;
@@ -158,15 +168,16 @@ template <class Real> QUELL_KERNEL Real lanes() {
         return Real::load_aligned(detail::counting);
 }
 
-/// One lane of a Real or Index.
+/// Lane i of a Real or Index.
 QUELL_KERNEL float lane(float a, int) { return a; }
+/// @cond
 QUELL_KERNEL std::int32_t lane(std::int32_t a, int) { return a; }
 #if !defined(__CUDACC__)
 template <class T, class A> QUELL_KERNEL T lane(xsimd::batch<T, A> const& a, int i) { return a.get(static_cast<std::size_t>(i)); }
 #endif
+/// @endcond
 
-/// True where a is neither NaN nor infinite. Reads the bits, since -ffast-math deletes every test on values: the exponent field is
-/// compared as an ordinary number.
+/// True where a is neither NaN nor infinite. It compares the exponent bits: -ffast-math deletes tests on values.
 template <class Real> QUELL_KERNEL auto is_finite(Real a) { return to_real((bits(a) >> 23) & Index<Real>(255)) < Real(254.5f); }
 
 /// True where the sign bit is set, -0 included.
@@ -174,14 +185,15 @@ template <class Real> QUELL_KERNEL auto sign_bit(Real a) {
     constexpr std::int32_t sign = std::numeric_limits<std::int32_t>::min(), one = 0x3f800000;
     return from_bits((bits(a) & Index<Real>(sign)) | Index<Real>(one)) < Real(0.f);
 }
-/// a with its sign bit set or cleared.
+/// a with its sign bit set.
 template <class Real> QUELL_KERNEL Real with_sign_bit(Real a) {
     return from_bits(bits(a) | Index<Real>(std::numeric_limits<std::int32_t>::min()));
 }
+/// a with its sign bit cleared.
 template <class Real> QUELL_KERNEL Real without_sign_bit(Real a) { return from_bits(bits(a) & Index<Real>(0x7fffffff)); }
 
-/// e^a, relative error under 3e-7 for a in [-87, 88], clamped outside: no libm call, the same for float and pack.
-/// Cody-Waite reduction to [-ln2/2, ln2/2] and a degree-6 Taylor polynomial.
+/// e^a with a relative error under 3e-7. `a` is clamped to [-87, 88]. float and pack use the same instructions, without libm.
+/// Cody-Waite reduction to [-ln2/2, ln2/2], then a Taylor polynomial of degree 6.
 template <class Real> QUELL_KERNEL Real exp(Real a) {
     auto const x = clamp(a, Real(-87.f), Real(88.f));
     auto const n = floor(x * 1.44269504f + 0.5f);
@@ -195,9 +207,9 @@ template <class Real> QUELL_KERNEL Real exp(Real a) {
     return p * from_bits((truncate(n) + Index<Real>(127)) << 23);
 }
 
-/// 1 / a for positive a that is not denormal, relative error under 0.2 %, in three operations: for weights, where a division would be the
-/// slowest part of a tap. An integer subtraction negates the exponent, one tuned Newton step does the rest; the same bits on every machine,
-/// which the processor's own estimate does not give.
+/// 1 / a with a relative error under 0.2 %, for positive normal a. Filters use it for weights, where a division would cost most of a tap.
+/// An integer subtraction negates the exponent, then one tuned Newton step follows. Unlike the processor's own estimate it has the same
+/// bits on every machine.
 template <class Real> QUELL_KERNEL Real approximate_reciprocal(Real a) {
     auto const guess = from_bits(Index<Real>(0x7ef33000) - bits(a));
     return guess * fma(-a, guess, Real(2.001f));

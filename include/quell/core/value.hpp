@@ -11,11 +11,15 @@
 
 namespace quell {
 
+/// Two components: pixel coordinates, velocities.
 template <class Real> using vec2 = glm::vec<2, Real>;
+/// Three components: positions, directions, colours.
 template <class Real> using vec3 = glm::vec<3, Real>;
 
-/// A value of more components than GLM's vectors have (six cones of radiance with weights: 24).
-template <int N, class Real> struct Components { Real at[N]; };
+/// A value of more than four components, which GLM's vectors cannot hold.
+template <int N, class Real> struct Components {
+    Real at[N]; ///< component c is at[c]
+};
 
 namespace detail {
 template <int N, class Real> struct ValueOf { using type = Components<N, Real>; };
@@ -40,13 +44,15 @@ template <int N, class Real> struct Shape<Components<N, Real>> {
 };
 } // namespace detail
 
-/// What a pixel of N components is: a Real, a GLM vector, or Components.
+/// The type of a pixel of N components: Real (1), a GLM vector (2 to 4), or Components.
 template <int N, class Real> using Value = typename detail::ValueOf<N, Real>::type;
 
+/// The number of components of a value's type.
 template <class V> inline constexpr int components_of = detail::Shape<V>::components;
+/// The Real of a value's type: float or a pack.
 template <class V> using real_of = typename detail::Shape<V>::real;
 
-/// Component `c` of a value, `c` known at compile time (g++ 12.2 miscompiles loops that write GLM components by operator[]).
+/// Component `c` of a value. `c` is a template argument, since g++ 12.2 miscompiles loops over GLM's operator[].
 template <int c, class V> QUELL_KERNEL auto component(V const& v) {
     constexpr int n = components_of<V>;
     if constexpr (n == 1)
@@ -63,38 +69,40 @@ template <int c, class V> QUELL_KERNEL auto component(V const& v) {
         return v.w;
 }
 
-/// Makes a value whose component c is f(integral_constant<c>), in one expression.
+/// Makes a value with components f(integral_constant<c>).
 template <int N, class Real, class F> QUELL_KERNEL Value<N, Real> make_value(F&& f) {
     return [&]<int... c>(std::integer_sequence<int, c...>) QUELL_INLINED { return Value<N, Real>{f(std::integral_constant<int, c>{})...}; }
     (std::make_integer_sequence<int, N>{});
 }
 
-/// Applies f to each component of one value or of several of the same shape.
+/// Applies f to each component of one value, or of several values of the same shape.
 template <class F, class V, class... Vs> QUELL_KERNEL auto map(F&& f, V const& v, Vs const&... vs) {
     using Result = decltype(f(component<0>(v), component<0>(vs)...));
     return make_value<components_of<V>, Result>([&](auto c) QUELL_INLINED { return f(component<c>(v), component<c>(vs)...); });
 }
 
-/// Combines all components of a value: f(f(f(first, c0), c1), c2)...
+/// Folds the components of a value: f(f(f(first, c0), c1), c2)...
 template <class F, class V, class R> QUELL_KERNEL R fold(F&& f, R first, V const& v) {
     [&]<int... c>(std::integer_sequence<int, c...>) QUELL_INLINED { ((first = f(first, component<c>(v))), ...); }
     (std::make_integer_sequence<int, components_of<V>>{});
     return first;
 }
 
-/// The value with every component `a`.
+/// A value with every component `a`.
 template <class V> QUELL_KERNEL V splat(real_of<V> a) {
     return make_value<components_of<V>, real_of<V>>([&](auto) QUELL_INLINED { return a; });
 }
+/// A value with every component 0.
 template <class V> QUELL_KERNEL V zero() { return splat<V>(real_of<V>(0.f)); }
 
-/// The same vector in every lane.
+/// A host's vector in every lane.
 template <class Real> QUELL_KERNEL vec3<Real> broadcast(glm::vec3 const& v) { return {Real(v.x), Real(v.y), Real(v.z)}; }
 
 /// sum + v * weight.
 template <class V> QUELL_KERNEL V add_scaled(V const& sum, V const& v, real_of<V> weight) {
     return map([&](auto s, auto a) QUELL_INLINED { return fma(a, weight, s); }, sum, v);
 }
+/// v * factor.
 template <class V> QUELL_KERNEL V scale(V const& v, real_of<V> factor) {
     return map([&](auto a) QUELL_INLINED { return a * factor; }, v);
 }
@@ -102,7 +110,7 @@ template <class V> QUELL_KERNEL V scale(V const& v, real_of<V> factor) {
 template <class V> QUELL_KERNEL V mix(V const& a, V const& b, real_of<V> t) {
     return map([&](auto x, auto y) QUELL_INLINED { return fma(y - x, t, x); }, a, b);
 }
-/// Where the mask holds, a; elsewhere, b.
+/// a where the mask is true, else b.
 template <class Mask, class V>
     requires(components_of<V> > 1)
 QUELL_KERNEL V select(Mask mask, V const& a, V const& b) {
@@ -110,12 +118,13 @@ QUELL_KERNEL V select(Mask mask, V const& a, V const& b) {
 }
 /// True where every component is finite.
 template <class V> QUELL_KERNEL auto all_finite(V const& v) {
-    // Adding up first would be cheaper, and wrong: inf - inf, and overflow of large finite values.
+    // A test of the sum would be wrong: large finite values overflow.
     return fold([](auto sofar, auto a) QUELL_INLINED { return both(sofar, is_finite(a)); }, is_finite(component<0>(v)), v);
 }
+/// The dot product.
 template <class Real> QUELL_KERNEL Real dot(vec3<Real> const& a, vec3<Real> const& b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
 
-/// Rec. 709 luminance of a colour; a value of another shape counts as the mean of its components.
+/// Rec. 709 luminance of three components. For other shapes, the mean of the components.
 template <class V> QUELL_KERNEL auto luminance(V const& v) {
     if constexpr (components_of<V> == 3) {
         using Real = real_of<V>;

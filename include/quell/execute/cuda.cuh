@@ -8,7 +8,7 @@
 namespace quell {
 
 namespace detail {
-/// One thread of the grid for each pixel of the region.
+/// One CUDA thread for each pixel of the region.
 template <class Job> __global__ void each_pixel(Region region, Job job) {
     int const x = region.x0 + static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
     int const y = region.y0 + static_cast<int>(blockIdx.y * blockDim.y + threadIdx.y);
@@ -16,16 +16,18 @@ template <class Job> __global__ void each_pixel(Region region, Job job) {
 }
 } // namespace detail
 
-/// A CUDA thread for each pixel: the same kernels over float that Serial runs, compiled for the device by
+/// Runs one CUDA thread for each pixel: the same kernels over float as Serial, compiled for the device by
+///
 ///     nvcc -std=c++20 --expt-relaxed-constexpr
-/// Returns when the pass is complete, as every executor does: run() reads on the host what the ingest has counted. All memory of the frame,
-/// the history and the host's stack must be within the device's reach, which plain memory is on systems that share their page tables
-/// (HMM, Grace Hopper); elsewhere the storage must allocate managed memory.
+///
+/// Returns when the pass is complete. The device must be able to read the memory of the frame, of the history and of the host's stack.
+/// Systems with shared page tables (HMM, Grace Hopper) can; elsewhere the storage must allocate managed memory.
 struct Cuda {
-    cudaStream_t stream = nullptr;
-    int block_width = 32, block_height = 4; ///< threads; a warp is one row of 32 pixels, so its loads join
+    cudaStream_t stream = nullptr;          ///< passes are launched here
+    int block_width = 32, block_height = 4; ///< threads; a warp is one row of 32 pixels, so its loads coalesce
 
-    /// @throws Error where the device refuses the launch or the pass fails
+    /// See Executor.
+    /// @throws Error where the launch or the pass fails
     template <class Job> void for_each_pixel(Region r, Job const& job) const {
         static_assert(std::is_trivially_copyable_v<Job>, "a job is copied to the device: policies and views must be trivially copyable");
         if (r.x1 <= r.x0 || r.y1 <= r.y0) return;

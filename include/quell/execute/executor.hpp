@@ -5,13 +5,19 @@
 
 namespace quell {
 
-/// Tells a job how many pixels to compute at once: `job(at_once<Pack>, x, y, count)`.
-template <class Real> struct AtOnce { using real = Real; };
+/// A tag that tells a job how many pixels to compute at once: `job(at_once<Pack>, x, y, count)`.
+template <class Real> struct AtOnce {
+    using real = Real; ///< float or a pack
+};
+/// The value of the tag.
 template <class Real> inline constexpr AtOnce<Real> at_once;
 
-/// Pixels from (x0, y0) up to but not including (x1, y1).
+/// The pixels of x0 <= x < x1 and y0 <= y < y1.
 struct Region {
-    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    int x0 = 0, ///< first column
+        y0 = 0, ///< first row
+        x1 = 0, ///< column after the last
+        y1 = 0; ///< row after the last
 };
 
 namespace detail {
@@ -21,17 +27,21 @@ struct AnyJob {
 };
 } // namespace detail
 
-/// Runs a job once for every pixel of a region, in any order, on anything:
+/// Runs a job once for every pixel of a region, in any order, and returns when all are done:
+///
 ///     void for_each_pixel(Region region, auto const& job) const
-/// A job computes `count` pixels from (x, y) to the right, at most as many as a Real has lanes, and writes nothing else. `job.name` says
-/// which pass it is; `job.most_lanes`, if there is one, how many lanes it has a use for.
+///
+/// job(at_once<Real>, x, y, count) computes the `count` pixels from (x, y) to the right and writes no others; count <= width_of<Real>.
+/// `job.name` is the name of the pass. `job.most_lanes`, if there is one, is the largest useful SIMD width.
+/// Models: Serial, SimdOf, Threads, Cuda.
 template <class E>
 concept Executor = requires(E const e, Region region, detail::AnyJob job) {
     e.for_each_pixel(region, job);
 };
 
-/// One pixel after the other, on this thread: the reference.
+/// Runs one pixel at a time on the calling thread. It is the reference that other executors are tested against.
 struct Serial {
+    /// See Executor.
     void for_each_pixel(Region r, auto const& job) const {
         for (int y = r.y0; y < r.y1; ++y)
             for (int x = r.x0; x < r.x1; ++x) job(at_once<float>, x, y, 1);
@@ -40,7 +50,7 @@ struct Serial {
 
 #if !defined(__CUDACC__)
 namespace detail {
-/// The pack that a job is computed in: P, unless the job has no use for that many lanes (`most_lanes`) and there are narrower packs.
+/// The pack for a job: P, or a narrower one where the job's `most_lanes` is less and the instruction set has such packs.
 template <class P, class Job> struct PackFor { using type = P; };
 template <class P, class Job>
     requires(Job::most_lanes < width_of<P> && !std::is_void_v<xsimd::make_sized_batch_t<float, std::size_t{Job::most_lanes}>>)
@@ -49,10 +59,11 @@ struct PackFor<P, Job> {
 };
 } // namespace detail
 
-/// A pack of pixels after the other, on this thread.
-/// @tparam P the pack, so that what is compiled for another instruction set has another name for the linker (but for jobs that are computed
-/// in a narrower one, which another set may have as well)
+/// Runs one pack of pixels at a time on the calling thread.
+/// @tparam P the pack. As a template argument it gives code for different instruction sets different linker symbols. The exception are jobs
+/// with `most_lanes`: two instruction sets may share a narrower pack.
 template <class P = Pack> struct SimdOf {
+    /// See Executor.
     template <class Job> void for_each_pixel(Region r, Job const& job) const {
         using Real = typename detail::PackFor<P, Job>::type;
         constexpr int width = width_of<Real>;
@@ -60,9 +71,10 @@ template <class P = Pack> struct SimdOf {
             for (int x = r.x0; x < r.x1; x += width) job(at_once<Real>, x, y, r.x1 - x < width ? r.x1 - x : width);
     }
 };
+/// Packs of the instruction set that the translation unit is compiled for.
 using Simd = SimdOf<>;
 #else
-/// nvcc knows no packs: its host code runs pixel after pixel.
+/// nvcc cannot compile packs: its host code runs one pixel at a time.
 using Simd = Serial;
 #endif
 

@@ -10,19 +10,19 @@
 
 namespace quell {
 
-/// Tiles of an image on several threads (oneTBB), each run by another executor. Every pixel is computed by the same instructions whichever
-/// tile it falls in, so the image does not depend on the number of threads or the tile's size. Called inside the host's own task arena with
-/// `count` 0, it uses that arena's threads.
+/// Runs tiles of the image on several threads (oneTBB). The result depends neither on the number of threads nor on the tile size. With
+/// `count` 0 it uses the threads of the task arena that it is called in.
 /// @tparam Each the executor of one tile
 template <class Each = Simd> struct Threads {
-    static constexpr int most = 1024; ///< threads: oneTBB takes memory for each that it is asked for, and crashes without
+    static constexpr int most = 1024; ///< limit of `count`: oneTBB allocates memory for each thread and crashes where that fails
 
-    int count = 0;           ///< threads, of which more than `most` count as that; 0: as many as the calling arena has
-    Extent tile = {256, 32}; ///< pixels; with the rows that a 5x5 kernel at step 16 reaches, 256 columns fit a 512 KB L2
-    Each each{};
+    int count = 0;           ///< threads, at most `most`; 0: those of the calling arena
+    Extent tile = {256, 32}; ///< pixels. With the rows that a 5x5 kernel at step 16 reads, 256 columns fit a 512 KB L2 cache.
+    Each each{};             ///< executor of one tile
 
+    /// See Executor.
     void for_each_pixel(Region r, auto const& job) const {
-        // oneTBB halves ranges. A range of pixels would end in tiles of any width, which packs don't fit in; one of tiles does not.
+        // oneTBB halves ranges. Ranges of pixels would give tiles of widths that are no multiple of a pack, so the range counts tiles.
         auto const work = [&] {
             using Range = oneapi::tbb::blocked_range2d<int>;
             int const width = std::clamp(tile.width, 1, std::max(r.x1 - r.x0, 1)),

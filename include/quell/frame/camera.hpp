@@ -8,15 +8,18 @@
 
 namespace quell {
 
-/// A host's camera. Column-major GLM matrices, column vectors: clip = projection * view * world.
-/// The view looks down -z; the projection, a perspective one, maps to normalised device coordinates in [-1, 1] with y up (image row 0 is
-/// y = +1). Whether its depth range is [0, 1], [-1, 1] or reversed makes no difference, as long as the matrix can be inverted.
+/// A host's perspective camera. Column-major GLM matrices, column vectors: clip = projection * view * world.
+/// View space looks down -z. Normalised device coordinates are in [-1, 1] with y up: image row 0 is y = +1. The depth range is free ([0,
+/// 1],
+/// [-1, 1] or reversed), as long as the projection can be inverted.
 struct Camera {
-    glm::mat4 view{1.f};
-    glm::mat4 projection{1.f}; ///< without jitter
-    glm::vec2 jitter{0.f};     ///< sub-pixel offset of the sample from the pixel's centre, in pixels, y down
+    glm::mat4 view{1.f};       ///< world space to view space
+    glm::mat4 projection{1.f}; ///< view space to clip space, without jitter
+    glm::vec2 jitter{0.f};     ///< offset of the samples from the pixels' centres, in pixels, y down
 
+    /// World space to clip space, without jitter.
     [[nodiscard]] glm::mat4 clip_from_world() const { return projection * view; }
+    /// Equal in every number.
     friend bool operator==(Camera const&, Camera const&) = default;
 };
 

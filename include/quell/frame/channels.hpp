@@ -7,135 +7,141 @@
 
 namespace quell {
 
-// What a renderer can hand over. A pipeline asks for only those that its policies read. Their names are those of the layers in EXR files.
-// Units: radiance linear and scene-referred; positions in world space; Motion and Sweep in pixels, y down; Depth linear along the view
-// axis, > 0, +inf for a miss; normals unit length, world space.
+// The channels that a renderer can supply. A pipeline needs only those that its policies read. The names are those of layers in EXR files.
 
-/// The whole image, or whatever signal the host wants denoised as one colour.
+/// Linear, scene-referred radiance: the whole image, or any other signal that is to be denoised as one colour.
 struct Radiance : Channel<3> {
-    static constexpr auto name = "radiance";
+    static constexpr auto name = "radiance"; ///< EXR layer
 };
-/// Diffuse reflectance in [0, 1] that the signal is divided by before filtering; 1 where there is no surface and on emitters.
+/// Diffuse reflectance in [0, 1], by which the signal is demodulated. 1 for a miss and on emitters.
 struct Albedo : Channel<3> {
-    static constexpr auto name = "albedo";
+    static constexpr auto name = "albedo"; ///< EXR layer
 };
+/// Surface normal in world space, unit length.
 struct Normal : Channel<3> {
-    static constexpr auto name = "normal";
+    static constexpr auto name = "normal"; ///< EXR layer
 };
+/// Linear depth along the view axis in world units: > 0, +infinity for a miss.
 struct Depth : Channel<1> {
-    static constexpr auto name = "depth";
-    static constexpr bool full_precision = true;
+    static constexpr auto name = "depth";        ///< EXR layer
+    static constexpr bool full_precision = true; ///< never half
 };
+/// World-space position of the surface point.
 struct Position : Channel<3> {
-    static constexpr auto name = "position";
-    static constexpr bool full_precision = true;
+    static constexpr auto name = "position";     ///< EXR layer
+    static constexpr bool full_precision = true; ///< never half
 };
-/// Which object: any number that is exact in float and the same in every frame.
+/// Object id: any number that is exact in float and the same in every frame.
 struct Instance : Channel<1> {
-    static constexpr auto name = "instance";
-    static constexpr bool full_precision = true;
+    static constexpr auto name = "instance";     ///< EXR layer
+    static constexpr bool full_precision = true; ///< never half
 };
-/// GGX roughness as artists give it (alpha = roughness squared), in [0, 1].
+/// Perceptual GGX roughness in [0, 1]; alpha = roughness^2.
 struct Roughness : Channel<1> {
-    static constexpr auto name = "roughness";
+    static constexpr auto name = "roughness"; ///< EXR layer
 };
-/// Where this surface point was: previous position = current position + motion.
+/// Motion vector to the previous frame, in pixels, y down: previous position = current position + motion.
 struct Motion : Channel<2> {
-    static constexpr auto name = "motion";
-    static constexpr bool full_precision = true;
+    static constexpr auto name = "motion";       ///< EXR layer
+    static constexpr bool full_precision = true; ///< never half
 };
 
-/// Where this surface point will be: next position = current position + motion_next. For two-sided accumulation (pipeline/two_sided.hpp).
+/// Motion vector to the next frame, in pixels, y down: next position = current position + motion_next. For two-sided accumulation
+/// (pipeline/two_sided.hpp).
 struct MotionNext : Channel<2> {
-    static constexpr auto name = "motion_next";
-    static constexpr bool full_precision = true;
+    static constexpr auto name = "motion_next";  ///< EXR layer
+    static constexpr bool full_precision = true; ///< never half
 };
-/// How many samples the signal's value is the mean of, in any unit that is the same in all frames; positive. Hosts whose frames or pixels
-/// differ in it say so with KnownSamples{}.
+/// The number of samples that the signal's value is the mean of: positive, in any unit that is the same in all frames. Read with
+/// KnownSamples{}.
 struct SampleCount : Channel<1> {
-    static constexpr auto name = "sample_count";
-    static constexpr bool full_precision = true;
+    static constexpr auto name = "sample_count"; ///< EXR layer
+    static constexpr bool full_precision = true; ///< never half
 };
-/// The variance of the luminance of one such sample, at the pixel, in the form in which the signal is denoised (demodulated where the
-/// pipeline demodulates); 0 where it isn't known.
+/// The variance of the luminance of one such sample at this pixel; of the demodulated signal where the pipeline demodulates. 0: unknown.
+/// Read with KnownSamples{}.
 struct SampleVariance : Channel<1> {
-    static constexpr auto name = "sample_variance";
-    static constexpr bool full_precision = true;
+    static constexpr auto name = "sample_variance"; ///< EXR layer
+    static constexpr bool full_precision = true;    ///< never half
 };
 
-/// Direct light without shadows, noise-free.
+/// Direct light without shadows, noise-free: linear radiance.
 struct Direct : Channel<3> {
-    static constexpr auto name = "direct";
+    static constexpr auto name = "direct"; ///< EXR layer
 };
-/// 1 where the light sample is seen, 0 where it is blocked.
+/// Visibility of the light sample: 1 visible, 0 blocked.
 struct Visibility : Channel<1> {
-    static constexpr auto name = "visibility";
+    static constexpr auto name = "visibility"; ///< EXR layer
 };
-/// The light sample's position, and where that point of the light was in the previous frame.
+/// World-space position of the light sample.
 struct Light : Channel<3> {
-    static constexpr auto name = "light";
-    static constexpr bool full_precision = true;
+    static constexpr auto name = "light";        ///< EXR layer
+    static constexpr bool full_precision = true; ///< never half
 };
+/// World-space position of the same point of the light in the previous frame.
 struct LightPrevious : Channel<3> {
-    static constexpr auto name = "light_previous";
-    static constexpr bool full_precision = true;
+    static constexpr auto name = "light_previous"; ///< EXR layer
+    static constexpr bool full_precision = true;   ///< never half
 };
-/// What the shadow ray hit (non-finite where it hit nothing), and where that point was.
+/// World-space point that the shadow ray hit; not finite where it hit nothing.
 struct Blocker : Channel<3> {
-    static constexpr auto name = "blocker";
-    static constexpr bool full_precision = true;
+    static constexpr auto name = "blocker";      ///< EXR layer
+    static constexpr bool full_precision = true; ///< never half
 };
+/// World-space position of that point in the previous frame.
 struct BlockerPrevious : Channel<3> {
-    static constexpr auto name = "blocker_previous";
-    static constexpr bool full_precision = true;
+    static constexpr auto name = "blocker_previous"; ///< EXR layer
+    static constexpr bool full_precision = true;     ///< never half
 };
-/// Where the point seen in the pixel was in the previous frame.
+/// World-space position, in the previous frame, of the surface point seen in the pixel.
 struct ReceiverPrevious : Channel<3> {
-    static constexpr auto name = "receiver_previous";
-    static constexpr bool full_precision = true;
+    static constexpr auto name = "receiver_previous"; ///< EXR layer
+    static constexpr bool full_precision = true;      ///< never half
 };
 
-/// Reflected radiance times the specular reflectance.
+/// Glossy reflection: reflected radiance times specular reflectance.
 struct Glossy : Channel<3> {
-    static constexpr auto name = "glossy";
+    static constexpr auto name = "glossy"; ///< EXR layer
 };
-/// What the reflected ray hit (non-finite for a miss), and where that point was.
+/// World-space point that the reflected ray hit; not finite for a miss.
 struct GlossyHit : Channel<3> {
-    static constexpr auto name = "glossy_hit";
-    static constexpr bool full_precision = true;
+    static constexpr auto name = "glossy_hit";   ///< EXR layer
+    static constexpr bool full_precision = true; ///< never half
 };
+/// World-space position of that point in the previous frame.
 struct GlossyHitPrevious : Channel<3> {
-    static constexpr auto name = "glossy_hit_previous";
-    static constexpr bool full_precision = true;
+    static constexpr auto name = "glossy_hit_previous"; ///< EXR layer
+    static constexpr bool full_precision = true;        ///< never half
 };
 
-/// Incident radiance of the one indirect sample, cosine-weighted over the hemisphere, and the direction that it came from.
+/// Incident radiance of one indirect sample, drawn by the cosine over the hemisphere.
 struct Indirect : Channel<3> {
-    static constexpr auto name = "indirect";
+    static constexpr auto name = "indirect"; ///< EXR layer
 };
+/// World-space unit direction that the indirect sample came from.
 struct IndirectDirection : Channel<3> {
-    static constexpr auto name = "indirect_direction";
+    static constexpr auto name = "indirect_direction"; ///< EXR layer
 };
 
-/// Displacement over the open shutter, position(t = 1) - position(t = 0).
+/// Displacement on the screen while the shutter is open, in pixels, y down: position(t = 1) - position(t = 0).
 struct Sweep : Channel<2> {
-    static constexpr auto name = "sweep";
-    static constexpr bool full_precision = true;
+    static constexpr auto name = "sweep";        ///< EXR layer
+    static constexpr bool full_precision = true; ///< never half
 };
-/// How far the way over the open shutter bends: to second order, position(t) = position(0) + sweep t + bend 4 t (1 - t), so that it is
-/// position(0.5) less the mean of both ends. 0 for straight motion at an even speed.
+/// Curvature of the trajectory over the open shutter, in pixels, y down: position(0.5) minus the mean of position(0) and position(1). To
+/// second order, position(t) = position(0) + sweep t + 4 bend t (1 - t). 0 for straight motion at constant speed.
 struct SweepBend : Channel<2> {
-    static constexpr auto name = "sweep_bend";
-    static constexpr bool full_precision = true;
+    static constexpr auto name = "sweep_bend";   ///< EXR layer
+    static constexpr bool full_precision = true; ///< never half
 };
-/// The sample's time in [0, 1] over the open shutter.
+/// Time of the sample, in [0, 1]: 0 when the shutter opens, 1 when it closes.
 struct Time : Channel<1> {
-    static constexpr auto name = "time";
-    static constexpr bool full_precision = true;
+    static constexpr auto name = "time";         ///< EXR layer
+    static constexpr bool full_precision = true; ///< never half
 };
 
 namespace detail {
-/// The channel's name between two other words, without a terminating zero.
+/// The channel's name between a prefix and a suffix, without a terminating zero.
 template <ChannelTag C, std::size_t Before, std::size_t Behind>
 constexpr auto extended_name(char const (&before)[Before], char const (&behind)[Behind]) {
     constexpr std::string_view name = C::name;
@@ -149,21 +155,27 @@ template <ChannelTag C> inline constexpr auto gradient_name = extended_name<C>("
 template <ChannelTag C> inline constexpr auto sweep_name = extended_name<C>("sweep_", "");
 } // namespace detail
 
-/// How much a signal changed by itself from the last frame to this one (A-SVGF, Schied 2018): one pixel of each 3x3 shades its surface
-/// point with the same random numbers in both frames. First the luminance now less the luminance before, then the larger of the two; both
-/// 0 in all other pixels, and where the point was not seen before.
+/// Temporal gradient of a signal (A-SVGF, Schied et al. 2018). One pixel of each 3x3 shades its surface point with the same random numbers
+/// in the previous and in this frame. Component 0: luminance now minus luminance before. Component 1: the larger of the two. Both are 0 in
+/// all other pixels, and where the point was not seen before. See GradientSamples.
+/// @tparam Signal the channel that is denoised
 template <ChannelTag Signal> struct GradientOf : Channel<2> {
+    /// EXR layer.
     static constexpr std::string_view name{detail::gradient_name<Signal>.data(), detail::gradient_name<Signal>.size()};
 };
 
-/// How far that moves over the open shutter which a signal's sample saw, in pixels like Sweep: for Visibility the shadow that falls on the
-/// pixel, along the receiver's tangent plane (see ShadowMotion); for Glossy the virtual image of what is reflected, in a flat mirror (see
-/// ImageMotion). Where the sample saw no blocker, or reflected nothing, it is the surface's own sweep.
+/// Displacement over the open shutter of what a signal's sample saw, in pixels, y down. For Visibility: of the shadow on the receiver's
+/// tangent plane (see ShadowMotion). For Glossy: of the virtual image in a flat mirror (see ImageMotion). Without a blocker or a reflected
+/// hit it is the surface's own Sweep.
+/// @tparam Signal Visibility or Glossy
 template <ChannelTag Signal> struct SweepOf : Channel<2> {
+    /// EXR layer.
     static constexpr std::string_view name{detail::sweep_name<Signal>.data(), detail::sweep_name<Signal>.size()};
-    static constexpr bool full_precision = true;
+    static constexpr bool full_precision = true; ///< never half
 };
 
+// What code indexes with: frame[radiance], px[radiance].
+/// @cond
 inline constexpr Radiance radiance;
 inline constexpr Albedo albedo;
 inline constexpr Normal normal;
@@ -190,8 +202,9 @@ inline constexpr IndirectDirection indirect_direction;
 inline constexpr Sweep sweep;
 inline constexpr SweepBend sweep_bend;
 inline constexpr Time time;
+/// @endcond
 
-/// Every channel that files may hold, in the order in which they list them.
+/// The channels that programs read and write by default. Files may hold further ones (MotionNext, GradientOf, ...).
 using AllChannels =
     Channels<Radiance, Albedo, Normal, Depth, Position, Instance, Roughness, Motion, Direct, Visibility, Light, LightPrevious, Blocker,
              BlockerPrevious, ReceiverPrevious, Glossy, GlossyHit, GlossyHitPrevious, Indirect, IndirectDirection, Sweep, Time>;

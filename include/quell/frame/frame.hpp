@@ -12,47 +12,58 @@
 
 namespace quell {
 
-/// What kernels see of several images: one view for each channel of the set, and nothing else.
+/// One image view for each channel of a set, which kernels take by value.
+/// @tparam Storage an ImageStorage
+/// @tparam Set     Channels<...>
 template <class Storage, class Set> struct Views;
+/// One image view for each channel of a set.
 template <class Storage, class... Cs> struct Views<Storage, Channels<Cs...>> : detail::Slot<Cs, ViewOf<Storage, Cs>>... {
-    using channels = Channels<Cs...>;
+    using channels = Channels<Cs...>; ///< those that it has
+    /// The view of a channel of the set.
     template <ChannelTag C> QUELL_KERNEL auto const& view(C) const { return detail::slot<C>(*this); }
 };
 
-/// The input of one frame: exactly the channels of the set, which follow from the pipelines that it is made for:
-///     Frame frame{size, shadows, reflections};           // the union of what the two read, in images of its own
-///     Frame frame{size, shadows, Borrowed<>{}};          // the same in the host's memory
-/// `frame[depth]` is that channel's image. A channel that no pipeline reads does not exist.
+/// The input of one frame. It has the channels that the given pipelines read, and no others:
+///
+///     Frame frame{size, shadows, reflections};           // the union of what both read, in images that the frame owns
+///     Frame frame{size, shadows, Borrowed<>{}};          // what `shadows` reads, in the host's memory
+///
+/// `frame[depth]` is the image of a channel.
 /// @tparam Set     Channels<...>
-/// @tparam Storage where the images live: Planar, Interleaved, Borrowed, or the host's own ImageStorage
+/// @tparam Storage Planar, Interleaved, Borrowed, or the host's own ImageStorage
 template <class Set, ImageStorage Storage = Planar<>> struct Frame;
 
+/// The input of one frame: an image for each channel of the set, the camera, the frame's number and the shutter.
 template <class... Cs, class Storage> struct Frame<Channels<Cs...>, Storage> : detail::Slot<Cs, ImageOf<Storage, Cs>>... {
-    using channels = Channels<Cs...>;
-    using storage = Storage;
+    using channels = Channels<Cs...>; ///< those that it has
+    using storage = Storage;          ///< of its images
 
-    Extent size;
-    Camera camera;
-    /// The frame's number in its sequence. Where it is given and does not follow the last one, history starts afresh.
+    Extent size;   ///< pixels
+    Camera camera; ///< needed where the pipeline `needs_camera`
+    /// The frame's number in its sequence, if known. History starts afresh where numbers do not follow each other.
     std::optional<long long> number;
-    /// The part of the time between frames during which the shutter is open, which sweeps last; motion blur wants it. Finite, 0 or more: at
-    /// 0 nothing that sweeps has a past.
+    /// Shutter time as a part of the time between frames, for motion blur: finite, >= 0. A thing that moves m pixels per frame has a Sweep
+    /// of m * shutter pixels. At 0 nothing that moves has history.
     float shutter = 0.5f;
 
+    /// Makes the images of the channels that the pipelines `Ps` read.
     /// @throws Error for a size of no pixels
     template <class... Ps>
     explicit Frame(Extent size_, Ps const&...)
         : detail::Slot<Cs, ImageOf<Storage, Cs>>{ImageOf<Storage, Cs>(divided(checked(size_), Cs::fraction))}..., size(size_) {}
 
+    /// The image of a channel. A channel that no pipeline reads does not compile.
     template <ChannelTag C> auto& operator[](C) {
         static_assert(channels::template has<C>, "this frame has no such channel: construct it with a pipeline that reads the channel");
         return detail::slot<C>(*this);
     }
+    /// The image of a channel, to read.
     template <ChannelTag C> auto const& operator[](C) const {
         static_assert(channels::template has<C>, "this frame has no such channel: construct it with a pipeline that reads the channel");
         return detail::slot<C>(*this);
     }
 
+    /// Views of some of its channels.
     template <class... Ds> [[nodiscard]] auto views(Channels<Ds...>) const {
         return Views<Storage, Channels<Ds...>>{{(*this)[Ds{}].view()}...};
     }
@@ -73,6 +84,7 @@ template <class P, class... Ps> struct FrameStorage<P, Ps...> { using type = typ
 template <ImageStorage P, class... Ps> struct FrameStorage<P, Ps...> { using type = P; };
 } // namespace detail
 
+/// The channels and the storage follow from the arguments.
 template <class... Ps> Frame(Extent, Ps const&...) -> Frame<detail::frame_channels<Ps...>, typename detail::FrameStorage<Ps...>::type>;
 
 } // namespace quell

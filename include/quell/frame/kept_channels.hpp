@@ -4,35 +4,38 @@
 
 namespace quell {
 
-// Channels that policies make themselves: what they keep lives from frame to frame, what they emit until the frame's end. No host supplies
-// them.
+// Channels that policies make. Kept channels live from frame to frame, emitted channels until the end of the frame.
 
-/// How many frames a pixel's value is the mean of; 0 where every sample so far was missing.
+/// The number of frames that a pixel's history is the mean of; of samples, with KnownSamples{}. 0 where every sample so far was missing.
 struct HistoryLength : MadeChannel<1> {
-    static constexpr auto name = "history_length";
+    static constexpr auto name = "history_length"; ///< for messages
 };
-/// Mean and variance over time of the signal's luminance, kept by Welford's update.
+/// Mean over time of the signal's luminance (Welford's update).
 struct LuminanceMean : MadeChannel<1> {
-    static constexpr auto name = "luminance_mean";
+    static constexpr auto name = "luminance_mean"; ///< for messages
 };
+/// Variance over time of the signal's luminance (Welford's update).
 struct LuminanceVariance : MadeChannel<1> {
-    static constexpr auto name = "luminance_variance";
-    static constexpr bool squared = true;
+    static constexpr auto name = "luminance_variance"; ///< for messages
+    static constexpr bool squared = true;              ///< half stores its root
 };
-/// The variance of the luminance that a variance-guided filter works with.
+/// The variance of the luminance that a variance-guided filter uses.
 struct Variance : MadeChannel<1> {
-    static constexpr auto name = "variance";
-    static constexpr bool squared = true;
+    static constexpr auto name = "variance"; ///< for messages
+    static constexpr bool squared = true;    ///< half stores its root
 };
-/// The standard deviation of a clean-up filter, in pixels (TRMV section 5).
+/// The standard deviation of the clean-up filter, in pixels (TRMV section 5).
 struct CleanUpDeviation : MadeChannel<1> {
-    static constexpr auto name = "clean_up_deviation";
+    static constexpr auto name = "clean_up_deviation"; ///< for messages
 };
 
+// What code indexes with: px[history_length].
+/// @cond
 inline constexpr HistoryLength history_length;
 inline constexpr LuminanceMean luminance_mean;
 inline constexpr LuminanceVariance luminance_variance;
 inline constexpr Variance variance;
 inline constexpr CleanUpDeviation clean_up_deviation;
+/// @endcond
 
 } // namespace quell

@@ -5,30 +5,53 @@
 
 namespace quell {
 
-/// What a host's motion vectors mean. quell's own convention is the default: previous = current + motion, in pixels, y down, no jitter.
+/// The meaning of a host's motion vectors. The default is quell's own convention: previous = current + motion, in pixels, y down, without
+/// jitter.
 struct MotionConvention {
-    enum class Unit { pixel, uv, ndc }; ///< uv: 1 is the image's size; ndc: 2 is
-    enum class Points { to_previous, from_previous };
-    enum class Y { down, up };
-    enum class Jitter { left_out, left_in }; ///< left_in: the difference of the two frames' jitter is part of the vector
+    /// The unit of both components.
+    enum class Unit {
+        pixel, ///< pixels
+        uv,    ///< the image is 1 wide and 1 high
+        ndc    ///< the image is 2 wide and 2 high
+    };
+    /// The direction in time.
+    enum class Points {
+        to_previous,  ///< previous = current + motion
+        from_previous ///< current = previous + motion
+    };
+    /// The direction of y.
+    enum class Y {
+        down, ///< row 0 is the top
+        up    ///< y grows upwards
+    };
+    /// Whether the vectors contain the change of the camera's jitter.
+    enum class Jitter {
+        left_out, ///< vectors between unjittered positions
+        left_in   ///< vectors between jittered positions
+    };
 
-    Points points = Points::to_previous;
-    Unit unit = Unit::pixel;
-    Y y = Y::down;
-    Jitter jitter = Jitter::left_out;
+    Points points = Points::to_previous; ///< direction in time
+    Unit unit = Unit::pixel;             ///< unit of both components
+    Y y = Y::down;                       ///< direction of y
+    Jitter jitter = Jitter::left_out;    ///< whether jitter is contained
+
+    /// Equal in all four.
     friend constexpr bool operator==(MotionConvention, MotionConvention) = default;
 };
 
-/// For a host whose Motion channel follows another convention: a part of a pipeline, or of a preset, that goes before the stages.
+/// A part of a pipeline or preset for hosts whose Motion channel follows another convention. It stands before the stages.
+///
 ///     presets::svgf(radiance, Demodulate{}, Supplied<MotionConvention{.unit = MotionConvention::Unit::uv}>{})
-/// Vectors are converted where they are loaded; nothing past that knows another convention.
+///
+/// Vectors are converted on load, so policies see quell's convention only.
+/// @tparam convention the host's
 template <MotionConvention convention> struct Supplied {};
 
 namespace detail {
 template <class T> inline constexpr bool is_supplied = false;
 template <MotionConvention convention> inline constexpr bool is_supplied<Supplied<convention>> = true;
 
-/// What a vector of this convention is multiplied by to become one of quell's.
+/// The factors that convert a vector of this convention to quell's, apart from jitter.
 QUELL_KERNEL glm::vec2 to_pixels(MotionConvention convention, Extent size) {
     using C = MotionConvention;
     float const sign = convention.points == C::Points::to_previous ? 1.f : -1.f;
@@ -39,12 +62,12 @@ QUELL_KERNEL glm::vec2 to_pixels(MotionConvention convention, Extent size) {
     return {sign * width, sign * flip * height};
 }
 
-/// Brings the vectors of one frame into quell's convention.
+/// Converts the vectors of one frame to quell's convention.
 template <MotionConvention convention> struct VectorConversion {
     glm::vec2 scale{1.f}, offset{0.f};
 
     VectorConversion() = default;
-    /// A sample offset by +jitter shows the image shifted by -jitter, so a vector between jittered images is off by the change of jitter.
+    /// A sample offset by +jitter shifts the image by -jitter. A vector between jittered images is therefore off by the change of jitter.
     VectorConversion(Extent size, glm::vec2 jitter_now, glm::vec2 jitter_then) : scale(to_pixels(convention, size)) {
         if (convention.jitter == MotionConvention::Jitter::left_in) offset = jitter_then - jitter_now;
     }
@@ -52,7 +75,7 @@ template <MotionConvention convention> struct VectorConversion {
         return {fma(m.x, Real(scale.x), Real(offset.x)), fma(m.y, Real(scale.y), Real(offset.y))};
     }
 };
-/// Of quell's own there is nothing to convert.
+/// quell's own convention needs no conversion.
 template <> struct VectorConversion<MotionConvention{}> {
     VectorConversion() = default;
     VectorConversion(Extent, glm::vec2, glm::vec2) {}

@@ -5,7 +5,7 @@
 
 namespace quell::detail {
 
-/// How a channel of the last frame is remembered: as it is, unless something smaller serves as well.
+/// The form in which history stores a channel of the previous frame: unchanged, unless specialised.
 template <ChannelTag C> struct Remembered {
     using Stored = C;
     template <class V> QUELL_KERNEL static V pack(V const& v) { return v; }
@@ -17,8 +17,8 @@ struct PackedNormal : Channel<1> {
     static constexpr bool full_precision = true;
 };
 
-/// A unit normal as two 16-bit numbers in one 32-bit word (octahedral map, Cigolle et al. 2014): a third of the memory and one gather
-/// instead of three. The error stays below 0.004 degrees. The word is moved as a float but never computed with.
+/// A unit normal in one 32-bit word, two 16-bit numbers (octahedral map, Cigolle et al. 2014). It takes a third of the memory and one
+/// gather instead of three; the error is below 0.004 degrees. The word is moved as a float but never used in arithmetic.
 template <> struct Remembered<Normal> {
     using Stored = PackedNormal;
 
@@ -38,7 +38,7 @@ template <> struct Remembered<Normal> {
     }
 
 private:
-    /// The lower half of the octahedron folds over its edges: (1 - |a|) with the sign of b.
+    /// Folds the lower half of the octahedron over its edges: (1 - |a|) with the sign of b.
     template <class Real> QUELL_KERNEL static Real fold(Real a, Real b) {
         auto const folded = 1.f - abs(a);
         return select(b < Real(0.f), -folded, folded);

@@ -6,37 +6,45 @@
 
 namespace quell {
 
-/// A host's own memory, copied nowhere: a pointer, the image's size and the strides, set for each channel before a frame runs.
+/// Image storage that reads the host's own memory, without a copy. For each channel the host sets a pointer, the size and the strides
+/// before the frame runs.
+///
 ///     Frame frame{size, pipeline, Borrowed<>{}};
 ///     frame[depth] = {pointer, size, 1, 1920}; // from a pixel to the next, from a row to the next
-/// The memory must outlive the run. Rows whose pixels lie side by side (`pixel_stride` 1) load as fast as Planar.
-/// @tparam Format Float32 or Float16, of colours and the like; what loses its meaning in half (depth, motion, ...) is borrowed in float
+///
+/// The memory must outlive the run. With `pixel_stride` 1, loads are as fast as from Planar.
+/// @tparam Format Float32 or Float16; channels with `full_precision` (depth, motion, ...) are read as Float32 anyway
 template <class Format = Float32> struct Borrowed {
-    using Exact = Borrowed<Float32>;
-    static constexpr bool owns_memory = false;
-    static constexpr auto name = "borrowed";
-    using format = Format;
+    using Exact = Borrowed<Float32>;           ///< storage of channels that need 32 bits
+    static constexpr bool owns_memory = false; ///< history cannot use it
+    static constexpr auto name = "borrowed";   ///< for messages
+    using format = Format;                     ///< how a component is stored
 
+    /// An image of N components in the host's memory.
     template <int N> struct Image {
-        using Element = typename Format::Element;
-        static constexpr int components = N;
+        using Element = typename Format::Element; ///< what memory holds
+        static constexpr int components = N;      ///< per pixel
 
-        Element const* data = nullptr; ///< component 0 of pixel (0, 0), the top-left one
-        Extent extent;
-        std::ptrdiff_t pixel_stride = N;     ///< to the pixel on the right, in elements; negative: the host's rows run right to left
-        std::ptrdiff_t row_stride = 0;       ///< to the pixel below, in elements; negative: the host's rows run bottom-up
+        Element const* data = nullptr;       ///< component 0 of the top left pixel
+        Extent extent;                       ///< pixels
+        std::ptrdiff_t pixel_stride = N;     ///< to the pixel on the right, in elements; negative for rows from right to left
+        std::ptrdiff_t row_stride = 0;       ///< to the pixel below, in elements; negative for bottom-up images
         std::ptrdiff_t component_stride = 1; ///< to the next component, in elements
 
-        Image() = default;
-        explicit Image(Extent size) : extent(size) {}
+        Image() = default;                            ///< no memory yet
+        explicit Image(Extent size) : extent(size) {} ///< of a size, without memory yet
+        /// All members. The strides are in elements.
         Image(Element const* data_, Extent size, std::ptrdiff_t pixel, std::ptrdiff_t row, std::ptrdiff_t component = 1)
             : data(data_), extent(size), pixel_stride(pixel), row_stride(row), component_stride(component) {}
 
-        [[nodiscard]] Extent size() const { return extent; }
-        [[nodiscard]] std::size_t bytes() const { return 0; }
+        [[nodiscard]] Extent size() const { return extent; }  ///< pixels
+        [[nodiscard]] std::size_t bytes() const { return 0; } ///< 0: it owns no memory
+        /// The view that kernels use.
         [[nodiscard]] auto view() const { return View{data, extent, pixel_stride, row_stride, component_stride}; }
 
+        /// An ImageView. Writes do nothing.
         struct View {
+            /// @cond
             static constexpr int components = N;
             Element const* data;
             Extent size;
@@ -57,6 +65,7 @@ template <class Format = Float32> struct Borrowed {
             template <class Real> QUELL_KERNEL Real apart(int c, int x, int y) const {
                 return detail::generate<Real>([&](int i) { return get(c, detail::clamp_to(x + i, size.width - 1), y); });
             }
+            /// @endcond
         };
     };
 };

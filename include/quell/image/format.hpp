@@ -7,7 +7,7 @@
 
 namespace quell {
 
-// How one component of a pixel lies in memory. A format reads and writes one Element, or a pack of them side by side or scattered.
+// A format is how one component of a pixel is stored. It reads and writes one Element, a pack of adjacent Elements, or gathers a pack.
 
 namespace detail {
 /// A Real whose lane i is f(i).
@@ -20,32 +20,35 @@ template <class Real, class F> QUELL_KERNEL Real generate(F&& f) {
 }
 } // namespace detail
 
-/// 32-bit floats.
+/// Stores components as 32-bit floats.
 struct Float32 {
-    using Element = float;
-    using Squares = Float32; ///< the format of variances
-    static constexpr auto name = "float";
+    using Element = float;                ///< what memory holds
+    using Squares = Float32;              ///< the format for channels that are `squared`
+    static constexpr auto name = "float"; ///< for messages
 
-    QUELL_KERNEL static float get(Element const* p) { return *p; }
-    QUELL_KERNEL static void set(Element* p, float a) { *p = a; }
+    QUELL_KERNEL static float get(Element const* p) { return *p; } ///< reads one component
+    QUELL_KERNEL static void set(Element* p, float a) { *p = a; }  ///< writes one component
 
+    /// Loads width_of<Real> adjacent components; no alignment is needed.
     template <class Real> QUELL_KERNEL static Real load(Element const* p) {
         if constexpr (width_of<Real> == 1)
             return *p;
         else
             return Real::load_unaligned(p);
     }
+    /// Stores width_of<Real> adjacent components; no alignment is needed.
     template <class Real> QUELL_KERNEL static void store(Element* p, Real a) {
         if constexpr (width_of<Real> == 1)
             *p = a;
         else
             a.store_unaligned(p);
     }
+    /// Lane i is the component at p[at[i]].
     template <class Real> QUELL_KERNEL static Real gather(Element const* p, Index<Real> at) {
         if constexpr (width_of<Real> == 1)
             return p[at];
         else {
-            // xsimd 8 calls a function for this, around which all registers are saved; vgatherdps is slower too on AMD's Zen 3.
+            // xsimd 8 makes a call here, which spills all registers. vgatherdps is slower as well, on AMD's Zen 3.
             alignas(64) std::int32_t lanes[width_of<Real>];
             at.store_aligned(lanes);
             return detail::generate<Real>([&](int i) QUELL_INLINED { return p[lanes[i]]; });
@@ -55,8 +58,10 @@ struct Float32 {
 
 struct SquaredFloat16;
 
-/// 16-bit floats (IEEE binary16), computed on in 32 bits.
+/// Stores components as 16-bit floats (IEEE binary16). Kernels compute in 32 bits.
 struct Float16 {
+    // The same members as Float32.
+    /// @cond
     using Element = std::uint16_t;
     using Squares = SquaredFloat16;
     static constexpr auto name = "half";
@@ -75,10 +80,13 @@ struct Float16 {
             return load_half<Real>(lane_bits);
         }
     }
+    /// @endcond
 };
 
-/// Variances and other squares by their roots in 16 bits: as a number itself, a half ends at a deviation of 256.
+/// Stores variances by their square roots in 16 bits. A variance stored directly in half would end at a standard deviation of 256.
 struct SquaredFloat16 {
+    // The same members as Float32.
+    /// @cond
     using Element = Float16::Element;
     using Squares = SquaredFloat16;
     static constexpr auto name = "squared half";
@@ -92,6 +100,7 @@ struct SquaredFloat16 {
 
 private:
     template <class Real> QUELL_KERNEL static Real square(Real a) { return a * a; }
+    /// @endcond
 };
 
 } // namespace quell

@@ -8,15 +8,20 @@
 
 namespace quell {
 
-/// A view of an image that kernels use by value. The minimum is one pixel's component:
+/// A view of an image, which kernels take by value. Required:
+///
 ///     Extent size;  static constexpr int components;
 ///     float get(int c, int x, int y) const;  void set(int c, int x, int y, float) const;
-/// A view that knows how its pixels lie also offers packs of them, else they are put together lane by lane:
-///     Value<N, Real> load<Real>(int x, int y) const    `width_of<Real>` pixels from (x, y) to the right; x may lie up to that many pixels
-///                                                      outside the row on either side: lanes outside are finite, their value is not used
-///     Real load_component<Real>(int c, int x, int y) const                       the same of one component
-///     Value<N, Real> gather<Real>(Index x, Index y) const        scattered pixels, all of them inside
-///     void store<Real>(int x, int y, Value<N, Real>) const       all lanes inside, or in the row's own padding
+///
+/// Optional, for packs; without these functions quell assembles packs lane by lane:
+///
+///     Value<N, Real> load<Real>(int x, int y) const;           // width_of<Real> pixels from (x, y) to the right; see below
+///     Real load_component<Real>(int c, int x, int y) const;    // the same for one component
+///     Value<N, Real> gather<Real>(Index x, Index y) const;     // scattered pixels, all inside the image
+///     void store<Real>(int x, int y, Value<N, Real>) const;    // all lanes inside the image or in the row's padding
+///
+/// `load` must accept an x up to `width_of<Real>` pixels outside the row on either side. Lanes outside must be finite; their values are not
+/// used.
 template <class V>
 concept ImageView = std::is_trivially_copyable_v<V> && requires(V const v, int i, float a) {
     { v.size } -> std::convertible_to<Extent>;
@@ -25,15 +30,16 @@ concept ImageView = std::is_trivially_copyable_v<V> && requires(V const v, int i
     v.set(i, i, i, a);
 };
 
-/// Where images live and how their pixels lie in memory: `Storage::Image<N>(size).view()`. `Storage::Exact` is the storage used for
-/// channels that lose their meaning in few bits; it is Storage itself where that stores 32-bit floats.
+/// Who owns the memory of images and how pixels are laid out: `Storage::Image<N>(size).view()` is an ImageView of N components.
+/// `Storage::Exact` is the storage for channels with `full_precision`; a storage of 32-bit floats names itself.
+/// Models: Planar, Interleaved, Borrowed.
 template <class S>
 concept ImageStorage = requires(Extent size) {
     { typename S::template Image<3>(size).view() } -> ImageView;
     { typename S::Exact::template Image<3>(size).view() } -> ImageView;
 };
 
-/// Whether images of a storage can be made and written by quell itself: `owns_memory`, true where a storage doesn't say otherwise.
+/// Whether quell can allocate and write images of this storage: its `owns_memory`, or true.
 template <class Storage> constexpr bool owns_memory() {
     if constexpr (requires { Storage::owns_memory; })
         return Storage::owns_memory;
@@ -52,12 +58,13 @@ template <class View>
 concept ViewsSquares = requires {
     typename View::Squares;
 };
+/// Whether a channel goes to S::Exact: it needs full precision, or it is squared and S has no format for squares.
 template <ImageStorage S, ChannelTag C>
 inline constexpr bool stored_exactly = C::full_precision ||
                                        (is_squared<C>() &&
                                         !ViewsSquares<decltype(std::declval<typename S::template Image<C::components> const&>().view())>);
 
-/// What kernels see of a channel's image.
+/// The view of a channel's image: for a `squared` channel, in the format of squares if there is one.
 template <ChannelTag C, class Image> auto view_of(Image const& image) {
     auto const view = image.view();
     if constexpr (is_squared<C>() && ViewsSquares<decltype(image.view())>)
@@ -67,10 +74,11 @@ template <ChannelTag C, class Image> auto view_of(Image const& image) {
 }
 } // namespace detail
 
-/// The image in which a storage keeps a channel.
+/// The image type in which a storage keeps a channel.
 template <class Storage, ChannelTag C>
 using ImageOf =
     typename std::conditional_t<detail::stored_exactly<Storage, C>, typename Storage::Exact, Storage>::template Image<C::components>;
+/// The view of that image.
 template <class Storage, ChannelTag C> using ViewOf = decltype(detail::view_of<C>(std::declval<ImageOf<Storage, C> const&>()));
 
 namespace detail {
@@ -90,7 +98,7 @@ template <class Real, ImageView View> QUELL_KERNEL auto load_pixels(View const& 
         });
 }
 
-/// One component, for values of many of which a kernel looks at a few at a time.
+/// One component only, for channels of many components.
 template <class Real, int c, ImageView View> QUELL_KERNEL Real load_one(View const& view, int x, int y) {
     if constexpr (requires { view.template load_component<Real>(c, x, y); })
         return view.template load_component<Real>(c, x, y);
@@ -112,7 +120,7 @@ template <class Real, ImageView View> QUELL_KERNEL auto gather_pixels(View const
         });
 }
 
-/// Stores the first `count` lanes one by one. Outlined for packs: at a row's end only, and inlined it is half of a kernel's code.
+/// Stores the first `count` lanes one by one. Not inlined: it runs at the end of a row only and would be half of a kernel's code.
 template <class Real, ImageView View>
 [[gnu::noinline]] constexpr void store_lanes(View const& view, int x, int y, Value<View::components, Real> const& value, int count) {
     alignas(64) float stored[View::components][width_of<Real>];

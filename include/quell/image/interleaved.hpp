@@ -4,12 +4,14 @@
 
 namespace quell {
 
-/// The components of a pixel side by side (RGBRGB...), as most hosts keep images. Packs are gathered, so it is slower than Planar on a CPU.
-/// @tparam Format Float32 or Float16
+/// Image storage with a pixel's components side by side (RGBRGB...), as in most hosts. Slower than Planar on a CPU, since packs are
+/// gathered.
+/// @tparam Format Float32 or Float16; channels with `full_precision` use Float32 anyway
 template <class Format = Float32> struct Interleaved {
-    using Exact = Interleaved<Float32>;
-    static constexpr auto name = "interleaved";
-    using format = Format;
+    using Exact = Interleaved<Float32>;         ///< storage of channels that need 32 bits
+    static constexpr auto name = "interleaved"; ///< for messages
+    using format = Format;                      ///< how a component is stored
+    /// An image of N components.
     template <int N> using Image = detail::StridedImage<Format, N, true>;
 };
 

@@ -4,12 +4,13 @@
 
 namespace quell {
 
-/// One plane per component: neighbouring pixels are neighbours in memory, so a pack is one load. The fast storage.
-/// @tparam Format Float32 or Float16
+/// Image storage of one plane per component. The fastest on a CPU: a pack of pixels is one load per component.
+/// @tparam Format Float32 or Float16; channels with `full_precision` use Float32 anyway
 template <class Format = Float32> struct Planar {
-    using Exact = Planar<Float32>;
-    static constexpr auto name = "planar";
-    using format = Format;
+    using Exact = Planar<Float32>;         ///< storage of channels that need 32 bits
+    static constexpr auto name = "planar"; ///< for messages
+    using format = Format;                 ///< how a component is stored
+    /// An image of N components.
     template <int N> using Image = detail::StridedImage<Format, N, false>;
 };
 

@@ -9,30 +9,31 @@
 
 namespace quell::detail {
 
-/// Rows are padded so that a pack may start one pack before a row or end one behind it, without a test in the kernel's inner loop: the
-/// padding of a row is what lies left of the next. It is zero and stays zero.
-inline constexpr int padding = 16; // a power of two
+/// Padding of a row, in pixels; a power of two. Packs may start up to a pack before a row and end up to a pack after it, so inner loops
+/// need no test. The padding after a row is also the padding before the next. It is zero and stays zero.
+inline constexpr int padding = 16;
 #if !defined(__CUDACC__)
 static_assert(width_of<Pack> <= padding, "quell: packs of more than 16 floats are wider than the rows' padding");
 #endif
 
-/// A view of pixels at regular distances: planar with `pixel_step` 1, interleaved with `pixel_step` N. The strides follow from the size, so
-/// that a kernel which reads many images of one size computes each address once (see Pixel).
+/// A view of a planar (`pixel_step` 1) or interleaved (`pixel_step` N) image. The strides follow from the size: a kernel that reads many
+/// images of one size computes each address once (see Pixel::load).
 template <class Format, int N, int pixel_step> struct StridedView {
     using Element = typename Format::Element;
-    using Squares = StridedView<typename Format::Squares, N, pixel_step>; ///< the same memory, as a channel of variances is written there
+    using Squares = StridedView<typename Format::Squares, N, pixel_step>; ///< a view of the same memory as variances
     static constexpr int components = N;
 
     Element* data = nullptr; ///< component 0 of pixel (0, 0)
     Extent size;
 
-    /// From a pixel to the one below, in elements.
+    /// Distance from a pixel to the one below, in elements.
     QUELL_KERNEL std::ptrdiff_t row_stride() const {
-        // By bits and not by division: of a product, compilers take the factor out, and work out each component's address anew.
+        // Rounds up by a bit mask. With a division, compilers would compute the address of each component anew.
         return (((static_cast<std::ptrdiff_t>(size.width) + padding - 1) & -padding) + padding) * pixel_step;
     }
-    /// From a component to the next, in elements.
+    /// Distance from a component to the next, in elements.
     QUELL_KERNEL std::ptrdiff_t component_stride() const { return pixel_step > 1 ? 1 : row_stride() * size.height + padding; }
+    /// Elements in memory, with all padding.
     QUELL_KERNEL std::ptrdiff_t elements() const {
         return (pixel_step > 1 ? row_stride() * size.height + padding * N : component_stride() * N) + padding * pixel_step;
     }
@@ -85,8 +86,7 @@ private:
     QUELL_KERNEL Element* at(int c, int x, int y) const { return data + (c * component_stride() + y * row_stride() + x * pixel_step); }
 };
 
-/// An image that owns zero-initialised, 64-byte aligned memory. A component's pixels must be within reach of 32-bit offsets, which packs
-/// gather by.
+/// An image that owns zero-initialised memory, aligned to 64 bytes. Packs gather by 32-bit offsets, which limits the size.
 template <class Format, int N, bool interleaved> class StridedImage {
     using Element = typename Format::Element;
     struct Free {
@@ -100,7 +100,7 @@ public:
     static constexpr int step = interleaved ? N : 1;
     using View = StridedView<Format, N, step>;
 
-    /// @throws Error for a size whose pixels are not within reach
+    /// @throws Error where offsets within a component exceed 31 bits
     explicit StridedImage(Extent size = {}) : extent(size) {
         if (size.height > 0 && View{nullptr, size}.row_stride() > std::numeric_limits<std::int32_t>::max() / size.height)
             throw Error("image size", to_string(size) + " pixels, " + std::to_string(step) + " floats apart",

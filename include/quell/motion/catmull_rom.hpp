@@ -4,12 +4,13 @@
 
 namespace quell {
 
-/// History by the sharper Catmull-Rom spline over 4x4 pixels. For those that are not accepted the bilinear mean of the others stands in, so
-/// that it is as sharp along an outline as can be. What is kept beside the signal (lengths, moments) stays bilinear: a spline's negative
-/// lobes mean nothing there.
+/// History fetch by a Catmull-Rom spline over 4x4 pixels, sharper than Bilinear. Taps that are not accepted are replaced by the bilinear
+/// mean, so outlines stay sharp too. Kept channels (history length, moments) are interpolated bilinearly: negative lobes have no meaning
+/// for them.
 struct CatmullRom {
-    Bilinear elsewhere{};
+    Bilinear elsewhere{}; ///< fetches kept channels, and the replacement of rejected taps
 
+    /// The Past at the position that a motion source found.
     template <class Px, class FoundPlace> QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& unchecked) const {
         auto past = elsewhere.fetch(px, unchecked);
         auto const known = past.validity > typename Px::Real(0.f);
@@ -20,8 +21,11 @@ struct CatmullRom {
         return past;
     }
 
-    /// Any value of past pixels.
-    /// @param smooth its bilinear mean, which stands in for those that are not accepted
+    /// Interpolates any value of past pixels; negative results become 0.
+    /// @param px        the pixel
+    /// @param unchecked what a motion source found
+    /// @param smooth    the bilinear mean, which replaces rejected taps
+    /// @param value_of  value_of(past pixel): the value to interpolate
     template <class Px, class FoundPlace, class V, class ValueOf>
     QUELL_KERNEL static V interpolated(Px const& px, FoundPlace const& unchecked, V const& smooth, ValueOf&& value_of) {
         using Real = typename Px::Real;
@@ -39,7 +43,7 @@ struct CatmullRom {
                 known = known + weight;
             }
         sum = add_scaled(sum, smooth, 1.f - known);
-        // The negative lobes overshoot at bright edges; light is never negative.
+        // Negative lobes overshoot at bright edges, but light is not negative.
         return map([](auto a) QUELL_INLINED { return max(a, Real(0.f)); }, sum);
     }
 

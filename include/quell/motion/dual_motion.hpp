@@ -6,12 +6,13 @@
 
 namespace quell {
 
-/// A depth not far from this pixel's: keeps what is near apart from what is behind it, and nothing else.
+/// Accepts a past pixel of a similar depth. It separates foreground from background and nothing else.
 struct SimilarDepth {
-    using reads = Channels<Depth>;
-    using remembers = Channels<Depth>;
-    float tolerance = 0.2f; ///< as a part of the depth
+    using reads = Channels<Depth>;     ///< of this frame
+    using remembers = Channels<Depth>; ///< of the previous frame
+    float tolerance = 0.2f;            ///< allowed difference, as a part of this pixel's depth
 
+    /// @cond
     template <class Real> struct Around {
         Real z, allowed;
         QUELL_KERNEL auto accepts(auto const& then, Real, Real) const { return abs(then[depth] - z) < allowed; }
@@ -20,26 +21,28 @@ struct SimilarDepth {
         auto const z = px[depth];
         return Around<decltype(z + z)>{z, z * tolerance};
     }
+    /// @endcond
 };
 
-/// For what has just been uncovered (TRMV eq. 6; Bowles 2012): where this surface would have been, the previous frame shows the occluder.
-/// As far as this pixel is now from the occluder, as far from it then there is a place whose surroundings look alike. Use it behind a
-/// source of the surface itself: FirstValid{SurfaceMotion{}, DualMotion{}}. History that would come from not far outside the image is taken
-/// from its border; what was farther away, as after a cut, has none.
+/// Dual motion vectors for disocclusions (TRMV eq. 6; Bowles et al. 2012). At the reprojected position the previous frame shows the
+/// occluder. The source finds the occluder in this frame, and takes the pixel that had the same offset from the occluder in the previous
+/// frame: similar background was visible there. Use it after a source of the surface itself: FirstValid{SurfaceMotion{}, DualMotion{}}.
+/// Positions slightly outside the image move to its border; farther out, as after a cut, validity is 0.
 /// @tparam Test what a past pixel must pass
 template <class Test = SimilarDepth> struct DualMotion {
-    using parts = Parts<Test>;
-    using reads = Channels<Motion, Depth>;
-    using remembers = Channels<Motion, Depth>;
-    Test test{};
-    float trust = 0.5f;   ///< validity of what is found: it is alike, but not the same
-    float reach = 0.125f; ///< how far outside the image the border still stands for, as a part of the image's longer side
+    using parts = Parts<Test>;                 ///< what it is made of
+    using reads = Channels<Motion, Depth>;     ///< of this frame
+    using remembers = Channels<Motion, Depth>; ///< of the previous frame
+    Test test{};                               ///< what a past pixel must pass
+    float trust = 0.5f;                        ///< validity of the history: similar, not the same surface
+    float reach = 0.125f;                      ///< largest distance outside the image, as a part of its longer side
 
+    /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const x = px.position(), m = px[motion];
         Real const right(static_cast<float>(px.size().width) - 0.5f), bottom(static_cast<float>(px.size().height) - 0.5f);
-        // What is not finite becomes the border by clamp.
+        // clamp turns NaN into the border.
         vec2<Real> const y{clamp(x.x + m.x, Real(0.5f), right), clamp(x.y + m.y, Real(0.5f), bottom)};
         auto const beyond_x = abs(y.x - (x.x + m.x)), beyond_y = abs(y.y - (x.y + m.y));
         auto const outside = either(beyond_x > Real(0.f), beyond_y > Real(0.f));
@@ -51,8 +54,8 @@ template <class Test = SimilarDepth> struct DualMotion {
     }
 
 private:
-    /// Where what the previous frame showed at y is now. Hosts supply motion backwards only; so the answer is guessed from the motion
-    /// before, and corrected by what is there now: its own motion must lead back to y.
+    /// The position in this frame of what the previous frame showed at y. Hosts supply motion backwards only. The first guess assumes that
+    /// the previous motion continues. Two fixed-point steps correct it: motion at the result must lead back to y.
     template <class Px, class Real> QUELL_KERNEL static vec2<Real> carried_forward(Px const& px, vec2<Real> const& y) {
         auto const place = nearest_place(px, y);
         auto const occluder = px.past(place);
@@ -70,6 +73,6 @@ private:
         return z;
     }
 };
-template <class Test> DualMotion(Test) -> DualMotion<Test>;
+template <class Test> DualMotion(Test) -> DualMotion<Test>; ///< deduction guide
 
 } // namespace quell

@@ -17,18 +17,22 @@ template <class Real, class A, class B> struct FirstFound {
 };
 } // namespace detail
 
-/// Asks several sources in order and takes, for each pixel, the first with any validity. In a Temporal stage, the next one is asked also
-/// where the history at the place that a source names turns out not to be valid.
+/// Takes, for each pixel, the first of several motion sources with a validity above 0. In a Temporal stage the next source is also used
+/// where the history at the first one's position is rejected.
+/// @tparam First the preferred source
+/// @tparam Rest  the other sources, in order
 template <class First, class... Rest> struct FirstValid {
     static_assert(MotionSource<First>, "FirstValid{sources...}: each must have previous(px), see quell/motion/motion_source.hpp");
-    using parts = Parts<First, Rest...>;
+    using parts = Parts<First, Rest...>; ///< what it is made of
 
-    First first;
-    FirstValid<Rest...> rest;
+    First first;              ///< the preferred source
+    FirstValid<Rest...> rest; ///< the other sources, in order
 
-    constexpr FirstValid() = default;
+    constexpr FirstValid() = default; ///< every source with its defaults
+    /// The sources in order of preference.
     constexpr explicit FirstValid(First first_, Rest... rest_) : first(first_), rest(rest_...) {}
 
+    /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const a = first.previous(px);
@@ -38,11 +42,13 @@ template <class First, class... Rest> struct FirstValid {
             {select(valid, a.where.x, b.where.x), select(valid, a.where.y, b.where.y)}, select(valid, a.validity, b.validity), a, b};
     }
 };
+/// @cond
 template <class Last> struct FirstValid<Last> : Last {
     static_assert(MotionSource<Last>, "FirstValid{sources...}: each must have previous(px), see quell/motion/motion_source.hpp");
     constexpr FirstValid() = default;
     constexpr explicit FirstValid(Last last) : Last(last) {}
 };
-template <class... Sources> FirstValid(Sources...) -> FirstValid<Sources...>;
+/// @endcond
+template <class... Sources> FirstValid(Sources...) -> FirstValid<Sources...>; ///< deduction guide
 
 } // namespace quell

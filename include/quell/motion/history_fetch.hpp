@@ -4,18 +4,22 @@
 
 namespace quell {
 
-/// What was found of a pixel's past: the signal, what was kept there, and how far it can be trusted (0: there is no past).
+/// The history of a pixel, as a fetch returns it. A history fetch has `fetch(px, found)` with what a motion source found. Models: Bilinear,
+/// CatmullRom, Nearest.
+/// @tparam V    a value of the signal
+/// @tparam Kept the Record of the kept channels
 template <class V, class Kept> struct Past {
-    using Real = real_of<V>;
-    V signal;
-    vec2<Real> where; ///< in the previous frame, in pixels
-    Real validity;
-    Real clamped; ///< how much a clamp has moved the signal, relative to itself (TRMV eq. 8)
-    Kept kept;
+    using Real = real_of<V>; ///< float or a pack
+    V signal;                ///< interpolated
+    vec2<Real> where;        ///< pixel coordinates in the previous frame
+    Real validity;           ///< trust in [0, 1]; 0: there is no history
+    Real clamped;            ///< relative change of the signal by clamps so far (TRMV eq. 8)
+    Kept kept;               ///< interpolated kept channels
 
+    /// The value of a kept channel.
     template <ChannelTag C> QUELL_KERNEL auto operator[](C c) const { return kept[c]; }
 
-    /// Takes another past in some lanes.
+    /// Replaces all members in some lanes.
     QUELL_KERNEL void replace(auto lanes, Past const& other) {
         signal = select(lanes, other.signal, signal);
         where = select(lanes, other.where, where);
@@ -48,7 +52,7 @@ template <class Px> struct PastSum {
         sum.kept = make_record<Real>(typename Px::Scope::kept_channels{},
                                      [&](auto c) QUELL_INLINED { return add_scaled(sum.kept[c], then[c], w); });
     }
-    /// Starts again from nothing in the other lanes.
+    /// Resets the other lanes to an empty sum.
     QUELL_KERNEL void keep_only(auto enough) {
         weight = masked(enough, weight);
         sum.signal = select(enough, sum.signal, zero<typename Px::Signal>());
@@ -63,21 +67,21 @@ template <class Px> struct PastSum {
     }
 };
 
-/// Whether a past pixel has ever had a sample, as far as its length is kept.
+/// Whether a past pixel has ever had a usable sample; true where its history length is not kept.
 template <class Real, class Scope> QUELL_KERNEL auto ever_sampled(PastPixel<Real, Scope> const& then) {
     if constexpr (Scope::kept_channels::template has<HistoryLength>)
         return then[history_length] > Real(0.f);
     else
         return Real(0.f) == Real(0.f);
 }
-/// Whether a past pixel is in the image, has a value and shows what was looked for, where a place to look was found at all.
+/// Whether a past pixel counts: it lies inside the image, has had a sample, and is accepted.
 template <class Real, class Then, class FoundPlace> QUELL_KERNEL auto counts(Then const& then, FoundPlace const& found) {
     auto const dx = then.place.column - found.where.x + (static_cast<float>(then.dx) + 0.5f);
     auto const dy = then.place.row - found.where.y + (static_cast<float>(then.dy) + 0.5f);
     return both(found.validity > Real(0.f), then.inside(), ever_sampled(then), accepts(found, then, dx, dy));
 }
 
-/// A position that is not finite or not in the image becomes a harmless one with validity 0: what was outside was never seen.
+/// Gives validity 0 and a harmless position to what is not finite or lies outside the image, where nothing was seen.
 template <class Px, class FoundPlace> QUELL_KERNEL auto sane(Px const& px, FoundPlace found) {
     using Real = typename Px::Real;
     Real const right(static_cast<float>(px.size().width)), bottom(static_cast<float>(px.size().height));
@@ -88,7 +92,7 @@ template <class Px, class FoundPlace> QUELL_KERNEL auto sane(Px const& px, Found
     return found;
 }
 
-/// For lanes where interpolation did not find enough: the mean of what is acceptable in the 3x3 around the position.
+/// For lanes without enough accepted weight: the mean of the accepted pixels in the 3x3 around the position.
 template <class Px, class FoundPlace, class Mask>
 [[gnu::noinline]] constexpr PastSum<Px> rescued(Px const& px, FoundPlace const& found, PastSum<Px> const& sum, Mask enough) {
     using Real = typename Px::Real;
@@ -103,7 +107,7 @@ template <class Px, class FoundPlace, class Mask>
     return wider;
 }
 
-/// Any value of past pixels, interpolated, and where that could be done.
+/// An interpolated value, and the lanes in which enough taps were accepted.
 template <class V, class Mask> struct Interpolated {
     V value;
     Mask accepted;
@@ -111,19 +115,19 @@ template <class V, class Mask> struct Interpolated {
 template <class V, class Mask> Interpolated(V, Mask) -> Interpolated<V, Mask>; // clang 14 has no deduction for aggregates
 } // namespace detail
 
-/// History at a position between pixels from the four nearest, each tested, weights renormalised over those that pass; where none does,
-/// from whatever passes in the 3x3 around.
+/// Bilinear history fetch. Rejected taps are left out and the weights renormalised. Where less than 1 % of the weight is accepted, the mean
+/// of the accepted pixels in the 3x3 around the position is used.
 struct Bilinear {
-    bool rescue = true;
+    bool rescue = true; ///< whether the 3x3 is used
 
+    /// The Past at the position that a motion source found.
     template <class Px, class FoundPlace> QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& unchecked) const {
         auto const found = detail::sane(px, unchecked);
         detail::PastSum<Px> sum;
         each_tap(px, found, [&](auto const& then, auto w) QUELL_INLINED { sum.add(then, w); });
-        // With a total weight under 1 % the 3x3 around is used.
         auto const enough = sum.weight > sliver;
         if (rescue && any(both(invert(enough), found.validity > real_of<decltype(sum.weight)>(0.f)))) {
-            // A copy, since what is handed to a function lives in memory.
+            // A copy: the original then stays in registers.
             auto const narrow = sum;
             return detail::rescued(px, found, narrow, enough).mean(found);
         }
@@ -131,7 +135,7 @@ struct Bilinear {
         return sum.mean(found);
     }
 
-    /// Any value of past pixels, from those of the four that are accepted; 0 where none is.
+    /// Interpolates any value of past pixels over the accepted taps of the four; 0 where none is. value_of(past pixel) is the value.
     template <class Px, class FoundPlace, class ValueOf>
     QUELL_KERNEL static auto interpolated(Px const& px, FoundPlace const& unchecked, ValueOf&& value_of) {
         using Real = typename Px::Real;
@@ -147,9 +151,9 @@ struct Bilinear {
     }
 
 private:
-    static constexpr float sliver = 0.01f;
+    static constexpr float sliver = 0.01f; ///< least accepted weight
 
-    /// Calls `visit(past pixel, weight)`, with a weight of 0 where it is not accepted.
+    /// Calls `visit(past pixel, weight)` for each tap; the weight is 0 where it is not accepted.
     template <class Px, class FoundPlace, class Visit>
     QUELL_KERNEL static void each_tap(Px const& px, FoundPlace const& found, Visit&& visit) {
         using Real = typename Px::Real;
@@ -159,7 +163,7 @@ private:
         for (int j = 0; j < 2; ++j)
             for (int i = 0; i < 2; ++i) {
                 auto const bilinear = (i == 0 ? 1.f - u : u) * (j == 0 ? 1.f - v : v);
-                // Still pixels need one tap of the four.
+                // Pixels that do not move need one tap only.
                 if (!any(bilinear > Real(0.f))) continue;
                 auto const then = px.past(place, i, j);
                 visit(then, masked(detail::counts<Real>(then, found), bilinear));
@@ -167,8 +171,9 @@ private:
     }
 };
 
-/// History from the one pixel that a position lies in, tested: the cheapest, where half a pixel does no harm.
+/// History fetch from the one pixel that contains the position, if it is accepted. The cheapest; positions are off by up to half a pixel.
 struct Nearest {
+    /// The Past at the position that a motion source found.
     template <class Px, class FoundPlace> QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& unchecked) const {
         using Real = typename Px::Real;
         auto const found = detail::sane(px, unchecked);

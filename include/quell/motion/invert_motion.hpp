@@ -12,7 +12,8 @@
 namespace quell {
 
 namespace detail {
-/// Lets every pixel of the next frame say where it was to the pixels within `reach` of there that aren't taken.
+/// Splats the inverted motion of every pixel of the next frame to those pixels within `reach` (pixels, in x and y) of its previous position
+/// that are not taken yet.
 template <ImageView To, ImageView NextMotion, ImageView NextDepth>
 void splat_motion(To const& to, NextMotion const& next_motion, NextDepth const& next_depth, float reach, std::vector<std::uint8_t>& taken) {
     auto const width = static_cast<std::size_t>(to.size.width);
@@ -24,7 +25,7 @@ void splat_motion(To const& to, NextMotion const& next_motion, NextDepth const& 
         auto const i = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
         if (taken[i] == 1) return;
         auto& so_far = best[i];
-        // Of one surface, that which comes closest to the pixel's centre; of two, the one in front.
+        // Of one surface the closest to the pixel's centre wins; of two surfaces the one in front.
         bool const in_front = now.depth < so_far.depth * 0.95f,
                    same = now.depth <= so_far.depth * 1.05f || (!is_finite(now.depth) && !is_finite(so_far.depth));
         if (!in_front && !(same && now.distance < so_far.distance)) return;
@@ -50,11 +51,13 @@ void splat_motion(To const& to, NextMotion const& next_motion, NextDepth const& 
 }
 } // namespace detail
 
-/// Motion to the next frame where a renderer gives none: the next frame's motion to this one, turned round. Every pixel of the next frame
-/// says where it was; of several that were in one pixel, the nearest to the camera counts. Where nothing was (it is hidden in the next
-/// frame) the motion is not finite, and there is no history from that side.
-/// @param to is this frame's motion_next
-/// @param next_motion, next_depth the next frame's, of the same size
+/// Makes motion_next for renderers that do not supply it, by inverting the next frame's motion. Each pixel of the next frame is splatted to
+/// its position in this frame; the nearest to the camera wins. Pixels that nothing reaches (hidden in the next frame) become NaN: they have
+/// no history from that side.
+/// @param to          this frame's motion_next, written
+/// @param next_motion the next frame's Motion, in pixels, y down
+/// @param next_depth  the next frame's Depth
+/// @throws Error where the three sizes differ
 template <ImageView To, ImageView NextMotion, ImageView NextDepth>
 void invert_motion(To const& to, NextMotion const& next_motion, NextDepth const& next_depth) {
     static_assert(To::components == 2 && NextMotion::components == 2 && NextDepth::components == 1,
@@ -65,7 +68,7 @@ void invert_motion(To const& to, NextMotion const& next_motion, NextDepth const&
     auto const nowhere = std::numeric_limits<float>::quiet_NaN();
     for (int y = 0; y < to.size.height; ++y)
         for (int x = 0; x < to.size.width; ++x) to.set(0, x, y, nowhere), to.set(1, x, y, nowhere);
-    // What comes to lie in a pixel first; then, for pixels that nothing came to lie in since things grow, what comes within a pixel.
+    // First what falls into a pixel. Then, for gaps where surfaces are magnified in this frame, what falls within one pixel.
     std::vector<std::uint8_t> taken(static_cast<std::size_t>(to.size.pixels()), 0);
     for (float const reach : {0.5f, 0.99f}) detail::splat_motion(to, next_motion, next_depth, reach, taken);
 }

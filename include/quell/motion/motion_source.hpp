@@ -6,19 +6,20 @@
 
 namespace quell {
 
-/// A place in the previous frame (pixels; a pixel's centre is at .5), and how far it can be trusted: 0 not at all, 1 fully.
-/// A source may return a struct of its own with these two members and, beside them,
-///     auto accepts(auto then, Real dx, Real dy) const      whether the past pixel `then`, dx and dy away from `where`, shows the same
-///     thing
-/// History is then interpolated over the accepted taps only.
+/// What a motion source found: a position in the previous frame, and how far it can be trusted.
+/// A source may return a struct of its own that has these two members and also
+///
+///     auto accepts(auto then, Real dx, Real dy) const; // whether `then`, a past pixel (dx, dy) from `where`, shows the same thing
+///
+/// History is then interpolated over accepted taps only.
 template <class Real> struct Reprojection {
-    vec2<Real> where;
-    Real validity;
+    vec2<Real> where; ///< pixel coordinates; a pixel's centre is at .5
+    Real validity;    ///< trust in [0, 1]; 0: nothing was found
 };
-template <class Real, class Validity> Reprojection(glm::vec<2, Real>, Validity) -> Reprojection<Real>;
+template <class Real, class Validity> Reprojection(glm::vec<2, Real>, Validity) -> Reprojection<Real>; ///< deduction guide
 
 namespace detail {
-/// Whether a source's finding accepts a past pixel; one without a test accepts all.
+/// Whether what a source found accepts a past pixel. Without a test, all are accepted.
 template <class FoundPlace, class Then, class Real> QUELL_KERNEL auto accepts(FoundPlace const& found, Then const& then, Real dx, Real dy) {
     if constexpr (requires { found.accepts(then, dx, dy); })
         return found.accepts(then, dx, dy);
@@ -33,8 +34,9 @@ concept Found = requires(F found) {
 };
 } // namespace detail
 
-/// Says where, in the previous frame, the thing seen in a pixel was:
-///     auto previous(auto px) const -> Reprojection
+/// Finds where, in the previous frame, the thing seen in a pixel was:
+///
+///     auto previous(auto px) const; // a Reprojection, or a struct like it
 template <class M>
 concept MotionSource = std::is_trivially_copyable_v<M> && requires(M const m, detail::Probe<M> px, detail::PastProbe<M> then) {
     { m.previous(px) } -> detail::Found;

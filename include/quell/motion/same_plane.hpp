@@ -4,13 +4,14 @@
 
 namespace quell {
 
-/// The test of sources that follow something on or behind a surface and not the surface itself: where they lead, the same plane must be
-/// seen again. (Tests in surface_test.hpp ask for the same place on it.)
+/// A test for sources that follow a shadow or a reflection. A past pixel is accepted if it shows the same plane, anywhere on it. The tests
+/// of surface_test.hpp demand the same point.
 struct SamePlane {
-    using remembers = Channels<Depth, Normal>;
-    float tolerance = 0.02f;   ///< how far off the plane a past pixel may be, as a part of its depth
-    float least_cosine = 0.9f; ///< between the normals, now and then
+    using remembers = Channels<Depth, Normal>; ///< of the previous frame
+    float tolerance = 0.02f;                   ///< allowed distance from the plane, as a part of the past pixel's depth
+    float least_cosine = 0.9f;                 ///< least cosine of the angle between the normals, now and then
 
+    /// @cond
     template <class Real> struct Found {
         vec2<Real> where;
         Real validity;
@@ -25,7 +26,8 @@ struct SamePlane {
             return both(is_finite(z), away<off, dot(then[normal], plane.normal)> Real(least_cosine));
         }
     };
-    /// A place in the past with this test.
+    /// @endcond
+    /// A reprojection with this test. `plane` is the plane in the previous frame, in world space.
     template <class Px, class Real>
     QUELL_KERNEL Found<Real> found(Px const& px, vec2<Real> const& where, Real validity, detail::Plane<Real> const& plane) const {
         return {where, validity, plane, px.rays_then(), tolerance, least_cosine};

@@ -4,15 +4,16 @@
 
 namespace quell {
 
-/// Follows the shadow and not what it falls on (TRMV eq. 3): the line from where the light sample was through where the blocker was meets
-/// the previous tangent plane of the receiver at the place where the same shadow was. Receiver, blocker and light may each move.
-/// Valid only where the shadow ray was blocked; see SplattedShadowMotion for the pixels around. Invalid as well: a line nearly parallel to
-/// the plane, an intersection before the blocker, one behind the camera, and anything not finite.
+/// Follows the shadow instead of the receiver (TRMV eq. 3). The line through the previous positions of the light sample and the blocker is
+/// intersected with the previous tangent plane of the receiver: the same shadow fell there. Receiver, blocker and light may each move.
+/// Validity is 1 where the shadow ray was blocked, else 0; SplattedShadowMotion serves the pixels around. Also 0: a line nearly parallel to
+/// the plane, an intersection in front of the blocker or behind the camera, and positions that are not finite.
 struct ShadowMotion {
-    using reads = decltype(detail::TangentPlaneChannels{} | Channels<Light, LightPrevious, Blocker, BlockerPrevious>{});
-    static constexpr bool needs_camera = true;
-    float least_sine = 0.02f; ///< of the angle between the line and the plane
+    using reads = decltype(detail::TangentPlaneChannels{} | Channels<Light, LightPrevious, Blocker, BlockerPrevious>{}); ///< of this frame
+    static constexpr bool needs_camera = true;                                                                           ///< to project
+    float least_sine = 0.02f; ///< least sine of the angle between line and plane
 
+    /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const light = px[light_previous], blocker = px[blocker_previous];
@@ -22,10 +23,10 @@ struct ShadowMotion {
         auto const plane = detail::tangent_plane_then(px);
         auto const approach = dot(line, plane.normal), distance = dot(plane.point - light, plane.normal);
         auto const steep = abs(approach) > detail::length(line) * least_sine;
-        // 1 is at the blocker.
+        // t = 0 is the light sample, t = 1 the blocker.
         auto const t = distance / select(steep, approach, Real(1.f));
         auto const then = px.project_to_past(add_scaled(light, line, t));
-        // A receiver that is its own blocker, at 1 itself, is a self-shadow.
+        // t = 1: the receiver is its own blocker, a self-shadow. Rounding may leave t slightly below.
         auto const valid = both(blocked, steep, t >= Real(0.999f), then.z > Real(0.f), is_finite(then.x), is_finite(then.y));
         return Reprojection<Real>{{then.x, then.y}, masked(valid, Real(1.f))};
     }

@@ -4,28 +4,32 @@
 
 namespace quell {
 
-/// Follows the surface seen in the pixel by the host's Motion channel (TRMV eq. 1), and accepts what passes the test.
+/// Follows the surface by the host's Motion channel (TRMV eq. 1). Validity is 1.
 /// @tparam Test SameDepth, SameNormal, SameInstance, AllOf several, or the host's own
 template <class Test = AllOf<SameDepth, SameNormal>> struct SurfaceMotion {
-    using parts = Parts<Test>;
-    using reads = Channels<Motion>;
-    Test test{};
+    using parts = Parts<Test>;      ///< what it is made of
+    using reads = Channels<Motion>; ///< of this frame
+    Test test{};                    ///< what a past pixel must pass
 
+    /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const p = px.position(), m = px[motion];
         return detail::TestedReprojection<Real, decltype(test.around(px))>{{p.x + m.x, p.y + m.y}, Real(1.f), test.around(px)};
     }
 };
-template <class Test> SurfaceMotion(Test) -> SurfaceMotion<Test>;
+template <class Test> SurfaceMotion(Test) -> SurfaceMotion<Test>; ///< deduction guide
 
-/// Follows the surface by its previous world position and the previous camera: for hosts that have no Motion channel.
+/// Follows the surface by its previous world-space position and the previous camera, for hosts without a Motion channel. Validity is 1, or
+/// 0 behind the camera.
+/// @tparam Test SameDepth, SameNormal, SameInstance, AllOf several, or the host's own
 template <class Test = AllOf<SameDepth, SameNormal>> struct PositionMotion {
-    using parts = Parts<Test>;
-    using reads = Channels<ReceiverPrevious>;
-    static constexpr bool needs_camera = true;
-    Test test{};
+    using parts = Parts<Test>;                 ///< what it is made of
+    using reads = Channels<ReceiverPrevious>;  ///< of this frame
+    static constexpr bool needs_camera = true; ///< to project
+    Test test{};                               ///< what a past pixel must pass
 
+    /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const then = px.project_to_past(px[receiver_previous]);
@@ -34,10 +38,11 @@ template <class Test = AllOf<SameDepth, SameNormal>> struct PositionMotion {
             {then.x, then.y}, validity, detail::around(test, px, then.z)};
     }
 };
-template <class Test> PositionMotion(Test) -> PositionMotion<Test>;
+template <class Test> PositionMotion(Test) -> PositionMotion<Test>; ///< deduction guide
 
-/// Nothing moves: a still camera and still objects. Without a test every past pixel is accepted.
+/// For a still camera and still objects: the same pixel, validity 1. It has no test.
 struct StillMotion {
+    /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         return Reprojection<Real>{px.position(), Real(1.f)};

@@ -5,9 +5,9 @@
 
 namespace quell {
 
-// Tests of whether a past pixel shows the surface that this pixel shows. `around(px)` prepares what does not depend on the tap;
-// `accepts(then, dx, dy)` then judges one tap, dx and dy pixels away from the reprojected position. A test may have `around(px,
-// depth_then)` too, for sources that know the surface's depth in the previous frame.
+// Tests of whether a past pixel shows the same surface as this pixel. `around(px)` prepares what does not depend on the tap. Its result has
+// `accepts(then, dx, dy)`, which tests one tap, (dx, dy) pixels from the reprojected position. A test may also have `around(px,
+// depth_then)`, for sources that know the surface's linear depth in the previous frame.
 
 namespace detail {
 template <class Test> QUELL_KERNEL auto around(Test const& test, auto px, auto depth_then) {
@@ -16,25 +16,26 @@ template <class Test> QUELL_KERNEL auto around(Test const& test, auto px, auto d
     else
         return test.around(px);
 }
-/// A place in the past together with the test that its taps must pass.
+/// A reprojection with the test that its taps must pass.
 template <class Real, class Prepared> struct TestedReprojection {
     vec2<Real> where;
     Real validity;
     Prepared test;
     QUELL_KERNEL auto accepts(auto const& then, Real dx, Real dy) const { return test.accepts(then, dx, dy); }
 };
-/// Whether a vector is anything like a unit vector.
+/// Whether a vector is finite and at least 0.5 long: a usable normal.
 template <class Real> QUELL_KERNEL auto is_direction(vec3<Real> const& n) { return both(all_finite(n), dot(n, n) > Real(0.25f)); }
 } // namespace detail
 
-/// The depth that the surface's plane has there. A miss accepts only misses.
+/// Accepts a past pixel whose depth lies near the plane through this pixel's depth and depth slopes. A miss accepts misses only.
 struct SameDepth {
-    using reads = Channels<Depth>;
-    using remembers = Channels<Depth>;
-    /// Allowed distance from the plane, as a part of the depth. Sources that don't know the depth in the previous frame take it for this
-    /// frame's: then it is also how much depth may change in a frame.
+    using reads = Channels<Depth>;     ///< of this frame
+    using remembers = Channels<Depth>; ///< of the previous frame
+    /// Allowed difference from the plane, as a part of the depth. Sources that do not know the depth in the previous frame use this
+    /// frame's: it then also limits how much depth may change in a frame.
     float tolerance = 0.05f;
 
+    /// @cond
     template <class Real> struct Plane {
         Real z, slope_x, slope_y, allowed;
         QUELL_KERNEL auto accepts(auto const& then, Real dx, Real dy) const {
@@ -47,17 +48,20 @@ struct SameDepth {
     QUELL_KERNEL auto around(auto px) const { return around(px, px[depth]); }
     QUELL_KERNEL auto around(auto px, auto z) const {
         auto const slope_x = detail::depth_slope(px, 1, 0), slope_y = detail::depth_slope(px, 0, 1);
-        // One pixel's change of depth is within what interpolation between taps can be wrong by.
+        // Interpolation between taps may be off by the depth difference of one pixel.
         return Plane<decltype(z + z)>{z, slope_x, slope_y, z * tolerance + abs(slope_x) + abs(slope_y)};
     }
+    /// @endcond
 };
 
-/// A normal not turned away from this one. What has none, as a miss, says nothing of the past.
+/// Accepts a past pixel whose normal is within an angle of this pixel's. A pixel without a normal, such as a miss, accepts every past
+/// pixel.
 struct SameNormal {
-    using reads = Channels<Normal>;
-    using remembers = Channels<Normal>;
-    float least_cosine = 0.8f;
+    using reads = Channels<Normal>;     ///< of this frame
+    using remembers = Channels<Normal>; ///< of the previous frame
+    float least_cosine = 0.8f;          ///< of the angle between the normals
 
+    /// @cond
     template <class Real> struct Facing {
         vec3<Real> n;
         Real least_cosine;
@@ -69,24 +73,29 @@ struct SameNormal {
         auto const given = detail::is_direction(n);
         return Facing<Real>{select(given, n, zero<vec3<Real>>()), select(given, Real(least_cosine), Real(-1.f))};
     }
+    /// @endcond
 };
 
-/// The same object.
+/// Accepts a past pixel of the same object.
 struct SameInstance {
-    using reads = Channels<Instance>;
-    using remembers = Channels<Instance>;
+    using reads = Channels<Instance>;     ///< of this frame
+    using remembers = Channels<Instance>; ///< of the previous frame
 
+    /// @cond
     template <class Real> struct Object {
         Real id;
         QUELL_KERNEL auto accepts(auto const& then, Real, Real) const { return then[instance] == id; }
     };
     QUELL_KERNEL auto around(auto px) const { return Object<typename decltype(px)::Real>{px[instance]}; }
+    /// @endcond
 };
 
-/// Every one of several tests.
+/// Accepts a past pixel that passes all of several tests.
+/// @tparam Tests any surface tests
 template <class... Tests> struct AllOf : Tests... {
-    using parts = Parts<Tests...>;
+    using parts = Parts<Tests...>; ///< what it is made of
 
+    /// @cond
     template <class... Prepared> struct Every : Prepared... {
         QUELL_KERNEL auto accepts(auto const& then, auto dx, auto dy) const { return both(Prepared::accepts(then, dx, dy)...); }
     };
@@ -95,7 +104,8 @@ template <class... Tests> struct AllOf : Tests... {
         return Every<decltype(detail::around(static_cast<Tests const&>(*this), px, depth_then))...>{
             detail::around(static_cast<Tests const&>(*this), px, depth_then)...};
     }
+    /// @endcond
 };
-template <class... Tests> AllOf(Tests...) -> AllOf<Tests...>;
+template <class... Tests> AllOf(Tests...) -> AllOf<Tests...>; ///< deduction guide
 
 } // namespace quell

@@ -10,15 +10,15 @@ template <class Real> struct Plane { vec3<Real> point, normal; };
 template <class Real> QUELL_KERNEL vec3<Real> cross(vec3<Real> const& a, vec3<Real> const& b) {
     return {fma(a.y, b.z, -(a.z * b.y)), fma(a.z, b.x, -(a.x * b.z)), fma(a.x, b.y, -(a.y * b.x))};
 }
-/// Of length 1; nearly nothing becomes nothing.
+/// a / |a|; vectors shorter than 1e-15 come out shorter than 1.
 template <class Real> QUELL_KERNEL vec3<Real> normalized(vec3<Real> const& a) { return scale(a, 1.f / sqrt(max(dot(a, a), Real(1e-30f)))); }
 template <class Real> QUELL_KERNEL Real length(vec3<Real> const& a) { return sqrt(dot(a, a)); }
 
-/// What TangentPlane reads.
+/// What tangent_plane_then reads.
 using TangentPlaneChannels = Channels<Position, ReceiverPrevious, Normal>;
 
-/// The edge from a pixel's surface point to its neighbour's along (dx, dy), now and in the previous frame, on the side where the surface
-/// goes on: where the two sides differ, the shorter edge is the one that doesn't cross a silhouette.
+/// The edge from a pixel's surface point to a neighbour's along (dx, dy), now and in the previous frame. Of both sides the shorter edge is
+/// taken, since the longer one may cross a silhouette.
 template <class Px> struct SurfaceEdge {
     using Real = typename Px::Real;
     vec3<Real> now, then;
@@ -32,8 +32,8 @@ template <class Px> struct SurfaceEdge {
     }
 };
 
-/// The tangent plane of what is seen in a pixel as it was in the previous frame. There are no previous normals: for what moved, the normal
-/// is turned by as much as the triangle of neighbouring surface points has turned.
+/// The tangent plane, in the previous frame, of the surface point seen in a pixel. There is no channel of previous normals: for points that
+/// moved, the normal is corrected by the change of the triangle of neighbouring surface points.
 template <class Px> QUELL_KERNEL auto tangent_plane_then(Px const& px) {
     using Real = typename Px::Real;
     auto const now = px[position], then = px[receiver_previous];
@@ -43,7 +43,7 @@ template <class Px> QUELL_KERNEL auto tangent_plane_then(Px const& px) {
     auto const has_moved = dot(moved, moved) > dot(from_eye, from_eye) * 1e-12f;
     if (any(has_moved)) {
         SurfaceEdge<Px> const across(px, now, then, 1, 0), down(px, now, then, 0, 1);
-        // The triangle's normal faces the camera; the host's may face away.
+        // The triangle's normal faces the camera; the shading normal may face away.
         auto const face = normalized(cross(down.now, across.now));
         auto const side = select(dot(n, face) < Real(0.f), Real(-1.f), Real(1.f));
         auto const turned = add_scaled(n, normalized(cross(down.then, across.then)) - face, side);

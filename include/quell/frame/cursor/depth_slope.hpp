@@ -4,8 +4,8 @@
 
 namespace quell::detail {
 
-/// How much depth changes from this pixel to the next along (dx, dy): the smaller of the two one-sided differences, since across a
-/// silhouette one of them is the edge and not the surface. 0 where neither neighbour is a surface in the image.
+/// Depth difference per pixel along (dx, dy): the smaller in magnitude of the two one-sided differences. At a silhouette the larger one
+/// crosses the edge. 0 where neither neighbour is a surface inside the image.
 template <class Px> QUELL_KERNEL auto depth_slope(Px const& px, int dx, int dy) {
     using Real = typename Px::Real;
     auto const before = px.at(-dx, -dy), after = px.at(dx, dy);

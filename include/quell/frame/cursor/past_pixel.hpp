@@ -4,13 +4,16 @@
 
 namespace quell {
 
-/// Whole-numbered coordinates in the previous frame, one for each lane, at most one pixel outside the image. Most packs land on neighbours
-/// in one row (still or panning camera): then `together`, and one load a component serves instead of a gather.
+/// Whole-numbered pixel coordinates in the previous frame, one pixel for each lane, at most one pixel outside the image. With a still or
+/// panning camera most packs land on adjacent pixels of one row. One load per component then replaces a gather.
 template <class Real> struct PastPlace {
-    Real column, row;
-    int x = 0, y = 0; ///< of the first lane
-    bool together = false;
+    Real column,           ///< whole number
+        row;               ///< whole number
+    int x = 0,             ///< column of the first lane; packs only
+        y = 0;             ///< row of the first lane; packs only
+    bool together = false; ///< the lanes are adjacent pixels of one row; packs only
 
+    /// Of whole numbers. Finds out whether the lanes are adjacent.
     QUELL_KERNEL PastPlace(Real column_, Real row_) : column(column_), row(row_) {
         if constexpr (width_of < Real >> 1) {
             x = lane(truncate(column), 0), y = lane(truncate(row), 0);
@@ -21,7 +24,8 @@ template <class Real> struct PastPlace {
 };
 
 namespace detail {
-/// The values of a view at a place.
+/// Pixels of a view of `size` at a place plus (dx, dy). Outside the image: lanes of a gather repeat the border, lanes of a load are finite
+/// and without meaning.
 template <class Real, class View> QUELL_KERNEL auto fetch(View view, Extent size, PastPlace<Real> const& place, int dx, int dy) {
     view.size = size;
     if (place.together) return load_pixels<Real>(view, place.x + dx, clamp_to(place.y + dy, size.height - 1));
@@ -31,24 +35,28 @@ template <class Real, class View> QUELL_KERNEL auto fetch(View view, Extent size
 }
 } // namespace detail
 
-/// A pixel of the previous frame: what it remembers, what was kept there, and its signal.
+/// The cursor at a pixel of the previous frame: its remembered channels, its kept channels and its signal.
+/// @tparam Real float or a pack
+/// @tparam S    the Scope
 template <class Real, class S> struct PastPixel {
-    S const& scope;
-    PastPlace<Real> const& place; ///< not a copy: g++ makes those 16 bytes at a time and then waits for the stores
-    int dx, dy;
+    S const& scope;               ///< of the pass
+    PastPlace<Real> const& place; ///< a reference: g++ copies 16 bytes at a time and then stalls on the stores
+    int dx,                       ///< columns from the place
+        dy;                       ///< rows from the place
 
-    /// True where the image has such a pixel.
+    /// True where the pixel lies inside the image.
     QUELL_KERNEL auto inside() const {
         auto const column = place.column + static_cast<float>(dx), row = place.row + static_cast<float>(dy);
         return both(column >= Real(0.f), column < Real(static_cast<float>(scope.size.width)), row >= Real(0.f),
                     row < Real(static_cast<float>(scope.size.height)));
     }
-    /// Where what it remembers was seen, in pixels.
+    /// Pixel coordinates of its sample in the previous frame: the centre plus that frame's jitter.
     QUELL_KERNEL vec2<Real> sample_position() const {
         return {place.column + (static_cast<float>(dx) + 0.5f + scope.jitter_then.x),
                 place.row + (static_cast<float>(dy) + 0.5f + scope.jitter_then.y)};
     }
 
+    /// The value of a remembered or kept channel.
     template <ChannelTag C> QUELL_KERNEL auto operator[](C c) const {
         constexpr bool remembered = S::remembered_channels::template has<C>, kept = S::kept_channels::template has<C>;
         static_assert(remembered || kept,
@@ -58,6 +66,7 @@ template <class Real, class S> struct PastPixel {
         else if constexpr (kept)
             return fetch(scope.kept_then.view(c));
     }
+    /// The signal that history holds.
     QUELL_KERNEL auto signal() const { return fetch(scope.signal_then); }
 
 private:

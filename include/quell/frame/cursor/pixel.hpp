@@ -6,17 +6,20 @@
 
 namespace quell {
 
-/// The cursor that every policy is written against: one pixel if Real is float, neighbours in a row if it is a pack.
+/// The cursor that policies use: one pixel of the current frame, or neighbouring pixels of a row where Real is a pack.
+/// @tparam R float or a pack
+/// @tparam S the Scope of the pass
 template <class R, class S> struct Pixel {
-    using Real = R;
-    using Scope = S;
-    using Signal = Value<S::components, R>;
+    using Real = R;                         ///< float or a pack
+    using Scope = S;                        ///< of the pass
+    using Signal = Value<S::components, R>; ///< a value of the signal
 
-    S const& scope;
-    int x, y;
-    bool row_inside = true;
+    S const& scope;         ///< what the pass can read
+    int x,                  ///< column of the first lane
+        y;                  ///< row
+    bool row_inside = true; ///< false where at() left the image vertically; y is then the border's row
 
-    /// The value, here and now, of a channel of the frame or of one that an earlier pass made.
+    /// The value of a channel of this frame: supplied by the host or made by an earlier pass.
     template <ChannelTag C> QUELL_KERNEL auto operator[](C c) const {
         constexpr bool made = S::made_channels::template has<C>, given = S::frame_channels::template has<C>;
         static_assert(made || given, "a policy looks at a channel that it does not list: add the channel to its `reads`");
@@ -28,22 +31,22 @@ template <class R, class S> struct Pixel {
         else if constexpr (given)
             return load(scope.frame.view(c));
     }
-    /// One component of it, for channels of many.
+    /// One component of a channel, for channels of many components.
     template <int c, ChannelTag C> QUELL_KERNEL Real channel_component(C channel) const {
         if constexpr (S::made_channels::template has<C>)
             return load_one<c>(scope.made.view(channel));
         else
             return load_one<c>(scope.frame.view(channel));
     }
-    /// A channel of a finer size at a pixel under this one: i and j count from 0 to less than the ratio of the sizes, or beyond, to pixels
-    /// under neighbours. Beyond the image's border the border repeats.
+    /// A channel of a finer resolution at one of the fine pixels that this pixel covers. (i, j) counts columns and rows from 0 to the ratio
+    /// of the resolutions - 1; beyond that it reaches fine pixels of neighbours. Outside the image the border repeats.
     template <ChannelTag C> QUELL_KERNEL auto finer(C c, int i, int j) const {
         constexpr int ratio = S::fraction / C::fraction;
         static_assert(ratio > 1 && ratio * C::fraction == S::fraction,
                       "px.finer(channel, i, j): the pass's fraction must be a multiple of the channel's");
         return at_place(c, under(ratio, i, j));
     }
-    /// The signal at a pixel under this one, likewise. Always finite and not negative.
+    /// The signal at fine pixel (i, j), as finer(). Finite and not negative.
     QUELL_KERNEL Signal finer_signal(int i, int j) const {
         static_assert(S::fraction > 1, "px.finer_signal(i, j): the pass is of the frame's size: use px.signal()");
         auto const v = detail::fetch<Real>(scope.signal, scope.signal.size, under(S::fraction, i, j), 0, 0);
@@ -52,13 +55,13 @@ template <class R, class S> struct Pixel {
         else
             return v;
     }
-    /// A channel of a coarser size at the pixel over this one, or dx and dy pixels of its own from there. Beyond the border the border
-    /// repeats.
+    /// A channel of a coarser resolution at the coarse pixel that contains this pixel, plus (dx, dy) coarse pixels. Outside the image the
+    /// border repeats.
     template <ChannelTag C> QUELL_KERNEL auto coarser(C c, int dx = 0, int dy = 0) const {
         auto const where = over<C>();
         return at_place(c, PastPlace<Real>(floor(where.x) + static_cast<float>(dx), floor(where.y) + static_cast<float>(dy)));
     }
-    /// The same interpolated at this pixel's centre between the four nearest.
+    /// A coarser channel, interpolated bilinearly at this pixel's centre.
     template <ChannelTag C> QUELL_KERNEL auto coarser_interpolated(C c) const {
         auto const where = over<C>();
         auto const column = floor(where.x - 0.5f), row = floor(where.y - 0.5f);
@@ -66,7 +69,7 @@ template <class R, class S> struct Pixel {
         auto const tap = [&](float i, float j) QUELL_INLINED { return at_place(c, PastPlace<Real>(column + i, row + j)); };
         return mix(mix(tap(0.f, 0.f), tap(1.f, 0.f), u), mix(tap(0.f, 1.f), tap(1.f, 1.f), u), v);
     }
-    /// The value, here, of the signal being denoised. Always finite and not negative; a missing sample shows what its neighbours suggest.
+    /// The signal being denoised. Finite and not negative; a missing sample holds the mean of its usable neighbours.
     QUELL_KERNEL Signal signal() const {
         static_assert(S::fraction == 1, "a pass of a fraction of the frame's size looks at the signal: use px.finer_signal(i, j)");
         auto const v = load(scope.signal);
@@ -75,7 +78,7 @@ template <class R, class S> struct Pixel {
         else
             return v;
     }
-    /// One component of it.
+    /// One component of the signal.
     template <int c> QUELL_KERNEL Real signal_component() const {
         auto const a = load_one<c>(scope.signal);
         if constexpr (S::marks_missing && c == 0)
@@ -83,17 +86,17 @@ template <class R, class S> struct Pixel {
         else
             return a;
     }
-    /// True where the host's sample was not usable (NaN, infinite, negative): it must weigh nothing. Known to the
-    /// stages up to Temporal; without a Temporal, until a stage has made a new signal.
+    /// True where the host's sample is unusable (NaN, infinite, negative, above 1e16). It must have weight 0. Always false after Temporal,
+    /// or, without a Temporal, after the first stage that makes a new signal.
     QUELL_KERNEL auto missing() const {
         if constexpr (S::marks_missing)
             return sign_bit(component<0>(load(scope.signal)));
         else
             return Real(0.f) != Real(0.f);
     }
-    /// Whether the host says how many samples a pixel has: KnownSamples{} is a part of the pipeline.
+    /// Whether the host supplies sample counts: KnownSamples{} is a part of the pipeline.
     static constexpr bool knows_samples = S::frame_channels::template has<SampleCount>;
-    /// How many samples the signal's value is the mean of: 1, unless the host says.
+    /// The number of samples that the signal's value is the mean of, in [1e-3, 1e6]. 1 where the host supplies none.
     QUELL_KERNEL Real samples() const {
         if constexpr (knows_samples) {
             auto const count = (*this)[sample_count];
@@ -101,7 +104,7 @@ template <class R, class S> struct Pixel {
         } else
             return Real(1.f);
     }
-    /// The variance of the luminance of one of them, as far as the host knows it, or 0.
+    /// The variance of the luminance of one sample, >= 0. 0: unknown.
     QUELL_KERNEL Real variance_of_sample() const {
         if constexpr (knows_samples) {
             auto const known = (*this)[sample_variance];
@@ -109,41 +112,45 @@ template <class R, class S> struct Pixel {
         } else
             return Real(0.f);
     }
-    /// The pixel at an offset from here. Rows outside the image repeat the border; columns outside give finite values of no meaning:
-    /// ask `inside()`, or use for_each_tap.
+    /// The pixel at an offset. Outside the image, rows repeat the border and columns hold finite values without meaning: test `inside()`,
+    /// or use for_each_tap.
     QUELL_KERNEL Pixel at(int dx, int dy) const {
         int const row = y + dy, last = scope.size.height - 1;
         return {scope, column(x + dx), detail::clamp_to(row, last), row_inside && row >= 0 && row <= last};
     }
-    /// True where this pixel lies in the image.
+    /// True where this pixel lies inside the image.
     QUELL_KERNEL auto inside() const {
         auto const column = Real(static_cast<float>(x)) + lanes<Real>();
         auto const width = Real(row_inside ? static_cast<float>(scope.size.width) : 0.f);
         return both(column >= Real(0.f), column < width);
     }
-    /// The pixel's centre, in pixels.
+    /// Pixel coordinates of the centre: (column + 0.5, row + 0.5).
     QUELL_KERNEL vec2<Real> position() const {
         return {Real(static_cast<float>(x)) + lanes<Real>() + 0.5f, Real(static_cast<float>(y) + 0.5f)};
     }
+    /// The size of the pass, in pixels.
     QUELL_KERNEL Extent size() const { return scope.size; }
-    /// The samples' offset from the pixels' centres, in pixels.
+    /// Offset of this frame's samples from the pixels' centres, in pixels, y down.
     QUELL_KERNEL glm::vec2 jitter_now() const { return scope.jitter; }
+    /// The same in the previous frame.
     QUELL_KERNEL glm::vec2 jitter_then() const { return scope.jitter_then; }
-    /// The part of the time between frames during which the shutter is open.
+    /// Shutter time of this frame, as a part of the time between frames.
     QUELL_KERNEL float shutter_now() const { return scope.shutter; }
+    /// The same in the previous frame.
     QUELL_KERNEL float shutter_then() const { return scope.shutter_then; }
-    /// Whether there is a previous frame at all.
+    /// Whether there is a previous frame.
     QUELL_KERNEL bool has_past() const { return scope.has_past; }
-    /// The pixel of the previous frame at an offset from a place there; outside the image it shows something finite of no meaning.
+    /// The pixel of the previous frame at a place plus (dx, dy). Outside the image it holds finite values without meaning. It keeps a
+    /// reference to `place`.
     QUELL_KERNEL PastPixel<Real, S> past(PastPlace<Real> const& place, int dx = 0, int dy = 0) const { return {scope, place, dx, dy}; }
-    /// The past pixel keeps no copy of its place: give the place a name.
+    /// Deleted: the place must outlive the past pixel, so give it a name.
     void past(PastPlace<Real>&&, int = 0, int = 0) const = delete;
-    /// A channel of this frame, or one that an earlier pass made, at any place; outside the image it shows something finite of no meaning.
+    /// A channel of this frame at any place. Outside the image it holds finite values without meaning.
     template <ChannelTag C> QUELL_KERNEL auto elsewhere(PastPlace<Real> const& place, C c) const {
         require_same_size<C>();
         return at_place(c, place);
     }
-    /// The signal at any place, and whether the host's sample there was missing.
+    /// The signal at any place, and whether the host's sample is missing there.
     QUELL_KERNEL auto signal_elsewhere(PastPlace<Real> const& place) const {
         auto const v = detail::fetch<Real>(scope.signal, scope.size, place, 0, 0);
         if constexpr (S::marks_missing)
@@ -151,22 +158,24 @@ template <class R, class S> struct Pixel {
         else
             return std::pair{v, Real(0.f) != Real(0.f)};
     }
-    /// From pixels to the world, in this frame and in the previous one. Wants `needs_camera`.
+    /// Converts pixel coordinates to world space. The policy must declare `needs_camera`.
     QUELL_KERNEL PixelRays const& rays() const { return require_camera(), scope.rays; }
+    /// The same for the previous frame.
     QUELL_KERNEL PixelRays const& rays_then() const { return require_camera(), scope.rays_then; }
-    /// Two normally distributed random numbers, other ones in each pixel and frame, always the same in the same.
+    /// Two approximately normal random numbers, mean 0 and standard deviation 1. They depend on the pixel and the frame's number only.
     QUELL_KERNEL std::pair<Real, Real> random_normals() const {
         return normal_pair(Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)), scope.frame_index);
     }
-    /// Two uniformly distributed random numbers in [0, 1), likewise; for more of them, from `which` pair (0 to 15).
+    /// Two uniform random numbers in [0, 1), likewise.
+    /// @param which selects one of 16 pairs, 0 to 15
     QUELL_KERNEL std::pair<Real, Real> random_uniforms(int which = 0) const {
         return uniform_pair(Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)), scope.frame_index ^ (which << 26));
     }
-    /// Where, in pixels, the previous frame's screen showed what the sample here, displaced by jitter, saw of the world, if the sample
-    /// had been at the pixel's centre, as the history is; and its linear depth there (not positive: behind the camera). Wants
-    /// `needs_camera`.
+    /// Projects a world-space point to the previous frame: pixel coordinates (x, y) minus this frame's jitter, and linear depth (z; <= 0 is
+    /// behind the camera). The sample that saw the point was off the pixel's centre by the jitter; history belongs to pixels' centres. The
+    /// policy must declare `needs_camera`.
     QUELL_KERNEL vec3<Real> project_to_past(vec3<Real> const& p) const { return project(scope.clip_from_world_then, p); }
-    /// The same on this frame's screen.
+    /// Projects a world-space point to this frame, likewise.
     QUELL_KERNEL vec3<Real> project(vec3<Real> const& p) const { return project(scope.clip_from_world, p); }
 
 private:
@@ -175,12 +184,12 @@ private:
                       "a policy looks at a channel of another size than the pass: read a finer one by px.finer(channel, i, j), a coarser "
                       "one by px.coarser(channel)");
     }
-    /// The place of a pixel under this one in an image `ratio` times as fine.
+    /// The place of fine pixel (i, j) in an image of `ratio` times the resolution.
     QUELL_KERNEL PastPlace<Real> under(int ratio, int i, int j) const {
         return {(Real(static_cast<float>(x)) + lanes<Real>()) * static_cast<float>(ratio) + static_cast<float>(i),
                 Real(static_cast<float>(y * ratio + j))};
     }
-    /// This pixel's centre in pixels of a coarser channel.
+    /// This pixel's centre in pixel coordinates of a coarser channel.
     template <class C> QUELL_KERNEL vec2<Real> over() const {
         constexpr int ratio = C::fraction / S::fraction;
         static_assert(ratio > 1 && ratio * S::fraction == C::fraction,
@@ -188,7 +197,7 @@ private:
         auto const p = position();
         return {p.x * (1.f / ratio), p.y * (1.f / ratio)};
     }
-    /// A channel of any size at a place of its own.
+    /// A channel of any resolution, at a place in its own pixels.
     template <ChannelTag C> QUELL_KERNEL auto at_place(C c, PastPlace<Real> const& place) const {
         constexpr bool made = S::made_channels::template has<C>, given = S::frame_channels::template has<C>;
         static_assert(made || given, "a policy looks at a channel that it does not list: add the channel to its `reads`");
@@ -209,7 +218,7 @@ private:
         return {(row(0) * inverse + 1.f) * (0.5f * static_cast<float>(scope.size.width)) - scope.jitter.x,
                 (1.f - row(1) * inverse) * (0.5f * static_cast<float>(scope.size.height)) - scope.jitter.y, w};
     }
-    /// Every image of a pass has the pass's size; saying so lets the compiler use one address computation for all of them.
+    /// All images of a pass have its size. Setting it here lets the compiler compute one address for all of them.
     QUELL_KERNEL auto load(auto view) const {
         view.size = scope.size;
         return detail::load_pixels<R>(view, x, y);
@@ -218,7 +227,7 @@ private:
         view.size = scope.size;
         return detail::load_one<R, c>(view, x, y);
     }
-    /// As far outside as a pack may reach: there, no lane is inside any more, so it does not matter where it reads.
+    /// Limits a column to where a pack may start. Beyond that no lane is inside, so the values do not matter.
     QUELL_KERNEL int column(int i) const {
         int const low = -width_of<Real>, high = scope.size.width;
         return i < low ? low : i > high ? high : i;
@@ -233,7 +242,7 @@ private:
     }
 };
 
-/// The pixel that a position lies in; of one on the image's far border, or outside, the nearest that there is.
+/// The pixel that contains `where` (pixel coordinates); outside the image the nearest one.
 template <class Px, class Real> QUELL_KERNEL PastPlace<Real> nearest_place(Px const& px, vec2<Real> const& where) {
     Real const last_column(static_cast<float>(px.size().width - 1)), last_row(static_cast<float>(px.size().height - 1));
     return {clamp(floor(where.x), Real(0.f), last_column), clamp(floor(where.y), Real(0.f), last_row)};

@@ -5,14 +5,14 @@
 namespace quell {
 
 namespace detail {
-/// The signal that a policy is for, if it says so; else any, such as a colour.
+/// The signal that a policy is made for, if it names one; else Radiance.
 template <class P> struct SignalFor { using type = Radiance; };
 template <class P>
     requires ChannelTag<typename P::Signal>
 struct SignalFor<P> {
     using type = typename P::Signal;
 };
-/// A pixel by which concepts look at a policy: it has what the policy declares.
+/// The Scope by which concepts test a policy: it has what the policy declares.
 template <class P, class S = typename SignalFor<P>::type>
 using ProbeScope = Scope<Views<Planar<>, reads_of<P>>, Views<Planar<>, Channels<>>, ViewOf<Planar<>, S>, ViewOf<Planar<>, S>,
                          Views<Planar<>, decltype(keeps_of<P>{} | reads_kept_of<P>{})>, RememberedViewsOf<Planar<>, remembers_of<P>>,

@@ -17,47 +17,52 @@ template <class Storage, class... Cs> struct RememberedViewsOf<Storage, Channels
 };
 } // namespace detail
 
-/// What a pass may see beside channels.
+/// Properties of a pass.
 struct PassTraits {
-    bool marks_missing = false; ///< the signal comes from the host, with missing samples marked by the sign of component 0
-    bool has_camera = false;    ///< a policy of the pass says that it `needs_camera`
-    int fraction = 1;           ///< of the frame's width and height, at which the pass runs
+    bool marks_missing = false; ///< the signal marks missing samples by the sign of component 0
+    bool has_camera = false;    ///< a policy of the pass declares `needs_camera`
+    int fraction = 1;           ///< size of the pass = frame size / fraction, rounded up
 };
 
-/// All that the kernels of one pass can see.
-/// @tparam FrameViews  the frame's channels
-/// @tparam MadeViews   what earlier passes of this frame keep or emit
-/// @tparam SignalView  the signal being denoised, now and then
-/// @tparam KeptViews   what was kept in the previous frame
-/// @tparam Then        the channels that the previous frame is remembered by, and their views
-/// @tparam traits      of the pass
-/// @tparam Vectors     how the host's motion vectors become quell's
+/// Everything that the kernels of one pass can read. `_then` means of the previous frame.
+/// @tparam FrameViews     views of the host's channels
+/// @tparam MadeViews      views of channels that earlier passes of this frame keep or emit
+/// @tparam SignalView     view of the signal being denoised
+/// @tparam PastSignalView view of the signal in the history
+/// @tparam KeptViews      views of channels kept in the previous frame
+/// @tparam Then           `channels`: the remembered channels; `type`: their views
+/// @tparam traits         of the pass
+/// @tparam Vectors        converts the host's motion vectors to quell's
 template <class FrameViews, class MadeViews, class SignalView, class PastSignalView, class KeptViews, class Then, PassTraits traits,
           class Vectors = detail::VectorConversion<MotionConvention{}>>
 struct Scope {
-    using frame_channels = typename FrameViews::channels;
-    using made_channels = typename MadeViews::channels;
-    using kept_channels = typename KeptViews::channels;
-    using remembered_channels = typename Then::channels;
-    static constexpr bool marks_missing = traits.marks_missing;
-    static constexpr bool has_camera = traits.has_camera;
-    static constexpr int fraction = traits.fraction;
-    static constexpr int components = SignalView::components;
+    using frame_channels = typename FrameViews::channels;       ///< of the host
+    using made_channels = typename MadeViews::channels;         ///< of earlier passes
+    using kept_channels = typename KeptViews::channels;         ///< kept in the previous frame
+    using remembered_channels = typename Then::channels;        ///< of the previous frame
+    static constexpr bool marks_missing = traits.marks_missing; ///< see PassTraits
+    static constexpr bool has_camera = traits.has_camera;       ///< see PassTraits
+    static constexpr int fraction = traits.fraction;            ///< see PassTraits
+    static constexpr int components = SignalView::components;   ///< of the signal
 
-    Extent size; ///< of the pass
-    FrameViews frame;
-    MadeViews made{};
-    SignalView signal{};
-    PastSignalView signal_then{};
-    KeptViews kept_then{};
-    typename Then::type remembered{};
-    glm::mat4 clip_from_world{1.f}, clip_from_world_then{1.f};
-    PixelRays rays{}, rays_then{};
-    glm::vec2 jitter{0.f}, jitter_then{0.f};
-    float shutter = 0.f, shutter_then = 0.f;
-    std::int32_t frame_index = 0; ///< for random numbers
-    bool has_past = false;
-    [[no_unique_address]] Vectors vectors{};
+    Extent size;                             ///< of the pass, in pixels
+    FrameViews frame;                        ///< the host's channels
+    MadeViews made{};                        ///< made by earlier passes
+    SignalView signal{};                     ///< being denoised
+    PastSignalView signal_then{};            ///< in the history
+    KeptViews kept_then{};                   ///< kept in the previous frame
+    typename Then::type remembered{};        ///< channels of the previous frame
+    glm::mat4 clip_from_world{1.f},          ///< world space to clip space, without jitter
+        clip_from_world_then{1.f};           ///< in the previous frame
+    PixelRays rays{},                        ///< of this frame
+        rays_then{};                         ///< of the previous frame
+    glm::vec2 jitter{0.f},                   ///< of this frame, in pixels
+        jitter_then{0.f};                    ///< of the previous frame
+    float shutter = 0.f,                     ///< of this frame, as a part of the time between frames
+        shutter_then = 0.f;                  ///< of the previous frame
+    std::int32_t frame_index = 0;            ///< seed of random numbers
+    bool has_past = false;                   ///< false in the first frame after a reset
+    [[no_unique_address]] Vectors vectors{}; ///< converts motion vectors
 };
 
 } // namespace quell

@@ -5,7 +5,7 @@
 namespace quell {
 
 namespace detail {
-/// Calls f(0) to f(n - 1): unrolled while that is short, since then addresses become constants; else as a loop, which compiles faster.
+/// Calls f(0) to f(n - 1). Up to 5 calls are unrolled, so addresses become constants; a loop of more compiles faster.
 template <int n, class F> QUELL_KERNEL void repeat(F&& f) {
     if constexpr (n <= 5) [&]<int... i>(std::integer_sequence<int, i...>) QUELL_INLINED {
             (f(std::integral_constant<int, i>{}), ...);
@@ -15,14 +15,15 @@ template <int n, class F> QUELL_KERNEL void repeat(F&& f) {
 }
 } // namespace detail
 
-/// Calls `body(near, weight, dx, dy)` for every pixel of a (2 radius + 1)^2 neighbourhood whose taps stand `step` pixels apart; `near` is
-/// the cursor there. `weight` is profile[|column|] * profile[|row|], and 0 outside the image: whatever a kernel sums with it is
-/// renormalised at borders. Rows outside are skipped whole.
+/// Calls `body(near, weight, dx, dy)` for each tap of a separable kernel of (2 radius + 1)^2 taps, `step` pixels apart. `near` is the
+/// cursor at the tap, (dx, dy) its offset in pixels. `weight` is profile[|column|] * profile[|row|] (distances in taps), and 0 in columns
+/// outside the image. Rows outside are skipped. Divide sums by the sum of the weights.
+/// @tparam radius in taps
 template <int radius, class Px, class Body>
 QUELL_KERNEL void for_each_tap(Px const& px, int step, float const (&profile)[radius + 1], Body&& body) {
     using Real = typename Px::Real;
     constexpr int side = 2 * radius + 1;
-    // What depends on the column is worked out once, not once a row.
+    // What depends on the column only is computed once.
     Real across[side];
     int column[side];
     detail::repeat<side>([&](auto i) QUELL_INLINED {
@@ -40,8 +41,8 @@ QUELL_KERNEL void for_each_tap(Px const& px, int step, float const (&profile)[ra
     }
 }
 
-/// The same in opposite pairs and without the centre: `body(near, weight, opposite, its weight, dx, dy)`, so that what depends on the
-/// distance alone is worked out once for two taps. Rows outside have weight 0. Unrolled: for small radii.
+/// The same taps in opposite pairs, without the centre: `body(near, weight, opposite, weight of opposite, dx, dy)`. What depends on the
+/// distance only is computed once for two taps. Rows outside have weight 0. It is unrolled: use small radii.
 template <int radius, class Px, class Body>
 QUELL_KERNEL void for_each_tap_pair(Px const& px, int step, float const (&profile)[radius + 1], Body&& body) {
     using Real = typename Px::Real;
@@ -67,8 +68,8 @@ QUELL_KERNEL void for_each_tap_pair(Px const& px, int step, float const (&profil
     (std::make_integer_sequence<int, pairs>{});
 }
 
-/// Calls `body(near, inside)` for the five pixels in a row or a column around this one that stand `step` pixels apart; `inside` is false
-/// where there is none. For sums over windows, which rows and columns put together.
+/// Calls `body(near, inside)` for five pixels of a row or column, `step` pixels apart, centred here. `inside` is false outside the image.
+/// For separable sums over windows.
 template <class Px, class Body> QUELL_KERNEL void for_each_of_five(Px const& px, int step, bool vertical, Body&& body) {
     for (int i = -2; i <= 2; ++i) {
         auto const neighbour = vertical ? px.at(0, i * step) : px.at(i * step, 0);
@@ -76,13 +77,15 @@ template <class Px, class Body> QUELL_KERNEL void for_each_of_five(Px const& px,
     }
 }
 
-/// A distance so far, and a weight's bits so low, that edge_weight is the least there is.
-inline constexpr float too_far = 1e9f, too_little = -1e10f;
+/// Taps outside the image get the smallest edge_weight there is.
+inline constexpr float too_far = 1e9f, ///< a distance that gives it
+    too_little = -1e10f;               ///< weight bits that give it
 
-/// For filters whose weights are edge weights: opposite taps without the centre, `body(near, start, row, opposite, its start, its row, dx,
-/// dy, i, j)`, where tap (i, j) stands `step` times as far away, at (dx, dy). A tap's distances are to be added to `start`, which is `base`
-/// or, in columns outside the image, too_far; `row` is to be added to its weight's bits and is 0 or, in rows outside, too_little: so
-/// borders cost nothing. A loop: unrolled, it took longer to compile and no less to run.
+/// Opposite pairs of taps without the centre, for filters by edge_weight: `body(near, start, row, opposite, its start, its row, dx, dy, i,
+/// j)`. Tap (i, j) lies at (dx, dy) = step * (i, j) pixels. Add the tap's distances to `start`: it is `base`, or too_far in columns outside
+/// the image. Add `row` to the weight's bits: it is 0, or too_little in rows outside. Borders then need no test. A loop, since unrolling
+/// made it slower to compile and no faster.
+/// @tparam radius in taps
 template <int radius, class Px, class Body> QUELL_KERNEL void for_each_opposite_taps(Px const& px, int step, float base, Body&& body) {
     using Real = typename Px::Real;
     constexpr int side = 2 * radius + 1;
@@ -102,12 +105,13 @@ template <int radius, class Px, class Body> QUELL_KERNEL void for_each_opposite_
     }
 }
 
-/// The same as for_each_tap with equal weights of 1.
+/// As for_each_tap, with weights 1.
 template <int radius, class Px, class Body> QUELL_KERNEL void for_each_neighbour(Px const& px, int step, Body&& body) {
     float ones[radius + 1];
     for (float& one : ones) one = 1.f;
     for_each_tap<radius>(px, step, ones, body);
 }
+/// As for_each_tap, with weights 1 and step 1.
 template <int radius, class Px, class Body> QUELL_KERNEL void for_each_neighbour(Px const& px, Body&& body) {
     for_each_neighbour<radius>(px, 1, body);
 }

@@ -4,18 +4,20 @@
 
 namespace quell {
 
-/// Follows a glossy reflection (TRMV eq. 5): around the place where a mirror would show the hit, every pixel within the lobe shows it too.
-/// One of them is drawn, from a Gaussian on the screen whose axes are the projected axes of the ellipse that the lobe, traced from the
-/// virtual image towards the mirror, cuts from the tangent plane. The vectors are noisy where the surface is rough: clean up afterwards.
-/// Roughness 0 is MirrorMotion exactly. The random numbers are the same in every run.
+/// Follows a glossy reflection (TRMV eq. 5). A rough surface shows the hit in all pixels within the lobe around the mirror position; one of
+/// them is drawn at random from a screen-space Gaussian. Its axes are the projected axes of the ellipse in which the lobe around the ray
+/// from the virtual image to the eye intersects the tangent plane. Vectors are noisy on rough surfaces: follow with a clean-up filter. At
+/// roughness 0 it equals MirrorMotion. The random numbers are the same in every run.
+/// @tparam Mirror computes the virtual image: FlatMirror, or ThinLens for curved mirrors
 template <class Mirror = FlatMirror> struct GlossyMotion {
-    using parts = Parts<Mirror, SamePlane>;
-    using reads = decltype(detail::VirtualImageChannels{} | Channels<Roughness>{});
-    static constexpr bool needs_camera = true;
-    Mirror mirror{};
-    SamePlane test{};
-    float spread = 1.f; ///< deviation of the lobe's directions, in GGX alphas
+    using parts = Parts<Mirror, SamePlane>;                                         ///< what it is made of
+    using reads = decltype(detail::VirtualImageChannels{} | Channels<Roughness>{}); ///< of this frame
+    static constexpr bool needs_camera = true;                                      ///< to project
+    Mirror mirror{};                                                                ///< computes the virtual image
+    SamePlane test{};                                                               ///< what a past pixel must pass
+    float spread = 1.f; ///< standard deviation of the tangent of the lobe's angle, as a multiple of GGX alpha
 
+    /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const image = detail::virtual_image_then(px, mirror);
@@ -25,13 +27,13 @@ template <class Mirror = FlatMirror> struct GlossyMotion {
     }
 
 private:
-    /// From the mirror's place to the drawn one, in pixels.
+    /// Random offset from the mirror position, in pixels.
     template <class Px, class Real> QUELL_KERNEL vec2<Real> offset(Px const& px, detail::VirtualImage<Real> const& image) const {
         auto const& plane = image.plane;
         auto const towards = image.position - broadcast<Real>(px.rays_then().eye);
         auto const steepness = dot(towards, plane.normal), height = dot(plane.point - image.position, plane.normal);
         auto const crosses = both(image.valid, abs(steepness) > Real(1e-6f));
-        // The part of the way from the image back to the eye at which the plane lies.
+        // Where the segment from the image to the eye meets the plane: 0 at the image, 1 at the eye.
         auto const part = -height / select(crosses, steepness, Real(1.f));
         auto const centre = add_scaled(image.position, towards, -part);
         auto const alpha = px[roughness] * px[roughness];
@@ -50,11 +52,11 @@ private:
     template <class Px, class Real>
     QUELL_KERNEL static vec2<Real> end_point(Px const& px, detail::VirtualImage<Real> const& image, vec3<Real> const& point) {
         auto const screen = px.project_to_past(point);
-        // At grazing angles the far end of the ellipse may lie behind the camera.
+        // At grazing angles the ellipse may reach behind the camera.
         auto const before = screen.z > Real(0.f);
         return {masked(before, screen.x - image.screen.x), masked(before, screen.y - image.screen.y)};
     }
 };
-template <class Mirror> GlossyMotion(Mirror) -> GlossyMotion<Mirror>;
+template <class Mirror> GlossyMotion(Mirror) -> GlossyMotion<Mirror>; ///< deduction guide
 
 } // namespace quell

@@ -5,8 +5,9 @@
 
 namespace quell {
 
-/// Takes a mirror for flat: the virtual image of a point lies as far behind the plane as the point before it.
+/// The virtual image in a flat mirror: the point reflected at the tangent plane.
 struct FlatMirror {
+    /// The virtual image of `point`. All in world space.
     QUELL_KERNEL auto image(auto const&, auto const& plane, auto const& point) const {
         auto const height = dot(point - plane.point, plane.normal);
         return add_scaled(point, plane.normal, height * -2.f);
@@ -14,11 +15,11 @@ struct FlatMirror {
 };
 
 namespace detail {
-/// What a reflected ray hit, as seen in the mirror in the previous frame.
+/// The virtual image of a reflected hit in the previous frame.
 template <class Real> struct VirtualImage {
-    Plane<Real> plane; ///< the mirror's
-    vec3<Real> position;
-    vec3<Real> screen; ///< where the previous frame shows it (pixels), and its depth
+    Plane<Real> plane;   ///< the mirror's
+    vec3<Real> position; ///< world space
+    vec3<Real> screen;   ///< pixel coordinates and linear depth
     decltype(std::declval<Real>() < std::declval<Real>()) valid;
 };
 
@@ -36,36 +37,40 @@ template <class Px> QUELL_KERNEL auto virtual_image_then(Px const& px, auto cons
 }
 } // namespace detail
 
-/// Follows the virtual image in a mirror and not the mirror (Zimmer 2015, Mara 2017; TRMV eq. 5 without its spread): what the reflected ray
-/// hit is moved to the previous frame, mirrored at the previous tangent plane, and projected. Invalid where the ray hit nothing, where the
-/// hit is not before the plane, behind the camera, and for anything not finite.
-/// @tparam Mirror where the virtual image is: FlatMirror, or ThinLens for curved mirrors
+/// Follows the virtual image in a mirror instead of the mirror's surface (Zimmer et al. 2015, Mara et al. 2017; TRMV eq. 5 without the
+/// spread). The previous position of the reflected hit is mirrored at the previous tangent plane and projected by the previous camera.
+/// Validity is 1, or 0 where the ray hit nothing, the hit is not in front of the plane, the image is behind the camera, or a position is
+/// not finite.
+/// @tparam Mirror computes the virtual image: FlatMirror, or ThinLens for curved mirrors
 template <class Mirror = FlatMirror> struct MirrorMotion {
-    using parts = Parts<Mirror, SamePlane>;
-    using reads = detail::VirtualImageChannels;
-    static constexpr bool needs_camera = true;
-    Mirror mirror{};
-    SamePlane test{};
+    using parts = Parts<Mirror, SamePlane>;     ///< what it is made of
+    using reads = detail::VirtualImageChannels; ///< of this frame
+    static constexpr bool needs_camera = true;  ///< to project
+    Mirror mirror{};                            ///< computes the virtual image
+    SamePlane test{};                           ///< what a past pixel must pass
 
+    /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const image = detail::virtual_image_then(px, mirror);
         return test.found(px, vec2<Real>{image.screen.x, image.screen.y}, masked(image.valid, Real(1.f)), image.plane);
     }
 };
-template <class Mirror> MirrorMotion(Mirror) -> MirrorMotion<Mirror>;
+template <class Mirror> MirrorMotion(Mirror) -> MirrorMotion<Mirror>; ///< deduction guide
 
-/// Follows the virtual image like MirrorMotion, but by how far the image has moved on the screen since the previous frame, not to where it
-/// was. A rough surface shows a hit in many pixels around the mirror direction's: each of them keeps its own place in the lobe, so what
-/// stands still stays exactly where it is, with no noise in the vectors.
+/// Moves the pixel by the displacement of the virtual image on the screen since the previous frame; MirrorMotion goes to the image's
+/// position itself. On a rough surface each pixel then keeps its place within the lobe: vectors have no noise, and a still picture stays
+/// still.
+/// @tparam Mirror computes the virtual image: FlatMirror, or ThinLens for curved mirrors
 template <class Mirror = FlatMirror> struct ImageMotion {
-    using parts = Parts<Mirror, SamePlane>;
-    using reads = detail::VirtualImageChannels;
-    static constexpr bool needs_camera = true;
-    Mirror mirror{};
-    SamePlane test{};
-    float among_moving = 0.5f; ///< validity where neighbouring pixels reflect something that moves: their mixture follows no single vector
+    using parts = Parts<Mirror, SamePlane>;     ///< what it is made of
+    using reads = detail::VirtualImageChannels; ///< of this frame
+    static constexpr bool needs_camera = true;  ///< to project
+    Mirror mirror{};                            ///< computes the virtual image
+    SamePlane test{};                           ///< what a past pixel must pass
+    float among_moving = 0.5f;                  ///< validity where something reflected in the 3x3 moves: no single vector fits the mixture
 
+    /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const image = detail::virtual_image_then(px, mirror);
@@ -78,6 +83,7 @@ template <class Mirror = FlatMirror> struct ImageMotion {
     }
 
 private:
+    /// `among_moving` where a hit of the 3x3 has moved since the previous frame by more than 1e-4 of its distance, else 1.
     template <class Px> QUELL_KERNEL auto trust(Px const& px) const {
         using Real = typename Px::Real;
         Real moving(0.f);
@@ -88,6 +94,6 @@ private:
         return select(moving > Real(0.f), Real(among_moving), Real(1.f));
     }
 };
-template <class Mirror> ImageMotion(Mirror) -> ImageMotion<Mirror>;
+template <class Mirror> ImageMotion(Mirror) -> ImageMotion<Mirror>; ///< deduction guide
 
 } // namespace quell

@@ -4,13 +4,14 @@
 
 namespace quell {
 
-/// The virtual image in a curved mirror, for MirrorMotion, ImageMotion and GlossyMotion: the thin-lens equation 1 / image = 1 / object + 2
-/// / radius, in each of two directions of the surface by its own curvature, which neighbouring normals tell. Convex mirrors draw the image
-/// towards themselves. The curvature is taken from this frame for the previous one too. (TRMV section 7; Hirvonen 2019)
+/// The virtual image in a curved mirror, for MirrorMotion, ImageMotion and GlossyMotion (TRMV section 7; Hirvonen et al. 2019). It applies
+/// the thin-lens equation, 1 / image distance = 1 / object distance + 2 / radius, in two directions of the surface. Curvatures come from
+/// the normals of neighbouring pixels in this frame and are used for the previous frame too. Convex mirrors bring the image closer.
 struct ThinLens {
-    using reads = Channels<Position, ReceiverPrevious, Normal>;
-    float most = 50.f; ///< curvature that is believed, in 1 / world units
+    using reads = Channels<Position, ReceiverPrevious, Normal>; ///< of this frame
+    float most = 50.f;                                          ///< limit of the absolute curvature, in 1 / world units
 
+    /// The virtual image of `point`. All in world space.
     template <class Px, class Plane, class V> QUELL_KERNEL V image(Px const& px, Plane const& plane, V const& point) const {
         auto const offset = point - plane.point;
         auto const mirrored = add_scaled(offset, plane.normal, dot(offset, plane.normal) * -2.f);
@@ -29,19 +30,19 @@ struct ThinLens {
     }
 
 private:
-    /// Of the surface along one direction of the screen; positive where it is convex.
+    /// Curvature of the surface along one screen direction, in 1 / world units; positive is convex.
     template <class Px, class V> QUELL_KERNEL auto curvature(Px const& px, V const& edge, int dx, int dy) const {
         using Real = typename Px::Real;
         auto const forth = px.at(dx, dy), back = px.at(-dx, -dy);
         auto const span = forth[position] - back[position], turn = forth[normal] - back[normal];
-        // Across a silhouette the span is far longer than the edge.
+        // Across a silhouette the span is much longer than the shorter edge.
         auto const smooth = both(forth.inside(), back.inside(), dot(span, span) < dot(edge, edge) * 9.f);
         auto const bend = dot(turn, span) / max(dot(span, span), Real(1e-20f));
         return masked(both(smooth, is_finite(bend)), clamp(bend, Real(-most), Real(most)));
     }
-    /// How much nearer to the surface the image is than the object.
+    /// Image distance / object distance.
     template <class Real> QUELL_KERNEL static Real shrink(Real curvature, Real distance) {
-        // A concave mirror's image may lie at infinity and turn round: then the lens says nothing that could be followed.
+        // In a concave mirror the image may pass through infinity and become real. The bound keeps it at 5 times the object distance.
         return 1.f / max(fma(curvature * 2.f, distance, Real(1.f)), Real(0.2f));
     }
 };
