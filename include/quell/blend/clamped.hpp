@@ -9,6 +9,7 @@ namespace quell {
 
 /// Range: minimum to maximum of the neighbourhood, per component.
 struct MinMax {
+    /// @cond
     template <class V> struct Gatherer {
         using Real = real_of<V>;
         V low, high;
@@ -20,12 +21,14 @@ struct MinMax {
         }
         QUELL_KERNEL void finish(MinMax) {}
     };
+    /// @endcond
 };
 
 /// Range: mean +- `sigmas` standard deviations of the neighbourhood, per component (Salvi 2015).
 struct MeanDeviation {
     float sigmas = 1.f; ///< above 0; 1 where motion may be wrong, 3 with reliable motion (TRMV section 5)
 
+    /// @cond
     template <class V> struct Gatherer {
         using Real = real_of<V>;
         V low, high, centre;
@@ -48,6 +51,7 @@ struct MeanDeviation {
             high = map([](auto m, auto r) QUELL_INLINED { return m + r; }, middle, reach);
         }
     };
+    /// @endcond
 };
 
 // Colour spaces to clamp in.

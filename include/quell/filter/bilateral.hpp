@@ -6,9 +6,11 @@ namespace quell {
 
 /// An EdgeWeight of 1 everywhere.
 struct NoEdge {
+    /// @cond
     struct Around {
         QUELL_KERNEL auto distance(auto, auto sum) const { return sum; }
     };
+    /// @endcond
     /// See EdgeWeight.
     QUELL_KERNEL auto around(auto) const { return Around{}; }
 };

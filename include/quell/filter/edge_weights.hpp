@@ -14,6 +14,7 @@ struct DepthEdge {
     float sigma = 1.f;            ///< multiple of the slope that has weight 1/e
     float relative_floor = 0.01f; ///< difference with weight 1/e on a surface without slope, as a part of depth
 
+    /// @cond
     template <class Real> struct Toward {
         Real z, inverse;
         QUELL_KERNEL Real distance(auto neighbour, Real sum) const { return fma(abs(neighbour[depth] - z), inverse, sum); }
@@ -25,6 +26,7 @@ struct DepthEdge {
             return Toward<Real>{z, approximate_reciprocal(along + floor)};
         }
     };
+    /// @endcond
     /// See EdgeWeight.
     QUELL_KERNEL auto around(auto px) const {
         auto const z = px[depth];
@@ -41,6 +43,7 @@ struct NormalEdge {
     /// @endcond
     float sharpness = 128.f; ///< larger: normals must agree better; 0: they do not matter
 
+    /// @cond
     template <class Real> struct Around {
         vec3<Real> n; // times -sharpness
         float sharpness;
@@ -50,6 +53,7 @@ struct NormalEdge {
             return fma(n.x, there.x, fma(n.y, there.y, fma(n.z, there.z, sum)));
         }
     };
+    /// @endcond
     /// See EdgeWeight.
     QUELL_KERNEL auto around(auto px) const {
         auto const n = px[normal];

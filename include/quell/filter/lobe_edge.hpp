@@ -17,6 +17,7 @@ struct LobeEdge {
     float width = 2.f;  ///< w in GGX alphas (squared roughness) times the distance to the hit
     float least = 0.3f; ///< minimum of w, in pixels
 
+    /// @cond
     template <class Real> struct Around {
         Real falloff;
         QUELL_KERNEL auto toward(int dx, int dy) const { return Toward{falloff * static_cast<float>(dx * dx + dy * dy)}; }
@@ -25,6 +26,7 @@ struct LobeEdge {
             QUELL_KERNEL Real distance(auto const&, Real sum) const { return sum + away; }
         };
     };
+    /// @endcond
     /// See EdgeWeight.
     QUELL_KERNEL auto around(auto const& px) const {
         using Real = typename std::remove_cvref_t<decltype(px)>::Real;

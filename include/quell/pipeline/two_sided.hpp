@@ -97,8 +97,8 @@ void copy_accumulated(ImageView auto const& light, History<P, Storage> const& hi
 ///     Frame frame{size, denoise, two_sided};     TwoSidedHistory history{size, denoise};
 ///     auto clean = run_two_sided(denoise, window, history, Threads{});    // window[0] is denoised, the others follow it
 ///
-/// The window ends where frame numbers do not follow each other; it may be a single frame. A call costs one run() and, for each further
-/// frame, one accumulate(). The frames are changed during the call and restored.
+/// The window ends where frame numbers do not follow each other or the size changes; it may be a single frame. A call costs one run() and,
+/// for each further frame, one accumulate(). The frames are changed during the call and restored.
 /// @param pipeline for accumulating both sides
 /// @param joining  the same pipeline, maybe with other numbers, for joining the two sides. Where light moves, one side lags and the other
 /// leads, so that their mean is better than either: presets::general_joining

@@ -8,7 +8,7 @@ namespace quell::detail {
 
 /// Atomic addition. A template: other constexpr functions cannot call one that is not constexpr.
 template <class Whole> QUELL_KERNEL void add_together(std::atomic<Whole>& sum, Whole more) {
-#if defined(__CUDA_ARCH__) // device code has no std::atomic: nvcc would drop the call without a word
+#if defined(__CUDA_ARCH__) // device code has no std::atomic: nvcc would silently drop the call
     atomicAdd(reinterpret_cast<unsigned long long*>(&sum), static_cast<unsigned long long>(more));
 #else
     sum.fetch_add(more, std::memory_order_relaxed);
