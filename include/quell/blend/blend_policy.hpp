@@ -4,19 +4,22 @@
 
 namespace quell {
 
-/// Joins a pixel's present with its past:
-///     auto blend(auto px, auto past) const -> the new value, or Result{value, alpha}.with(channel it `keeps`, value)...
-/// `px.signal()` is the present; `past` is a Past: signal, validity (0: none), clamped, and past[channel] for what the policy `keeps`,
-/// which is 0 where validity is. Missing samples never reach a policy's result: the stage keeps the past instead.
+/// Blends a pixel's new sample with its history. A policy has one function:
+///
+///     auto blend(auto px, auto past) const      // the new value, or Result{value, alpha}.with(channel it `keeps`, value)...
+///
+/// `px.signal()` is the new sample. `past` is a Past: its signal, its validity (0: no history), and `past[channel]` for what the policy
+/// `keeps`, which is 0 without history. A missing sample changes nothing: Temporal then keeps the history, whatever the policy returns.
 template <class B>
 concept BlendPolicy = std::is_trivially_copyable_v<B> && requires(B const b, detail::Probe<B> px, detail::PastOf<detail::Probe<B>> past) {
     { detail::as_result(b.blend(px, past)).value } -> std::convertible_to<typename detail::Probe<B>::Signal>;
 };
 
-/// past + alpha (now - past): what most blend policies come down to, once they know alpha.
+/// past + alpha (now - past), the exponential blend that most policies end in.
+/// @param alpha weight of the new sample, 0 to 1
 template <class Px, class P> QUELL_KERNEL auto accumulate(Px const& px, P const& past, typename Px::Real alpha) {
     auto const now = px.signal();
-    // alpha 1 must give `now` to the last bit, also where the past is much larger.
+    // mix() would round: alpha 1 must return `now` exactly, even beside a much larger past.
     auto const fresh = alpha >= typename Px::Real(1.f);
     return Result<typename Px::Signal>{select(fresh, now, mix(past.signal, now, alpha)), alpha, {}};
 }

@@ -5,10 +5,11 @@
 
 namespace quell {
 
-// How the range of a neighbourhood is measured.
+// Ranges that a history can be clamped to.
 
-/// From the least to the greatest value around the pixel.
+/// Range: minimum to maximum of the neighbourhood, per component.
 struct MinMax {
+    /// @cond
     template <class V> struct Gatherer {
         using Real = real_of<V>;
         V low, high;
@@ -20,18 +21,20 @@ struct MinMax {
         }
         QUELL_KERNEL void finish(MinMax) {}
     };
+    /// @endcond
 };
 
-/// The mean +- `sigmas` standard deviations (Salvi 2015): 1 where motion may be wrong, 3 with reliable motion (TRMV section 5).
+/// Range: mean +- `sigmas` standard deviations of the neighbourhood, per component (Salvi 2015).
 struct MeanDeviation {
-    float sigmas = 1.f;
+    float sigmas = 1.f; ///< above 0; 1 where motion may be wrong, 3 with reliable motion (TRMV section 5)
 
+    /// @cond
     template <class V> struct Gatherer {
         using Real = real_of<V>;
         V low, high, centre;
         Real weight = Real(0.f);
         QUELL_KERNEL explicit Gatherer(V const& centre_) : low(zero<V>()), high(zero<V>()), centre(centre_) {}
-        /// Sums of distances from the centre: sums of squares of the values themselves cancel at HDR magnitudes.
+        /// Sums differences from the centre: squares of HDR values would cancel.
         QUELL_KERNEL void add(V const& v, Real w) {
             auto const d = map([](auto a, auto b) QUELL_INLINED { return a - b; }, v, centre);
             low = map([&](auto s, auto a) QUELL_INLINED { return s + a * w; }, low, d);
@@ -48,46 +51,59 @@ struct MeanDeviation {
             high = map([](auto m, auto r) QUELL_INLINED { return m + r; }, middle, reach);
         }
     };
+    /// @endcond
 };
 
-// The axes along which a range is measured.
+// Colour spaces to clamp in.
 
+/// Clamps each component as it is.
 struct Rgb {
+    /// From the signal to the space of the clamp.
     template <class V> QUELL_KERNEL static V from(V const& v) { return v; }
+    /// Back to the signal.
     template <class V> QUELL_KERNEL static V to(V const& v) { return v; }
 };
 
-/// Luma and two chromas: a tighter box around colours that vary mostly in brightness. Values that are not colours stay as they are.
+/// Clamps luma and two chromas: a tighter box, since neighbouring colours differ mostly in brightness. Signals that are not colours are
+/// clamped as they are.
 struct YCoCg {
+    /// RGB to YCoCg.
     template <class V> QUELL_KERNEL static V from(V const& v) {
         if constexpr (components_of<V> != 3)
             return v;
         else
             return {v.x * 0.25f + v.y * 0.5f + v.z * 0.25f, (v.x - v.z) * 0.5f, v.y * 0.5f - (v.x + v.z) * 0.25f};
     }
+    /// YCoCg to RGB. Negative components become 0.
     template <class V> QUELL_KERNEL static V to(V const& v) {
         using Real = real_of<V>;
         if constexpr (components_of<V> != 3) return v;
-        // A corner of the box may lie outside the colours that exist.
+        // A corner of the box may have a negative colour.
         else
             return {max(v.x + v.y - v.z, Real(0.f)), max(v.x + v.z, Real(0.f)), max(v.x - v.y - v.z, Real(0.f))};
     }
 };
 
-/// Brings the past into the range of the pixel's neighbourhood before the inner policy blends, and reports by how much (Past::clamped).
+/// Clamps the history to the range of the pixel's neighbourhood, then lets the inner policy blend. Adds the relative change to
+/// Past::clamped, which Adaptive and WithCleanUp read.
+///
 ///     Clamped{RunningMean{}, MeanDeviation{.sigmas = 3}}
+///
 /// @tparam Inner  a BlendPolicy
 /// @tparam Range  MinMax or MeanDeviation
 /// @tparam Axes   Rgb or YCoCg
-/// @tparam radius of the neighbourhood, in pixels
+/// @tparam radius of the neighbourhood, in pixels: 1 is 3x3
 template <class Inner, class Range = MeanDeviation, class Axes = Rgb, int radius = 1> struct Clamped {
     static_assert(BlendPolicy<Inner>, "Clamped{inner, range}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
+    /// @cond
     using parts = Parts<Inner>;
+    /// @endcond
 
-    Inner inner{};
-    Range range{};
-    Axes axes{};
+    Inner inner{}; ///< blends the clamped history
+    Range range{}; ///< how wide the box is
+    Axes axes{};   ///< the space in which it is a box
 
+    /// The inner policy's result for the clamped history. Missing neighbours do not count.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using V = typename decltype(px)::Signal;
         using Real = typename decltype(px)::Real;
@@ -104,7 +120,7 @@ template <class Inner, class Range = MeanDeviation, class Axes = Rgb, int radius
     }
 
 private:
-    /// w_C of TRMV eq. 8.
+    /// Change of luminance over luminance before: w_C of TRMV eq. 8.
     template <class V> QUELL_KERNEL static auto relative_change(V const& after, V const& before) {
         auto const change = map([](auto a, auto b) QUELL_INLINED { return abs(a - b); }, after, before);
         return luminance(change) / (luminance(before) + 1e-3f);

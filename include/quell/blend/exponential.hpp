@@ -4,11 +4,12 @@
 
 namespace quell {
 
-/// A moving average in which the newest frame weighs `alpha` (TRMV eq. 2). Starts from the first sample, whose noise it forgets slowly:
-/// RunningMean is better wherever one number a pixel can be kept.
+/// Exponential moving average with a fixed alpha (TRMV eq. 2). The first sample has weight 1, so its noise lasts for about 1 / alpha
+/// frames. RunningMean avoids this, for one more number per pixel.
 struct Exponential {
-    float alpha = 0.1f; ///< in (0, 1]
+    float alpha = 0.1f; ///< weight of the newest frame, in (0, 1]
 
+    /// Blends with 1 - validity (1 - alpha).
     QUELL_KERNEL auto blend(auto px, auto past) const { return accumulate(px, past, 1.f - past.validity * (1.f - alpha)); }
 };
 

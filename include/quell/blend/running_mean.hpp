@@ -4,12 +4,15 @@
 
 namespace quell {
 
-/// The exact mean of a pixel's last frames, until there are `cap` of them; from then on a moving average with alpha = 1 / cap. The only
-/// form that is both unbiased at the start and bounded.
+/// Exact mean of a pixel's samples until there are `cap` of them, then an exponential average with alpha = 1 / cap. So there is no bias at
+/// the start, and old light fades.
 struct RunningMean {
+    /// @cond
     using keeps = Channels<HistoryLength>;
-    float cap = 32.f; ///< frames, at least 1; where the host says how many samples a pixel has (KnownSamples{}), samples
+    /// @endcond
+    float cap = 32.f; ///< in frames, at least 1; in samples where the host says how many a pixel has (KnownSamples{})
 
+    /// alpha = samples now / samples in the new mean.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;
         auto const now = px.samples();
@@ -18,12 +21,16 @@ struct RunningMean {
     }
 };
 
-/// RunningMean whose history shortens by as much as a clamp had to move it: stale samples are forgotten at once, not over `cap` frames.
+/// RunningMean whose history shortens when a clamp moves it: wrong history fades at once, not over `cap` frames. Goes inside Clamped.
+/// Counts every frame as one sample, also with KnownSamples{}.
 struct Adaptive {
+    /// @cond
     using keeps = Channels<HistoryLength>;
-    float cap = 32.f;         ///< frames, at least 1
-    float sensitivity = 0.5f; ///< how much of the clamp's relative change is added to alpha
+    /// @endcond
+    float cap = 32.f;         ///< in frames, at least 1
+    float sensitivity = 0.5f; ///< share of the clamp's relative change that is added to alpha
 
+    /// alpha = min(1 / n + sensitivity * clamped, 1); the history length becomes 1 / alpha.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;
         auto const n = min(past[history_length] * past.validity + 1.f, Real(cap));

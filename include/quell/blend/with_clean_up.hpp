@@ -4,17 +4,23 @@
 
 namespace quell {
 
-/// Says, beside what the inner policy does, how wide a CleanUp filter should be here: wide where less history was used than usual, or where
-/// a clamp moved it (TRMV eqs. 7 and 8): min((alpha - usual_alpha)^2 + clamped, widest).
+/// Emits the deviation in pixels for a CleanUp filter: min((alpha - usual_alpha)^2 + clamped, widest) (TRMV eqs. 7 and 8). It is large
+/// where little history was used, or where a clamp moved it. Does not change the inner policy's result.
+///
 ///     Temporal{SurfaceMotion{}, Clamped{WithCleanUp{Exponential{.alpha = 0.1f}}}}
+///
+/// @tparam Inner a BlendPolicy
 template <class Inner> struct WithCleanUp {
     static_assert(BlendPolicy<Inner>, "WithCleanUp{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
+    /// @cond
     using parts = Parts<Inner>;
     using emits = Channels<CleanUpDeviation>;
-    Inner inner{};
-    float usual_alpha = 0.1f;
-    float widest = 5.f; ///< pixels
+    /// @endcond
+    Inner inner{};            ///< blends, and says alpha
+    float usual_alpha = 0.1f; ///< up to this alpha no clean-up is needed
+    float widest = 5.f;       ///< pixels
 
+    /// The inner result, with clean_up_deviation.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;
         auto const result = detail::result_of([&]() QUELL_INLINED { return inner.blend(px, past); });

@@ -4,13 +4,17 @@
 
 namespace quell {
 
-/// Keeps, beside what the inner policy does, the mean and variance over time of each pixel's luminance, with the same alpha.
+/// Also keeps mean and variance over time of the samples' luminance, updated with the inner policy's alpha. For VarianceGuidedAtrous.
+/// @tparam Inner a BlendPolicy
 template <class Inner> struct WithMoments {
     static_assert(BlendPolicy<Inner>, "WithMoments{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
+    /// @cond
     using parts = Parts<Inner>;
     using keeps = Channels<LuminanceMean, LuminanceVariance>;
-    Inner inner{};
+    /// @endcond
+    Inner inner{}; ///< blends, and says alpha
 
+    /// The inner result, with luminance_mean and luminance_variance.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         auto const result = detail::result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
         auto const alpha = result.alpha;

@@ -4,15 +4,18 @@
 
 namespace quell {
 
-/// Keeps, beside what the inner policy does, the variance over time of each pixel's luminance, with the same alpha, as WithMoments does;
-/// but takes the mean from the signal itself, so that there is one number less to keep. For policies whose value is the mean of what they
-/// have seen, which a clamp or a filter that feeds back makes untrue.
+/// Like WithMoments, but takes the mean from the history of the signal itself, which saves one number per pixel. Only right where that is
+/// the mean of the samples seen: not with a clamp, and not with a filter that feeds back.
+/// @tparam Inner a BlendPolicy
 template <class Inner> struct WithVariance {
     static_assert(BlendPolicy<Inner>, "WithVariance{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
+    /// @cond
     using parts = Parts<Inner>;
     using keeps = Channels<LuminanceVariance>;
-    Inner inner{};
+    /// @endcond
+    Inner inner{}; ///< blends, and says alpha
 
+    /// The inner result, with luminance_variance.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         auto const result = detail::result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
         auto const off = luminance(px.signal()) - luminance(past.signal);

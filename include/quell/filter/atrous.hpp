@@ -6,17 +6,17 @@
 
 namespace quell {
 
-/// The taps of a wavelet: the weights of one axis from the centre outwards. This one is 5x5 (Dammertz 2010).
+/// 5x5 taps of a wavelet: a B3 spline (Dammertz 2010).
 struct CubicSpline {
-    static constexpr float weights[] = {0.375f, 0.25f, 0.0625f};
+    static constexpr float weights[] = {0.375f, 0.25f, 0.0625f}; ///< along one axis, from the centre outwards
 };
-/// 3x3: a third of the taps, and half the reach.
+/// 3x3 taps of a wavelet: a third of the taps of CubicSpline, and half the reach.
 struct LinearSpline {
-    static constexpr float weights[] = {0.5f, 0.25f};
+    static constexpr float weights[] = {0.5f, 0.25f}; ///< along one axis, from the centre outwards
 };
 
 namespace detail {
-/// What edge_weight wants to know of a spline's weights, by |column| and |row|.
+/// The bits of a spline's weights (weight_bits), by |column| and |row|.
 template <class Spline> struct SplineBits {
     static constexpr int radius = static_cast<int>(std::size(Spline::weights)) - 1;
     float at[radius + 1][radius + 1];
@@ -28,10 +28,10 @@ template <class Spline> struct SplineBits {
 };
 template <class Spline> inline constexpr SplineBits<Spline> spline_bits;
 
-/// Gives back the centre where arithmetic went wrong: a NaN in a guide, under flags that let the compiler assume there is none.
+/// The centre where v is not finite. A NaN in a guide can get this far where compiler flags assume that there are none.
 template <class V> QUELL_KERNEL V finite_or(V const& v, V const& centre) { return select(all_finite(v), v, centre); }
 
-/// One level of the edge-avoiding wavelet. With `guided` it filters the variance along, by squared weights.
+/// One level of the wavelet. With `guided` it also filters the variance, by squared weights.
 template <class Edge, bool guided, class Spline = CubicSpline> struct AtrousLevel {
     static constexpr auto name = guided ? "variance-guided a-trous" : "a-trous";
     using parts = Parts<Edge>;
@@ -66,17 +66,25 @@ template <class Edge, bool guided, class Spline = CubicSpline> struct AtrousLeve
 };
 } // namespace detail
 
-/// The edge-avoiding a-trous wavelet: `levels` passes of a 5x5 B3 spline whose taps stand 1, 2, 4, ... pixels apart (Dammertz 2010).
-///     Atrous<>{.levels = 4}    or    Atrous{Product{NormalEdge{}, LuminanceEdge{}}, 4}
-/// @tparam Edge an EdgeWeight
+/// The edge-avoiding a-trous wavelet (Dammertz 2010): `levels` passes whose taps are 1, 2, 4, ... pixels apart.
+///
+///     Atrous<>{.levels = 4}
+///     Atrous{Product{NormalEdge{}, LuminanceEdge{}}, 4}
+///
+/// @tparam Edge   an EdgeWeight
 /// @tparam Spline CubicSpline, or LinearSpline for 3x3
 template <class Edge = Product<DepthEdge, NormalEdge>, class Spline = CubicSpline> struct Atrous {
     static_assert(EdgeWeight<Edge>, "Atrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    /// @cond
     using parts = Parts<Edge>;
-    Edge edge{};
-    int levels = 5;
+    /// @endcond
+    Edge edge{};    ///< which neighbours count
+    int levels = 5; ///< passes; 5 of 5x5 taps reach 62 pixels
 
+    /// @cond
     using Level = detail::AtrousLevel<Edge, false, Spline>;
+    /// @endcond
+    /// One pass per level.
     constexpr void for_each_pass(auto&& pass) const {
         for (int i = 0; i < levels; ++i) pass(Level{edge, 1 << i});
     }

@@ -4,16 +4,19 @@
 
 namespace quell {
 
-/// Every neighbour counts the same: makes a bilateral filter a plain one.
+/// An EdgeWeight of 1 everywhere.
 struct NoEdge {
+    /// @cond
     struct Around {
         QUELL_KERNEL auto distance(auto, auto sum) const { return sum; }
     };
+    /// @endcond
+    /// See EdgeWeight.
     QUELL_KERNEL auto around(auto) const { return Around{}; }
 };
 
 namespace detail {
-/// The Gaussians exp(-i^2 / (2 deviation^2)) for i = 1, 2, 3, ... by two multiplications each.
+/// exp(-i^2 / (2 deviation^2)) for i = 1, 2, 3, ..., by two multiplications each.
 template <class Real> struct GaussianSteps {
     Real weight, ratio, growth;
     QUELL_KERNEL explicit GaussianSteps(Real deviation)
@@ -25,7 +28,7 @@ template <class Real> struct GaussianSteps {
     }
 };
 
-/// One direction of a separable joint bilateral filter; `Deviation` says how wide, for the frame or for each pixel.
+/// One direction of a separable joint bilateral filter. `Deviation` gives the width, for the frame or per pixel.
 template <class Edge, class Deviation> struct BilateralLine {
     static constexpr auto name = "bilateral";
     using parts = Parts<Edge, Deviation>;
@@ -44,7 +47,7 @@ template <class Edge, class Deviation> struct BilateralLine {
         for (int i = 1; i <= radius; ++i) {
             int const dx = vertical ? 0 : i, dy = vertical ? i : 0;
             auto const& toward = detail::edge_toward(around, dx, dy);
-            // What counts for less than rounding counts for nothing, so that it makes no difference which pixels stop together.
+            // Smaller weights are 0, so that the result does not depend on where the other lanes of a pack stop.
             auto const gauss = gaussian.next();
             auto const reaches = gauss > Real(1e-7f);
             if (!any(reaches)) break;
@@ -72,16 +75,21 @@ struct DeviationChannel {
 };
 } // namespace detail
 
-/// A separable joint bilateral filter of any radius: a Gaussian whose weights stop at edges, first along rows, then along columns.
+/// Separable joint bilateral filter: a Gaussian that stops at edges, along rows and then along columns.
+///
 ///     Bilateral<>{.radius = 15}
+///
 /// @tparam Edge an EdgeWeight
 template <class Edge = Product<DepthEdge, NormalEdge>> struct Bilateral {
     static_assert(EdgeWeight<Edge>, "Bilateral{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    /// @cond
     using parts = Parts<Edge>;
-    Edge edge{};
+    /// @endcond
+    Edge edge{};           ///< which neighbours count
     int radius = 4;        ///< pixels; 15 is a 31x31 filter
-    float deviation = 0.f; ///< of the Gaussian, in pixels; 0: half the radius
+    float deviation = 0.f; ///< standard deviation of the Gaussian, in pixels; 0: half the radius
 
+    /// Rows, then columns.
     constexpr void for_each_pass(auto&& pass) const {
         using Line = detail::BilateralLine<Edge, detail::EvenDeviation>;
         detail::EvenDeviation const width{deviation > 0.f ? deviation : max(0.5f * static_cast<float>(radius), 0.5f)};
@@ -94,36 +102,46 @@ template <class... Fields> Bilateral(Fields...) -> Bilateral<typename detail::Ed
 /// A separable Gaussian blur.
 struct Gaussian {
     int radius = 4;        ///< pixels
-    float deviation = 0.f; ///< pixels; 0: half the radius
+    float deviation = 0.f; ///< standard deviation, in pixels; 0: half the radius
 
+    /// Rows, then columns.
     constexpr void for_each_pass(auto&& pass) const { Bilateral<NoEdge>{NoEdge{}, radius, deviation}.for_each_pass(pass); }
 };
 
-/// A bilateral filter whose width each pixel chooses.
+/// A Bilateral filter with a width per pixel.
+///
 ///     AdaptiveBilateral<PenumbraWidth>{.radius = 15}
-/// @tparam Width says of(px): the deviation of the Gaussian, in pixels, above 0
+///
+/// @tparam Width has of(px): the standard deviation of the Gaussian, in pixels, above 0
 /// @tparam Edge  an EdgeWeight
 template <class Width, class Edge = Product<DepthEdge, NormalEdge>> struct AdaptiveBilateral {
     static_assert(EdgeWeight<Edge>, "AdaptiveBilateral{width, edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    /// @cond
     using Line = detail::BilateralLine<Edge, Width>;
     using parts = Parts<Line>;
-    Width width{};
-    Edge edge{};
-    int radius = 4; ///< pixels; wider Gaussians are cut off there
+    /// @endcond
+    Width width{};  ///< the width of each pixel
+    Edge edge{};    ///< which neighbours count
+    int radius = 4; ///< in pixels; wider Gaussians are cut off there
 
+    /// Rows, then columns.
     constexpr void for_each_pass(auto&& pass) const {
         pass(Line{edge, width, radius, false});
         pass(Line{edge, width, radius, true});
     }
 };
 
-/// Removes what noise a short or clamped history leaves: a joint bilateral of at most 9x9 whose width each pixel chooses (TRMV section 5).
-/// Wants a blend policy WithCleanUp before it.
+/// Removes the noise that a short or clamped history leaves: a joint bilateral filter of at most 9x9, with a width per pixel (TRMV section
+/// 5). Goes after a Temporal with WithCleanUp, which says the width.
+/// @tparam Edge an EdgeWeight
 template <class Edge = Product<DepthEdge, NormalEdge>> struct CleanUp {
     static_assert(EdgeWeight<Edge>, "CleanUp{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    /// @cond
     using parts = Parts<detail::BilateralLine<Edge, detail::DeviationChannel>>;
-    Edge edge{};
+    /// @endcond
+    Edge edge{}; ///< which neighbours count
 
+    /// Rows, then columns.
     constexpr void for_each_pass(auto&& pass) const { AdaptiveBilateral<detail::DeviationChannel, Edge>{{}, edge, 4}.for_each_pass(pass); }
 };
 template <class Edge> CleanUp(Edge) -> CleanUp<Edge>;

@@ -5,7 +5,7 @@
 namespace quell {
 
 namespace detail {
-/// The variance of each pixel's mean. Over time where the history is long, from the 5x5 around where it is short, and in between both.
+/// The variance of each pixel's mean: over time where the history is long, over 5x5 pixels where it is short, and mixed in between.
 template <class Edge> struct VarianceOfMean {
     static constexpr auto name = "variance of mean";
     using parts = Parts<Edge>;
@@ -17,7 +17,7 @@ template <class Edge> struct VarianceOfMean {
     QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const n = max(px[history_length], Real(1.f));
-        // Of n samples, the squares of whose distances from their own mean come out too small by (n - 1) / n.
+        // The variance over time is too small by (n - 1) / n, and the mean's is 1 / n of the samples'.
         auto const over_time = px[luminance_variance] / max(n - 1.f, Real(1.f));
         auto const brief = n < Real(enough);
         if (!any(brief)) return emitted<Real>(variance, over_time);
@@ -28,11 +28,11 @@ template <class Edge> struct VarianceOfMean {
 
 private:
     static constexpr int radius = 2, side = 2 * radius + 1;
-    /// The least of four directions' is too small where there is nothing but noise; this makes up for it.
+    /// The minimum of four noisy estimates is too small; this makes up for it.
     static constexpr float least_of_four = 1.5f;
 
-    /// Half the mean square difference of neighbours along a row, a column or a diagonal, whichever is least: along the edge of a shadow
-    /// there is only noise, where the variance of all that is seen around would take the edge for it. Outlined: few histories are short.
+    /// Half the mean square difference of neighbours, in the direction with the least: row, column or diagonal. Along a shadow's edge there
+    /// is only noise; the variance of the whole neighbourhood would include the edge. Not inlined: few histories are short.
     template <class Px> [[gnu::noinline]] constexpr auto spatial_variance(Px const& px, typename Px::Real otherwise) const {
         using Real = typename Px::Real;
         auto const around = edge.around(px);
@@ -55,7 +55,7 @@ private:
                     squares = fma(off * off, w, squares);
                     weights = weights + w;
                 }
-            // Less than a twentieth of a pair is no evidence.
+            // A total weight under 1/20 of a pair is no evidence.
             auto const known = weights > Real(0.05f);
             least = select(known, min(least, squares / select(known, weights, Real(1.f))), least);
         }
@@ -64,7 +64,7 @@ private:
     static constexpr int max_of(int a, int b) { return a > b ? a : b; }
 };
 
-/// One level of an edge-avoiding wavelet by which pixels exchange light: see ConservingAtrous.
+/// One level of ConservingAtrous.
 template <class Edge> struct ExchangeLevel {
     static constexpr auto name = "conserving a-trous";
     using parts = Parts<Edge>;
@@ -83,17 +83,17 @@ template <class Edge> struct ExchangeLevel {
         auto const here = px.signal();
         auto const brightness = luminance(here);
         auto const noise_here = px[variance];
-        // Differences under a ten-thousandth of the light are no edge.
+        // Differences under 1e-4 of the light are no edge.
         constexpr float rounding = 1e-8f;
         auto const tolerated = fma(brightness * brightness, Real(rounding), noise_here + 1e-20f);
-        // Geometry is certain and normalises; brightness is not, and doesn't.
+        // Only weights of geometry are normalised. Normalising those of luminance would lose light.
         auto gained = zero<typename Px::Signal>();
         Real weights(centre), taken(0.f), noise(0.f);
         auto const exchanged = [&](auto const& neighbour, auto distance, float bits) QUELL_INLINED {
             weights = weights + edge_weight(distance, bits);
             auto const there = neighbour.signal();
             auto const its_noise = neighbour[variance];
-            // Both sides see the same difference over the same noise, so that what one gives the other gets.
+            // Symmetric in the two pixels: what one gives the other gets.
             auto const its_brightness = luminance(there);
             auto const of_both = fma(its_brightness * its_brightness, Real(rounding), tolerated + its_noise);
             distance = fma(abs(its_brightness - brightness), approximate_reciprocal(sqrt(of_both) * sigma_luminance), distance);
@@ -112,24 +112,28 @@ template <class Edge> struct ExchangeLevel {
 };
 } // namespace detail
 
-/// A variance-guided a-trous wavelet (after Schied 2017) that conserves light. Other filters take a mean of those neighbours that look like
-/// the pixel; where noise is skewed, as a path tracer's is, most pixels are darker than the mean and find each other, and light is lost.
-/// Here pixels exchange light in pairs instead: out = in + sum of w(p, q) (in(q) - in(p)), where w is the same from both sides since
-/// differences are measured against the noise of both. What one loses the other gains. The first level, which sees the noise as it is, asks
-/// for more evidence of an edge than the others, which compare what is less noisy. 3x3 taps. Wants a Temporal{motion, WithVariance{...}}
-/// before it, of a policy that keeps the history's length.
-/// @tparam Edge an EdgeWeight for geometry; the weight for luminance is built in
+/// A variance-guided a-trous wavelet (after Schied et al. 2017) that conserves light. Goes after a Temporal{motion, WithVariance{...}}
+/// whose policy keeps the history length.
+///
+/// The usual filter averages the neighbours that look alike. With the skewed noise of path tracing, most pixels are darker than the mean
+/// and find each other, so light is lost. Here pixels exchange light in pairs: out(p) = in(p) + sum of w(p, q) (in(q) - in(p)). w is the
+/// same from both sides, since differences are measured against the noise of both pixels, so what one loses the other gains. Exact inside a
+/// surface; at edges of geometry the weights are normalised per pixel. Taps are 3x3.
+/// @tparam Edge an EdgeWeight for geometry; the one for luminance is built in
 template <class Edge = Product<DepthEdge, NormalEdge>> struct ConservingAtrous {
     static_assert(EdgeWeight<Edge>, "ConservingAtrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    /// @cond
     using Level = detail::ExchangeLevel<Edge>;
     using parts = Parts<detail::VarianceOfMean<Edge>, Level>;
-    Edge edge{};
-    int levels = 5;
-    float sigma_luminance = 4.f; ///< deviations of the noise of both pixels that they may differ by at weight 1/e
-    float sigma_first = 6.f;     ///< the same for the first level
-    float exchange = 1.2f;       ///< 1: a pixel keeps the spline's quarter of itself among equals; up to 1.33, where it keeps nothing
-    float enough = 4.f;          ///< frames over which a variance is trusted; 0 where the host says the variance (KnownSamples{})
+    /// @endcond
+    Edge edge{};                 ///< which neighbours belong to the same surface
+    int levels = 5;              ///< passes, with taps 1, 2, 4, ... pixels apart
+    float sigma_luminance = 4.f; ///< difference with weight 1/e, in standard deviations of the noise of both pixels
+    float sigma_first = 6.f;     ///< the same for the first level, whose input is noisier
+    float exchange = 1.2f;       ///< among equal pixels, a pixel keeps 1 - 0.75 exchange of itself; 0 to 1.33
+    float enough = 4.f;          ///< history length from which the variance over time is trusted; 0 with KnownSamples{}
 
+    /// The variance, then one pass per level.
     constexpr void for_each_pass(auto&& pass) const {
         pass(detail::VarianceOfMean<Edge>{edge, enough});
         for (int i = 0; i < levels; ++i) pass(Level{edge, 1 << i, i == 0 ? sigma_first : sigma_luminance, exchange});

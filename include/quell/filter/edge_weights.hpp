@@ -5,13 +5,16 @@
 
 namespace quell {
 
-/// exp(-|dz| / (sigma |grad z . dp| + relative_floor z)): neighbours off the surface's own slope count less (SVGF's w_z). A miss has no
-/// neighbours.
+/// Neighbours off the surface's slope in depth weigh less: exp(-|dz| / (sigma |grad z . dp| + relative_floor z)) (w_z of Schied et al.
+/// 2017). A miss has no neighbours.
 struct DepthEdge {
+    /// @cond
     using reads = Channels<Depth>;
-    float sigma = 1.f;
-    float relative_floor = 0.01f; ///< the change of depth, as a part of depth, that always passes at weight 1/e
+    /// @endcond
+    float sigma = 1.f;            ///< multiple of the slope that has weight 1/e
+    float relative_floor = 0.01f; ///< difference with weight 1/e on a surface without slope, as a part of depth
 
+    /// @cond
     template <class Real> struct Toward {
         Real z, inverse;
         QUELL_KERNEL Real distance(auto neighbour, Real sum) const { return fma(abs(neighbour[depth] - z), inverse, sum); }
@@ -23,6 +26,8 @@ struct DepthEdge {
             return Toward<Real>{z, approximate_reciprocal(along + floor)};
         }
     };
+    /// @endcond
+    /// See EdgeWeight.
     QUELL_KERNEL auto around(auto px) const {
         auto const z = px[depth];
         auto const slope_x = detail::depth_slope(px, 1, 0), slope_y = detail::depth_slope(px, 0, 1);
@@ -30,11 +35,15 @@ struct DepthEdge {
     }
 };
 
-/// Neighbours that face another way count less: exp(-128 (1 - n . n')), which is SVGF's w_n = max(0, n . n')^128 to within 0.003.
+/// Neighbours with another normal weigh less: exp(-sharpness (1 - n . n')). At 128 this is max(0, n . n')^128 (w_n of Schied et al. 2017)
+/// to within 0.003.
 struct NormalEdge {
+    /// @cond
     using reads = Channels<Normal>;
-    float sharpness = 128.f;
+    /// @endcond
+    float sharpness = 128.f; ///< larger: normals must agree better; 0: they do not matter
 
+    /// @cond
     template <class Real> struct Around {
         vec3<Real> n; // times -sharpness
         float sharpness;
@@ -44,6 +53,8 @@ struct NormalEdge {
             return fma(n.x, there.x, fma(n.y, there.y, fma(n.z, there.z, sum)));
         }
     };
+    /// @endcond
+    /// See EdgeWeight.
     QUELL_KERNEL auto around(auto px) const {
         auto const n = px[normal];
         return Around<typename decltype(px)::Real>{{n.x * -sharpness, n.y * -sharpness, n.z * -sharpness}, sharpness};
@@ -51,31 +62,35 @@ struct NormalEdge {
 };
 
 namespace detail {
-/// What edges of brightness have prepared for the neighbours: the luminance here, and by what its difference is multiplied.
+/// Distance by luminance: |difference| * inverse.
 template <class Real> struct AroundLuminance {
     Real centre, inverse;
     QUELL_KERNEL Real distance(auto neighbour, Real sum) const { return fma(abs(luminance(neighbour.signal()) - centre), inverse, sum); }
 };
 } // namespace detail
 
-/// exp(-|dl| / (sigma * scale)): neighbours of another brightness count less, in absolute units.
+/// Neighbours of another luminance weigh less: exp(-|dl| / sigma).
 struct LuminanceEdge {
-    float sigma = 1.f;
+    float sigma = 1.f; ///< difference with weight 1/e, in units of the signal
 
     template <class Real> struct Around : detail::AroundLuminance<Real> {};
+    /// See EdgeWeight.
     QUELL_KERNEL auto around(auto px) const {
         using Real = typename decltype(px)::Real;
         return Around<Real>{{luminance(px.signal()), Real(1.f / sigma)}};
     }
 };
 
-/// exp(-|dl| / (sigma sqrt(variance) + 1e-4)) with the variance blurred by a 3x3 Gaussian: only differences beyond the noise are edges
-/// (SVGF's w_l).
+/// Only differences of luminance beyond the noise weigh less: exp(-|dl| / (sigma sqrt(variance) + 1e-4)), with the variance blurred by a
+/// 3x3 Gaussian (w_l of Schied et al. 2017).
 struct VarianceGuidedEdge {
+    /// @cond
     using reads = Channels<Variance>;
-    float sigma = 4.f;
+    /// @endcond
+    float sigma = 4.f; ///< difference with weight 1/e, in standard deviations
 
     template <class Real> struct Around : detail::AroundLuminance<Real> {};
+    /// See EdgeWeight.
     QUELL_KERNEL auto around(auto px) const {
         using Real = typename decltype(px)::Real;
         Real sum = px[variance] * 0.25f, weights(0.25f);
@@ -89,13 +104,19 @@ struct VarianceGuidedEdge {
     }
 };
 
-/// The product of several edge weights (their distances added), which is one.
+/// The product of several edge weights, itself an edge weight: their distances are added.
+///
+///     Product{DepthEdge{}, NormalEdge{.sharpness = 32.f}}
+///
+/// @tparam Edges each an EdgeWeight
 template <class... Edges> struct Product : Edges... {
     static_assert((EdgeWeight<Edges> && ...), "Product{edges...}: each must have around(px), see quell/filter/filter_kernel.hpp");
+    /// @cond
     using parts = Parts<Edges...>;
+    /// @endcond
 
-    /// What an edge prepares for a tap, or a reference to what it prepared for the centre: copies of GLM's vectors (they are unions) go
-    /// through memory.
+    /// @cond
+    // A base class for each part's result. Holds references where it can: copies of GLM vectors go through memory.
     template <class T> struct Held { T held; };
     template <class... Prepared> struct Toward : Held<Prepared>... {
         QUELL_KERNEL auto distance(auto const& neighbour, auto sum) const {
@@ -110,6 +131,8 @@ template <class... Edges> struct Product : Edges... {
                 {detail::edge_toward(static_cast<Prepared const&>(*this), dx, dy)}...};
         }
     };
+    /// @endcond
+    /// See EdgeWeight.
     QUELL_KERNEL auto around(auto px) const { return Around<decltype(Edges::around(px))...>{Edges::around(px)...}; }
 };
 template <class... Edges> Product(Edges...) -> Product<Edges...>;

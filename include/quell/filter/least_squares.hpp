@@ -4,7 +4,7 @@
 
 namespace quell::detail {
 
-/// A weighted least-squares fit of a constant and five slopes, and the constant that it finds: the value where all regressors are 0.
+/// Weighted least-squares fit of a constant and five slopes. The result is the constant: the value where all regressors are 0.
 template <class V> struct LeastSquares {
     using Real = real_of<V>;
     static constexpr int slopes = 5;
@@ -30,9 +30,9 @@ template <class V> struct LeastSquares {
         weights = weights + w;
         sum = add_scaled(sum, value, w);
     }
-    /// @param ridge keeps each slope small: the mean square of its regressor under which it is not believed
+    /// @param ridge regularises each slope: mean square of its regressor below which the slope tends to 0
     QUELL_KERNEL V constant(float const (&ridge)[slopes]) {
-        // products = L D L^T; then `slope` solves products * slope = regressors.
+        // Factorises products = L D L^T, then solves products * slope = regressors.
         Real slope[slopes], inverse[slopes];
         for (int i = 0; i < slopes; ++i) {
             auto diagonal = fma(weights, Real(ridge[i]), products[i][i]);

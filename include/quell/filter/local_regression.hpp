@@ -5,23 +5,29 @@
 
 namespace quell {
 
-/// The accumulated light after `level` levels of the filter that makes the pilot; 0: before it.
+/// The accumulated light after `level` levels of the pilot; 0: before the pilot.
 /// @tparam n the signal's components
-template <int level, int n> struct LessFilteredLight : MadeChannel<n> { static constexpr auto name = "less_filtered_light"; };
-/// The variance of the accumulated luminance before any filter.
+template <int level, int n> struct LessFilteredLight : MadeChannel<n> {
+    static constexpr auto name = "less_filtered_light"; ///< in messages
+};
+/// The variance of the accumulated light's luminance, before any filter.
 struct UnfilteredVariance : MadeChannel<1> {
+    /// @cond
     static constexpr auto name = "unfiltered_variance";
     static constexpr bool squared = true;
+    /// @endcond
 };
+/// See UnfilteredVariance.
 inline constexpr UnfilteredVariance unfiltered_variance;
-/// Means over a window of the luminance of the pilot, which has all of the light, and of the fit.
+/// Mean luminance over a window: of the pilot (x), which has all of the light, and of the fit (y).
 struct LightOfPilotAndFit : MadeChannel<2> {
-    static constexpr auto name = "light_of_pilot_and_fit";
+    static constexpr auto name = "light_of_pilot_and_fit"; ///< in messages
 };
+/// See LightOfPilotAndFit.
 inline constexpr LightOfPilotAndFit light_of_pilot_and_fit;
 
 namespace detail {
-/// Keeps the signal, and at first its variance, for a later pass.
+/// Copies the signal for the fit; level 0 also copies its variance.
 template <int level, int n> struct KeepLight {
     static constexpr auto name = "keep light";
     using Light = LessFilteredLight<level, n>;
@@ -48,7 +54,7 @@ template <class V> QUELL_KERNEL auto largest_difference(V const& a, V const& b) 
     (std::make_integer_sequence<int, components_of<V>>{});
 }
 
-/// The fit itself: see LocalRegression.
+/// The fit of LocalRegression.
 template <class Edge, int n> struct RegressionOnGuides {
     static constexpr auto name = "local regression";
     template <int level> using Light = LessFilteredLight<level, n>;
@@ -96,16 +102,16 @@ private:
         });
         return sqrt(sum / count);
     }
-    /// 1 / w^2, where w is the width of the window in pixels: it grows with the cube root of the relative noise, which balances variance
-    /// against the curvature that a linear fit does not follow.
+    /// 1 / w^2, where w is the width of the window in pixels. w grows with the cube root of the relative noise: this balances variance
+    /// against the curvature that a linear fit misses.
     template <class Real> QUELL_KERNEL Real nearness(Real noise, Real light) const {
         auto const relative = clamp(noise / max(light, Real(1e-12f)), Real(1e-6f), Real(1e6f));
-        // The cube root by a third of the exponent, to a few percent.
+        // Cube root to a few percent: a third of the exponent.
         auto const root = from_bits(truncate(fma(to_real(bits(relative)), Real(1.f / 3.f), Real(709921077.f))));
         auto const w = clamp(root * width, Real(least_width), Real(most_width));
         return 1.f / (w * w);
     }
-    /// Adds the taps of a square ring, each of which stands for stride x stride pixels and reads light that was filtered about as wide.
+    /// Adds a square ring of taps. Each stands for stride x stride pixels, and reads light filtered about that wide.
     template <int level, class C, class Fit> QUELL_KERNEL void add_ring(C const& centre, Fit& fit, int inner, int outer, int stride) const {
         float const area = weight_bits(static_cast<float>(stride * stride));
         for (int dy = -outer; dy <= outer; dy += stride) {
@@ -123,7 +129,7 @@ private:
         auto const start = select(
             tap.inside(), fma(centre.per_square, Real(across * across + down * down), Real(edge_offset(centre.around))), Real(too_far));
         auto distance = edge_toward(centre.around, dx, dy).distance(tap, start);
-        // Light is compared in the pilot, which does not look at the samples that are weighed.
+        // The pilot is compared, not the samples that are weighed: weights that depend on them bias the fit.
         auto const there = tap.signal();
         auto const of_pilot = sqrt(centre.pilot_variance + tap[variance]) * sigma_light;
         auto const allowed =
@@ -137,7 +143,7 @@ private:
     }
 };
 
-/// Puts together five in a row or a column.
+/// Mean of five pixels of a row or a column.
 struct LightLine {
     static constexpr auto name = "light of pilot and fit";
     using reads = Channels<LightOfPilotAndFit>;
@@ -156,7 +162,7 @@ struct LightLine {
         return emitted<Real>(light_of_pilot_and_fit, vec2<Real>{pilot * 0.2f, fit * 0.2f});
     }
 };
-/// Gives the fit as much light as the pilot has around.
+/// Scales the fit to the pilot's mean luminance around the pixel.
 struct RestoreLight {
     static constexpr auto name = "restore light";
     using reads = Channels<LightOfPilotAndFit>;
@@ -169,7 +175,7 @@ struct RestoreLight {
     }
 };
 
-/// Slopes show only where normals differ, so the edge of normals is sixteen times less sharp than that of other filters.
+/// Slopes need differing normals, so the default edge is 16 times looser on them than NormalEdge.
 template <class Edge> constexpr Edge loose_edge() {
     if constexpr (std::is_same_v<Edge, Product<DepthEdge, NormalEdge>>)
         return {DepthEdge{}, NormalEdge{.sharpness = 8.f}};
@@ -178,28 +184,35 @@ template <class Edge> constexpr Edge loose_edge() {
 }
 } // namespace detail
 
-/// Fits, in a window around each pixel, the accumulated light by a linear function of the place on the screen and of the normal, and takes
-/// its value at the pixel (first-order regression on guides; after Moon et al. 2014 and Bitterli et al. 2016). Where means blur, along
-/// gradients, on curved surfaces and over edges that pixels mix, a linear function does not. Neighbours weigh by geometry and by how much
-/// the light differs in a pilot: the result of ConservingAtrous, which runs first. The window is as wide as there is noise, of 145 taps:
-/// 5x5, and two sparse rings that read light of the pilot's first levels. What looks alike in the pilot is on average darker than its
-/// surroundings where noise is skewed; so the fit gets as much light, over 25x25 pixels, as the pilot has, which conserves light. For
-/// files, where nobody waits: it costs several times the pilot. Wants what ConservingAtrous wants.
-/// @tparam Edge an EdgeWeight for geometry; normals may differ, since they are regressors
+/// First-order regression on guides (after Moon et al. 2014 and Bitterli et al. 2016). In a window around each pixel, fits the accumulated
+/// light by a linear function of pixel position and normal, and takes its value at the pixel. This does not blur gradients, curved surfaces
+/// and antialiased edges, as means do.
+///
+/// A ConservingAtrous runs first; its result is the pilot. Taps weigh by geometry and by their difference in the pilot. The window is 49x49
+/// pixels at most, with 145 taps: 5x5, and two sparse rings that read light of the pilot's first levels. Its width follows the noise.
+/// Finally the fit is scaled to the pilot's luminance over 25x25 pixels, so that no light is lost: with skewed noise, pixels that look
+/// alike are darker than their surroundings.
+///
+/// For offline use: it costs several times the pilot. Like ConservingAtrous it goes after a Temporal{motion, WithVariance{...}} whose
+/// policy keeps the history length.
+/// @tparam Edge an EdgeWeight for geometry; keep it loose on normals, which are regressors
 /// @tparam n    the signal's components
 template <class Edge = Product<DepthEdge, NormalEdge>, int n = 3> struct LocalRegression {
     static_assert(EdgeWeight<Edge>, "LocalRegression{...}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    /// @cond
     using Fit = detail::RegressionOnGuides<Edge, n>;
     using parts = Parts<ConservingAtrous<>, detail::KeepLight<0, n>, detail::KeepLight<1, n>, detail::KeepLight<2, n>, Fit>;
-    ConservingAtrous<> pilot{};
-    Edge edge = detail::loose_edge<Edge>();
-    float width = 25.f;        ///< of the window, in pixels, where the noise is as large as the light; its taps weigh 1/e there
-    float least_width = 4.f;   ///< in pixels
-    float most_width = 24.f;   ///< in pixels
-    float tolerance = 0.0125f; ///< part of the sum of both pixels' luminance that the pilot may differ by at weight 1/e, beside
-    float sigma_light = 1.f;   ///< deviations of the pilot, and
-    float sigma_noise = 0.2f;  ///< deviations of the accumulated light
+    /// @endcond
+    ConservingAtrous<> pilot{};             ///< runs first; at least 2 levels
+    Edge edge = detail::loose_edge<Edge>(); ///< which neighbours belong to the same surface
+    float width = 25.f;                     ///< distance in pixels at which taps have weight 1/e where the noise is as large as the light
+    float least_width = 4.f;                ///< minimum of that distance
+    float most_width = 24.f;                ///< maximum of that distance
+    float tolerance = 0.0125f;              ///< difference in the pilot with weight 1/e is the sum of: this part of both pixels' luminance,
+    float sigma_light = 1.f;                ///< this many standard deviations of the pilot's noise,
+    float sigma_noise = 0.2f;               ///< and this many of the accumulated light's noise
 
+    /// The pilot's passes, the fit, and the scaling to the pilot's luminance.
     constexpr void for_each_pass(auto&& pass) const {
         int done = 0;
         pilot.for_each_pass([&](auto const& kernel) {

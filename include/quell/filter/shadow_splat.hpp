@@ -6,16 +6,19 @@
 
 namespace quell {
 
-/// The shadow around a pixel: where it moves to in the previous frame (from this pixel, in pixels), how wide its penumbra is (pixels), and
-/// how much of the neighbourhood knows. Each of the first three is a mean weighted by the last.
+/// Motion and penumbra of the shadow around a pixel. x, y: motion to the previous frame, in pixels. z: width of the penumbra, in pixels. w:
+/// total weight of the pixels that know; 0: no shadow near. x, y and z are means with these weights.
 struct ShadowTrack : MadeChannel<4> {
+    /// @cond
     static constexpr auto name = "shadow_track";
     static constexpr bool full_precision = true; // as Motion
+    /// @endcond
 };
+/// See ShadowTrack.
 inline constexpr ShadowTrack shadow_track;
 
 namespace detail {
-/// What a shadowed pixel by itself knows of its shadow.
+/// The track of pixels whose own shadow ray was blocked.
 template <class Source> struct OwnShadowTrack {
     static constexpr auto name = "shadow motion";
     using parts = Parts<Source>;
@@ -39,7 +42,7 @@ template <class Source> struct OwnShadowTrack {
     }
 
 private:
-    /// From similar triangles: (d_receiver - d_blocker) * light size / d_blocker, seen from the light, in pixels at the receiver.
+    /// (d_receiver - d_blocker) * light size / d_blocker, with distances from the light; in pixels at the receiver.
     template <class Px> QUELL_KERNEL auto penumbra(Px const& px) const {
         using Real = typename Px::Real;
         auto const l = px[light], s = px[position], b = px[blocker];
@@ -48,7 +51,7 @@ private:
         auto const world = max(to_receiver - to_blocker, Real(0.f)) * size / max(to_blocker, Real(1e-6f));
         return world / max(px[depth] * px.rays().pixel_size, Real(1e-12f));
     }
-    /// The side of a square light whose points lie as far from each other as those that the 3x3 around has drawn.
+    /// Side of a square light, estimated from the light samples of the 3x3 around.
     template <class Px, class V> QUELL_KERNEL static auto spread(Px const& px, V const& centre) {
         using Real = typename Px::Real;
         Real sum(0.f), count(1e-6f);
@@ -59,12 +62,12 @@ private:
             sum = fma(masked(is_finite(square), square), w, sum);
             count = count + w;
         });
-        // Two points of a square are sqrt(side^2 / 3) apart, in the mean of squares; the centre itself is one of the nine.
+        // Two random points of a square are sqrt(side^2 / 3) apart (root mean square). The centre is one of the nine.
         return sqrt(sum / count * (3.f * 9.f / 8.f));
     }
 };
 
-/// Spreads what is known to the pixels around, as far as edges let it.
+/// Mean of the tracks around, stopped by edges.
 template <class Edge> struct SplatLevel {
     static constexpr auto name = "shadow splat";
     using parts = Parts<Edge>;
@@ -83,7 +86,7 @@ template <class Edge> struct SplatLevel {
             auto const weight = track.w * w;
             sum = Value<4, Real>{fma(track.x, weight, sum.x), fma(track.y, weight, sum.y), fma(track.z, weight, sum.z), sum.w + weight};
         };
-        // Neighbours are little beside what a pixel knows itself: the mean of a moving and a resting shadow is neither.
+        // Small weights: a pixel that knows its own motion keeps it. The mean of a moving and a resting shadow is neither.
         for_each_edge_tap<false>(
             px, step, around, [](int, int) QUELL_INLINED { return weight_bits(0.01f); }, add);
         auto const known = sum.w > Real(1e-5f);
@@ -93,19 +96,22 @@ template <class Edge> struct SplatLevel {
 };
 } // namespace detail
 
-/// Lets every pixel in or near a shadow know how the shadow moves and how wide its penumbra is (TRMV section 4.1, which calls this
-/// splatting): only pixels whose own shadow ray was blocked know by themselves. Two sparse 5x5 means reach 12 pixels. Goes before whatever
-/// uses ShadowTrack: AdaptiveBilateral with PenumbraWidth, and SplattedShadowMotion.
+/// Makes ShadowTrack for all pixels in or near a shadow (splatting, TRMV section 4.1). Only pixels whose shadow ray was blocked know the
+/// shadow's motion themselves; two 5x5 means, with taps 1 and 5 pixels apart, spread it 12 pixels far. Goes before what reads the track:
+/// AdaptiveBilateral with PenumbraWidth, and SplattedShadowMotion.
 /// @tparam Source a MotionSource that is valid in shadowed pixels only
 /// @tparam Edge   an EdgeWeight that keeps surfaces apart
 template <class Source = ShadowMotion, class Edge = DepthEdge> struct ShadowSplat {
     static_assert(EdgeWeight<Edge>, "ShadowSplat{source, edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    /// @cond
     using parts = Parts<detail::OwnShadowTrack<Source>, detail::SplatLevel<Edge>>;
     static constexpr bool leaves_signal = true;
-    Source source{};
-    Edge edge{};
-    float light_size = 0.f; ///< side of the lights, in world units; 0: estimated from the light samples of neighbouring pixels
+    /// @endcond
+    Source source{};        ///< the shadow's motion where the ray was blocked
+    Edge edge{};            ///< how far tracks spread
+    float light_size = 0.f; ///< side of the lights, in world units; 0: estimated from neighbouring pixels' light samples
 
+    /// Own tracks, then the two means.
     constexpr void for_each_pass(auto&& pass) const {
         pass(detail::OwnShadowTrack<Source>{source, light_size});
         pass(detail::SplatLevel<Edge>{edge, 1});
@@ -113,30 +119,36 @@ template <class Source = ShadowMotion, class Edge = DepthEdge> struct ShadowSpla
     }
 };
 
-/// The width of an AdaptiveBilateral that filters shadows: a part of the penumbra's width, but no less than reaches the next pixels; a
-/// shadow whose penumbra is as narrow as they are has hardly any noise, and may itself be no wider, so that there it is a part of the
-/// penumbra again. Where no shadow is near, as narrow as it gets.
+/// Width of an AdaptiveBilateral on shadows: clamp(part * penumbra, low, most), where low = min(least, part_of_least * penumbra). The
+/// second term of `low` keeps narrow penumbrae sharp: they have little noise, and thin shadows may be no wider themselves. The minimum is
+/// 0.1 pixels, which filters nothing; it holds where no shadow is near.
 struct PenumbraWidth {
+    /// @cond
     using reads = Channels<ShadowTrack>;
-    float part = 0.15f;          ///< deviation of the Gaussian, as a part of the penumbra
-    float least = 0.5f;          ///< pixels
-    float most = 7.5f;           ///< pixels
-    float part_of_least = 0.25f; ///< of the penumbra, where `least` is more than this part
+    /// @endcond
+    float part = 0.15f;          ///< standard deviation of the Gaussian, as a part of the penumbra
+    float least = 0.5f;          ///< in pixels; wide enough to reach the next pixels
+    float most = 7.5f;           ///< in pixels
+    float part_of_least = 0.25f; ///< bounds `least` to this part of the penumbra
 
+    /// Standard deviation at the pixel, in pixels.
     QUELL_KERNEL auto of(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const penumbra = px[shadow_track].z;
-        // Narrower than 0.1 all weights are 0 already.
+        // At 0.1 all weights but the centre's are 0 already.
         auto const low = max(min(Real(least), penumbra * part_of_least), Real(0.1f));
         return clamp(penumbra * part, low, Real(most));
     }
 };
 
-/// Follows the shadow that ShadowSplat has found around the pixel; invalid where there is none.
+/// A MotionSource: the motion of ShadowTrack. Invalid where no shadow is near.
 struct SplattedShadowMotion {
+    /// @cond
     using reads = Channels<ShadowTrack>;
     static constexpr bool needs_camera = true;
+    /// @endcond
 
+    /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const track = px[shadow_track];
@@ -145,11 +157,12 @@ struct SplattedShadowMotion {
     }
 };
 
-/// CatmullRom along shadows, whose edges a history blurs; Bilinear along surfaces, where they are lit: for the sources that take what they
-/// find untested, and for all others.
+/// A history fetch for shadows: CatmullRom along shadows, whose edges bilinear interpolation would blur over time, and Bilinear along
+/// surfaces. It takes a source without a surface test for a shadow's.
 struct ShadowFetch {
-    CatmullRom along_shadows{};
+    CatmullRom along_shadows{}; ///< its `elsewhere` serves surfaces
 
+    /// See quell/motion/history_fetch.hpp.
     template <class Px, class FoundPlace> QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& found) const {
         if constexpr (std::is_same_v<FoundPlace, Reprojection<typename Px::Real>>)
             return along_shadows.fetch(px, found);
@@ -158,11 +171,13 @@ struct ShadowFetch {
     }
 };
 
-/// Follows the shadow where ShadowSplat has found one, and what is seen elsewhere; untested. For a ChangeDetector, whose answer is one
-/// for both.
+/// A MotionSource: the motion of ShadowTrack where there is one, else that of the surface, without a surface test. For a ChangeDetector.
 struct ShadowOrSurfaceMotion {
+    /// @cond
     using reads = Channels<ShadowTrack, Motion>;
+    /// @endcond
 
+    /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const track = px[shadow_track];

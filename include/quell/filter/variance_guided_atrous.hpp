@@ -5,16 +5,15 @@
 namespace quell {
 
 namespace detail {
-/// The variance that the wavelet starts from: that of the mean over the history, since this is what will be filtered (the samples' own
-/// variance would let every penumbra blur as long as the filter reaches). Measured over time, or, while the history is short, over the 7x7
-/// around.
+/// The variance that the wavelet starts from: that of the accumulated mean. (The samples' own variance would blur every penumbra as far as
+/// the filter reaches.) Measured over time, or over the 7x7 around while the history is short.
 template <class Edge> struct VarianceEstimate {
     static constexpr auto name = "variance estimate";
     using parts = Parts<Edge>;
     using reads = Channels<HistoryLength, LuminanceMean, LuminanceVariance>;
     using emits = Channels<Variance>;
     Edge edge;
-    float enough = 4.f; ///< frames
+    float enough = 4.f; ///< history length from which the variance over time is trusted
 
     QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
@@ -27,11 +26,11 @@ template <class Edge> struct VarianceEstimate {
     }
 
 private:
-    /// Variance of a pixel in whose surroundings nothing was ever sampled: everything may flow in.
+    /// Where nothing around was ever sampled: every neighbour may flow in.
     static constexpr float unknown = 1e8f;
 
-    /// Variance of everything seen around: each pixel's own, and how far the means lie apart. Distances from the centre don't cancel.
-    /// Outlined: few histories are short.
+    /// Variance of all samples around: the pixels' own, plus that of their means. Differences from the centre do not cancel. Not inlined:
+    /// few histories are short.
     template <class Px> [[gnu::noinline]] constexpr auto spatial_variance(Px const& px) const {
         using Real = typename Px::Real;
         constexpr float box[4] = {1.f, 1.f, 1.f, 1.f};
@@ -57,23 +56,25 @@ private:
 };
 } // namespace detail
 
-/// Spatiotemporal variance-guided filtering's spatial half (Schied 2017): estimates the variance of each pixel's luminance, and runs an
-/// a-trous wavelet that tells noise from edges by it. The first level's output is what history remembers. Wants a Temporal{motion,
-/// WithMoments{...}} before it, of a policy that keeps the history's length.
-/// @tparam Edge an EdgeWeight for geometry; the weight for luminance is built in
+/// The spatial half of spatiotemporal variance-guided filtering (Schied et al. 2017). Estimates the variance of each pixel's luminance, and
+/// runs an a-trous wavelet that tells noise from edges by it. Goes after a Temporal{motion, WithMoments{...}} whose policy keeps the
+/// history length.
+/// @tparam Edge   an EdgeWeight for geometry; the one for luminance is built in
 /// @tparam Spline CubicSpline, or LinearSpline for 3x3
 template <class Edge = Product<DepthEdge, NormalEdge>, class Spline = CubicSpline> struct VarianceGuidedAtrous {
     static_assert(EdgeWeight<Edge>, "VarianceGuidedAtrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    /// @cond
     using Guided = Product<Edge, VarianceGuidedEdge>;
     using Level = detail::AtrousLevel<Guided, true, Spline>;
     using parts = Parts<detail::VarianceEstimate<Edge>, Level>;
-    Edge edge{};
-    int levels = 5;
-    float sigma_luminance = 3.f; ///< deviations of a pixel's mean that a neighbour may be off at weight 1/e; SVGF's 4 deviations of a
-                                 ///< sample at alpha 0.2 are 1.33
-    bool feedback = true;        ///< whether the first level's output becomes the history
-    int first_step = 1;          ///< pixels between the taps of the first level; 2 behind a filter that has dealt with the nearest
+    /// @endcond
+    Edge edge{};                 ///< which neighbours belong to the same surface
+    int levels = 5;              ///< passes, with taps first_step * 1, 2, 4, ... pixels apart
+    float sigma_luminance = 3.f; ///< difference with weight 1/e, in standard deviations of the accumulated mean (w_l)
+    bool feedback = true;        ///< the first level's output goes into the history
+    int first_step = 1;          ///< pixels between the taps of the first level; 2 after a filter of the 3x3 around, such as ConeGather
 
+    /// The variance, then one pass per level.
     constexpr void for_each_pass(auto&& pass) const {
         pass(detail::VarianceEstimate<Edge>{edge});
         for (int i = 0; i < levels; ++i)

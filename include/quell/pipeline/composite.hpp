@@ -6,7 +6,7 @@
 namespace quell {
 
 namespace detail {
-/// How a denoised signal enters the picture: times what, if anything.
+/// What a denoised signal is multiplied by in the picture, if anything.
 template <ChannelTag C> struct Share { using factor = Channels<>; };
 template <> struct Share<Visibility> { using factor = Channels<Direct>; };
 template <> struct Share<Indirect> { using factor = Channels<Albedo>; };
@@ -16,17 +16,24 @@ template <ChannelTag... Signals> using FactorsOf = union_of<typename Share<Signa
 struct CompositeRun;
 } // namespace detail
 
-/// Several signals of one frame, each denoised by its own pipeline, and the picture that they make together:
-///     direct * visibility + glossy + albedo * indirect + whatever else
-/// A factor (direct, albedo) is denoised as well where there is a pipeline for it, and else taken from the frame as it is.
+/// Several signals of one frame, each with its own pipeline, and the picture that they add up to:
+///
+///     direct * visibility + glossy + albedo * indirect + further signals
+///
+/// Any subset will do. A factor (direct, albedo) comes from its own pipeline where there is one, else from the frame as it is. Used like a
+/// Pipeline:
+///
 ///     constexpr auto trmv = Composite{shadows, reflections, indirect_light};
 ///     Frame frame{size, trmv};    History history{size, trmv};    run(trmv, frame, history);
-/// Any subset will do; what is not in it costs nothing. Used like a Pipeline.
+///
+/// @tparam Ps pipelines of different signals
 template <class... Ps> struct Composite {
     static_assert(sizeof...(Ps) > 0, "Composite{pipelines...}: give at least one Pipeline");
-    using Output = Radiance;
-    using factors = without<detail::FactorsOf<typename Ps::Output...>, union_of<Channels<typename Ps::Output>...>>;
-    using reads = decltype(reads_of<Ps...>{} | factors{});
+    using Output = Radiance; ///< the channel of the picture
+    using factors = without<detail::FactorsOf<typename Ps::Output...>,
+                            union_of<Channels<typename Ps::Output>...>>; ///< factors that come from the frame
+    using reads = decltype(reads_of<Ps...>{} | factors{});               ///< channels that the host must supply
+    /// What the host's motion vectors mean: see Supplied.
     static constexpr MotionConvention motion_convention = [] {
         MotionConvention first;
         static_cast<void>(((first = Ps::motion_convention, first == MotionConvention{}) && ...));
@@ -34,47 +41,50 @@ template <class... Ps> struct Composite {
     }();
     static_assert(((!reads_of<Ps>::template has<Motion> || Ps::motion_convention == motion_convention) && ...),
                   "Composite{pipelines...}: one frame has vectors of one convention: give each pipeline the same Supplied<>");
-    static constexpr bool needs_camera = (Ps::needs_camera || ...);
+    static constexpr bool needs_camera = (Ps::needs_camera || ...); ///< whether frame.camera must be set
 
-    std::tuple<Ps...> pipelines;
+    std::tuple<Ps...> pipelines; ///< in the order given
 
+    /// @param ps one Pipeline per signal
     constexpr explicit Composite(Ps const&... ps) : pipelines(ps...) {}
 };
 
-/// The histories of a composite's pipelines, and its picture.
+/// The histories of all pipelines of a Composite, and its picture. The pipelines share scratch memory.
 template <class... Ps, ImageStorage Storage> class History<Composite<Ps...>, Storage> {
 public:
-    /// @throws Error for a size of no pixels
+    /// @throws Error for a size without pixels
     explicit History(Extent size, Composite<Ps...> const&, Storage const& = {})
         : pool(std::make_shared<detail::ImagePool>(detail::checked(size))), parts(History<Ps, Storage>(pool)...), picture(size) {}
 
-    /// Starts afresh at the next frame: for a scene cut or a teleport that the host knows of.
+    /// Drops all history before the next frame: for scene cuts and teleports.
     void forget() {
         std::apply([](auto&... h) { (h.forget(), ...); }, parts);
     }
-    /// The history of one of the pipelines, in the composite's order.
+    /// History of pipeline i, in the composite's order.
     template <std::size_t i> [[nodiscard]] auto const& part() const { return std::get<i>(parts); }
-    /// Of all pipelines: missing samples and suppressed energy add up; frames and resets are those of the first.
+    /// Missing samples and suppressed energy are sums over all pipelines; frames and resets are those of the first.
     [[nodiscard]] Statistics statistics() const {
         Statistics sum = std::get<0>(parts).statistics();
         sum.missing_samples = std::apply([](auto const&... h) { return (h.statistics().missing_samples + ...); }, parts);
         sum.suppressed = std::apply([](auto const&... h) { return (h.statistics().suppressed + ...); }, parts);
         return sum;
     }
+    /// Memory of history, scratch and picture, in bytes. Complete after the first frame.
     [[nodiscard]] std::size_t bytes() const { return picture.bytes() + pool->bytes(); }
+    /// The same per pixel of the frame.
     [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(picture.size().pixels()); }
 
 private:
     friend struct detail::CompositeRun;
     friend struct detail::Inspect;
 
-    std::shared_ptr<detail::ImagePool> pool; ///< one for all parts: what one has used up is scratch for the next
+    std::shared_ptr<detail::ImagePool> pool; ///< shared: scratch of one part is free for the next
     std::tuple<History<Ps, Storage>...> parts;
     ImageOf<Storage, Radiance> picture;
 };
 
 namespace detail {
-/// Adds up what the pipelines have made.
+/// Adds up the denoised signals.
 template <class FrameViews, class OutputView, class... Parts> struct CompositeJob {
     static constexpr auto name = "composite";
     FrameViews frame;
@@ -102,7 +112,7 @@ private:
                 sum = map([](auto s, auto f, auto v) QUELL_INLINED { return fma(f, v, s); }, sum, times, value);
         }
     }
-    /// Denoised where there is a pipeline for it.
+    /// From its own pipeline where there is one, else from the frame.
     template <class Real, class C> QUELL_KERNEL vec3<Real> factor(int x, int y) const {
         constexpr int which = index_of<C>();
         if constexpr (which < static_cast<int>(sizeof...(Parts)))
@@ -110,13 +120,13 @@ private:
         else
             return load_pixels<Real>(frame.view(C{}), x, y);
     }
-    /// Of the part that makes a channel, or how many parts there are.
+    /// Index of the part that makes a channel; the number of parts if none does.
     template <class C> static constexpr int index_of() {
         int i = 0;
         static_cast<void>(((std::is_same_v<C, typename Parts::Channel> || (++i, false)) || ...));
         return i;
     }
-    /// What a host leaves at anything else, at misses for instance, adds nothing.
+    /// Factors that are no light, as hosts may leave at misses, count as 0.
     template <class Real> QUELL_KERNEL static vec3<Real> usable(vec3<Real> const& f) {
         return select(is_light(f), f, vec3<Real>{Real(0.f), Real(0.f), Real(0.f)});
     }
@@ -131,7 +141,7 @@ namespace detail {
 struct CompositeRun {
     template <class... Ps, class F, class Storage, class E>
     static auto all(Composite<Ps...> const& composite, F const& frame, History<Composite<Ps...>, Storage>& history, E const& executor) {
-        // Before any part runs: where one refused the frame, the others would have gone ahead of it.
+        // Checked before any part runs: an error must leave all histories at the same frame.
         check_frame<Composite<Ps...>>(frame);
         if (!(history.picture.size() == frame.size)) history.picture = ImageOf<Storage, Radiance>(frame.size);
         auto const output = history.picture.view();
@@ -142,7 +152,7 @@ struct CompositeRun {
                              decltype(parts)...> const job{factors, output, {parts...}};
                 executor.for_each_pixel(Region{0, 0, frame.size.width, frame.size.height}, job);
             };
-            // In braces the parts run in order.
+            // Initialiser lists are evaluated in order.
             std::apply(sum, std::tuple{part<typename Ps::Output>(
                                 run(std::get<i>(composite.pipelines), frame, std::get<i>(history.parts), executor))...});
         }
@@ -155,7 +165,7 @@ private:
 };
 } // namespace detail
 
-/// Denoises one frame of several signals. Returns a view of the picture, which stays valid until the history's next run.
+/// Denoises one frame of several signals. Returns a view of the picture, valid until the next run with this history.
 /// @throws Error as run() of a Pipeline does
 template <class... Ps, class Set, class FrameStorage, class Storage, Executor E = Simd>
 auto run(Composite<Ps...> const& composite, Frame<Set, FrameStorage> const& frame, History<Composite<Ps...>, Storage>& history,

@@ -7,14 +7,14 @@
 
 namespace quell {
 
-/// What a run counted.
+/// Counts of the runs with one history.
 struct Statistics {
-    long long frames = 0;          ///< since the history began
-    long long missing_samples = 0; ///< of the last frame: NaN, infinite, negative or beyond 1e16
-    /// Of the last frame: what SuppressFireflies took away, in luminance of the samples as the host gave them. The same for any number of
-    /// threads.
+    long long frames = 0;          ///< since the last reset
+    long long missing_samples = 0; ///< in the last frame: NaN, infinite, negative or above 1e16
+    /// Light that SuppressFireflies took away in the last frame: sum of luminance, in the units of the host's samples. The same for any
+    /// number of threads.
     double suppressed = 0;
-    long long resets = 0; ///< how often the history started afresh: first frame, new size, gap in the numbers, forget()
+    long long resets = 0; ///< how often history was dropped: first frame, new size, gap in the frame numbers, forget()
 };
 
 namespace detail {
@@ -24,35 +24,37 @@ template <class P, class FrameT, class H, class E, class Into> class Run;
 struct Inspect;
 struct DiagnosisNotes;
 
-/// The size of a history.
+/// Checks the size of a history.
 inline Extent checked(Extent size) {
     if (size.width > 0 && size.height > 0) return size;
     throw Error("history size", to_string(size), "give a width and a height of at least one pixel");
 }
 } // namespace detail
 
-/// All the state there is between frames: the signal, what the pipeline remembers of the last frame, what its policies keep, and scratch.
-/// One history serves one pipeline and one view. It starts afresh by itself at the first frame, after a change of size, and where frame
-/// numbers do not follow each other.
+/// All state between frames: the accumulated signal, copies of guides of the last frame, what the policies keep, and scratch. One history
+/// serves one pipeline and one view. It resets itself at the first frame, after a change of size, and where frame numbers do not follow
+/// each other.
 /// @tparam P       the pipeline's type
-/// @tparam Storage of history and scratch: Planar<> or Planar<Float16>, or another ImageStorage that owns its memory
+/// @tparam Storage of history and scratch: Planar<>, Planar<Float16>, or another ImageStorage that owns its memory
 template <class P, ImageStorage Storage = Planar<>> class History {
     static_assert(owns_memory<Storage>(),
                   "History<P, Storage>: what quell remembers needs memory of its own: Planar<> or Planar<Float16>, not Borrowed");
 
 public:
-    /// @throws Error for a size of no pixels
+    /// @throws Error for a size without pixels
     explicit History(Extent size_, P const&, Storage const& = {}) : History(std::make_shared<detail::ImagePool>(detail::checked(size_))) {}
 
-    /// Starts afresh at the next frame: for a scene cut or a teleport that the host knows of.
+    /// Drops all history before the next frame: for scene cuts and teleports.
     void forget() { empty = true; }
 
+    /// Counts so far.
     [[nodiscard]] Statistics const& statistics() const { return counted; }
-    /// Memory of history and scratch. Complete once a frame has run.
+    /// Memory of history and scratch, in bytes. Complete after the first frame.
     [[nodiscard]] std::size_t bytes() const { return pool->bytes(); }
+    /// The same per pixel of the frame.
     [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(size.pixels()); }
 
-    /// What a policy keeps of the last frame (history_length, luminance_variance, ...), once there was one.
+    /// View of a channel that a policy keeps (history_length, luminance_variance, ...). Valid after the first frame.
     template <ChannelTag C> [[nodiscard]] auto operator[](C) const {
         static_assert(P::keeps::template has<C>, "history[channel]: no policy of this pipeline keeps that channel");
         if constexpr (P::keeps::template has<C>) return kept.views(Channels<C>{}).view(C{});
@@ -64,7 +66,7 @@ private:
     template <class, ImageStorage> friend class History;
     using Remembered = typename detail::StoredChannels<typename P::remembers>::type;
 
-    std::shared_ptr<detail::ImagePool> pool; ///< of this history alone, or of all those of a composite
+    std::shared_ptr<detail::ImagePool> pool; ///< this history's own, or shared by a composite
     Extent size;
     std::shared_ptr<ImageOf<Storage, typename P::Signal>> signal;
     std::shared_ptr<ImageOf<Storage, typename P::Output>> output;
@@ -75,11 +77,11 @@ private:
     std::optional<long long> number;
     bool empty = true;
     Statistics counted;
-    std::shared_ptr<detail::DiagnosisNotes> notes; ///< of quell::diagnose, where it is called
+    std::shared_ptr<detail::DiagnosisNotes> notes; ///< of quell::diagnose
 
     explicit History(std::shared_ptr<detail::ImagePool> shared) : pool(std::move(shared)), size(pool->size()) {}
 
-    /// Another size: nothing of the old is worth keeping.
+    /// Drops everything and takes another size.
     void restart(Extent new_size) {
         signal.reset();
         output.reset();

@@ -6,16 +6,16 @@
 
 namespace quell::detail {
 
-/// The largest sample that is taken for light: its square, and sums of that, are still finite.
+/// Largest sample that counts as light: sums of its square stay finite.
 inline constexpr float brightest_sample = 1e16f;
-/// Whether a value may be light, or what light is multiplied by: no component is NaN, infinite, negative or beyond that.
+/// Whether all components are finite and in [0, brightest_sample].
 template <class V> QUELL_KERNEL auto is_light(V const& v) {
     using Real = real_of<V>;
     return fold([](auto sofar, auto a) QUELL_INLINED { return both(sofar, is_finite(a), a >= Real(0.f), a <= Real(brightest_sample)); },
                 Real(0.f) == Real(0.f), v);
 }
 
-/// Marks missing samples by the sign of component 0, which has no other meaning: light is not negative.
+/// Marks missing samples by the sign of component 0, which light does not use.
 template <class V, class Mask> QUELL_KERNEL V with_marks(V const& value, Mask missing) {
     return make_value<components_of<V>, real_of<V>>([&](auto c) QUELL_INLINED {
         auto const a = component<c>(value);
@@ -26,13 +26,13 @@ template <class V, class Mask> QUELL_KERNEL V with_marks(V const& value, Mask mi
     });
 }
 
-/// What the ingest has taken away from a sample, for Statistics::suppressed only: no image has it.
+/// Luminance that the ingest took away from a sample. Only counted, never stored.
 struct Suppressed : Channel<1> {
     static constexpr auto name = "suppressed";
 };
 
-/// The first pass: reads the host's samples, decides which are usable, brings them into the form in which they are denoised, and suppresses
-/// fireflies. A sample that is no light is missing: it is marked by the sign of component 0, and carries the mean of its usable neighbours.
+/// The first pass. Reads the host's samples, marks unusable ones as missing, applies the modulation, and suppresses fireflies. A missing
+/// sample is marked by the sign of component 0 and holds the mean of its usable neighbours.
 template <ChannelTag Input, Modulation Form, class Suppression> struct Ingest {
     static constexpr auto name = "ingest";
     using parts = Parts<Form>;
@@ -65,14 +65,14 @@ template <ChannelTag Input, Modulation Form, class Suppression> struct Ingest {
     }
 
 private:
-    /// The luminance by which fireflies are told: of the light as it is denoised, unless that is no colour any more.
+    /// Luminance for telling fireflies: after the modulation where that is still a colour, else as the host gave it.
     template <class Px> QUELL_KERNEL static auto measured(Sample<Px> const& s) {
         if constexpr (components_of<typename Px::Signal> == Input::components)
             return luminance(s.value);
         else
             return s.brightness;
     }
-    /// The sample of one pixel, dimmed, as the pipeline sees it; of nothing where it is not usable.
+    /// A sample times `factor`, after the modulation; 0 where it is not usable.
     template <class Px> QUELL_KERNEL Sample<Px> sample(Px const& px, typename Px::Real factor = typename Px::Real(1.f)) const {
         auto const raw = px[Input{}];
         auto const usable = is_light(raw);
@@ -80,7 +80,7 @@ private:
         auto const value = modulation.inward(px, given);
         return {select(usable, value, zero<typename Px::Signal>()), usable, luminance(given)};
     }
-    /// Outlined: few samples are missing.
+    /// Mean of the usable samples of the 3x3 around. Not inlined: few samples are missing.
     template <class Px> [[gnu::noinline]] constexpr typename Px::Signal around(Px const& px) const {
         using Real = typename Px::Real;
         auto sum = zero<typename Px::Signal>();

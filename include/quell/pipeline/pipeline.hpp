@@ -13,14 +13,14 @@ template <class T>
 inline constexpr bool is_input_option =
     Modulation<T> || std::is_same_v<T, SuppressFireflies> || std::is_same_v<T, KnownSamples> || is_supplied<T>;
 
-/// Of the Supplied<> among parts, or quell's own.
+/// The convention of the Supplied<> among the parts, or quell's own.
 template <class... Parts> struct ConventionOf { static constexpr MotionConvention value{}; };
 template <MotionConvention convention, class... Parts> struct ConventionOf<Supplied<convention>, Parts...> {
     static constexpr MotionConvention value = convention;
 };
 template <class First, class... Parts> struct ConventionOf<First, Parts...> : ConventionOf<Parts...> {};
 
-/// The option of a type among the parts of a pipeline, or the one that does nothing.
+/// The part of type `Wanted`, or `Nothing`.
 template <class Wanted, class Nothing, class... Parts> constexpr auto option_of(Parts const&... parts) {
     if constexpr ((std::is_same_v<Wanted, Parts> || ...))
         return std::get<Wanted>(std::tuple<Parts...>(parts...));
@@ -38,7 +38,7 @@ template <class... Cs> constexpr bool any_made_by_stages(Channels<Cs...>) {
     return (requires { Cs::made_by_stages; } || ...);
 }
 template <class... Cs> constexpr bool all_of_frame_size(Channels<Cs...>) { return ((Cs::fraction == 1) && ...); }
-/// Whether no stage reads what only a later one makes. The passes of a filter may read what those before them make.
+/// Whether no stage reads what only a later one makes. A filter's own passes may read what earlier ones make.
 template <class Before, class All, class... Stages> inline constexpr bool in_order = true;
 template <class Before, class All, class S, class... Later>
 inline constexpr bool in_order<Before, All, S, Later...> =
@@ -54,10 +54,13 @@ template <class Part> constexpr auto stage_or_nothing(Part const& part) {
 } // namespace detail
 
 /// How one signal is denoised: a constant description that holds no images.
+///
 ///     constexpr auto denoise = Pipeline{radiance, Demodulate{}, Temporal{SurfaceMotion{}, RunningMean{}}, Spatial{Atrous{}}};
-/// The signal's channel comes first, then Demodulate{} or another modulation, SuppressFireflies{}, KnownSamples{} and Supplied<>{} where
-/// wanted, then the stages in order, at most one of them Temporal. `reads` is what a host must supply, `remembers` what of it is kept of
-/// the last frame, `keeps` what the policies keep of their own.
+///
+/// The signal's channel comes first. Options follow: a modulation such as Demodulate{}, SuppressFireflies{}, KnownSamples{}, Supplied<>{}.
+/// Then come the stages in order, with at most one Temporal. Mistakes are compile-time errors.
+/// @tparam S     the channel of the signal
+/// @tparam Parts options and stages
 template <ChannelTag S, class... Parts> struct Pipeline {
     static_assert(((detail::is_stage<Parts> || detail::is_input_option<Parts>)&&...),
                   "Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{}, SuppressFireflies{}, "
@@ -75,14 +78,15 @@ template <ChannelTag S, class... Parts> struct Pipeline {
         "Pipeline{channel, parts...}: a stage reads what only a later one makes: detectors and splats go before Temporal, filters "
         "of what Temporal makes (VarianceGuidedAtrous, CleanUp) behind it");
 
-    using Output = S; ///< what goes in and comes out
-    using Form = decltype(detail::modulation_of(std::declval<Parts>()...));
-    using Signal = typename Form::template Signal<S>; ///< what it is in between
-    using Suppression = decltype(detail::option_of<SuppressFireflies, NoSuppression>(std::declval<Parts>()...));
-    using keeps = keeps_of<Parts...>;
-    using made = decltype(keeps{} | emits_of<Parts...>{});
-    using remembers = remembers_of<Parts...>;
-    using reads = decltype(Channels<S>{} | without<reads_of<Parts...>, made>{} | remembers{});
+    using Output = S;                                                       ///< channel of the input and the output
+    using Form = decltype(detail::modulation_of(std::declval<Parts>()...)); ///< the modulation, or NoModulation
+    using Signal = typename Form::template Signal<S>;                       ///< channel of the signal between modulation and demodulation
+    using Suppression =
+        decltype(detail::option_of<SuppressFireflies, NoSuppression>(std::declval<Parts>()...)); ///< SuppressFireflies or NoSuppression
+    using keeps = keeps_of<Parts...>;                      ///< channels that policies make and keep for the next frame
+    using made = decltype(keeps{} | emits_of<Parts...>{}); ///< all channels that stages make
+    using remembers = remembers_of<Parts...>;              ///< channels of the host that the history copies for the next frame
+    using reads = decltype(Channels<S>{} | without<reads_of<Parts...>, made>{} | remembers{}); ///< channels that the host must supply
     static_assert(!detail::any_made_by_stages(reads{}),
                   "Pipeline{channel, parts...}: a stage reads what none of them makes: history_length wants RunningMean or Adaptive, "
                   "luminance_variance WithMoments, clean_up_deviation WithCleanUp, light_change ChangeDetector, a shadow's track "
@@ -93,19 +97,23 @@ template <ChannelTag S, class... Parts> struct Pipeline {
         "RunningMean{}}}");
     static_assert(detail::all_of_frame_size(decltype(keeps{} | remembers{}){}),
                   "Pipeline{channel, parts...}: what is kept or remembered for the next frame must be of the frame's size (fraction 1)");
+    /// Channels of KnownSamples{}, where it is among the parts.
     using known_samples = std::conditional_t<(std::is_same_v<KnownSamples, Parts> || ...), KnownSamples::reads, Channels<>>;
+    /// What the host's motion vectors mean: see Supplied.
     static constexpr MotionConvention motion_convention = detail::ConventionOf<Parts...>::value;
-    static constexpr bool has_past = (detail::is_temporal<Parts> || ...);
-    static constexpr bool needs_camera = (needs_camera_of<Parts> || ...);
+    static constexpr bool has_past = (detail::is_temporal<Parts> || ...); ///< whether there is a Temporal
+    static constexpr bool needs_camera = (needs_camera_of<Parts> || ...); ///< whether frame.camera must be set
 
-    detail::Ingest<S, Form, Suppression> ingest;
+    detail::Ingest<S, Form, Suppression> ingest; ///< the first pass
+    /// The stages, in order.
     decltype(std::tuple_cat(detail::stage_or_nothing(std::declval<Parts>())...)) stages;
 
+    /// @param parts options and stages
     constexpr explicit Pipeline(S, Parts const&... parts)
         : ingest{detail::modulation_of(parts...), detail::option_of<SuppressFireflies, NoSuppression>(parts...)},
           stages(std::tuple_cat(detail::stage_or_nothing(parts)...)) {}
 
-    /// Calls `visit(pass)` for each pass behind the ingest, in order.
+    /// Calls `visit(pass)` for each pass after the ingest, in order.
     constexpr void for_each_pass(auto&& visit) const {
         std::apply([&](auto const&... stage) { (detail::for_each_pass(stage, visit), ...); }, stages);
     }

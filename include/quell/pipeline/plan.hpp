@@ -10,28 +10,28 @@
 
 namespace quell {
 
-/// One pass over the image, as run() executes it. Channels go by their names; "signal" is what is denoised, "output" what the
-/// host gets where that is not the last signal itself.
+/// One pass over the image, as run() executes it. Channels appear by name. "signal" is what is denoised; "output" is what the host gets,
+/// where that is not the last signal itself.
 struct PlannedPass {
-    using Names = std::vector<std::string_view>;
-    std::string_view name;
-    int fraction = 1;   ///< of the frame's width and height, at which it runs
-    Names reads{};      ///< of this frame: what the host supplies and what earlier passes have made
-    Names reads_past{}; ///< of the last frame
-    Names writes{};     ///< for later passes, for the next frame, and for the host
+    using Names = std::vector<std::string_view>; ///< names of channels
+    std::string_view name;                       ///< of the pass
+    int fraction = 1;                            ///< the pass runs at 1/fraction of the frame's width and height
+    Names reads{};                               ///< of this frame, from the host and from earlier passes
+    Names reads_past{};                          ///< of the last frame
+    Names writes{};                              ///< for later passes, the next frame and the host
 };
 
-/// What run() does with every frame but the first, and what memory it takes.
+/// What run() does with each frame after the first, and how much memory that takes.
 struct Plan {
-    std::vector<PlannedPass> passes{};
-    double bytes_per_pixel = 0; ///< of history and scratch: what history.bytes_per_pixel() says
+    std::vector<PlannedPass> passes{}; ///< in the order in which they run
+    double bytes_per_pixel = 0;        ///< of history and scratch, as history.bytes_per_pixel()
 };
 
 namespace detail {
 template <class Pass> inline constexpr bool is_ingest = false;
 template <class S, class Form, class Suppression> inline constexpr bool is_ingest<Ingest<S, Form, Suppression>> = true;
 
-/// An executor that computes nothing, and writes down what it was asked to run.
+/// An executor that computes nothing and records the passes.
 struct PassRecorder {
     std::vector<PlannedPass>* passes;
 
@@ -69,11 +69,11 @@ private:
 };
 } // namespace detail
 
-/// The plan of a pipeline or a composite: what each pass reads and writes, in the order in which they run, and the memory that this takes.
-/// Nothing is computed: two small frames go through run() with an executor that only looks.
-/// @param storage of the history
+/// The plan of a pipeline or composite: the passes in order, what each reads and writes, and the memory. No pixel is computed.
+/// @param pipeline a Pipeline or Composite
+/// @param storage  of the history
 template <class P, ImageStorage Storage = Planar<>> Plan plan_of(P const& pipeline, Storage const& storage = {}) {
-    // Large enough that the padding of rows and images hardly counts.
+    // Large enough that padding hardly counts.
     constexpr Extent size{1024, 16};
     Frame frame{size, pipeline};
     frame.camera.projection[2][3] = -1.f, frame.camera.projection[3][3] = 0.f, frame.camera.projection[3][2] = -1.f;
@@ -86,7 +86,7 @@ template <class P, ImageStorage Storage = Planar<>> Plan plan_of(P const& pipeli
     return plan;
 }
 
-/// The plan as a table in Markdown, a row per pass.
+/// The plan as a Markdown table with a row per pass.
 inline std::string to_string(Plan const& plan) {
     auto const joined = [](PlannedPass::Names const& names) {
         std::string text;

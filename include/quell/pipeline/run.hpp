@@ -4,9 +4,12 @@
 
 namespace quell {
 
-/// Denoises one frame. Returns a view of the output, which stays valid until the history's next run:
+/// Denoises one frame. Returns a view of the output, valid until the next run with this history.
+///
 ///     auto clean = run(denoise, frame, history, Threads{});    clean.get(component, x, y)
-/// @throws Error for images whose sizes differ, memory that is missing, and cameras that a motion source needs and that are singular
+///
+/// @throws Error for channels of the wrong size, missing memory, a shutter that is negative or not finite, and singular cameras where the
+/// pipeline needs one
 template <class P, class Set, class FrameStorage, class Storage, Executor E = Simd>
 auto run(P const& pipeline, Frame<Set, FrameStorage> const& frame, History<P, Storage>& history, E const& executor = {}) {
     static_assert(contained_in<typename P::reads, Set>,
@@ -16,9 +19,8 @@ auto run(P const& pipeline, Frame<Set, FrameStorage> const& frame, History<P, St
         .all();
 }
 
-/// Adds a frame to the history and does no more: the filters behind Temporal are left out. Returns a view of what the history then shows,
-/// which stays valid until the history's next run. For frames that serve others: those of a warm-up, those after the one that is wanted
-/// (pipeline/two_sided.hpp).
+/// Adds a frame to the history and leaves out the filters after Temporal. Returns a view of the accumulated signal, valid until the next
+/// run with this history. For warm-up, and for the later frames of a window (pipeline/two_sided.hpp).
 /// @throws Error as run() does
 template <class P, class Set, class FrameStorage, class Storage, Executor E = Simd>
 auto accumulate(P const& pipeline, Frame<Set, FrameStorage> const& frame, History<P, Storage>& history, E const& executor = {}) {
@@ -29,8 +31,8 @@ auto accumulate(P const& pipeline, Frame<Set, FrameStorage> const& frame, Histor
         .accumulated();
 }
 
-/// run(), writing the output through a view of the host's own.
-/// @throws Error as run() does, and for a target of another size
+/// Like run(), but writes the output through a view of the host's.
+/// @throws Error as run() does, and for a target that is not of the frame's size
 template <class P, class Set, class FrameStorage, class Storage, ImageView Target, Executor E = Simd>
 void run_into(Target const& target, P const& pipeline, Frame<Set, FrameStorage> const& frame, History<P, Storage>& history,
               E const& executor = {}) {

@@ -6,8 +6,13 @@
 
 namespace quell {
 
-/// Accumulates over time: a motion source finds the past, a fetch interpolates it, a blend policy joins it with the present.
+/// The temporal stage: a motion source finds the history, a fetch interpolates it, a blend policy blends it with the new sample.
+///
 ///     Temporal{SurfaceMotion{}, Clamped{RunningMean{.cap = 16}}}
+///
+/// @tparam M     a MotionSource; FirstValid combines several
+/// @tparam B     a BlendPolicy
+/// @tparam Fetch how history is interpolated: Bilinear, CatmullRom, ConeFetch, ...
 template <class M, class B, class Fetch = Bilinear> struct Temporal {
     static_assert(std::is_trivially_copyable_v<M> && std::is_trivially_copyable_v<B>,
                   "Temporal{motion, blend}: a policy must be trivially copyable, so that it can be sent to a device: plain numbers only");
@@ -16,13 +21,16 @@ template <class M, class B, class Fetch = Bilinear> struct Temporal {
                   "Temporal{motion, blend, fetch}: `fetch` must have fetch(px, found), see quell/motion/history_fetch.hpp");
     static_assert(BlendPolicy<B>, "Temporal{motion, blend}: `blend` must have blend(px, past), see quell/blend/blend_policy.hpp");
 
+    /// @cond
     using parts = Parts<M, B, Fetch>;
     static constexpr auto name = "temporal";
+    /// @endcond
 
-    M motion{};
-    B blending{};
-    Fetch fetch{};
+    M motion{};    ///< finds the history
+    B blending{};  ///< blends it with the new sample
+    Fetch fetch{}; ///< interpolates it
 
+    /// The accumulated value of a pixel. Where the sample is missing, the history is kept.
     QUELL_KERNEL auto operator()(auto px) const {
         using Px = decltype(px);
         auto const past = px.has_past() ? find(px, motion) : detail::no_past<Px>();
@@ -32,7 +40,7 @@ template <class M, class B, class Fetch = Bilinear> struct Temporal {
     }
 
 private:
-    /// Of several sources, the next one is asked where the history at the first one's place is not valid.
+    /// With several sources: the first whose history is valid.
     QUELL_KERNEL auto find(auto const& px, auto const& source) const {
         if constexpr (requires { source.rest; }) {
             auto past = find(px, source.first);
@@ -42,8 +50,8 @@ private:
         } else
             return fetch.fetch(px, source.previous(px));
     }
-    /// Where the host's sample is missing, the past goes on, as long as it can be trusted; where there is no past either, the neighbours'
-    /// mean stands in and nothing is kept, so that the next sample counts fully (with Exponential, which keeps nothing, as ever).
+    /// Missing samples: the history goes on, as far as it is valid. Without a history the neighbours' mean stands in, and what is kept
+    /// becomes 0, so that the next sample counts fully. (Exponential keeps no length: it blends the next sample with alpha as ever.)
     template <class R> QUELL_KERNEL static void keep_past(auto missing, auto const& px, auto const& past, R& result) {
         auto const present = past.validity > decltype(past.validity)(0.f);
         result.value = select(missing, select(present, past.signal, px.signal()), result.value);
@@ -62,14 +70,17 @@ private:
 template <class M, class B> Temporal(M, B) -> Temporal<M, B>;
 template <class M, class B, class F> Temporal(M, B, F) -> Temporal<M, B, F>;
 
-/// Filters over space: Spatial{Atrous{}}.
+/// A spatial stage: `Spatial{Atrous{}}`.
+/// @tparam F a FilterKernel
 template <class F> struct Spatial {
     static_assert(std::is_trivially_copyable_v<F>,
                   "Spatial{kernel}: a policy must be trivially copyable, so that it can be sent to a device: plain numbers only");
     static_assert(FilterKernel<F>,
                   "Spatial{kernel}: `kernel` must have filter(px) or for_each_pass(pass), see quell/filter/filter_kernel.hpp");
+    /// @cond
     using parts = Parts<F>;
-    F kernel{};
+    /// @endcond
+    F kernel{}; ///< the filter
 };
 template <class F> Spatial(F) -> Spatial<F>;
 
@@ -79,7 +90,7 @@ template <class M, class B, class F> inline constexpr bool is_temporal<Temporal<
 template <class T> inline constexpr bool is_spatial = false;
 template <class F> inline constexpr bool is_spatial<Spatial<F>> = true;
 
-/// Whether no pass of a stage makes a new signal: a filter says so by `static constexpr bool leaves_signal = true`.
+/// Whether no pass of a stage makes a new signal (FilterKernel::leaves_signal).
 template <class Stage> inline constexpr bool leaves_signal = false;
 template <class F>
     requires requires { F::leaves_signal; }

@@ -4,7 +4,7 @@
 
 namespace quell::detail {
 
-/// What follows from the order of a pipeline's stages alone.
+/// What follows from the order of a pipeline's stages.
 template <class P> class StageOrder {
     using Stages = decltype(P::stages);
     template <std::size_t i> using StageAt = std::tuple_element_t<i, Stages>;
@@ -35,14 +35,14 @@ private:
     }
 
 public:
-    /// How many stages there are up to Temporal, which is one of them.
+    /// Number of stages up to and including Temporal; all of them without one.
     static constexpr std::size_t up_to_temporal = counted_up_to_temporal(std::make_index_sequence<count>{});
-    /// Whether stage i may see the marks of missing samples. They are there up to Temporal, which keeps the past in their place; without a
-    /// Temporal, until a stage has made a signal of its own.
+    /// Whether stage i may see marks of missing samples. Marks last until Temporal, which keeps the history there; without a Temporal,
+    /// until a stage has made a new signal.
     template <std::size_t i> static constexpr bool may_be_marked = marked_behind(std::make_index_sequence<i>{});
-    /// Whether a stage behind stage i looks at the last frame.
+    /// Whether a stage after stage i reads remembered channels of the last frame.
     template <std::size_t i> static constexpr bool past_wanted_behind = remembers_behind<i>(std::make_index_sequence<count - i - 1>{});
-    /// Where nothing behind Temporal makes a new signal, the last stage does not write the output either.
+    /// Whether the last stage may make no signal. Then an extra pass writes the output.
     static constexpr bool may_end_without_signal = last_may_leave_signal();
 };
 

@@ -9,13 +9,18 @@
 
 namespace quell {
 
-/// What frames need beside a pipeline's channels to be used from both sides: Frame frame{size, denoise, two_sided};
+/// The channels that frames of a two-sided run need beside the pipeline's.
+///
+///     Frame frame{size, denoise, two_sided};
 struct TwoSided {
+    /// @cond
     using reads = Channels<MotionNext>;
+    /// @endcond
 };
+/// See TwoSided.
 inline constexpr TwoSided two_sided;
 
-/// The state between frames that are denoised by frames before and after them: see run_two_sided().
+/// State between calls of run_two_sided().
 /// @tparam P       a pipeline with KnownSamples{} and WithVariance{...RunningMean{}}, as presets::general(radiance, KnownSamples{})
 /// @tparam Storage of history and scratch
 template <class P, ImageStorage Storage = Planar<>> class TwoSidedHistory {
@@ -24,23 +29,25 @@ template <class P, ImageStorage Storage = Planar<>> class TwoSidedHistory {
                   "KnownSamples{}, and a Temporal{..., WithVariance{RunningMean{}}}");
 
 public:
-    /// @throws Error for a size of no pixels
+    /// @throws Error for a size without pixels
     explicit TwoSidedHistory(Extent size, P const& pipeline, Storage const& storage = {})
         : before(size, pipeline, storage), after(size, pipeline, storage) {}
 
-    /// Starts afresh at the next frame.
+    /// Drops all history before the next frame.
     void forget() { before.forget(); }
+    /// Counts of the frames before.
     [[nodiscard]] Statistics const& statistics() const { return before.statistics(); }
+    /// Memory of both histories, in bytes.
     [[nodiscard]] std::size_t bytes() const { return before.bytes() + after.bytes(); }
 
-    History<P, Storage> before; ///< of the frame that was denoised last and of those before it
-    History<P, Storage> after;  ///< of those after it; made anew for each frame
+    History<P, Storage> before; ///< the frame that was denoised last, and those before it
+    History<P, Storage> after;  ///< the frames after it, accumulated anew in each call
 };
 template <class P> TwoSidedHistory(Extent, P const&) -> TwoSidedHistory<P>;
 template <class P, class Storage> TwoSidedHistory(Extent, P const&, Storage const&) -> TwoSidedHistory<P, Storage>;
 
 namespace detail {
-/// Two images of a frame, exchanged for as long as this lives.
+/// Swaps two images for as long as this lives.
 template <class Image> class Exchanged {
     Image &a, &b;
 
@@ -51,7 +58,7 @@ public:
     Exchanged& operator=(Exchanged const&) = delete;
 };
 
-/// A frame's number as it is counted backwards in time.
+/// Negates a frame's number for as long as this lives: frames then follow each other backwards in time.
 template <class F> class CountedBackwards {
     F& frame;
     std::optional<long long> const number;
@@ -65,8 +72,7 @@ public:
     CountedBackwards& operator=(CountedBackwards const&) = delete;
 };
 
-/// Copies what a history shows of a frame, and of how many samples of which variance, to where the pipeline finds it when it runs
-/// backwards.
+/// Copies the accumulated light of a frame, its number of samples and their variance to images that the backward run reads as its input.
 template <class P, class Storage>
 void copy_accumulated(ImageView auto const& light, History<P, Storage> const& history, ImageView auto const& to_light,
                       ImageView auto const& to_count, ImageView auto const& to_variance) {
@@ -82,19 +88,24 @@ void copy_accumulated(ImageView auto const& light, History<P, Storage> const& hi
 }
 } // namespace detail
 
-/// Denoises a frame with those before it, which the history knows, and those after it: for files, where nobody waits. The frames after it
-/// are accumulated backwards in time, along their motion to the next frame, by the same pipeline; what they show of this frame is joined
-/// with what the frames before show as if it were one more history, so that it is forgotten where the light has changed; then comes the
-/// rest of the pipeline. Light that moves is followed with less lag, and what has
-/// just been uncovered has a history as well.
+/// Denoises a frame with the frames before it, from the history, and those after it, for offline use. Moving light lags less, and
+/// disoccluded pixels have a history too.
+///
+/// The frames after it are accumulated backwards in time, along motion_next, by the same pipeline. The result of the frames before then
+/// enters that run as if it were the frame's samples, so history is forgotten where the light has changed. The spatial filters follow.
+///
 ///     Frame frame{size, denoise, two_sided};     TwoSidedHistory history{size, denoise};
 ///     auto clean = run_two_sided(denoise, window, history, Threads{});    // window[0] is denoised, the others follow it
-/// Frames whose numbers don't follow each other end the window; one frame is a window too. Each call does the work of run() and, for every
-/// further frame, of accumulate(). The frames are changed while this runs, and left as they were.
-/// @param joining the same pipeline, with other numbers if that is better for joining what comes before with what comes after: where light
-/// moves, the one lags and the other leads, so that their mean is less wrong than either (presets::general_joining)
-/// @param window any range of frames by index, such as std::deque<Frame<...>>, which own their memory and have MotionNext
-/// @throws Error for a window of no frames, and as run() does
+///
+/// The window ends where frame numbers do not follow each other or the size changes; it may be a single frame. A call costs one run() and,
+/// for each further frame, one accumulate(). The frames are changed during the call and restored.
+/// @param pipeline for accumulating both sides
+/// @param joining  the same pipeline, maybe with other numbers, for joining the two sides. Where light moves, one side lags and the other
+/// leads, so that their mean is better than either: presets::general_joining
+/// @param window   range of frames with operator[], such as std::deque<Frame<...>>; they own their memory and have MotionNext
+/// @param history  state between calls
+/// @param executor what runs the passes
+/// @throws Error for a window without frames, and as run() does
 template <class P, class Window, class Storage, Executor E = Simd>
 auto run_two_sided(P const& pipeline, P const& joining, Window& window, TwoSidedHistory<P, Storage>& history, E const& executor = {}) {
     using F = std::remove_reference_t<decltype(window[0])>;
@@ -130,6 +141,7 @@ auto run_two_sided(P const& pipeline, P const& joining, Window& window, TwoSided
     detail::CountedBackwards const number(frame);
     return run(joining, frame, history.after, executor);
 }
+/// The same with `pipeline` for joining as well.
 template <class P, class Window, class Storage, Executor E = Simd>
 auto run_two_sided(P const& pipeline, Window& window, TwoSidedHistory<P, Storage>& history, E const& executor = {}) {
     return run_two_sided(pipeline, pipeline, window, history, executor);

@@ -4,23 +4,28 @@
 #include <quell/blur/two_motions/pair_history.hpp>
 #include <quell/pipeline/composite.hpp>
 
-/// Presets for motion blur from one sample per pixel at a random time. They want the way that what is seen goes while the shutter is open
-/// (sweep), and when it was seen (time).
+/// Presets for motion blur from one sample per pixel at a random time of the open shutter. They read the velocity of each sample (sweep)
+/// and its time. How long the shutter is open is frame.shutter.
 namespace quell::presets {
 
-/// Motion blur from one sample per pixel at a random time (after Oberberger et al. 2022): samples are gathered along the two motions that
-/// meet around a pixel, tested by their own paths one by one, and what is in front and what is behind are each accumulated over frames.
-/// @tparam Paths TurningPaths: what turns is blurred along arcs, which are measured; BentPaths: arcs that the host supplies; or
+/// Motion blur from one sample per pixel at a random time (after Oberberger et al. 2022). Samples are gathered along the two motions that
+/// meet around a pixel, and each is tested by its own trajectory. Foreground and background layer are accumulated separately.
+/// @tparam Paths     trajectories: TurningPaths, arcs measured from the velocities around; BentPaths, arcs that the host supplies; or
 /// StraightPaths, which cost less
-/// @param search how the past is found. How long the shutter is open each frame says: frame.shutter
+/// @tparam Footprint FixedFootprint, or AdaptiveFootprint: more distant samples count where the mean is uncertain
+/// @tparam S         the signal's channel type
+/// @param signal     the channel to denoise
+/// @param search     how the history is found
+/// @param gather     how samples are gathered
 template <class Paths = TurningPaths, class Footprint = FixedFootprint, ChannelTag S>
 constexpr auto blur(S signal, PathSearch search = {}, PairGather<S, Paths, Footprint> gather = {}) {
     return Pipeline{signal, Spatial{PairGuide<Paths>{}}, Spatial{gather},
                     Temporal{search, PairBlend<S>{}, PairFetch<S>{search.along(front_sweep)}}};
 }
 
-/// blur where shadows and reflections don't move like the surfaces that show them: each along sweeps of its own (the way out that MB
-/// section 6 names). direct * visibility + glossy + albedo * indirect, all of them blurred, along straight lines.
+/// Motion blur for shadows and reflections that do not move like their surfaces: each signal has velocities of its own (as MB section 6
+/// proposes). The picture is direct * visibility + glossy + albedo * indirect, each blurred along straight lines.
+/// @param search how the history is found
 template <class = void> constexpr auto blur_split(PathSearch search = {}) {
     return Composite{blur<StraightPathsAlong<SweepOf<Visibility>>>(visibility, search),
                      blur<StraightPathsAlong<SweepOf<Glossy>>>(quell::glossy, search), blur<StraightPaths>(direct, search),

@@ -20,14 +20,13 @@
 #include <quell/radiance/cone_gather.hpp>
 #include <quell/radiance/with_cones.hpp>
 
-/// Presets for shadows, reflections and indirect light that move: each follows its effect by motion vectors of its own (Zeng et al. 2021),
-/// and wants what these are made of: blockers, lights, hits and directions.
+/// Presets for moving shadows, reflections and indirect light. Each effect has motion vectors of its own (Zeng et al. 2021), and reads what
+/// these are computed from: blockers, lights, hits and directions.
 namespace quell::presets {
 
-/// Shadows, with history that follows them (TRMV section 4.1): visibility filtered as wide as its penumbra, then accumulated. A
-/// narrower filter, a shorter history and a tighter clamp than the paper's, which shadow_paper has, history that is forgotten where samples
-/// contradict it together, and a sharper fetch, which thin shadows need: less error on fence, fence-lights, apples, pinkroom and
-/// thinshadows (quell-chart).
+/// Shadows with motion vectors of their own (TRMV section 4.1). Visibility is filtered by the width of its penumbra, then accumulated.
+/// Compared with shadow_paper: a narrower filter, a shorter history, a tighter clamp, history that is forgotten where the light changes,
+/// and a sharper fetch, which thin shadows need.
 constexpr auto shadow(ChannelTag auto signal, auto... parts) {
     constexpr ForgetChanged<Exponential> accumulated{.inner = {.alpha = 0.4f}, .by_chance = 2.f, .sharpness = 0.3f};
     return Pipeline{signal,
@@ -40,9 +39,9 @@ constexpr auto shadow(ChannelTag auto signal, auto... parts) {
                     Spatial{CleanUp<>{}}};
 }
 
-/// Glossy reflections, with history that follows the virtual image, in curved mirrors too (TRMV sections 4.2 and 7), then a variance-guided
-/// filter as wide as the lobe. History is short, and shorter where samples contradict it together: one vector a pixel can't follow all that
-/// a rough lobe shows. glossy_paper draws its vectors from the lobe.
+/// Glossy reflections whose history follows the virtual image, in curved mirrors too (TRMV sections 4.2 and 7). A variance-guided filter as
+/// wide as the GGX lobe follows. The history is short, and shorter where the light changes: one motion vector per pixel cannot follow all
+/// that a rough lobe shows.
 /// @tparam Mirror where the virtual image lies: FlatMirror or ThinLens
 template <class Mirror = ThinLens> constexpr auto glossy(ChannelTag auto signal, auto... parts) {
     constexpr ForgetChanged<RunningMean> accumulated{.inner = {.cap = 4.f}, .by_chance = 2.f, .sharpness = 0.3f};
@@ -51,9 +50,9 @@ template <class Mirror = ThinLens> constexpr auto glossy(ChannelTag auto signal,
                     Spatial{VarianceGuidedAtrous<Product<DepthEdge, NormalEdge, LobeEdge>>{.levels = 4, .feedback = false}}};
 }
 
-/// The same with history as incident radiance in six cones, so that what was seen on a surface of another direction serves as well. Cones
-/// are added up over the 3x3 around, and what they shade to is filtered as a colour: as good as filtering them all the way, which
-/// dual_cone_paper does, and several times as fast. Where light changes by itself its long history is forgotten at once.
+/// Diffuse indirect light whose history is incident radiance in six cones (TRMV section 4.3), so that history of a surface with another
+/// normal serves too. Cones are added over the 3x3 around; the colour that they shade to is then filtered. This is as good as filtering
+/// cones in every pass, as dual_cone_paper does, and several times as fast. The history is forgotten where the light changes.
 constexpr auto dual_cone(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal,
                     parts...,
@@ -68,7 +67,7 @@ constexpr auto dual_cone(ChannelTag auto signal, auto... parts) {
                                                    .first_step = 2}}};
 }
 
-/// All effects, each by its own preset: direct * visibility + glossy + albedo * indirect.
+/// All three: direct * visibility + glossy + albedo * indirect.
 template <class... Parts> constexpr auto trmv(Parts... parts) {
     return Composite{shadow(visibility, parts...), glossy(quell::glossy, parts...), dual_cone(indirect, parts...)};
 }

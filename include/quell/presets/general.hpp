@@ -13,60 +13,67 @@
 #include <quell/motion/surface_motion.hpp>
 #include <quell/pipeline/pipeline.hpp>
 
-/// Ready pipelines, one line each, for any signal: presets::general(radiance, Demodulate{}). Extra parts go before the stages.
-/// These want colour and guides: the signal, and what they read of albedo, normal, depth and motion.
+/// Ready pipelines for any signal: `presets::general(radiance, Demodulate{})`. Further parts go before the stages. The presets of this file
+/// read the signal and guides (albedo, normal, depth, motion).
 namespace quell::presets {
 
 /// The input as it is.
 constexpr auto none(ChannelTag auto signal, auto... parts) { return Pipeline{signal, parts...}; }
 
-/// History along the surface, nothing else: what every other preset is measured against.
+/// Accumulation along surface motion vectors and nothing else: the baseline of all comparisons.
 constexpr auto surface(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, parts..., Temporal{SurfaceMotion{}, Exponential{.alpha = 0.1f}}};
 }
 
-/// The same with the history clamped to mean +- 1 sigma of the 3x3 around (Salvi 2015).
+/// surface() with the history clamped to mean +- 1 sigma of the 3x3 around (Salvi 2015).
 constexpr auto surface_clamp(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, parts..., Temporal{SurfaceMotion{}, Clamped{Exponential{.alpha = 0.1f}, MeanDeviation{.sigmas = 1.f}}}};
 }
 
-/// Space only: a five-level edge-avoiding wavelet (Dammertz 2010).
+/// No history: an edge-avoiding a-trous wavelet of five levels (Dammertz 2010).
 constexpr auto atrous(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, parts..., Spatial{Atrous{Product{DepthEdge{}, NormalEdge{}}}}};
 }
 
-/// Spatiotemporal variance-guided filtering (Schied 2017); a cap of 5 frames is its alpha of 0.2.
+/// Spatiotemporal variance-guided filtering (Schied et al. 2017). A cap of 5 frames is its alpha of 0.2.
 constexpr auto svgf(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, parts..., Temporal{SurfaceMotion{}, WithMoments{RunningMean{.cap = 5.f}}},
                     Spatial{VarianceGuidedAtrous{Product{DepthEdge{}, NormalEdge{}}}}};
 }
 
-/// For what every host has: colour and guides. History is long where nothing changes and short where light moves or changes by itself,
-/// which is measured; the filter is as wide as the noise that is left, for any number of samples; and no light is lost.
-/// @param accumulated how far history is trusted
-/// @param filter      the filter over space
+/// general() with numbers and a filter of your own. The history is long where nothing changes and short where measured light moves or
+/// changes. The default filter is as wide as the remaining noise, for any number of samples, and loses no light.
+/// @param accumulated how far the history is trusted
+/// @param filter      the spatial filter: ConservingAtrous, LocalRegression, or another one that reads the variance
+/// @param signal      the channel to denoise
+/// @param parts       further parts of the Pipeline, such as Demodulate{}
 constexpr auto general_with(ForgetBiased<RunningMean> accumulated, auto filter, ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, parts..., Spatial{BiasEstimate<>{}}, Temporal{SurfaceMotion{}, WithVariance{accumulated}}, Spatial{filter}};
 }
 
+/// History of general() and final_frame().
 inline constexpr ForgetBiased<RunningMean> general_history{.inner = {.cap = 24.f}, .gain = 100.f};
 
-/// For joining the frames before with the frames after (run_two_sided): what the two get wrong cancels in part.
+/// History for joining the frames before with the frames after (run_two_sided): longer, since the errors of both sides partly cancel.
 inline constexpr ForgetBiased<RunningMean> joined_history{.inner = {.cap = 48.f}, .gain = 30.f};
 
+/// The preset to start with, for hosts with colour and guides: BiasEstimate, a RunningMean whose biased history is forgotten, and
+/// ConservingAtrous.
 constexpr auto general(ChannelTag auto signal, auto... parts) {
     return general_with(general_history, ConservingAtrous<>{}, signal, parts...);
 }
 
+/// general() with joined_history: the second argument of run_two_sided().
 constexpr auto general_joining(ChannelTag auto signal, auto... parts) {
     return general_with(joined_history, ConservingAtrous<>{}, signal, parts...);
 }
 
-/// general for final frames, where nobody waits: a regression on the guides follows its filter.
+/// general() for final frames, with a regression on the guides after its filter (LocalRegression): better, and slower.
 constexpr auto final_frame(ChannelTag auto signal, auto... parts) {
     return general_with(general_history, LocalRegression<>{}, signal, parts...);
 }
 
+/// final_frame() with joined_history: the second argument of run_two_sided().
 constexpr auto final_frame_joining(ChannelTag auto signal, auto... parts) {
     return general_with(joined_history, LocalRegression<>{}, signal, parts...);
 }

@@ -14,23 +14,24 @@
 #include <quell/presets/general.hpp>
 #include <quell/radiance/cone_atrous.hpp>
 
-/// Published methods, to be measured against: the papers' own versions of quell's presets, and what they compare with.
+/// Published methods for comparison: the papers' own versions of quell's presets, and baselines.
 namespace quell::presets {
 
-/// svgf whose history shortens where the host's temporal gradients say that the light itself has changed (Schied 2018).
+/// svgf() whose history shortens where the host's temporal gradients show that the light has changed (Schied et al. 2018).
 template <ChannelTag S> constexpr auto asvgf(S signal, auto... parts) {
     return Pipeline{signal, parts..., Spatial{TemporalGradient<S>{}},
                     Temporal{SurfaceMotion{}, WithMoments{Antilag{RunningMean{.cap = 5.f}}}},
                     Spatial{VarianceGuidedAtrous{Product{DepthEdge{}, NormalEdge{}}}}};
 }
 
-/// History along the image in a mirror, clamped (Zimmer 2015, Mara 2017).
+/// Accumulation along the motion of the mirror image, clamped (Zimmer 2015, Mara 2017).
 constexpr auto mirror_clamp(ChannelTag auto signal, auto... parts) {
     return Pipeline{
         signal, parts...,
         Temporal{FirstValid{MirrorMotion{}, SurfaceMotion{}}, Clamped{Exponential{.alpha = 0.1f}, MeanDeviation{.sigmas = 1.f}}}};
 }
 
+/// Shadows as in TRMV section 4.1: shadow() with the numbers of the paper.
 constexpr auto shadow_paper(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal,
                     parts...,
@@ -41,6 +42,7 @@ constexpr auto shadow_paper(ChannelTag auto signal, auto... parts) {
                     Spatial{CleanUp<>{}}};
 }
 
+/// Glossy reflections as in TRMV section 4.2: motion vectors are drawn from the lobe.
 constexpr auto glossy_paper(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, parts...,
                     Temporal{FirstValid{GlossyMotion{}, SurfaceMotion{}},
@@ -48,8 +50,8 @@ constexpr auto glossy_paper(ChannelTag auto signal, auto... parts) {
                     Spatial{CleanUp<>{}}};
 }
 
-/// Diffuse indirect light with history even for what has just been uncovered (TRMV section 4.3), as a colour: svgf with a second source.
-/// Little trust is best for colours: what is alike is not the same.
+/// Diffuse indirect light as a colour: svgf() whose disoccluded pixels take history by dual motion vectors (TRMV section 4.3). It trusts
+/// that history little: a similar surface may have other light.
 constexpr auto dual_color(ChannelTag auto signal, auto... parts) {
     using Alike = AllOf<SimilarDepth, SameNormal>;
     return Pipeline{signal, parts...,
@@ -57,28 +59,30 @@ constexpr auto dual_color(ChannelTag auto signal, auto... parts) {
                     Spatial{VarianceGuidedAtrous{Product{DepthEdge{}, NormalEdge{}}}}};
 }
 
+/// Diffuse indirect light as in TRMV section 4.3: six cones in every pass.
 constexpr auto dual_cone_paper(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, Cones{}, parts..., Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, RunningMean{.cap = 32.f}, ConeFetch{}},
                     Spatial{ConeAtrous<Product<DepthEdge, NormalEdge>>{.least_cosine = 0.9f}}};
 }
 
-/// blur with plain reprojection instead of the search.
+/// blur() with plain reprojection instead of the search for the history.
 template <ChannelTag S> constexpr auto blur_one_step(S signal, PathSearch search = {}) {
     search.iterations = 0;
     return blur(signal, search);
 }
 
-/// blur in the paper's two layers: what moves and what stands still, from a guide of the mean motion around; both accumulated; and a
-/// wavelet along the motion. What was gathered is blurred as it should be already, so that the wavelet stays narrower than the paper's.
+/// Motion blur with the foreground and background layers of MB: what moves, and what stands still. Samples are found by a guide of the mean
+/// motion around; both layers are accumulated; a wavelet follows along the motion. It is narrower than in MB, since gathered samples are
+/// already blurred.
 template <ChannelTag S>
 constexpr auto blur_wavelet(S signal, PathSearch search = {}, DirectionalAtrous<S> along = {.reach = 0.05f, .taps_across = 0}) {
     return Pipeline{signal, Spatial{MotionGuide<>{}}, Spatial{PathGather<S>{}}, Temporal{search, LayerBlend<S>{}, LayerFetch<S>{}},
                     Spatial{along}};
 }
 
-/// blur_wavelet with the paper's own first steps and numbers: samples collected by a pre-filter, and two layers from the 5x5 around. Other
-/// than in the paper, the guide is of full resolution, with angles doubled instead of relative to the centre's sample; what stands still is
-/// remembered, not averaged; and the past is interpolated by a spline.
+/// Motion blur as in MB sections 4.2 and 4.3: a pre-filter collects samples, and the layers are made from the 5x5 around. Four things
+/// differ from MB. The guide is of full resolution. It averages doubled angles, not angles relative to the centre's sample. The still layer
+/// is remembered, not averaged. The history is interpolated by a spline.
 template <ChannelTag S> constexpr auto blur_paper(S signal, PathSearch search = {.iterations = 2}) {
     return Pipeline{signal,
                     Spatial{MotionGuide<>{}},
@@ -88,23 +92,24 @@ template <ChannelTag S> constexpr auto blur_paper(S signal, PathSearch search = 
                     Spatial{DirectionalAtrous<S>{}}};
 }
 
-/// blur_paper without the pre-filter.
+/// blur_paper() without the pre-filter.
 template <ChannelTag S> constexpr auto blur_no_pre_filter(S signal, PathSearch search = {.iterations = 2}) {
     return Pipeline{signal, Spatial{MotionGuide<>{}}, Spatial{LayerSplit<S>{}}, Temporal{search, LayerBlend<S>{}, LayerFetch<S>{}},
                     Spatial{DirectionalAtrous<S>{}}};
 }
 
-/// blur_wavelet with an ordinary a-trous wavelet, whose steps don't follow the motion.
+/// blur_wavelet() with an ordinary a-trous wavelet, whose taps do not follow the motion.
 template <ChannelTag S> constexpr auto blur_fixed_step(S signal, PathSearch search = {}) {
     return blur_wavelet(signal, search, {.fixed_step = 1.f, .taps_across = 2});
 }
 
-/// Motion blur of a picture without any, that of the middle of the open shutter: along each pixel's own sweep (GPU Gems 3, ch. 27), and
-/// along the longest one around it (McGuire 2012).
+/// Motion blur of a sharp picture of the middle of the open shutter, along each pixel's own velocity (GPU Gems 3, ch. 27).
 constexpr auto gather_blur(ChannelTag auto signal, auto... parts) { return Pipeline{signal, parts..., Spatial{GatherBlur{}}}; }
 
+/// Motion blur of a sharp picture of the middle of the open shutter, along the longest velocity around (McGuire et al. 2012).
 constexpr auto tilemax_blur(ChannelTag auto signal, auto... parts) { return Pipeline{signal, parts..., Spatial{TileMaxBlur{}}}; }
 
+/// All three effects of TRMV: direct * visibility + glossy + albedo * indirect.
 template <class... Parts> constexpr auto trmv_paper(Parts... parts) {
     return Composite{shadow_paper(visibility, parts...), glossy_paper(quell::glossy, parts...), dual_cone_paper(indirect, parts...)};
 }

@@ -6,7 +6,7 @@
 namespace quell {
 
 namespace detail {
-/// One level of an a-trous wavelet over cones. Where the normals agree, cone by cone; elsewhere by the overlap of all pairs.
+/// One level of ConeAtrous. Cones pass one to one where normals agree, else by the overlap of all pairs.
 template <class Edge> struct ConeLevel {
     static constexpr auto name = "cone a-trous";
     using parts = Parts<Edge>;
@@ -40,12 +40,12 @@ template <class Edge> struct ConeLevel {
             auto const there = neighbour[normal];
             auto const agree = cone::same_axes(n, there);
             same[t] = masked(agree, w);
-            // Too small ones are none in every lane alike: what a pixel becomes must not depend on its neighbours in the pack.
+            // Small weights are 0 in every lane: the result must not depend on the other pixels of the pack.
             other[t] = select(either(agree, dot(n, there) < Real(least_cosine), w < Real(1e-4f)), Real(0.f), w);
             turned = turned || any(other[t] > Real(0.f));
             sum_of_weights = sum_of_weights + same[t];
         }
-        // The samples of turned surfaces count like all others, but they come in other cones.
+        // Surfaces with another normal have the same weights, but their radiance has to change cones.
         Components<24, Real> value{};
         [&]<int... k>(std::integer_sequence<int, k...>) QUELL_INLINED { (add_cone<k>(px, column, row, same, value), ...); }
         (std::make_integer_sequence<int, cone::count>{});
@@ -56,7 +56,7 @@ template <class Edge> struct ConeLevel {
     }
 
 private:
-    /// One cone at a time, so that its sums stay in registers.
+    /// One cone at a time: its sums stay in registers.
     template <int k, class Px, class Real>
     QUELL_KERNEL static void add_cone(Px const& px, int const (&column)[25], int const (&row)[25], Real const (&weights)[25],
                                       Components<24, Real>& value) {
@@ -85,17 +85,20 @@ private:
 };
 } // namespace detail
 
-/// The a-trous wavelet over the six cones of Cones: `levels` passes of a 5x5 B3 spline (TRMV section 5: four). Surfaces that face another
-/// way contribute what their cones have in common with this pixel's.
-/// @tparam Edge an EdgeWeight that keeps places apart; the normals are dealt with by the cones
+/// The a-trous wavelet over the six cones of Cones: `levels` passes of a 5x5 B3 spline, whose taps are 1, 2, 4, ... pixels apart (TRMV
+/// section 5). Surfaces with another normal contribute where their cones overlap this pixel's.
+/// @tparam Edge an EdgeWeight that keeps places apart; normals are dealt with by the cones
 template <class Edge = DepthEdge> struct ConeAtrous {
     static_assert(EdgeWeight<Edge>, "ConeAtrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    /// @cond
     using Level = detail::ConeLevel<Edge>;
     using parts = Parts<Level>;
-    Edge edge{};
-    int levels = 4;
-    float least_cosine = 0.f; ///< surfaces turned further away than this contribute nothing
+    /// @endcond
+    Edge edge{};              ///< which places count
+    int levels = 4;           ///< passes
+    float least_cosine = 0.f; ///< surfaces whose normals have a smaller cosine between them do not count
 
+    /// One pass per level.
     constexpr void for_each_pass(auto&& pass) const {
         for (int i = 0; i < levels; ++i) pass(Level{edge, 1 << i, least_cosine});
     }

@@ -6,13 +6,17 @@
 
 namespace quell {
 
-/// A history fetch for Cones: what was found on a surface with another normal is passed from its cones to this pixel's, by their overlap.
+/// A history fetch for Cones and WithCones: history from a surface with another normal moves to this pixel's cones, by their overlap.
+///
 ///     Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, RunningMean{}, ConeFetch{}}
 struct ConeFetch {
+    /// @cond
     using reads = Channels<Normal>;
     using remembers = Channels<Normal>;
-    Bilinear inner{};
+    /// @endcond
+    Bilinear inner{}; ///< interpolates the history
 
+    /// See quell/motion/history_fetch.hpp.
     template <class Px, class FoundPlace> QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& found) const {
         using Real = typename Px::Real;
         auto past = inner.fetch(px, found);
@@ -23,7 +27,7 @@ struct ConeFetch {
         auto const valid = past.validity > Real(0.f);
         auto const refused = both(valid, invert(detail::counts<Real>(nearest, found)));
         if (any(refused)) {
-            auto const where_and_test = found; // what is handed to a function lives in memory
+            auto const where_and_test = found; // a copy: what is passed to a function lives in memory
             then = select(refused, nearest_accepted(px, where_and_test), then);
         }
         auto const differs = both(valid, detail::is_direction(now), invert(cone::same_axes(now, then)));
@@ -40,7 +44,7 @@ struct ConeFetch {
     }
 
 private:
-    /// The normal of the nearest past pixel that is accepted: of those that were interpolated, it weighs most.
+    /// Normal of the nearest past pixel that the surface test accepts: it weighs most in the interpolation.
     template <class Px, class FoundPlace>
     [[gnu::noinline]] static constexpr vec3<typename Px::Real> nearest_accepted(Px const& px, FoundPlace const& found) {
         using Real = typename Px::Real;

@@ -5,18 +5,22 @@
 
 namespace quell {
 
-/// Shades each pixel by its own cones and those of the 3x3 around, added up cone by cone: few frames after a pixel has been uncovered most
-/// of its cones are still empty, and its neighbours have samples there. For behind a Temporal{motion, WithCones{...}, ConeFetch{}}; a
-/// filter for colours does the rest. Neighbours whose cones lie otherwise must be kept apart by the edge.
+/// Shades each pixel by the sum of the cones of the 3x3 around it. A disoccluded pixel has samples in few of its cones; its neighbours fill
+/// the others. Goes after a Temporal{motion, WithCones{...}, ConeFetch{}} and before a filter of colours.
+///
 ///     Spatial{ConeGather{}}, Spatial{VarianceGuidedAtrous{}}
-/// @tparam Edge an EdgeWeight
+///
+/// @tparam Edge an EdgeWeight that keeps different normals apart: cones are added one to one
 template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
     static_assert(EdgeWeight<Edge>, "ConeGather{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    /// @cond
     static constexpr auto name = "cone gather";
     using parts = Parts<Edge>;
     using reads = Channels<ConeRadiance>;
-    Edge edge{};
+    /// @endcond
+    Edge edge{}; ///< which neighbours count
 
+    /// The shaded colour; the signal as it is where there are no samples.
     QUELL_KERNEL auto filter(auto px) const {
         using Px = decltype(px);
         using Real = typename Px::Real;
@@ -34,7 +38,7 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
         Components<24, Real> sum;
         detail::repeat<3>([&](auto i) QUELL_INLINED { add_two_cones<2 * i>(px, taps, sum); });
         auto const shaded = cone::shade(sum);
-        // Around a missing sample without a past there may be next to nothing to shade by.
+        // With no samples in reach there is nothing to shade.
         return select(both(cone::samples(sum) > Real(1e-6f), all_finite(shaded)), shaded, px.signal());
     }
 
@@ -47,7 +51,7 @@ private:
         int count = 0;
         QUELL_KERNEL void add(Px const& tap, typename Px::Real w) { column[count] = tap.x, row[count] = tap.y, weight[count++] = w; }
     };
-    /// As many at a time as have all their sums in registers.
+    /// Two cones at a time: as many sums as fit in registers.
     template <int k, class Px, class Real>
     QUELL_KERNEL static void add_two_cones(Px const& px, Taps<Px> const& taps, Components<24, Real>& sum) {
         [&]<int... c>(std::integer_sequence<int, c...>) QUELL_INLINED {

@@ -3,38 +3,74 @@
 #include <quell/frame/modulation.hpp>
 #include <quell/motion/tangent_plane.hpp>
 
+/// @file
+/// Diffuse indirect light as incident radiance in six cones (TRMV section 4.3).
+///
+/// A shaded colour is only right for the normal that it was shaded with. Radiance in cones can move to a surface with another normal: each
+/// of its cones takes from those that it overlaps. So a disoccluded pixel can use the history of a surface that faces another way.
+///
+///           from the side                      from above
+///
+///                 n                                     2            cone 0 lies along the normal n;
+///                 | 0                             3                  cones 1 to 5 are 60 degrees from n, 72 degrees apart;
+///         3 \     |     / 1                           0     1        each has the solid angle pi / 3:
+///             \   |   /                           4                  half its apex angle is acos(5 / 6), 34 degrees
+///               \ | /                                   5
+///     ------------+------------  surface
+///
+/// A pixel has 24 numbers: in each cone the sums of red, green and blue, and the number of samples. There are two ways to use them.
+///
+/// Cones in every pass: `Cones{}, Temporal{motion, blend, ConeFetch{}}, Spatial{ConeAtrous{}}`
+///
+///     pass          reads                                      writes
+///     ingest        sample, indirect_direction, normal         signal: the sample in one of 6 cones      (Cones::inward)
+///     Temporal      signal; history, normal then and now       signal; history, moved to this normal     (ConeFetch)
+///     ConeAtrous    signal, normal                             signal: cones of 5x5 pixels, per level
+///     last pass     signal                                     output: a colour                          (Cones::outward)
+///
+/// Cones in the history only, which is faster: `Temporal{motion, WithCones{blend}, ConeFetch{}}, Spatial{ConeGather{}}, Spatial{filter}`
+///
+///     pass          reads                                      writes
+///     Temporal      sample, indirect_direction, normal;        signal: the colour that the cones shade to;
+///                   cone_radiance of the last frame            cone_radiance, which the history keeps    (ConeFetch, WithCones)
+///     ConeGather    cone_radiance of 3x3 pixels                signal: the colour that their sum shades to
+///     filter        signal                                     signal: a filtered colour
+
 namespace quell {
 
-/// Radiance that arrives in six cones of the hemisphere around the normal (TRMV section 4.3). Component 4 k + c is the sum of cone k's
-/// samples of colour c, component 4 k + 3 how many there were: whatever mixes pixels linearly mixes these rightly, and a cone's radiance is
-/// a quotient at the end. Cone 0 lies along the normal, the others at 60 degrees from it, 72 degrees apart, in the frame of the world.
+/// Incident radiance in six cones. Component 4 k + c is the sum of cone k's samples in colour c; component 4 k + 3 is their number. Sums
+/// can be filtered linearly; the radiance of a cone is their quotient, taken at the end. Axes are in world space (cone::Axes).
 struct ConeRadiance : MadeChannel<24> {
-    static constexpr auto name = "cone_radiance";
+    static constexpr auto name = "cone_radiance"; ///< in messages
 };
+/// See ConeRadiance.
 inline constexpr ConeRadiance cone_radiance;
 
+/// Geometry of the six cones. Directions are unit vectors in world space.
 namespace cone {
 
-inline constexpr int count = 6;
-/// Half the apex angle of a cone of solid angle pi / 3 is acos(5 / 6).
+inline constexpr int count = 6; ///< cones per pixel
+/// Cosine of half the apex angle, for a solid angle of pi / 3.
 inline constexpr float cosine = 5.f / 6.f;
-/// What part of a cosine-weighted hemisphere lies nearest to the axis along the normal: (5 / 2 pi) atan(tan(36 deg) / 2), and to each
-/// other.
-inline constexpr float middle_part = 0.27728066f, ring_part = (1.f - middle_part) / 5.f;
+// Parts of the cosine-weighted hemisphere that are nearest to each cone.
+inline constexpr float middle_part = 0.27728066f, ///< of cone 0: (5 / 2 pi) atan(tan(36 deg) / 2)
+    ring_part = (1.f - middle_part) / 5.f;        ///< of each other cone
 
+/// Cone k's part of the cosine-weighted hemisphere; the six parts add up to 1.
 constexpr float part(int k) { return k == 0 ? middle_part : ring_part; }
 
-/// The axes in the world, for a normal. Built without branches from the normal alone (Duff et al. 2017), so that equal normals have equal
+/// The axes of the six cones for a normal. They depend on the normal alone, without branches (Duff et al. 2017): equal normals have equal
 /// cones.
 template <class Real> struct Axes {
-    vec3<Real> at[count];
+    vec3<Real> at[count]; ///< unit vectors in world space; at[0] is the normal
 
+    /// @param n the normal, of length 1, in world space
     QUELL_KERNEL explicit Axes(vec3<Real> const& n) {
         auto const sign = select(n.z < Real(0.f), Real(-1.f), Real(1.f));
         auto const a = Real(-1.f) / (sign + n.z), b = n.x * n.y * a;
         vec3<Real> const tangent{fma(sign * n.x * n.x, a, Real(1.f)), sign * b, -(sign * n.x)};
         vec3<Real> const bitangent{b, fma(n.y * n.y, a, sign), -n.y};
-        // Half of cosines and sines of 72 degrees times k, times the square root of 3.
+        // 60 degrees off the normal: sin(60 deg) times cosine and sine of k * 72 degrees.
         constexpr float x[] = {0.8660254f, 0.26761657f, -0.70062927f, -0.70062927f, 0.26761657f};
         constexpr float y[] = {0.f, 0.82363910f, 0.50903696f, -0.50903696f, -0.82363910f};
         at[0] = n;
@@ -42,10 +78,11 @@ template <class Real> struct Axes {
     }
 };
 
-/// How much two cones overlap, as a part of one, by the cosine between their axes: a polynomial whose error is below 0.0006
-/// (TRMV eqs. 9 and 10, Mazonka 2012, with half angles acos(5/6)).
+/// Part of a cone's solid angle that another cone overlaps, 0 to 1 (TRMV eqs. 9 and 10, after Mazonka 2012). A polynomial fit with an error
+/// below 0.0006.
+/// @param cosine_between cosine of the angle between their axes
 template <class Real> QUELL_KERNEL Real overlap(Real cosine_between) {
-    // 1 where the cones no longer touch.
+    // u is 1 where the cones no longer touch.
     auto const u = sqrt(clamp((1.f - cosine_between) * (18.f / 11.f), Real(0.f), Real(1.f)));
     auto p = fma(u, Real(2.2148125f), Real(-5.7880353f));
     p = fma(u, p, Real(5.8774447f));
@@ -56,8 +93,8 @@ template <class Real> QUELL_KERNEL Real overlap(Real cosine_between) {
     return masked(u < Real(1.f), clamp(p, Real(0.f), Real(1.f)));
 }
 
-/// The same radiance as another normal's cones see it: each takes what it overlaps with (36 pairs). A call of its own, since few pixels
-/// need it and it is large.
+/// Moves radiance to the cones of another normal: each takes from all that it overlaps (36 pairs). Not inlined: it is large, and few pixels
+/// need it.
 template <class Real>
 [[gnu::noinline]] constexpr Components<24, Real> transferred(Components<24, Real> const& from, vec3<Real> const& normal_from,
                                                              vec3<Real> const& normal_to) {
@@ -74,11 +111,10 @@ template <class Real>
     return result;
 }
 
-/// Whether two pixels have nearly the same cones (6 degrees are little beside the cones' 67), so that radiance passes from cone to cone as
-/// it is.
+/// Whether two normals differ by less than 6 degrees. Then radiance passes from cone to cone: their apex angles are 67 degrees.
 template <class Real> QUELL_KERNEL auto same_axes(vec3<Real> const& a, vec3<Real> const& b) { return dot(a, b) > Real(0.995f); }
 
-/// One sample from a direction: it falls into the nearest cone.
+/// One sample of radiance from `direction`, in the nearest cone.
 template <class Real>
 QUELL_KERNEL Components<24, Real> deposit(vec3<Real> const& radiance, vec3<Real> const& direction, vec3<Real> const& normal) {
     Axes<Real> const axes(normal);
@@ -98,21 +134,21 @@ QUELL_KERNEL Components<24, Real> deposit(vec3<Real> const& radiance, vec3<Real>
     });
 }
 
-/// How many samples there are in all cones together.
+/// Number of samples in all cones together.
 template <class Real> QUELL_KERNEL Real samples(Components<24, Real> const& value) {
     Real sum(0.f);
     for (int k = 0; k < count; ++k) sum = sum + value.at[4 * k + 3];
     return sum;
 }
 
-/// The mean of the radiance weighted by the cosine: what a white diffuse surface gives back (TRMV eq. 11, with cosine integrals for
-/// weights, so that constant light is itself). A cone that has hardly a sample borrows from all of them together.
+/// Mean incident radiance weighted by the cosine: what a white diffuse surface reflects (TRMV eq. 11). Weights are cosine integrals, so
+/// that constant light is preserved. A cone with hardly any samples takes the mean of all.
 template <class Real> QUELL_KERNEL vec3<Real> shade(Components<24, Real> const& value) {
     vec3<Real> all{Real(0.f), Real(0.f), Real(0.f)};
     for (int k = 0; k < count; ++k) all = vec3<Real>{all.x + value.at[4 * k], all.y + value.at[4 * k + 1], all.z + value.at[4 * k + 2]};
     auto const there_are = samples(value);
     auto const mean = scale(all, 1.f / max(there_are, Real(1e-12f)));
-    // A thousandth of the samples that there are: too little to weigh beside real ones.
+    // Each cone borrows 1/1000 of all samples: little beside samples of its own.
     auto const lent = max(there_are * 1e-3f, Real(1e-12f));
     vec3<Real> sum{Real(0.f), Real(0.f), Real(0.f)};
     for (int k = 0; k < count; ++k) {
@@ -126,15 +162,20 @@ template <class Real> QUELL_KERNEL vec3<Real> shade(Components<24, Real> const& 
 
 } // namespace cone
 
-/// Denoises incident radiance in six cones instead of its shaded colour, so that pixels whose normals differ can share it: a modulation for
-/// a signal that is one cosine-distributed sample of incident radiance, such as Indirect.
+/// A modulation: the pipeline denoises incident radiance in cones instead of a colour. For a signal that is one cosine-distributed sample
+/// of incident radiance per pixel, such as Indirect. The output is the mean incident radiance weighted by the cosine; times the albedo it
+/// is reflected radiance.
+///
 ///     Pipeline{indirect, Cones{}, Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, RunningMean{}, ConeFetch{}}, Spatial{ConeAtrous{}}}
-/// What comes out is the mean incident radiance weighted by the cosine; times the albedo, it is reflected radiance.
 struct Cones {
+    /// @cond
     using reads = Channels<Normal, IndirectDirection>;
     template <ChannelTag S> using Signal = ConeRadiance;
+    /// @endcond
 
+    /// Puts the sample into the nearest cone.
     QUELL_KERNEL auto inward(auto const& px, auto const& sample) const { return cone::deposit(sample, px[indirect_direction], px[normal]); }
+    /// Shades the cones to a colour.
     QUELL_KERNEL auto outward(auto const&, auto const& value) const { return cone::shade(value); }
 };
 

@@ -5,18 +5,24 @@
 
 namespace quell {
 
-/// Keeps the history of a colour as incident radiance in six cones (TRMV section 4.3), mixed with the alpha of the inner policy, and gives
-/// what these shade to: history can be passed between surfaces that face different ways, and what comes after is a colour that costs no
-/// more to filter than any other. For a signal that is one cosine-distributed sample of incident radiance, such as Indirect.
-/// A clamp goes around it: Clamped{WithCones{RunningMean{}}}.
+/// Keeps the history as incident radiance in six cones (TRMV section 4.3), blended with the inner policy's alpha, and returns the colour
+/// that they shade to. So history can pass between surfaces with different normals, and later filters cost no more than for any colour. For
+/// a signal that is one cosine-distributed sample of incident radiance per pixel, such as Indirect. A clamp goes outside:
+/// `Clamped{WithCones{RunningMean{}}}`.
+///
 ///     Pipeline{indirect, Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, WithCones{RunningMean{}}, ConeFetch{}}, Spatial{Atrous{}}}
+///
+/// @tparam Inner a BlendPolicy
 template <class Inner> struct WithCones {
     static_assert(BlendPolicy<Inner>, "WithCones{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
+    /// @cond
     using parts = Parts<Inner>;
     using reads = Channels<Normal, IndirectDirection>;
     using keeps = Channels<ConeRadiance>;
-    Inner inner{};
+    /// @endcond
+    Inner inner{}; ///< says alpha
 
+    /// The shaded colour, with cone_radiance.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         auto result = detail::result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
         auto const sample = cone::deposit(px.signal(), px[indirect_direction], px[normal]);
@@ -29,7 +35,8 @@ template <class Inner> struct WithCones {
     }
 
 private:
-    /// The past's cones once a clamp has changed its colour: dimmed, or with the same light added to all, until they shade to that.
+    /// Cones that shade to a clamped colour. Colours that the clamp has darkened are scaled; to others the same light is added in all
+    /// cones.
     template <class V, class Real> QUELL_KERNEL static Components<24, Real> shaded_as(V const& colour, Components<24, Real> const& cones) {
         auto const shaded = cone::shade(cones);
         auto const factor =

@@ -5,34 +5,35 @@
 
 namespace quell {
 
-/// How wrong the history is for the light of now: the square of its bias over the variance of one sample. 0 where there is no evidence.
+/// Squared bias of the history over the variance of one sample; 0 without evidence.
 struct HistoryBias : MadeChannel<1> {
-    static constexpr auto name = "history_bias";
+    static constexpr auto name = "history_bias"; ///< in messages
 };
+/// See HistoryBias.
 inline constexpr HistoryBias history_bias;
 
-// What BiasEstimate measures, as means over a window. Four channels and not one of four components: their memory serves other passes later.
+// What BiasEstimate measures, as means over a window. Four channels of one component, so that later passes can reuse their memory.
 
-/// Luminance now less luminance of the history.
+/// Luminance of the sample minus luminance of the history.
 struct HistoryDistance : MadeChannel<1> {
-    static constexpr auto name = "history_distance";
+    static constexpr auto name = "history_distance"; ///< in messages
 };
-/// Root mean square of that.
+/// Root mean square of HistoryDistance.
 struct HistoryDeviation : MadeChannel<1> {
-    static constexpr auto name = "history_deviation";
+    static constexpr auto name = "history_deviation"; ///< in messages
 };
-/// The root mean square that the history's own variance makes one expect.
+/// Root mean square that noise alone would give, by the history's own variance.
 struct ExpectedDeviation : MadeChannel<1> {
-    static constexpr auto name = "expected_deviation";
+    static constexpr auto name = "expected_deviation"; ///< in messages
 };
-/// The part of the window that has a history.
+/// Part of the window that has both a sample and a history.
 struct HistoryShare : MadeChannel<1> {
-    static constexpr auto name = "history_share";
+    static constexpr auto name = "history_share"; ///< in messages
 };
-inline constexpr HistoryDistance history_distance;
-inline constexpr HistoryDeviation history_deviation;
-inline constexpr ExpectedDeviation expected_deviation;
-inline constexpr HistoryShare history_share;
+inline constexpr HistoryDistance history_distance;     ///< see HistoryDistance
+inline constexpr HistoryDeviation history_deviation;   ///< see HistoryDeviation
+inline constexpr ExpectedDeviation expected_deviation; ///< see ExpectedDeviation
+inline constexpr HistoryShare history_share;           ///< see HistoryShare
 
 namespace detail {
 using WindowChannels = Channels<HistoryDistance, HistoryDeviation, ExpectedDeviation, HistoryShare>;
@@ -51,7 +52,7 @@ template <class Px> QUELL_KERNEL auto window_at(Px const& px) {
     return WindowOfHistory<typename Px::Real>{px[history_distance], px[history_deviation], px[expected_deviation], px[history_share]};
 }
 
-/// The measurements of one pixel: nothing where there is no past or no sample.
+/// The measurements of one pixel; 0 without a sample or a history.
 template <class Source> struct OwnHistoryDistance {
     static constexpr auto name = "history distance";
     using parts = Parts<Source>;
@@ -66,7 +67,7 @@ template <class Source> struct OwnHistoryDistance {
         auto const [past, distance, known] = beside_past(px, source);
         auto const n = max(past[history_length], Real(1e-3f)), now = px.samples();
         auto const of_sample = masked(n > Real(1.f), unbiased_variance(past[luminance_variance], n));
-        // Less than a thousandth of the light may be rounding, or interpolation of a picture without noise.
+        // Differences under 1/1000 of the light may be rounding or interpolation.
         auto const light_then = luminance(past.signal);
         auto const expected = fma(light_then * light_then, Real(1e-6f), of_sample * (1.f / now + 1.f / n));
         auto const usable = both(known, is_finite(expected));
@@ -76,7 +77,7 @@ template <class Source> struct OwnHistoryDistance {
     }
 };
 
-/// Puts together five in a row or a column. Outside the image there is nothing.
+/// Mean of five pixels of a row or a column; pixels outside the image count as 0.
 struct HistoryDistanceLine {
     static constexpr auto name = "history distance";
     using reads = WindowChannels;
@@ -99,13 +100,16 @@ struct HistoryDistanceLine {
     }
 };
 
-inline constexpr float wide_window = 625.f; ///< pixels
+inline constexpr float wide_window = 625.f; ///< in pixels: 25x25
 
-/// The evidence of one window: how far the mean distance lies beyond what noise explains, squared, over the noise.
+/// Squared bias over variance, by one window: the squared mean difference beyond what noise explains, over the variance.
+/// @param pixels    size of the window
+/// @param by_chance variances of the window's mean that count as noise
 template <class Real> QUELL_KERNEL Real bias_in(WindowOfHistory<Real> const& window, float pixels, float by_chance) {
     auto const share = 1.f / max(window.share, Real(1e-6f));
     auto const mean = window.distance * share;
-    // Skewed noise looks like change where its rare bright samples are missing from a window; the history has seen them.
+    // With skewed noise, a window may lack the rare bright samples and look as if the light had changed. The history has seen them, so the
+    // larger variance counts.
     auto const seen = fma(window.deviation, window.deviation * share, -mean * mean);
     auto const expected = window.expected * window.expected * share;
     auto const noise = max(max(seen, expected), Real(1e-20f));
@@ -114,7 +118,7 @@ template <class Real> QUELL_KERNEL Real bias_in(WindowOfHistory<Real> const& win
     return min(excess / noise, Real(1e6f));
 }
 
-/// The last step of the narrow window, which is the first of the wide one: columns of it put together, and what it says.
+/// Evaluates the 5x5 window, and does the rows of the 25x25 window.
 struct NarrowBias {
     static constexpr auto name = "history bias";
     using reads = WindowChannels;
@@ -126,6 +130,7 @@ struct NarrowBias {
         return HistoryDistanceLine{5, false}.mean(px).emitted().with(history_bias, bias_in<Real>(window_at(px), 25.f, by_chance));
     }
 };
+/// Does the columns of the 25x25 window, and evaluates it.
 struct WideBias {
     static constexpr auto name = "history bias";
     using reads = decltype(WindowChannels{} | Channels<HistoryBias>{});
@@ -141,18 +146,21 @@ struct WideBias {
 };
 } // namespace detail
 
-/// Measures how far the history lies from the light of now, where light moves or changes though no motion vector says so: in many pixels
-/// together the noise cancels that hides it in one. Two windows, of 5x5 and of 25x25 pixels: the narrow one sees sharply what is clear, the
-/// wide one what is faint. Goes before a Temporal{..., WithVariance{ForgetBiased{RunningMean{}}}}.
-/// @tparam Source a MotionSource
+/// Measures the bias of the history where light moves or changes and no motion vector says so. In one pixel, noise hides the bias; over a
+/// window the noise cancels. There are two windows: 5x5 pixels for clear changes, sharply, and 25x25 for faint ones. Goes before a
+/// Temporal{..., WithVariance{ForgetBiased{RunningMean{}}}}.
+/// @tparam Source the MotionSource by which the history is found
 template <class Source = SurfaceMotion<SameDepth>> struct BiasEstimate {
+    /// @cond
     using Own = detail::OwnHistoryDistance<Source>;
     using parts = Parts<Own, detail::NarrowBias, detail::WideBias>;
     static constexpr bool leaves_signal = true;
-    Source source{};
-    float narrow_by_chance = 9.f; ///< variances of a window's mean that noise alone explains, for 5x5 pixels
-    float wide_by_chance = 1.f;   ///< for 25x25
+    /// @endcond
+    Source source{};              ///< finds the history
+    float narrow_by_chance = 9.f; ///< variances of a window's mean that count as noise, for 5x5 pixels
+    float wide_by_chance = 1.f;   ///< the same for 25x25
 
+    /// Own differences, and the two windows.
     constexpr void for_each_pass(auto&& pass) const {
         pass(Own{source});
         pass(detail::HistoryDistanceLine{1, false});
@@ -162,26 +170,32 @@ template <class Source = SurfaceMotion<SameDepth>> struct BiasEstimate {
     }
 };
 
-/// Shortens a history by as much as it is wrong. A history of n samples has the mean square error variance / n + bias^2; it counts as if
-/// it had the n' of variance / n', after the spatial filter has taken the variance down by `gain` and left the bias as it is:
-///     n' = n / (1 + gain (n / now + 1) bias^2 / variance)
-/// where bias^2 / variance comes from a BiasEstimate. Decorates a policy that keeps the history's length.
-/// A firefly is forgotten at once: a pixel whose history alone is brighter than the light of now, by more than `firefly_share` of all the
-/// squared differences in the wide window. Noise that comes back has more such pixels in a window, and stays.
+/// Shortens the history by its bias, as measured by a BiasEstimate. A mean of n samples has the squared error variance / n + bias^2. The
+/// spatial filter then divides the variance by `gain` and leaves the bias. The history counts as the n' samples whose variance alone gives
+/// that error:
+///
+///     n' = n / (1 + gain (n / now + 1) bias^2 / variance)            now: samples of the new frame
+///
+/// Fireflies in the history are forgotten at once: pixels where only the history is bright, and whose squared difference is more than
+/// `firefly_share` of the sum over the 25x25 window. Recurring noise has many bright pixels in the window, so it stays.
+/// @tparam Inner a BlendPolicy that keeps the history length, such as RunningMean
 template <class Inner> struct ForgetBiased {
     static_assert(BlendPolicy<Inner>, "ForgetBiased{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
+    /// @cond
     using parts = Parts<Inner>;
     using reads = Channels<HistoryBias, HistoryDeviation>;
+    /// @endcond
     static_assert(keeps_of<Inner>::template has<HistoryLength>,
                   "ForgetBiased{inner}: `inner` must keep the history's length, as RunningMean does");
-    Inner inner{};
-    float gain = 100.f;           ///< by how much the filters behind this reduce variance
+    Inner inner{};                ///< blends with the reduced validity
+    float gain = 100.f;           ///< by how much later filters reduce the variance
     float firefly_share = 0.125f; ///< in (0, 1]; 1: no history is forgotten as a firefly
 
+    /// The inner policy's result with the reduced validity.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;
         auto const then = luminance(past.signal), brighter = max(then - luminance(px.signal()), Real(0.f)), around = px[history_deviation];
-        // A thousandth of the light may be rounding, or interpolation.
+        // 1/1000 of the light may be rounding or interpolation.
         auto const usual = fma(around * around, Real(detail::wide_window * firefly_share), then * then * 1e-6f);
         past.validity = masked(brighter * brighter <= usual, past.validity);
         auto const frames = past[history_length] / px.samples() + 1.f;

@@ -6,15 +6,16 @@
 
 namespace quell {
 
-/// How far the luminance around a pixel lies from what the history shows there: the sum of the distances in n pixels, and the root of the
-/// sum of their squares, both over sqrt(n), so that their quotient is Student's statistic and half precision holds them.
+/// Difference of luminance between new samples and history, over a window of n pixels. x: sum / sqrt(n). y: root of the sum of squares,
+/// over sqrt(n). x / y is Student's statistic, and both fit in half precision.
 struct LightChange : MadeChannel<2> {
-    static constexpr auto name = "light_change";
+    static constexpr auto name = "light_change"; ///< in messages
 };
+/// See LightChange.
 inline constexpr LightChange light_change;
 
 namespace detail {
-/// A sample beside its history, in which there is no interpolation: the luminance now less that of then, where both are known.
+/// A pixel's history without interpolation, and `distance`: luminance now minus luminance then. `known`: there is a sample and a history.
 template <class P, class Real, class Mask> struct BesidePast {
     P past;
     Real distance;
@@ -28,7 +29,7 @@ template <class Px> QUELL_KERNEL auto beside_past(Px const& px, auto const& sour
     return BesidePast{past, distance, both(past.validity > Real(0.f), invert(px.missing()), is_finite(distance))};
 }
 
-/// What a pixel by itself knows: nothing where there is no past or no sample.
+/// The pixel's own difference; 0 without a sample or a history.
 template <class Source> struct OwnLightChange {
     static constexpr auto name = "light change";
     using parts = Parts<Source>;
@@ -46,7 +47,7 @@ template <class Source> struct OwnLightChange {
     }
 };
 
-/// Puts together five in a row or a column.
+/// Combines five pixels of a row or a column.
 struct LightChangeLine {
     static constexpr auto name = "light change";
     using reads = Channels<LightChange>;
@@ -67,18 +68,23 @@ struct LightChangeLine {
 };
 } // namespace detail
 
-/// Notices light that has changed by itself, where motion is followed rightly and the history is wrong nevertheless: in many pixels
-/// together the noise cancels that hides it in one. Goes before a Temporal{..., ForgetChanged{...}}.
+/// Measures where the light has changed by itself, so that the history is wrong though motion vectors are right. In one pixel, noise hides
+/// the change; over a window the noise cancels. Goes before a Temporal{..., ForgetChanged{...}}.
+///
 ///     Spatial{ChangeDetector<>{}}, Temporal{SurfaceMotion{}, ForgetChanged{RunningMean{}}}
-/// @tparam Source a MotionSource
+///
+/// @tparam Source the MotionSource by which the history is found
 template <class Source = SurfaceMotion<SameDepth>> struct ChangeDetector {
+    /// @cond
     using Own = detail::OwnLightChange<Source>;
     using Line = detail::LightChangeLine;
     using parts = Parts<Own>;
     static constexpr bool leaves_signal = true;
-    Source source{};
-    int levels = 2; ///< 1: 5x5 pixels, 2: 25x25, which sees through more noise and less sharply
+    /// @endcond
+    Source source{}; ///< finds the history
+    int levels = 2;  ///< window: 1 is 5x5 pixels, 2 is 25x25, which tolerates more noise and is less sharp
 
+    /// Own differences, then rows and columns for each level.
     constexpr void for_each_pass(auto&& pass) const {
         pass(Own{source});
         for (int i = 0, step = 1; i < levels; ++i, step *= 5) {
@@ -88,17 +94,21 @@ template <class Source = SurfaceMotion<SameDepth>> struct ChangeDetector {
     }
 };
 
-/// Trusts the past as little as ChangeDetector's evidence has it. The statistic, (sum of the distances)^2 / (sum of their squares), is 1 on
-/// average where nothing has changed, however heavy the tails of the noise (one firefly by itself makes it 1), and grows with the number
-/// of pixels where something has. Decorates a RunningMean or any policy that goes by the validity of the past.
+/// Forgets history by the evidence of a ChangeDetector. The statistic is (sum of differences)^2 / (sum of their squares). Without change it
+/// is 1 on average, however heavy-tailed the noise: a single firefly makes it 1. With change it grows with the number of pixels. Decorates
+/// a policy that uses the validity of the history, such as RunningMean.
+/// @tparam Inner a BlendPolicy
 template <class Inner> struct ForgetChanged {
     static_assert(BlendPolicy<Inner>, "ForgetChanged{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
+    /// @cond
     using parts = Parts<Inner>;
     using reads = Channels<LightChange>;
-    Inner inner{};
-    float by_chance = 16.f;  ///< what the statistic reaches where nothing has changed
-    float sharpness = 400.f; ///< validity is divided by 1 + sharpness * (statistic - by_chance); one that beats a long history is larger
+    /// @endcond
+    Inner inner{};           ///< blends with the reduced validity
+    float by_chance = 16.f;  ///< values of the statistic up to this are noise
+    float sharpness = 400.f; ///< validity is divided by 1 + sharpness * (statistic - by_chance); longer histories need more
 
+    /// The inner policy's result with the reduced validity.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;
         auto const change = px[light_change];

@@ -5,11 +5,12 @@
 
 namespace quell {
 
-/// How much light changed at a pixel's place since the previous frame, and how much there is, as means over the surroundings: luminance now
-/// minus luminance before, and the larger of the two.
+/// Temporal gradient at a pixel, as means over its surroundings. x: luminance now minus luminance in the previous frame. y: the larger of
+/// the two.
 struct FilteredGradient : MadeChannel<2> {
-    static constexpr auto name = "filtered_gradient";
+    static constexpr auto name = "filtered_gradient"; ///< in messages
 };
+/// See FilteredGradient.
 inline constexpr FilteredGradient filtered_gradient;
 
 namespace detail {
@@ -41,33 +42,40 @@ template <class Source, class Edge> struct GradientLevel {
 };
 } // namespace detail
 
-/// Makes of the gradient samples, one in each 3x3 pixels, a gradient everywhere (A-SVGF, Schied 2018). Goes before a Temporal{...,
-/// Antilag}.
+/// Spreads gradient samples, of which the host gives one per 3x3 stratum, to all pixels (Schied et al. 2018). Goes before a Temporal{...,
+/// Antilag{...}}.
 /// @tparam Signal the signal whose gradient the host supplies, as GradientOf<Signal>
 /// @tparam Edge   an EdgeWeight
 template <ChannelTag Signal, class Edge = DepthEdge> struct TemporalGradient {
     static_assert(EdgeWeight<Edge>, "TemporalGradient{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
+    /// @cond
     using parts = Parts<Edge>;
     using reads = Channels<GradientOf<Signal>>;
     using emits = Channels<FilteredGradient>;
     static constexpr bool leaves_signal = true;
-    Edge edge{};
-    int levels = 3; ///< after the first; each reaches twice as far
+    /// @endcond
+    Edge edge{};    ///< how far gradients spread
+    int levels = 3; ///< further levels after the first; each doubles the reach
 
+    /// One pass per level.
     constexpr void for_each_pass(auto&& pass) const {
         pass(detail::GradientLevel<GradientOf<Signal>, Edge>{edge, 1});
         for (int i = 0; i < levels; ++i) pass(detail::GradientLevel<FilteredGradient, Edge>{edge, 3 << i});
     }
 };
 
-/// Shortens the history where the light itself has changed: alpha = (1 - lambda) alpha_0 + lambda, where alpha_0 is the inner policy's and
-/// lambda = min(1, |change| / light) (A-SVGF, Schied 2018).
+/// Forgets history where the light itself has changed: alpha = (1 - lambda) alpha_0 + lambda, where alpha_0 is the inner policy's and
+/// lambda = min(1, |x| / y) of FilteredGradient (Schied et al. 2018).
+/// @tparam Inner a BlendPolicy
 template <class Inner> struct Antilag {
     static_assert(BlendPolicy<Inner>, "Antilag{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
+    /// @cond
     using parts = Parts<Inner>;
     using reads = Channels<FilteredGradient>;
-    Inner inner{};
+    /// @endcond
+    Inner inner{}; ///< says alpha_0
 
+    /// The inner policy's result with alpha.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;
         auto const gradient = px[filtered_gradient];

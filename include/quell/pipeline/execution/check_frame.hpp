@@ -6,7 +6,7 @@
 
 namespace quell::detail {
 
-/// The output goes to an image of the history's own.
+/// Stands for a target where the output goes to the history's own image.
 struct NoTarget {};
 
 inline bool usable(glm::mat4 const& m) {
@@ -16,7 +16,7 @@ inline bool usable(glm::mat4 const& m) {
     return abs(glm::determinant(m)) > 0.f;
 }
 
-/// @throws Error naming the channel, matrix or shutter that can't be used
+/// @throws Error that names the channel, matrix or shutter at fault
 template <class P, class Set, class Storage> void check_frame(Frame<Set, Storage> const& frame) {
     for_each_channel(typename P::reads{}, [&](auto c) {
         auto const view = frame[c].view();

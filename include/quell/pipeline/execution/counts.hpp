@@ -6,18 +6,18 @@
 
 namespace quell::detail {
 
-/// Adds to a number that other threads add to. (A template, as no other constexpr function may call one that isn't.)
+/// Atomic addition. A template: other constexpr functions cannot call one that is not constexpr.
 template <class Whole> QUELL_KERNEL void add_together(std::atomic<Whole>& sum, Whole more) {
-#if defined(__CUDA_ARCH__) // device code has no std::atomic: nvcc would drop the call without a word
+#if defined(__CUDA_ARCH__) // device code has no std::atomic: nvcc would silently drop the call
     atomicAdd(reinterpret_cast<unsigned long long*>(&sum), static_cast<unsigned long long>(more));
 #else
     sum.fetch_add(more, std::memory_order_relaxed);
 #endif
 }
 
-/// A sum of energies, the same in whichever order they come: of floats it would not be. One number has the multiples of 2^16, the other
-/// what is left, in multiples of 2^-22. Both are far from their ends with a sample of 1e16 in each fourth of 2^27 pixels; no more than a
-/// fourth outshine all their neighbours.
+/// A sum that does not depend on the order of its terms, as a sum of floats would. `larges` counts multiples of 2^16, `smalls` the rest in
+/// multiples of 2^-22. Neither overflows with up to 2^25 samples of 1e16. That is a quarter of 2^27 pixels; more cannot outshine all their
+/// neighbours.
 class EnergySum {
     static constexpr float large_unit = 65536.f, small_unit = 1.f / 4194304.f;
     std::atomic<long long> larges = 0, smalls = 0;
@@ -35,7 +35,7 @@ public:
     }
 };
 
-/// What the ingest counts, on any number of threads.
+/// Counts of the ingest, from any number of threads.
 struct Counts {
     std::atomic<long long> missing = 0;
     EnergySum suppressed;

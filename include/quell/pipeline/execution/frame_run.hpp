@@ -10,7 +10,7 @@
 namespace quell {
 
 namespace detail {
-/// One frame's way through a pipeline: ingest, then pass after pass, each with views of exactly what it declares.
+/// Runs one frame through a pipeline: the ingest, then each pass, with views of exactly the channels that it declares.
 template <class P, class FrameT, class H, class E, class Into> class Run;
 
 template <class P, class Set, class FrameStorage, class Storage, class E, class Into>
@@ -36,7 +36,7 @@ class Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, Into> {
 
     std::shared_ptr<SignalImage> current, for_history;
     Handles<Storage, typename P::made> made;
-    Readers<typename P::made> readers; ///< of what passes have made or will make
+    Readers<typename P::made> readers; ///< passes that still have to read each channel that passes make
     Handles<Storage, typename History<P, Storage>::Remembered> remembered;
     int passes_left = 0;
     bool past = false;
@@ -48,16 +48,16 @@ public:
     Run(P const& p, Frame<Set, FrameStorage> const& f, History<P, Storage>& h, E const& e, Into const& i)
         : pipeline(p), frame(f), history(h), executor(e), into(i) {}
 
-    /// All of the pipeline.
+    /// The whole pipeline.
     OutputView all() { return through<Order::count>(); }
-    /// The ingest and the stages up to Temporal: what the history is to know of this frame, and what it says then.
+    /// The ingest and the stages up to Temporal. Returns the accumulated signal.
     OutputView accumulated() {
         static_assert(P::has_past, "accumulate(pipeline, ...): the pipeline has no Temporal{...}, so there is nothing to accumulate");
         return through<Order::up_to_temporal>();
     }
 
 private:
-    /// The ingest and the first stages.
+    /// The ingest and the first `stage_count` stages.
     template <std::size_t stage_count> OutputView through() {
         constexpr std::make_index_sequence<stage_count> all_of_them{};
         check_frame<P>(frame);
@@ -97,7 +97,7 @@ private:
         if (!follows) history.empty = true;
         past = !history.empty;
         if (!past) ++history.counted.resets, history.counted.frames = 0;
-        // Until the frame is complete there is no history: an exception on the way must not leave half of one.
+        // History counts as empty until the frame is complete: an exception must not leave half of one.
         history.empty = true;
         history.output.reset();
         if constexpr (P::needs_camera) {
@@ -125,8 +125,8 @@ private:
         history.counted.suppressed = counts.suppressed.total();
     }
 
-    /// Passes see the marks of missing samples up to Temporal, which keeps the past there; without a Temporal, until one of them has made a
-    /// signal of its own.
+    /// Passes see marks of missing samples until Temporal, which keeps the history there; without a Temporal, until one has made a new
+    /// signal.
     template <std::size_t... i> void stages(std::index_sequence<i...>) { (stage<i>(std::get<i>(pipeline.stages)), ...); }
     template <std::size_t i, class Stage> void stage(Stage const& s) {
         detail::for_each_pass(s, [&](auto const& kernel) {
@@ -193,8 +193,8 @@ private:
             return false;
     }
 
-    /// The last pass writes the output, unless that is the very image which goes into the history, and what is remembered of this frame:
-    /// over the old, unless this pass still reads the old.
+    /// The last pass also writes the output, unless that is the image that goes into the history, and the remembered channels. These
+    /// replace the old ones in place, unless the pass still reads them.
     void prepare_end(bool reads_remembered, std::shared_ptr<SignalImage> const& next) {
         if (!reads_remembered) history.remembered.drop_all();
         remembered.take_all(*history.pool);

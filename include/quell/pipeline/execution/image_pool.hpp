@@ -7,8 +7,8 @@
 
 namespace quell::detail {
 
-/// Images of a frame's size, or of fractions of it, that passes take and give back. A handle is shared; an image whose handles are all gone
-/// is free again, so that what one pass has read is the memory that the next one writes. After the first frame nothing is allocated.
+/// Images of the frame's size, or fractions of it, that passes take and give back. An image without handles is free for the next pass.
+/// After the first frame nothing is allocated.
 class ImagePool {
     struct Entry {
         void const* type;
@@ -19,13 +19,13 @@ class ImagePool {
     std::vector<Entry> entries;
     Extent extent;
 
-    // Its address stands for the type, as hosts may build without RTTI. Not constant: linkers may fold constants that are alike.
+    // Its address identifies the type, without RTTI. Not const: linkers may merge equal constants.
     template <class Image> static inline char type_key = 0;
 
 public:
     explicit ImagePool(Extent size) : extent(size) {}
 
-    /// An image of a fraction of the pool's width and height.
+    /// An image of 1/fraction of the pool's width and height.
     template <class Image> [[nodiscard]] std::shared_ptr<Image> take(int fraction = 1) {
         auto const size = divided(extent, fraction);
         for (auto const& e : entries)
@@ -40,7 +40,7 @@ public:
         return sum;
     }
     [[nodiscard]] Extent size() const { return extent; }
-    /// Forgets the images of another size; those still held live on until they are given back.
+    /// Drops images of another size. Those still held live until they are released.
     void resize(Extent new_size) {
         if (new_size == extent) return;
         entries.clear();
@@ -48,11 +48,11 @@ public:
     }
 };
 
-/// Handles to the images of several channels, any of which may be empty.
+/// Handles to the images of several channels. Each may be empty.
 template <class Storage, class Set> struct Handles;
 template <class Storage, class... Cs> struct Handles<Storage, Channels<Cs...>> : Slot<Cs, std::shared_ptr<ImageOf<Storage, Cs>>>... {
     template <ChannelTag C> auto& operator[](C) { return slot<C>(*this); }
-    /// Views of some of the channels; of an empty handle, a view of nothing.
+    /// Views of some of the channels; empty for empty handles.
     template <class... Ds> [[nodiscard]] auto views(Channels<Ds...>) const {
         return Views<Storage, Channels<Ds...>>{{view<Ds>(slot<Ds>(*this))}...};
     }

@@ -6,10 +6,10 @@
 
 namespace quell::detail {
 
-/// Epilogue fused into the last pass: remodulate, store the output, save the guides that history keeps.
+/// End of the last pass: demodulates, stores the output, and copies the guides that the history remembers.
 template <class Form, class Scope, class Output, class RememberedViews> struct Finish {
     Form modulation;
-    Scope scope; ///< of the modulation's and the remembered channels
+    Scope scope; ///< of the channels that the modulation and the history read
     Output output;
     RememberedViews remembered;
 
@@ -30,12 +30,12 @@ template <class Pass> constexpr int most_lanes_of() {
         return std::numeric_limits<int>::max();
 }
 
-/// Whether a pass makes a new signal; one with emit_channels(px) leaves it alone.
+/// Whether a pass makes a new signal: it has no emit_channels(px).
 template <class Pass, class Scope> inline constexpr bool makes_signal_of = !requires(Pass const p, Pixel<float, Scope> px) {
     p.emit_channels(px);
 };
 
-/// A pass's name for profilers; a host's own policy need not have one.
+/// A pass's name for profilers and plans. Policies of the host may lack one.
 template <class Pass> constexpr auto name_of() {
     if constexpr (requires { Pass::name; })
         return Pass::name;
@@ -45,8 +45,8 @@ template <class Pass> constexpr auto name_of() {
 
 template <int fraction, class... Cs> constexpr bool all_of_fraction(Channels<Cs...>) { return ((Cs::fraction == fraction) && ...); }
 
-/// One pass over one region: what an executor runs. Trivially copyable, so that it can be sent to a device as it is.
-/// @tparam keeps_marks whether the new signal is still marked where a sample was missing
+/// One pass over one region: what an executor runs. Trivially copyable, so that it can be copied to a device.
+/// @tparam keeps_marks whether the new signal keeps the marks of missing samples
 template <class Pass, class Scope, class SignalView, class MadeViews, class FinishWork, class RememberedSet, bool keeps_marks> struct Job {
     static constexpr auto name = name_of<Pass>();
     static constexpr bool makes_signal = makes_signal_of<Pass, Scope>;
@@ -62,7 +62,7 @@ template <class Pass, class Scope, class SignalView, class MadeViews, class Fini
     MadeViews made;
     FinishWork finish;
     bool store_signal, store_output, store_remembered;
-    Counts* counts = nullptr; ///< where the ingest counts
+    Counts* counts = nullptr; ///< of the ingest; else null
 
     template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
         auto const result = result_of([&]() QUELL_INLINED { return evaluate(Pixel<Real, Scope>{scope, x, y}); });
@@ -111,7 +111,7 @@ private:
     }
 };
 
-/// The last pass where no other one makes a signal: it stores the signal as it is.
+/// Stores the signal as it is. The last pass where no other one makes a signal.
 struct PassThrough {
     static constexpr auto name = "pass through";
     QUELL_KERNEL auto filter(auto px) const { return px.signal(); }

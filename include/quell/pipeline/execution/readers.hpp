@@ -5,7 +5,7 @@
 
 namespace quell::detail {
 
-/// How many passes are still to read each channel that passes make: an image that none will read is free for others.
+/// Counts, for each channel that passes make, the passes that still have to read it. At 0 its image is free.
 template <class Made> class Readers;
 template <class... Cs> class Readers<Channels<Cs...>> : Slot<Cs, int>... {
     template <class Pass> using OfPass = common_to<reads_of<Pass>, Channels<Cs...>>;
