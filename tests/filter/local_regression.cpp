@@ -44,6 +44,16 @@ TEST_CASE("a regression leaves even light as it is, to rounding") {
     for (float const a : denoised(denoise, even, 0.f, cylinder)) CHECK(a == doctest::Approx(0.7f).epsilon(1e-5));
 }
 
+TEST_CASE("a pilot of one level will do, or of none") {
+    constexpr auto one =
+        Pipeline{radiance, Temporal{StillMotion{}, WithVariance{RunningMean{}}}, Spatial{LocalRegression<>{.pilot = {.levels = 1}}}};
+    constexpr auto none =
+        Pipeline{radiance, Temporal{StillMotion{}, WithVariance{RunningMean{}}}, Spatial{LocalRegression<>{.pilot = {.levels = 0}}}};
+    auto const even = [](int, int) { return 0.7f; };
+    CHECK(error(denoised(one, even, 0.3f, facing), even) < 0.05);
+    CHECK(error(denoised(none, even, 0.3f, facing), even) < 0.05);
+}
+
 TEST_CASE("light that is linear on the screen, or in the normal, is fitted") {
     auto const ramp = [](int x, int y) { return 1.f + 0.01f * static_cast<float>(x) + 0.005f * static_cast<float>(y); };
     CHECK(error(denoised(denoise, ramp, 0.f, facing), ramp, 16) < 1e-3);

@@ -203,7 +203,7 @@ template <class Edge = Product<DepthEdge, NormalEdge>, int n = 3> struct LocalRe
     using Fit = detail::RegressionOnGuides<Edge, n>;
     using parts = Parts<ConservingAtrous<>, detail::KeepLight<0, n>, detail::KeepLight<1, n>, detail::KeepLight<2, n>, Fit>;
     /// @endcond
-    ConservingAtrous<> pilot{};             ///< runs first; at least 2 levels
+    ConservingAtrous<> pilot{};             ///< runs first
     Edge edge = detail::loose_edge<Edge>(); ///< which neighbours belong to the same surface
     float width = 25.f;                     ///< distance in pixels at which taps have weight 1/e where the noise is as large as the light
     float least_width = 4.f;                ///< minimum of that distance
@@ -215,13 +215,14 @@ template <class Edge = Product<DepthEdge, NormalEdge>, int n = 3> struct LocalRe
     /// The pilot's passes, the fit, and the scaling to the pilot's luminance.
     constexpr void for_each_pass(auto&& pass) const {
         int done = 0;
-        pilot.for_each_pass([&](auto const& kernel) {
-            pass(kernel);
+        auto const keep_light = [&] {
             if (done == 0) pass(detail::KeepLight<0, n>{});
             if (done == 1) pass(detail::KeepLight<1, n>{});
             if (done == 2) pass(detail::KeepLight<2, n>{});
             ++done;
-        });
+        };
+        pilot.for_each_pass([&](auto const& kernel) { pass(kernel), keep_light(); });
+        while (done <= 2) keep_light();
         pass(Fit{edge, width, least_width, most_width, tolerance, sigma_light, sigma_noise});
         for (int const step : {1, 5}) {
             pass(detail::LightLine{step, false});

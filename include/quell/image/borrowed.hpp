@@ -15,6 +15,8 @@ namespace quell {
 /// The memory must outlive the run. With `pixel_stride` 1, loads are as fast as from Planar.
 /// @tparam Format Float32 or Float16; channels with `full_precision` (depth, motion, ...) are read as Float32 anyway
 template <class Format = Float32> struct Borrowed {
+    static_assert(ComponentFormat<Format>,
+                  "Borrowed<Format>: `Format` must be Float32, Float16 or another format, see quell/image/format.hpp");
     using Exact = Borrowed<Float32>;           ///< storage of channels that need 32 bits
     static constexpr bool owns_memory = false; ///< history cannot use it
     static constexpr auto name = "borrowed";   ///< for messages
@@ -63,7 +65,7 @@ template <class Format = Float32> struct Borrowed {
                 return data + c * component_stride + y * row_stride + x * pixel_stride;
             }
             template <class Real> QUELL_KERNEL Real apart(int c, int x, int y) const {
-                return detail::generate<Real>([&](int i) { return get(c, detail::clamp_to(x + i, size.width - 1), y); });
+                return generate<Real>([&](int i) { return get(c, detail::clamp_to(x + i, size.width - 1), y); });
             }
             /// @endcond
         };

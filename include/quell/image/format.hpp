@@ -2,14 +2,12 @@
 
 #include <quell/core/half.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <utility>
 
 namespace quell {
 
-// A format is how one component of a pixel is stored. It reads and writes one Element, a pack of adjacent Elements, or gathers a pack.
-
-namespace detail {
 /// A Real whose lane i is f(i).
 template <class Real, class F> QUELL_KERNEL Real generate(F&& f) {
     if constexpr (width_of<Real> == 1)
@@ -18,7 +16,18 @@ template <class Real, class F> QUELL_KERNEL Real generate(F&& f) {
         return [&]<int... i>(std::integer_sequence<int, i...>) QUELL_INLINED { return Real(typename Real::register_type{f(i)...}); }
     (std::make_integer_sequence<int, width_of<Real>>{});
 }
-} // namespace detail
+
+/// How one component of a pixel lies in memory. A format reads and writes one Element, a pack of adjacent Elements, or gathers a pack.
+/// Models: Float32, Float16.
+template <class F>
+concept ComponentFormat = requires(typename F::Element* to, typename F::Element const* from) {
+    { F::get(from) } -> std::same_as<float>;
+    F::set(to, 1.f);
+    { F::template load<float>(from) } -> std::same_as<float>;
+    F::template store<float>(to, 1.f);
+    { F::template gather<float>(from, 0) } -> std::same_as<float>;
+    requires std::same_as<typename F::Squares::Element, typename F::Element>;
+};
 
 /// Stores components as 32-bit floats.
 struct Float32 {
@@ -51,7 +60,7 @@ struct Float32 {
             // xsimd 8 makes a call here, which spills all registers. vgatherdps is slower as well, on AMD's Zen 3.
             alignas(64) std::int32_t lanes[width_of<Real>];
             at.store_aligned(lanes);
-            return detail::generate<Real>([&](int i) QUELL_INLINED { return p[lanes[i]]; });
+            return generate<Real>([&](int i) QUELL_INLINED { return p[lanes[i]]; });
         }
     }
 };

@@ -8,6 +8,8 @@ namespace quell {
 /// gathered.
 /// @tparam Format Float32 or Float16; channels with `full_precision` use Float32 anyway
 template <class Format = Float32> struct Interleaved {
+    static_assert(ComponentFormat<Format>,
+                  "Interleaved<Format>: `Format` must be Float32, Float16 or another format, see quell/image/format.hpp");
     using Exact = Interleaved<Float32>;         ///< storage of channels that need 32 bits
     static constexpr auto name = "interleaved"; ///< for messages
     using format = Format;                      ///< how a component is stored

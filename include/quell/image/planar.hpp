@@ -7,6 +7,8 @@ namespace quell {
 /// Image storage of one plane per component. The fastest on a CPU: a pack of pixels is one load per component.
 /// @tparam Format Float32 or Float16; channels with `full_precision` use Float32 anyway
 template <class Format = Float32> struct Planar {
+    static_assert(ComponentFormat<Format>,
+                  "Planar<Format>: `Format` must be Float32, Float16 or another format, see quell/image/format.hpp");
     using Exact = Planar<Float32>;         ///< storage of channels that need 32 bits
     static constexpr auto name = "planar"; ///< for messages
     using format = Format;                 ///< how a component is stored

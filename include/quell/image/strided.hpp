@@ -55,7 +55,7 @@ template <class Format, int N, int pixel_step> struct StridedView {
                 run = converted;
             }
             return make_value<N, Real>(
-                [&](auto c) QUELL_INLINED { return detail::generate<Real>([&](int i) QUELL_INLINED { return run[c + i * pixel_step]; }); });
+                [&](auto c) QUELL_INLINED { return generate<Real>([&](int i) QUELL_INLINED { return run[c + i * pixel_step]; }); });
         }
     }
     template <class Real>

@@ -50,7 +50,7 @@ template <class Test = SimilarDepth> struct DualMotion {
         auto const within = both(is_finite(m.x), is_finite(m.y), beyond_x < allowed, beyond_y < allowed);
         auto const z = carried_forward(px, y);
         vec2<Real> const where{select(outside, y.x, y.x + (x.x - z.x)), select(outside, y.y, y.y + (x.y - z.y))};
-        return detail::TestedReprojection<Real, decltype(test.around(px))>{where, masked(within, Real(trust)), test.around(px)};
+        return TestedReprojection<Real, decltype(test.around(px))>{where, masked(within, Real(trust)), test.around(px)};
     }
 
 private:

@@ -15,7 +15,7 @@ template <class Test = AllOf<SameDepth, SameNormal>> struct SurfaceMotion {
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const p = px.position(), m = px[motion];
-        return detail::TestedReprojection<Real, decltype(test.around(px))>{{p.x + m.x, p.y + m.y}, Real(1.f), test.around(px)};
+        return TestedReprojection<Real, decltype(test.around(px))>{{p.x + m.x, p.y + m.y}, Real(1.f), test.around(px)};
     }
 };
 template <class Test> SurfaceMotion(Test) -> SurfaceMotion<Test>; ///< deduction guide
@@ -34,7 +34,7 @@ template <class Test = AllOf<SameDepth, SameNormal>> struct PositionMotion {
         using Real = typename decltype(px)::Real;
         auto const then = px.project_to_past(px[receiver_previous]);
         auto const validity = masked(then.z > Real(0.f), Real(1.f));
-        return detail::TestedReprojection<Real, decltype(detail::around(test, px, then.z))>{
+        return TestedReprojection<Real, decltype(detail::around(test, px, then.z))>{
             {then.x, then.y}, validity, detail::around(test, px, then.z)};
     }
 };

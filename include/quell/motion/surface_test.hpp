@@ -16,16 +16,20 @@ template <class Test> QUELL_KERNEL auto around(Test const& test, auto px, auto d
     else
         return test.around(px);
 }
-/// A reprojection with the test that its taps must pass.
-template <class Real, class Prepared> struct TestedReprojection {
-    vec2<Real> where;
-    Real validity;
-    Prepared test;
-    QUELL_KERNEL auto accepts(auto const& then, Real dx, Real dy) const { return test.accepts(then, dx, dy); }
-};
 /// Whether a vector is finite and at least 0.5 long: a usable normal.
 template <class Real> QUELL_KERNEL auto is_direction(vec3<Real> const& n) { return both(all_finite(n), dot(n, n) > Real(0.25f)); }
 } // namespace detail
+
+/// What a motion source returns that tests the past pixels it leads to: Reprojection, and the test that its taps must pass.
+/// @tparam Prepared what `around(px)` of a test returns
+template <class Real, class Prepared> struct TestedReprojection {
+    vec2<Real> where; ///< pixel coordinates in the previous frame
+    Real validity;    ///< trust in [0, 1]
+    Prepared test;    ///< accepts(then, dx, dy)
+
+    /// Whether the past pixel `then`, (dx, dy) pixels from `where`, counts.
+    QUELL_KERNEL auto accepts(auto const& then, Real dx, Real dy) const { return test.accepts(then, dx, dy); }
+};
 
 /// Accepts a past pixel whose depth lies near the plane through this pixel's depth and depth slopes. A miss accepts misses only.
 struct SameDepth {
