@@ -3,7 +3,8 @@
 
 Pages: headings get the anchors that GitHub gives them, with the page's name before, and links are rewritten to match. Links to
 what isn't a page of the site become plain text.
-Headers: members that are the same in every policy get the sentence of CONTRACT where the header says nothing of them.
+Headers: members that are the same in every policy get the sentence of CONTRACT where the header says nothing of them. Of variables
+that are declared together, each gets their comment.
 No line is added or removed, so that warnings name the right line.
 """
 import os
@@ -31,18 +32,45 @@ TYPE_OR_CONSTANT = re.compile(r"(?:using|static constexpr (?:auto|bool)) (\w+) =
 FUNCTION = re.compile(r"(?:template <[^<>]*> )?(?:QUELL_KERNEL|constexpr) (?:[\w:]+(?: [\w:]+)*) (\w+)\(")
 
 
+VARIABLES = re.compile(r"((?:static |constexpr |inline )*(?:[\w:]|<[\w:, ]*>)+) (\w[^(){};]*(?:\{[^{};]*\}[^(){};]*)*, .*);(?: ///< (.*))?$")
+
+
+def outside_brackets(text, separator):
+    """The pieces of a list of declarators; commas in brackets are no separators."""
+    pieces, depth = [""], 0
+    for sign in text:
+        depth += (sign in "({[<") - (sign in ")}]>")
+        if sign == separator and depth == 0:
+            pieces.append("")
+        else:
+            pieces[-1] += sign
+    return [piece.strip() for piece in pieces]
+
+
+def separate(code, comment):
+    """`int a, b; ///< text` as two declarations with one comment each."""
+    found = VARIABLES.match(code)
+    if not found or not (comment or found.group(3)):
+        return code
+    text = " ".join(filter(None, [comment, found.group(3)]))
+    names = outside_brackets(found.group(2), ",")
+    return " ".join(f"/** {text} */ {found.group(1)} {name};" for name in names) if len(names) > 1 else code
+
+
 def header(lines):
-    before = ""
+    before, comment = "", ""
     for line in lines:
         line = re.sub(r"(?<= \{ )(?=static constexpr auto name = )", f"/** {CONTRACT['name']} */ ", line)  # a struct in one line
-        code = line.lstrip()
+        code = line.strip()
+        indent = line[: len(line) - len(line.lstrip())]
         found = TYPE_OR_CONSTANT.match(code) or FUNCTION.match(code)
         documented = "///" in line or before.startswith("/// ") or before.endswith("*/")
         if found and found.group(1) in CONTRACT and not documented:
-            yield line[: len(line) - len(code)] + f"/** {CONTRACT[found.group(1)]} */ " + code
+            yield indent + f"/** {CONTRACT[found.group(1)]} */ " + code + "\n"
         else:
-            yield line
-        before = code.rstrip()
+            yield indent + separate(code, comment) + "\n"
+        comment = f"{comment} {code[4:]}".strip() if code.startswith("/// ") else ""
+        before = code
 
 
 def slug(heading):
