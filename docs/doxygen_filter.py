@@ -32,7 +32,7 @@ TYPE_OR_CONSTANT = re.compile(r"(?:using|static constexpr (?:auto|bool)) (\w+) =
 FUNCTION = re.compile(r"(?:template <[^<>]*> )?(?:QUELL_KERNEL|constexpr) (?:[\w:]+(?: [\w:]+)*) (\w+)\(")
 
 
-VARIABLES = re.compile(r"((?:static |constexpr |inline )*(?:[\w:]|<[\w:, ]*>)+) (\w[^(){};]*(?:\{[^{};]*\}[^(){};]*)*, .*);(?: ///< (.*))?$")
+VARIABLES = re.compile(r"((?:static |constexpr |inline )*(?:[\w:]|<[\w:, ]*>)+) (\w.*);(?: +///< (.*))?$")
 
 
 def outside_brackets(text, separator):
@@ -62,7 +62,7 @@ def header(lines):
     for line in lines:
         line = re.sub(r"(?<= \{ )(?=static constexpr auto name = )", f"/** {CONTRACT['name']} */ ", line)  # a struct in one line
         code = line.strip()
-        indent = line[: len(line) - len(line.lstrip())]
+        indent = re.match(r"[ \t]*", line).group()
         found = TYPE_OR_CONSTANT.match(code) or FUNCTION.match(code)
         documented = "///" in line or before.startswith("/// ") or before.endswith("*/")
         if found and found.group(1) in CONTRACT and not documented:

@@ -199,9 +199,9 @@ template <class Paths = StraightPaths> struct PairGuide {
     int across = 4, down = 1;
     float least = 0.1f;     ///< pixels; velocities that differ by less are equal
     float relative = 0.25f; ///< added to `least` per pixel of the faster speed beyond the first
-    /// Relative: surfaces that differ by less in depth are one, unless one is static or their velocities differ by more than `unlike` times
-    /// the faster speed plus `unlike_least`.
-    float depth_gap = 0.05f, unlike = 0.5f, unlike_least = 2.f; ///< relative; relative; pixels
+    /// Relative, but `unlike_least` in pixels: surfaces that differ by less in depth are one, unless one is static or their velocities
+    /// differ by more than `unlike` times the faster speed plus `unlike_least`.
+    float depth_gap = 0.05f, unlike = 0.5f, unlike_least = 2.f;
     float likeness = 0.5f; ///< match radius to either motion of a neighbour's pair, relative to the difference between these
     [[no_unique_address]] PathGuide<Paths> paths{}; ///< makes UsablePath
 
