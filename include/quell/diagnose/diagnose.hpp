@@ -74,8 +74,8 @@ inline std::vector<Finding> findings_of(Observation const& seen) {
 ///     for (auto const& finding : diagnose(frame, history)) log(to_string(finding));
 ///     run(denoise, frame, history);
 ///
-/// It reads the pipeline's channels at up to 16,384 pixels (for bad samples at all pixels), and keeps notes in the history
-/// for mistakes that only show over several calls. For Pipeline and Composite, any storage. Whether the output is the input is not checked
+/// It reads the pipeline's channels at up to 16,384 pixels; only bad samples are counted at all pixels. It keeps notes in the history for
+/// mistakes that only show over several calls. For Pipeline and Composite, any storage. Whether the output equals the input is not checked
 /// after run_into(), whose output the host owns, nor for motion blur. Perspective cameras only. Objects may move, if about a quarter of the
 /// picture does not.
 /// @param frame the frame that run() gets next

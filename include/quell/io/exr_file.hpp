@@ -19,7 +19,6 @@ namespace quell::io {
 
 /// A channel listed in a file's header.
 struct ExrChannel {
-    /// its path, for messages
     std::string name;                   ///< unique in the file: prefixed by the part's name if an earlier part has the same channel
     std::string in_part;                ///< name within its part
     SampleType type = SampleType::half; ///< of its numbers in the file

@@ -19,7 +19,7 @@ namespace quell::metrics {
 }
 
 /// A displayed picture of the errors.
-/// @throws Error where `flip` holds another number of errors than pixels
+/// @throws Error where `flip` has another number of errors than pixels, or one outside [0, 1]
 [[nodiscard]] inline Picture error_map(Flip const& flip) {
     detail::check_size("FLIP error", flip.size, flip.error.size());
     Picture result{flip.size, {}};

@@ -12,13 +12,13 @@ namespace detail {
 template <ChannelTag S, ChannelTag From> struct DirectionalLevel {
     using Signal = S;
     static constexpr auto name = "directional a-trous";
-    static constexpr int taps_along = 2; ///< rows of taps to either side
+    static constexpr int taps_along = 2; ///< to either side: MB's 5x5
     using parts = Parts<PathWeight>;
     using reads = Channels<GuideAxis, MeanSweep, From>;
     using emits = Channels<FilteredLayer<Signal>>;
     float part;      ///< spacing of the taps, as a fraction of the sweep
     float fixed;     ///< spacing in pixels instead, where above 0
-    int taps_across; ///< to either side
+    int taps_across; ///< rows of taps to either side
     PathWeight weight;
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {

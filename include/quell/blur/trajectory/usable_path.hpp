@@ -13,7 +13,7 @@ template <class Paths> struct UsablePath : MadeChannel<Paths::bent ? 6 : 5> { st
 
 namespace detail {
 
-/// Velocity (pixels per open shutter), inverse depth, and relative sagitta with bends: all that tells surfaces apart.
+/// Velocity (pixels per open shutter), inverse depth, and relative sagitta with bends: the features that tell surfaces apart.
 template <class Paths, class Real> using Mover = Value<Paths::bent ? 4 : 3, Real>;
 /// Squared length of a sweep in pixels, up to which it is static.
 inline constexpr float still_squared = Path<float>::least * Path<float>::least;
@@ -134,7 +134,7 @@ template <class Paths> struct UsablePathOf {
         auto const usable = select(px.missing(), Real(0.f), a_pixel);
         auto const x = masked(moves, path.sweep.x), y = masked(moves, path.sweep.y);
         if constexpr (Paths::bent) {
-            constexpr float most = 0.5f; // of a half circle
+            constexpr float most = 0.5f; // a half circle's
             auto const sagitta = fma(path.bend.x, y, -(path.bend.y * x)) * a_pixel * a_pixel;
             return emitted<Real>(UsablePath<Paths>{},
                                  Value<6, Real>{{x, y, path.time, nearness, usable, clamp(sagitta, Real(-most), Real(most))}});

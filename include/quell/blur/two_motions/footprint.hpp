@@ -11,7 +11,7 @@ struct FixedFootprint {
 /// Where the gathered mean is uncertain, doubles the distance and adds the pixels beside the line.
 struct AdaptiveFootprint {
     static constexpr bool adapts = true; ///< whether it depends on the mean's uncertainty
-    float allowed_error = 0.2f; ///< relative standard error of the mean from which on it is uncertain
+    float allowed_error = 0.2f;          ///< relative standard error of the mean from which on it is uncertain
 };
 
 } // namespace quell

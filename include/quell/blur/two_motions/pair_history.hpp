@@ -15,7 +15,9 @@ template <ChannelTag S> struct PairFetch {
     using reads = Channels<FrontLayer<Signal>, FrontSweep, BackLayer<Signal>>;
     PathSearchOf<FrontSweep> front{}; ///< motion source of the foreground layer
     float often =
-        10.f; ///< samples in one frame; of fewer, the past is interpolated by a Catmull-Rom spline; what is in front of more has none
+        /// samples in a frame: a layer of fewer has its past interpolated by a Catmull-Rom spline; a foreground of as many or more gets no
+        /// past
+        10.f;
 
     template <class Px, class Found> QUELL_KERNEL auto fetch(Px const& px, Found const& unchecked) const {
         constexpr BackLayer<Signal> back;

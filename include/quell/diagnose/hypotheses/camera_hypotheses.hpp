@@ -29,7 +29,7 @@ inline std::string row_and_column(glm::mat4 const& m) {
 }
 inline constexpr char transpose_it[] = "transpose it: quell's matrices are column-major and multiply column vectors";
 
-/// Hosts with row vectors have it transposed, those with D3D's conventions looking down +z; some have both.
+/// Hosts with row vectors give a transposed matrix, hosts with D3D's conventions one that looks down +z; some give both.
 inline void find_wrong_projection(Camera const& camera, std::vector<Finding>& findings) {
     auto projection = camera.projection;
     auto const turned = glm::transpose(projection);

@@ -49,7 +49,7 @@ inline Tally agreeing(ComparedMotions const& pairs, glm::vec2 factor) {
 }
 
 inline constexpr std::size_t fewest_pairs = 50; ///< evidence needs this many
-inline constexpr double clear_margin = 0.25;    ///< lead of a mistake's share over the share of correct vectors that counts as evidence
+inline constexpr double clear_margin = 0.25;    ///< a mistake's share must exceed the share of correct vectors by this
 
 /// The convention that most vectors agree with; among similar shares, the one nearest to the pipeline's.
 struct BestConvention {
