@@ -30,8 +30,6 @@ CONTRACT = {
 }
 TYPE_OR_CONSTANT = re.compile(r"(?:using|static constexpr (?:auto|bool)) (\w+) = ")
 FUNCTION = re.compile(r"(?:template <[^<>]*> )?(?:QUELL_KERNEL|constexpr) (?:[\w:]+(?: [\w:]+)*) (\w+)\(")
-
-
 VARIABLES = re.compile(r"((?:static |constexpr |inline )*(?:[\w:]|<[\w:, ]*>)+) (\w.*);(?: +///< (.*))?$")
 
 

@@ -14,10 +14,8 @@ template <ChannelTag S> struct PairFetch {
     using Signal = S;
     using reads = Channels<FrontLayer<Signal>, FrontSweep, BackLayer<Signal>>;
     PathSearchOf<FrontSweep> front{}; ///< motion source of the foreground layer
-    float often =
-        /// samples in a frame: a layer of fewer has its past interpolated by a Catmull-Rom spline; a foreground of as many or more gets no
-        /// past
-        10.f;
+    /// Samples in a frame. A layer of fewer has its past interpolated by a Catmull-Rom spline; a foreground of more or as many has no past.
+    float often = 10.f;
 
     template <class Px, class Found> QUELL_KERNEL auto fetch(Px const& px, Found const& unchecked) const {
         constexpr BackLayer<Signal> back;
