@@ -5,8 +5,8 @@
 
 namespace quell::detail {
 
-/// What is behind, where nothing is known of it: the mean of what is seen of it in the 5x5 around, and `certainty` where there is any.
-/// @param counts whether a pixel around shows it. Outlined: few pixels are covered.
+/// Fills in an unknown background layer: the mean of the 5x5 neighbours that show it, with the weight `certainty`; 0 where none does.
+/// @param counts whether a neighbour shows the background. Not inlined: few pixels are covered.
 template <class Px, class Counts> [[gnu::noinline]] constexpr auto guessed_layer(Px const& px, float certainty, Counts const& counts) {
     using Real = typename Px::Real;
     auto sum = zero<typename Px::Signal>();

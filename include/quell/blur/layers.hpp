@@ -2,39 +2,58 @@
 
 #include <quell/frame/kept_channels.hpp>
 
+/// @file
+/// Contract of blur/: motion blur from one noisy sample per pixel, taken at a random time while the shutter is open (after MB). A sweep is
+/// velocity times shutter time, in pixels. All passes share these steps:
+///
+///     signal, Depth, Sweep, Time
+///       |
+///       v   guide passes: how surfaces move around each pixel    trajectory/, two_motions/pair_guide.hpp,
+///       |                                                        moving_and_static/motion_guide.hpp
+///       v   gather or split: two layers per pixel                two_motions/pair_gather.hpp, moving_and_static/
+///       |
+///       |   FrontLayer, BackLayer, FrontSweep, MeanSweep         two velocities: foreground and background layer
+///       |   MovingLayer, StaticLayer, MeanSweep                  one velocity: moving and static layer
+///       v   Temporal: PathSearch finds the past; a fetch interpolates the history of each layer; a blend accumulates each
+///       |             layer and composites them
+///       v
+///     blurred signal
+///
+/// Post-process blurs (post_process/) are baselines without layers: they blur a sharp picture.
 namespace quell {
 
-// The two layers of a picture with motion blur (MB section 3): what moves, and what stands still behind it.
-
-/// What moves: the signal times how much of the open shutter it covers the pixel, and that coverage, in [0, 1].
+/// Moving layer (MB section 3): the signal times its coverage, then the coverage: the share of the open shutter in which a moving surface
+/// covers the pixel, in [0, 1].
 template <ChannelTag Signal> struct MovingLayer : MadeChannel<Signal::components + 1> { static constexpr auto name = "moving_layer"; };
-/// What stands still: the signal, and how far it is known: 1 where it was seen in the pixel itself, less where it was guessed from
-/// neighbours, 0 where nothing is known of it.
+/// Static layer (MB section 3): the signal, then its confidence: 0 unknown, 1 seen. Between them it was guessed from neighbours; LayerSplit
+/// gives the mean of static neighbours 1 as well.
 template <ChannelTag Signal> struct StaticLayer : MadeChannel<Signal::components + 1> { static constexpr auto name = "static_layer"; };
-/// What is behind: the signal, and how many samples it is the mean of; what stands still and is seen counts as many, what was guessed from
-/// neighbours as a small part of one.
+/// Background layer: the signal, then the number of samples that it is the mean of.
 template <ChannelTag Signal> struct BackLayer : MadeChannel<Signal::components + 1> {
     static constexpr auto name = "back_layer";
+    /// Sample counts of a static background that is seen, and of one that is guessed from neighbours.
     static constexpr float certain = 64.f, guessed = 0.05f;
 };
-/// The foreground layer: its signal times its coverage; its coverage, the part of the open shutter for which it hides the background, in
-/// [0, 1]; and how many samples pass in that time, as many as it sweeps pixels, by which history weighs it.
+/// Foreground layer: the signal times its coverage; the coverage, the share of the open shutter in which it hides the background, in [0,
+/// 1]; and the number of samples that pass meanwhile, which is its sweep's length in pixels. History weighs the layer by that number.
 template <ChannelTag Signal> struct FrontLayer : MadeChannel<Signal::components + 2> { static constexpr auto name = "front_layer"; };
-/// The mean sweep of what is in front, in pixels; longer than any where nothing is.
+/// Mean sweep of the foreground layer, in pixels. Both components are 4096 where there is no foreground.
 struct FrontSweep : MadeChannel<2> {
     static constexpr auto name = "front_sweep";
 };
+/// The channel FrontSweep.
 inline constexpr FrontSweep front_sweep;
-/// The moving layer behind the filters that history has nothing of.
+/// The moving layer after the spatial filters behind Temporal. Not part of the history.
 template <ChannelTag Signal> struct FilteredLayer : MadeChannel<Signal::components + 1> { static constexpr auto name = "filtered_layer"; };
-/// The mean sweep of the moving layer, in pixels; with two layers in motion, that of the background.
+/// Mean sweep of the moving layer, in pixels; with two velocities, that of the background layer.
 struct MeanSweep : MadeChannel<2> {
     static constexpr auto name = "mean_sweep";
 };
+/// The channel MeanSweep.
 inline constexpr MeanSweep mean_sweep;
 
 namespace detail {
-/// A layer's value from a signal and its weight, and back.
+/// Appends a weight to a signal; signal_of and weight_of take them apart.
 template <class V> QUELL_KERNEL auto layer_of(V const& signal, real_of<V> weight) {
     constexpr int n = components_of<V>;
     return make_value<n + 1, real_of<V>>([&](auto c) QUELL_INLINED {
@@ -49,13 +68,12 @@ template <class L> QUELL_KERNEL auto signal_of(L const& layer) {
 }
 template <class L> QUELL_KERNEL auto weight_of(L const& layer) { return component<components_of<L> - 1>(layer); }
 
-/// Whether something at a depth can't be seen here, since what is here stands still before it.
+/// Whether a surface at `depth` is hidden by a static one at depth `here`.
 template <class Real> QUELL_KERNEL auto hidden_behind(Real depth, Real here, float tolerance) { return depth > here * (1.f + tolerance); }
 
-/// A moving layer whose coverage is no more than all.
+/// Clamps the coverage to at most 1.
 template <class L> QUELL_KERNEL L covering(L const& moving) { return layer_of(signal_of(moving), min(weight_of(moving), real_of<L>(1.f))); }
-/// What moves over what stands still; where nothing is known of the latter, what moves alone, and where nothing is known at all,
-/// `otherwise`.
+/// The moving layer composited over the static one. Where the static layer is unknown: the moving layer alone. Where both are: `otherwise`.
 template <class L, class V> QUELL_KERNEL V layers_together(L const& moving, L const& still, V const& otherwise) {
     using Real = real_of<V>;
     auto const coverage = weight_of(moving), uncovered = 1.f - coverage;

@@ -6,7 +6,7 @@
 namespace quell {
 
 namespace detail {
-/// A place in the past, and the sweep that its taps must have.
+/// A place in the previous frame. Its taps must have a sweep like the one here.
 template <class SweepChannel, class Real> struct PathFound {
     vec2<Real> where;
     Real validity;
@@ -21,22 +21,22 @@ template <class SweepChannel, class Real> struct PathFound {
 };
 } // namespace detail
 
-/// Finds the past of what moves over a pixel by looking from both sides: going back half a frame from here and forward half a frame from
-/// the place in the past should meet (MB section 4.4). Where they miss, the place is moved by the difference and tried again. No depth or
-/// normal serves as a test, as no two frames show the same in pixels that are blurred.
-/// @tparam SweepChannel MeanSweep, or FrontSweep
+/// Motion source for blurred pictures: finds the place p' in the previous frame with p' + v(p')/2 = p - v(p)/2, where v is the motion per
+/// frame (MB section 4.4). Where the two sides miss each other, p' moves by the difference and is tried again. Depth and normal are no test
+/// here, as blurred pixels show several surfaces. Taps are tested by their sweeps instead.
+/// @tparam SweepChannel MeanSweep or FrontSweep
 template <ChannelTag SweepChannel> struct PathSearchOf {
     using reads = Channels<SweepChannel>;
     using keeps = Channels<SweepChannel>;
-    int iterations = 4;   ///< how often the place may be moved again (MB: 2); 0: it is moved once, and refused where it missed
-    float accept = 0.25f; ///< pixels; a difference below it will do
-    float give_up = 32.f; ///< pixels; a difference beyond it will not be mended
-    // The place half way between two motions satisfies both directions as well: what differs in length is another thing.
-    float longer = 0.07f; ///< how much longer or shorter, relatively, a past pixel's sweep may be
-    float turned = 0.5f;  ///< how far it may have turned: the tangent of the angle, about
-    float alike = 0.05f;  ///< pixels; sweeps that differ less are one, however short
+    int iterations = 4;   ///< further iterations (MB: 2); 0: the place is moved once, and rejected where it missed
+    float accept = 0.25f; ///< pixels; the search ends at a smaller difference
+    float give_up = 32.f; ///< pixels; the search fails at a larger difference
+    // The place half way between two velocities satisfies the equation as well; only the sweep's length tells it apart.
+    float longer = 0.07f; ///< relative tolerance of the length of a tap's sweep
+    float turned = 0.5f;  ///< tolerance of its direction: about the tangent of the angle
+    float alike = 0.05f;  ///< pixels; sweeps that differ by less match, however short they are
 
-    /// The same search along another channel.
+    /// The same search along another channel of sweeps.
     template <ChannelTag Other> constexpr PathSearchOf<Other> along(Other) const {
         return {.iterations = iterations, .accept = accept, .give_up = give_up, .longer = longer, .turned = turned, .alike = alike};
     }
@@ -60,7 +60,7 @@ template <ChannelTag SweepChannel> struct PathSearchOf {
         for (int i = 0; i <= iterations; ++i) {
             auto const place = nearest_place(px, found.where);
             auto const there = scale(px.past(place)[SweepChannel{}], per_frame_then);
-            // On an arc the way back is a little longer than the mean of the speeds at its ends: by a twelfth of the turn, squared.
+            // On an arc the chord is longer than the vector mean of the velocities at its ends: by the factor 1 + angle^2 / 12.
             auto const turn_x = v.x - there.x, turn_y = v.y - there.y;
             auto const turned_by = fma(turn_x, turn_x, turn_y * turn_y) / max(fma(v.x, v.x, v.y * v.y), Real(1e-6f));
             auto const half = fma(min(turned_by, Real(1.f)), Real(-0.5f / 12.f), Real(-0.5f));
@@ -68,7 +68,7 @@ template <ChannelTag SweepChannel> struct PathSearchOf {
             auto const squared = fma(x, x, y * y);
             found.validity = select(both(searching, squared < Real(accept * accept)), Real(1.f), found.validity);
             searching = both(searching, squared < Real(give_up * give_up));
-            // Also what is near enough already: it costs nothing, and half the difference would stay as a blur.
+            // Move accepted places too: half of the remaining difference would stay as blur.
             found.where =
                 vec2<Real>{select(searching, found.where.x + x, found.where.x), select(searching, found.where.y + y, found.where.y)};
             searching = both(searching, found.validity <= Real(0.f));
@@ -78,11 +78,11 @@ template <ChannelTag SweepChannel> struct PathSearchOf {
     }
 
 private:
-    /// What makes the way between frames of a sweep. Where there was no time to sweep in, it leads out of any image.
+    /// Factor from a sweep to the motion per frame. With a closed shutter the result leads out of any image.
     QUELL_KERNEL static float per_frame(float shutter) { return 1.f / max(shutter, 1e-6f); }
 };
 
-/// Along the mean motion of the picture, or of the background where two layers meet.
+/// Search along the mean motion, or along the background's where there are two velocities.
 using PathSearch = PathSearchOf<MeanSweep>;
 
 static_assert(MotionSource<PathSearch>);

@@ -4,14 +4,18 @@
 
 namespace quell {
 
-/// The pixel that a point of the image's plane lies in, however far outside the image that is.
+/// The pixel that contains a point of the image plane. The point may lie outside the image.
 /// @tparam Px the cursor that looks there
 template <class Px> struct PixelUnder {
+    /// float, or a pack of floats.
     using Real = typename Px::Real;
+    /// Its pixel coordinates: whole numbers, not clamped.
     Real column, row;
-    decltype(column < row) inside; ///< whether the image has it
-    PastPlace<Real> place;         ///< for `elsewhere` and `signal_elsewhere`, which may be asked for no more than a pixel outside
+    decltype(column < row) inside; ///< whether the pixel is in the image
+    PastPlace<Real> place; ///< argument of `elsewhere` and `signal_elsewhere`: the pixel clamped to at most one pixel outside the image
 
+    /// @param px the pixel from which to look
+    /// @param point in pixels; a pixel's centre is at .5
     QUELL_KERNEL PixelUnder(Px const& px, vec2<Real> const& point)
         : column(floor(point.x)), row(floor(point.y)),
           inside(both(column >= Real(0.f), column < width(px), row >= Real(0.f), row < height(px))),

@@ -8,47 +8,52 @@
 
 namespace quell {
 
-// What happens inside a Temporal stage, as images: a watched() pipeline makes them, debug_images() hands them out.
+// What a Temporal stage does, as images: watched() pipelines make them, debug_images() returns them.
 
-/// How many frames a pixel's value goes back, whether or not the blend policy counts them.
+/// History length: number of frames since the pixel's past was last rejected, at least 1, whether or not the blend policy counts them.
 struct DebugLength : Channel<1> {
     static constexpr auto name = "history_length";
 };
-/// Which motion source found the past: 1 the first, 2 the second and so on, 0 none.
+/// Index of the motion source that found the past: 1 the first, 2 the second, ..., 0 none.
 struct DebugSource : Channel<1> {
     static constexpr auto name = "motion_source";
 };
-/// Why the first motion source's place gives no past; a Rejection.
+/// Why the first motion source gave no past: the number of a Rejection.
 struct DebugRejection : Channel<1> {
     static constexpr auto name = "rejection";
 };
-/// How much a clamp moved the past, relative to itself (TRMV eq. 8).
+/// How far a clamp moved the past, relative to the past (TRMV eq. 8); 0 without a past.
 struct DebugClamp : Channel<1> {
     static constexpr auto name = "clamp";
 };
+/// The channel DebugLength.
 inline constexpr DebugLength debug_length;
+/// The channel DebugSource.
 inline constexpr DebugSource debug_source;
+/// The channel DebugRejection.
 inline constexpr DebugRejection debug_rejection;
+/// The channel DebugClamp.
 inline constexpr DebugClamp debug_clamp;
+/// All of them.
 using DebugChannels = Channels<DebugLength, DebugSource, DebugRejection, DebugClamp>;
 
-/// Why the first motion source gives no past, in the order in which that is looked for.
+/// Why the first motion source gives no past, in the order of the tests.
 enum class Rejection {
-    none,      ///< it does
-    no_frame,  ///< there is no last frame
-    no_motion, ///< the source has nothing to say of this pixel
-    outside,   ///< what is seen here was not in the picture
-    depth,     ///< all four neighbours there have another depth; or another
-    normal,
-    instance,
-    other, ///< another test refuses them, or several tests some each
+    none,      ///< there is a past
+    no_frame,  ///< the history is empty
+    no_motion, ///< the source has no vector, or no validity, for this pixel
+    outside,   ///< the place is outside the image
+    depth,     ///< the depth test rejects all four taps
+    normal,    ///< the normal test does
+    instance,  ///< the instance test does
+    other,     ///< another test does, or several tests reject some taps each
 };
 
-/// One number per pixel of what a Temporal stage did in the last run.
+/// One debug channel of one pipeline, from the last run.
 struct DebugImage {
-    std::string signal; ///< whose pipeline it is
-    Extent size;
-    std::vector<float> values; ///< row by row
+    std::string signal;        ///< name of the signal that the pipeline denoises
+    Extent size;               ///< in pixels
+    std::vector<float> values; ///< row by row from the top
 };
 
 } // namespace quell

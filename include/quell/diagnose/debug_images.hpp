@@ -5,8 +5,11 @@
 
 namespace quell {
 
-/// Of each pipeline in this history that keeps the channel: all of DebugChannels where the pipeline is watched() (the clamp only where it
-/// has one), and whatever its policies keep, such as history_length. Empty before the first run.
+/// Images of a channel that pipelines keep in this history: DebugChannels where the pipeline is watched() (DebugClamp only with a clamp),
+/// and what policies keep themselves, such as history_length. One image per pipeline that keeps the channel; empty before the first run.
+/// Multi-component channels give their first component.
+/// @param channel what to show
+/// @param history of a Pipeline or Composite that has run
 template <ChannelTag C, class P, class Storage>
 [[nodiscard]] std::vector<DebugImage> debug_images(C channel, History<P, Storage>& history) {
     std::vector<DebugImage> images;

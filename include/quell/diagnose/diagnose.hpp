@@ -1,6 +1,6 @@
 #pragma once
 
-// Opt-in: what a host that integrates quell gets wrong, in words. Needs no more than quell.hpp does.
+// Opt-in: finds mistakes of a host that integrates quell. Needs the same libraries as quell.hpp.
 
 #include <quell/diagnose/hypotheses/albedo_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/camera_hypotheses.hpp>
@@ -17,7 +17,7 @@
 namespace quell {
 
 namespace detail {
-/// Cameras that move say best what motion must be; the exact cause first, since one mistake explains many symptoms.
+/// A moving camera tells best what motion must be. Exact causes come first, since one mistake has many symptoms.
 inline void find_by_moving_camera(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
     auto const before = findings.size();
     find_zero_motion(pairs, findings);
@@ -26,7 +26,7 @@ inline void find_by_moving_camera(Observation const& seen, ComparedMotions const
     if (findings.size() == before) find_disagreement(seen, pairs, findings);
 }
 
-/// What is expected, with what is known of the cameras: of one that is not known nothing is, or that it stands still.
+/// Without known cameras, motion is judged as of a static camera, then by the history.
 inline void find_motion_mistakes(Observation const& seen, bool cameras, bool shift_is_known, std::vector<Finding>& findings) {
     auto const pairs = cameras ? motion_pairs(seen, seen.camera, seen.camera_then) : still_pairs(seen);
     if (pairs.size() < fewest_pairs || (shift_is_known && find_motion_jitter(seen, pairs, findings))) return;
@@ -37,17 +37,17 @@ inline void find_motion_mistakes(Observation const& seen, bool cameras, bool shi
         find_motion_convention_by_history(seen, findings);
 }
 
-/// What takes two cameras.
+/// Mistakes that take two frames to see.
 inline void find_mistakes_over_time(Observation seen, bool camera_is_wrong, std::vector<Finding>& findings) {
     bool const jittered = !camera_is_wrong && find_projection_jitter(seen, findings);
-    // Motion is then judged without it.
+    // Judge motion without the jitter.
     if (jittered) seen.camera_then.projection = seen.camera.projection;
     bool const cameras = !camera_is_wrong && known(seen.camera) && known(seen.camera_then);
     if (seen.motion) find_motion_mistakes(seen, cameras, shift_of(seen) == glm::vec2(0.f), findings);
     if (seen.sweep && cameras) find_wrong_sweeps(seen, findings);
 }
 
-/// Whether depth is wrong is known before anything is built on it, and so on for the camera.
+/// Depth first, then the camera: later tests build on them.
 inline void find_guide_mistakes(Observation const& seen, std::vector<Finding>& findings) {
     if (seen.albedo) find_albedo_range(seen, findings);
     bool camera_is_wrong = find_wrong_matrices(seen, findings);
@@ -68,16 +68,20 @@ inline std::vector<Finding> findings_of(Observation const& seen) {
 }
 } // namespace detail
 
-/// What the host of a pipeline gets wrong, as far as this frame, the one before it, and their cameras show: nothing where all is well, and
-/// nothing where there is no evidence (a still camera says little about motion). Call it right before run(), in debug builds every frame:
+/// Finds mistakes of the host in this frame, its past and their cameras. Empty where all is well and where there is no evidence: a static
+/// camera says little about motion. Call it right before run(), in debug builds every frame:
+///
 ///     for (auto const& finding : diagnose(frame, history)) log(to_string(finding));
 ///     run(denoise, frame, history);
-/// It looks at the channels that the pipeline reads, at some 16,000 of their pixels (at all of them for samples that are not finite), and
-/// keeps notes in the history, so that it also sees what only several calls show. For Pipeline and Composite, any storage.
-/// Whether the output is the input is not asked after run_into(), whose output the host keeps, nor of motion blur.
-/// Perspective cameras only; objects may move, as long as some quarter of the picture does not.
-/// @param converted_from for hosts that convert their motion vectors before they put them into the frame: the convention from which, so
-///                       that the mistake is named in its terms. Pipelines with Supplied<> need no mention.
+///
+/// It reads the pipeline's channels at up to 16,384 pixels; only bad samples are counted at all pixels. It keeps notes in the history for
+/// mistakes that only show over several calls. For Pipeline and Composite, any storage. Whether the output equals the input is not checked
+/// after run_into(), whose output the host owns, nor for motion blur. Perspective cameras only. Objects may move, if about a quarter of the
+/// picture does not.
+/// @param frame the frame that run() gets next
+/// @param history the history that run() gets next; it also keeps the notes
+/// @param converted_from for hosts that convert motion vectors before they write them: the convention from which, so that the finding names
+/// the mistake in its terms. Not needed with Supplied<>.
 /// @throws Error as run() does for a frame that it could not use
 template <class P, class Set, class FrameStorage, class Storage>
 [[nodiscard]] std::vector<Finding> diagnose(Frame<Set, FrameStorage> const& frame, History<P, Storage>& history,

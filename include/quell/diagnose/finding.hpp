@@ -5,7 +5,7 @@
 
 namespace quell {
 
-/// What hosts get wrong, as far as it shows in a frame and in the one before it.
+/// Mistakes of hosts that show in a frame and its past. name_of() says each in words.
 enum class Mistake {
     motion_sign,
     motion_unit,
@@ -39,7 +39,7 @@ enum class Mistake {
     output_is_input,
 };
 
-/// In a few words.
+/// A few words for reports.
 [[nodiscard]] constexpr std::string_view name_of(Mistake mistake) {
     constexpr std::string_view names[] = {
         "motion points the wrong way",
@@ -76,13 +76,14 @@ enum class Mistake {
     return names[static_cast<int>(mistake)];
 }
 
-/// What quell::diagnose found.
+/// A mistake that diagnose() found.
 struct Finding {
-    Mistake mistake;
-    std::string evidence; ///< what was seen, in numbers
-    std::string remedy;   ///< what the host can change
+    Mistake mistake;      ///< its kind
+    std::string evidence; ///< what was measured
+    std::string remedy;   ///< what to change in the host
 };
 
+/// One line for a log.
 [[nodiscard]] inline std::string to_string(Finding const& finding) {
     return std::string(name_of(finding.mistake)) + ": " + finding.evidence + "; " + finding.remedy;
 }

@@ -7,19 +7,19 @@
 
 namespace quell::detail {
 
-/// Reads what a history holds between runs.
+/// Access to the state of a history between runs.
 struct Inspect {
     template <class H> static bool has_past(H const& history) { return !history.empty; }
     template <class H> static Camera const& camera(H const& history) { return history.camera; }
     template <class H> static std::optional<long long> number(H const& history) { return history.number; }
     template <class H> static Extent size(H const& history) { return history.size; }
     template <class H> static auto const& output(H const& history) { return history.output; }
-    /// What the next frame's temporal pass finds.
+    /// The signal that the next frame's Temporal stage finds.
     template <class H> static auto const& signal(H const& history) { return history.signal; }
     template <class H> static auto& parts(H& composite) { return composite.parts; }
-    /// A channel of the last frame that the pipeline remembers as it is.
+    /// A channel of the last frame that the pipeline remembers.
     template <class H, ChannelTag C> static auto const& remembered(H const& history, C) { return slot<C>(history.remembered); }
-    /// What its policies keep.
+    /// A channel that its policies keep.
     template <class H, ChannelTag C> static auto const& kept(H const& history, C) { return slot<C>(history.kept); }
 
     template <class H> static DiagnosisNotes& notes(H& history) {
@@ -28,7 +28,7 @@ struct Inspect {
     }
 };
 
-/// Calls f(pipeline's type, history) for a pipeline, or for each of a composite's.
+/// Calls f(type of the pipeline, history) for a pipeline, or for each pipeline of a composite.
 template <class P, class Storage> void for_each_history(History<P, Storage>& history, auto&& f) { f(std::type_identity<P>{}, history); }
 template <class... Ps, class Storage> void for_each_history(History<Composite<Ps...>, Storage>& history, auto&& f) {
     [&]<std::size_t... i>(std::index_sequence<i...>) { (f(std::type_identity<Ps>{}, std::get<i>(Inspect::parts(history))), ...); }
@@ -38,10 +38,10 @@ template <class... Ps, class Storage> void for_each_history(History<Composite<Ps
 inline Lookup lookup(ImageView auto const& view) {
     return [view](int c, int x, int y) { return view.get(c, x, y); };
 }
-/// Of a handle that may hold no image.
+/// Empty for an empty handle.
 template <class Image> Lookup lookup_in(std::shared_ptr<Image> const& image) { return image ? lookup(image->view()) : Lookup{}; }
 
-/// Of a channel that both the frame has and the pipeline reads.
+/// Empty if the frame lacks the channel or the pipeline does not read it.
 template <class P, ChannelTag C, class Set, class Storage> Lookup lookup_of(Frame<Set, Storage> const& frame, C channel) {
     if constexpr (P::reads::template has<C> && Set::template has<C>)
         return lookup(frame[channel].view());
@@ -63,11 +63,11 @@ template <class P, class F, class H> SignalSeen signal_seen(F const& frame, H& h
     return seen;
 }
 
-/// Channels that are finite on every surface. Others tell by what is not finite that there was nothing, as Blocker does.
+/// Channels that must be finite on every surface. In others, such as Blocker, values that are not finite mean "none".
 using FiniteGuides =
     Channels<Albedo, Normal, Position, Instance, Roughness, Motion, Direct, ReceiverPrevious, IndirectDirection, Sweep, SweepBend, Time>;
 
-/// A surface that was behind the camera may well have no motion.
+/// A surface that was behind the camera may have no motion, so channels of two components may lack 10%.
 template <class P, class Set, class Storage> std::vector<GuideSeen> guides_seen(Frame<Set, Storage> const& frame) {
     std::vector<GuideSeen> guides;
     for_each_channel(common_to<common_to<FiniteGuides, typename P::reads>, Set>{}, [&](auto c) {
@@ -76,18 +76,18 @@ template <class P, class Set, class Storage> std::vector<GuideSeen> guides_seen(
     return guides;
 }
 
-/// The last frame's camera and depth, of the first history that has them.
+/// Camera and depth of the last frame, from the first history that has them.
 template <class P, class H> void see_past(Observation& seen, std::type_identity<P>, H const& history) {
     auto const number = Inspect::number(history);
     bool const follows = !seen.number || !number || *seen.number == *number + 1;
-    // What run() is going to drop is no past.
+    // A past that run() will drop is none.
     if (!Inspect::has_past(history) || !follows || !(Inspect::size(history) == seen.size)) return;
     if (!seen.has_then) seen.has_then = true, seen.camera_then = Inspect::camera(history);
     if constexpr (P::remembers::template has<Depth>)
         if (!seen.depth_then) seen.depth_then = lookup_in(Inspect::remembered(history, depth));
 }
 
-/// Motion as a pipeline that takes it for one of a convention turns it into quell's.
+/// Motion converted from a convention to quell's.
 inline Lookup understood(Lookup const& motion, MotionConvention convention, Extent size, glm::vec2 jitter_change) {
     if (!motion || convention == MotionConvention{}) return motion;
     auto const factor = to_pixels(convention, size);

@@ -7,9 +7,9 @@
 
 namespace quell::detail {
 
-/// What noise looks like in one frame: among the pixels that differ from their four neighbours, many stand out from all of them. Where
-/// there is none, edges and textures differ on two sides or three. Of the built-in scenes it is 5% and more where a sample is noisy, up to
-/// 3% where it isn't; of visibility, which is 0 or 1 and noisy in penumbrae only, as well as of light.
+/// Whether the signal is noisy in this frame. Of the pixels that differ from their four neighbours, noise makes many stand out from all
+/// four; edges and textures differ on two or three sides. In the built-in scenes the share is 5% or more with noise and up to 3% without,
+/// for light and for visibility, which is 0 or 1 and noisy only in penumbrae.
 inline bool looks_noisy(Observation const& seen, SignalSeen const& signal) {
     auto const at = [&](int x, int y) {
         float sum = 0.f;

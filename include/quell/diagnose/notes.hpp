@@ -7,26 +7,27 @@
 
 namespace quell::detail {
 
-/// How often two conventions of motion led to different places, and only one of them to what is seen: at the edges of what moves.
+/// Counts of a comparison of two motion conventions: pixels where only the first, or only the second, leads to the surface seen in the
+/// pixel; and pixels where they lead to different places.
 struct Duel {
     long long first = 0, second = 0, apart = 0;
 };
 
-/// What diagnose remembers from one call to the next. It lives in the history, and only once diagnose has been called.
+/// State of diagnose between calls. It lives in the history, from the first call on.
 struct DiagnosisNotes {
-    std::vector<float> input;              ///< the signal of the last call's frame, at the places that are looked at
-    long long resets = 0;                  ///< of the history, at the last call
-    int resets_in_a_row = 0;               ///< of the runs before this call
-    int idle_in_a_row = 0;                 ///< runs whose output was what went in
-    int calls_without_surface = 0;         ///< of depth, from the first on
-    bool had_surface = false;              ///< in any call
-    std::optional<float> constant_depth{}; ///< of the last call's frame, where all its depths are one
-    glm::vec2 motion_offset{};             ///< what most still pixels had in common, in pixels, where that may be jitter
-    int jittered_in_a_row = 0;             ///< frames whose motion had an offset as jitter makes them
-    std::vector<Duel> duels{};             ///< of each convention with each, in all frames so far
-    int disagreed_in_a_row = 0;            ///< frames whose cameras find the past where motion doesn't
-    int swept_wrongly_in_a_row = 0;        ///< frames whose sweeps are not what the cameras say
-    glm::vec2 shift{};                     ///< how the projection's centre moved, in pixels
+    std::vector<float> input;              ///< the signal of the last call's frame, at the sampled pixels
+    long long resets = 0;                  ///< resets of the history up to the last call
+    int resets_in_a_row = 0;               ///< consecutive runs before this call that began without a past
+    int idle_in_a_row = 0;                 ///< consecutive runs whose output was their input
+    int calls_without_surface = 0;         ///< calls with no finite depth, before the first with one
+    bool had_surface = false;              ///< whether any call had a surface
+    std::optional<float> constant_depth{}; ///< depth of the last call's frame if it was constant
+    glm::vec2 motion_offset{};             ///< common offset of static pixels in pixels, if it may be jitter
+    int jittered_in_a_row = 0;             ///< consecutive frames whose motion had an offset like jitter
+    std::vector<Duel> duels{};             ///< each convention against each, over all frames
+    int disagreed_in_a_row = 0;            ///< consecutive frames whose cameras find the past where motion does not
+    int swept_wrongly_in_a_row = 0;        ///< consecutive frames whose sweeps contradict the cameras
+    glm::vec2 shift{};                     ///< movement of the projection's centre, in pixels
 };
 
 } // namespace quell::detail

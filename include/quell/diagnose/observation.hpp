@@ -15,22 +15,22 @@
 
 namespace quell::detail {
 
-/// Component c of an image at (x, y), whatever its storage; empty where the pipeline reads no such channel. Hypotheses are judged on this,
-/// so that they are compiled once and not for every pipeline.
+/// Component c of an image at (x, y), for any storage; empty where the pipeline does not read the channel. Hypotheses use it, so that they
+/// are compiled once and not per pipeline.
 using Lookup = std::function<float(int c, int x, int y)>;
 
 inline glm::vec2 vec2_at(Lookup const& image, int x, int y) { return {image(0, x, y), image(1, x, y)}; }
 inline glm::vec3 vec3_at(Lookup const& image, int x, int y) { return {image(0, x, y), image(1, x, y), image(2, x, y)}; }
 
-/// One signal that is denoised, and what its history knows.
+/// One signal, and the state of its history.
 struct SignalSeen {
     std::string name;
     int components = 1;
-    bool has_past = false;   ///< whether the pipeline has a history at all
-    bool has_stages = false; ///< whether it does anything
-    bool blurs = false;      ///< along sweeps: then what stands still comes out as it went in
+    bool has_past = false;   ///< whether the pipeline has a history
+    bool has_stages = false; ///< whether the pipeline has stages
+    bool blurs = false;      ///< whether it blurs along sweeps: its static pixels come out as they went in
     Lookup input{};
-    Lookup output_then{}; ///< of the last run; empty where there was none, or where the host keeps it
+    Lookup output_then{}; ///< of the last run; empty without one, or if the host owns it (run_into)
     long long frames = 0, resets = 0;
     std::optional<long long> number_then{};
     Extent size_then{};
@@ -42,37 +42,37 @@ struct GuideSeen {
     std::string name;
     int components;
     Lookup image;
-    double allowed; ///< the share of surface pixels that may be without
+    double allowed; ///< largest share of surface pixels that may be not finite
 };
 
-/// All that is looked at.
+/// Everything that the hypotheses look at.
 struct Observation {
     Extent size;
     std::optional<long long> number;
     Lookup depth{}, normal{}, albedo{};
-    Lookup motion{};               ///< as the pipeline understands it
-    Lookup sweep{};                ///< of the surface while the shutter is open
-    float shutter = 0.f;           ///< how long that is
-    MotionConvention convention{}; ///< the one that the host's vectors are taken for
-    Lookup depth_then{};           ///< of the last frame, where the history remembers it
-    bool has_then = false;         ///< whether camera_then is that of a last frame
+    Lookup motion{};               ///< in quell's convention, by the pipeline's Supplied
+    Lookup sweep{};                ///< of the surface, in pixels
+    float shutter = 0.f;           ///< fraction of the frame time
+    MotionConvention convention{}; ///< convention that the host's vectors are taken for
+    Lookup depth_then{};           ///< of the last frame, if the history remembers it
+    bool has_then = false;         ///< whether there is a last frame; else camera_then is a default
     Camera camera{}, camera_then{};
     std::vector<SignalSeen> of_signals{};
     std::vector<GuideSeen> guides{};
 
     [[nodiscard]] DiagnosisNotes& notes() const { return *of_signals.front().notes; }
-    /// Whether there is a surface: misses may hold anything.
+    /// Whether the pixel shows a surface; a miss may hold anything.
     [[nodiscard]] bool hit(int x, int y) const { return !depth || is_finite(depth(0, x, y)); }
 };
 
-/// Calls f(x, y) for at most about 16,000 places, evenly spread.
+/// Calls f(x, y) for at most 16,384 evenly spread pixels.
 void for_each_place(Extent size, auto&& f) {
     int step = 1;
     while (size.pixels() / (step * step) > 16384) ++step;
     for (int y = step / 2; y < size.height; y += step)
         for (int x = step / 2; x < size.width; x += step) f(x, y);
 }
-/// Those where there is a surface.
+/// The same for pixels with a surface.
 void for_each_hit(Observation const& seen, auto&& f) {
     for_each_place(seen.size, [&](int x, int y) {
         if (seen.hit(x, y)) f(x, y);

@@ -7,7 +7,7 @@
 
 namespace quell::detail {
 
-/// How many of those that were asked agreed.
+/// Share of "yes" among the cases that were asked.
 struct Tally {
     long long yes = 0, asked = 0;
 
@@ -15,7 +15,7 @@ struct Tally {
     [[nodiscard]] double share() const { return asked > 0 ? static_cast<double>(yes) / static_cast<double>(asked) : 0.; }
 };
 
-/// The middle one; 0 of none. Reorders.
+/// Median (the upper one of an even number); 0 if empty. Reorders the values.
 inline float median(std::vector<float>& values) {
     if (values.empty()) return 0.f;
     auto const middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -23,7 +23,7 @@ inline float median(std::vector<float>& values) {
     return *middle;
 }
 
-/// As in "37%", and "0.25".
+/// Numbers as text: "37%", "0.25".
 inline std::string percent(double share) {
     char text[32];
     std::snprintf(text, sizeof text, share > 0 && share < 0.01 ? "%.2f%%" : "%.0f%%", 100 * share);

@@ -15,7 +15,7 @@ namespace quell {
 namespace detail {
 template <class Real> QUELL_KERNEL Real code_of(Rejection rejection) { return Real(static_cast<float>(rejection)); }
 
-/// What a test compares.
+/// The guide that a surface test compares.
 template <class Test> constexpr Rejection rejection_by() {
     if constexpr (remembers_of<Test>::template has<Depth>)
         return Rejection::depth;
@@ -27,7 +27,7 @@ template <class Test> constexpr Rejection rejection_by() {
         return Rejection::other;
 }
 
-/// Whether a test refuses all four past pixels around a place.
+/// Whether a test rejects all four past pixels around a place.
 template <class Px, class Test> QUELL_KERNEL auto refuses(Px const& px, vec2<typename Px::Real> where, Test const& test) {
     using Real = typename Px::Real;
     TestedReprojection<Real, decltype(test.around(px))> const found{where, Real(1.f), test.around(px)};
@@ -52,7 +52,7 @@ template <class Px, class... Tests> QUELL_KERNEL auto refusal(Px const& px, vec2
     return reason;
 }
 
-/// Why there is no past at the place that a source names, if there is none.
+/// Why a source's place has no past, if it has none.
 template <class Px, class Source> QUELL_KERNEL auto rejection_of(Px const& px, Source const& source) {
     using Real = typename Px::Real;
     auto const found = source.previous(px);
@@ -64,7 +64,7 @@ template <class Px, class Source> QUELL_KERNEL auto rejection_of(Px const& px, S
     return select(says, reason, code_of<Real>(Rejection::no_motion));
 }
 
-/// The first source that finds a past: counted from `index`, 0 for none.
+/// Index of the first source that finds a past, counted from `index`; 0 for none.
 template <class Px, class Source, class Fetch>
 QUELL_KERNEL auto source_of(Px const& px, Source const& source, Fetch const& fetch, float index) {
     using Real = typename Px::Real;
@@ -82,11 +82,12 @@ template <class Source> QUELL_KERNEL auto const& first_of(Source const& source) 
 }
 } // namespace detail
 
-/// The policy inside a clamp, which says by how much that moved the past.
+/// Blend policy inside a clamp that keeps DebugClamp, how far the clamp moved the past.
+/// @tparam Inner the wrapped blend policy
 template <class Inner> struct WatchedClamp {
     using parts = Parts<Inner>;
     using keeps = Channels<DebugClamp>;
-    Inner inner{};
+    Inner inner{}; ///< the wrapped blend policy
 
     QUELL_KERNEL auto blend(auto px, auto past) const {
         auto const result = detail::result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
@@ -94,13 +95,16 @@ template <class Inner> struct WatchedClamp {
     }
 };
 
-/// A blend policy as it is, which keeps what the motion sources did.
+/// Blend policy that does what `Inner` does and keeps DebugLength, DebugSource and DebugRejection.
+/// @tparam M the stage's motion source
+/// @tparam Inner the wrapped blend policy
+/// @tparam Fetch the stage's history fetch
 template <class M, class Inner, class Fetch> struct Watched {
     using parts = Parts<M, Inner, Fetch>;
     using keeps = Channels<DebugLength, DebugSource, DebugRejection>;
-    M motion{};
-    Inner inner{};
-    Fetch fetch{};
+    M motion{};    ///< the stage's motion source
+    Inner inner{}; ///< the wrapped blend policy
+    Fetch fetch{}; ///< the stage's history fetch
 
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;
@@ -115,7 +119,7 @@ template <class M, class Inner, class Fetch> struct Watched {
 };
 
 namespace detail {
-// A policy with its clamps watched; through those that may stand around one.
+// A blend policy with its clamps watched, also inside decorators.
 template <class B> constexpr auto with_watched_clamps(B const& blend) { return blend; }
 template <class B, class R, class A, int radius> constexpr auto with_watched_clamps(Clamped<B, R, A, radius> const& clamped) {
     return Clamped<WatchedClamp<B>, R, A, radius>{{clamped.inner}, clamped.range, clamped.axes};
@@ -142,8 +146,8 @@ template <class M, class B, class F> constexpr auto watched_stage(Temporal<M, B,
 }
 } // namespace detail
 
-/// A pipeline that does the same and keeps DebugChannels in its history, for debug_images() to show: `constexpr auto debug =
-/// watched(denoise);` It costs about three times as much and needs frames of the same channels.
+/// The same pipeline, which keeps DebugChannels in its history for debug_images(): `constexpr auto debug = watched(denoise);` It costs
+/// about three times as much. Frames need the same channels.
 template <ChannelTag S, class... Parts> constexpr auto watched(Pipeline<S, Parts...> const& pipeline) {
     return std::apply(
         [&](auto const&... stages) {
@@ -155,7 +159,7 @@ template <ChannelTag S, class... Parts> constexpr auto watched(Pipeline<S, Parts
         },
         pipeline.stages);
 }
-/// Each pipeline of a composite.
+/// Watches each pipeline of a composite.
 template <class... Ps> constexpr auto watched(Composite<Ps...> const& composite) {
     return std::apply([](auto const&... pipelines) { return Composite{watched(pipelines)...}; }, composite.pipelines);
 }

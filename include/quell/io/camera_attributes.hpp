@@ -7,8 +7,8 @@
 
 namespace quell::io {
 
-/// The camera in an image's attributes `quell:view`, `quell:projection` and `quell:jitter`; with the suffix "_previous", the last frame's.
-/// Nothing where one of the matrices is missing.
+/// Camera from an image's attributes `quell:view`, `quell:projection` and `quell:jitter`, with an optional suffix: "_previous" is the last
+/// frame's camera. Empty if a matrix is missing.
 [[nodiscard]] inline std::optional<Camera> camera_of(ExrImage const& image, std::string const& suffix = "") {
     auto const* const view = image.attribute<glm::mat4>("quell:view" + suffix);
     auto const* const projection = image.attribute<glm::mat4>("quell:projection" + suffix);

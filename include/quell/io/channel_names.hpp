@@ -13,24 +13,25 @@
 
 namespace quell::io {
 
-/// Where one component of a channel comes from: `scale` times the sum of these planes of a file; without planes, `scale` itself everywhere.
+/// Source of a channel's component: `scale` times the sum of planes of a file. Without planes, the constant `scale`.
 struct Source {
-    std::vector<std::string> sum;
-    float scale = 1.f;
+    std::vector<std::string> sum; ///< names of planes
+    float scale = 1.f;            ///< factor or constant
 };
 
-/// How another renderer calls and counts what quell's channels hold. Empty, it stands for quell's own names: `R`, `albedo.R`,
-/// `normal.X`, `depth.Z`. For a depth called Z in a file and motion whose y points up:
+/// Names and conventions of another renderer's files. By default quell's own: `R`, `albedo.R`, `normal.X`, `depth.Z`. For a depth called Z
+/// and motion with y up:
+///
 ///     ChannelNames{.sources = {{"depth", {{{"Z"}}}}}, .motion = {.y = MotionConvention::Y::up}}
 struct ChannelNames {
-    std::map<std::string, std::vector<Source>, std::less<>> sources = {}; ///< by quell's name, a source per component
-    MotionConvention motion = {};
-    float miss_from = std::numeric_limits<float>::infinity(); ///< a depth of this or more is a miss
-    std::optional<float> shutter = {};                        ///< of all frames, whatever the files say
+    std::map<std::string, std::vector<Source>, std::less<>> sources = {}; ///< by quell's name of the channel: one source per component
+    MotionConvention motion = {};                                         ///< of motion and motion_next
+    float miss_from = std::numeric_limits<float>::infinity();             ///< a depth of at least this is a miss
+    std::optional<float> shutter = {};                                    ///< in place of the files' shutter: fraction of the frame time
 };
 
 namespace detail {
-/// The components' names in quell's own files, for channels of its own and of a host.
+/// Names of a channel's components in quell's own files, for built-in channels and those of a host.
 inline std::vector<std::string> component_names(std::string_view channel, int components) {
     static std::map<std::string, std::string, std::less<>> const letters{{"radiance", "RGB"}, {"albedo", "RGB"},   {"direct", "RGB"},
                                                                          {"glossy", "RGB"},   {"indirect", "RGB"}, {"roughness", "R"},
@@ -45,7 +46,7 @@ inline std::vector<std::string> component_names(std::string_view channel, int co
 }
 } // namespace detail
 
-/// What quell's own files call the components of a channel. The image itself has no layer.
+/// Names of a channel's components in quell's own files. `radiance` has no layer: R, G, B.
 template <ChannelTag C> [[nodiscard]] std::vector<std::string> own_names(C channel) {
     auto names = detail::component_names(channel.name, C::components);
     if (std::string_view(channel.name) != radiance.name)
@@ -53,8 +54,8 @@ template <ChannelTag C> [[nodiscard]] std::vector<std::string> own_names(C chann
     return names;
 }
 
-/// Where a channel's components come from.
-/// @throws Error where the names hold another number of them
+/// Sources of a channel's components.
+/// @throws Error where `names` has another number of them
 template <ChannelTag C> [[nodiscard]] std::vector<Source> sources_of(ChannelNames const& names, C channel) {
     if (auto const found = names.sources.find(channel.name); found != names.sources.end()) {
         if (found->second.size() == static_cast<std::size_t>(C::components)) return found->second;
@@ -66,13 +67,13 @@ template <ChannelTag C> [[nodiscard]] std::vector<Source> sources_of(ChannelName
     return sources;
 }
 
-/// The planes of a file that these sources use, each once.
+/// The planes that these sources use, each once.
 [[nodiscard]] inline std::vector<std::string> planes_of(std::vector<Source> const& sources) {
     std::vector<std::string> planes;
     for (auto const& source : sources) planes.insert(planes.end(), source.sum.begin(), source.sum.end());
     return planes;
 }
-/// Those that a frame of these channels uses.
+/// The planes that a frame of these channels uses.
 template <class... Cs> [[nodiscard]] std::vector<std::string> planes_of(Channels<Cs...> set, ChannelNames const& names) {
     std::vector<std::string> planes;
     for_each_channel(set, [&](auto channel) {

@@ -17,33 +17,37 @@
 
 namespace quell::io {
 
-/// A component that a file offers.
+/// A channel listed in a file's header.
 struct ExrChannel {
-    std::string name;    ///< in the file; with the part's name before it where an earlier part has one of the same name
-    std::string in_part; ///< within its part
-    SampleType type = SampleType::half;
-    int part = 0;
-    std::string part_name = {};
+    std::string name;                   ///< unique in the file: prefixed by the part's name if an earlier part has the same channel
+    std::string in_part;                ///< name within its part
+    SampleType type = SampleType::half; ///< of its numbers in the file
+    int part = 0;                       ///< index of its part
+    std::string part_name = {};         ///< may be empty
+    /// Subsampling: the file stores every n-th column and row.
     int x_sampling = 1, y_sampling = 1;
 };
 
-/// An EXR file whose header has been read: what it offers, and then as much of it as is wanted. One part or several, scan lines or tiles
-/// (of which the largest level is read), with a data window anywhere. Deep parts are left out.
+/// An EXR file whose header has been read; its channels are read on demand. Supports single and multiple parts, scan lines and tiles (the
+/// largest level), and any data window. Deep parts are ignored.
 class ExrFile {
 public:
-    /// @throws Error naming the file: where it is missing, no EXR file, truncated, or of a size that no picture has
+    /// Opens a file and reads its header.
+    /// @throws Error naming the file if it is missing, no EXR file, truncated, or of an implausible size
     explicit ExrFile(std::filesystem::path const& path);
 
-    std::string name;
-    Extent size; ///< of the display window
-    std::vector<ExrChannel> channels;
-    std::map<std::string, Attribute, std::less<>> attributes;
+    std::string name;                                         ///< its path, for messages
+    Extent size;                                              ///< of the display window
+    std::vector<ExrChannel> channels;                         ///< of all parts, without deep ones
+    std::map<std::string, Attribute, std::less<>> attributes; ///< by name; the first part's where several have one
 
-    /// The channel of that name, which may have its part's name before it; null where there is none.
+    /// The channel of that name, with or without its part's name; null if there is none.
     [[nodiscard]] ExrChannel const* find(std::string_view channel) const;
-    /// These channels; one that is asked for twice comes once. @throws Error naming the file and the channel
+    /// Reads these channels, each once.
+    /// @throws Error naming the file and the channel
     [[nodiscard]] ExrImage read(std::span<std::string const> names) const;
-    /// All of them.
+    /// Reads all channels.
+    /// @throws Error naming the file and the channel
     [[nodiscard]] ExrImage read() const;
 
 private:
@@ -55,12 +59,13 @@ private:
     void read_part(int part, std::vector<ExrChannel const*> const& wanted, ExrImage& image) const;
 };
 
-/// All of a file.
+/// Reads a whole file.
+/// @throws Error as ExrFile does
 [[nodiscard]] inline ExrImage read_exr(std::filesystem::path const& path) { return ExrFile(path).read(); }
 
 namespace detail {
 
-/// A picture larger than this is a broken header.
+/// A larger picture means a broken header.
 inline constexpr std::int64_t most_pixels = std::int64_t(1) << 28;
 
 inline SampleType sample_type(Imf::PixelType type) {
@@ -68,7 +73,7 @@ inline SampleType sample_type(Imf::PixelType type) {
     return type == Imf::UINT ? SampleType::uint32 : SampleType::float32;
 }
 
-/// Width and height, in 64 bits: corners of a broken header may lie anywhere.
+/// Width and height in 64 bits, as a broken header may hold any corners.
 inline std::pair<std::int64_t, std::int64_t> extent_of(Imath::Box2i const& box) {
     return {std::int64_t(box.max.x) - box.min.x + 1, std::int64_t(box.max.y) - box.min.y + 1};
 }
@@ -79,7 +84,7 @@ inline void check_window(std::string const& file, std::string const& which, Imat
                 "write it again, with at least one pixel and at most 2^28");
 }
 
-/// One channel on its way from the file: the data window's pixels in the type in which the file has them, but half as float.
+/// A channel while it is read: the data window's pixels in the file's type, but half as float.
 struct Incoming {
     ExrChannel const* channel;
     std::vector<float> numbers;
@@ -95,7 +100,7 @@ struct Incoming {
         if (channel->type == SampleType::uint32) return Imf::Slice::Make(Imf::UINT, ids.data(), window);
         return Imf::Slice::Make(Imf::FLOAT, numbers.data(), window);
     }
-    /// Makes floats of the ids; returns whether they are the same numbers.
+    /// Converts ids to floats; returns whether they are exact.
     bool as_floats() {
         bool exact = true;
         for (auto const id : ids) {
@@ -106,7 +111,7 @@ struct Incoming {
     }
 };
 
-/// The part of the data window that lies in the display window, in pixels of the latter.
+/// Data window clipped to the display window, in the display window's pixels.
 inline Region inside(Imath::Box2i const& data, Imath::Box2i const& display) {
     auto const clip = [](int a, int from, int to) { return static_cast<int>(std::clamp<std::int64_t>(std::int64_t(a) - from, 0, to)); };
     int const width = display.max.x - display.min.x + 1, height = display.max.y - display.min.y + 1;
@@ -114,7 +119,7 @@ inline Region inside(Imath::Box2i const& data, Imath::Box2i const& display) {
             clip(data.max.y, display.min.y - 1, height)};
 }
 
-/// Moves what was read to where it lies in the display window.
+/// Copies what was read to its place in the display window.
 inline Plane placed(Incoming&& in, Imath::Box2i const& data, Imath::Box2i const& display) {
     Plane plane{.name = in.channel->name, .type = in.channel->type, .values = {}, .exact = in.as_floats()};
     if (data == display) {
@@ -133,14 +138,14 @@ inline Plane placed(Incoming&& in, Imath::Box2i const& data, Imath::Box2i const&
     return plane;
 }
 
-/// A header of a few damaged bytes can ask for more memory than there is.
+/// Few damaged bytes in a header can ask for more memory than there is.
 /// @param unasked bytes that any file may unpack to
 inline void check_memory(std::string const& file, std::size_t channels, Imath::Box2i const& window, double unasked) {
     auto const [width, height] = extent_of(window);
     auto const claimed = static_cast<double>(width * height) * 4. * static_cast<double>(channels);
     std::error_code none;
     auto const present = static_cast<double>(std::filesystem::file_size(file, none));
-    // No picture with any noise in it packs to a 4000th.
+    // No noisy picture packs to 1/4000.
     if (claimed > unasked && claimed > 4000. * present)
         throw Error(file, "it claims to unpack to " + std::to_string(static_cast<long long>(claimed / 1e6)) + " MB", "write it again");
 }
@@ -210,7 +215,7 @@ inline ExrImage ExrFile::read() const {
 inline void ExrFile::read_part(int part, std::vector<ExrChannel const*> const& wanted, ExrImage& image) const {
     auto const window = file->header(part).dataWindow();
     detail::check_memory(name, wanted.size(), window, 1e8);
-    detail::check_memory(name, wanted.size(), display, 1e9); // most of which lies outside a region that was rendered by itself
+    detail::check_memory(name, wanted.size(), display, 1e9); // most of it lies outside a region that was rendered alone
     auto const [width, height] = detail::extent_of(window);
     std::vector<detail::Incoming> incoming;
     detail::naming_file(name, "its pixels can't be read, it is truncated or damaged", [&, w = width, h = height] {

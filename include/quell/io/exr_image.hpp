@@ -17,7 +17,7 @@
 
 namespace quell::io {
 
-/// How a file stores one number.
+/// Number format in a file: 16-bit float, 32-bit float, or 32-bit unsigned integer.
 enum class SampleType { half, float32, uint32 };
 
 inline std::string to_string(SampleType type) {
@@ -25,43 +25,47 @@ inline std::string to_string(SampleType type) {
     return type == SampleType::float32 ? "float" : "uint";
 }
 
-/// One component of an image under the name that its file gives it, row by row from the top-left.
+/// One component of an image, row by row from the top-left.
 struct Plane {
-    std::string name;
-    SampleType type = SampleType::float32;
-    std::vector<float> values;
-    std::optional<Region> stored = {}; ///< the pixels that the file has, the others being 0; without it, all
-    bool exact = true;                 ///< false where the file's numbers (of 32 bits without sign) have more digits than a float
+    std::string name;                      ///< in the file, such as "albedo.R"
+    SampleType type = SampleType::float32; ///< in the file
+    std::vector<float> values;             ///< one per pixel of the image
+    std::optional<Region> stored = {};     ///< pixels that the file holds, the others being 0; empty: all
+    bool exact = true;                     ///< false if 32-bit integers of the file lost digits as floats
 };
 
-/// A matrix is column-major and for column vectors, as everywhere in quell; OpenEXR's own are for row vectors, which in memory is the same.
+/// Value of an attribute. Matrices are column-major for column vectors, as everywhere in quell. OpenEXR's are for row vectors, which is the
+/// same in memory.
 using Attribute = std::variant<std::string, int, float, glm::vec2, glm::mat4>;
 
-/// What lies in an EXR file: planes of one size, of any names and any number, and attributes.
+/// Contents of an EXR file: planes of one size, and attributes.
 struct ExrImage {
-    std::string name = "image"; ///< what messages call it: the file's path
-    Extent size;
-    std::vector<Plane> planes = {};
-    std::map<std::string, Attribute, std::less<>> attributes = {};
+    std::string name = "image";                                    ///< for messages: the file's path
+    Extent size;                                                   ///< of all planes, in pixels
+    std::vector<Plane> planes = {};                                ///< in the file's order
+    std::map<std::string, Attribute, std::less<>> attributes = {}; ///< by name
 
+    /// The plane of that name; null if there is none.
     [[nodiscard]] Plane const* find(std::string_view plane) const {
         for (auto const& p : planes)
             if (p.name == plane) return &p;
         return nullptr;
     }
-    /// @throws Error, listing the planes that there are
+    /// The plane of that name.
+    /// @throws Error listing the planes if there is none
     [[nodiscard]] Plane const& operator[](std::string_view plane) const;
 
-    /// An attribute's value, or null where there is none of that name and type.
+    /// Value of an attribute; null if there is none of that name and type.
     template <class Value> [[nodiscard]] Value const* attribute(std::string_view key) const {
         auto const found = attributes.find(key);
         return found == attributes.end() ? nullptr : std::get_if<Value>(&found->second);
     }
+    /// Number of pixels.
     [[nodiscard]] std::size_t pixels() const { return static_cast<std::size_t>(size.pixels()); }
 };
 
 namespace detail {
-/// "A, B and 3 more" of things that have a name.
+/// "A, B and 3 more", from objects with a name.
 inline std::string list_of_names(auto const& named) {
     constexpr std::size_t most = 60;
     std::string list;

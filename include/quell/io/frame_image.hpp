@@ -25,7 +25,10 @@ inline Plane const& plane_for(ExrImage const& image, std::string const& name, bo
 } // namespace detail
 
 /// One component of an image, row by row: a constant, or a scaled sum of planes.
-/// @throws Error naming the file and the plane that is missing or of a type that it can't have
+/// @param image the file's contents
+/// @param source what to sum
+/// @param may_be_uint whether integer planes are allowed
+/// @throws Error naming the file and the plane that is missing or of a wrong type
 [[nodiscard]] inline std::vector<float> component_of(ExrImage const& image, Source const& source, bool may_be_uint = false) {
     if (source.sum.empty()) return std::vector<float>(image.pixels(), source.scale);
     std::vector<float> values(image.pixels(), 0.f);
@@ -38,7 +41,7 @@ inline Plane const& plane_for(ExrImage const& image, std::string const& name, bo
 
 namespace detail {
 
-/// quell writes +inf where there is no surface.
+/// Replaces depths of misses by +infinity.
 inline void mark_misses(std::vector<float>& depth, ExrImage const& image, Source const& source, float miss_from) {
     auto const miss = std::numeric_limits<float>::infinity();
     for (auto& z : depth)
@@ -53,8 +56,7 @@ inline void mark_misses(std::vector<float>& depth, ExrImage const& image, Source
     }
 }
 
-/// By how much a renderer moved the samples of this frame or of the last one. Taking what isn't said for none would leave it in the
-/// vectors.
+/// Jitter of this or the last frame, in pixels. It is required: a wrong 0 would leave the jitter in the vectors.
 /// @throws Error naming the file and the attribute
 inline glm::vec2 jitter_in(ExrImage const& image, std::string const& attribute) {
     if (auto const* const jitter = image.attribute<glm::vec2>(attribute)) return *jitter;
@@ -62,7 +64,7 @@ inline glm::vec2 jitter_in(ExrImage const& image, std::string const& attribute) 
                 "write the sample's offset from the pixel's centre, in pixels, y down, or say that jitter is left_out");
 }
 
-/// Turns one component of a motion vector into quell's convention. As Supplied<> does, once on loading.
+/// Converts one component of motion vectors to quell's convention once on loading, as Supplied<> does per frame.
 inline void to_own_motion(std::vector<float>& motion, int axis, ExrImage const& image, MotionConvention from) {
     using C = MotionConvention;
     auto const extent = static_cast<float>(axis == 0 ? image.size.width : image.size.height);
@@ -77,7 +79,7 @@ inline void to_own_motion(std::vector<float>& motion, int axis, ExrImage const& 
     for (auto& m : motion) m = m * factor + offset;
 }
 
-/// Motion to the next frame is of the same unit and direction of y. It points there, and knows nothing of jitter.
+/// Motion to the next frame has the same unit and direction of y, points to that frame, and has no jitter.
 inline MotionConvention next_convention(MotionConvention motion) {
     motion.points = MotionConvention::Points::to_previous;
     motion.jitter = MotionConvention::Jitter::left_out;
@@ -98,7 +100,7 @@ template <ChannelTag C> void load_channel(C channel, ImageView auto const& view,
     }
 }
 
-/// Numbers of objects are uint, what must stay exact is float, the rest half.
+/// Format in quell's own files: integers for object numbers, float for exact channels, half for the rest.
 template <ChannelTag C> constexpr SampleType type_of(C) {
     if constexpr (std::is_same_v<C, Instance>) return SampleType::uint32;
     return C::full_precision ? SampleType::float32 : SampleType::half;
@@ -106,8 +108,7 @@ template <ChannelTag C> constexpr SampleType type_of(C) {
 
 } // namespace detail
 
-/// How long the shutter was open, as a part of the frame time: by the names, or the image's attribute `quell:shutter`. Nothing where
-/// neither says.
+/// Shutter time as a fraction of the frame time: from `names`, else from the attribute `quell:shutter`; else empty.
 /// @throws Error where the attribute is no number
 [[nodiscard]] inline std::optional<float> shutter_of(ExrImage const& image, ChannelNames const& names = {}) {
     if (names.shutter) return names.shutter;
@@ -117,8 +118,8 @@ template <ChannelTag C> constexpr SampleType type_of(C) {
     throw Error(image.name, "its attribute quell:shutter is no number", "write it as a float, or say --shutter");
 }
 
-/// Fills some channels of a frame from an image, and its camera and shutter where the image has them.
-/// @throws Error naming the file and the channel: sizes that differ, a channel that is missing or of a type that it can't have
+/// Fills some channels of a frame from an image, and its camera and shutter if the image has them.
+/// @throws Error naming the file and the channel: sizes differ, or a plane is missing or of a wrong type
 template <class Some, class Set, class Storage>
 void load_channels(Some some, Frame<Set, Storage>& frame, ExrImage const& image, ChannelNames const& names = {}) {
     if (!(frame.size == image.size))
@@ -128,12 +129,17 @@ void load_channels(Some some, Frame<Set, Storage>& frame, ExrImage const& image,
     if (auto const camera = camera_of(image)) frame.camera = *camera;
     if (auto const shutter = shutter_of(image, names)) frame.shutter = *shutter;
 }
-/// The same for all channels of the frame.
+/// Fills all channels of a frame, and its camera and shutter if the image has them.
+/// @throws Error as load_channels does
 template <class Set, class Storage> void load(Frame<Set, Storage>& frame, ExrImage const& image, ChannelNames const& names = {}) {
     load_channels(Set{}, frame, image, names);
 }
 
 /// Adds a channel to an image under quell's own names.
+/// @param image to add planes to
+/// @param channel whose names to use
+/// @param view the values
+/// @param type format in the file
 template <ChannelTag C> void put(ExrImage& image, C channel, ImageView auto const& view, SampleType type = detail::type_of(C{})) {
     auto const names = own_names(channel);
     for (int c = 0; c < C::components; ++c) {
@@ -145,7 +151,7 @@ template <ChannelTag C> void put(ExrImage& image, C channel, ImageView auto cons
     }
 }
 
-/// A frame as quell's own files hold it: all of its channels, its camera, and how long its shutter is open if anything sweeps.
+/// The image of a frame as in quell's own files: all channels, the camera, and the shutter if there are sweeps.
 template <class Set, class Storage> [[nodiscard]] ExrImage image_of(Frame<Set, Storage> const& frame) {
     ExrImage image{.size = frame.size};
     for_each_channel(Set{}, [&](auto channel) { put(image, channel, frame[channel].view()); });

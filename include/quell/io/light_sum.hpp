@@ -5,7 +5,7 @@
 
 namespace quell::io {
 
-/// How much light three components hold, all pixels together, each times its factor where there are any. What isn't finite counts as 0.
+/// Sum of the light in three components over all pixels, each times its factor if there are factors. Values that are not finite count as 0.
 [[nodiscard]] inline double light_sum(ExrImage const& image, std::vector<Source> const& light, std::vector<Source> const& factor = {}) {
     double sum = 0;
     for (std::size_t c = 0; c < light.size(); ++c) {

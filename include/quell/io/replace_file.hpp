@@ -12,8 +12,8 @@
 
 namespace quell::io {
 
-/// Puts these bytes in place of a file, which at every moment is whole: the old one, or the new one. They are written beside it, under a
-/// name that another process doing the same won't take, and renamed.
+/// Replaces a file atomically: writes the bytes beside it, under a name that no other process takes, and renames. At every moment the file
+/// is the old one or the new one.
 /// @throws Error naming the file
 inline void replace_file(std::filesystem::path const& path, std::string_view bytes) {
     auto partial = path;

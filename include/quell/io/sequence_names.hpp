@@ -9,27 +9,27 @@
 
 namespace quell::io {
 
-/// A part of the image that is denoised by itself: where the frame's channels come from, and by what the clean signal is multiplied.
+/// A signal that is denoised by itself: sources of the frame's channels, and the factor of the denoised signal in the image.
 struct SignalNames {
-    std::string name;
-    ChannelNames channels = {};
-    std::vector<Source> factor = {}; ///< a source for each component, or none: the signal goes into the image as it is
+    std::string name;                ///< for messages
+    ChannelNames channels = {};      ///< sources of the frame's channels
+    std::vector<Source> factor = {}; ///< one source per component; empty: 1
 };
 
-/// How a renderer's files make up the image: the sum of its signals and of what has no noise.
+/// How a renderer's files make up the image: the sum of its signals, each times its factor, plus what has no noise.
 struct SequenceNames {
-    std::string renderer;
-    std::vector<SignalNames> of_signals = {};
-    std::vector<Source> added = {};        ///< a source for each component, or none
-    std::vector<std::string> remarks = {}; ///< what these files lack and how that is made up for
+    std::string renderer;                     ///< for messages
+    std::vector<SignalNames> of_signals = {}; ///< at least one
+    std::vector<Source> added = {};           ///< one source per component; empty: nothing is added
+    std::vector<std::string> remarks = {};    ///< for the user: what these files lack, and what is used instead
 };
 
-/// quell's own files: one signal, the image, which pipelines demodulate by its albedo.
+/// Names of quell's own files: one signal, the image, which pipelines demodulate by its albedo.
 [[nodiscard]] inline SequenceNames own_sequence() { return {"quell", {{"radiance"}}}; }
 
 namespace detail {
 
-/// A view layer of Blender's, by the names of its passes.
+/// A view layer of Blender, by the names of its passes.
 struct ViewLayer {
     std::vector<ExrChannel> const& channels;
     std::string prefix;
@@ -37,7 +37,7 @@ struct ViewLayer {
     [[nodiscard]] bool has(std::string const& pass, std::string const& component) const {
         return std::ranges::any_of(channels, [&](auto const& c) { return c.name == prefix + pass + "." + component; });
     }
-    /// The sum of those of these passes that there are, component by component; nothing where a component has none of them.
+    /// Sum of those of these passes that exist, per component; empty if a component has none.
     [[nodiscard]] std::vector<Source> sum_of(std::vector<std::string> const& passes) const {
         std::vector<Source> sources;
         for (auto const* const component : {"R", "G", "B"}) {
@@ -48,7 +48,7 @@ struct ViewLayer {
         }
         return sources.size() == 3 ? sources : std::vector<Source>();
     }
-    /// Those of these passes that there aren't.
+    /// Those of these passes that do not exist.
     [[nodiscard]] std::string missing(std::vector<std::string> const& passes) const {
         std::string list;
         for (auto const& pass : passes)
@@ -62,7 +62,7 @@ struct ViewLayer {
     }
 };
 
-/// The prefix of the first view layer, such as "ViewLayer."; nothing where these aren't Blender's names.
+/// Prefix of the first view layer, such as "ViewLayer."; empty if the names are not Blender's.
 inline std::optional<std::string> view_layer_prefix(std::vector<ExrChannel> const& channels) {
     for (std::string_view const pass : {".Combined.R", ".DiffDir.R", ".DiffInd.R", ".Depth.Z"})
         for (auto const& channel : channels)
@@ -70,27 +70,27 @@ inline std::optional<std::string> view_layer_prefix(std::vector<ExrChannel> cons
     return std::nullopt;
 }
 
-/// Guides by Blender's conventions: motion in pixels with y up, 1e10 for the depth of a miss.
+/// Guides by Blender's conventions: motion in pixels with y up, depth 1e10 for a miss.
 inline ChannelNames cycles_guides(ViewLayer const& layer) {
     ChannelNames names;
     names.sources["depth"] = layer.components_of("Depth", "Z");
     names.sources["motion"] = layer.components_of("Vector", "XY");
     if (layer.has("Vector", "Z")) {
         names.sources["motion_next"] = layer.components_of("Vector", "ZW");
-        for (auto& source : names.sources["motion_next"]) source.scale = -1.f; // the way from there
+        for (auto& source : names.sources["motion_next"]) source.scale = -1.f; // Blender's vector points from the next frame
     }
     names.sources["position"] = layer.components_of("Position", "XYZ");
     names.sources["instance"] = layer.components_of("IndexOB", "X");
-    // A normal that is the same everywhere passes every test and stops no filter.
+    // A constant normal passes every test and stops no filter.
     names.sources["normal"] =
         layer.has("Normal", "X") ? layer.components_of("Normal", "XYZ") : std::vector<Source>{{{}, 0.f}, {{}, 0.f}, {{}, 1.f}};
-    names.sources["albedo"] = std::vector<Source>(3, Source{{}, 1.f}); // the light passes are divided by their colour already
+    names.sources["albedo"] = std::vector<Source>(3, Source{{}, 1.f}); // light passes are divided by their colour already
     names.motion.y = MotionConvention::Y::up;
     names.miss_from = 1e9f;
     return names;
 }
 
-/// Light and colour of each kind of scattering, for those that were rendered.
+/// Light and colour of each kind of scattering that was rendered.
 inline std::vector<SignalNames> cycles_signals(ViewLayer const& layer) {
     std::vector<SignalNames> named;
     auto const add = [&](std::string const& name, std::string const& pass) {
@@ -107,7 +107,7 @@ inline std::vector<SignalNames> cycles_signals(ViewLayer const& layer) {
     return named;
 }
 
-/// The whole image as one signal, and why.
+/// The combined image as one signal, and why.
 inline SequenceNames cycles_combined(ViewLayer const& layer, std::string const& why) {
     SequenceNames names{"Blender Cycles", {{"combined", cycles_guides(layer)}}};
     auto& sources = names.of_signals[0].channels.sources;
@@ -124,10 +124,10 @@ inline SequenceNames cycles_passes(ViewLayer const& layer) {
     return names;
 }
 
-/// Whether these names make up a file's combined image, to a hundredth of its light.
+/// Whether these names sum up to the file's combined image, within 1% of its light.
 inline bool make_up_combined(SequenceNames const& names, ViewLayer const& layer, ExrFile const& file) {
     auto const combined = layer.sum_of({"Combined"});
-    if (combined.empty()) return true; // nothing says otherwise
+    if (combined.empty()) return true; // no evidence against it
     auto planes = planes_of(combined);
     auto const want = [&](std::vector<Source> const& sources) {
         auto const more = planes_of(sources);
@@ -143,9 +143,8 @@ inline bool make_up_combined(SequenceNames const& names, ViewLayer const& layer,
 }
 } // namespace detail
 
-/// The names of Blender's Cycles, where a file's are such: every light pass of its first view layer is a signal, emission and environment
-/// are added. The combined image is the only signal of a file that has no light passes, or lacks some that its combined image has light
-/// of. Nothing for the names of others.
+/// Names of Blender Cycles' files: every light pass of the first view layer is a signal; emission and environment are added. Where light
+/// passes are missing, or do not sum up to the combined image, that image is the only signal. Empty if the names are not Blender's.
 [[nodiscard]] inline std::optional<SequenceNames> cycles_sequence(ExrFile const& file) {
     auto const prefix = detail::view_layer_prefix(file.channels);
     if (!prefix) return std::nullopt;
@@ -159,11 +158,11 @@ inline bool make_up_combined(SequenceNames const& names, ViewLayer const& layer,
     return names;
 }
 
-/// Finds out whose names a file's are: quell's own or those of Blender's Cycles.
-/// @throws Error naming the file and what is in it
+/// Recognises the names of a file: quell's own or Blender Cycles'.
+/// @throws Error naming the file and its channels if they are neither
 [[nodiscard]] inline SequenceNames recognise(ExrFile const& file) {
     auto const has = [&](char const* name) { return file.find(name) != nullptr; };
-    // A sequence traced for single effects has no composite; every one has its depth.
+    // A sequence traced for single effects has no R, G, B, but depth.
     if ((has("R") && has("G") && has("B")) || has("depth.Z")) return own_sequence();
     if (auto const names = cycles_sequence(file)) return *names;
     throw Error(file.name, "its channels are neither quell's (R, G, B, depth.Z, ...) nor Blender's (ViewLayer.Combined.R, ...)",

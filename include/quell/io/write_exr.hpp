@@ -18,7 +18,7 @@ namespace quell::io {
 
 namespace detail {
 
-/// A file in memory: the library's own streams lose errors that occur on closing.
+/// A file in memory, as the library's streams lose errors on closing.
 class MemoryStream : public Imf::OStream {
     std::string bytes;
     std::size_t at = 0;
@@ -41,14 +41,14 @@ inline Imf::PixelType pixel_type(SampleType type) {
     return type == SampleType::uint32 ? Imf::UINT : Imf::FLOAT;
 }
 
-/// What is finite stays finite; infinities and NaN stay what they are.
+/// Finite values stay finite; infinities and NaN stay as they are.
 inline std::uint16_t stored_half(float value) {
     auto const bits = std::bit_cast<std::uint32_t>(value);
     if ((bits & 0x7fffffffu) == 0x7f800000u) return static_cast<std::uint16_t>(((bits >> 16) & 0x8000u) | 0x7c00u);
     return half_from_float(value);
 }
 
-/// A plane's numbers in the form that its file stores.
+/// A plane's numbers in the file's format.
 struct Outgoing {
     std::vector<std::uint16_t> halves;
     std::vector<std::uint32_t> ids;
@@ -66,7 +66,7 @@ private:
     }
     void make_ids(std::string const& file, Plane const& plane) {
         for (auto const value : plane.values) {
-            // Beyond 2^24 not every whole number is a float. The comparison refuses NaN too.
+            // Integers above 2^24 are not all floats. The comparison also rejects NaN.
             bool const whole = value >= 0.f && value <= 16777216.f && value == static_cast<float>(static_cast<std::uint32_t>(value));
             if (!whole)
                 throw Error(file + " channel '" + plane.name + "'", "a value is " + std::to_string(value),
@@ -108,8 +108,7 @@ inline void encode(Imf::OStream& stream, std::string const& file, ExrImage const
 
 } // namespace detail
 
-/// Writes a file of one part and many channels, ZIP-compressed scan lines, each plane in its own type. The file appears whole or not at
-/// all: it is written beside its final name and renamed.
+/// Writes a file with one part, ZIP-compressed scan lines, and each plane in its own format. The file is replaced atomically.
 /// @throws Error naming the file and, where it is at fault, the channel
 inline void write_exr(std::filesystem::path const& path, ExrImage const& image) {
     auto const file = path.string();

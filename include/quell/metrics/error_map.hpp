@@ -6,8 +6,8 @@
 
 namespace quell::metrics {
 
-/// The colour of an error in [0, 1]: dark is 0, bright is 1. Straight lines between nine colours of the magma map (Smith and van der Walt
-/// 2015, in the public domain as CC0), which FLIP's authors use too; no component is more than 0.04 from it.
+/// Colour of an error in [0, 1], from dark to bright: the magma map (Smith and van der Walt 2015, CC0) that FLIP's authors use, linear
+/// between nine of its colours; no component differs by more than 0.04. Displayed, in [0, 1].
 [[nodiscard]] inline glm::vec3 magma(float error) {
     static constexpr std::array<std::uint32_t, 9> colours{0x000004, 0x221150, 0x51127c, 0x822681, 0xb63679,
                                                           0xe65164, 0xfb8861, 0xfec287, 0xfcfdbf};
@@ -19,6 +19,7 @@ namespace quell::metrics {
 }
 
 /// A displayed picture of the errors.
+/// @throws Error where `flip` has another number of errors than pixels, or one outside [0, 1]
 [[nodiscard]] inline Picture error_map(Flip const& flip) {
     detail::check_size("FLIP error", flip.size, flip.error.size());
     Picture result{flip.size, {}};

@@ -9,14 +9,16 @@
 
 namespace quell::metrics {
 
-/// The difference that a viewer sees when one picture is flipped to the other, per pixel: 0 none, 1 the largest.
+/// FLIP error per pixel: the difference that a viewer sees when the pictures alternate, from 0 (none) to 1.
 struct Flip {
-    Extent size;
-    std::vector<float> error;
+    Extent size;              ///< in pixels
+    std::vector<float> error; ///< row by row from the top-left, in [0, 1]
 
+    /// Mean over the pixels that count.
+    /// @throws Error where the mask does not fit or selects nothing; also weighted_median
     [[nodiscard]] double mean(Mask const& mask = {}) const;
-    /// The error below which the smaller errors make up half of the sum of all errors; a large part of a picture that is right doesn't
-    /// pull it down as it does the mean.
+    /// Weighted median: the error below which the smaller errors make up half of the sum. Unlike the mean, it is not lowered by large
+    /// correct areas.
     [[nodiscard]] double weighted_median(Mask const& mask = {}) const;
 };
 
@@ -37,7 +39,7 @@ inline double Flip::weighted_median(Mask const& mask) const {
 
 namespace detail {
 
-/// CIE XYZ relative to the white of sRGB, so that white is (1, 1, 1), and back. Made of the published sRGB matrix.
+/// CIE XYZ relative to sRGB's white, so that white is (1, 1, 1), and its inverse. From the published sRGB matrix.
 struct RelativeXyz {
     glm::mat3 from_rgb, to_rgb;
 };
@@ -50,8 +52,8 @@ inline RelativeXyz relative_xyz() {
     return {glm::mat3(relative), glm::mat3(glm::inverse(relative))};
 }
 
-/// The YCxCz opponent colours of FLIP section 4.1 without their scale and offset: y, x - y, y - z of relative XYZ. The filters are linear
-/// and their weights sum to 1, so scaling before and unscaling after them would change nothing.
+/// YCxCz opponent colours of FLIP section 4.1 without scale and offset: y, x - y, y - z of relative XYZ. The filters are linear with
+/// weights of sum 1, so scaling would cancel out.
 struct Opponent {
     Plane<float> achromatic, red_green, blue_yellow;
 };
@@ -81,7 +83,7 @@ inline double deviation_in_pixels(Sensitivity s, double pixels_per_degree) {
     return std::sqrt(s.b / 2.) / std::numbers::pi * pixels_per_degree;
 }
 
-/// The term as taps. FLIP gives all of them the window of the widest, 3 of its deviations; beyond 6 of its own, a term's taps are 0.
+/// Taps of the term. FLIP gives all terms the window of the widest, 3 of its deviations; beyond 6 of a term's own, its taps are 0.
 inline Taps<float> sensitivity_taps(Sensitivity s, double pixels_per_degree) {
     auto const window = std::ceil(3. * deviation_in_pixels(blue_yellow_sensitivity[0], pixels_per_degree));
     auto const deviation = deviation_in_pixels(s, pixels_per_degree);
@@ -93,11 +95,11 @@ inline Plane<float> perceived(Plane<float> const& plane, Sensitivity s, double p
     return along_columns(along_rows(plane, taps), taps);
 }
 
-/// The sum of two Gaussians isn't separable, but each of them is; their shares are their sums over the window.
+/// A sum of two Gaussians is not separable, but each one is. Their shares are their sums over the window.
 inline Plane<float> perceived_blue_yellow(Plane<float> const& plane, double pixels_per_degree) {
     auto const integral = [&](Sensitivity s) {
         auto const taps = sensitivity_taps(s, pixels_per_degree);
-        auto const width = 1. / static_cast<double>(taps[taps.size() / 2]); // the sum of the taps before they were normalised
+        auto const width = 1. / static_cast<double>(taps[taps.size() / 2]); // their sum before normalisation
         return s.a * std::sqrt(std::numbers::pi / s.b) * width * width;
     };
     auto const [first, second] = blue_yellow_sensitivity;
@@ -111,7 +113,7 @@ inline Plane<float> perceived_blue_yellow(Plane<float> const& plane, double pixe
 /// CIE L*a*b* of relative XYZ, with a* and b* scaled by L*: saturation matters less in the dark (Hunt effect, FLIP section 4.1).
 inline glm::vec3 hunt_adjusted_lab(glm::vec3 const& xyz) {
     constexpr float limit = 6.f / 29.f;
-    // pow is three times as fast as cbrt in glibc.
+    // std::pow is three times as fast as std::cbrt in glibc.
     auto const f = [](float t) { return t > limit * limit * limit ? std::pow(t, 1.f / 3.f) : t / (3.f * limit * limit) + 4.f / 29.f; };
     auto const x = f(xyz.x), y = f(xyz.y), z = f(xyz.z), lightness = 116.f * y - 16.f;
     return {lightness, 0.01f * lightness * 500.f * (x - y), 0.01f * lightness * 200.f * (y - z)};
@@ -127,7 +129,7 @@ inline Picture perceived_lab(Extent size, Opponent const& colours, double pixels
     for (std::size_t i = 0; i < result.pixels.size(); ++i) {
         auto const y = achromatic.values[i];
         auto const rgb = space.to_rgb * glm::vec3(red_green.values[i] + y, y, y - blue_yellow.values[i]);
-        // The channels are blurred differently, which can leave the colours that a screen has.
+        // Channels are blurred differently, so colours may leave the gamut.
         glm::vec3 const shown(std::clamp(rgb.x, 0.f, 1.f), std::clamp(rgb.y, 0.f, 1.f), std::clamp(rgb.z, 0.f, 1.f));
         result.pixels[i] = hunt_adjusted_lab(space.from_rgb * shown);
     }
@@ -146,12 +148,12 @@ inline float colour_error(float distance, float largest) {
     return distance < knee ? distance * (0.95f / knee) : 0.95f + (distance - knee) / (largest - knee) * 0.05f;
 }
 
-/// Strengths of edges and of points (lines, dots) at each pixel.
+/// Strength of edges and of points (lines, dots) per pixel.
 struct Features {
     Plane<float> edges, points;
 };
 
-/// Filters that make features: a Gaussian and its first two derivatives, whose positive and whose negative weights sum to 1 and to -1.
+/// Feature filters: a Gaussian and its first two derivatives. Positive weights sum to 1, negative ones to -1.
 struct FeatureTaps {
     Taps<float> smooth, first, second;
 };
@@ -183,7 +185,7 @@ inline Features features(Plane<float> const& luminance, FeatureTaps const& taps)
             length_of(along_columns(along_rows(luminance, taps.second), taps.smooth), along_columns(smooth, taps.second))};
 }
 
-/// FLIP section 4.2: the stronger of the two differences, over its maximum, to the power 1/2.
+/// Feature difference of FLIP section 4.2: the stronger of the two, over its maximum, to the power 1/2.
 inline float feature_error(Features const& a, Features const& b, std::size_t i) {
     auto const edges = std::abs(a.edges.values[i] - b.edges.values[i]), points = std::abs(a.points.values[i] - b.points.values[i]);
     return std::sqrt(std::max(edges, points) / std::numbers::sqrt2_v<float>);
@@ -192,11 +194,15 @@ inline float feature_error(Features const& a, Features const& b, std::size_t i) 
 } // namespace detail
 
 /// LDR-FLIP: Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström, Fairchild 2020, "FLIP: A Difference Evaluator for Alternating Images".
-/// 67 pixels per degree: a 0.7 m wide monitor of 3840 pixels seen from 0.7 m. Beyond the border the nearest pixel is repeated.
+/// Beyond the border the nearest pixel is repeated.
+/// @param reference a displayed picture
+/// @param test a displayed picture of the same size
+/// @param pixels_per_degree of the viewer, 1 to 10000. 67: a 0.7 m wide monitor of 3840 pixels seen from 0.7 m
+/// @throws Error where sizes differ, a component is outside [0, 1], or pixels_per_degree is outside its range
 [[nodiscard]] inline Flip flip(Picture const& reference, Picture const& test, float pixels_per_degree = 67.f) {
     using namespace detail;
     check_pair(reference, test);
-    // Below 1 a filter is narrower than a pixel and has no derivative; comparing the bits of 1 and 10000 refuses NaN too.
+    // Below 1 a filter is narrower than a pixel and has no derivative. Comparing bits also rejects NaN.
     if (auto const bits = std::bit_cast<std::uint32_t>(pixels_per_degree); bits < 0x3f800000u || bits > 0x461c4000u)
         throw Error("FLIP", std::to_string(pixels_per_degree) + " pixels per degree",
                     "give it 1 to 10000; a monitor at arm's length has 67");
@@ -209,7 +215,7 @@ inline float feature_error(Features const& a, Features const& b, std::size_t i) 
     Flip result{reference.size, std::vector<float>(reference.pixels.size())};
     for (std::size_t i = 0; i < result.error.size(); ++i) {
         auto const colour = colour_error(colour_distance(lab_a.pixels[i], lab_b.pixels[i]), largest);
-        // Rounding may carry it a little beyond 1.
+        // Rounding may exceed 1.
         result.error[i] = std::min(std::pow(colour, 1.f - feature_error(features_a, features_b, i)), 1.f);
     }
     return result;

@@ -16,14 +16,15 @@
 
 namespace quell::metrics {
 
-/// Colours row by row from the top-left. Every metric compares *displayed* pictures: sRGB-encoded, each component in [0, 1].
+/// A picture of three components per pixel, row by row from the top-left. Metrics compare *displayed* pictures: sRGB-encoded, each
+/// component in [0, 1].
 struct Picture {
-    Extent size;
-    std::vector<glm::vec3> pixels;
+    Extent size;                   ///< in pixels
+    std::vector<glm::vec3> pixels; ///< size.pixels() of them
 };
 
-/// What an image shows, or a channel of a frame (`frame[radiance].view()`): its first three components, the last of them again where it has
-/// fewer, so that one component is grey.
+/// Copies an image, or a channel of a frame (`frame[radiance].view()`): its first three components. Missing ones repeat the last, so that
+/// one component is grey.
 [[nodiscard]] Picture picture_of(ImageView auto const& view) {
     constexpr int last = std::remove_cvref_t<decltype(view)>::components - 1;
     Picture picture{view.size, {}};
@@ -34,16 +35,18 @@ struct Picture {
     return picture;
 }
 
-/// Which pixels count: one entry per pixel, non-zero counts. An empty mask selects the whole image.
+/// Selects pixels: one entry per pixel, non-zero counts. An empty mask selects all.
 using Mask = std::vector<std::uint8_t>;
 
 /// One number per pixel, row by row from the top-left.
+/// @tparam Number float or double
 template <class Number> struct Plane {
-    Extent size;
-    std::vector<Number> values;
+    Extent size;                ///< in pixels
+    std::vector<Number> values; ///< size.pixels() of them
 
-    [[nodiscard]] Number const* row(int y) const { return values.data() + start(y); }
-    [[nodiscard]] Number* row(int y) { return values.data() + start(y); }
+    [[nodiscard]] Number const* row(int y) const { return values.data() + start(y); } ///< the first number of row y
+    [[nodiscard]] Number* row(int y) { return values.data() + start(y); }             ///< the first number of row y
+    /// Index of the first number of row y.
     [[nodiscard]] std::size_t start(int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width); }
 };
 
@@ -52,16 +55,16 @@ template <class Number> struct Plane {
     // 1.055 a - 0.055, arranged so that 1 becomes exactly 1.
     return linear <= 0.0031308f ? 12.92f * linear : std::min(1.f + 1.055f * (std::pow(linear, 1.f / 2.4f) - 1.f), 1.f);
 }
-/// Its inverse.
+/// The inverse of srgb_from_linear, for an encoded component in [0, 1].
 [[nodiscard]] inline float linear_from_srgb(float encoded) {
     return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
 namespace detail {
 
-// Both tests read the bits, because -ffast-math deletes tests on values that may be NaN.
+// Both tests read bits, as -ffast-math removes tests for NaN.
 inline bool is_finite(float a) { return (std::bit_cast<std::uint32_t>(a) & 0x7f800000u) != 0x7f800000u; }
-/// Floats that aren't negative are ordered as their bits are, so one comparison refuses negatives, what exceeds 1, infinity and NaN.
+/// Non-negative floats are ordered like their bits, so one comparison rejects negatives, values above 1, infinity and NaN.
 inline bool in_unit_range(float a) {
     auto const bits = std::bit_cast<std::uint32_t>(a);
     return bits <= 0x3f800000u || bits == 0x80000000u;
@@ -129,7 +132,7 @@ inline double mean_over(Extent size, Mask const& mask, auto&& value) {
     return sum / pixels;
 }
 
-/// Weights of a filter along one axis: an odd number, the middle one for the pixel itself.
+/// Filter weights along one axis: an odd number, the middle one for the pixel itself.
 template <class Number> using Taps = std::vector<Number>;
 
 /// Taps of a Gaussian of this standard deviation in pixels, with sum 1.
@@ -142,8 +145,8 @@ template <class Number> Taps<Number> gaussian(double deviation, int radius) {
     return taps;
 }
 
-/// out[first + i] = sum over t of taps[t] * sources[t][first + i], for `lanes` neighbours. Their number is a constant and their sums are
-/// local, so that compilers use SIMD registers for them; g++ 12 still stores the sums between taps, hence four taps at a time.
+/// out[first + i] = sum over t of taps[t] * sources[t][first + i], for `lanes` neighbours. A constant number and local sums let compilers
+/// use SIMD registers; g++ 12 still stores the sums between taps, hence four taps at a time.
 template <int lanes, class Number>
 void weighted_sum(std::span<Number const* const> sources, Number const* taps, std::size_t first, Number* out) {
     Number sums[lanes] = {};
@@ -166,7 +169,7 @@ void weighted_row(std::span<Number const* const> sources, Taps<Number> const& ta
     for (; x < width; ++x) weighted_sum<1>(sources, taps.data(), x, out);
 }
 
-/// The plane filtered along its rows; beyond its border the nearest pixel is repeated. Tap t weighs the pixel at x + t - radius.
+/// Filters along rows; the border repeats. Tap t weights the pixel at x + t - radius.
 template <class Number> Plane<Number> along_rows(Plane<Number> const& in, Taps<Number> const& taps) {
     Plane<Number> result{in.size, std::vector<Number>(in.values.size())};
     auto const width = static_cast<std::size_t>(in.size.width), radius = taps.size() / 2;
@@ -183,7 +186,7 @@ template <class Number> Plane<Number> along_rows(Plane<Number> const& in, Taps<N
     return result;
 }
 
-/// The plane filtered along its columns; beyond its border the nearest pixel is repeated.
+/// Filters along columns; the border repeats.
 template <class Number> Plane<Number> along_columns(Plane<Number> const& in, Taps<Number> const& taps) {
     Plane<Number> result{in.size, std::vector<Number>(in.values.size())};
     auto const radius = static_cast<int>(taps.size() / 2);
@@ -198,8 +201,8 @@ template <class Number> Plane<Number> along_columns(Plane<Number> const& in, Tap
 
 } // namespace detail
 
-/// What a screen shows of linear light: each component clamped to [0, 1] and sRGB-encoded. Throws quell::Error at the first pixel that
-/// isn't finite: clamping would turn it into an ordinary colour, and the metric of a broken picture into an ordinary number.
+/// What a screen shows of linear light: components clamped to [0, 1] and sRGB-encoded.
+/// @throws Error naming the first pixel that is not finite: clamping would make an ordinary colour of it
 [[nodiscard]] inline Picture displayed(Picture const& linear) {
     detail::check_size("linear picture", linear.size, linear.pixels.size());
     detail::check_values("linear picture", linear, detail::is_finite, "find what made it; metrics don't judge broken pictures");

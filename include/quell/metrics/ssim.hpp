@@ -18,7 +18,7 @@ inline Plane<double> luminance(Picture const& picture) {
     return result;
 }
 
-/// Local means under the window of 11x11 Gaussian weights.
+/// Local means with a window of 11x11 Gaussian weights.
 inline Plane<double> local_mean(Plane<double> const& plane) {
     auto const window = gaussian<double>(1.5, 5);
     return along_columns(along_rows(plane, window), window);
@@ -28,7 +28,7 @@ inline Plane<double> local_mean_of_product(Plane<double> a, Plane<double> const&
     return local_mean(a);
 }
 
-/// Luminance and contrast-structure terms of Wang et al. 2004, equation 13, from local means and second moments.
+/// Luminance and contrast-structure terms of Wang et al. 2004, eq. 13, from local means and second moments.
 inline double similarity(double mean_a, double mean_b, double variance_a, double variance_b, double covariance) {
     constexpr double c1 = 0.01 * 0.01, c2 = 0.03 * 0.03;
     return (2. * mean_a * mean_b + c1) * (2. * covariance + c2) /
@@ -37,10 +37,11 @@ inline double similarity(double mean_a, double mean_b, double variance_a, double
 
 } // namespace detail
 
-/// Mean structural similarity of the luminances: 1 for equal pictures, lower for less alike, at least -1.
-/// Wang, Bovik, Sheikh, Simoncelli 2004, "Image quality assessment: from error visibility to structural similarity": window of 11x11
-/// Gaussian weights with deviation 1.5, K1 = 0.01, K2 = 0.03. Every pixel counts: beyond the border the nearest pixel is repeated, so that
-/// a mask may select any pixel and a picture may be smaller than the window. (Wang's program leaves out a border of 5 pixels instead.)
+/// Mean structural similarity of luminance: 1 if equal, at least -1. Wang, Bovik, Sheikh, Simoncelli 2004, "Image quality assessment: from
+/// error visibility to structural similarity", with their 11x11 Gaussian window of deviation 1.5, K1 = 0.01, K2 = 0.03. The border repeats,
+/// so that every pixel counts, a mask may select any, and a picture may be smaller than the window. (Wang's program leaves out a border of
+/// 5 pixels instead.)
+/// @throws Error where sizes differ, a component is outside [0, 1], or the mask does not fit or selects nothing
 [[nodiscard]] inline double ssim(Picture const& reference, Picture const& test, Mask const& mask = {}) {
     using namespace detail;
     check_pair(reference, test);

@@ -7,20 +7,23 @@
 
 namespace quell::metrics {
 
-/// How much a sequence flickers: the mean over pixels of the temporal standard deviation of (output - reference). What moves in the
-/// reference too, and an error that stays the same, count as nothing. Frames are added one by one and not kept.
+/// Flicker of a sequence: the mean over pixels of the temporal standard deviation of (output - reference). Motion in the reference and
+/// constant errors do not count. Frames are added one by one and not kept.
 struct Flicker {
-    Extent size;
-    int frames = 0;
-    std::vector<glm::dvec3> average; ///< of (output - reference), per pixel and component
-    std::vector<glm::dvec3> spread;  ///< sum of the squared differences from it
+    Extent size;                     ///< of the frames
+    int frames = 0;                  ///< number of frames added
+    std::vector<glm::dvec3> average; ///< mean of (output - reference), per pixel and component
+    std::vector<glm::dvec3> spread;  ///< sum of squared differences from the mean
 
+    /// Adds the next frame of both sequences: displayed pictures.
+    /// @throws Error where sizes differ or a component is outside [0, 1]
     void add(Picture const& reference, Picture const& output);
-    /// A pixel's deviation is the root of the mean variance of its three components. At least two frames must have been added.
+    /// Mean over the selected pixels. A pixel's deviation is the root of its three components' mean variance.
+    /// @throws Error with fewer than two frames, or where the mask does not fit or selects nothing
     [[nodiscard]] double mean(Mask const& mask = {}) const;
 };
 
-/// Welford 1962, "Note on a method for calculating corrected sums of squares and products".
+/// Running mean and variance: Welford 1962, "Note on a method for calculating corrected sums of squares and products".
 inline void Flicker::add(Picture const& reference, Picture const& output) {
     detail::check_pair(reference, output);
     if (frames > 0 && !(size == reference.size))
@@ -48,7 +51,8 @@ inline double Flicker::mean(Mask const& mask) const {
     });
 }
 
-/// Flicker of a sequence that is in memory as a whole.
+/// Flicker of a whole sequence in memory.
+/// @throws Error where the sequences differ in length, and as Flicker does
 [[nodiscard]] inline double flicker(std::span<Picture const> references, std::span<Picture const> outputs, Mask const& mask = {}) {
     if (references.size() != outputs.size())
         throw Error("flicker", std::to_string(outputs.size()) + " outputs for " + std::to_string(references.size()) + " references",
@@ -65,12 +69,15 @@ inline void check_event(std::span<double const> errors, std::size_t event) {
                     "give an event within the sequence");
     constexpr auto infinity = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
     for (std::size_t i = event; i < errors.size(); ++i)
-        if ((std::bit_cast<std::uint64_t>(errors[i]) & infinity) == infinity) // every bit of the exponent: infinite or NaN
+        if ((std::bit_cast<std::uint64_t>(errors[i]) & infinity) == infinity) // infinite or NaN: all bits of the exponent are set
             throw Error("lag", "the error of frame " + std::to_string(i) + " is " + std::to_string(errors[i]), "give finite errors");
 }
 } // namespace detail
 
-/// Where the error settles after an event: the median (the upper one of an even number) of the last quarter of the frames from there on.
+/// Settled error after an event: the median (the upper one of an even number) of the last quarter of the frames from the event on.
+/// @param errors one per frame, finite
+/// @param event index of the frame at which the scene changes
+/// @throws Error where the event is not a frame or an error is not finite
 [[nodiscard]] inline double settled_error(std::span<double const> errors, std::size_t event) {
     detail::check_event(errors, event);
     auto const after = errors.subspan(event);
@@ -80,17 +87,21 @@ inline void check_event(std::span<double const> errors, std::size_t event) {
     return *middle;
 }
 
-/// Frames from the event until the error has fallen to 1.5 times its settled value; nothing if it doesn't fall that far. The search begins
-/// at the largest error after the event, since an error that rises over several frames hasn't fallen in the first of them.
+/// Lag: frames from the event until the error has fallen to 1.5 times its settled value; empty if it never does. The search begins at the
+/// largest error after the event, as an error may rise over several frames.
+/// @param errors one per frame, finite
+/// @param event index of the frame at which the scene changes
+/// @param settled see settled_error
+/// @throws Error where the event is not a frame or an error is not finite
 [[nodiscard]] inline std::optional<std::size_t> lag(std::span<double const> errors, std::size_t event, double settled) {
     detail::check_event(errors, event);
     auto const after = errors.subspan(event);
     auto const worst = std::ranges::max_element(after);
     auto const fallen = std::find_if(worst, after.end(), [&](double error) { return error <= 1.5 * settled; });
     if (fallen == after.end()) return std::nullopt;
-    return fallen == worst ? 0 : static_cast<std::size_t>(fallen - after.begin()); // at the worst already: it never rose
+    return fallen == worst ? 0 : static_cast<std::size_t>(fallen - after.begin()); // at the largest already: it never rose
 }
-/// The same with the settled value taken from the sequence itself.
+/// The same with the settled error of this sequence.
 [[nodiscard]] inline std::optional<std::size_t> lag(std::span<double const> errors, std::size_t event) {
     return lag(errors, event, settled_error(errors, event));
 }

@@ -7,18 +7,18 @@
 namespace quell {
 
 namespace detail {
-/// One level; the last one also puts the layers together.
-/// @tparam From the channel with the moving layer that it starts from
+/// One level of the wavelet.
+/// @tparam From the channel of the moving layer that it starts from
 template <ChannelTag S, ChannelTag From> struct DirectionalLevel {
     using Signal = S;
     static constexpr auto name = "directional a-trous";
-    static constexpr int taps_along = 2; ///< to either side: the paper's 5x5
+    static constexpr int taps_along = 2; ///< to either side: MB's 5x5
     using parts = Parts<PathWeight>;
     using reads = Channels<GuideAxis, MeanSweep, From>;
     using emits = Channels<FilteredLayer<Signal>>;
-    float part;      ///< of the sweep's length, from tap to tap
-    float fixed;     ///< pixels from tap to tap, instead, where it is above 0
-    int taps_across; ///< to either side
+    float part;      ///< spacing of the taps, as a fraction of the sweep
+    float fixed;     ///< spacing in pixels instead, where above 0
+    int taps_across; ///< rows of taps to either side
     PathWeight weight;
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
@@ -48,7 +48,7 @@ template <ChannelTag S, ChannelTag From> struct DirectionalLevel {
                 Real const fi(static_cast<float>(i)), fj(static_cast<float>(j));
                 PixelUnder<Px> const tap(px, {fma(aside.x, fj, fma(step.x, fi, p.x)), fma(aside.y, fj, fma(step.y, fi, p.y))});
                 float const w = spline[i < 0 ? -i : i] * spline[j < 0 ? -j : j];
-                // What was filtered is of no one time: taken as of the middle.
+                // A filtered value has no time of its own: take the middle.
                 auto const path = Path<Real>::of(px.elsewhere(tap.place, mean_sweep), Real(0.5f));
                 auto const passing = path.passing({p.x - tap.column - 0.5f, p.y - tap.row - 0.5f});
                 auto const counts = masked(tap.inside, weight.weight(passing, reach) * w);
@@ -70,20 +70,23 @@ template <ChannelTag S, ChannelTag From> struct LastDirectionalLevel {
 };
 } // namespace detail
 
-/// A wavelet along the motion over the moving layer: `levels` passes of five taps along the axis, and as many rows of them across as asked
-/// for, which stand apart as far as sweeps are long and doubly as far in each level as in the one before (MB section 4.3). Taps count by
-/// how near they pass, as in the first stage: what slides along itself stays as it is. Then puts the layers together. Wants a MotionGuide
-/// and a LayerBlend before it.
+/// A-trous wavelet along the motion over the moving layer (MB section 4.3), then composites the layers. Each of the `levels` passes has
+/// five taps along the axis of motion, in 2 `taps_across` + 1 rows. The spacing is proportional to the sweep's length and doubles from
+/// level to level. Taps are weighted by their closest approach, so that neighbouring trajectories do not mix. Needs a MotionGuide and a
+/// LayerBlend before it.
+/// @tparam S the pipeline's signal
 template <ChannelTag S> struct DirectionalAtrous {
     using Signal = S;
+    /// Its passes: the first level starts from MovingLayer, others from FilteredLayer.
     using First = detail::DirectionalLevel<Signal, MovingLayer<Signal>>;
+    /// @copydoc First
     using Next = detail::DirectionalLevel<Signal, FilteredLayer<Signal>>;
     using parts = Parts<detail::LastDirectionalLevel<Signal, FilteredLayer<Signal>>, First>;
     int levels = 3;         ///< at least 2
-    float reach = 0.2f;     ///< of the last level: distance between taps as a part of the sweep
-    float fixed_step = 0.f; ///< pixels between the taps of the first level, in place of `reach`, where above 0: an ordinary a-trous
-    int taps_across = 2;    ///< to either side of the axis: 0 to 2
-    PathWeight weight{};    ///< by how near a tap's filtered sweep passes
+    float reach = 0.2f;     ///< spacing of the last level's taps, as a fraction of the sweep
+    float fixed_step = 0.f; ///< pixels; spacing of the first level instead of `reach`, where above 0: an ordinary a-trous filter
+    int taps_across = 2;    ///< rows of taps to either side of the axis: 0 to 2
+    PathWeight weight{};    ///< by the closest approach of a tap's filtered sweep
 
     constexpr void for_each_pass(auto&& pass) const {
         pass(level<First>(0));

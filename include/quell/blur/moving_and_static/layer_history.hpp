@@ -6,11 +6,11 @@
 
 namespace quell {
 
-/// History of a picture in two layers: what moves comes from where the motion source says, what stands still from the pixel itself.
+/// History fetch for two layers: the moving one from where the motion source says, the static one from the same pixel.
 /// @tparam S the pipeline's signal
 template <ChannelTag S> struct LayerFetch {
     using Signal = S;
-    bool sharp = true; ///< a Catmull-Rom spline for what moves; false: bilinear, which blurs a little more in each frame
+    bool sharp = true; ///< Catmull-Rom interpolation of the moving layer; false: bilinear, which blurs a little more in each frame
 
     template <class Px, class Found> QUELL_KERNEL auto fetch(Px const& px, Found const& found) const {
         using Real = typename Px::Real;
@@ -29,13 +29,14 @@ template <ChannelTag S> struct LayerFetch {
     }
 };
 
-/// Accumulates both layers, each for itself, and puts them together. What moves: the running mean of its coverage and of the signal in it.
-/// What stands still keeps its value while it is seen, and is remembered while it is covered.
+/// Blend policy: accumulates both layers separately and composites them. The moving layer is a running mean of coverage and of signal times
+/// coverage. The static layer keeps its value while it is seen, and is remembered while it is covered.
+/// @tparam S the pipeline's signal
 template <ChannelTag S> struct LayerBlend {
     using Signal = S;
     using reads = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep>;
     using keeps = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep, HistoryLength>;
-    float cap = 8.f; ///< frames that the moving layer is the mean of, at most; at least 1
+    float cap = 8.f; ///< frames that the moving layer averages at most; at least 1
 
     template <class Px, class P> QUELL_KERNEL auto blend(Px const& px, P const& past) const {
         using Real = typename Px::Real;

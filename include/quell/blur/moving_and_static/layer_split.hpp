@@ -6,12 +6,12 @@
 
 namespace quell {
 
-/// Separates what moves from what stands still: the means of each over the 5x5 around, of the samples that move by how near they pass
-/// (MB section 4.3, the first stage). How much of the time what moves covers a pixel is the part of all samples of the MotionGuide's window
-/// that move. Where nothing moves around, what stands still keeps its value to the last bit.
-/// Emits MovingLayer, StaticLayer and MeanSweep; leaves the signal alone. Wants a MotionGuide before it.
+/// Splits the picture into a moving and a static layer: the mean of each over the 5x5 neighbours, moving samples weighted by their closest
+/// approach (MB section 4.3, first stage). The coverage is the share of moving samples in the MotionGuide's window. Where nothing moves, a
+/// static pixel keeps its value bit by bit.
+/// Emits MovingLayer, StaticLayer and MeanSweep; leaves the signal alone. Needs a MotionGuide before it.
 /// @tparam S the pipeline's signal
-/// @tparam Paths StraightPaths or BentPaths, as the MotionGuide's
+/// @tparam Paths the MotionGuide's: StraightPaths or BentPaths
 template <ChannelTag S, class Paths = StraightPaths> struct LayerSplit {
     using Signal = S;
     static constexpr auto name = "layer split";
@@ -19,9 +19,9 @@ template <ChannelTag S, class Paths = StraightPaths> struct LayerSplit {
     using parts = Parts<Paths, PathWeight>;
     using reads = Channels<Depth, GuideSweep>;
     using emits = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep>;
-    static constexpr int radius = 2; ///< pixels: the paper's 5x5
-    PathWeight weight{};
-    float depth_tolerance = 0.02f; ///< how much farther, relatively, something is that stands behind something else
+    static constexpr int radius = 2; ///< pixels: MB's 5x5
+    PathWeight weight{};             ///< by closest approach
+    float depth_tolerance = 0.02f;   ///< relative difference of depth from which on a surface is behind another
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;

@@ -4,33 +4,51 @@
 #include <quell/blur/trajectory/path.hpp>
 #include <quell/filter/filter_kernel.hpp>
 
+/// @file
+/// Contract of blur/moving_and_static/: motion blur with a moving layer of one local velocity over a static layer, as in MB.
+///
+///     Sweep, Time, Depth
+///       |
+///       v   SampleCollector (optional)     more samples for each moving pixel           (MB section 4.2)
+///       v   MotionGuide                 -> GuideSweep, GuideAxis, GuideSpread, GuideBend (MB section 4.1)
+///       |
+///       v   LayerSplit or PathGather    -> MovingLayer, StaticLayer, MeanSweep           (MB section 4.3)
+///       |
+///       v   Temporal{PathSearch, LayerBlend, LayerFetch}: both layers are accumulated    (MB section 4.4)
+///       |
+///       v   DirectionalAtrous (optional)   smooths the moving layer along the motion     (MB section 4.3)
+///     signal
 namespace quell {
 
-/// The mean sweep around a pixel, opposite directions cancelling out. In pixels; 0 where nothing moves.
+/// Mean sweep of the moving samples around a pixel, in pixels: opposite directions cancel. 0 where nothing moves.
 struct GuideSweep : MadeChannel<2> {
     static constexpr auto name = "guide_sweep";
 };
-/// The line along which things move around a pixel, opposite directions being one: a vector along it, as long as the sweeps are in the
-/// mean. In pixels; 0 where nothing moves.
+/// Axis of motion around a pixel: opposite directions count as one. Its length is the mean length of the sweeps, in pixels; 0 where nothing
+/// moves.
 struct GuideAxis : MadeChannel<2> {
     static constexpr auto name = "guide_axis";
 };
-/// How different the sweeps around a pixel are: variance of their lengths (pixels^2), of their axes (0: all have one, 1: no direction
-/// prevails), and the part of the samples that move.
+/// Spread of the sweeps around a pixel: variance of their lengths (pixels^2); circular variance of their axes (0: all equal, 1: no
+/// direction prevails); and the share of samples that move.
 struct GuideSpread : MadeChannel<3> {
     static constexpr auto name = "guide_spread";
 };
-/// The mean bend of the paths around a pixel, in pixels: made where paths are bent.
+/// Mean bend of the trajectories around a pixel, in pixels. Made only with bends.
 struct GuideBend : MadeChannel<2> {
     static constexpr auto name = "guide_bend";
 };
+/// The channel GuideSweep.
 inline constexpr GuideSweep guide_sweep;
+/// The channel GuideAxis.
 inline constexpr GuideAxis guide_axis;
+/// The channel GuideSpread.
 inline constexpr GuideSpread guide_spread;
+/// The channel GuideBend.
 inline constexpr GuideBend guide_bend;
 
 namespace detail {
-/// Sums over a row, in this order: the number of all its samples; then over those that move; bends where paths are bent.
+/// Sums over a row: `all` counts its samples, the rest sums over those that move. Bends only where trajectories have them.
 template <class Paths> struct MotionSums : MadeChannel<Paths::bent ? 11 : 9> {
     static constexpr auto name = "motion_sums";
     enum { all, number, sweep_x, sweep_y, length, squared_length, doubled_cosine, doubled_sine, depth, bend_x, bend_y };
@@ -39,7 +57,7 @@ template <class Paths, class Real> using MotionSumsOf = Components<MotionSums<Pa
 template <class Sums, class Mask> QUELL_KERNEL void add_where(Mask counts, Sums& sums, Sums const& more) {
     sums = map([&](auto s, auto a) QUELL_INLINED { return s + select(counts, a, decltype(a)(0.f)); }, sums, more);
 }
-/// The depth behind which nothing counts that moves: of what stands still here.
+/// Depth behind which moving samples are hidden: that of a static pixel.
 template <class Paths, class Px> QUELL_KERNEL auto still_depth(Px const& px) {
     return select(Paths::here(px).moves(), typename Px::Real(1e30f), px[depth]);
 }
@@ -127,10 +145,10 @@ template <class Paths> struct MotionColumn {
     }
 
 private:
-    /// Half of the doubled angle's direction.
+    /// The axis from a direction of doubled angle.
     template <class Real> QUELL_KERNEL static vec2<Real> axis(Real c, Real s, Real length) {
         auto const norm = sqrt(fma(c, c, s * s));
-        // Where all directions are alike, none is better than another.
+        // Where no direction prevails, any will do.
         auto const cosine = select(norm > Real(1e-6f), c / max(norm, Real(1e-6f)), Real(1.f));
         auto const x = sqrt(max(fma(cosine, Real(0.5f), Real(0.5f)), Real(0.f))),
                    y = sqrt(max(fma(cosine, Real(-0.5f), Real(0.5f)), Real(0.f)));
@@ -142,20 +160,20 @@ private:
 };
 } // namespace detail
 
-/// Mean and variance of the motion around each pixel, which say where and how far to look for samples (MB section 4.1). Samples that stand
-/// still don't count, nor does what moves behind something that stands still. Angles are doubled before they are averaged, so that opposite
-/// directions count as one and the result depends neither on where 0 degrees is nor on the centre's own noisy sample.
-/// Emits GuideSweep, GuideAxis and GuideSpread, and GuideBend for bent paths.
+/// Mean and variance of the motion around each pixel, which say where and how far to look for samples (MB section 4.1). Static samples do
+/// not count, nor do moving ones behind a static pixel. Angles are doubled before they are averaged: opposite directions count as one, and
+/// neither the zero of angles nor the centre's own noisy sample matters.
+/// Emits GuideSweep, GuideAxis and GuideSpread, and GuideBend with bends.
 /// @tparam Paths StraightPaths or BentPaths
 template <class Paths = StraightPaths> struct MotionGuide {
     static_assert(
         requires { typename Paths::reads; }, "MotionGuide<Paths>: `Paths` is StraightPaths or BentPaths; TurningPaths go with a PairGuide");
-    using Row = detail::MotionRow<Paths>;
-    using Column = detail::MotionColumn<Paths>;
+    using Row = detail::MotionRow<Paths>;       ///< pass over rows
+    using Column = detail::MotionColumn<Paths>; ///< pass over columns
     static constexpr bool leaves_signal = true;
     using parts = Parts<Row, Column>;
-    int radius = 7;                ///< pixels; 7 is the paper's 15x15
-    float depth_tolerance = 0.02f; ///< how much farther, relatively, something is that stands behind something else
+    int radius = 7;                ///< half width of the window in pixels; 7: 15x15, as in MB
+    float depth_tolerance = 0.02f; ///< relative difference of depth from which on a surface is behind another
 
     constexpr void for_each_pass(auto&& pass) const {
         pass(Row{radius, depth_tolerance});

@@ -6,20 +6,25 @@
 
 namespace quell {
 
-/// Where to look for samples that may pass a pixel: stratified along the line, or arc, along which things move around, as far as they
-/// sweep.
+/// Places to look for samples that may pass a pixel: stratified along the mean trajectory, over its whole length to both sides.
+/// @tparam Paths StraightPaths or BentPaths
 template <class Paths = StraightPaths> struct AlongGuide {
     using reads = std::conditional_t<Paths::bent, Channels<GuideAxis, GuideBend>, Channels<GuideAxis>>;
-    int count = 24;
-    float across = 1.f; ///< how far from the line, in pixels, to either side
+    int count = 24;     ///< number of places, at least 1
+    float across = 1.f; ///< largest distance from the line, in pixels, to either side
 
+    /// The places of one pixel.
     template <class Px> struct Places {
+        /// float, or a pack of floats.
         using Real = typename Px::Real;
+        /// Pixel coordinates; the axis, its unit normal and the mean bend, in pixels.
         vec2<Real> centre, axis, beside, bend;
         Real first, second; ///< random in [0, 1)
+        /// 1 / count, and AlongGuide::across.
         float spacing, across;
 
-        // Every rounding is spelled out: where it ends decides which pixel is looked at.
+        // fma fixes the rounding, which decides which pixel is visited.
+        /// Pixel coordinates of place i.
         QUELL_KERNEL vec2<Real> at(int i) const {
             auto const number = Real(static_cast<float>(i));
             auto const stratum = fraction(fma(number, Real(0.618034f), first)) + number;
@@ -28,12 +33,14 @@ template <class Paths = StraightPaths> struct AlongGuide {
             vec2<Real> const on_line{fma(beside.x, aside, fma(axis.x, along, centre.x)),
                                      fma(beside.y, aside, fma(axis.y, along, centre.y))};
             if constexpr (!Paths::bent) return on_line;
-            // A path that goes through here: to second order, on whichever side it was sampled.
+            // To second order, a trajectory through this pixel, at whichever time it was sampled.
             auto const bent = along * along * -4.f;
             return {fma(bend.x, bent, on_line.x), fma(bend.y, bent, on_line.y)};
         }
+        /// Fractional part.
         QUELL_KERNEL static Real fraction(Real a) { return a - floor(a); }
     };
+    /// The places of a pixel, from its random numbers.
     template <class Px> QUELL_KERNEL Places<Px> places(Px const& px) const {
         using Real = typename Px::Real;
         auto const axis = px[guide_axis];
@@ -52,14 +59,13 @@ private:
     }
 };
 
-/// Gathers samples from all over the image that pass each pixel while the shutter is open, and makes the two layers of them: the mean
-/// of what moves, how much of the time it covers the pixel, and what stands still there. A sample counts for as long as it takes to pass:
-/// a fast one has more pixels to be seen in. What stands still keeps its value to the last bit; where it is covered it is guessed from the
-/// pixels around. (After MB sections 4.2 and 4.3.)
-/// Emits MovingLayer, StaticLayer and MeanSweep; leaves the signal alone. Wants a MotionGuide before it.
+/// Gathers samples that pass each pixel while the shutter is open into two layers: the mean of the moving samples with their coverage, and
+/// the static one (after MB sections 4.2 and 4.3). A sample is weighted by the time it takes to cross a pixel, as a faster surface is seen
+/// in more pixels. A static pixel keeps its value bit by bit; where it is covered, the static layer is guessed from neighbours.
+/// Emits MovingLayer, StaticLayer and MeanSweep; leaves the signal alone. Needs a MotionGuide before it.
 /// @tparam S the pipeline's signal
-/// @tparam Paths StraightPaths or BentPaths, as the MotionGuide's
-/// @tparam Places where it looks
+/// @tparam Paths the MotionGuide's: StraightPaths or BentPaths
+/// @tparam Places where to look
 template <ChannelTag S, class Paths = StraightPaths, class Places = AlongGuide<Paths>> struct PathGather {
     using Signal = S;
     static constexpr auto name = "path gather";
@@ -67,9 +73,9 @@ template <ChannelTag S, class Paths = StraightPaths, class Places = AlongGuide<P
     using parts = Parts<Paths, Places, PathWeight>;
     using reads = Channels<Depth, GuideSweep, GuideAxis>;
     using emits = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep>;
-    Places where{};
-    PathWeight weight{};
-    float depth_tolerance = 0.02f; ///< how much farther, relatively, something is that stands behind something else
+    Places where{};                ///< where to look
+    PathWeight weight{};           ///< by closest approach
+    float depth_tolerance = 0.02f; ///< relative difference of depth from which on a surface is behind another
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
@@ -97,7 +103,7 @@ template <ChannelTag S, class Paths = StraightPaths, class Places = AlongGuide<P
     }
 
 private:
-    /// How things move around.
+    /// Mean trajectory around the pixel.
     template <class Px> QUELL_KERNEL static auto guide_path(Px const& px) {
         using Real = typename Px::Real;
         auto const straight = Path<Real>::of(px[guide_axis], Real(0.5f));
@@ -106,16 +112,17 @@ private:
         else
             return straight;
     }
-    /// Sums over samples, by when they pass: the mean of the means of equal parts of the open shutter has less noise than the mean of all.
+    /// Stratified sums over the open shutter: the mean of the strata's means has less noise than the mean of all samples.
     template <class Px> struct Gathered {
         using Real = typename Px::Real;
-        static constexpr int parts = 8; ///< at most: they are as long as it takes to pass `pixels_a_part`
+        static constexpr int parts = 8; ///< most strata; each is at least as long as it takes to cross `pixels_a_part`
         static constexpr float pixels_a_part = 4.f;
+        /// Sums of one stratum.
         struct Part {
-            typename Px::Signal signal = zero<typename Px::Signal>(); ///< of what moves
-            Real weight = Real(0.f), all = Real(0.f);
+            typename Px::Signal signal = zero<typename Px::Signal>(); ///< of moving samples
+            Real weight = Real(0.f), all = Real(0.f);                 ///< sums of weights of the moving samples, and of all
         };
-        Real count; ///< of parts, from 1
+        Real count; ///< number of strata, from 1
         Part part[parts];
         vec2<Real> sweep{Real(0.f), Real(0.f)};
         Real swept = Real(0.f);
@@ -126,7 +133,7 @@ private:
             auto const counted = masked(moves, w);
             sweep = add_scaled(sweep, path.sweep, counted);
             swept = swept + counted;
-            // The end of the last part belongs to it.
+            // The last stratum includes its end.
             auto const which = min(floor(when * count), count - 1.f);
             for (int i = 0; i < parts; ++i) {
                 auto const here = abs(which - static_cast<float>(i)) < Real(0.5f);
@@ -148,8 +155,7 @@ private:
             return scale(sum, 1.f / max(known, Real(1.f)));
         }
     };
-    /// What stands still is looked at as if it moved like all around it: how many samples there are in all must not depend on what they
-    /// show.
+    /// A static sample is tested as if it moved like its surroundings: the number of samples must not depend on what they show.
     template <class Px, class Real, class PathOf>
     QUELL_KERNEL void add_sample(Px const& px, Gathered<Px>& sums, vec2<Real> const& at, PathOf const& own, PathOf const& guide,
                                  Real own_depth, Real reach) const {
@@ -165,7 +171,7 @@ private:
         auto const w = weight.weight(passing, reach) / max(looked_at.length(), Real(Path<Real>::least));
         sums.add(value, path, masked(usable, w * guide.length()), moves, passing.when);
     }
-    /// What stands still behind what moves here.
+    /// The static layer behind a moving pixel.
     template <class Px, class Real, class Mask> QUELL_KERNEL auto guessed(Px const& px, Real own_depth, Mask own_moves) const {
         constexpr float guess = 0.05f;
         return detail::guessed_layer(px, guess, [&](auto const& neighbour) QUELL_INLINED {

@@ -6,17 +6,17 @@
 
 namespace quell {
 
-/// Adds to what a moving pixel shows samples from far along its path that pass it as well, up to 18 of them: two random places on the paths
-/// of each of the 3x3 pixels around (MB section 4.2, the pre-filter). What moves little, or stands still, stays as it is.
-/// @tparam Paths StraightPaths or BentPaths, of which the bend is not looked at
+/// Pre-filter: averages a moving pixel with samples from far along its trajectory that pass it as well, up to 18 of them: two random places
+/// on the trajectories of each of the 3x3 pixels around (MB section 4.2). Static and slow pixels keep their value.
+/// @tparam Paths StraightPaths or BentPaths, whose bend is ignored
 template <class Paths = StraightPaths> struct SampleCollector {
     static constexpr auto name = "sample collector";
     using parts = Parts<Paths>;
-    int samples = 2;        ///< random places on each path, at most 8
-    int radius = 1;         ///< pixels; how far around paths are shared: 1 is the paper's 3x3
-    float threshold = 2.5f; ///< pixels; samples that pass nearer count, all alike
-    float least = 3.f;      ///< pixels; what sweeps less is skipped
-    float jitter = 1.5f;    ///< pixels that places may lie off the path, in x and in y
+    int samples = 2;        ///< random places per trajectory, at most 8
+    int radius = 1;         ///< pixels; neighbours whose trajectories are used: 1 is MB's 3x3
+    float threshold = 2.5f; ///< pixels; samples that pass nearer count, all with weight 1
+    float least = 3.f;      ///< pixels; shorter sweeps are skipped
+    float jitter = 1.5f;    ///< largest offset of a place from the trajectory, in x and in y, in pixels
 
     template <class Px> QUELL_KERNEL auto filter(Px const& px) const {
         using Real = typename Px::Real;
@@ -45,7 +45,7 @@ private:
         auto const when = px.random_uniforms(2 * k).first;
         auto const [jx, jy] = px.random_uniforms(2 * k + 1);
         auto const since = when - path.time;
-        // Every rounding is spelled out: where it ends decides which pixel is looked at.
+        // fma fixes the rounding, which decides which pixel is visited.
         return {fma(path.sweep.x, since, fma(jx, Real(2.f * jitter), p.x - jitter)),
                 fma(path.sweep.y, since, fma(jy, Real(2.f * jitter), p.y - jitter))};
     }

@@ -4,15 +4,25 @@
 #include <quell/blur/trajectory/path.hpp>
 #include <quell/filter/filter_kernel.hpp>
 
+/// @file
+/// Contract of blur/post_process/: motion blur of a sharp picture, which shows the middle of the open shutter. Baselines to compare with:
+/// they keep no layers and no history.
+///
+///     GatherBlur     signal, Sweep -> signal
+///
+///     TileMaxBlur    Sweep
+///                      v   LongestSweep along x, then y: log(tile) passes -> DominantSweep
+///                      v   TileMaxGather: signal, Sweep, Depth
+///                    signal
 namespace quell {
 
-/// Motion blur of a sharp picture: every pixel becomes the mean of what lies along its own sweep, half of it to either side (GPU Gems 3,
-/// ch. 27). A baseline: what moves doesn't spread beyond its outline, since the pixels out there stand still themselves.
-/// Wants a signal as it is in the middle of the open shutter, and reads Sweep. Where nothing moves, the signal keeps every bit.
+/// Motion blur of a sharp picture: the mean of the pixels along each pixel's own sweep, half of it to either side (GPU Gems 3, ch. 27). A
+/// moving surface does not spread beyond its outline, since the pixels there are static themselves. Needs the signal at the middle of the
+/// open shutter. Where nothing moves, the signal keeps every bit.
 struct GatherBlur {
     static constexpr auto name = "gather blur";
     using reads = Channels<Sweep>;
-    int samples = 15; ///< along the sweep; at least 1
+    int samples = 15; ///< samples along the sweep; at least 1
 
     template <class Px> QUELL_KERNEL typename Px::Signal filter(Px const& px) const {
         using Real = typename Px::Real;
@@ -24,7 +34,7 @@ struct GatherBlur {
         auto sum = zero<typename Px::Signal>();
         Real weights(0.f);
         for (int i = 0; i < samples; ++i) {
-            // From the middle of the shutter to that of the i-th of as many equal parts.
+            // From the middle of the shutter to the middle of the i-th stratum.
             Real const part(static_cast<float>(2 * i + 1 - samples) / static_cast<float>(2 * samples));
             PixelUnder<Px> const there(px, {fma(path.sweep.x, part, p.x), fma(path.sweep.y, part, p.y)});
             auto const [value, missing] = px.signal_elsewhere(there.place);

@@ -6,15 +6,16 @@
 
 namespace quell {
 
-/// The longest sweep that may reach a pixel, in pixels; 0 where none does.
+/// Longest sweep that may reach a pixel, in pixels; 0 where none does.
 struct DominantSweep : MadeChannel<2> {
     static constexpr auto name = "dominant_sweep";
 };
+/// The channel DominantSweep.
 inline constexpr DominantSweep dominant_sweep;
 
 namespace detail {
-/// The longest of the sweeps here and a step away to either side. At borders the step is shorter: no window may have gaps there.
-/// @tparam From the channel with the sweeps
+/// Longest of the sweeps here and one step away to either side. At borders the step is shorter, so that the window has no gaps.
+/// @tparam From the channel of the sweeps
 template <ChannelTag From> struct LongestSweep {
     static constexpr auto name = "longest sweep";
     static constexpr bool leaves_signal = true;
@@ -46,7 +47,7 @@ private:
     }
 };
 
-/// The paper's third pass: samples along the dominant sweep, weighed by what their own sweeps and depths say.
+/// Third pass of McGuire et al. 2012: samples along the dominant sweep, weighted by their own sweeps and depths.
 struct TileMaxGather {
     static constexpr auto name = "tile-max blur";
     using reads = Channels<Sweep, Depth, DominantSweep>;
@@ -63,7 +64,7 @@ struct TileMaxGather {
         auto const here = look(px[sweep], px[depth]);
         auto const p = px.position();
         auto const jitter = px.random_uniforms().first - 0.5f;
-        // A thing's own colour counts the less, the more its sweep thins it out.
+        // The longer a surface's sweep, the less its own colour counts at one pixel.
         auto weights = select(px.missing(), Real(0.f), 1.f / here.radius);
         auto sum = scale(own, weights);
         for (int i = 0; i < samples; ++i) {
@@ -81,9 +82,9 @@ struct TileMaxGather {
     }
 
 private:
-    static constexpr float shortest = 0.5f; ///< half of a sweep, in pixels: one less than that stays in its pixel
+    static constexpr float shortest = 0.5f; ///< half of a sweep, in pixels: a shorter one stays within its pixel
 
-    /// Half of a sweep, from the middle of the shutter to its end, as far as a blur may reach.
+    /// Half of a sweep, from the middle of the shutter to its end, clamped to the reach of the blur.
     template <class Real> struct Half {
         vec2<Real> sweep;
         Real length;
@@ -94,7 +95,7 @@ private:
         auto const part = min(longest / max(length, Real(1e-6f)), Real(0.5f));
         return {scale(path.sweep, part), length * part};
     }
-    /// What the weights want to know of a pixel: how far away it is, and how far it sweeps to either side.
+    /// Depth, and how far the surface sweeps to either side in pixels.
     template <class Real> struct Seen { Real depth, radius; };
     template <class Real> QUELL_KERNEL Seen<Real> look(vec2<Real> const& whole, Real z) const {
         constexpr float nearest = 1e-6f, farthest = 1e30f;
@@ -102,14 +103,14 @@ private:
         return {known, max(half(whole).length, Real(shortest))};
     }
 
-    /// How much of the light from there is seen here: of something blurred before whatever is here; of what is behind something blurred
-    /// here, as a guess at the background; and of both where they sweep over each other.
+    /// Weight of a sample: of a blurred surface in front of this pixel's; of the background behind a blurred surface here, as a guess; and
+    /// of both where they sweep over each other.
     template <class Real> QUELL_KERNEL Real weight(Seen<Real> const& here, Seen<Real> const& there, Real distance) const {
         auto const before = not_behind(there.depth, here.depth) * cone(distance, there.radius);
         auto const behind = not_behind(here.depth, there.depth) * cone(distance, here.radius);
         return before + behind + cylinder(distance, there.radius) * cylinder(distance, here.radius) * 2.f;
     }
-    /// 1 where a is no farther than b, falling to 0 as it is.
+    /// 1 where a is no farther than b, falling to 0 with the distance.
     template <class Real> QUELL_KERNEL Real not_behind(Real a, Real b) const {
         return clamp(1.f - (a - b) / (min(a, b) * depth_extent), Real(0.f), Real(1.f));
     }
@@ -122,18 +123,18 @@ private:
 };
 } // namespace detail
 
-/// Motion blur of a sharp picture that spreads beyond the outlines of what moves: every pixel looks along the longest sweep around, and
-/// weighs what it finds by the samples' own sweeps and by whether they are before or behind it (McGuire et al. 2012, A Reconstruction
-/// Filter for Plausible Motion Blur). A baseline: it knows nothing of what was hidden in the middle of the shutter.
-/// "Around" is a window as far to each side as a blur may reach, where the paper has the 3x3 tiles around the pixel's own: within these
-/// tiles, it has all that can matter to the pixel, and no tile's border shows.
-/// Wants a signal as it is in the middle of the open shutter, and reads Sweep and Depth. Where nothing moves, the signal keeps every bit.
+/// Motion blur of a sharp picture beyond the outlines of moving surfaces: samples along the longest sweep around, weighted by their own
+/// sweeps and by depth (McGuire et al. 2012, A Reconstruction Filter for Plausible Motion Blur). It does not know what was hidden in the
+/// middle of the shutter. "Around" is a window of the blur's reach, where the paper takes the 3x3 tiles around the pixel's own; it lies
+/// within these, has all that can matter, and shows no tile borders.
+/// Needs the signal at the middle of the open shutter. Where nothing moves, the signal keeps every bit.
 struct TileMaxBlur {
     using reads = Channels<Sweep, Depth>;
     using emits = Channels<DominantSweep>;
-    int tile = 20;              ///< how far a blur may reach, in pixels; longer sweeps count as twice that; at least 1
-    int samples = 15;           ///< along the dominant sweep, the pixel itself included; odd
-    float depth_extent = 0.02f; ///< how much farther, relatively, something is that is behind for certain; the paper has a length for it
+    int tile = 20;    ///< reach of the blur in pixels, at least 1; longer sweeps are clamped to twice that
+    int samples = 15; ///< along the dominant sweep, including the pixel itself; odd
+    /// relative difference of depth from which on a surface is wholly behind another; the paper has a length instead
+    float depth_extent = 0.02f;
 
     constexpr void for_each_pass(auto&& pass) const {
         pass(detail::LongestSweep<Sweep>{1, 0});
@@ -143,7 +144,7 @@ struct TileMaxBlur {
     }
 
 private:
-    /// Steps that widen a window which reaches so far already up to the tile's size. Each may be as long as the window is wide.
+    /// Calls by(step) until a window of half width `reached` has the half width `tile`. A step may be as long as the window is wide.
     constexpr void widen(int reached, auto&& by) const {
         for (int step = 0; reached < tile; reached += step) {
             int const width = 2 * reached + 1, rest = tile - reached;

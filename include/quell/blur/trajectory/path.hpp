@@ -2,38 +2,51 @@
 
 #include <quell/frame/cursor/pixel.hpp>
 
+/// @file
+/// Contract of blur/trajectory/: how the surface that a sample shows moves on the screen while the shutter is open. A `Paths` type chooses
+/// the model and the channels that it reads; guides turn these into one channel that is safe to use.
+///
+///     Sweep, Time  -> StraightPaths -+
+///     Sweep, SweepBend, Time         |
+///                  -> BentPaths -----+-> PathGuide<Paths> -> UsablePath<Paths> -> two_motions/
+///     Sweep, Time, Depth             |
+///                  -> TurningPaths --+   (PathGuide<TurningPaths> is TurnGuide: UsablePath<StraightPaths>
+///                                         -> TurnEvidence -> UsablePath<TurningPaths>)
+///
+/// moving_and_static/ asks StraightPaths and BentPaths directly, by here() and there().
 namespace quell {
 
-/// How what a pixel shows moves while the shutter is open: in a straight line, at even speed, through the pixel's centre at the sample's
-/// time. Bad input has a meaning: a sweep that is not finite is none, a longer one than `longest` is as long as that, a time that is not
-/// finite is the middle, and one outside [0, 1] the nearer end.
+/// Linear trajectory of a sample: constant velocity through the pixel's centre at the sample's time. Bad input is repaired: a sweep that is
+/// not finite becomes 0, its components are clamped to +-`longest`, a time that is not finite becomes 0.5, others are clamped to [0, 1].
 template <class Real> struct Path {
-    static constexpr float least = 0.5f;     ///< pixels; what sweeps less stands still
-    static constexpr float longest = 1024.f; ///< pixels
+    static constexpr float least = 0.5f;     ///< pixels; a shorter sweep counts as static
+    static constexpr float longest = 1024.f; ///< pixels; of each component
 
-    vec2<Real> sweep; ///< from where it is when the shutter opens to where it is when it closes, in pixels
-    Real time;        ///< of the sample, in [0, 1]
-    Real squared;     ///< the sweep's length, squared
+    vec2<Real> sweep; ///< displacement from shutter opening to closing, in pixels
+    Real time;        ///< time of the sample: 0 shutter opening, 1 closing
+    Real squared;     ///< squared length of the sweep
 
-    /// From the channels Sweep and Time.
+    /// From values of the channels Sweep and Time.
     QUELL_KERNEL static Path of(vec2<Real> const& sweep, Real time) {
         auto const usable = both(is_finite(sweep.x), is_finite(sweep.y));
         vec2<Real> v{clamp(masked(usable, sweep.x), Real(-longest), Real(longest)),
                      clamp(masked(usable, sweep.y), Real(-longest), Real(longest))};
         return {v, clamp(select(is_finite(time), time, Real(0.5f)), Real(0.f), Real(1.f)), fma(v.x, v.x, v.y * v.y)};
     }
-    QUELL_KERNEL auto moves() const { return squared > Real(least * least); }
-    QUELL_KERNEL Real length() const { return sqrt(squared); }
-    QUELL_KERNEL Real per_squared() const { return 1.f / max(squared, Real(1e-12f)); }
-    /// The time that it takes to pass a pixel, as a part of the open shutter.
+    QUELL_KERNEL auto moves() const { return squared > Real(least * least); }          ///< not static
+    QUELL_KERNEL Real length() const { return sqrt(squared); }                         ///< of the sweep, in pixels
+    QUELL_KERNEL Real per_squared() const { return 1.f / max(squared, Real(1e-12f)); } ///< 1 / squared length, finite for a static sample
+    /// Time to cross one pixel, as a fraction of the open shutter; at most 1 / `least`.
     QUELL_KERNEL Real time_per_pixel() const { return min(sqrt(per_squared()), Real(1.f / least)); }
 
-    /// How far from a point it passes, in pixels, and when (MB eq. 1). `offset` is the point minus the sample's pixel.
+    /// Closest approach to a point (MB eq. 1).
     struct Passing {
+        /// Distance in pixels, and its time: [0, 1] while the shutter is open.
         Real distance, when;
-        /// Whether that is while the shutter is open.
+        /// Whether the shutter is open then.
         QUELL_KERNEL auto in_time() const { return both(when >= Real(0.f), when <= Real(1.f)); }
     };
+    /// @param offset the point minus the sample's pixel, in pixels. Of a static sample the result means nothing.
     QUELL_KERNEL Passing passing(vec2<Real> const& offset) const {
         auto const along = fma(offset.x, sweep.x, offset.y * sweep.y) * per_squared();
         auto const x = fma(-along, sweep.x, offset.x), y = fma(-along, sweep.y, offset.y);
@@ -41,16 +54,17 @@ template <class Real> struct Path {
     }
 };
 
-/// A path that bends: to second order, sample(t) = where it is when the shutter opens + sweep t + 4 bend t (1 - t).
+/// Trajectory of second order: position(t) = position(0) + sweep t + 4 bend t (1 - t).
 template <class Real> struct BentPath : Path<Real> {
-    vec2<Real> bend; ///< how far from the middle of the sweep it is at half time, in pixels; one that is not finite is none
+    vec2<Real> bend; ///< distance from the middle of the sweep to the position at t = 0.5, in pixels; repaired like the sweep
 
+    /// Adds a bend, a value of the channel SweepBend.
     QUELL_KERNEL static BentPath of(Path<Real> const& path, vec2<Real> const& bend) {
         constexpr auto most = Path<Real>::longest;
         auto const usable = both(is_finite(bend.x), is_finite(bend.y));
         return {path, {clamp(masked(usable, bend.x), Real(-most), Real(most)), clamp(masked(usable, bend.y), Real(-most), Real(most))}};
     }
-    /// By Newton's method from where the straight path passes.
+    /// Closest approach by two steps of Newton's method from the linear trajectory's.
     QUELL_KERNEL typename Path<Real>::Passing passing(vec2<Real> const& offset) const {
         auto const& v = this->sweep;
         auto const t = this->time, begin = fma(-t, t, t) * 4.f;
@@ -69,35 +83,39 @@ template <class Real> struct BentPath : Path<Real> {
     }
 };
 
-/// Where the mask holds, a; elsewhere b's motion with a's time.
+/// Where the mask holds, a; elsewhere a's time with b's motion.
 template <class Mask, class Real> QUELL_KERNEL Path<Real> moving_as(Mask mask, Path<Real> const& a, Path<Real> const& b) {
     return {select(mask, a.sweep, b.sweep), a.time, select(mask, a.squared, b.squared)};
 }
+/// The same for trajectories of second order.
 template <class Mask, class Real> QUELL_KERNEL BentPath<Real> moving_as(Mask mask, BentPath<Real> const& a, BentPath<Real> const& b) {
     return {moving_as(mask, static_cast<Path<Real> const&>(a), static_cast<Path<Real> const&>(b)), select(mask, a.bend, b.bend)};
 }
 
-// How samples move while the shutter is open: in straight lines, as in the paper, or in arcs (TurningPaths: turn_guide.hpp).
-
-/// Straight paths, of what a channel says.
-/// @tparam SweepChannel Sweep; or the SweepOf a signal that does not move like the surface which shows it
+/// Linear trajectories from a channel of sweeps, as in MB.
+/// @tparam SweepChannel Sweep; or SweepOf a signal that moves unlike the surface that shows it, such as a shadow
 template <ChannelTag SweepChannel> struct StraightPathsAlong {
+    /// Whether trajectories have a bend.
     static constexpr bool bent = false;
     using reads = Channels<SweepChannel, Time>;
-    /// What the pixel shows, and what is shown elsewhere.
+    /// Trajectory of this pixel's sample.
     template <class Px> QUELL_KERNEL static auto here(Px const& px) { return Path<typename Px::Real>::of(px[SweepChannel{}], px[time]); }
+    /// Trajectory of another pixel's sample: PixelUnder::place.
     template <class Px, class Place> QUELL_KERNEL static auto there(Px const& px, Place const& place) {
         return Path<typename Px::Real>::of(px.elsewhere(place, SweepChannel{}), px.elsewhere(place, time));
     }
 };
+/// Linear trajectories from Sweep.
 using StraightPaths = StraightPathsAlong<Sweep>;
-/// Arcs, of what the host says that the surface does.
+/// Trajectories of second order, with bends from the host.
 struct BentPaths {
-    static constexpr bool bent = true;
+    static constexpr bool bent = true; ///< trajectories have a bend
     using reads = Channels<Sweep, SweepBend, Time>;
+    /// Trajectory of this pixel's sample.
     template <class Px> QUELL_KERNEL static auto here(Px const& px) {
         return BentPath<typename Px::Real>::of(StraightPaths::here(px), px[sweep_bend]);
     }
+    /// Trajectory of another pixel's sample: PixelUnder::place.
     template <class Px, class Place> QUELL_KERNEL static auto there(Px const& px, Place const& place) {
         return BentPath<typename Px::Real>::of(StraightPaths::there(px, place), px.elsewhere(place, sweep_bend));
     }

@@ -4,15 +4,15 @@
 
 namespace quell {
 
-/// How much a sample counts at a point that it passes: 1 on its path, falling to 0 in a distance of a pixel, or up to four where the motion
-/// around varies (MB section 4.3); 0 where it passes while the shutter is closed.
+/// Weight of a sample by its closest approach (MB section 4.3): 1 on its trajectory, falling linearly to 0 at a reach of 1 pixel, or up to
+/// 4 where the velocities around vary; 0 where it passes while the shutter is closed.
 struct PathWeight {
     using reads = Channels<GuideSpread>;
     float length_influence = 10.f; ///< beta_l of the paper
     float angle_influence = 1.f;   ///< beta_a of the paper
-    float most = 1.f;              ///< by how much either variance widens the reach, at most
+    float most = 1.f;              ///< largest increase of the reach by each of the two variances: 1 doubles it
 
-    /// The distance in which the weight falls to 0.
+    /// Distance at which the weight is 0, in pixels.
     template <class Px> QUELL_KERNEL auto reach(Px const& px) const {
         using Real = typename Px::Real;
         auto const spread = px[guide_spread];
@@ -20,6 +20,8 @@ struct PathWeight {
                    by_angle = 1.f + min(spread.y * angle_influence, Real(most));
         return by_length * by_angle;
     }
+    /// @param passing Path::Passing
+    /// @param reach in pixels, above 0
     template <class Passing, class Real> QUELL_KERNEL static Real weight(Passing const& passing, Real reach) {
         return masked(passing.in_time(), max(1.f - passing.distance / reach, Real(0.f)));
     }

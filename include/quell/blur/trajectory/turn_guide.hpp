@@ -6,20 +6,20 @@
 
 namespace quell {
 
-/// Arcs, of what turns: how far they bend, a TurnGuide measures.
+/// Arcs whose bend a TurnGuide measures from Sweep, Time and Depth.
 struct TurningPaths {
-    static constexpr bool bent = true;
+    static constexpr bool bent = true; ///< trajectories have a bend
 };
 
 namespace detail {
-/// Sums over the samples around of one and the same thing: of how far the sweep of each is turned, times how much farther along the motion
-/// it is; and of the latter squared. Their ratio is the turn while the shutter is open.
+/// Sums over neighbours of the same surface: how far the sweep's direction differs times the distance along the motion; and that distance,
+/// squared. Their ratio is the rotation while the shutter is open.
 struct TurnEvidence : MadeChannel<2> {
     static constexpr auto name = "turn_evidence";
 };
 inline constexpr TurnEvidence turn_evidence;
 
-/// Whether two samples may be of one thing, which turns.
+/// Whether two samples may be of the same, possibly rotating surface.
 struct OneThing {
     float depth_gap, likeness;
     template <class Sample> QUELL_KERNEL auto operator()(Sample const& a, Sample const& b) const {
@@ -34,13 +34,13 @@ struct TurnEvidenceOf {
     static constexpr bool leaves_signal = true;
     using reads = Channels<UsablePath<StraightPaths>>;
     using emits = Channels<TurnEvidence>;
-    static constexpr float least_turn = 2e-3f; ///< radians, about
+    static constexpr float least_turn = 2e-3f; ///< about radians; less counts as no rotation
     static constexpr int radius = 1;
     OneThing one_thing;
     int step;
 
-    /// Regression of the sweep's direction over the place of the sweep's middle: along the motion, and across it, where it may differ
-    /// without anything turning.
+    /// Regression of the sweep's direction over the position of the sweep's middle, with one term along the motion and one across it. Only
+    /// the first is rotation: across the motion, directions differ without rotation, too.
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
         auto const own = usable_sample<StraightPaths>(px);
@@ -66,7 +66,7 @@ struct TurnEvidenceOf {
         });
         auto const mixed = along_across / across_across;
         auto const spread = max(fma(-mixed, along_across, along_along), Real(0.f)), turned = fma(-mixed, turned_across, turned_along);
-        // A turn of next to nothing is none, so that what doesn't turn is soon told.
+        // No rotation at all is cheap for TurningPathOf to find.
         auto const turns = both(turnable, abs(turned) > spread * Real(least_turn));
         return emitted<Real>(turn_evidence, vec2<Real>{masked(turns, turned), masked(turnable, spread)});
     }
@@ -107,26 +107,27 @@ private:
         for_each_neighbour<radius>(px, step, [&](auto const& beside, auto inside, int, int) QUELL_INLINED {
             sums = add_scaled(sums, beside[turn_evidence], masked(one_thing(own, usable_sample<StraightPaths>(beside)), inside));
         });
-        // Sweeps are chords, so that the slope is twice the sine of half the angle.
+        // Sweeps are chords, so the slope is twice the sine of half the angle.
         auto const half_sine = clamp(sums.x / max(sums.y, Real(1e-9f)) * 0.5f, Real(-0.99f), Real(0.99f));
         return masked(sums.y > Real(least_evidence), half_sine * 0.5f / (sqrt(fma(-half_sine, half_sine, Real(1.f))) + 1.f));
     }
 };
 } // namespace detail
 
-/// Measures how far paths bend, which no host needs to say: where a thing turns in the plane of the image, its samples farther along the
-/// motion have sweeps that are turned farther. Of what moves in a straight line all sweeps have one direction along the motion, however
-/// long they are. What goes along while it turns is taken to turn about the place that stands still: the top of a wheel that rolls bends
-/// twice as much as it should, and its hub as much as that. Emits UsablePath<TurningPaths>.
+/// Measures how far trajectories bend, without help from the host. On a surface that rotates in the image plane, the direction of sweeps
+/// changes along the motion; under pure translation it does not, however their lengths differ. Rotation is taken to be about the
+/// instantaneous centre: the top of a rolling wheel bends twice as much as it should, and its hub, which moves straight, bends as well.
+/// Emits UsablePath<TurningPaths>.
 template <> struct PathGuide<TurningPaths> {
     using reads = Channels<Depth, Sweep, Time>;
     using emits = Channels<UsablePath<StraightPaths>, detail::TurnEvidence, UsablePath<TurningPaths>>;
     static constexpr bool leaves_signal = true;
-    int near_step = 3, far_step = 9; ///< pixels between 3x3 samples that are compared, and between 5x5 such comparisons that are summed
-    float depth_gap = 0.1f;          ///< relative; what is nearer to each other in depth may be one thing
-    float likeness = 0.7f;           ///< of its own sweep, how far another's may differ from it
-    float least_evidence = 1e-3f;    ///< how far samples must be apart along the motion: in sweeps, squared, the sum of all
-    float least_bend = 0.05f;        ///< pixels; what bends less is straight
+    /// Spacing in pixels of the 3x3 samples that are compared, and of the 5x5 such comparisons that are summed.
+    int near_step = 3, far_step = 9;
+    float depth_gap = 0.1f;       ///< relative; largest difference of inverse depth within a surface
+    float likeness = 0.7f;        ///< largest difference of two sweeps within a surface, relative to the pixel's own
+    float least_evidence = 1e-3f; ///< least sum of the squared distances along the motion, in squared sweeps; below it nothing bends
+    float least_bend = 0.05f;     ///< pixels; a trajectory that bends less is linear
 
     constexpr void for_each_pass(auto&& pass) const {
         detail::OneThing const one_thing{depth_gap, likeness};
@@ -136,6 +137,7 @@ template <> struct PathGuide<TurningPaths> {
     }
 };
 
+/// The guide of TurningPaths.
 using TurnGuide = PathGuide<TurningPaths>;
 
 } // namespace quell

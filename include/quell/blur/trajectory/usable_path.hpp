@@ -4,19 +4,18 @@
 
 namespace quell {
 
-/// How what each pixel's sample shows moves, made usable once for all that look at it: its sweep (pixels; 0 where it stands still), its
-/// time, 1 / depth, and the time that it takes to pass a pixel as a part of the open shutter (0 for a sample that is missing); then, where
-/// paths are bent, its sagitta: how far the middle of the path lies beside that of the sweep, as a part of the sweep's length, to the side
-/// of (sweep.y, -sweep.x). What a bend has along the sweep is another speed at first than later; that is left out.
-/// Made of what StraightPaths, BentPaths or TurningPaths read.
+/// Trajectory of each pixel's sample, made safe to use. Components: sweep x and y (pixels; 0 if static); sample time in [0, 1]; inverse
+/// depth; time to cross a pixel, as a fraction of the open shutter (0 for a missing sample, 2 if static). With bends also the relative
+/// sagitta: distance from the sweep's middle to the trajectory's, divided by the sweep's length, positive towards (sweep.y, -sweep.x). The
+/// bend's part along the sweep, a change of speed, is dropped.
+/// @tparam Paths StraightPaths, BentPaths or TurningPaths
 template <class Paths> struct UsablePath : MadeChannel<Paths::bent ? 6 : 5> { static constexpr auto name = "usable_path"; };
 
 namespace detail {
 
-/// What a sample shows, as far as motion and depth tell it from other things: its speed (pixels in the time that the shutter is open), its
-/// nearness (1 / depth), and its sagitta.
+/// Velocity (pixels per open shutter), inverse depth, and relative sagitta with bends: the features that tell surfaces apart.
 template <class Paths, class Real> using Mover = Value<Paths::bent ? 4 : 3, Real>;
-/// What moves less than this, squared, in pixels, stands still.
+/// Squared length of a sweep in pixels, up to which it is static.
 inline constexpr float still_squared = Path<float>::least * Path<float>::least;
 
 template <class M> QUELL_KERNEL auto speed_of(M const& mover) { return vec2<real_of<M>>{component<0>(mover), component<1>(mover)}; }
@@ -27,7 +26,7 @@ template <class M> QUELL_KERNEL auto sagitta_of([[maybe_unused]] M const& mover)
     else
         return real_of<M>(0.f);
 }
-/// In pixels.
+/// The bend in pixels.
 template <class M> QUELL_KERNEL auto bend_of(M const& mover) {
     auto const s = sagitta_of(mover);
     return vec2<real_of<M>>{component<1>(mover) * s, -(component<0>(mover) * s)};
@@ -35,17 +34,17 @@ template <class M> QUELL_KERNEL auto bend_of(M const& mover) {
 template <class M> QUELL_KERNEL auto squared_speed(M const& mover) {
     return fma(component<0>(mover), component<0>(mover), component<1>(mover) * component<1>(mover));
 }
-/// How different two motions are: the squared distance of their speeds.
+/// Squared difference of two velocities.
 template <class M> QUELL_KERNEL auto squared_difference(M const& a, M const& b) {
     auto const x = component<0>(a) - component<0>(b), y = component<1>(a) - component<1>(b);
     return fma(x, x, y * y);
 }
 
-/// A usable path as kernels want it.
+/// Access to a value of UsablePath.
 template <class Paths, class Real> struct UsableSample {
     Value<UsablePath<Paths>::components, Real> at;
 
-    /// The same as if it moved otherwise: with its sagitta, or without.
+    /// The same with another model: with its sagitta, or without.
     template <class As> QUELL_KERNEL UsableSample<As, Real> as() const {
         if constexpr (As::bent == Paths::bent)
             return {at};
@@ -57,17 +56,17 @@ template <class Paths, class Real> struct UsableSample {
     QUELL_KERNEL Real nearness() const { return component<3>(at); }
     QUELL_KERNEL Real time_per_pixel() const { return component<4>(at); }
     QUELL_KERNEL Real squared_length() const { return fma(sweep().x, sweep().x, sweep().y * sweep().y); }
-    /// Of its sweep, in pixels; 0 where it stands still.
+    /// Length of the sweep in pixels; 0 if static.
     QUELL_KERNEL Real length() const { return squared_length() * time_per_pixel(); }
     QUELL_KERNEL auto moves() const { return time_per_pixel() < Real(1.f / Path<Real>::least); }
     QUELL_KERNEL auto known() const { return time_per_pixel() > Real(0.f); }
-    /// How far from a point it passes, and when; `offset` is the point minus the sample's pixel.
+    /// Closest approach; `offset` is the point minus the sample's pixel.
     QUELL_KERNEL typename Path<Real>::Passing passing(vec2<Real> const& offset) const {
         auto const moving = passing_in_motion(offset);
         return {select(moves(), moving.distance, sqrt(fma(offset.x, offset.x, offset.y * offset.y))), moving.when};
     }
-    /// The same for what is known to move. Of a path that bends, when it is as far along its sweep as the point is: a point that counts is
-    /// so near that this is hardly later or earlier than when it is nearest.
+    /// The same for a sample that is known to move. An arc is evaluated where the point projects onto the sweep: points that count are so
+    /// near that its closest approach is hardly earlier or later.
     QUELL_KERNEL typename Path<Real>::Passing passing_in_motion(vec2<Real> const& offset) const {
         auto const v = sweep();
         auto const along = fma(offset.x, v.x, offset.y * v.y) * time_per_pixel() * time_per_pixel(), when = time() + along;
@@ -78,8 +77,9 @@ template <class Paths, class Real> struct UsableSample {
         } else
             return {abs(aside), when};
     }
-    /// Something else at a sample's place and time, such that it has a given speed, sagitta, and time to pass a pixel once it is where a
-    /// point lies, `offset` from the sample's pixel: what bends has not been going that way all the time.
+    /// A sample with the pixel and time of `sample` that has the velocity and sagitta of `mover` at the point `offset` away. On an arc its
+    /// velocity differs elsewhere.
+    /// @param a_pixel the time to cross a pixel there
     QUELL_KERNEL static UsableSample at_speed(auto const& mover, Real a_pixel, UsableSample const& sample,
                                               [[maybe_unused]] vec2<Real> const& offset) {
         auto const speed = speed_of(mover);
@@ -103,11 +103,11 @@ template <class Paths, class Real> struct UsableSample {
 
 private:
     QUELL_KERNEL Real sagitta() const { return component<5>(at); }
-    /// The tangent of the angle between a path and its sweep.
+    /// Tangent of the angle between the trajectory and its sweep.
     QUELL_KERNEL static Real slope_at(Real when, Real sagitta) {
         return clamp(fma(when, Real(-8.f), Real(4.f)), Real(-4.f), Real(4.f)) * sagitta;
     }
-    /// Of an angle of a given tangent, to 2 percent up to half a right angle; of a larger one as if it were that: it only makes weights.
+    /// Cosine from a tangent, within 2 percent up to 45 degrees; beyond as of 45 degrees. It only makes weights.
     QUELL_KERNEL static Real cosine(Real tangent) {
         auto const squared = min(tangent * tangent, Real(1.f));
         return fma(squared, fma(squared, Real(0.16f), Real(-0.46f)), Real(1.f));
@@ -144,7 +144,8 @@ template <class Paths> struct UsablePathOf {
 };
 } // namespace detail
 
-/// Makes the paths usable. Those of TurningPaths are measured: TurnGuide.
+/// Emits UsablePath. PathGuide<TurningPaths> is TurnGuide.
+/// @tparam Paths StraightPaths or BentPaths
 template <class Paths> struct PathGuide {
     using parts = Parts<detail::UsablePathOf<Paths>>;
     using emits = Channels<UsablePath<Paths>>;

@@ -2,16 +2,16 @@
 
 namespace quell {
 
-// How far from a pixel's paths PairGather looks for samples.
+// How far from a pixel's trajectories PairGather looks for samples.
 
-/// As far everywhere.
+/// The same distance everywhere.
 struct FixedFootprint {
-    static constexpr bool adapts = false;
+    static constexpr bool adapts = false; ///< whether it depends on the mean's uncertainty
 };
-/// Where the gathered mean is uncertain, samples count from twice as far away, and the pixels beside the line are looked at too.
+/// Where the gathered mean is uncertain, doubles the distance and adds the pixels beside the line.
 struct AdaptiveFootprint {
-    static constexpr bool adapts = true;
-    float allowed_error = 0.2f; ///< of the mean: its standard error, relatively, from which on it is uncertain
+    static constexpr bool adapts = true; ///< whether it depends on the mean's uncertainty
+    float allowed_error = 0.2f;          ///< relative standard error of the mean from which on it is uncertain
 };
 
 } // namespace quell

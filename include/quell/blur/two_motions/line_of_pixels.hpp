@@ -5,18 +5,19 @@
 
 namespace quell::detail {
 
-/// The pixels along a line through a pixel to either side: all of them, or as many as there is time for. A line that is not parallel to an
-/// axis passes between two pixels everywhere, and visits both.
+/// The pixels along a line through a pixel, to both sides: all of them, or a subset within the budget. Beside a slanted line both nearest
+/// pixels are visited.
 struct LineOfPixels {
-    static constexpr int most = 128; ///< steps, however large the budget
+    static constexpr int most = 128; ///< steps, for any budget
     bool steep, slanted;
     float slope, bent, whole, reach, step;
     int steps;
 
-    /// @param speed pixels in the time that the shutter is open, @param bend how far the middle lies off the line, in pixels
-    /// @param part of the speed, how far the line reaches: what is as far away as that passes while the shutter is open with a
-    /// probability of no more than 1 - part; a pixel or two are always within reach
-    /// @param budget pixels that may be visited beside the pixel itself
+    /// @param speed velocity, in pixels per open shutter
+    /// @param bend distance from the chord to the middle of the arc, in pixels
+    /// @param part how far the line reaches, as a fraction of the sweep: a sample farther away passes this pixel while the shutter is open
+    /// with a probability of at most 1 - part. One or two pixels are always within reach.
+    /// @param budget pixels to visit at most, besides the pixel itself
     constexpr LineOfPixels(glm::vec2 const& speed, glm::vec2 const& bend, float part, int budget)
         : steep(abs(speed.y) > abs(speed.x)), slanted(false), slope(0), bent(0), whole(0), reach(0), step(0), steps(0) {
         float const major = steep ? speed.y : speed.x, minor = steep ? speed.x : speed.y;
@@ -29,25 +30,25 @@ struct LineOfPixels {
         steps = static_cast<int>(min(affordable, min(pixels, static_cast<float>(most))));
         step = 2.f * reach / max(static_cast<float>(steps - 1), 1.f);
     }
-    /// How many there are.
+    /// Number of pixels.
     constexpr int size() const { return slanted ? 2 * steps : steps; }
     /// Calls visit(dx, dy) for each, the pixel itself first.
     template <class Visit> QUELL_KERNEL void for_each(Visit&& visit) const { for_each(visit, 0, slanted ? 1 : 0, 1, true); }
-    /// The same but for the pixel itself.
+    /// Without the pixel itself.
     template <class Visit> QUELL_KERNEL void for_each_other(Visit&& visit) const { for_each(visit, 0, slanted ? 1 : 0, 1, false); }
-    /// The same for the pixels beside those, on both sides.
+    /// The pixels next to those, on both sides.
     template <class Visit> QUELL_KERNEL void for_each_beside(Visit&& visit) const {
         for_each(visit, -1, slanted ? 2 : 1, slanted ? 3 : 2, false);
     }
 
 private:
     template <class Visit> QUELL_KERNEL void for_each(Visit&& visit, int from, int to, int by, bool itself) const {
-        // All places before the first visit: what a visit waits for is then in memory, and several visits are under way at once.
+        // All places first, so that the loads of several visits overlap.
         glm::ivec2 places[2 * most + 1];
         int n = 0;
         if (itself) places[n++] = {0, 0};
         for (int i = 0; i < steps; ++i) {
-            // Every rounding is spelled out: where it ends decides which pixel is looked at.
+            // fma fixes the rounding, which decides which pixel is visited.
             float const along = floor(fma(static_cast<float>(i), step, -reach) + 0.5f), part = along / whole;
             float const aside = fma(part * part * bent, -4.f, along * slope);
             int const a = static_cast<int>(along), first = static_cast<int>(floor(slanted ? aside : aside + 0.5f));

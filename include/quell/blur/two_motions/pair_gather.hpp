@@ -9,16 +9,16 @@
 
 namespace quell {
 
-/// Gathers the samples that pass each pixel while the shutter is open, in two layers: of the two things that meet around the pixel, how
-/// much of the time the one in front covers it, and what of it is seen meanwhile; and what is seen of the one behind. The coverage is the
-/// part of all samples along the front's motion that show it. Samples are tested by their own paths; one counts for as long as it takes to
-/// pass, as a fast one has more pixels to be seen in, and stands for half a pixel of its path, so that half of one counts that passes just
-/// as the shutter opens: more would make less noise, and blur more than the motion does. What stands still keeps its value to the last bit.
-/// Emits FrontLayer and FrontSweep, BackLayer, and MeanSweep of the back: 0 where it stands still, longer than any sweep where nothing is
-/// known. Wants a PairGuide before it.
+/// Gathers the samples that pass each pixel while the shutter is open into a foreground and a background layer. The foreground's coverage
+/// is the share of all samples along its velocity that show it. Each sample is tested by its own trajectory and weighted by the time it
+/// takes to cross a pixel, as a faster surface is seen in more pixels. A sample stands for half a pixel of its trajectory, and counts half
+/// if it passes just as the shutter opens or closes; a longer footprint would have less noise and more blur than the motion has. A static
+/// pixel keeps its value bit by bit.
+/// Emits FrontLayer, FrontSweep, BackLayer, and MeanSweep of the background: 0 if static, 4096 in both components if unknown. Needs a
+/// PairGuide before it.
 /// @tparam S the pipeline's signal
 /// @tparam Paths the PairGuide's
-/// @tparam Footprint FixedFootprint, or AdaptiveFootprint
+/// @tparam Footprint FixedFootprint or AdaptiveFootprint
 template <ChannelTag S, class Paths = StraightPaths, class Footprint = FixedFootprint> struct PairGather {
     static_assert(
         requires { Footprint::adapts; }, "PairGather<Signal, Paths, Footprint>: `Footprint` is FixedFootprint or AdaptiveFootprint");
@@ -27,17 +27,18 @@ template <ChannelTag S, class Paths = StraightPaths, class Footprint = FixedFoot
     static constexpr bool leaves_signal = true;
     using reads = Channels<MotionPair<Paths>, UsablePath<Paths>>;
     using emits = Channels<FrontLayer<Signal>, FrontSweep, BackLayer<Signal>, MeanSweep>;
+    /// Largest useful `count`.
     static constexpr int most_samples = detail::LineOfPixels::most;
-    static constexpr int most_lanes = 8; ///< of a pack: as many as a tile has pixels
-    int count = 64; ///< samples per pixel, no more than `most_samples`; with two motions, half along each. AdaptiveFootprint adds others
-    float reach = 0.65f;           ///< of a motion, how far along it samples are looked for: those farther away rarely pass in time
-    float width = 1.f;             ///< pixels, more than 0; a sample counts less the farther it passes, and not at all from here on
-    float bend_influence = 0.1f;   ///< per pixel of bend, how much wider that is, up to twice: what bends is known less exactly
-    float depth_tolerance = 0.02f; ///< how much farther, relatively, something is that stands behind something else
-    /// Pixels of a row, at least 1, that share their lines, which makes neighbours' samples neighbours in memory. A pack that is
-    /// wider than a tile would visit each line for some of its lanes only; see most_lanes.
+    static constexpr int most_lanes = 8; ///< largest useful SIMD width: a tile's
+    int count = 64;      ///< samples per pixel, up to `most_samples`; with two velocities, half along each. AdaptiveFootprint adds others.
+    float reach = 0.65f; ///< how far to look along a sweep, as a fraction of it: samples farther away rarely pass in time
+    float width = 1.f;   ///< pixels, above 0; distance of closest approach at which a sample's weight reaches 0
+    float bend_influence = 0.1f;   ///< increase of `width` per pixel of bend, up to twice: bends are known less exactly
+    float depth_tolerance = 0.02f; ///< relative difference of depth from which on a surface is behind another
+    /// Pixels of a row, at least 1, that share their lines: neighbours' samples are then neighbours in memory. See most_lanes for wider
+    /// packs.
     int tile_width = 8;
-    [[no_unique_address]] Footprint footprint{};
+    [[no_unique_address]] Footprint footprint{}; ///< how far to look
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         Work<Px> work(*this, px);
@@ -56,17 +57,22 @@ private:
         detail::WhichOfTwo<Paths, Real> of;
         Mask own_in_front, own_still, back_moves;
         Real front_per_length;
+        /// Inverse match radius of a layer, and how uncertain its mean is.
         struct Width {
-            Real per_pixel;
-            detail::StandardError<Real> error{};
+            Real per_pixel;                      ///< 1 / match radius, per pixel
+            detail::StandardError<Real> error{}; ///< of the mean's luminance
         } front_width, back_width;
-        detail::PartMeans<Value<Signal::components + 1, Real>, most_samples + 1> in_front; ///< its signal and its coverage
+        detail::PartMeans<Value<Signal::components + 1, Real>, most_samples + 1> in_front; ///< signal and coverage
         detail::PartMeans<Colour, most_samples + 1> behind;
+        /// Weighted mean of sweeps.
         struct Swept {
-            vec2<Real> sum{Real(0.f), Real(0.f)};
-            Real weight = Real(0.f);
+            vec2<Real> sum{Real(0.f), Real(0.f)}; ///< of sweeps, weighted
+            Real weight = Real(0.f);              ///< sum of weights
+            /// Adds a sweep, in pixels.
             QUELL_KERNEL void add(vec2<Real> const& sweep, Real w) { sum = add_scaled(sum, sweep, w), weight = weight + w; }
+            /// Whether any sample counted.
             QUELL_KERNEL auto known() const { return weight > Real(0.f); }
+            /// 0 where none did.
             QUELL_KERNEL auto mean() const { return scale(sum, 1.f / max(weight, Real(1e-12f))); }
         } front_swept, back_swept;
         Real samples = Real(0.f);
@@ -78,8 +84,7 @@ private:
               front_per_length(1.f / max(speed(of.front), Real(Path<float>::least))), front_width{per_width(of.front)},
               back_width{per_width(of.back)}, in_front(speed(of.front)), behind(speed(of.back)) {}
 
-        /// Tile by tile, of which a pack may meet several: within one, all pixels look at the same offsets, so that loads are of
-        /// neighbours.
+        /// Tile by tile: all pixels of a tile look at the same offsets, so that a pack loads neighbours. A pack may span several tiles.
         QUELL_KERNEL void gather(Px const& px) {
             auto const column = Real(static_cast<float>(px.x)) + lanes<Real>();
             for (int first = px.x; first < px.x + width_of<Real>;) {
@@ -89,7 +94,7 @@ private:
                 first = next;
             }
         }
-        /// For a tile whose pixels include lane k.
+        /// One tile, by the velocities of lane k.
         QUELL_KERNEL void gather(Px const& px, Mask tile, int k) {
             in_front.restart(), behind.restart();
             if constexpr (Paths::bent)
@@ -97,7 +102,7 @@ private:
                     return gather_as<StraightPaths>(px, tile, k);
             gather_as<Paths>(px, tile, k);
         }
-        /// @tparam As how what is around moves: straight where nothing bends, which is cheaper
+        /// @tparam As the model of trajectories: StraightPaths where nothing bends, which is cheaper
         template <class As> QUELL_KERNEL void gather_as(Px const& px, Mask tile, int k) {
             auto const behind_speed = in_lane(detail::speed_of(of.back), k);
             bool const moves = dot(behind_speed, behind_speed) > detail::still_squared;
@@ -108,7 +113,7 @@ private:
             } else if (moves)
                 gather_along<As>(OnlyOne{}, px, k, tile, of.back, 1, back_width);
         }
-        /// The lines of a whole tile are alike, so that all its lanes can go along one, whatever each finds there.
+        /// All lanes follow lane k's line, whatever each finds on it.
         template <class As, class What>
         QUELL_KERNEL void gather_along(What what, Px const& px, int k, Mask tile, Mover const& mover, int shares, Width& width) {
             auto const speed = in_lane(detail::speed_of(mover), k), bend = in_lane(detail::bend_of(mover), k);
@@ -116,7 +121,7 @@ private:
             detail::LineOfPixels const line(speed, bend, settings.reach, count / shares);
             auto const visit = [&](int dx, int dy) QUELL_INLINED { add<As>(what, px, dx, dy, tile); };
             if constexpr (std::is_same_v<What, ForBack>)
-                line.for_each_other(visit); // the line of the front had the pixel itself
+                line.for_each_other(visit); // the foreground's line had the pixel itself
             else
                 line.for_each(visit);
             if constexpr (Footprint::adapts) {
@@ -129,12 +134,12 @@ private:
             }
         }
 
-        // What is looked for along a line: samples of both things, of the one behind, or of the only one that there is.
+        // What a line collects: samples of both layers, of the background, or of the only layer.
         struct ForBoth {};
         struct ForBack {};
         struct OnlyOne {};
 
-        /// Adds the sample at an offset to the layers, as far as it is wanted.
+        /// Adds the sample at an offset to its layer.
         template <class As, class What> QUELL_KERNEL void add(What, Px const& px, int dx, int dy, Mask wanted) {
             auto const there = px.at(dx, dy);
             if (!there.row_inside) return;
@@ -150,8 +155,8 @@ private:
             }
             if (any(for_back)) add_back(there.signal(), sample, away, for_back);
         }
-        /// What shows something else is looked at as if it moved like the front: how many samples there are in all must not depend on what
-        /// they show.
+        /// A sample that does not show the foreground is tested with the foreground's velocity: the number of samples must not depend on
+        /// what they show.
         template <class Sample>
         QUELL_KERNEL void add_front(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask shows_front, Mask counts) {
             auto const looked_at = Sample{select(shows_front, sample.at, like_front(sample, away).at)};
@@ -160,7 +165,7 @@ private:
             auto const w = close * looked_at.time_per_pixel();
             auto const hidden = both(own_still, invert(own_in_front), settings.is_behind(sample.nearness(), own.nearness()));
             auto const seen = masked(both(shows_front, invert(hidden)), w);
-            // What does not pass while the shutter is open counts where nothing else does.
+            // A sample that passes while the shutter is closed counts for the mean only if no other does.
             front_swept.add(sample.sweep(), seen + masked(both(shows_front, counts), Real(1e-4f)));
             if constexpr (Footprint::adapts) front_width.error.add(masked(seen > Real(0.f), luminance(value)), close);
             in_front.add(detail::layer_of(scale(value, seen), seen), w, passing.when);
@@ -175,7 +180,7 @@ private:
             samples = samples + close;
         }
         QUELL_KERNEL static Real weight(Mask counts, auto const& passing, auto const& sample, Real per_width) {
-            // What moves by less than a pixel stands for one all the same.
+            // A sweep of less than a pixel counts as one pixel.
             auto const pixels_inside = min(passing.when, 1.f - passing.when) * max(sample.length(), Real(1.f));
             auto const open = clamp(fma(pixels_inside, Real(2.f), Real(0.5f)), Real(0.f), Real(1.f));
             return masked(counts, open * max(fma(passing.distance, -per_width, Real(1.f)), Real(0.f)));
@@ -207,7 +212,7 @@ private:
                 sweep = select(both(covered, back_moves), detail::speed_of(of.back), sweep);
                 sweep = select(nothing, nowhere, sweep);
             }
-            // As many samples pass as it sweeps pixels.
+            // The number of samples is the sweep's length in pixels.
             auto const front = detail::layer_of(in_front.mean(), masked(of.two, max(speed(of.front), Real(1.f))));
             auto const front_moves = select(front_swept.known(), front_swept.mean(), detail::speed_of(of.front));
             return emitted<Real>(FrontLayer<Signal>{}, front)
@@ -215,7 +220,7 @@ private:
                 .with(BackLayer<Signal>{}, back)
                 .with(mean_sweep, sweep);
         }
-        /// What is behind what moves here, where no sample of it passes: by what is seen of it around.
+        /// The background where no sample of it passes: from neighbours that show it.
         QUELL_KERNEL auto guessed(Px const& px) const {
             return detail::guessed_layer(px, BackLayer<Signal>::guessed, [&](auto const& neighbour) QUELL_INLINED {
                 auto const there = detail::usable_sample<Paths>(neighbour);
@@ -226,7 +231,7 @@ private:
         }
     };
 
-    /// The pixel whose pair a tile shares.
+    /// The pixel whose MotionPair a tile shares.
     template <class Px> QUELL_KERNEL auto shared(Px const& px) const {
         using Real = typename Px::Real;
         auto const tile = floor(px.position().x / static_cast<float>(tile_width));
@@ -234,7 +239,7 @@ private:
         return PastPlace<Real>(min(column, Real(static_cast<float>(px.size().width - 1))),
                                Real(static_cast<float>(detail::row_of_pair(px.y, px.size()))));
     }
-    /// Whether something can't be seen, since something nearer is before it.
+    /// Whether a surface is behind another, by inverse depth.
     template <class Real> QUELL_KERNEL auto is_behind(Real nearness, Real before) const {
         return nearness * (1.f + depth_tolerance) < before;
     }

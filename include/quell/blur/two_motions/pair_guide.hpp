@@ -3,17 +3,32 @@
 #include <quell/blur/trajectory/turn_guide.hpp>
 #include <quell/blur/two_motions/placed_mover.hpp>
 
+/// @file
+/// Contract of blur/two_motions/: motion blur where two surfaces of different velocity meet, as a foreground and a background layer.
+///
+///     UsablePath (trajectory/)
+///       |
+///       v   RowExtremesOf     -> RowExtremes   fastest sample of a row, and the one least like it
+///       v   LocalPairOf       -> LocalPair     the same of the window, foreground first       (every second row)
+///       v   NearestPair       -> MotionPair    a neighbour's pair where only one motion is    (every second row)
+///       |
+///       v   PairGather        -> FrontLayer, FrontSweep, BackLayer, MeanSweep
+///       |
+///       v   Temporal{PathSearch, PairBlend, PairFetch}: both layers are accumulated and composited
+///     signal
+///
+/// PairGuide is the first three passes, with PathGuide before them. LineOfPixels and AdaptiveFootprint say where PairGather looks,
+/// PartMeans averages by time strata, WhichOfTwo assigns a sample to a layer.
 namespace quell {
 
-/// The two motions that meet around a pixel: of what is in front, then of what is behind, each with its speed (pixels in the time that the
-/// shutter is open), its nearness (1 / depth), and its sagitta where paths are bent; what turns has the speed that it would have at the
-/// pixel. Where only one thing is around it is the one behind, and the nearness of the front is negative. Of two rows only the one of
-/// detail::row_of_pair has it: a pair holds for its surroundings.
+/// The two motions around a pixel, foreground first: each has its velocity (pixels per open shutter), inverse depth, and relative sagitta
+/// with bends. A rotating surface has the velocity that it would have at the pixel. Where there is only one motion it is the background's,
+/// and the foreground's inverse depth is negative. Only rows detail::row_of_pair hold a value; a pair holds for its surroundings.
 /// @tparam Paths StraightPaths, BentPaths or TurningPaths
 template <class Paths> struct MotionPair : MadeChannel<Paths::bent ? 8 : 6> { static constexpr auto name = "motion_pair"; };
 
 namespace detail {
-/// Rows that share one pair, and which of them has it.
+/// Rows that share a pair, and the row of them that holds it.
 inline constexpr int rows_of_pair = 2;
 QUELL_KERNEL int row_of_pair(int y, Extent size) {
     int const row = y / rows_of_pair * rows_of_pair + rows_of_pair / 2, last = size.height - 1;
@@ -21,7 +36,7 @@ QUELL_KERNEL int row_of_pair(int y, Extent size) {
 }
 template <class Px> QUELL_KERNEL bool has_pair(Px const& px) { return px.y == row_of_pair(px.y, px.size()); }
 
-/// Two movers in one value, and back.
+/// Joins two motions into one value; one_of takes them apart.
 template <class M> QUELL_KERNEL auto joined(M const& first, M const& second) {
     constexpr int n = components_of<M>;
     return make_value<2 * n, real_of<M>>([&](auto c) QUELL_INLINED {
@@ -36,7 +51,7 @@ template <int which, class J> QUELL_KERNEL auto one_of(J const& both) {
     return make_value<n, real_of<J>>([&](auto c) QUELL_INLINED { return component<which * n + c>(both); });
 }
 
-/// The mover, of all that it is offered, with the most of something.
+/// Keeps the motion that is largest by some measure.
 template <class M> struct Extreme {
     M mover;
     real_of<M> most;
@@ -48,7 +63,7 @@ template <class M> struct Extreme {
 };
 template <class M> Extreme(M, real_of<M>) -> Extreme<M>; // clang 14 has no deduction for aggregates
 
-/// Relative; of things nearer in depth than that, depth doesn't say which is in front.
+/// Relative difference of inverse depth below which depth does not tell the foreground.
 inline constexpr float least_depth_gap = 0.02f;
 
 template <class Paths> struct RowExtremes : MadeChannel<2 * components_of<PlacedMover<Paths, float>>> {
@@ -58,7 +73,7 @@ template <class Paths> struct LocalPair : MadeChannel<2 * components_of<PlacedMo
     static constexpr auto name = "local_pair";
 };
 
-/// The fastest sample of a row, and the one that moves least like it.
+/// Fastest sample of a row, and the one whose velocity differs most from it.
 template <class Paths> struct RowExtremesOf {
     static constexpr auto name = "motion pair, rows";
     static constexpr bool leaves_signal = true;
@@ -86,7 +101,7 @@ private:
     }
 };
 
-/// The pair of a window from the extremes of its rows.
+/// Pair of a window, from the extremes of its rows.
 template <class Paths> struct LocalPairOf {
     static constexpr auto name = "motion pair, columns";
     static constexpr bool leaves_signal = true;
@@ -115,16 +130,16 @@ template <class Paths> struct LocalPairOf {
     }
 
 private:
-    /// The faster and the other, whichever is in front first.
+    /// Foreground first. `a` is the faster one.
     template <class M, class Real> QUELL_KERNEL auto ordered(M const& a, Real squared, M const& b, Real difference) const {
         auto const near_a = nearness_of(a), near_b = nearness_of(b), nearer = max(near_a, near_b), farther = min(near_a, near_b);
         auto const speed = sqrt(squared);
         auto const alike = fma(max(speed - 1.f, Real(0.f)), Real(relative), Real(least));
-        // A surface that slants or turns has motions of its own that differ, but not so much within a window.
+        // A slanted or rotating surface has different velocities, but within a window they differ less than this.
         auto const unlike_by = fma(speed, Real(unlike), Real(unlike_least));
         auto const two = both(difference > alike * alike, either(nearer > farther * (1.f + depth_gap), difference > unlike_by * unlike_by,
                                                                  squared_speed(b) <= Real(still_squared)));
-        // What moves faster over something of its own depth is in front.
+        // At equal depth the faster one is the foreground.
         auto const level = nearer <= farther * (1.f + least_depth_gap);
         auto const a_in_front = both(two, either(level, near_a > near_b));
         auto const front = select(two, select(a_in_front, a, b), at_nearness(a, Real(-1.f)));
@@ -140,13 +155,13 @@ private:
     }
 };
 
-/// Where there is only one motion, the pair of a window beside that it may be one of.
+/// Where a window has one motion: the pair of a neighbouring window that has a motion like it.
 template <class Paths> struct NearestPair {
     static constexpr auto name = "motion pair, nearest";
     static constexpr bool leaves_signal = true;
     using reads = Channels<LocalPair<Paths>>;
     using emits = Channels<MotionPair<Paths>>;
-    int across, down; ///< pixels from window to window; `down` leads from rows that have a pair to such rows
+    int across, down; ///< pixels between windows; `down` is even, as only such rows hold a pair
     float likeness;
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
@@ -171,23 +186,24 @@ template <class Paths> struct NearestPair {
 };
 } // namespace detail
 
-/// Finds where two things meet that move differently, and how each of them moves: the fastest sample in a small window and the one that
-/// moves least like it, if they are at different depths, the latter stands still, or their motions are too unlike to be of one surface.
-/// Since every sample has its own time, the window holds samples of both all over the region in which one covers the other for a part of
-/// the time. Emits MotionPair, for every second row, and UsablePath for who looks at single samples afterwards.
-/// @tparam Paths StraightPaths, BentPaths, or TurningPaths, which a TurnGuide measures
+/// Finds where two surfaces of different velocity meet: the fastest sample of a small window, and the one whose velocity differs most from
+/// it. They make a pair if their depths differ, the second is static, or their velocities differ too much for one surface. Samples have
+/// random times, so both surfaces show in the window all over the region where one covers the other for a part of the time. Emits
+/// MotionPair in every second row, and UsablePath.
+/// @tparam Paths StraightPaths, BentPaths or TurningPaths
 template <class Paths = StraightPaths> struct PairGuide {
     using parts = Parts<PathGuide<Paths>>;
     using emits = Channels<detail::RowExtremes<Paths>, detail::LocalPair<Paths>, MotionPair<Paths>>;
     static constexpr bool leaves_signal = true;
-    int across = 4, down = 1; ///< how far the window reaches, in pixels
-    float least = 0.1f;       ///< pixels; motions that differ less are one
-    float relative = 0.25f;   ///< how much more they may differ, of the faster's speed beyond one pixel
-    /// Relative; what is nearer to each other in depth is one, unless one of them stands still or their motions differ by more than both
-    /// `unlike`, of the faster's speed, and `unlike_least`, in pixels.
+    /// Half width and half height of the window, in pixels.
+    int across = 4, down = 1;
+    float least = 0.1f;     ///< pixels; velocities that differ by less are equal
+    float relative = 0.25f; ///< added to `least` per pixel of the faster speed beyond the first
+    /// Relative, but `unlike_least` in pixels: surfaces that differ by less in depth are one, unless one is static or their velocities
+    /// differ by more than `unlike` times the faster speed plus `unlike_least`.
     float depth_gap = 0.05f, unlike = 0.5f, unlike_least = 2.f;
-    float likeness = 0.5f; ///< of the difference between two motions beside: what is nearer to one of them than that may be it
-    [[no_unique_address]] PathGuide<Paths> paths{};
+    float likeness = 0.5f; ///< match radius to either motion of a neighbour's pair, relative to the difference between these
+    [[no_unique_address]] PathGuide<Paths> paths{}; ///< makes UsablePath
 
     constexpr void for_each_pass(auto&& pass) const {
         paths.for_each_pass(pass);

@@ -7,25 +7,25 @@
 
 namespace quell {
 
-/// History of the two things that meet around a pixel: of what is behind from where the motion source finds it, of what is in front from
-/// where `front` does. What is seen often is interpolated by the cheaper bilinear: its mean is smooth, and it hardly needs a past.
+/// History fetch for a foreground and a background layer: the background's from where the motion source says, the foreground's from where
+/// `front` says. Layers of many samples are smooth and hardly need a past: bilinear interpolation does for them.
 /// @tparam S the pipeline's signal
 template <ChannelTag S> struct PairFetch {
     using Signal = S;
     using reads = Channels<FrontLayer<Signal>, FrontSweep, BackLayer<Signal>>;
-    PathSearchOf<FrontSweep> front{};
-    float often =
-        10.f; ///< samples in one frame; of fewer, the past is interpolated by a Catmull-Rom spline; what is in front of more has none
+    PathSearchOf<FrontSweep> front{}; ///< motion source of the foreground layer
+    /// Samples in a frame. A layer of fewer has its past interpolated by a Catmull-Rom spline; a foreground of more or as many has no past.
+    float often = 10.f;
 
     template <class Px, class Found> QUELL_KERNEL auto fetch(Px const& px, Found const& unchecked) const {
         constexpr BackLayer<Signal> back;
-        // All else of the past is wanted only where samples are missing.
+        // The rest of the past is needed only where samples are missing.
         auto past = any(px.missing()) ? Bilinear{.rescue = false}.fetch(px, unchecked) : detail::no_past<Px>();
         auto const found = detail::sane(px, unchecked);
         auto const known = interpolated(px, found, back);
         past.where = found.where;
         past.validity = masked(known.accepted, found.validity);
-        // What stands still is where it was, to the last bit.
+        // A static pixel keeps its value bit by bit.
         auto const seldom =
             both(known.accepted, invert(found.still), detail::weight_of(px[back]) < real_of<decltype(past.validity)>(often));
         past.kept.set(back, sharpened(px, found, seldom, known.value, back));
@@ -34,7 +34,7 @@ template <ChannelTag S> struct PairFetch {
     }
 
 private:
-    /// 0, of no samples, where it has no past.
+    /// 0, with no samples, where it has no past.
     template <class Px> QUELL_KERNEL auto past_front(Px const& px) const {
         using Real = typename Px::Real;
         constexpr FrontLayer<Signal> layer;
@@ -49,7 +49,7 @@ private:
     template <class Layer> QUELL_KERNEL static auto interpolated(auto const& px, auto const& found, Layer) {
         return Bilinear::interpolated(px, found, [](auto const& then) QUELL_INLINED { return then[Layer{}]; });
     }
-    /// A layer by the spline where that is wanted; its count of samples stays as it is.
+    /// Catmull-Rom interpolation where wanted; the number of samples stays.
     template <class Px, class Found, class Mask, class V, class Layer>
     QUELL_KERNEL static V sharpened(Px const& px, Found const& found, Mask wanted, V const& smooth, Layer) {
         if (!any(wanted)) return smooth;
@@ -59,18 +59,18 @@ private:
     }
 };
 
-/// Accumulates what is in front and what is behind, each for itself, and puts them together. A mean counts the samples that it is made of,
-/// not frames: fast motion passes many samples within one frame and needs no history, which is never as sharp; slow motion needs it. What
-/// stands still keeps its value while it is seen, and is remembered while it is covered.
+/// Blend policy: accumulates the foreground and the background layer separately and composites them. Means are weighted by samples, not by
+/// frames: fast motion has many samples within a frame and does not need the history, which is less sharp; slow motion needs it. A static
+/// background keeps its value while it is seen, and is remembered while it is covered.
+/// @tparam S the pipeline's signal
 template <ChannelTag S> struct PairBlend {
     using Signal = S;
     using reads = Channels<FrontLayer<Signal>, FrontSweep, BackLayer<Signal>, MeanSweep>;
     using keeps = reads;
-    float cap = 6.f; ///< samples that the past of what is behind counts as, at most
-    /// The same of what is in front: fewer, since its parts never move quite alike, and an outline that lags is seen more than its noise.
+    float cap = 6.f; ///< samples that the background's past counts as, at most
+    /// The same of the foreground: fewer, since its parts move differently, and a lagging outline is more visible than its noise.
     float front_cap = 4.f;
-    /// Pixels, more than 0; of what sweeps less, the past counts less, in proportion: it has less noise, and is interpolated, and so
-    /// softened, as often.
+    /// Pixels, above 0: shorter sweeps lower both limits in proportion. They have less noise, and interpolation softens them as often.
     float slow = 2.5f;
 
     template <class Px, class P> QUELL_KERNEL auto blend(Px const& px, P const& past) const {
@@ -96,11 +96,11 @@ template <ChannelTag S> struct PairBlend {
     }
 
 private:
-    /// What the past of something counts as, by its sweep.
+    /// Limit of the samples that a layer's past counts as, by its sweep.
     template <class Real> QUELL_KERNEL Real at_most(float most, vec2<Real> const& sweep) const {
         return min(sqrt(fma(sweep.x, sweep.x, sweep.y * sweep.y)) * (most / slow), Real(most));
     }
-    /// What samples weigh beside those of the past.
+    /// Share of this frame's samples in the mean.
     template <class Real> QUELL_KERNEL static Real share_of(Real samples, Real past) {
         return select(past > Real(0.f), samples / max(samples + past, Real(1e-6f)), Real(1.f));
     }

@@ -4,28 +4,30 @@
 
 namespace quell::detail {
 
-/// The mean over the open shutter of what is known at random times in it: each of its equal parts has the mean of the samples that pass
-/// then, and one without has that of the nearest part that has some. That makes much less noise than the mean of all samples, since random
-/// times crowd. Samples are held back until it is known how much each part has.
-/// @tparam V what is averaged, times a weight; @tparam most samples that it holds of each pixel: no more may be added
+/// Stratified mean over the open shutter: samples are averaged within equal time strata, then the strata are averaged. An empty stratum
+/// takes the nearest one's mean. Random times cluster, so this has much less noise than the mean of all samples. Samples are kept until the
+/// weights of all strata are known.
+/// @tparam V the values, times their weights
+/// @tparam most samples kept per pixel: no more may be added
 template <class V, int most> struct PartMeans {
     using Real = real_of<V>;
-    static constexpr int most_parts = 8; ///< they are as long as it takes to pass `pixels_a_part`, at least
+    static constexpr int most_parts = 8; ///< each is at least as long as it takes to cross `pixels_a_part`
     static constexpr float pixels_a_part = 0.5f;
     static constexpr int components = components_of<V>;
-    Real count;                      ///< of parts, from 1
-    Real weight[most_parts];         ///< of all samples in each
-    Real held[most][components + 1]; ///< values, times their weights, and the parts that they are in
+    Real count;                      ///< number of strata, from 1
+    Real weight[most_parts];         ///< sum of weights per stratum
+    Real held[most][components + 1]; ///< weighted values, then the index of the stratum
     int size = 0, next = 0;
 
     QUELL_KERNEL explicit PartMeans(Real pixels)
         : count(floor(clamp(pixels * (1.f / pixels_a_part), Real(1.f), Real(static_cast<float>(most_parts))))) {
         for (auto& w : weight) w = Real(0.f);
     }
-    /// Samples that are added from here on are for other pixels of the pack than those before: they share the room.
+    /// Starts over for other pixels of the pack, which reuse the slots.
     QUELL_KERNEL void restart() { next = 0; }
-    /// @param weighted the value times its weight, @param w the weight that counts in the mean, @param when as a part of the open
-    /// shutter; before it opens counts as its beginning, and after it closes as its end
+    /// @param weighted the value times its weight
+    /// @param w the weight
+    /// @param when fraction of the open shutter; clamped to [0, 1]
     QUELL_KERNEL void add(V const& weighted, Real w, Real when) {
         auto const counts = w > Real(0.f);
         if (!any(counts)) return;
@@ -54,7 +56,7 @@ template <class V, int most> struct PartMeans {
     }
 
 private:
-    /// How many parts the samples of each one count for, per weight: up to half way to the parts before and after it that have samples.
+    /// Number of strata that each stratum stands for, per weight: halfway to its filled neighbours.
     QUELL_KERNEL void find_shares(Real (&share)[most_parts]) const {
         Real begin[most_parts], before(-1.f), after = count;
         for (int i = 0; i < most_parts; ++i) {
@@ -71,12 +73,12 @@ private:
             after = select(some, here, after);
         }
     }
-    /// Unrolled, whatever the host's flags: a loop would make its constants anew each time.
+    /// Unrolled under any flags: a loop would make its constants anew each time.
     template <int n, class Visit> QUELL_KERNEL static void for_each(Visit&& visit) {
         [&]<int... i>(std::integer_sequence<int, i...>) QUELL_INLINED { (visit(std::integral_constant<int, i>{}), ...); }
         (std::make_integer_sequence<int, n>{});
     }
-    /// The entry of a part, by halving.
+    /// Binary search for a stratum's entry.
     template <int first, int size> QUELL_KERNEL static Real looked_up(Real const (&entries)[most_parts], Real part) {
         if constexpr (size == 1)
             return entries[first];

@@ -4,7 +4,7 @@
 
 namespace quell::detail {
 
-/// A mover, and where it is if its path bends: what turns moves otherwise beside it.
+/// A motion; with bends also its pixel coordinates, since a rotating surface has other velocities elsewhere.
 template <class Paths, class Real> using PlacedMover = Value<Paths::bent ? 6 : 3, Real>;
 template <class Paths, class Px> QUELL_KERNEL auto placed_mover(Px const& px) {
     using Real = typename Px::Real;
@@ -16,11 +16,11 @@ template <class Paths, class Px> QUELL_KERNEL auto placed_mover(Px const& px) {
     } else
         return mover;
 }
-/// How what moves at one place moves at another, as a rigid thing that turns in the plane of the image.
+/// The motion at another place of the same rigid surface, which rotates in the image plane.
 template <class Paths, class Real>
 QUELL_KERNEL Mover<Paths, Real> mover_at(PlacedMover<Paths, Real> const& placed, vec2<Real> const& place) {
     if constexpr (Paths::bent) {
-        // A circle's turn, to first order; its sagitta is the same everywhere.
+        // Rotation about the instantaneous centre, to first order. The relative sagitta is the same everywhere.
         auto const turn = component<3>(placed) * 8.f;
         return {fma(component<5>(placed) - place.y, turn, component<0>(placed)),
                 fma(place.x - component<4>(placed), turn, component<1>(placed)), component<2>(placed), component<3>(placed)};

@@ -4,7 +4,7 @@
 
 namespace quell::detail {
 
-/// How uncertain a weighted mean is.
+/// Standard error of a weighted mean.
 template <class Real> struct StandardError {
     Real sum = Real(0.f), squares = Real(0.f), count = Real(0.f);
 
@@ -13,7 +13,7 @@ template <class Real> struct StandardError {
         squares = fma(value * value, weight, squares);
         count = count + weight;
     }
-    /// Whether the standard error is a larger part of the mean than this: (squares / n - mean^2) / n > (part mean)^2.
+    /// Whether the relative standard error is above `part`: (squares / n - mean^2) / n > (part mean)^2.
     QUELL_KERNEL auto above(float part) const {
         return fma(sum, sum * (-1.f / max(count, Real(1e-6f))), squares) > sum * sum * (part * part);
     }

@@ -4,11 +4,11 @@
 
 namespace quell::detail {
 
-/// Tells whether what a sample shows is what is in front, or what is behind, of the two things that meet around a pixel.
+/// Assigns a sample to the foreground or the background of a MotionPair.
 template <class Paths, class Real> struct WhichOfTwo {
     using Mover = detail::Mover<Paths, Real>;
     Mover front, back;
-    decltype(Real(0.f) < Real(0.f)) two; ///< where there is only one thing, nothing is in front
+    decltype(Real(0.f) < Real(0.f)) two; ///< false where there is only a background
 
     template <class Pair>
     QUELL_KERNEL explicit WhichOfTwo(Pair const& pair)
@@ -20,7 +20,7 @@ template <class Paths, class Real> struct WhichOfTwo {
         auto const gap = abs(nearness_of(front) - nearness_of(back));
         per_gap = masked(gap > min(nearness_of(front), nearness_of(back)) * least_depth_gap, 1.f / max(gap, Real(1e-9f)));
     }
-    /// By its motion, and by its depth where the two differ in it.
+    /// By velocity, and also by depth where the two differ in it.
     template <class M> QUELL_KERNEL auto is_front(M const& m) const {
         auto const speed = speed_of(m);
         auto const by_motion = clamp(fma(speed.x, towards.x, fma(speed.y, towards.y, -middle)), Real(-1.f), Real(1.f));
@@ -29,7 +29,7 @@ template <class Paths, class Real> struct WhichOfTwo {
     }
 
 private:
-    vec2<Real> towards; ///< its product with a speed is 1 more than `middle` for the front, 1 less for the back
+    vec2<Real> towards; ///< its dot product with the foreground's velocity is `middle` + 1, with the background's `middle` - 1
     Real middle, per_gap;
 };
 

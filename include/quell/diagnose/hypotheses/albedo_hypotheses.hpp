@@ -18,7 +18,7 @@ inline void find_albedo_range(Observation const& seen, std::vector<Finding>& fin
                             percent(above.share()) + " of the surface pixels have more than 1 in a component; the most is " +
                                 number(static_cast<double>(most)),
                             "write reflectance in [0, 1] as a linear colour, and 1 on emitters, whose light belongs into the signal"});
-    // Metals have no diffuse albedo, but no picture is of metal only.
+    // Metals have no diffuse albedo, but no picture shows only metal.
     if (black.share() > 0.98)
         findings.push_back({Mistake::albedo_black, percent(black.share()) + " of the surface pixels are black in albedo",
                             "fill the channel with the diffuse reflectance that the signal was multiplied by, or leave Demodulate{} out"});

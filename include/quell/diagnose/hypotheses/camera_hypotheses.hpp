@@ -4,8 +4,8 @@
 
 namespace quell::detail {
 
-// A matrix's last row shows what kind it is: (0, 0, -1, 0) of a perspective projection, (0, 0, 1, 0) of one that looks down +z, (0, 0, 0,
-// 1) of a view. Columns are m[0..3].
+// The last row tells the kind of a matrix: (0, 0, -1, 0) perspective projection, (0, 0, 1, 0) one that looks down +z, (0, 0, 0, 1) view.
+// m[0..3] are columns.
 
 inline glm::vec4 last_row(glm::mat4 const& m) { return {m[0][3], m[1][3], m[2][3], m[3][3]}; }
 inline bool nearly(glm::vec4 const& a, glm::vec4 const& b) { return glm::distance(a, b) < 1e-4f; }
@@ -29,7 +29,7 @@ inline std::string row_and_column(glm::mat4 const& m) {
 }
 inline constexpr char transpose_it[] = "transpose it: quell's matrices are column-major and multiply column vectors";
 
-/// Of hosts that multiply row vectors it is transposed, of those with D3D's conventions it looks down +z, and may be both.
+/// Hosts with row vectors give a transposed matrix, hosts with D3D's conventions one that looks down +z; some give both.
 inline void find_wrong_projection(Camera const& camera, std::vector<Finding>& findings) {
     auto projection = camera.projection;
     auto const turned = glm::transpose(projection);
@@ -50,7 +50,7 @@ inline void find_transposed_view(Camera const& camera, std::vector<Finding>& fin
     findings.push_back({Mistake::view_transposed, row_and_column(camera.view), transpose_it});
 }
 
-/// What the matrices show by themselves. Returns whether there is a mistake, so that nothing can be built on this camera.
+/// What the matrices show by themselves. Returns whether the camera is unusable.
 inline bool find_wrong_matrices(Observation const& seen, std::vector<Finding>& findings) {
     auto const before = findings.size();
     find_swapped_matrices(seen.camera, findings);
@@ -61,8 +61,8 @@ inline bool find_wrong_matrices(Observation const& seen, std::vector<Finding>& f
     return findings.size() > before;
 }
 
-/// How the projection's centre moved since the last frame, in pixels, where nothing else of it changed and this is less than two frames'
-/// jitter; otherwise 0.
+/// Movement of the projection's centre since the last frame, in pixels; 0 if anything else of it changed, or if it is more than two frames'
+/// jitter.
 inline glm::vec2 shift_of(Observation const& seen) {
     auto then = seen.camera_then.projection;
     auto const& now = seen.camera.projection;
@@ -73,10 +73,10 @@ inline glm::vec2 shift_of(Observation const& seen) {
     return sub_pixel ? moved : glm::vec2(0.f);
 }
 
-/// A projection whose centre moves by a part of a pixel, and elsewhere each time. Returns whether it does.
+/// A projection whose centre moves by subpixels, differently each time. Returns whether it does.
 inline bool find_projection_jitter(Observation const& seen, std::vector<Finding>& findings) {
     auto const moved = shift_of(seen), before = std::exchange(seen.notes().shift, moved);
-    // A lens that shifts slowly goes on as it did.
+    // A slow lens shift moves on by the same amount.
     if (moved == glm::vec2(0.f) || before == glm::vec2(0.f) || glm::length(moved - before) < 0.02f) return false;
     findings.push_back({Mistake::projection_jitter,
                         "from the last frame to this one its centre moved by " + pair(moved.x, moved.y) + " pixels, and before by " +
@@ -85,10 +85,11 @@ inline bool find_projection_jitter(Observation const& seen, std::vector<Finding>
     return true;
 }
 
-/// What of still surfaces moves as it must, with the cameras as they are and with other ones.
+/// Share of surfaces that move as static ones must, with the cameras as given and with other ones.
 struct OtherCameras {
     Tally own, other;
-    bool better = false; ///< and than with any convention: a camera that only slides looks like motion of the wrong sign, which is commoner
+    /// better than any motion convention, too: a camera that only translates looks like motion of the wrong sign, the commoner mistake
+    bool better = false;
 
     OtherCameras(Observation const& seen, ComparedMotions const& pairs, Camera const& now, Camera const& then) {
         auto const others = moving(motion_pairs(seen, now, then));
@@ -102,8 +103,7 @@ struct OtherCameras {
     }
 };
 
-/// The pose instead of its inverse: then what is expected of still surfaces is not what they do, but would be with the inverse.
-/// Returns whether that is so.
+/// The camera's pose in place of its inverse: with the inverse, static surfaces would move as expected. Returns whether that is so.
 inline bool find_inverted_view(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
     auto now = seen.camera, then = seen.camera_then;
     now.view = glm::inverse(now.view), then.view = glm::inverse(then.view);
@@ -114,7 +114,7 @@ inline bool find_inverted_view(Observation const& seen, ComparedMotions const& p
     return true;
 }
 
-/// Pictures whose first row is at the bottom, or a projection as Vulkan's hosts have it. Returns whether that is so.
+/// Images with the first row at the bottom, or a projection as for Vulkan. Returns whether that is so.
 inline bool find_camera_upside_down(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
     auto now = seen.camera, then = seen.camera_then;
     for (auto* const camera : {&now, &then})
@@ -126,7 +126,7 @@ inline bool find_camera_upside_down(Observation const& seen, ComparedMotions con
     return true;
 }
 
-/// The camera never changes, and yet all surfaces move.
+/// The camera never changes, although all surfaces move.
 inline void find_still_camera(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
     if (!(seen.camera.view == seen.camera_then.view && seen.camera.projection == seen.camera_then.projection)) return;
     Tally moves;

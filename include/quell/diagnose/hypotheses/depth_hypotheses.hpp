@@ -14,7 +14,7 @@ namespace quell::detail {
 
 inline bool is_miss(float depth) { return bits(depth) == bits(std::numeric_limits<float>::infinity()); }
 
-/// What is neither a distance nor a miss.
+/// Depths that are neither finite nor +infinity.
 inline void find_depth_not_finite(Observation const& seen, std::vector<Finding>& findings) {
     Tally bad;
     for_each_place(seen.size, [&](int x, int y) { bad.add(!seen.hit(x, y) && !is_miss(seen.depth(0, x, y))); });
@@ -23,8 +23,8 @@ inline void find_depth_not_finite(Observation const& seen, std::vector<Finding>&
                             "write +infinity where there is no surface, and the distance along the view axis everywhere else"});
 }
 
-/// No surface in any frame so far, and these are several: whoever looks into the sky has most often seen the ground before. Returns
-/// whether that is so.
+/// No surface in 8 frames or more, and in none before: a camera that looks into the sky has usually seen the ground before. Returns whether
+/// that is so.
 inline bool find_no_surface(Observation const& seen, std::vector<Finding>& findings) {
     auto& notes = seen.notes();
     Tally misses;
@@ -38,20 +38,19 @@ inline bool find_no_surface(Observation const& seen, std::vector<Finding>& findi
     return true;
 }
 
-/// The depth that all of the picture has.
+/// The depth of the whole picture, if constant.
 inline std::optional<float> constant_depth(Observation const& seen) {
     float const first = seen.depth(0, 0, 0);
     Tally same;
     for_each_place(seen.size, [&](int x, int y) { same.add(bits(seen.depth(0, x, y)) == bits(first)); });
     return same.yes == same.asked && is_finite(first) ? std::optional(first) : std::nullopt;
 }
-/// Whether the camera has turned or come closer, so that what was a plane before it is none any more. One that slides along a wall keeps
-/// it.
+/// Whether the camera rotated or came closer, so that a plane of constant depth is none any more. Sliding along a wall keeps it.
 inline bool changes_depth(Camera const& now, Camera const& then, float depth) {
     auto const turned = glm::row(now.view, 2) - glm::row(then.view, 2);
     return glm::length(glm::vec3(turned)) > 1e-4f || std::abs(turned.w) > 1e-3f * depth;
 }
-/// One depth for all, although the camera moves. Returns whether that is so.
+/// Constant depth although the camera moves. Returns whether that is so.
 inline bool find_constant_depth(Observation const& seen, std::vector<Finding>& findings) {
     auto const now = constant_depth(seen), before = std::exchange(seen.notes().constant_depth, now);
     if (!now || now != before || !seen.has_then || !known(seen.camera) || !known(seen.camera_then)) return false;
@@ -63,7 +62,7 @@ inline bool find_constant_depth(Observation const& seen, std::vector<Finding>& f
     return true;
 }
 
-/// Zero or less: the view's own z, or misses that are not infinite. Returns whether it is so.
+/// Depth of 0 or less: view-space z, or misses that are not infinite. Returns whether that is so.
 inline bool find_depth_not_positive(Observation const& seen, std::vector<Finding>& findings) {
     Tally bad;
     float least = 0.f;
@@ -79,16 +78,16 @@ inline bool find_depth_not_positive(Observation const& seen, std::vector<Finding
     return true;
 }
 
-/// How planes look in an image of depths: along a line, linear depth z has a 1 / z that changes evenly; what a depth buffer holds
-/// changes evenly itself. Told by three depths l, c, r at equal steps: (l + r - 2 c) / |r - l| is 0 for the buffer, and for linear depth
-/// as much as depth changes, in parts of itself.
+/// Tells linear depth from depth-buffer values by planes. Along a line on a plane, 1 / z of linear depth is linear in the pixel; so are
+/// depth-buffer values themselves. Of three depths l, c, r at equal steps, |l + r - 2 c| / |r - l| is 0 for a depth buffer; for linear
+/// depth it is the relative change of depth.
 struct Evenness {
     Tally linear, buffer;
 
     void add(float l, float c, float r) {
         double const step = std::abs(static_cast<double>(r) - l), slope = step / (2. * c);
         double const bend = (static_cast<double>(l) + r - 2. * c) / step, rounding = 1.2e-7 * c / step;
-        // Slopes that rounding hides, and edges of objects, tell nothing.
+        // Slopes lost in rounding, and edges of objects, tell nothing.
         if (!(step > 0.) || slope < 20. * rounding || std::abs(bend) > 0.5 || !(slope < 0.3)) return;
         linear.add(std::abs(bend / slope - 1.) < 0.25), buffer.add(std::abs(bend / slope) < 0.25);
     }
@@ -99,11 +98,11 @@ inline Evenness evenness_of(Observation const& seen) {
     auto const add = [&](int x, int y, int dx, int dy) {
         if (x < dx || y < dy || x + dx >= seen.size.width || y + dy >= seen.size.height) return;
         float const l = seen.depth(0, x - dx, y - dy), c = seen.depth(0, x, y), r = seen.depth(0, x + dx, y + dy);
-        // Exactly 0 and 1 are where a depth buffer has no surface.
+        // A depth buffer has exactly 0 or 1 where there is no surface.
         auto const surface = [](float z) { return is_finite(z) && z > 0.f && z < 1.f; };
         if (surface(l) && surface(c) && surface(r)) evenness.add(l, c, r);
     };
-    // Near steps stay on one plane, far ones stand out from rounding.
+    // Short steps stay on one plane, long ones stand out from rounding.
     for (int const part : {64, 32, 16}) {
         int const reach = std::max(1, seen.size.width / part);
         for_each_place(seen.size, [&](int x, int y) { add(x, y, reach, 0), add(x, y, 0, reach); });
@@ -111,7 +110,7 @@ inline Evenness evenness_of(Observation const& seen) {
     return evenness;
 }
 
-/// A depth buffer's values. Returns whether that is so.
+/// Depth-buffer values. Returns whether that is so.
 inline bool find_depth_not_linear(Observation const& seen, std::vector<Finding>& findings) {
     Tally in_unit_range;
     std::vector<float> depths;
@@ -131,7 +130,7 @@ inline bool find_depth_not_linear(Observation const& seen, std::vector<Finding>&
     return true;
 }
 
-/// All that depth alone shows. Returns whether nothing can be built on it.
+/// What depth shows by itself. Returns whether it is unusable.
 inline bool find_wrong_depth(Observation const& seen, std::vector<Finding>& findings) {
     find_depth_not_finite(seen, findings);
     bool const says_nothing = find_no_surface(seen, findings) || find_constant_depth(seen, findings);

@@ -13,7 +13,7 @@ inline std::string why_afresh(Observation const& seen, SignalSeen const& signal)
     return "numbers and sizes follow each other";
 }
 
-/// Runs that each began without a past, three times in a row: cuts don't come so often.
+/// Three consecutive runs without a past: cuts are rarer.
 inline void find_resets(Observation const& seen, std::vector<Finding>& findings) {
     auto const with_past = std::ranges::find_if(seen.of_signals, &SignalSeen::has_past);
     if (with_past == seen.of_signals.end()) return;

@@ -7,17 +7,17 @@
 
 namespace quell::detail {
 
-/// How much unlike what is seen here that is to which a vector leads; nothing where one can't say.
+/// Relative difference between a pixel's depth and the depth that a vector leads to; empty where unknown.
 using Unlikeness = std::optional<float>;
 
-/// What comes into the picture was outside of it, but not far.
+/// Surfaces enter the picture from outside, but not from far.
 inline Unlikeness unlikeness_outside(Extent size, glm::vec2 place) {
     glm::vec2 const whole(size.width, size.height);
     auto const beyond = glm::abs(place - glm::clamp(place, glm::vec2(0.f), whole)) / whole;
     return std::max(beyond.x, beyond.y) < 0.1f ? Unlikeness() : 1.f;
 }
 
-/// Of depth, and of the normal where the history has it: the least of the four pixels of the last frame around the place.
+/// The least of the four pixels of the last frame around the place.
 inline Unlikeness unlikeness(Observation const& seen, int x, int y, glm::vec2 motion) {
     auto const place = glm::vec2(x, y) + motion;
     glm::vec2 const last(seen.size.width - 1, seen.size.height - 1);
@@ -34,7 +34,7 @@ inline Unlikeness unlikeness(Observation const& seen, int x, int y, glm::vec2 mo
     return least;
 }
 
-/// Where the vectors of a frame lead if they are of some convention.
+/// Where the vectors of a frame lead under one convention.
 struct Trial {
     std::vector<glm::vec2> motions;
     std::vector<Unlikeness> found;
@@ -44,7 +44,7 @@ struct Trial {
     }
 };
 
-/// What moves towards the camera changes its depth a little, and a sphere that rolls its normals; edges stand out.
+/// Margins: a surface that approaches changes its depth a little, an edge by more.
 inline bool finds(float one, float other) { return one < 0.06f && other > one + 0.04f; }
 
 inline void add(Duel& duel, Trial const& a, Trial const& b) {
@@ -56,7 +56,7 @@ inline void add(Duel& duel, Trial const& a, Trial const& b) {
     }
 }
 
-/// All conventions, each against each, on the vectors of all frames so far; that of the pipeline at the front.
+/// Compares all conventions pairwise on the vectors of all frames so far. The pipeline's is the first.
 class Tournament {
     std::vector<MotionConvention> conventions;
     std::vector<Duel>& duels;
@@ -72,9 +72,9 @@ public:
             if (won(i, best)) best = i;
     }
     [[nodiscard]] MotionConvention convention() const { return conventions[best]; }
-    /// The pipeline's own against it.
+    /// The pipeline's convention against the best.
     [[nodiscard]] Duel duel() const { return duel(0, best); }
-    /// Whether it is better than the pipeline's own, and than all others that differ from that in as little.
+    /// Whether the best beats the pipeline's convention, and all others that differ from that in as little.
     [[nodiscard]] bool decided() const {
         for (std::size_t i = 1; i < conventions.size(); ++i)
             if (i != best && mistakes_in(i) <= mistakes_in(best) && duel(best, i).apart >= 20 && !won(best, i)) return false;
@@ -88,7 +88,7 @@ private:
         auto const turned = duels[b * conventions.size() + a];
         return {turned.second, turned.first, turned.apart};
     }
-    /// What was hidden a frame ago is found by neither, or by chance.
+    /// With a margin: disoccluded pixels match neither, or one by chance.
     [[nodiscard]] bool won(std::size_t a, std::size_t b) const { return duel(a, b).first >= 8 && duel(a, b).first > 4 * duel(a, b).second; }
 
     [[nodiscard]] std::vector<Trial> trials_of(Observation const& seen) const {
@@ -103,7 +103,7 @@ private:
     }
 };
 
-/// Sign, unit and direction of y, by what moves before a camera of which nothing is known, or which stands still.
+/// Sign, unit and direction of y, by moving objects, where the camera is unknown or static.
 inline void find_motion_convention_by_history(Observation const& seen, std::vector<Finding>& findings) {
     Tournament const tournament(seen);
     if (!tournament.decided()) return;

@@ -10,7 +10,7 @@
 
 namespace quell::detail {
 
-/// What is wrong with taking vectors of this convention for those of another.
+/// The mistakes in taking vectors of one convention for those of another.
 inline std::vector<Mistake> mistakes_of(MotionConvention convention, MotionConvention taken_for) {
     std::vector<Mistake> mistakes;
     if (convention.points != taken_for.points) mistakes.push_back(Mistake::motion_sign);
@@ -19,7 +19,7 @@ inline std::vector<Mistake> mistakes_of(MotionConvention convention, MotionConve
     return mistakes;
 }
 
-/// All that hosts may follow, but for jitter; the one that they are taken for at the front, and those that differ from it in less first.
+/// All conventions except for jitter. The one that vectors are taken for comes first, then the others by how little they differ.
 inline std::vector<MotionConvention> motion_conventions(MotionConvention taken_for) {
     using C = MotionConvention;
     std::vector<C> all;
@@ -30,7 +30,7 @@ inline std::vector<MotionConvention> motion_conventions(MotionConvention taken_f
     return all;
 }
 
-/// What a vector that was taken for one of a convention, and turned into quell's by that, is multiplied by if it is of another.
+/// Factor for a vector that was converted to quell's convention from `taken_for`, and is of `convention`.
 inline glm::vec2 correction(MotionConvention convention, MotionConvention taken_for, Extent size) {
     return to_pixels(convention, size) / to_pixels(taken_for, size);
 }

@@ -4,7 +4,7 @@
 
 namespace quell::detail {
 
-/// Where motion leads, against where the cameras say that what stands still was. What moves by itself is found by its motion alone.
+/// Compares where motion leads with where the cameras say that a static surface was. A moving object is found by its motion only.
 inline Duel duel_with_cameras(Observation const& seen) {
     StaticMotion const expected(seen.camera, seen.camera_then, seen.size);
     Trial by_motion, by_cameras;
@@ -19,7 +19,7 @@ inline Duel duel_with_cameras(Observation const& seen) {
     return duel;
 }
 
-/// What no known convention explains: motion that loses the past where the cameras find it, two frames in a row.
+/// No convention explains it: motion loses the past where the cameras find it, two frames in a row.
 inline void find_disagreement(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
     if (!seen.depth_then) return;
     BestConvention const choice(pairs, seen);

@@ -9,17 +9,17 @@
 
 namespace quell::detail {
 
-/// A motion vector of the host, and the one that a surface which stands still would have there.
+/// A motion vector of the host, and the one of a static surface there.
 struct ComparedMotion {
     glm::vec2 found, expected;
-    /// Objects that move agree with nothing; that is why shares are compared, and never looked at alone.
+    /// Moving objects never agree, so shares are only compared with each other.
     [[nodiscard]] bool agrees(glm::vec2 motion) const { return glm::length(motion - expected) < 0.1f + 0.03f * glm::length(expected); }
-    /// Where nothing is expected to move, every convention says the same.
+    /// Without expected motion, all conventions agree.
     [[nodiscard]] bool moves() const { return glm::length(expected) > 0.5f; }
 };
 using ComparedMotions = std::vector<ComparedMotion>;
 
-/// Wherever depth and cameras tell what to expect.
+/// At pixels where depth and cameras give the expected motion.
 inline ComparedMotions motion_pairs(Observation const& seen, Camera const& now, Camera const& then) {
     StaticMotion const expected(now, then, seen.size);
     ComparedMotions pairs;
@@ -30,7 +30,7 @@ inline ComparedMotions motion_pairs(Observation const& seen, Camera const& now, 
     });
     return pairs;
 }
-/// Of a camera that stands still.
+/// For a static camera.
 inline ComparedMotions still_pairs(Observation const& seen) {
     ComparedMotions pairs;
     for_each_hit(seen, [&](int x, int y) {
@@ -48,10 +48,10 @@ inline Tally agreeing(ComparedMotions const& pairs, glm::vec2 factor) {
     return tally;
 }
 
-inline constexpr std::size_t fewest_pairs = 50; ///< fewer are no evidence
-inline constexpr double clear_margin = 0.25;    ///< by so much the share of a mistake must beat that of all being well
+inline constexpr std::size_t fewest_pairs = 50; ///< evidence needs this many
+inline constexpr double clear_margin = 0.25;    ///< a mistake's share must exceed the share of correct vectors by this
 
-/// The convention that most vectors agree with; of those that are alike, the one nearest to quell's own.
+/// The convention that most vectors agree with; among similar shares, the one nearest to the pipeline's.
 struct BestConvention {
     MotionConvention convention;
     Tally own, best;
@@ -77,7 +77,7 @@ inline void report_convention(MotionConvention convention, Observation const& se
              "multiply motion by " + pair(factor.x, factor.y) + swapped + " or give the pipeline Supplied<" + code_of(convention) + ">{}"});
 }
 
-/// Sign, unit and direction of y, by cameras that move.
+/// Sign, unit and direction of y, by a moving camera.
 inline void find_motion_convention(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
     BestConvention const choice(pairs, seen);
     if (!choice.clear()) return;
@@ -89,12 +89,12 @@ inline void find_motion_convention(Observation const& seen, ComparedMotions cons
                       findings);
 }
 
-/// Nothing moves on the screen although the camera does.
+/// No motion on the screen although the camera moves.
 inline void find_zero_motion(ComparedMotions const& pairs, std::vector<Finding>& findings) {
     Tally zero;
     std::vector<float> expected;
     for (auto const& pair : pairs) zero.add(glm::length(pair.found) < 1e-6f), expected.push_back(glm::length(pair.expected));
-    // What moves with the camera is still on the screen: then something else moves as expected.
+    // Objects that move with the camera have no motion; but then others move as expected.
     if (zero.share() < 0.6 || agreeing(pairs, {1.f, 1.f}).share() > 0.05) return;
     findings.push_back({Mistake::motion_zero,
                         "motion is exactly 0 in " + percent(zero.share()) + " of " + std::to_string(pairs.size()) +
@@ -103,7 +103,7 @@ inline void find_zero_motion(ComparedMotions const& pairs, std::vector<Finding>&
                         "compute motion with the previous frame's matrices, which must not be those of this frame, and fill the channel"});
 }
 
-/// What all motion vectors have that still surfaces should not: its median, and how many pixels share it.
+/// Median offset of motion vectors from those of static surfaces, and the share of pixels that have it.
 struct CommonOffset {
     glm::vec2 offset{};
     Tally sharing, without;
@@ -118,7 +118,7 @@ struct CommonOffset {
             sharing.add(glm::length(rest - offset) < allowed), without.add(glm::length(rest) < allowed);
         }
     }
-    /// Less than a pixel and a half each way, as two frames' jitter may differ, and not all being well.
+    /// At most 1.5 pixels per axis, as the jitter of two frames may differ, and clearly more common than no offset.
     [[nodiscard]] bool is_jitter() const {
         bool const subpixel = std::abs(offset.x) < 1.5f && std::abs(offset.y) < 1.5f && glm::length(offset) > 0.05f;
         return subpixel && sharing.share() > 0.6 && sharing.share() > without.share() + clear_margin;
@@ -133,14 +133,14 @@ inline std::string jitter_remedy(MotionConvention taken_for) {
            code_of(taken_for) + ">{}";
 }
 
-/// Whether an offset is what jitter leaves: the change of camera.jitter, or one that turns back. What slides keeps its direction, and what
-/// it slides by is the change of jitter by chance only.
+/// Whether an offset looks like jitter: it is the change of camera.jitter, or it reverses. Sliding surfaces keep their direction and match
+/// that change only by chance.
 inline bool looks_like_jitter(glm::vec2 offset, glm::vec2 before, glm::vec2 change) {
     bool const is_change = std::min(glm::length(offset - change), glm::length(offset + change)) < 0.05f;
     return (glm::length(change) > 0.05f && is_change) || glm::dot(offset, before) < 0.f;
 }
 
-/// The change of jitter in every vector, as two frames in a row show it. Returns whether it is there, or may be.
+/// The change of jitter in every vector, in two consecutive frames. Returns whether it is there, or may be.
 inline bool find_motion_jitter(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
     CommonOffset const common(pairs);
     auto const offset = common.is_jitter() ? common.offset : glm::vec2(0.f);
@@ -148,7 +148,7 @@ inline bool find_motion_jitter(Observation const& seen, ComparedMotions const& p
     auto const change = seen.camera.jitter - seen.camera_then.jitter;
     auto& in_a_row = seen.notes().jittered_in_a_row;
     in_a_row = looks_like_jitter(offset, before, change) && common.is_jitter() ? in_a_row + 1 : 0;
-    // Something large that slides is no jitter, nor a camera that is not told of.
+    // Neither a large sliding object nor an unreported camera movement is jitter.
     if (in_a_row < 2) return common.is_jitter() && glm::length(offset - before) > 0.1f;
     findings.push_back({Mistake::motion_jitter,
                         percent(common.sharing.share()) + " of " + std::to_string(pairs.size()) + " surface pixels have " +

@@ -11,7 +11,7 @@ namespace quell::detail {
 
 inline bool is_unit(glm::vec3 n) { return std::abs(glm::length(n) - 1.f) < 0.02f; }
 
-/// Pixels without a normal that are all as far away as can be: the sky of a host that has a far plane.
+/// Pixels without a normal at the largest depth: the sky of a host with a far plane.
 inline Tally far_without_normal(Observation const& seen) {
     auto const has_none = [&](int x, int y) { return vec3_at(seen.normal, x, y) == glm::vec3(0.f); };
     float farthest = 0.f;
@@ -25,7 +25,7 @@ inline Tally far_without_normal(Observation const& seen) {
     return distant;
 }
 
-/// Returns whether lengths are wrong, so that directions need not be asked.
+/// Returns whether lengths are wrong; directions then need no test.
 inline bool find_normal_length(Observation const& seen, std::vector<Finding>& findings) {
     Tally unit, packed;
     std::vector<float> lengths;
@@ -50,7 +50,7 @@ inline bool find_normal_length(Observation const& seen, std::vector<Finding>& fi
     return true;
 }
 
-/// The normal, in view space, that depth shows; nothing at edges.
+/// View-space normal by finite differences of depth; empty at edges.
 inline std::optional<glm::vec3> shown_normal(Observation const& seen, StaticMotion const& camera, int x, int y) {
     if (x + 1 >= seen.size.width || y + 1 >= seen.size.height) return std::nullopt;
     float const here = seen.depth(0, x, y), right = seen.depth(0, x + 1, y), below = seen.depth(0, x, y + 1);
@@ -60,7 +60,7 @@ inline std::optional<glm::vec3> shown_normal(Observation const& seen, StaticMoti
     return glm::vec3(glm::normalize(glm::cross(camera.point(x, y + 1, below) - p, camera.point(x + 1, y, right) - p)));
 }
 
-/// Which space normals are in, by the slope of depth: the world, the view, or the world of a view that is the wrong way round.
+/// The space of the normals, by the slope of depth: world, view, or the world of an inverted view.
 struct NormalSpace {
     Tally world, view, inverted;
 
@@ -74,8 +74,7 @@ struct NormalSpace {
     }
 
 private:
-    /// Only where the camera is turned so far that they differ, and only what is nearer to one of them than to the others. What faces the
-    /// camera may just be a depth that says nothing.
+    /// Only where the spaces differ, and only a normal near to one of them. A normal that faces the camera may come from constant depth.
     void add(glm::vec3 n, glm::vec3 as_world, glm::vec3 as_view, glm::vec3 as_inverted) {
         if (std::abs(glm::dot(as_world, as_view)) > 0.97f || std::abs(as_view.z) > 0.97f) return;
         float const a = std::abs(glm::dot(n, as_world)), b = std::abs(glm::dot(n, as_view)), c = std::abs(glm::dot(n, as_inverted));
@@ -84,7 +83,7 @@ private:
     }
 };
 
-/// Returns whether the view turns out to be the wrong way round.
+/// Returns whether the view is inverted.
 inline bool find_normal_space(Observation const& seen, std::vector<Finding>& findings) {
     NormalSpace const space(seen);
     auto const evidence = "at " + std::to_string(space.world.asked) + " pixels " + percent(space.world.share()) +

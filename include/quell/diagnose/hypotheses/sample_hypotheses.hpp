@@ -6,7 +6,7 @@
 
 namespace quell::detail {
 
-/// Counted in every pixel, since one is enough to tell of a mistake in shading.
+/// In every pixel: a single one shows a mistake in shading.
 inline void find_bad_samples(Observation const& seen, SignalSeen const& signal, std::vector<Finding>& findings) {
     long long not_finite = 0, negative = 0;
     int first_x = 0, first_y = 0;
@@ -27,7 +27,7 @@ inline void find_bad_samples(Observation const& seen, SignalSeen const& signal, 
          "look for divisions by a probability of 0 and for roots of negative numbers where it is shaded; quell leaves them out"});
 }
 
-/// Guides that are not finite where there is a surface; without depth nobody knows where that is. Of signals find_bad_samples tells.
+/// Guides that are not finite on a surface. Without depth, surfaces are unknown. find_bad_samples checks signals.
 inline void find_bad_guides(Observation const& seen, std::vector<Finding>& findings) {
     if (!seen.depth) return;
     for (auto const& guide : seen.guides) {
@@ -45,7 +45,7 @@ inline void find_bad_guides(Observation const& seen, std::vector<Finding>& findi
     }
 }
 
-/// The signal at the places that are looked at.
+/// The signal at the sampled pixels.
 inline std::vector<float> values_of(Observation const& seen, SignalSeen const& signal, Lookup const& image) {
     std::vector<float> values;
     for_each_place(seen.size, [&](int x, int y) {
@@ -54,8 +54,7 @@ inline std::vector<float> values_of(Observation const& seen, SignalSeen const& s
     return values;
 }
 
-/// Noise that is the same again: the renderer was not asked for a new frame, or its random numbers don't change. What has no noise may
-/// well stay as it is.
+/// Identical noise: the renderer made no new frame, or reuses its random numbers. A signal without noise may stay the same.
 inline void find_identical_frames(Observation const& seen, SignalSeen const& signal, std::vector<float> const& now,
                                   std::vector<Finding>& findings) {
     auto const same = [](float a, float b) { return bits(a) == bits(b); };
@@ -66,11 +65,11 @@ inline void find_identical_frames(Observation const& seen, SignalSeen const& sig
                         "give the random numbers a new seed in every frame, and fill the frame before every run()"});
 }
 
-/// How much of the last run's output is what went in, wherever that is noisy: where it isn't what it was a frame before.
+/// Share of the last run's output that equals its input, among samples that changed since.
 inline Tally unchanged_by_run(Observation const& seen, SignalSeen const& signal, std::vector<float> const& now) {
     Tally same;
     auto const& in = signal.notes->input;
-    // The first frame of a history has nothing to be joined with.
+    // The first frame of a history has no past to blend.
     if (!signal.has_stages || signal.blurs || !signal.output_then || in.size() != now.size() || (signal.has_past && signal.frames < 2))
         return same;
     auto const out = values_of(seen, signal, signal.output_then);
@@ -80,11 +79,11 @@ inline Tally unchanged_by_run(Observation const& seen, SignalSeen const& signal,
     return same;
 }
 
-/// Runs that each gave back what they got, three times in a row: once is a cut that only the motion tells of.
+/// Three consecutive runs that returned their input: a single one may be a cut that only motion tells.
 inline void find_output_is_input(Observation const& seen, SignalSeen const& signal, std::vector<float> const& now,
                                  std::vector<Finding>& findings) {
     auto const same = unchanged_by_run(seen, signal, now);
-    // A few values that change are edges that move, and what these uncover has no past.
+    // If few values change, they are moving edges, and disoccluded pixels have no past.
     bool const idle = same.asked >= 100 && 5 * same.asked >= static_cast<long long>(now.size()) && same.share() >= 0.95;
     auto& in_a_row = signal.notes->idle_in_a_row;
     in_a_row = idle ? in_a_row + 1 : 0;
@@ -96,7 +95,7 @@ inline void find_output_is_input(Observation const& seen, SignalSeen const& sign
                         "weights of 0"});
 }
 
-/// What each signal's samples show by themselves.
+/// What the samples show by themselves.
 inline void find_sample_mistakes(Observation const& seen, std::vector<Finding>& findings) {
     find_bad_guides(seen, findings);
     for (auto const& signal : seen.of_signals) {
@@ -105,7 +104,7 @@ inline void find_sample_mistakes(Observation const& seen, std::vector<Finding>& 
     }
 }
 
-/// What came of the last frame; to be asked last, since most other mistakes lead to it. Remembers this frame for the next call.
+/// What the last run made of its frame. Comes last, as most other mistakes cause it. Stores this frame for the next call.
 inline void find_output_mistakes(Observation const& seen, std::vector<Finding>& findings) {
     bool const explained = !findings.empty();
     for (auto const& signal : seen.of_signals) {

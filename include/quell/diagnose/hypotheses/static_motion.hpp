@@ -12,7 +12,7 @@
 
 namespace quell::detail {
 
-/// Whether every entry is a number, and the matrix has an inverse.
+/// Finite, and has an inverse.
 inline bool invertible(glm::mat4 const& m) {
     for (int c = 0; c < 4; ++c)
         for (int r = 0; r < 4; ++r)
@@ -21,15 +21,14 @@ inline bool invertible(glm::mat4 const& m) {
 }
 inline bool nearly(float a, float b) { return std::abs(a - b) < 1e-4f; }
 
-/// Whether a camera says what was seen from where: a perspective projection that looks down -z, and a view that turns and moves. The
-/// default camera does not.
+/// Whether a camera is set: a perspective projection that looks down -z, and an invertible view. The default camera is not.
 inline bool known(Camera const& camera) {
     auto const& p = camera.projection;
     return invertible(p) && invertible(camera.view) && nearly(p[2][3], -1.f) && nearly(p[3][3], 0.f) && nearly(p[0][3], 0.f) &&
            nearly(p[1][3], 0.f);
 }
 
-/// Where a surface that stands still was in the previous frame, from its depth and the two cameras.
+/// Where a static surface was in the previous frame, from its depth and the two cameras.
 class StaticMotion {
     glm::dmat4 view_from_clip, clip_then_from_view;
     glm::dvec2 size, jitter;
@@ -40,13 +39,13 @@ public:
           clip_then_from_view(glm::dmat4(then.projection) * glm::dmat4(then.view) * glm::inverse(glm::dmat4(now.view))),
           size(extent.width, extent.height), jitter(now.jitter) {}
 
-    /// The point in view space.
+    /// The surface point in view space.
     [[nodiscard]] glm::dvec3 point(int x, int y, float depth) const {
         auto const place = place_of(x, y);
         auto const p = view_from_clip * glm::dvec4(place.x / size.x * 2. - 1., 1. - place.y / size.y * 2., 0.5, 1.);
         return glm::dvec3(p) / p.w * (static_cast<double>(depth) * p.w / -p.z);
     }
-    /// Its motion in pixels; nothing where it was behind the camera.
+    /// Its motion in pixels; empty if it was behind the camera.
     [[nodiscard]] std::optional<glm::vec2> at(int x, int y, float depth) const {
         auto const clip = clip_then_from_view * glm::dvec4(point(x, y, depth), 1.);
         if (!(clip.w > 1e-6)) return std::nullopt;

@@ -6,9 +6,9 @@
 
 namespace quell::detail {
 
-/// Sweeps of what stands still before a camera that moves, as parts of the way that its surface goes until the next frame.
+/// Sweeps of static surfaces under a moving camera, as fractions of their motion per frame.
 struct SweptParts {
-    std::vector<float> parts; ///< of those that lead along that way, or back along it
+    std::vector<float> parts; ///< of sweeps parallel to the motion, negative if opposite
     std::size_t asked = 0;
 
     explicit SweptParts(Observation const& seen) {
@@ -23,14 +23,14 @@ struct SweptParts {
             if (glm::length(sweep - part * way) < 0.2f * glm::length(sweep)) parts.push_back(part);
         });
     }
-    /// Whether nearly all are one part of the way; what moves by itself agrees with nothing.
+    /// Whether most sweeps are the same fraction. Moving objects agree with nothing.
     [[nodiscard]] bool agree_on(float part) const {
         auto const alike = std::ranges::count_if(parts, [&](float p) { return std::abs(p - part) < 0.15f * std::abs(part); });
         return asked >= fewest_pairs && static_cast<double>(alike) > 0.6 * static_cast<double>(asked);
     }
 };
 
-/// Sweeps that lead backwards, or last another time than the shutter is open, three frames in a row: a camera that speeds up sweeps more in
+/// Sweeps that point backwards, or whose duration is not the shutter's, in three consecutive frames: an accelerating camera sweeps more in
 /// one frame than it moved before it.
 inline void find_wrong_sweeps(Observation const& seen, std::vector<Finding>& findings) {
     SweptParts swept(seen);

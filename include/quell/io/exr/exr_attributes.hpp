@@ -29,7 +29,7 @@ inline Imath::M44f matrix_for_file(glm::mat4 const& m) {
     return result;
 }
 
-/// Nothing where it is of a type that Attribute has no form for.
+/// Empty for a type that Attribute does not have.
 inline std::optional<Attribute> attribute_from(Imf::Attribute const& a) {
     if (auto const* const text = dynamic_cast<Imf::StringAttribute const*>(&a)) return text->value();
     if (auto const* const whole = dynamic_cast<Imf::IntAttribute const*>(&a)) return whole->value();
@@ -41,7 +41,7 @@ inline std::optional<Attribute> attribute_from(Imf::Attribute const& a) {
     return std::nullopt;
 }
 
-/// Where several parts have an attribute of one name, the first counts.
+/// Of attributes with the same name in several parts, the first counts.
 inline void copy_attributes(Imf::Header const& header, std::map<std::string, Attribute, std::less<>>& into) {
     for (auto i = header.begin(); i != header.end(); ++i)
         if (auto const value = attribute_from(i.attribute())) into.emplace(i.name(), *value);

@@ -11,10 +11,10 @@
 
 namespace quell::io::detail {
 
-/// The first line of what a library says.
+/// First line of a library's message.
 inline std::string first_line(std::string const& text) { return text.substr(0, text.find('\n')); }
 
-/// Runs f; whatever the OpenEXR library throws there becomes an Error that names the file.
+/// Runs f; turns exceptions of the OpenEXR library into an Error that names the file.
 inline void naming_file(std::string const& file, std::string const& trouble, auto&& f) {
     auto const remedy = "render or copy it again";
     try {
@@ -23,12 +23,12 @@ inline void naming_file(std::string const& file, std::string const& trouble, aut
         throw;
     } catch (std::bad_alloc const&) {
         throw Error(file, trouble + ": it asks for more memory than there is", remedy);
-    } catch (std::exception const& why) { // OpenEXR's own exceptions derive from it
+    } catch (std::exception const& why) { // the base of OpenEXR's exceptions
         throw Error(file, trouble + " (" + first_line(why.what()) + ")", remedy);
     }
 }
 
-/// Says which of the usual things is wrong with a path, before the library is asked.
+/// Checks for the usual mistakes in a path before the library opens it.
 inline void check_is_exr(std::filesystem::path const& path) {
     std::error_code why;
     auto const status = std::filesystem::status(path, why);

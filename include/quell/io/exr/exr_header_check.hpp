@@ -9,8 +9,8 @@
 
 namespace quell::io::detail {
 
-/// Walks over the attributes of a file's headers without reading them. The OpenEXR library takes an attribute's length at its word and its
-/// memory at once, so that four damaged bytes can ask for 2 GB.
+/// Walks over the attributes of a file's headers without reading them. The OpenEXR library allocates an attribute's length before it checks
+/// it: four damaged bytes can ask for 2 GB.
 class HeaderCheck {
     std::ifstream in;
     std::int64_t end;
@@ -19,16 +19,16 @@ public:
     explicit HeaderCheck(std::filesystem::path const& path) : in(path, std::ios::binary) {
         in.seekg(0, std::ios::end);
         end = in.tellg();
-        in.seekg(4); // behind the magic number
+        in.seekg(4); // after the magic number
     }
 
     /// Whether every attribute lies within the file.
     [[nodiscard]] bool passes() {
         bool const several_parts = (number() & 0x1000) != 0;
         do {
-            while (skip_text() > 0) // an attribute's name; an empty one ends the header
+            while (skip_text() > 0) // attribute's name; an empty one ends the header
                 if (skip_text(); !skip(number())) return false;
-        } while (several_parts && in.good() && in.peek() != 0); // and an empty header ends them all
+        } while (several_parts && in.good() && in.peek() != 0); // an empty header ends them all
         return in.good();
     }
 
