@@ -95,9 +95,7 @@ struct YCoCg {
 /// @tparam radius of the neighbourhood, in pixels: 1 is 3x3
 template <class Inner, class Range = MeanDeviation, class Axes = Rgb, int radius = 1> struct Clamped {
     static_assert(BlendPolicy<Inner>, "Clamped{inner, range}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    /// @cond
     using parts = Parts<Inner>;
-    /// @endcond
 
     Inner inner{}; ///< blends the clamped history
     Range range{}; ///< how wide the box is

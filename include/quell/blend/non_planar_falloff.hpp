@@ -14,12 +14,10 @@ namespace quell {
 /// @tparam Inner a BlendPolicy
 template <class Inner> struct NonPlanarFalloff {
     static_assert(BlendPolicy<Inner>, "NonPlanarFalloff{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    /// @cond
     using parts = Parts<Inner>;
     using reads = decltype(detail::TangentPlaneChannels{} | Channels<Depth>{});
     using remembers = Channels<Depth>;
     static constexpr bool needs_camera = true;
-    /// @endcond
     Inner inner{};          ///< blends with the reduced weight
     float deviation = 0.1f; ///< of G, in radians
 

@@ -7,9 +7,7 @@ namespace quell {
 /// Exact mean of a pixel's samples until there are `cap` of them, then an exponential average with alpha = 1 / cap. So there is no bias at
 /// the start, and old light fades.
 struct RunningMean {
-    /// @cond
     using keeps = Channels<HistoryLength>;
-    /// @endcond
     float cap = 32.f; ///< in frames, at least 1; in samples where the host says how many a pixel has (KnownSamples{})
 
     /// alpha = samples now / samples in the new mean.
@@ -24,9 +22,7 @@ struct RunningMean {
 /// RunningMean whose history shortens when a clamp moves it: wrong history fades at once, not over `cap` frames. Goes inside Clamped.
 /// Counts every frame as one sample, also with KnownSamples{}.
 struct Adaptive {
-    /// @cond
     using keeps = Channels<HistoryLength>;
-    /// @endcond
     float cap = 32.f;         ///< in frames, at least 1
     float sensitivity = 0.5f; ///< share of the clamp's relative change that is added to alpha
 

@@ -12,10 +12,8 @@ namespace quell {
 /// @tparam Inner a BlendPolicy
 template <class Inner> struct WithCleanUp {
     static_assert(BlendPolicy<Inner>, "WithCleanUp{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    /// @cond
     using parts = Parts<Inner>;
     using emits = Channels<CleanUpDeviation>;
-    /// @endcond
     Inner inner{};            ///< blends, and says alpha
     float usual_alpha = 0.1f; ///< up to this alpha no clean-up is needed
     float widest = 5.f;       ///< pixels

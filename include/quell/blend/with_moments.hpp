@@ -8,10 +8,8 @@ namespace quell {
 /// @tparam Inner a BlendPolicy
 template <class Inner> struct WithMoments {
     static_assert(BlendPolicy<Inner>, "WithMoments{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    /// @cond
     using parts = Parts<Inner>;
     using keeps = Channels<LuminanceMean, LuminanceVariance>;
-    /// @endcond
     Inner inner{}; ///< blends, and says alpha
 
     /// The inner result, with luminance_mean and luminance_variance.

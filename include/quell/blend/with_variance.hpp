@@ -9,10 +9,8 @@ namespace quell {
 /// @tparam Inner a BlendPolicy
 template <class Inner> struct WithVariance {
     static_assert(BlendPolicy<Inner>, "WithVariance{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    /// @cond
     using parts = Parts<Inner>;
     using keeps = Channels<LuminanceVariance>;
-    /// @endcond
     Inner inner{}; ///< blends, and says alpha
 
     /// The inner result, with luminance_variance.

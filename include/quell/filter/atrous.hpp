@@ -75,9 +75,7 @@ template <class Edge, bool guided, class Spline = CubicSpline> struct AtrousLeve
 /// @tparam Spline CubicSpline, or LinearSpline for 3x3
 template <class Edge = Product<DepthEdge, NormalEdge>, class Spline = CubicSpline> struct Atrous {
     static_assert(EdgeWeight<Edge>, "Atrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
-    /// @cond
     using parts = Parts<Edge>;
-    /// @endcond
     Edge edge{};    ///< which neighbours count
     int levels = 5; ///< passes; 5 of 5x5 taps reach 62 pixels
 

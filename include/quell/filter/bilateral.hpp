@@ -82,9 +82,7 @@ struct DeviationChannel {
 /// @tparam Edge an EdgeWeight
 template <class Edge = Product<DepthEdge, NormalEdge>> struct Bilateral {
     static_assert(EdgeWeight<Edge>, "Bilateral{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
-    /// @cond
     using parts = Parts<Edge>;
-    /// @endcond
     Edge edge{};           ///< which neighbours count
     int radius = 4;        ///< pixels; 15 is a 31x31 filter
     float deviation = 0.f; ///< standard deviation of the Gaussian, in pixels; 0: half the radius
@@ -136,9 +134,7 @@ template <class Width, class Edge = Product<DepthEdge, NormalEdge>> struct Adapt
 /// @tparam Edge an EdgeWeight
 template <class Edge = Product<DepthEdge, NormalEdge>> struct CleanUp {
     static_assert(EdgeWeight<Edge>, "CleanUp{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
-    /// @cond
     using parts = Parts<detail::BilateralLine<Edge, detail::DeviationChannel>>;
-    /// @endcond
     Edge edge{}; ///< which neighbours count
 
     /// Rows, then columns.

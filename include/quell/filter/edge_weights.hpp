@@ -8,9 +8,7 @@ namespace quell {
 /// Neighbours off the surface's slope in depth weigh less: exp(-|dz| / (sigma |grad z . dp| + relative_floor z)) (w_z of Schied et al.
 /// 2017). A miss has no neighbours.
 struct DepthEdge {
-    /// @cond
     using reads = Channels<Depth>;
-    /// @endcond
     float sigma = 1.f;            ///< multiple of the slope that has weight 1/e
     float relative_floor = 0.01f; ///< difference with weight 1/e on a surface without slope, as a part of depth
 
@@ -38,9 +36,7 @@ struct DepthEdge {
 /// Neighbours with another normal weigh less: exp(-sharpness (1 - n . n')). At 128 this is max(0, n . n')^128 (w_n of Schied et al. 2017)
 /// to within 0.003.
 struct NormalEdge {
-    /// @cond
     using reads = Channels<Normal>;
-    /// @endcond
     float sharpness = 128.f; ///< larger: normals must agree better; 0: they do not matter
 
     /// @cond
@@ -84,9 +80,7 @@ struct LuminanceEdge {
 /// Only differences of luminance beyond the noise weigh less: exp(-|dl| / (sigma sqrt(variance) + 1e-4)), with the variance blurred by a
 /// 3x3 Gaussian (w_l of Schied et al. 2017).
 struct VarianceGuidedEdge {
-    /// @cond
     using reads = Channels<Variance>;
-    /// @endcond
     float sigma = 4.f; ///< difference with weight 1/e, in standard deviations
 
     template <class Real> struct Around : detail::AroundLuminance<Real> {};
@@ -111,9 +105,7 @@ struct VarianceGuidedEdge {
 /// @tparam Edges each an EdgeWeight
 template <class... Edges> struct Product : Edges... {
     static_assert((EdgeWeight<Edges> && ...), "Product{edges...}: each must have around(px), see quell/filter/filter_kernel.hpp");
-    /// @cond
     using parts = Parts<Edges...>;
-    /// @endcond
 
     /// @cond
     // A base class for each part's result. Holds references where it can: copies of GLM vectors go through memory.

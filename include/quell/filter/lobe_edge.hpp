@@ -10,10 +10,8 @@ namespace quell {
 ///
 ///     VarianceGuidedAtrous{Product{DepthEdge{}, NormalEdge{}, LobeEdge{}}}
 struct LobeEdge {
-    /// @cond
     using reads = Channels<Roughness, GlossyHit, Position, Depth>;
     static constexpr bool needs_camera = true;
-    /// @endcond
     float width = 2.f;  ///< w in GGX alphas (squared roughness) times the distance to the hit
     float least = 0.3f; ///< minimum of w, in pixels
 

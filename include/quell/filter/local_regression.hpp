@@ -7,9 +7,7 @@ namespace quell {
 
 /// The accumulated light after `level` levels of the pilot; 0: before the pilot.
 /// @tparam n the signal's components
-template <int level, int n> struct LessFilteredLight : MadeChannel<n> {
-    static constexpr auto name = "less_filtered_light"; ///< in messages
-};
+template <int level, int n> struct LessFilteredLight : MadeChannel<n> { static constexpr auto name = "less_filtered_light"; };
 /// The variance of the accumulated light's luminance, before any filter.
 struct UnfilteredVariance : MadeChannel<1> {
     /// @cond
@@ -21,7 +19,7 @@ struct UnfilteredVariance : MadeChannel<1> {
 inline constexpr UnfilteredVariance unfiltered_variance;
 /// Mean luminance over a window: of the pilot (x), which has all of the light, and of the fit (y).
 struct LightOfPilotAndFit : MadeChannel<2> {
-    static constexpr auto name = "light_of_pilot_and_fit"; ///< in messages
+    static constexpr auto name = "light_of_pilot_and_fit";
 };
 /// See LightOfPilotAndFit.
 inline constexpr LightOfPilotAndFit light_of_pilot_and_fit;

@@ -123,9 +123,7 @@ template <class Source = ShadowMotion, class Edge = DepthEdge> struct ShadowSpla
 /// second term of `low` keeps narrow penumbrae sharp: they have little noise, and thin shadows may be no wider themselves. The minimum is
 /// 0.1 pixels, which filters nothing; it holds where no shadow is near.
 struct PenumbraWidth {
-    /// @cond
     using reads = Channels<ShadowTrack>;
-    /// @endcond
     float part = 0.15f;          ///< standard deviation of the Gaussian, as a part of the penumbra
     float least = 0.5f;          ///< in pixels; wide enough to reach the next pixels
     float most = 7.5f;           ///< in pixels
@@ -143,10 +141,8 @@ struct PenumbraWidth {
 
 /// A MotionSource: the motion of ShadowTrack. Invalid where no shadow is near.
 struct SplattedShadowMotion {
-    /// @cond
     using reads = Channels<ShadowTrack>;
     static constexpr bool needs_camera = true;
-    /// @endcond
 
     /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
@@ -173,9 +169,7 @@ struct ShadowFetch {
 
 /// A MotionSource: the motion of ShadowTrack where there is one, else that of the surface, without a surface test. For a ChangeDetector.
 struct ShadowOrSurfaceMotion {
-    /// @cond
     using reads = Channels<ShadowTrack, Motion>;
-    /// @endcond
 
     /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {

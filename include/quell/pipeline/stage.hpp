@@ -21,10 +21,8 @@ template <class M, class B, class Fetch = Bilinear> struct Temporal {
                   "Temporal{motion, blend, fetch}: `fetch` must have fetch(px, found), see quell/motion/history_fetch.hpp");
     static_assert(BlendPolicy<B>, "Temporal{motion, blend}: `blend` must have blend(px, past), see quell/blend/blend_policy.hpp");
 
-    /// @cond
     using parts = Parts<M, B, Fetch>;
     static constexpr auto name = "temporal";
-    /// @endcond
 
     M motion{};    ///< finds the history
     B blending{};  ///< blends it with the new sample
@@ -77,9 +75,7 @@ template <class F> struct Spatial {
                   "Spatial{kernel}: a policy must be trivially copyable, so that it can be sent to a device: plain numbers only");
     static_assert(FilterKernel<F>,
                   "Spatial{kernel}: `kernel` must have filter(px) or for_each_pass(pass), see quell/filter/filter_kernel.hpp");
-    /// @cond
     using parts = Parts<F>;
-    /// @endcond
     F kernel{}; ///< the filter
 };
 template <class F> Spatial(F) -> Spatial<F>;

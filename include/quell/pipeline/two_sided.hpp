@@ -13,9 +13,7 @@ namespace quell {
 ///
 ///     Frame frame{size, denoise, two_sided};
 struct TwoSided {
-    /// @cond
     using reads = Channels<MotionNext>;
-    /// @endcond
 };
 /// See TwoSided.
 inline constexpr TwoSided two_sided;

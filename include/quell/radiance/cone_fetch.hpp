@@ -10,10 +10,8 @@ namespace quell {
 ///
 ///     Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, RunningMean{}, ConeFetch{}}
 struct ConeFetch {
-    /// @cond
     using reads = Channels<Normal>;
     using remembers = Channels<Normal>;
-    /// @endcond
     Bilinear inner{}; ///< interpolates the history
 
     /// See quell/motion/history_fetch.hpp.

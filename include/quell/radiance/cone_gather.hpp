@@ -13,11 +13,9 @@ namespace quell {
 /// @tparam Edge an EdgeWeight that keeps different normals apart: cones are added one to one
 template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
     static_assert(EdgeWeight<Edge>, "ConeGather{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
-    /// @cond
     static constexpr auto name = "cone gather";
     using parts = Parts<Edge>;
     using reads = Channels<ConeRadiance>;
-    /// @endcond
     Edge edge{}; ///< which neighbours count
 
     /// The shaded colour; the signal as it is where there are no samples.

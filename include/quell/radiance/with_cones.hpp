@@ -15,11 +15,9 @@ namespace quell {
 /// @tparam Inner a BlendPolicy
 template <class Inner> struct WithCones {
     static_assert(BlendPolicy<Inner>, "WithCones{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    /// @cond
     using parts = Parts<Inner>;
     using reads = Channels<Normal, IndirectDirection>;
     using keeps = Channels<ConeRadiance>;
-    /// @endcond
     Inner inner{}; ///< says alpha
 
     /// The shaded colour, with cone_radiance.

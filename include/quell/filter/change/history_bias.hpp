@@ -7,7 +7,7 @@ namespace quell {
 
 /// Squared bias of the history over the variance of one sample; 0 without evidence.
 struct HistoryBias : MadeChannel<1> {
-    static constexpr auto name = "history_bias"; ///< in messages
+    static constexpr auto name = "history_bias";
 };
 /// See HistoryBias.
 inline constexpr HistoryBias history_bias;
@@ -16,19 +16,19 @@ inline constexpr HistoryBias history_bias;
 
 /// Luminance of the sample minus luminance of the history.
 struct HistoryDistance : MadeChannel<1> {
-    static constexpr auto name = "history_distance"; ///< in messages
+    static constexpr auto name = "history_distance";
 };
 /// Root mean square of HistoryDistance.
 struct HistoryDeviation : MadeChannel<1> {
-    static constexpr auto name = "history_deviation"; ///< in messages
+    static constexpr auto name = "history_deviation";
 };
 /// Root mean square that noise alone would give, by the history's own variance.
 struct ExpectedDeviation : MadeChannel<1> {
-    static constexpr auto name = "expected_deviation"; ///< in messages
+    static constexpr auto name = "expected_deviation";
 };
 /// Part of the window that has both a sample and a history.
 struct HistoryShare : MadeChannel<1> {
-    static constexpr auto name = "history_share"; ///< in messages
+    static constexpr auto name = "history_share";
 };
 inline constexpr HistoryDistance history_distance;     ///< see HistoryDistance
 inline constexpr HistoryDeviation history_deviation;   ///< see HistoryDeviation
@@ -181,10 +181,8 @@ template <class Source = SurfaceMotion<SameDepth>> struct BiasEstimate {
 /// @tparam Inner a BlendPolicy that keeps the history length, such as RunningMean
 template <class Inner> struct ForgetBiased {
     static_assert(BlendPolicy<Inner>, "ForgetBiased{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    /// @cond
     using parts = Parts<Inner>;
     using reads = Channels<HistoryBias, HistoryDeviation>;
-    /// @endcond
     static_assert(keeps_of<Inner>::template has<HistoryLength>,
                   "ForgetBiased{inner}: `inner` must keep the history's length, as RunningMean does");
     Inner inner{};                ///< blends with the reduced validity

@@ -9,7 +9,7 @@ namespace quell {
 /// Difference of luminance between new samples and history, over a window of n pixels. x: sum / sqrt(n). y: root of the sum of squares,
 /// over sqrt(n). x / y is Student's statistic, and both fit in half precision.
 struct LightChange : MadeChannel<2> {
-    static constexpr auto name = "light_change"; ///< in messages
+    static constexpr auto name = "light_change";
 };
 /// See LightChange.
 inline constexpr LightChange light_change;
@@ -100,10 +100,8 @@ template <class Source = SurfaceMotion<SameDepth>> struct ChangeDetector {
 /// @tparam Inner a BlendPolicy
 template <class Inner> struct ForgetChanged {
     static_assert(BlendPolicy<Inner>, "ForgetChanged{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    /// @cond
     using parts = Parts<Inner>;
     using reads = Channels<LightChange>;
-    /// @endcond
     Inner inner{};           ///< blends with the reduced validity
     float by_chance = 16.f;  ///< values of the statistic up to this are noise
     float sharpness = 400.f; ///< validity is divided by 1 + sharpness * (statistic - by_chance); longer histories need more

@@ -8,7 +8,7 @@ namespace quell {
 /// Temporal gradient at a pixel, as means over its surroundings. x: luminance now minus luminance in the previous frame. y: the larger of
 /// the two.
 struct FilteredGradient : MadeChannel<2> {
-    static constexpr auto name = "filtered_gradient"; ///< in messages
+    static constexpr auto name = "filtered_gradient";
 };
 /// See FilteredGradient.
 inline constexpr FilteredGradient filtered_gradient;
@@ -48,12 +48,10 @@ template <class Source, class Edge> struct GradientLevel {
 /// @tparam Edge   an EdgeWeight
 template <ChannelTag Signal, class Edge = DepthEdge> struct TemporalGradient {
     static_assert(EdgeWeight<Edge>, "TemporalGradient{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
-    /// @cond
     using parts = Parts<Edge>;
     using reads = Channels<GradientOf<Signal>>;
     using emits = Channels<FilteredGradient>;
     static constexpr bool leaves_signal = true;
-    /// @endcond
     Edge edge{};    ///< how far gradients spread
     int levels = 3; ///< further levels after the first; each doubles the reach
 
@@ -69,10 +67,8 @@ template <ChannelTag Signal, class Edge = DepthEdge> struct TemporalGradient {
 /// @tparam Inner a BlendPolicy
 template <class Inner> struct Antilag {
     static_assert(BlendPolicy<Inner>, "Antilag{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    /// @cond
     using parts = Parts<Inner>;
     using reads = Channels<FilteredGradient>;
-    /// @endcond
     Inner inner{}; ///< says alpha_0
 
     /// The inner policy's result with alpha.
