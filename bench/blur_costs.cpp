@@ -138,7 +138,7 @@ std::vector<Case> cases() {
 void print_costs(Extent size, int rounds) {
     std::vector<Preset> const presets{
         preset("svgf", [] { return quell::presets::svgf(radiance); }),
-        preset("blur-straight", [] { return quell::presets::blur<StraightPaths>(radiance); }),
+        preset("blur-straight", [] { return quell::presets::blur<StraightTrajectories>(radiance); }),
         preset("blur", [] { return quell::presets::blur(radiance); }),
     };
     auto const all = cases();

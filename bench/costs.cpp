@@ -5,8 +5,8 @@
 namespace quell::bench {
 namespace {
 
-// Counted from the kernels' source. Paths that few pixels take (missing samples, rescue, spatial variance of short histories) are left out:
-// the bound must not be above what is possible.
+// Counted from the kernels' source. Trajectories that few pixels take (missing samples, rescue, spatial variance of short histories) are
+// left out: the bound must not be above what is possible.
 
 constexpr Cost luminance_cost{5.};      // fma, fma, *
 constexpr Cost divisor{18.};            // Demodulate::divisor: 3 x (finite 2, clamp 2), luminance 5, < 1

@@ -101,14 +101,14 @@ mutant "the test for what is no light in a picture's factors" pipeline/composite
 mutant "what a filter before Temporal does with missing samples" pipeline/stages pipeline/ingest.hpp 'select(missing, with_sign_bit(a)' 'select(invert(missing), max(a, real_of<V>(0.f))'
 mutant "a past that never had a sample" pipeline/stages motion/history_fetch.hpp 'then[history_length] > Real(0.f)' 'then[history_length] >= Real(0.f)'
 mutant "the order of a pipeline's end: what is remembered is still read" pipeline/stages pipeline/execution/frame_run.hpp 'if (!reads_remembered)' 'if (reads_remembered)'
-mutant "blur: when a sample passes" blur/two_motions blur/trajectory/usable_path.hpp 'when = time() + along;' 'when = time() - along;'
+mutant "blur: when a sample passes" blur/two_motions blur/trajectory/sample_trajectory.hpp 'when = time() + along;' 'when = time() - along;'
 mutant "blur: motions too unlike to be of one surface" blur/two_motions blur/two_motions/pair_guide.hpp \
     'difference > unlike_by * unlike_by,' 'difference > difference,'
 mutant "blur: how far the shutter's ends are soft" blur/layers blur/two_motions/pair_gather.hpp 'Real(2.f), Real(0.5f)' 'Real(2.f), Real(2.f)'
 mutant "blur: what is guessed behind what moves" blur/two_motions blur/two_motions/pair_gather.hpp \
     'both(back_moves, moving)' 'both(back_moves, invert(back_moves))'
-mutant "blur: how far the samples of a part count" blur/part_means blur/two_motions/part_means.hpp '(after + here + 1.f) * 0.5f' '(after + here + 1.f) * 0.4f'
-mutant "blur: the past of what is in front" blur/two_motions blur/two_motions/pair_history.hpp 'at_most(front_cap, px[front_sweep])' 'Real(0.f)'
+mutant "blur: how far the samples of a part count" blur/part_means blur/two_motions/stratified_mean.hpp '(after + here + 1.f) * 0.5f' '(after + here + 1.f) * 0.4f'
+mutant "blur: the past of what is in front" blur/two_motions blur/two_motions/pair_history.hpp 'at_most(front_cap, px[foreground_sweep])' 'Real(0.f)'
 mutant "blur: what of the past moves otherwise" blur/two_motions blur/path_search.hpp '- length) <= length_tolerance' '- length) >= Real(0.f)'
 mutant "blur: where the past is looked for" blur/layers blur/path_search.hpp '{{p.x - v.x, p.y - v.y}' '{{p.x + v.x, p.y - v.y}'
 

@@ -26,13 +26,14 @@ auto denoisers() {
                               "iterations", {0, 1, 2, 8}, [](auto& p) -> auto& { return stage<2>(p).motion.iterations; })
                           .vary(
                               "cap", caps, [](auto& p) -> auto& { return stage<2>(p).blending.cap; });
-    auto const adaptive = Named{"blur-adaptive", presets::blur<TurningPaths, AdaptiveFootprint>(radiance)}.vary(
+    auto const adaptive = Named{"blur-adaptive", presets::blur<RotatingTrajectories, AdaptiveFootprint>(radiance)}.vary(
         "allowed_error", {0.05, 0.1, 0.4}, [](auto& p) -> auto& { return stage<1>(p).kernel.footprint.allowed_error; });
     return std::tuple(Named{"none", presets::none(radiance)}, Named{"svgf", presets::svgf(radiance)}, blur, blur.in_half(),
-                      Named{"blur-straight", presets::blur<StraightPaths>(radiance)},
-                      Named{"blur-bent", presets::blur<BentPaths>(radiance)}, Named{"blur-one-step", presets::blur_one_step(radiance)},
-                      Named{"blur-no-history", Pipeline{radiance, Spatial{PairGuide<TurningPaths>{}},
-                                                        Spatial{PairGather<Radiance, TurningPaths>{}}, no_history}},
+                      Named{"blur-straight", presets::blur<StraightTrajectories>(radiance)},
+                      Named{"blur-bent", presets::blur<BentTrajectories>(radiance)},
+                      Named{"blur-one-step", presets::blur_one_step(radiance)},
+                      Named{"blur-no-history", Pipeline{radiance, Spatial{PairGuide<RotatingTrajectories>{}},
+                                                        Spatial{PairGather<Radiance, RotatingTrajectories>{}}, no_history}},
                       Named{"blur-few-samples", presets::blur(radiance, {}, {.count = 32})}, adaptive,
                       Named{"blur-wavelet", presets::blur_wavelet(radiance)}, Named{"blur-fixed-step", presets::blur_fixed_step(radiance)},
                       Named{"blur-paper", presets::blur_paper(radiance)},

@@ -29,7 +29,7 @@ TEST_CASE("serial, SIMD and threads compute the same: blur") {
     same_everywhere(denoise);
     same_everywhere(presets::blur_wavelet(radiance));
     same_everywhere(presets::blur_fixed_step(radiance));
-    same_everywhere(presets::blur<BentPaths>(radiance));
+    same_everywhere(presets::blur<BentTrajectories>(radiance));
 }
 
 TEST_CASE("a constant stays constant, whatever moves") {
@@ -180,7 +180,7 @@ void stays_finite(Extent size, auto const& pipeline, auto... channels) {
 
 TEST_CASE("bad input: nothing that is not finite comes out or stays in the history") {
     for (Extent const size : {Extent{40, 20}, Extent{1, 1}}) {
-        stays_finite(size, presets::blur<BentPaths>(radiance), sweep, sweep_bend, quell::time, depth, radiance);
-        stays_finite(size, presets::blur<TurningPaths>(radiance), sweep, quell::time, depth, radiance);
+        stays_finite(size, presets::blur<BentTrajectories>(radiance), sweep, sweep_bend, quell::time, depth, radiance);
+        stays_finite(size, presets::blur<RotatingTrajectories>(radiance), sweep, quell::time, depth, radiance);
     }
 }

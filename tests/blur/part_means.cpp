@@ -1,4 +1,4 @@
-#include <quell/blur/two_motions/part_means.hpp>
+#include <quell/blur/two_motions/stratified_mean.hpp>
 
 #include <doctest/doctest.h>
 
@@ -33,7 +33,7 @@ double nearest_parts(std::vector<At> const& samples, int parts) {
         }
     return mean;
 }
-using Means = detail::PartMeans<Value<1, float>, 32>;
+using Means = detail::StratifiedMean<Value<1, float>, 32>;
 Means of(std::vector<At> const& samples, float pixels) {
     Means means(pixels);
     for (auto const& s : samples) means.add({s.value * s.weight}, s.weight, s.when);

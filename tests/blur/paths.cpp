@@ -41,7 +41,7 @@ TEST_CASE("a path passes a point where plain geometry says") {
         glm::dvec2 const v(pixels(random), pixels(random)), offset(pixels(random), pixels(random));
         double const t = part(random), length = glm::length(v);
         if (length < 1) continue;
-        auto const passing = Path<float>::of(glm::vec2(v), static_cast<float>(t)).passing(glm::vec2(offset));
+        auto const passing = Trajectory<float>::of(glm::vec2(v), static_cast<float>(t)).passing(glm::vec2(offset));
         // The line's distance from the point by the cross product, and how far along it the foot lies.
         double const distance = std::abs(v.x * offset.y - v.y * offset.x) / length, when = t + glm::dot(v, offset) / length / length;
         CHECK(passing.distance == doctest::Approx(distance).epsilon(1e-3).scale(1));
@@ -55,28 +55,28 @@ TEST_CASE("a path that bends passes points of its own arc, at their times") {
     auto const sweep = place(1) - place(0), bend = place(0.5) - (place(0) + place(1)) * 0.5;
     for (double const seen : {0., 0.3, 0.8})
         for (double const t : {0.05, 0.4, 0.95}) {
-            auto const straight = Path<float>::of(glm::vec2(sweep), static_cast<float>(seen));
-            auto const path = BentPath<float>::of(straight, glm::vec2(bend));
+            auto const straight = Trajectory<float>::of(glm::vec2(sweep), static_cast<float>(seen));
+            auto const path = BentTrajectory<float>::of(straight, glm::vec2(bend));
             auto const passing = path.passing(glm::vec2(place(t) - place(seen)));
             // A parabola is no circle: 0.6 pixels off on such an arc, where a straight path would be 10.
             CHECK(passing.distance < 0.65f);
             CHECK(std::abs(passing.when - t) < 0.02);
             // Without a bend it is the straight path.
-            auto const flat = BentPath<float>::of(straight, {not_a_number, 3.f}).passing({3.f, 4.f});
+            auto const flat = BentTrajectory<float>::of(straight, {not_a_number, 3.f}).passing({3.f, 4.f});
             CHECK(flat.distance == doctest::Approx(straight.passing({3.f, 4.f}).distance).epsilon(1e-4));
         }
 }
 
 TEST_CASE("bad sweeps and times have a meaning") {
     for (float const bad : {not_a_number, infinite, -infinite}) {
-        CHECK(!Path<float>::of({bad, 3.f}, 0.5f).moves());
-        CHECK(!Path<float>::of({3.f, bad}, 0.5f).moves());
-        CHECK(Path<float>::of({3.f, 3.f}, bad).time == 0.5f);
+        CHECK(!Trajectory<float>::of({bad, 3.f}, 0.5f).moves());
+        CHECK(!Trajectory<float>::of({3.f, bad}, 0.5f).moves());
+        CHECK(Trajectory<float>::of({3.f, 3.f}, bad).time == 0.5f);
     }
-    CHECK(!Path<float>::of({0.f, 0.f}, 0.5f).moves());
-    CHECK(Path<float>::of({9.f, 0.f}, 2.f).time == 1.f);
-    CHECK(Path<float>::of({9.f, 0.f}, -1.f).time == 0.f);
-    CHECK(Path<float>::of({1e30f, 0.f}, 0.f).length() <= 1.5f * Path<float>::longest);
+    CHECK(!Trajectory<float>::of({0.f, 0.f}, 0.5f).moves());
+    CHECK(Trajectory<float>::of({9.f, 0.f}, 2.f).time == 1.f);
+    CHECK(Trajectory<float>::of({9.f, 0.f}, -1.f).time == 0.f);
+    CHECK(Trajectory<float>::of({1e30f, 0.f}, 0.f).length() <= 1.5f * Trajectory<float>::longest);
 }
 
 TEST_CASE("angles around 0 and opposite directions count as what they are") {

@@ -11,9 +11,9 @@ namespace {
 constexpr Extent size{128, 128};
 
 struct ShowBend {
-    using reads = Channels<UsablePath<TurningPaths>>;
+    using reads = Channels<SampleTrajectory<RotatingTrajectories>>;
     template <class Px> QUELL_KERNEL auto filter(Px const& px) const {
-        auto const path = px[UsablePath<TurningPaths>{}];
+        auto const path = px[SampleTrajectory<RotatingTrajectories>{}];
         auto const sagitta = component<5>(path);
         return vec3<typename Px::Real>{sagitta * component<1>(path), -(sagitta * component<0>(path)), typename Px::Real(0.f)};
     }
@@ -27,7 +27,7 @@ std::vector<Measured> measured(auto&& seen_at) {
     std::vector<Measured> moving;
     std::vector<Seen> all;
     auto const keep = [&](int x, int y, int frame, float t) { return all.emplace_back(seen_at(x, y, frame, t)); };
-    auto const out = World{.size = size, .frames = 1}.last(Pipeline{radiance, Spatial{TurnGuide{}}, Spatial{ShowBend{}}}, keep);
+    auto const out = World{.size = size, .frames = 1}.last(Pipeline{radiance, Spatial{RotationGuide{}}, Spatial{ShowBend{}}}, keep);
     for (std::size_t i = 0; i < all.size(); ++i)
         if (glm::length(all[i].sweep) > 1) moving.push_back({{out[3 * i], out[3 * i + 1]}, all[i]});
     return moving;
@@ -103,7 +103,7 @@ TEST_CASE("what turns is blurred along its arc without a host that says so") {
             }
         return squared;
     };
-    double const turning = error(presets::blur<TurningPaths>(radiance));
-    CHECK(turning < 0.4 * error(presets::blur<StraightPaths>(radiance)));
-    CHECK(turning < 1.2 * error(presets::blur<BentPaths>(radiance)));
+    double const turning = error(presets::blur<RotatingTrajectories>(radiance));
+    CHECK(turning < 0.4 * error(presets::blur<StraightTrajectories>(radiance)));
+    CHECK(turning < 1.2 * error(presets::blur<BentTrajectories>(radiance)));
 }

@@ -211,7 +211,7 @@ TEST_CASE("a pack may meet as many tiles of pixels that share their lines as it 
 }
 
 TEST_CASE("where the mean is uncertain, samples beside the line make it less so") {
-    constexpr auto adaptive = presets::blur<StraightPaths, AdaptiveFootprint>(radiance, {}, {.footprint = {.allowed_error = 0.1f}});
+    constexpr auto adaptive = presets::blur<StraightTrajectories, AdaptiveFootprint>(radiance, {}, {.footprint = {.allowed_error = 0.1f}});
     World const world{.size = {96, 48}, .frames = 1};
     auto const error = [&](auto const& pipeline) {
         std::mt19937 random(3);
@@ -229,7 +229,7 @@ TEST_CASE("where the mean is uncertain, samples beside the line make it less so"
 
 TEST_CASE("what turns covers what is behind for as long as it takes to pass, all along its arc") {
     World const world{.size = {128, 128}, .frames = 1};
-    auto const out = world.last(presets::blur<BentPaths>(radiance), TurningSector::seen);
+    auto const out = world.last(presets::blur<BentTrajectories>(radiance), TurningSector::seen);
     double found = 0, wanted = 0;
     for (int y = 0; y < world.size.height; ++y)
         for (int x = 0; x < world.size.width; ++x) {

@@ -87,4 +87,4 @@ template <class Place>
 concept LedTo = requires(detail::Probe<Nearest> const px, Place place) {
     px.past(static_cast<Place&&>(place));
 };
-static_assert(LedTo<PastPlace<float> const&> && !LedTo<PastPlace<float>>);
+static_assert(LedTo<PixelCoordinates<float> const&> && !LedTo<PixelCoordinates<float>>);

@@ -18,7 +18,7 @@ struct DepthBefore {
         using Real = typename Px::Real;
         if (!px.has_past()) return px.signal();
         auto const p = px.position();
-        PastPlace<Real> const above(floor(p.x), floor(p.y) - 1.f);
+        PixelCoordinates<Real> const above(floor(p.x), floor(p.y) - 1.f);
         Real const then = px.past(above)[depth];
         return typename Px::Signal{then, then, then};
     }

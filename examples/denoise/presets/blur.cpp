@@ -9,8 +9,8 @@ namespace quell::examples {
 std::vector<Preset> blur_presets() {
     return {
         watched_preset("blur", [] { return quell::presets::blur(radiance); }),
-        preset("blur-straight", [] { return quell::presets::blur<StraightPaths>(radiance); }),
-        preset("blur-bent", [] { return quell::presets::blur<BentPaths>(radiance); }),
+        preset("blur-straight", [] { return quell::presets::blur<StraightTrajectories>(radiance); }),
+        preset("blur-bent", [] { return quell::presets::blur<BentTrajectories>(radiance); }),
         preset("blur-wavelet", [] { return quell::presets::blur_wavelet(radiance); }),
         preset("blur-fixed-step", [] { return quell::presets::blur_fixed_step(radiance); }),
         preset("blur-one-step", [] { return quell::presets::blur_one_step(radiance); }),

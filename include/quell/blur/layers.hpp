@@ -12,7 +12,7 @@
 ///       |                                                        moving_and_static/motion_guide.hpp
 ///       v   gather or split: two layers per pixel                two_motions/pair_gather.hpp, moving_and_static/
 ///       |
-///       |   FrontLayer, BackLayer, FrontSweep, MeanSweep         two velocities: foreground and background layer
+///       |   ForegroundLayer, BackgroundLayer, ForegroundSweep, MeanSweep         two velocities: foreground and background layer
 ///       |   MovingLayer, StaticLayer, MeanSweep                  one velocity: moving and static layer
 ///       v   Temporal: PathSearch finds the past; a fetch interpolates the history of each layer; a blend accumulates each
 ///       |             layer and composites them
@@ -29,20 +29,22 @@ template <ChannelTag Signal> struct MovingLayer : MadeChannel<Signal::components
 /// gives the mean of static neighbours 1 as well.
 template <ChannelTag Signal> struct StaticLayer : MadeChannel<Signal::components + 1> { static constexpr auto name = "static_layer"; };
 /// Background layer: the signal, then the number of samples that it is the mean of.
-template <ChannelTag Signal> struct BackLayer : MadeChannel<Signal::components + 1> {
-    static constexpr auto name = "back_layer";
+template <ChannelTag Signal> struct BackgroundLayer : MadeChannel<Signal::components + 1> {
+    static constexpr auto name = "background_layer";
     /// Sample counts of a static background that is seen, and of one that is guessed from neighbours.
     static constexpr float certain = 64.f, guessed = 0.05f;
 };
 /// Foreground layer: the signal times its coverage; the coverage, the share of the open shutter in which it hides the background, in [0,
 /// 1]; and the number of samples that pass meanwhile, which is its sweep's length in pixels. History weighs the layer by that number.
-template <ChannelTag Signal> struct FrontLayer : MadeChannel<Signal::components + 2> { static constexpr auto name = "front_layer"; };
-/// Mean sweep of the foreground layer, in pixels. Both components are 4096 where there is no foreground.
-struct FrontSweep : MadeChannel<2> {
-    static constexpr auto name = "front_sweep";
+template <ChannelTag Signal> struct ForegroundLayer : MadeChannel<Signal::components + 2> {
+    static constexpr auto name = "foreground_layer";
 };
-/// The channel FrontSweep.
-inline constexpr FrontSweep front_sweep;
+/// Mean sweep of the foreground layer, in pixels. Both components are 4096 where there is no foreground.
+struct ForegroundSweep : MadeChannel<2> {
+    static constexpr auto name = "foreground_sweep";
+};
+/// The channel ForegroundSweep.
+inline constexpr ForegroundSweep foreground_sweep;
 /// The moving layer after the spatial filters behind Temporal. Not part of the history.
 template <ChannelTag Signal> struct FilteredLayer : MadeChannel<Signal::components + 1> { static constexpr auto name = "filtered_layer"; };
 /// Mean sweep of the moving layer, in pixels; with two velocities, that of the background layer.

@@ -24,7 +24,7 @@ template <class SweepChannel, class Real> struct PathFound {
 /// Motion source for blurred pictures: finds the place p' in the previous frame with p' + v(p')/2 = p - v(p)/2, where v is the motion per
 /// frame (MB section 4.4). Where the two sides miss each other, p' moves by the difference and is tried again. Depth and normal are no test
 /// here, as blurred pixels show several surfaces. Taps are tested by their sweeps instead.
-/// @tparam SweepChannel MeanSweep or FrontSweep
+/// @tparam SweepChannel MeanSweep or ForegroundSweep
 template <ChannelTag SweepChannel> struct PathSearchOf {
     using reads = Channels<SweepChannel>;
     using keeps = Channels<SweepChannel>;

@@ -12,7 +12,8 @@ template <class Px> struct PixelUnder {
     /// Its pixel coordinates: whole numbers, not clamped.
     Real column, row;
     decltype(column < row) inside; ///< whether the pixel is in the image
-    PastPlace<Real> place; ///< argument of `elsewhere` and `signal_elsewhere`: the pixel clamped to at most one pixel outside the image
+    PixelCoordinates<Real>
+        place; ///< argument of `elsewhere` and `signal_elsewhere`: the pixel clamped to at most one pixel outside the image
 
     /// @param px the pixel from which to look
     /// @param point in pixels; a pixel's centre is at .5

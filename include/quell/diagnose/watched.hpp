@@ -31,7 +31,7 @@ template <class Test> constexpr Rejection rejection_by() {
 template <class Px, class Test> QUELL_KERNEL auto refuses(Px const& px, vec2<typename Px::Real> where, Test const& test) {
     using Real = typename Px::Real;
     TestedReprojection<Real, decltype(test.around(px))> const found{where, Real(1.f), test.around(px)};
-    PastPlace<Real> const place(floor(where.x - 0.5f), floor(where.y - 0.5f));
+    PixelCoordinates<Real> const place(floor(where.x - 0.5f), floor(where.y - 0.5f));
     auto accepted = Real(0.f) > Real(0.f);
     for (int j = 0; j < 2; ++j)
         for (int i = 0; i < 2; ++i) accepted = either(accepted, counts<Real>(px.past(place, i, j), found));

@@ -68,7 +68,7 @@ template <class Edge, int n> struct RegressionOnGuides {
         auto const pilot = px.signal();
         auto const noise = deviation_around(px);
         Centre<Px, decltype(edge.around(px))> const centre{
-            px, edge.around(px), pilot, px[normal], px[variance], noise, nearness(noise, luminance(pilot))};
+            px, edge.around(px), pilot, px[normal], px[variance], noise, inverse_square_width(noise, luminance(pilot))};
         LeastSquares<typename Px::Signal> fit;
         add_ring<0>(centre, fit, 0, 2, 1);
         add_ring<1>(centre, fit, 3, 9, 3);
@@ -102,7 +102,7 @@ private:
     }
     /// 1 / w^2, where w is the width of the window in pixels. w grows with the cube root of the relative noise: this balances variance
     /// against the curvature that a linear fit misses.
-    template <class Real> QUELL_KERNEL Real nearness(Real noise, Real light) const {
+    template <class Real> QUELL_KERNEL Real inverse_square_width(Real noise, Real light) const {
         auto const relative = clamp(noise / max(light, Real(1e-12f)), Real(1e-6f), Real(1e6f));
         // Cube root to a few percent: a third of the exponent.
         auto const root = from_bits(truncate(fma(to_real(bits(relative)), Real(1.f / 3.f), Real(709921077.f))));

@@ -32,7 +32,7 @@ struct CatmullRom {
         auto const found = detail::sane(px, unchecked);
         auto const column = floor(found.where.x - 0.5f), row = floor(found.where.y - 0.5f);
         auto const across = weights(found.where.x - 0.5f - column), down = weights(found.where.y - 0.5f - row);
-        PastPlace<Real> const place(column, row);
+        PixelCoordinates<Real> const place(column, row);
         auto sum = zero<V>();
         Real known(0.f);
         for (int j = 0; j < 4; ++j)

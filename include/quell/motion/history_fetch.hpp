@@ -125,7 +125,7 @@ struct Bilinear {
         auto const found = detail::sane(px, unchecked);
         detail::PastSum<Px> sum;
         each_tap(px, found, [&](auto const& then, auto w) QUELL_INLINED { sum.add(then, w); });
-        auto const enough = sum.weight > sliver;
+        auto const enough = sum.weight > least_weight;
         if (rescue && any(both(invert(enough), found.validity > real_of<decltype(sum.weight)>(0.f)))) {
             // A copy: the original then stays in registers.
             auto const narrow = sum;
@@ -140,18 +140,18 @@ struct Bilinear {
     QUELL_KERNEL static auto interpolated(Px const& px, FoundPlace const& unchecked, ValueOf&& value_of) {
         using Real = typename Px::Real;
         auto const found = detail::sane(px, unchecked);
-        auto sum = zero<std::remove_cvref_t<decltype(value_of(px.past(std::declval<PastPlace<Real> const&>())))>>();
+        auto sum = zero<std::remove_cvref_t<decltype(value_of(px.past(std::declval<PixelCoordinates<Real> const&>())))>>();
         Real weight(0.f);
         each_tap(px, found, [&](auto const& then, Real w) QUELL_INLINED {
             sum = add_scaled(sum, value_of(then), w);
             weight = weight + w;
         });
-        auto const enough = weight > Real(sliver);
+        auto const enough = weight > Real(least_weight);
         return detail::Interpolated{scale(sum, masked(enough, 1.f / weight)), enough};
     }
 
 private:
-    static constexpr float sliver = 0.01f; ///< least accepted weight
+    static constexpr float least_weight = 0.01f; ///< least accepted weight
 
     /// Calls `visit(past pixel, weight)` for each tap; the weight is 0 where it is not accepted.
     template <class Px, class FoundPlace, class Visit>
@@ -159,7 +159,7 @@ private:
         using Real = typename Px::Real;
         auto const column = floor(found.where.x - 0.5f), row = floor(found.where.y - 0.5f);
         auto const u = found.where.x - 0.5f - column, v = found.where.y - 0.5f - row;
-        PastPlace<Real> const place(column, row);
+        PixelCoordinates<Real> const place(column, row);
         for (int j = 0; j < 2; ++j)
             for (int i = 0; i < 2; ++i) {
                 auto const bilinear = (i == 0 ? 1.f - u : u) * (j == 0 ? 1.f - v : v);

@@ -10,26 +10,26 @@ namespace quell::presets {
 
 /// Motion blur from one sample per pixel at a random time (after Oberberger et al. 2022). Samples are gathered along the two motions that
 /// meet around a pixel, and each is tested by its own trajectory. Foreground and background layer are accumulated separately.
-/// @tparam Paths     trajectories: TurningPaths, arcs measured from the velocities around; BentPaths, arcs that the host supplies; or
-/// StraightPaths, which cost less
+/// @tparam Trajectories     trajectories: RotatingTrajectories, arcs measured from the velocities around; BentTrajectories, arcs that the
+/// host supplies; or StraightTrajectories, which cost less
 /// @tparam Footprint FixedFootprint, or AdaptiveFootprint: more distant samples count where the mean is uncertain
 /// @tparam S         the signal's channel type
 /// @param signal     the channel to denoise
 /// @param search     how the history is found
 /// @param gather     how samples are gathered
-template <class Paths = TurningPaths, class Footprint = FixedFootprint, ChannelTag S>
-constexpr auto blur(S signal, PathSearch search = {}, PairGather<S, Paths, Footprint> gather = {}) {
-    return Pipeline{signal, Spatial{PairGuide<Paths>{}}, Spatial{gather},
-                    Temporal{search, PairBlend<S>{}, PairFetch<S>{search.along(front_sweep)}}};
+template <class Trajectories = RotatingTrajectories, class Footprint = FixedFootprint, ChannelTag S>
+constexpr auto blur(S signal, PathSearch search = {}, PairGather<S, Trajectories, Footprint> gather = {}) {
+    return Pipeline{signal, Spatial{PairGuide<Trajectories>{}}, Spatial{gather},
+                    Temporal{search, PairBlend<S>{}, PairFetch<S>{search.along(foreground_sweep)}}};
 }
 
 /// Motion blur for shadows and reflections that do not move like their surfaces: each signal has velocities of its own (as MB section 6
 /// proposes). The picture is direct * visibility + glossy + albedo * indirect, each blurred along straight lines.
 /// @param search how the history is found
 template <class = void> constexpr auto blur_split(PathSearch search = {}) {
-    return Composite{blur<StraightPathsAlong<SweepOf<Visibility>>>(visibility, search),
-                     blur<StraightPathsAlong<SweepOf<Glossy>>>(quell::glossy, search), blur<StraightPaths>(direct, search),
-                     blur<StraightPaths>(indirect, search), blur<StraightPaths>(albedo, search)};
+    return Composite{blur<StraightTrajectoriesAlong<SweepOf<Visibility>>>(visibility, search),
+                     blur<StraightTrajectoriesAlong<SweepOf<Glossy>>>(quell::glossy, search), blur<StraightTrajectories>(direct, search),
+                     blur<StraightTrajectories>(indirect, search), blur<StraightTrajectories>(albedo, search)};
 }
 
 } // namespace quell::presets

@@ -1,4 +1,5 @@
-// error: a policy looks at a channel of another size than the pass: read a finer one by px.finer(channel, i, j), a coarser one by px.coarser(channel)
+// error: a policy looks at a channel of another size than the pass: read a finer one by px.finer(channel, i, j), a coarser one by
+// px.coarser(channel)
 #include <quell/quell.hpp>
 
 struct DepthUnderIt {

@@ -31,7 +31,7 @@ template <ChannelTag S, ChannelTag From> struct DirectionalLevel {
         auto const own = px[From{}];
         auto const axis = px[guide_axis];
         auto const length = sqrt(fma(axis.x, axis.x, axis.y * axis.y));
-        auto const moves = length > Real(Path<Real>::least);
+        auto const moves = length > Real(Trajectory<Real>::least);
         if (!any(moves)) return own;
         auto const inverse = 1.f / max(length, Real(1e-6f));
         auto const along = fixed > 0.f ? Real(fixed) : length * part;
@@ -49,7 +49,7 @@ template <ChannelTag S, ChannelTag From> struct DirectionalLevel {
                 PixelUnder<Px> const tap(px, {fma(aside.x, fj, fma(step.x, fi, p.x)), fma(aside.y, fj, fma(step.y, fi, p.y))});
                 float const w = spline[i < 0 ? -i : i] * spline[j < 0 ? -j : j];
                 // A filtered value has no time of its own: take the middle.
-                auto const path = Path<Real>::of(px.elsewhere(tap.place, mean_sweep), Real(0.5f));
+                auto const path = Trajectory<Real>::of(px.elsewhere(tap.place, mean_sweep), Real(0.5f));
                 auto const passing = path.passing({p.x - tap.column - 0.5f, p.y - tap.row - 0.5f});
                 auto const counts = masked(tap.inside, weight.weight(passing, reach) * w);
                 sum = add_scaled(sum, px.elsewhere(tap.place, From{}), counts);

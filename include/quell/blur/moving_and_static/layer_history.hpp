@@ -23,7 +23,7 @@ template <ChannelTag S> struct LayerFetch {
             past.kept.set(moving, select(valid, detail::covering(spline), past.kept[moving]));
         }
         auto const p = px.position();
-        PastPlace<Real> const here(p.x - 0.5f, p.y - 0.5f);
+        PixelCoordinates<Real> const here(p.x - 0.5f, p.y - 0.5f);
         past.kept.set(still, px.past(here)[still]);
         return past;
     }

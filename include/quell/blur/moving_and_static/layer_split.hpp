@@ -11,12 +11,12 @@ namespace quell {
 /// static pixel keeps its value bit by bit.
 /// Emits MovingLayer, StaticLayer and MeanSweep; leaves the signal alone. Needs a MotionGuide before it.
 /// @tparam S the pipeline's signal
-/// @tparam Paths the MotionGuide's: StraightPaths or BentPaths
-template <ChannelTag S, class Paths = StraightPaths> struct LayerSplit {
+/// @tparam Trajectories the MotionGuide's: StraightTrajectories or BentTrajectories
+template <ChannelTag S, class Trajectories = StraightTrajectories> struct LayerSplit {
     using Signal = S;
     static constexpr auto name = "layer split";
     static constexpr bool leaves_signal = true;
-    using parts = Parts<Paths, PathWeight>;
+    using parts = Parts<Trajectories, PathWeight>;
     using reads = Channels<Depth, GuideSweep>;
     using emits = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep>;
     static constexpr int radius = 2; ///< pixels: MB's 5x5
@@ -25,7 +25,7 @@ template <ChannelTag S, class Paths = StraightPaths> struct LayerSplit {
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
-        auto const own = Paths::here(px);
+        auto const own = Trajectories::here(px);
         auto const coverage = px[guide_spread].z;
         auto const alone = both(invert(own.moves()), coverage <= Real(0.f), invert(px.missing()));
         Sums<Px> sums;
@@ -53,7 +53,7 @@ private:
         auto const z = px[depth], reach = weight.reach(px);
         auto const nearest = select(own.moves(), Real(1e30f), z);
         for_each_neighbour<radius>(px, [&](auto neighbour, auto inside, int dx, int dy) QUELL_INLINED {
-            auto const path = Paths::here(neighbour);
+            auto const path = Trajectories::here(neighbour);
             auto const passing = path.passing({Real(static_cast<float>(-dx)), Real(static_cast<float>(-dy))});
             auto const hidden = detail::hidden_behind(neighbour[depth], nearest, depth_tolerance);
             auto const in_front = both(path.moves(), invert(hidden), invert(neighbour.missing()));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <quell/blur/layers.hpp>
-#include <quell/blur/trajectory/path.hpp>
+#include <quell/blur/trajectory/trajectory.hpp>
 #include <quell/filter/filter_kernel.hpp>
 
 /// @file
@@ -49,36 +49,36 @@ inline constexpr GuideBend guide_bend;
 
 namespace detail {
 /// Sums over a row: `all` counts its samples, the rest sums over those that move. Bends only where trajectories have them.
-template <class Paths> struct MotionSums : MadeChannel<Paths::bent ? 11 : 9> {
+template <class Trajectories> struct MotionSums : MadeChannel<Trajectories::bent ? 11 : 9> {
     static constexpr auto name = "motion_sums";
     enum { all, number, sweep_x, sweep_y, length, squared_length, doubled_cosine, doubled_sine, depth, bend_x, bend_y };
 };
-template <class Paths, class Real> using MotionSumsOf = Components<MotionSums<Paths>::components, Real>;
+template <class Trajectories, class Real> using MotionSumsOf = Components<MotionSums<Trajectories>::components, Real>;
 template <class Sums, class Mask> QUELL_KERNEL void add_where(Mask counts, Sums& sums, Sums const& more) {
     sums = map([&](auto s, auto a) QUELL_INLINED { return s + select(counts, a, decltype(a)(0.f)); }, sums, more);
 }
 /// Depth behind which moving samples are hidden: that of a static pixel.
-template <class Paths, class Px> QUELL_KERNEL auto still_depth(Px const& px) {
-    return select(Paths::here(px).moves(), typename Px::Real(1e30f), px[depth]);
+template <class Trajectories, class Px> QUELL_KERNEL auto still_depth(Px const& px) {
+    return select(Trajectories::here(px).moves(), typename Px::Real(1e30f), px[depth]);
 }
 
-template <class Paths> struct MotionRow {
+template <class Trajectories> struct MotionRow {
     static constexpr auto name = "motion guide, rows";
     static constexpr bool leaves_signal = true;
-    using parts = Parts<Paths>;
+    using parts = Parts<Trajectories>;
     using reads = Channels<Depth>;
-    using emits = Channels<MotionSums<Paths>>;
+    using emits = Channels<MotionSums<Trajectories>>;
     int radius;
     float depth_tolerance;
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
-        auto const nearest = still_depth<Paths>(px);
-        auto sums = zero<MotionSumsOf<Paths, Real>>();
+        auto const nearest = still_depth<Trajectories>(px);
+        auto sums = zero<MotionSumsOf<Trajectories, Real>>();
         Real samples(0.f);
         for (int i = -radius; i <= radius; ++i) {
             auto const neighbour = px.at(i, 0);
-            auto const path = Paths::here(neighbour);
+            auto const path = Trajectories::here(neighbour);
             auto const z = neighbour[depth];
             auto const known = both(neighbour.inside(), invert(neighbour.missing()));
             samples = samples + masked(known, Real(1.f));
@@ -86,39 +86,39 @@ template <class Paths> struct MotionRow {
             if (!any(counts)) continue;
             auto const inverse = 1.f / max(path.squared, Real(1e-6f));
             auto const x = path.sweep.x, y = path.sweep.y;
-            MotionSumsOf<Paths, Real> sample{Real(0.f),
-                                             Real(1.f),
-                                             x,
-                                             y,
-                                             path.length(),
-                                             path.squared,
-                                             fma(x, x, -(y * y)) * inverse,
-                                             2.f * x * y * inverse,
-                                             select(is_finite(z), min(z, Real(1e6f)), Real(1e6f))};
-            if constexpr (Paths::bent)
-                sample.at[MotionSums<Paths>::bend_x] = path.bend.x, sample.at[MotionSums<Paths>::bend_y] = path.bend.y;
+            MotionSumsOf<Trajectories, Real> sample{Real(0.f),
+                                                    Real(1.f),
+                                                    x,
+                                                    y,
+                                                    path.length(),
+                                                    path.squared,
+                                                    fma(x, x, -(y * y)) * inverse,
+                                                    2.f * x * y * inverse,
+                                                    select(is_finite(z), min(z, Real(1e6f)), Real(1e6f))};
+            if constexpr (Trajectories::bent)
+                sample.at[MotionSums<Trajectories>::bend_x] = path.bend.x, sample.at[MotionSums<Trajectories>::bend_y] = path.bend.y;
             add_where(counts, sums, sample);
         }
-        sums.at[MotionSums<Paths>::all] = samples;
-        return emitted<Real>(MotionSums<Paths>{}, sums);
+        sums.at[MotionSums<Trajectories>::all] = samples;
+        return emitted<Real>(MotionSums<Trajectories>{}, sums);
     }
 };
 
-template <class Paths> struct MotionColumn {
-    using Sums = MotionSums<Paths>;
+template <class Trajectories> struct MotionColumn {
+    using Sums = MotionSums<Trajectories>;
     static constexpr auto name = "motion guide, columns";
     static constexpr bool leaves_signal = true;
-    using parts = Parts<Paths>;
-    using reads = Channels<Depth, MotionSums<Paths>>;
-    using emits = std::conditional_t<Paths::bent, Channels<GuideSweep, GuideAxis, GuideSpread, GuideBend>,
+    using parts = Parts<Trajectories>;
+    using reads = Channels<Depth, MotionSums<Trajectories>>;
+    using emits = std::conditional_t<Trajectories::bent, Channels<GuideSweep, GuideAxis, GuideSpread, GuideBend>,
                                      Channels<GuideSweep, GuideAxis, GuideSpread>>;
     int radius;
     float depth_tolerance;
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
-        auto const nearest = still_depth<Paths>(px);
-        auto sums = zero<MotionSumsOf<Paths, Real>>();
+        auto const nearest = still_depth<Trajectories>(px);
+        auto sums = zero<MotionSumsOf<Trajectories, Real>>();
         Real samples(0.f);
         for (int i = -radius; i <= radius; ++i) {
             auto const neighbour = px.at(0, i);
@@ -138,7 +138,7 @@ template <class Paths> struct MotionColumn {
         auto const guide = emitted<Real>(guide_sweep, vec2<Real>{mean.at[Sums::sweep_x], mean.at[Sums::sweep_y]})
                                .with(guide_axis, axis(sums.at[Sums::doubled_cosine], sums.at[Sums::doubled_sine], length))
                                .with(guide_spread, spread);
-        if constexpr (Paths::bent)
+        if constexpr (Trajectories::bent)
             return guide.with(guide_bend, vec2<Real>{mean.at[Sums::bend_x], mean.at[Sums::bend_y]});
         else
             return guide;
@@ -164,12 +164,13 @@ private:
 /// not count, nor do moving ones behind a static pixel. Angles are doubled before they are averaged: opposite directions count as one, and
 /// neither the zero of angles nor the centre's own noisy sample matters.
 /// Emits GuideSweep, GuideAxis and GuideSpread, and GuideBend with bends.
-/// @tparam Paths StraightPaths or BentPaths
-template <class Paths = StraightPaths> struct MotionGuide {
+/// @tparam Trajectories StraightTrajectories or BentTrajectories
+template <class Trajectories = StraightTrajectories> struct MotionGuide {
     static_assert(
-        requires { typename Paths::reads; }, "MotionGuide<Paths>: `Paths` is StraightPaths or BentPaths; TurningPaths go with a PairGuide");
-    using Row = detail::MotionRow<Paths>;       ///< pass over rows
-    using Column = detail::MotionColumn<Paths>; ///< pass over columns
+        requires { typename Trajectories::reads; },
+        "MotionGuide<Trajectories>: `Trajectories` is StraightTrajectories or BentTrajectories; RotatingTrajectories go with a PairGuide");
+    using Row = detail::MotionRow<Trajectories>;       ///< pass over rows
+    using Column = detail::MotionColumn<Trajectories>; ///< pass over columns
     static constexpr bool leaves_signal = true;
     using parts = Parts<Row, Column>;
     int radius = 7;                ///< half width of the window in pixels; 7: 15x15, as in MB

@@ -1,15 +1,15 @@
 #pragma once
 
-#include <quell/blur/guessed_layer.hpp>
+#include <quell/blur/inpainted_layer.hpp>
 #include <quell/blur/pixel_under.hpp>
 #include <quell/blur/trajectory/path_weight.hpp>
 
 namespace quell {
 
 /// Places to look for samples that may pass a pixel: stratified along the mean trajectory, over its whole length to both sides.
-/// @tparam Paths StraightPaths or BentPaths
-template <class Paths = StraightPaths> struct AlongGuide {
-    using reads = std::conditional_t<Paths::bent, Channels<GuideAxis, GuideBend>, Channels<GuideAxis>>;
+/// @tparam Trajectories StraightTrajectories or BentTrajectories
+template <class Trajectories = StraightTrajectories> struct AlongGuide {
+    using reads = std::conditional_t<Trajectories::bent, Channels<GuideAxis, GuideBend>, Channels<GuideAxis>>;
     int count = 24;     ///< number of places, at least 1
     float across = 1.f; ///< largest distance from the line, in pixels, to either side
 
@@ -32,7 +32,7 @@ template <class Paths = StraightPaths> struct AlongGuide {
             auto const aside = fma(fraction(fma(number, Real(0.7548777f), second)), Real(2.f * across), Real(-across));
             vec2<Real> const on_line{fma(beside.x, aside, fma(axis.x, along, centre.x)),
                                      fma(beside.y, aside, fma(axis.y, along, centre.y))};
-            if constexpr (!Paths::bent) return on_line;
+            if constexpr (!Trajectories::bent) return on_line;
             // To second order, a trajectory through this pixel, at whichever time it was sampled.
             auto const bent = along * along * -4.f;
             return {fma(bend.x, bent, on_line.x), fma(bend.y, bent, on_line.y)};
@@ -52,7 +52,7 @@ template <class Paths = StraightPaths> struct AlongGuide {
 
 private:
     template <class Px> QUELL_KERNEL static vec2<typename Px::Real> bend([[maybe_unused]] Px const& px) {
-        if constexpr (Paths::bent)
+        if constexpr (Trajectories::bent)
             return px[guide_bend];
         else
             return zero<vec2<typename Px::Real>>();
@@ -64,13 +64,13 @@ private:
 /// in more pixels. A static pixel keeps its value bit by bit; where it is covered, the static layer is guessed from neighbours.
 /// Emits MovingLayer, StaticLayer and MeanSweep; leaves the signal alone. Needs a MotionGuide before it.
 /// @tparam S the pipeline's signal
-/// @tparam Paths the MotionGuide's: StraightPaths or BentPaths
+/// @tparam Trajectories the MotionGuide's: StraightTrajectories or BentTrajectories
 /// @tparam Places where to look
-template <ChannelTag S, class Paths = StraightPaths, class Places = AlongGuide<Paths>> struct PathGather {
+template <ChannelTag S, class Trajectories = StraightTrajectories, class Places = AlongGuide<Trajectories>> struct PathGather {
     using Signal = S;
     static constexpr auto name = "path gather";
     static constexpr bool leaves_signal = true;
-    using parts = Parts<Paths, Places, PathWeight>;
+    using parts = Parts<Trajectories, Places, PathWeight>;
     using reads = Channels<Depth, GuideSweep, GuideAxis>;
     using emits = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep>;
     Places where{};                ///< where to look
@@ -79,7 +79,7 @@ template <ChannelTag S, class Paths = StraightPaths, class Places = AlongGuide<P
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
-        auto const own = Paths::here(px);
+        auto const own = Trajectories::here(px);
         auto const around = px[guide_sweep];
         auto const z = px[depth];
         auto const signal = px.signal();
@@ -88,7 +88,7 @@ template <ChannelTag S, class Paths = StraightPaths, class Places = AlongGuide<P
         Gathered<Px> sums(guide.length());
         if (any(px[guide_spread].z > Real(0.f))) {
             auto const reach = weight.reach(px);
-            auto const share = select(own.moves(), guide.length() / max(own.length(), Real(Path<Real>::least)), Real(1.f));
+            auto const share = select(own.moves(), guide.length() / max(own.length(), Real(Trajectory<Real>::least)), Real(1.f));
             sums.add(signal, own, masked(seen, share), own.moves(), own.time);
             auto const places = where.places(px);
             for (int i = 0; i < where.count; ++i) add_sample(px, sums, places.at(i), own, guide, z, reach);
@@ -106,9 +106,9 @@ private:
     /// Mean trajectory around the pixel.
     template <class Px> QUELL_KERNEL static auto guide_path(Px const& px) {
         using Real = typename Px::Real;
-        auto const straight = Path<Real>::of(px[guide_axis], Real(0.5f));
-        if constexpr (Paths::bent)
-            return BentPath<Real>::of(straight, px[guide_bend]);
+        auto const straight = Trajectory<Real>::of(px[guide_axis], Real(0.5f));
+        if constexpr (Trajectories::bent)
+            return BentTrajectory<Real>::of(straight, px[guide_bend]);
         else
             return straight;
     }
@@ -160,7 +160,7 @@ private:
     QUELL_KERNEL void add_sample(Px const& px, Gathered<Px>& sums, vec2<Real> const& at, PathOf const& own, PathOf const& guide,
                                  Real own_depth, Real reach) const {
         PixelUnder<Px> const there(px, at);
-        auto const path = Paths::there(px, there.place);
+        auto const path = Trajectories::there(px, there.place);
         auto const [value, missing] = px.signal_elsewhere(there.place);
         auto const hidden = both(invert(own.moves()), detail::hidden_behind(px.elsewhere(there.place, depth), own_depth, depth_tolerance));
         auto const moves = both(path.moves(), invert(hidden));
@@ -168,15 +168,15 @@ private:
         auto const centre = px.position();
         auto const passing = looked_at.passing({centre.x - there.column - 0.5f, centre.y - there.row - 0.5f});
         auto const usable = both(invert(missing), there.inside);
-        auto const w = weight.weight(passing, reach) / max(looked_at.length(), Real(Path<Real>::least));
+        auto const w = weight.weight(passing, reach) / max(looked_at.length(), Real(Trajectory<Real>::least));
         sums.add(value, path, masked(usable, w * guide.length()), moves, passing.when);
     }
     /// The static layer behind a moving pixel.
     template <class Px, class Real, class Mask> QUELL_KERNEL auto guessed(Px const& px, Real own_depth, Mask own_moves) const {
         constexpr float guess = 0.05f;
-        return detail::guessed_layer(px, guess, [&](auto const& neighbour) QUELL_INLINED {
+        return detail::inpainted_layer(px, guess, [&](auto const& neighbour) QUELL_INLINED {
             auto const before = both(own_moves, detail::hidden_behind(own_depth, neighbour[depth], depth_tolerance));
-            return both(invert(Paths::here(neighbour).moves()), invert(neighbour.missing()), invert(before));
+            return both(invert(Trajectories::here(neighbour).moves()), invert(neighbour.missing()), invert(before));
         });
     }
 };

@@ -1,17 +1,17 @@
 #pragma once
 
 #include <quell/blur/pixel_under.hpp>
-#include <quell/blur/trajectory/path.hpp>
+#include <quell/blur/trajectory/trajectory.hpp>
 #include <quell/filter/filter_kernel.hpp>
 
 namespace quell {
 
 /// Pre-filter: averages a moving pixel with samples from far along its trajectory that pass it as well, up to 18 of them: two random places
 /// on the trajectories of each of the 3x3 pixels around (MB section 4.2). Static and slow pixels keep their value.
-/// @tparam Paths StraightPaths or BentPaths, whose bend is ignored
-template <class Paths = StraightPaths> struct SampleCollector {
+/// @tparam Trajectories StraightTrajectories or BentTrajectories, whose bend is ignored
+template <class Trajectories = StraightTrajectories> struct SampleCollector {
     static constexpr auto name = "sample collector";
-    using parts = Parts<Paths>;
+    using parts = Parts<Trajectories>;
     int samples = 2;        ///< random places per trajectory, at most 8
     int radius = 1;         ///< pixels; neighbours whose trajectories are used: 1 is MB's 3x3
     float threshold = 2.5f; ///< pixels; samples that pass nearer count, all with weight 1
@@ -20,7 +20,7 @@ template <class Paths = StraightPaths> struct SampleCollector {
 
     template <class Px> QUELL_KERNEL auto filter(Px const& px) const {
         using Real = typename Px::Real;
-        auto const wanted = both(Paths::here(px).squared >= Real(least * least), invert(px.missing()));
+        auto const wanted = both(Trajectories::here(px).squared >= Real(least * least), invert(px.missing()));
         auto sum = px.signal();
         if (!any(wanted)) return sum;
         Real count(1.f);
@@ -40,7 +40,7 @@ template <class Paths = StraightPaths> struct SampleCollector {
 private:
     template <class Px> QUELL_KERNEL vec2<typename Px::Real> place(Px const& px, int k) const {
         using Real = typename Px::Real;
-        auto const path = Paths::here(px);
+        auto const path = Trajectories::here(px);
         auto const p = px.position();
         auto const when = px.random_uniforms(2 * k).first;
         auto const [jx, jy] = px.random_uniforms(2 * k + 1);
@@ -52,7 +52,7 @@ private:
     template <class Px> QUELL_KERNEL auto passes(Px const& px, PixelUnder<Px> const& there) const {
         using Real = typename Px::Real;
         auto const centre = px.position();
-        auto const path = Paths::there(px, there.place);
+        auto const path = Trajectories::there(px, there.place);
         auto const passing = path.passing({centre.x - there.column - 0.5f, centre.y - there.row - 0.5f});
         return both(path.moves(), passing.in_time(), passing.distance < Real(threshold));
     }

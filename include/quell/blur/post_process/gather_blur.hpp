@@ -1,7 +1,7 @@
 #pragma once
 
 #include <quell/blur/pixel_under.hpp>
-#include <quell/blur/trajectory/path.hpp>
+#include <quell/blur/trajectory/trajectory.hpp>
 #include <quell/filter/filter_kernel.hpp>
 
 /// @file
@@ -27,7 +27,7 @@ struct GatherBlur {
     template <class Px> QUELL_KERNEL typename Px::Signal filter(Px const& px) const {
         using Real = typename Px::Real;
         auto const own = px.signal();
-        auto const path = Path<Real>::of(px[sweep], Real(0.5f));
+        auto const path = Trajectory<Real>::of(px[sweep], Real(0.5f));
         auto const moves = path.moves();
         if (!any(moves)) return own;
         auto const p = px.position();

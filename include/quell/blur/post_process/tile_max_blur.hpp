@@ -1,7 +1,7 @@
 #pragma once
 
 #include <quell/blur/pixel_under.hpp>
-#include <quell/blur/trajectory/path.hpp>
+#include <quell/blur/trajectory/trajectory.hpp>
 #include <quell/filter/filter_kernel.hpp>
 
 namespace quell {
@@ -25,9 +25,9 @@ template <ChannelTag From> struct LongestSweep {
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
-        auto longest = Path<Real>::of(px[From{}], Real(0.5f));
+        auto longest = Trajectory<Real>::of(px[From{}], Real(0.5f));
         auto const take_longer = [&](float sign) QUELL_INLINED {
-            auto const path = Path<Real>::of(px.elsewhere(place(px, sign), From{}), Real(0.5f));
+            auto const path = Trajectory<Real>::of(px.elsewhere(place(px, sign), From{}), Real(0.5f));
             auto const longer = path.squared > longest.squared;
             longest.sweep = select(longer, path.sweep, longest.sweep);
             longest.squared = select(longer, path.squared, longest.squared);
@@ -42,8 +42,8 @@ private:
         using Real = typename Px::Real;
         auto const p = px.position();
         Real const last_column(static_cast<float>(px.size().width - 1)), last_row(static_cast<float>(px.size().height - 1));
-        return PastPlace<Real>(clamp(p.x + (sign * static_cast<float>(right) - 0.5f), Real(0.f), last_column),
-                               clamp(p.y + (sign * static_cast<float>(down) - 0.5f), Real(0.f), last_row));
+        return PixelCoordinates<Real>(clamp(p.x + (sign * static_cast<float>(right) - 0.5f), Real(0.f), last_column),
+                                      clamp(p.y + (sign * static_cast<float>(down) - 0.5f), Real(0.f), last_row));
     }
 };
 
@@ -90,7 +90,7 @@ private:
         Real length;
     };
     template <class Real> QUELL_KERNEL Half<Real> half(vec2<Real> const& whole) const {
-        auto const path = Path<Real>::of(whole, Real(0.5f));
+        auto const path = Trajectory<Real>::of(whole, Real(0.5f));
         auto const length = path.length();
         auto const part = min(longest / max(length, Real(1e-6f)), Real(0.5f));
         return {scale(path.sweep, part), length * part};

@@ -20,9 +20,9 @@ struct PathWeight {
                    by_angle = 1.f + min(spread.y * angle_influence, Real(most));
         return by_length * by_angle;
     }
-    /// @param passing Path::Passing
+    /// @param passing Trajectory::ClosestApproach
     /// @param reach in pixels, above 0
-    template <class Passing, class Real> QUELL_KERNEL static Real weight(Passing const& passing, Real reach) {
+    template <class ClosestApproach, class Real> QUELL_KERNEL static Real weight(ClosestApproach const& passing, Real reach) {
         return masked(passing.in_time(), max(1.f - passing.distance / reach, Real(0.f)));
     }
 };

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <quell/blur/guessed_layer.hpp>
+#include <quell/blur/inpainted_layer.hpp>
 #include <quell/blur/two_motions/footprint.hpp>
+#include <quell/blur/two_motions/layer_classifier.hpp>
 #include <quell/blur/two_motions/line_of_pixels.hpp>
-#include <quell/blur/two_motions/part_means.hpp>
 #include <quell/blur/two_motions/standard_error.hpp>
-#include <quell/blur/two_motions/which_of_two.hpp>
+#include <quell/blur/two_motions/stratified_mean.hpp>
 
 namespace quell {
 
@@ -14,19 +14,19 @@ namespace quell {
 /// takes to cross a pixel, as a faster surface is seen in more pixels. A sample stands for half a pixel of its trajectory, and counts half
 /// if it passes just as the shutter opens or closes; a longer footprint would have less noise and more blur than the motion has. A static
 /// pixel keeps its value bit by bit.
-/// Emits FrontLayer, FrontSweep, BackLayer, and MeanSweep of the background: 0 if static, 4096 in both components if unknown. Needs a
-/// PairGuide before it.
+/// Emits ForegroundLayer, ForegroundSweep, BackgroundLayer, and MeanSweep of the background: 0 if static, 4096 in both components if
+/// unknown. Needs a PairGuide before it.
 /// @tparam S the pipeline's signal
-/// @tparam Paths the PairGuide's
+/// @tparam Trajectories the PairGuide's
 /// @tparam Footprint FixedFootprint or AdaptiveFootprint
-template <ChannelTag S, class Paths = StraightPaths, class Footprint = FixedFootprint> struct PairGather {
+template <ChannelTag S, class Trajectories = StraightTrajectories, class Footprint = FixedFootprint> struct PairGather {
     static_assert(
-        requires { Footprint::adapts; }, "PairGather<Signal, Paths, Footprint>: `Footprint` is FixedFootprint or AdaptiveFootprint");
+        requires { Footprint::adapts; }, "PairGather<Signal, Trajectories, Footprint>: `Footprint` is FixedFootprint or AdaptiveFootprint");
     using Signal = S;
     static constexpr auto name = "pair gather";
     static constexpr bool leaves_signal = true;
-    using reads = Channels<MotionPair<Paths>, UsablePath<Paths>>;
-    using emits = Channels<FrontLayer<Signal>, FrontSweep, BackLayer<Signal>, MeanSweep>;
+    using reads = Channels<LayerMotions<Trajectories>, SampleTrajectory<Trajectories>>;
+    using emits = Channels<ForegroundLayer<Signal>, ForegroundSweep, BackgroundLayer<Signal>, MeanSweep>;
     /// Largest useful `count`.
     static constexpr int most_samples = detail::LineOfPixels::most;
     static constexpr int most_lanes = 8; ///< largest useful SIMD width: a tile's
@@ -51,10 +51,10 @@ private:
         using Real = typename Px::Real;
         using Mask = decltype(Real(0.f) < Real(0.f));
         using Colour = typename Px::Signal;
-        using Mover = detail::Mover<Paths, Real>;
+        using ScreenMotion = detail::ScreenMotion<Trajectories, Real>;
         PairGather const& settings;
-        detail::UsableSample<Paths, Real> own;
-        detail::WhichOfTwo<Paths, Real> of;
+        detail::UsableSample<Trajectories, Real> own;
+        detail::LayerClassifier<Trajectories, Real> of;
         Mask own_in_front, own_still, back_moves;
         Real front_per_length;
         /// Inverse match radius of a layer, and how uncertain its mean is.
@@ -62,8 +62,8 @@ private:
             Real per_pixel;                      ///< 1 / match radius, per pixel
             detail::StandardError<Real> error{}; ///< of the mean's luminance
         } front_width, back_width;
-        detail::PartMeans<Value<Signal::components + 1, Real>, most_samples + 1> in_front; ///< signal and coverage
-        detail::PartMeans<Colour, most_samples + 1> behind;
+        detail::StratifiedMean<Value<Signal::components + 1, Real>, most_samples + 1> in_front; ///< signal and coverage
+        detail::StratifiedMean<Colour, most_samples + 1> behind;
         /// Weighted mean of sweeps.
         struct Swept {
             vec2<Real> sum{Real(0.f), Real(0.f)}; ///< of sweeps, weighted
@@ -78,10 +78,10 @@ private:
         Real samples = Real(0.f);
 
         QUELL_KERNEL Work(PairGather const& g, Px const& px)
-            : settings(g), own(detail::usable_sample<Paths>(px)), of(px.elsewhere(g.shared(px), MotionPair<Paths>{})),
-              own_in_front(of.is_front(own.mover())), own_still(own_speed() <= Real(detail::still_squared)),
+            : settings(g), own(detail::usable_sample<Trajectories>(px)), of(px.elsewhere(g.shared(px), LayerMotions<Trajectories>{})),
+              own_in_front(of.is_front(own.screen_motion())), own_still(own_speed() <= Real(detail::still_squared)),
               back_moves(detail::squared_speed(of.back) > Real(detail::still_squared)),
-              front_per_length(1.f / max(speed(of.front), Real(Path<float>::least))), front_width{per_width(of.front)},
+              front_per_length(1.f / max(speed(of.front), Real(Trajectory<float>::least))), front_width{per_width(of.front)},
               back_width{per_width(of.back)}, in_front(speed(of.front)), behind(speed(of.back)) {}
 
         /// Tile by tile: all pixels of a tile look at the same offsets, so that a pack loads neighbours. A pack may span several tiles.
@@ -97,16 +97,16 @@ private:
         /// One tile, by the velocities of lane k.
         QUELL_KERNEL void gather(Px const& px, Mask tile, int k) {
             in_front.restart(), behind.restart();
-            if constexpr (Paths::bent)
+            if constexpr (Trajectories::bent)
                 if (lane(detail::sagitta_of(of.front), k) == 0.f && lane(detail::sagitta_of(of.back), k) == 0.f)
-                    return gather_as<StraightPaths>(px, tile, k);
-            gather_as<Paths>(px, tile, k);
+                    return gather_as<StraightTrajectories>(px, tile, k);
+            gather_as<Trajectories>(px, tile, k);
         }
-        /// @tparam As the model of trajectories: StraightPaths where nothing bends, which is cheaper
+        /// @tparam As the model of trajectories: StraightTrajectories where nothing bends, which is cheaper
         template <class As> QUELL_KERNEL void gather_as(Px const& px, Mask tile, int k) {
             auto const behind_speed = in_lane(detail::speed_of(of.back), k);
             bool const moves = dot(behind_speed, behind_speed) > detail::still_squared;
-            if (lane(detail::nearness_of(of.front), k) > 0.f) {
+            if (lane(detail::inverse_depth_of(of.front), k) > 0.f) {
                 int const shares = moves ? 2 : 1;
                 gather_along<As>(ForBoth{}, px, k, tile, of.front, shares, front_width);
                 if (moves) gather_along<As>(ForBack{}, px, k, tile, of.back, shares, back_width);
@@ -115,8 +115,9 @@ private:
         }
         /// All lanes follow lane k's line, whatever each finds on it.
         template <class As, class What>
-        QUELL_KERNEL void gather_along(What what, Px const& px, int k, Mask tile, Mover const& mover, int shares, Width& width) {
-            auto const speed = in_lane(detail::speed_of(mover), k), bend = in_lane(detail::bend_of(mover), k);
+        QUELL_KERNEL void gather_along(What what, Px const& px, int k, Mask tile, ScreenMotion const& screen_motion, int shares,
+                                       Width& width) {
+            auto const speed = in_lane(detail::speed_of(screen_motion), k), bend = in_lane(detail::bend_of(screen_motion), k);
             int const count = settings.count < most_samples ? settings.count : most_samples;
             detail::LineOfPixels const line(speed, bend, settings.reach, count / shares);
             auto const visit = [&](int dx, int dy) QUELL_INLINED { add<As>(what, px, dx, dy, tile); };
@@ -143,12 +144,12 @@ private:
         template <class As, class What> QUELL_KERNEL void add(What, Px const& px, int dx, int dy, Mask wanted) {
             auto const there = px.at(dx, dy);
             if (!there.row_inside) return;
-            auto const sample = detail::usable_sample<Paths>(there).template as<As>();
+            auto const sample = detail::usable_sample<Trajectories>(there).template as<As>();
             auto const usable = both(wanted, there.inside(), sample.known());
             vec2<Real> const away{Real(static_cast<float>(-dx)), Real(static_cast<float>(-dy))};
             auto for_back = both(usable, sample.moves());
             if constexpr (!std::is_same_v<What, OnlyOne>) {
-                auto const shows_front = of.is_front(sample.mover());
+                auto const shows_front = of.is_front(sample.screen_motion());
                 for_back = both(for_back, invert(shows_front));
                 if constexpr (std::is_same_v<What, ForBoth>)
                     if (any(usable)) add_front(there.signal(), sample, away, shows_front, usable);
@@ -163,7 +164,7 @@ private:
             auto const passing = looked_at.passing(away);
             auto const close = weight(counts, passing, looked_at, front_width.per_pixel);
             auto const w = close * looked_at.time_per_pixel();
-            auto const hidden = both(own_still, invert(own_in_front), settings.is_behind(sample.nearness(), own.nearness()));
+            auto const hidden = both(own_still, invert(own_in_front), settings.is_behind(sample.inverse_depth(), own.inverse_depth()));
             auto const seen = masked(both(shows_front, invert(hidden)), w);
             // A sample that passes while the shutter is closed counts for the mean only if no other does.
             front_swept.add(sample.sweep(), seen + masked(both(shows_front, counts), Real(1e-4f)));
@@ -185,25 +186,25 @@ private:
             auto const open = clamp(fma(pixels_inside, Real(2.f), Real(0.5f)), Real(0.f), Real(1.f));
             return masked(counts, open * max(fma(passing.distance, -per_width, Real(1.f)), Real(0.f)));
         }
-        QUELL_KERNEL Real per_width(Mover const& mover) const {
-            auto const bend = detail::bend_of(mover);
+        QUELL_KERNEL Real per_width(ScreenMotion const& screen_motion) const {
+            auto const bend = detail::bend_of(screen_motion);
             auto const bent = sqrt(fma(bend.x, bend.x, bend.y * bend.y));
             return 1.f / (settings.width * fma(min(bent * settings.bend_influence, Real(1.f)), Real(1.f), Real(1.f)));
         }
         template <class Sample> QUELL_KERNEL Sample like_front(Sample const& sample, vec2<Real> const& away) const {
             return Sample::at_speed(of.front, front_per_length, sample, away);
         }
-        QUELL_KERNEL Real own_speed() const { return detail::squared_speed(own.mover()); }
-        QUELL_KERNEL static Real speed(Mover const& mover) { return sqrt(detail::squared_speed(mover)); }
+        QUELL_KERNEL Real own_speed() const { return detail::squared_speed(own.screen_motion()); }
+        QUELL_KERNEL static Real speed(ScreenMotion const& screen_motion) { return sqrt(detail::squared_speed(screen_motion)); }
         QUELL_KERNEL static glm::vec2 in_lane(vec2<Real> const& v, int k) { return {lane(v.x, k), lane(v.y, k)}; }
 
         QUELL_KERNEL auto result(Px const& px) const {
-            constexpr float beyond = 4.f * Path<float>::longest;
+            constexpr float beyond = 4.f * Trajectory<float>::longest;
             vec2<Real> const nowhere{Real(beyond), Real(beyond)};
             auto const still_here = both(own.known(), own_still, invert(own_in_front));
             auto const found = both(invert(still_here), back_swept.known());
             auto back = detail::layer_of(select(still_here, px.signal(), behind.mean()),
-                                         select(still_here, Real(BackLayer<Signal>::certain), masked(found, samples)));
+                                         select(still_here, Real(BackgroundLayer<Signal>::certain), masked(found, samples)));
             auto sweep = select(found, back_swept.mean(), zero<vec2<Real>>());
             auto const covered = invert(either(still_here, found));
             if (any(covered)) {
@@ -215,33 +216,33 @@ private:
             // The number of samples is the sweep's length in pixels.
             auto const front = detail::layer_of(in_front.mean(), masked(of.two, max(speed(of.front), Real(1.f))));
             auto const front_moves = select(front_swept.known(), front_swept.mean(), detail::speed_of(of.front));
-            return emitted<Real>(FrontLayer<Signal>{}, front)
-                .with(front_sweep, select(of.two, front_moves, nowhere))
-                .with(BackLayer<Signal>{}, back)
+            return emitted<Real>(ForegroundLayer<Signal>{}, front)
+                .with(foreground_sweep, select(of.two, front_moves, nowhere))
+                .with(BackgroundLayer<Signal>{}, back)
                 .with(mean_sweep, sweep);
         }
         /// The background where no sample of it passes: from neighbours that show it.
         QUELL_KERNEL auto guessed(Px const& px) const {
-            return detail::guessed_layer(px, BackLayer<Signal>::guessed, [&](auto const& neighbour) QUELL_INLINED {
-                auto const there = detail::usable_sample<Paths>(neighbour);
-                auto const still = both(invert(there.moves()), invert(settings.is_behind(own.nearness(), there.nearness())));
-                auto const moving = both(there.known(), invert(of.is_front(there.mover())));
+            return detail::inpainted_layer(px, BackgroundLayer<Signal>::guessed, [&](auto const& neighbour) QUELL_INLINED {
+                auto const there = detail::usable_sample<Trajectories>(neighbour);
+                auto const still = both(invert(there.moves()), invert(settings.is_behind(own.inverse_depth(), there.inverse_depth())));
+                auto const moving = both(there.known(), invert(of.is_front(there.screen_motion())));
                 return either(both(back_moves, moving), both(invert(back_moves), still));
             });
         }
     };
 
-    /// The pixel whose MotionPair a tile shares.
+    /// The pixel whose LayerMotions a tile shares.
     template <class Px> QUELL_KERNEL auto shared(Px const& px) const {
         using Real = typename Px::Real;
         auto const tile = floor(px.position().x / static_cast<float>(tile_width));
         auto const column = fma(tile, Real(static_cast<float>(tile_width)), Real(static_cast<float>(tile_width / 2)));
-        return PastPlace<Real>(min(column, Real(static_cast<float>(px.size().width - 1))),
-                               Real(static_cast<float>(detail::row_of_pair(px.y, px.size()))));
+        return PixelCoordinates<Real>(min(column, Real(static_cast<float>(px.size().width - 1))),
+                                      Real(static_cast<float>(detail::row_of_pair(px.y, px.size()))));
     }
     /// Whether a surface is behind another, by inverse depth.
-    template <class Real> QUELL_KERNEL auto is_behind(Real nearness, Real before) const {
-        return nearness * (1.f + depth_tolerance) < before;
+    template <class Real> QUELL_KERNEL auto is_behind(Real inverse_depth, Real before) const {
+        return inverse_depth * (1.f + depth_tolerance) < before;
     }
 };
 

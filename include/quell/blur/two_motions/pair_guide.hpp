@@ -1,31 +1,33 @@
 #pragma once
 
-#include <quell/blur/trajectory/turn_guide.hpp>
-#include <quell/blur/two_motions/placed_mover.hpp>
+#include <quell/blur/trajectory/rotation_guide.hpp>
+#include <quell/blur/two_motions/placed_motion.hpp>
 
 /// @file
 /// Contract of blur/two_motions/: motion blur where two surfaces of different velocity meet, as a foreground and a background layer.
 ///
-///     UsablePath (trajectory/)
+///     SampleTrajectory (trajectory/)
 ///       |
 ///       v   RowExtremesOf     -> RowExtremes   fastest sample of a row, and the one least like it
 ///       v   LocalPairOf       -> LocalPair     the same of the window, foreground first       (every second row)
-///       v   NearestPair       -> MotionPair    a neighbour's pair where only one motion is    (every second row)
+///       v   NearestPair       -> LayerMotions    a neighbour's pair where only one motion is    (every second row)
 ///       |
-///       v   PairGather        -> FrontLayer, FrontSweep, BackLayer, MeanSweep
+///       v   PairGather        -> ForegroundLayer, ForegroundSweep, BackgroundLayer, MeanSweep
 ///       |
 ///       v   Temporal{PathSearch, PairBlend, PairFetch}: both layers are accumulated and composited
 ///     signal
 ///
 /// PairGuide is the first three passes, with PathGuide before them. LineOfPixels and AdaptiveFootprint say where PairGather looks,
-/// PartMeans averages by time strata, WhichOfTwo assigns a sample to a layer.
+/// StratifiedMean averages by time strata, LayerClassifier assigns a sample to a layer.
 namespace quell {
 
 /// The two motions around a pixel, foreground first: each has its velocity (pixels per open shutter), inverse depth, and relative sagitta
 /// with bends. A rotating surface has the velocity that it would have at the pixel. Where there is only one motion it is the background's,
 /// and the foreground's inverse depth is negative. Only rows detail::row_of_pair hold a value; a pair holds for its surroundings.
-/// @tparam Paths StraightPaths, BentPaths or TurningPaths
-template <class Paths> struct MotionPair : MadeChannel<Paths::bent ? 8 : 6> { static constexpr auto name = "motion_pair"; };
+/// @tparam Trajectories StraightTrajectories, BentTrajectories or RotatingTrajectories
+template <class Trajectories> struct LayerMotions : MadeChannel<Trajectories::bent ? 8 : 6> {
+    static constexpr auto name = "layer_motions";
+};
 
 namespace detail {
 /// Rows that share a pair, and the row of them that holds it.
@@ -53,11 +55,11 @@ template <int which, class J> QUELL_KERNEL auto one_of(J const& both) {
 
 /// Keeps the motion that is largest by some measure.
 template <class M> struct Extreme {
-    M mover;
+    M screen_motion;
     real_of<M> most;
     QUELL_KERNEL void offer(M const& other, real_of<M> much) {
         auto const more = much > most;
-        mover = select(more, other, mover);
+        screen_motion = select(more, other, screen_motion);
         most = select(more, much, most);
     }
 };
@@ -66,73 +68,75 @@ template <class M> Extreme(M, real_of<M>) -> Extreme<M>; // clang 14 has no dedu
 /// Relative difference of inverse depth below which depth does not tell the foreground.
 inline constexpr float least_depth_gap = 0.02f;
 
-template <class Paths> struct RowExtremes : MadeChannel<2 * components_of<PlacedMover<Paths, float>>> {
+template <class Trajectories> struct RowExtremes : MadeChannel<2 * components_of<PlacedMotion<Trajectories, float>>> {
     static constexpr auto name = "row_extremes";
 };
-template <class Paths> struct LocalPair : MadeChannel<2 * components_of<PlacedMover<Paths, float>>> {
+template <class Trajectories> struct LocalPair : MadeChannel<2 * components_of<PlacedMotion<Trajectories, float>>> {
     static constexpr auto name = "local_pair";
 };
 
 /// Fastest sample of a row, and the one whose velocity differs most from it.
-template <class Paths> struct RowExtremesOf {
+template <class Trajectories> struct RowExtremesOf {
     static constexpr auto name = "motion pair, rows";
     static constexpr bool leaves_signal = true;
-    using reads = Channels<UsablePath<Paths>>;
-    using emits = Channels<RowExtremes<Paths>>;
+    using reads = Channels<SampleTrajectory<Trajectories>>;
+    using emits = Channels<RowExtremes<Trajectories>>;
     int radius;
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
-        auto const own = placed_mover<Paths>(px);
+        auto const own = placed_mover<Trajectories>(px);
         Extreme fastest{own, squared_speed(own)};
-        each(px, [&](auto const& mover, auto inside) QUELL_INLINED { fastest.offer(mover, masked(inside, squared_speed(mover))); });
-        Extreme other{fastest.mover, Real(0.f)};
-        each(px, [&](auto const& mover, auto inside)
-                     QUELL_INLINED { other.offer(mover, masked(inside, squared_difference(mover, fastest.mover))); });
-        return emitted<Real>(RowExtremes<Paths>{}, joined(fastest.mover, other.mover));
+        each(px, [&](auto const& screen_motion, auto inside)
+                     QUELL_INLINED { fastest.offer(screen_motion, masked(inside, squared_speed(screen_motion))); });
+        Extreme other{fastest.screen_motion, Real(0.f)};
+        each(px, [&](auto const& screen_motion, auto inside) QUELL_INLINED {
+            other.offer(screen_motion, masked(inside, squared_difference(screen_motion, fastest.screen_motion)));
+        });
+        return emitted<Real>(RowExtremes<Trajectories>{}, joined(fastest.screen_motion, other.screen_motion));
     }
 
 private:
     template <class Px, class Visit> QUELL_KERNEL void each(Px const& px, Visit&& visit) const {
         for (int i = -radius; i <= radius; ++i) {
             auto const neighbour = px.at(i, 0);
-            visit(placed_mover<Paths>(neighbour), neighbour.inside());
+            visit(placed_mover<Trajectories>(neighbour), neighbour.inside());
         }
     }
 };
 
 /// Pair of a window, from the extremes of its rows.
-template <class Paths> struct LocalPairOf {
+template <class Trajectories> struct LocalPairOf {
     static constexpr auto name = "motion pair, columns";
     static constexpr bool leaves_signal = true;
-    using reads = Channels<RowExtremes<Paths>>;
-    using emits = Channels<LocalPair<Paths>>;
+    using reads = Channels<RowExtremes<Trajectories>>;
+    using emits = Channels<LocalPair<Trajectories>>;
     int radius;
     float least, relative, depth_gap, unlike, unlike_least;
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
-        if (!has_pair(px)) return emitted<Real>(LocalPair<Paths>{}, zero<Value<LocalPair<Paths>::components, Real>>());
-        auto const own = one_of<0>(px[RowExtremes<Paths>{}]);
+        if (!has_pair(px)) return emitted<Real>(LocalPair<Trajectories>{}, zero<Value<LocalPair<Trajectories>::components, Real>>());
+        auto const own = one_of<0>(px[RowExtremes<Trajectories>{}]);
         Extreme fastest{own, squared_speed(own)};
         for (int i = -radius; i <= radius; ++i) {
-            auto const mover = one_of<0>(px.at(0, i)[RowExtremes<Paths>{}]);
-            fastest.offer(mover, squared_speed(mover));
+            auto const screen_motion = one_of<0>(px.at(0, i)[RowExtremes<Trajectories>{}]);
+            fastest.offer(screen_motion, squared_speed(screen_motion));
         }
-        auto const a = fastest.mover;
+        auto const a = fastest.screen_motion;
         Extreme other{a, Real(0.f)};
         for (int i = -radius; i <= radius; ++i) {
-            auto const row = px.at(0, i)[RowExtremes<Paths>{}];
+            auto const row = px.at(0, i)[RowExtremes<Trajectories>{}];
             other.offer(one_of<0>(row), squared_difference(one_of<0>(row), a));
             other.offer(one_of<1>(row), squared_difference(one_of<1>(row), a));
         }
-        return emitted<Real>(LocalPair<Paths>{}, ordered(a, fastest.most, other.mover, other.most));
+        return emitted<Real>(LocalPair<Trajectories>{}, ordered(a, fastest.most, other.screen_motion, other.most));
     }
 
 private:
     /// Foreground first. `a` is the faster one.
     template <class M, class Real> QUELL_KERNEL auto ordered(M const& a, Real squared, M const& b, Real difference) const {
-        auto const near_a = nearness_of(a), near_b = nearness_of(b), nearer = max(near_a, near_b), farther = min(near_a, near_b);
+        auto const near_a = inverse_depth_of(a), near_b = inverse_depth_of(b), nearer = max(near_a, near_b), farther = min(near_a, near_b);
         auto const speed = sqrt(squared);
         auto const alike = fma(max(speed - 1.f, Real(0.f)), Real(relative), Real(least));
         // A slanted or rotating surface has different velocities, but within a window they differ less than this.
@@ -145,43 +149,44 @@ private:
         auto const front = select(two, select(a_in_front, a, b), at_nearness(a, Real(-1.f)));
         return joined(front, select(a_in_front, b, a));
     }
-    template <class M, class Real> QUELL_KERNEL static M at_nearness(M const& mover, Real nearness) {
+    template <class M, class Real> QUELL_KERNEL static M at_nearness(M const& screen_motion, Real inverse_depth) {
         return make_value<components_of<M>, Real>([&](auto c) QUELL_INLINED {
             if constexpr (c == 2)
-                return nearness;
+                return inverse_depth;
             else
-                return component<c>(mover);
+                return component<c>(screen_motion);
         });
     }
 };
 
 /// Where a window has one motion: the pair of a neighbouring window that has a motion like it.
-template <class Paths> struct NearestPair {
+template <class Trajectories> struct NearestPair {
     static constexpr auto name = "motion pair, nearest";
     static constexpr bool leaves_signal = true;
-    using reads = Channels<LocalPair<Paths>>;
-    using emits = Channels<MotionPair<Paths>>;
+    using reads = Channels<LocalPair<Trajectories>>;
+    using emits = Channels<LayerMotions<Trajectories>>;
     int across, down; ///< pixels between windows; `down` is even, as only such rows hold a pair
     float likeness;
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
-        if (!has_pair(px)) return emitted<Real>(MotionPair<Paths>{}, zero<Value<MotionPair<Paths>::components, Real>>());
-        auto const own = px[LocalPair<Paths>{}];
+        if (!has_pair(px)) return emitted<Real>(LayerMotions<Trajectories>{}, zero<Value<LayerMotions<Trajectories>::components, Real>>());
+        auto const own = px[LocalPair<Trajectories>{}];
         auto pair = own;
-        auto const mover = one_of<1>(own);
+        auto const screen_motion = one_of<1>(own);
         constexpr int beside[][2] = {{0, -1}, {0, 1}, {-1, 0}, {1, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
         for (auto const& step : beside) {
             auto const neighbour = px.at(step[0] * across, step[1] * down);
-            auto const there = neighbour[LocalPair<Paths>{}];
+            auto const there = neighbour[LocalPair<Trajectories>{}];
             auto const front = one_of<0>(there), back = one_of<1>(there);
-            auto const unlike = min(squared_difference(mover, front), squared_difference(mover, back));
-            auto const fits = both(neighbour.inside(), nearness_of(front) > Real(0.f), nearness_of(one_of<0>(pair)) < Real(0.f),
+            auto const unlike = min(squared_difference(screen_motion, front), squared_difference(screen_motion, back));
+            auto const fits = both(neighbour.inside(), inverse_depth_of(front) > Real(0.f), inverse_depth_of(one_of<0>(pair)) < Real(0.f),
                                    unlike <= squared_difference(front, back) * (likeness * likeness));
             pair = select(fits, there, pair);
         }
         auto const here = px.position();
-        return emitted<Real>(MotionPair<Paths>{}, joined(mover_at<Paths>(one_of<0>(pair), here), mover_at<Paths>(one_of<1>(pair), here)));
+        return emitted<Real>(LayerMotions<Trajectories>{},
+                             joined(mover_at<Trajectories>(one_of<0>(pair), here), mover_at<Trajectories>(one_of<1>(pair), here)));
     }
 };
 } // namespace detail
@@ -189,11 +194,11 @@ template <class Paths> struct NearestPair {
 /// Finds where two surfaces of different velocity meet: the fastest sample of a small window, and the one whose velocity differs most from
 /// it. They make a pair if their depths differ, the second is static, or their velocities differ too much for one surface. Samples have
 /// random times, so both surfaces show in the window all over the region where one covers the other for a part of the time. Emits
-/// MotionPair in every second row, and UsablePath.
-/// @tparam Paths StraightPaths, BentPaths or TurningPaths
-template <class Paths = StraightPaths> struct PairGuide {
-    using parts = Parts<PathGuide<Paths>>;
-    using emits = Channels<detail::RowExtremes<Paths>, detail::LocalPair<Paths>, MotionPair<Paths>>;
+/// LayerMotions in every second row, and SampleTrajectory.
+/// @tparam Trajectories StraightTrajectories, BentTrajectories or RotatingTrajectories
+template <class Trajectories = StraightTrajectories> struct PairGuide {
+    using parts = Parts<PathGuide<Trajectories>>;
+    using emits = Channels<detail::RowExtremes<Trajectories>, detail::LocalPair<Trajectories>, LayerMotions<Trajectories>>;
     static constexpr bool leaves_signal = true;
     /// Half width and half height of the window, in pixels.
     int across = 4, down = 1;
@@ -203,13 +208,13 @@ template <class Paths = StraightPaths> struct PairGuide {
     /// differ by more than `unlike` times the faster speed plus `unlike_least`.
     float depth_gap = 0.05f, unlike = 0.5f, unlike_least = 2.f;
     float likeness = 0.5f; ///< match radius to either motion of a neighbour's pair, relative to the difference between these
-    [[no_unique_address]] PathGuide<Paths> paths{}; ///< makes UsablePath
+    [[no_unique_address]] PathGuide<Trajectories> paths{}; ///< makes SampleTrajectory
 
     constexpr void for_each_pass(auto&& pass) const {
         paths.for_each_pass(pass);
-        pass(detail::RowExtremesOf<Paths>{across});
-        pass(detail::LocalPairOf<Paths>{down, least, relative, depth_gap, unlike, unlike_least});
-        pass(detail::NearestPair<Paths>{2 * across, detail::rows_of_pair * down, likeness});
+        pass(detail::RowExtremesOf<Trajectories>{across});
+        pass(detail::LocalPairOf<Trajectories>{down, least, relative, depth_gap, unlike, unlike_least});
+        pass(detail::NearestPair<Trajectories>{2 * across, detail::rows_of_pair * down, likeness});
     }
 };
 

@@ -12,13 +12,13 @@ namespace quell {
 /// @tparam S the pipeline's signal
 template <ChannelTag S> struct PairFetch {
     using Signal = S;
-    using reads = Channels<FrontLayer<Signal>, FrontSweep, BackLayer<Signal>>;
-    PathSearchOf<FrontSweep> front{}; ///< motion source of the foreground layer
+    using reads = Channels<ForegroundLayer<Signal>, ForegroundSweep, BackgroundLayer<Signal>>;
+    PathSearchOf<ForegroundSweep> front{}; ///< motion source of the foreground layer
     /// Samples in a frame. A layer of fewer has its past interpolated by a Catmull-Rom spline; a foreground of more or as many has no past.
     float often = 10.f;
 
     template <class Px, class Found> QUELL_KERNEL auto fetch(Px const& px, Found const& unchecked) const {
-        constexpr BackLayer<Signal> back;
+        constexpr BackgroundLayer<Signal> back;
         // The rest of the past is needed only where samples are missing.
         auto past = any(px.missing()) ? Bilinear{.rescue = false}.fetch(px, unchecked) : detail::no_past<Px>();
         auto const found = detail::sane(px, unchecked);
@@ -29,7 +29,7 @@ template <ChannelTag S> struct PairFetch {
         auto const seldom =
             both(known.accepted, invert(found.still), detail::weight_of(px[back]) < real_of<decltype(past.validity)>(often));
         past.kept.set(back, sharpened(px, found, seldom, known.value, back));
-        past.kept.set(FrontLayer<Signal>{}, past_front(px));
+        past.kept.set(ForegroundLayer<Signal>{}, past_front(px));
         return past;
     }
 
@@ -37,7 +37,7 @@ private:
     /// 0, with no samples, where it has no past.
     template <class Px> QUELL_KERNEL auto past_front(Px const& px) const {
         using Real = typename Px::Real;
-        constexpr FrontLayer<Signal> layer;
+        constexpr ForegroundLayer<Signal> layer;
         auto const samples = detail::weight_of(px[layer]);
         auto const seldom = both(samples > Real(0.f), samples < Real(often));
         if (!any(seldom)) return zero<Value<layer.components, Real>>();
@@ -65,7 +65,7 @@ private:
 /// @tparam S the pipeline's signal
 template <ChannelTag S> struct PairBlend {
     using Signal = S;
-    using reads = Channels<FrontLayer<Signal>, FrontSweep, BackLayer<Signal>, MeanSweep>;
+    using reads = Channels<ForegroundLayer<Signal>, ForegroundSweep, BackgroundLayer<Signal>, MeanSweep>;
     using keeps = reads;
     float cap = 6.f; ///< samples that the background's past counts as, at most
     /// The same of the foreground: fewer, since its parts move differently, and a lagging outline is more visible than its noise.
@@ -75,8 +75,8 @@ template <ChannelTag S> struct PairBlend {
 
     template <class Px, class P> QUELL_KERNEL auto blend(Px const& px, P const& past) const {
         using Real = typename Px::Real;
-        constexpr FrontLayer<Signal> front;
-        constexpr BackLayer<Signal> back;
+        constexpr ForegroundLayer<Signal> front;
+        constexpr BackgroundLayer<Signal> back;
         auto const sweep = px[mean_sweep];
         auto const still = both(sweep.x == Real(0.f), sweep.y == Real(0.f));
         auto const samples = detail::weight_of(px[back]), known = detail::weight_of(past[back]);
@@ -85,12 +85,12 @@ template <ChannelTag S> struct PairBlend {
         auto const behind = joined(past[back], px[back], share, select(still, max(samples, known), samples + counted));
 
         auto const front_samples = detail::weight_of(px[front]),
-                   front_counted = min(detail::weight_of(past[front]), at_most(front_cap, px[front_sweep]));
+                   front_counted = min(detail::weight_of(past[front]), at_most(front_cap, px[foreground_sweep]));
         auto const in_front = joined(past[front], px[front], share_of(front_samples, front_counted), front_samples + front_counted);
         auto const covering = detail::covering(detail::signal_of(in_front));
         return Result{detail::layers_together(covering, behind, px.signal()), share}
             .with(front, in_front)
-            .with(front_sweep, px[front_sweep])
+            .with(foreground_sweep, px[foreground_sweep])
             .with(back, behind)
             .with(mean_sweep, sweep);
     }

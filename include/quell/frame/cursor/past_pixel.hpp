@@ -6,19 +6,19 @@ namespace quell {
 
 /// Whole-numbered pixel coordinates in the previous frame, one pixel for each lane, at most one pixel outside the image. With a still or
 /// panning camera most packs land on adjacent pixels of one row. One load per component then replaces a gather.
-template <class Real> struct PastPlace {
+template <class Real> struct PixelCoordinates {
     Real column,           ///< whole number
         row;               ///< whole number
     int x = 0,             ///< column of the first lane; packs only
         y = 0;             ///< row of the first lane; packs only
-    bool together = false; ///< the lanes are adjacent pixels of one row; packs only
+    bool adjacent = false; ///< the lanes are adjacent pixels of one row; packs only
 
     /// Of whole numbers. Finds out whether the lanes are adjacent.
-    QUELL_KERNEL PastPlace(Real column_, Real row_) : column(column_), row(row_) {
+    QUELL_KERNEL PixelCoordinates(Real column_, Real row_) : column(column_), row(row_) {
         if constexpr (width_of < Real >> 1) {
             x = lane(truncate(column), 0), y = lane(truncate(row), 0);
             auto const expected = Real(static_cast<float>(x)) + lanes<Real>();
-            together = !any(abs(column - expected) + abs(row - static_cast<float>(y)) > Real(0.5f));
+            adjacent = !any(abs(column - expected) + abs(row - static_cast<float>(y)) > Real(0.5f));
         }
     }
 };
@@ -26,9 +26,9 @@ template <class Real> struct PastPlace {
 namespace detail {
 /// Pixels of a view of `size` at a place plus (dx, dy). Outside the image: lanes of a gather repeat the border, lanes of a load are finite
 /// and without meaning.
-template <class Real, class View> QUELL_KERNEL auto fetch(View view, Extent size, PastPlace<Real> const& place, int dx, int dy) {
+template <class Real, class View> QUELL_KERNEL auto fetch(View view, Extent size, PixelCoordinates<Real> const& place, int dx, int dy) {
     view.size = size;
-    if (place.together) return load_pixels<Real>(view, place.x + dx, clamp_to(place.y + dy, size.height - 1));
+    if (place.adjacent) return load_pixels<Real>(view, place.x + dx, clamp_to(place.y + dy, size.height - 1));
     Real const last_column(static_cast<float>(size.width - 1)), last_row(static_cast<float>(size.height - 1));
     return gather_pixels<Real>(view, truncate(clamp(place.column + static_cast<float>(dx), Real(0.f), last_column)),
                                truncate(clamp(place.row + static_cast<float>(dy), Real(0.f), last_row)));
@@ -39,10 +39,10 @@ template <class Real, class View> QUELL_KERNEL auto fetch(View view, Extent size
 /// @tparam Real float or a pack
 /// @tparam S    the Scope
 template <class Real, class S> struct PastPixel {
-    S const& scope;               ///< of the pass
-    PastPlace<Real> const& place; ///< a reference: g++ copies 16 bytes at a time and then stalls on the stores
-    int dx,                       ///< columns from the place
-        dy;                       ///< rows from the place
+    S const& scope;                      ///< of the pass
+    PixelCoordinates<Real> const& place; ///< a reference: g++ copies 16 bytes at a time and then stalls on the stores
+    int dx,                              ///< columns from the place
+        dy;                              ///< rows from the place
 
     /// True where the pixel lies inside the image.
     QUELL_KERNEL auto inside() const {

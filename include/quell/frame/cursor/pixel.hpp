@@ -59,14 +59,14 @@ template <class R, class S> struct Pixel {
     /// border repeats.
     template <ChannelTag C> QUELL_KERNEL auto coarser(C c, int dx = 0, int dy = 0) const {
         auto const where = over<C>();
-        return at_place(c, PastPlace<Real>(floor(where.x) + static_cast<float>(dx), floor(where.y) + static_cast<float>(dy)));
+        return at_place(c, PixelCoordinates<Real>(floor(where.x) + static_cast<float>(dx), floor(where.y) + static_cast<float>(dy)));
     }
     /// A coarser channel, interpolated bilinearly at this pixel's centre.
     template <ChannelTag C> QUELL_KERNEL auto coarser_interpolated(C c) const {
         auto const where = over<C>();
         auto const column = floor(where.x - 0.5f), row = floor(where.y - 0.5f);
         auto const u = where.x - 0.5f - column, v = where.y - 0.5f - row;
-        auto const tap = [&](float i, float j) QUELL_INLINED { return at_place(c, PastPlace<Real>(column + i, row + j)); };
+        auto const tap = [&](float i, float j) QUELL_INLINED { return at_place(c, PixelCoordinates<Real>(column + i, row + j)); };
         return mix(mix(tap(0.f, 0.f), tap(1.f, 0.f), u), mix(tap(0.f, 1.f), tap(1.f, 1.f), u), v);
     }
     /// The signal being denoised. Finite and not negative; a missing sample holds the mean of its usable neighbours.
@@ -142,16 +142,18 @@ template <class R, class S> struct Pixel {
     QUELL_KERNEL bool has_past() const { return scope.has_past; }
     /// The pixel of the previous frame at a place plus (dx, dy). Outside the image it holds finite values without meaning. It keeps a
     /// reference to `place`.
-    QUELL_KERNEL PastPixel<Real, S> past(PastPlace<Real> const& place, int dx = 0, int dy = 0) const { return {scope, place, dx, dy}; }
+    QUELL_KERNEL PastPixel<Real, S> past(PixelCoordinates<Real> const& place, int dx = 0, int dy = 0) const {
+        return {scope, place, dx, dy};
+    }
     /// Deleted: the place must outlive the past pixel, so give it a name.
-    void past(PastPlace<Real>&&, int = 0, int = 0) const = delete;
+    void past(PixelCoordinates<Real>&&, int = 0, int = 0) const = delete;
     /// A channel of this frame at any place. Outside the image it holds finite values without meaning.
-    template <ChannelTag C> QUELL_KERNEL auto elsewhere(PastPlace<Real> const& place, C c) const {
+    template <ChannelTag C> QUELL_KERNEL auto elsewhere(PixelCoordinates<Real> const& place, C c) const {
         require_same_size<C>();
         return at_place(c, place);
     }
     /// The signal at any place, and whether the host's sample is missing there.
-    QUELL_KERNEL auto signal_elsewhere(PastPlace<Real> const& place) const {
+    QUELL_KERNEL auto signal_elsewhere(PixelCoordinates<Real> const& place) const {
         auto const v = detail::fetch<Real>(scope.signal, scope.size, place, 0, 0);
         if constexpr (S::marks_missing)
             return std::pair{clear_mark(v), sign_bit(component<0>(v))};
@@ -185,7 +187,7 @@ private:
                       "one by px.coarser(channel)");
     }
     /// The place of fine pixel (i, j) in an image of `ratio` times the resolution.
-    QUELL_KERNEL PastPlace<Real> under(int ratio, int i, int j) const {
+    QUELL_KERNEL PixelCoordinates<Real> under(int ratio, int i, int j) const {
         return {(Real(static_cast<float>(x)) + lanes<Real>()) * static_cast<float>(ratio) + static_cast<float>(i),
                 Real(static_cast<float>(y * ratio + j))};
     }
@@ -198,7 +200,7 @@ private:
         return {p.x * (1.f / ratio), p.y * (1.f / ratio)};
     }
     /// A channel of any resolution, at a place in its own pixels.
-    template <ChannelTag C> QUELL_KERNEL auto at_place(C c, PastPlace<Real> const& place) const {
+    template <ChannelTag C> QUELL_KERNEL auto at_place(C c, PixelCoordinates<Real> const& place) const {
         constexpr bool made = S::made_channels::template has<C>, given = S::frame_channels::template has<C>;
         static_assert(made || given, "a policy looks at a channel that it does not list: add the channel to its `reads`");
         if constexpr (made)
@@ -243,7 +245,7 @@ private:
 };
 
 /// The pixel that contains `where` (pixel coordinates); outside the image the nearest one.
-template <class Px, class Real> QUELL_KERNEL PastPlace<Real> nearest_place(Px const& px, vec2<Real> const& where) {
+template <class Px, class Real> QUELL_KERNEL PixelCoordinates<Real> nearest_place(Px const& px, vec2<Real> const& where) {
     Real const last_column(static_cast<float>(px.size().width - 1)), last_row(static_cast<float>(px.size().height - 1));
     return {clamp(floor(where.x), Real(0.f), last_column), clamp(floor(where.y), Real(0.f), last_row)};
 }

@@ -120,7 +120,7 @@ private:
 
     void ingest() {
         Counts counts;
-        run<false>(pipeline.ingest, false, &counts);
+        run_pass<false>(pipeline.ingest, false, &counts);
         history.counted.missing_samples = counts.missing;
         history.counted.suppressed = counts.suppressed.total();
     }
@@ -148,13 +148,13 @@ private:
     }
 
     template <bool raw, class Pass> void pass(Pass const& kernel) {
-        run<raw>(kernel, --passes_left == 0, nullptr);
+        run_pass<raw>(kernel, --passes_left == 0, nullptr);
         if constexpr (is_temporal<Pass>) for_history = current;
         if constexpr (requires { kernel.feedback; })
             if (kernel.feedback) for_history = current;
     }
 
-    template <bool raw, class Pass> void run(Pass const& kernel, bool last, Counts* counts) {
+    template <bool raw, class Pass> void run_pass(Pass const& kernel, bool last, Counts* counts) {
         using S = ScopeOf<Pass, raw>;
         using Made = decltype(emits_of<Pass>{} | keeps_of<Pass>{});
         constexpr bool keeps_marks = raw && P::has_past && !is_temporal<Pass>;

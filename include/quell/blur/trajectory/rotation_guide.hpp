@@ -1,23 +1,23 @@
 #pragma once
 
-#include <quell/blur/trajectory/usable_path.hpp>
+#include <quell/blur/trajectory/sample_trajectory.hpp>
 #include <quell/filter/filter_kernel.hpp>
 #include <quell/frame/cursor/taps.hpp>
 
 namespace quell {
 
-/// Arcs whose bend a TurnGuide measures from Sweep, Time and Depth.
-struct TurningPaths {
+/// Arcs whose bend a RotationGuide measures from Sweep, Time and Depth.
+struct RotatingTrajectories {
     static constexpr bool bent = true; ///< trajectories have a bend
 };
 
 namespace detail {
 /// Sums over neighbours of the same surface: how far the sweep's direction differs times the distance along the motion; and that distance,
 /// squared. Their ratio is the rotation while the shutter is open.
-struct TurnEvidence : MadeChannel<2> {
-    static constexpr auto name = "turn_evidence";
+struct RotationSums : MadeChannel<2> {
+    static constexpr auto name = "rotation_sums";
 };
-inline constexpr TurnEvidence turn_evidence;
+inline constexpr RotationSums rotation_sums;
 
 /// Whether two samples may be of the same, possibly rotating surface.
 struct OneThing {
@@ -25,15 +25,15 @@ struct OneThing {
     template <class Sample> QUELL_KERNEL auto operator()(Sample const& a, Sample const& b) const {
         using Real = decltype(a.time());
         auto const x = b.sweep().x - a.sweep().x, y = b.sweep().y - a.sweep().y;
-        return both(b.known(), b.moves(), abs(b.nearness() - a.nearness()) < a.nearness() * Real(depth_gap),
+        return both(b.known(), b.moves(), abs(b.inverse_depth() - a.inverse_depth()) < a.inverse_depth() * Real(depth_gap),
                     fma(x, x, y * y) < a.squared_length() * (likeness * likeness));
     }
 };
 struct TurnEvidenceOf {
     static constexpr auto name = "turn, evidence";
     static constexpr bool leaves_signal = true;
-    using reads = Channels<UsablePath<StraightPaths>>;
-    using emits = Channels<TurnEvidence>;
+    using reads = Channels<SampleTrajectory<StraightTrajectories>>;
+    using emits = Channels<RotationSums>;
     static constexpr float least_turn = 2e-3f; ///< about radians; less counts as no rotation
     static constexpr int radius = 1;
     OneThing one_thing;
@@ -43,16 +43,16 @@ struct TurnEvidenceOf {
     /// the first is rotation: across the motion, directions differ without rotation, too.
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
-        auto const own = usable_sample<StraightPaths>(px);
+        auto const own = usable_sample<StraightTrajectories>(px);
         auto const turnable = both(own.known(), own.moves());
-        if (!any(turnable)) return emitted<Real>(turn_evidence, zero<vec2<Real>>());
+        if (!any(turnable)) return emitted<Real>(rotation_sums, zero<vec2<Real>>());
         auto const v = own.sweep();
         auto const per_squared = own.time_per_pixel() * own.time_per_pixel();
         auto const until_middle = [](auto const& sample) QUELL_INLINED { return scale(sample.sweep(), Real(0.5f) - sample.time()); };
         auto const middle = until_middle(own);
         Real along_along(0.f), along_across(0.f), across_across(1e-3f), turned_along(0.f), turned_across(0.f);
         for_each_neighbour<radius>(px, step, [&](auto const& beside, auto inside, int dx, int dy) QUELL_INLINED {
-            auto const other = usable_sample<StraightPaths>(beside);
+            auto const other = usable_sample<StraightTrajectories>(beside);
             auto const weight = masked(one_thing(own, other), inside * per_squared);
             auto const m = until_middle(other);
             auto const x = m.x - middle.x + static_cast<float>(dx), y = m.y - middle.y + static_cast<float>(dy);
@@ -68,15 +68,15 @@ struct TurnEvidenceOf {
         auto const spread = max(fma(-mixed, along_across, along_along), Real(0.f)), turned = fma(-mixed, turned_across, turned_along);
         // No rotation at all is cheap for TurningPathOf to find.
         auto const turns = both(turnable, abs(turned) > spread * Real(least_turn));
-        return emitted<Real>(turn_evidence, vec2<Real>{masked(turns, turned), masked(turnable, spread)});
+        return emitted<Real>(rotation_sums, vec2<Real>{masked(turns, turned), masked(turnable, spread)});
     }
 };
 
 struct TurningPathOf {
     static constexpr auto name = "turn, paths";
     static constexpr bool leaves_signal = true;
-    using reads = Channels<UsablePath<StraightPaths>, TurnEvidence>;
-    using emits = Channels<UsablePath<TurningPaths>>;
+    using reads = Channels<SampleTrajectory<StraightTrajectories>, RotationSums>;
+    using emits = Channels<SampleTrajectory<RotatingTrajectories>>;
     static constexpr int radius = 2;
     OneThing one_thing;
     int step;
@@ -84,10 +84,10 @@ struct TurningPathOf {
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
-        auto const own = usable_sample<StraightPaths>(px);
+        auto const own = usable_sample<StraightTrajectories>(px);
         auto const turn = masked(both(own.known(), own.moves()), sagitta(px, own));
         auto const bent = turn * turn * own.squared_length() > Real(least_bend * least_bend);
-        return emitted<Real>(UsablePath<TurningPaths>{}, make_value<6, Real>([&](auto c) QUELL_INLINED {
+        return emitted<Real>(SampleTrajectory<RotatingTrajectories>{}, make_value<6, Real>([&](auto c) QUELL_INLINED {
                                  if constexpr (c < 5)
                                      return component<c>(own.at);
                                  else
@@ -100,12 +100,12 @@ private:
         using Real = typename Px::Real;
         auto turns = Real(0.f) > Real(0.f);
         for_each_neighbour<radius>(px, step, [&](auto const& beside, auto, int, int) QUELL_INLINED {
-            turns = either(turns, beside[turn_evidence].x != Real(0.f));
+            turns = either(turns, beside[rotation_sums].x != Real(0.f));
         });
         if (!any(turns)) return Real(0.f);
         auto sums = zero<vec2<Real>>();
         for_each_neighbour<radius>(px, step, [&](auto const& beside, auto inside, int, int) QUELL_INLINED {
-            sums = add_scaled(sums, beside[turn_evidence], masked(one_thing(own, usable_sample<StraightPaths>(beside)), inside));
+            sums = add_scaled(sums, beside[rotation_sums], masked(one_thing(own, usable_sample<StraightTrajectories>(beside)), inside));
         });
         // Sweeps are chords, so the slope is twice the sine of half the angle.
         auto const half_sine = clamp(sums.x / max(sums.y, Real(1e-9f)) * 0.5f, Real(-0.99f), Real(0.99f));
@@ -117,10 +117,10 @@ private:
 /// Measures how far trajectories bend, without help from the host. On a surface that rotates in the image plane, the direction of sweeps
 /// changes along the motion; under pure translation it does not, however their lengths differ. Rotation is taken to be about the
 /// instantaneous centre: the top of a rolling wheel bends twice as much as it should, and its hub, which moves straight, bends as well.
-/// Emits UsablePath<TurningPaths>.
-template <> struct PathGuide<TurningPaths> {
+/// Emits SampleTrajectory<RotatingTrajectories>.
+template <> struct PathGuide<RotatingTrajectories> {
     using reads = Channels<Depth, Sweep, Time>;
-    using emits = Channels<UsablePath<StraightPaths>, detail::TurnEvidence, UsablePath<TurningPaths>>;
+    using emits = Channels<SampleTrajectory<StraightTrajectories>, detail::RotationSums, SampleTrajectory<RotatingTrajectories>>;
     static constexpr bool leaves_signal = true;
     /// Spacing in pixels of the 3x3 samples that are compared, and of the 5x5 such comparisons that are summed.
     int near_step = 3, far_step = 9;
@@ -131,13 +131,13 @@ template <> struct PathGuide<TurningPaths> {
 
     constexpr void for_each_pass(auto&& pass) const {
         detail::OneThing const one_thing{depth_gap, likeness};
-        pass(detail::UsablePathOf<StraightPaths>{});
+        pass(detail::SampleTrajectoryOf<StraightTrajectories>{});
         pass(detail::TurnEvidenceOf{one_thing, near_step});
         pass(detail::TurningPathOf{one_thing, far_step, least_evidence, least_bend});
     }
 };
 
-/// The guide of TurningPaths.
-using TurnGuide = PathGuide<TurningPaths>;
+/// The guide of RotatingTrajectories.
+using RotationGuide = PathGuide<RotatingTrajectories>;
 
 } // namespace quell

@@ -9,7 +9,7 @@ namespace quell::detail {
 /// weights of all strata are known.
 /// @tparam V the values, times their weights
 /// @tparam most samples kept per pixel: no more may be added
-template <class V, int most> struct PartMeans {
+template <class V, int most> struct StratifiedMean {
     using Real = real_of<V>;
     static constexpr int most_parts = 8; ///< each is at least as long as it takes to cross `pixels_a_part`
     static constexpr float pixels_a_part = 0.5f;
@@ -19,7 +19,7 @@ template <class V, int most> struct PartMeans {
     Real held[most][components + 1]; ///< weighted values, then the index of the stratum
     int size = 0, next = 0;
 
-    QUELL_KERNEL explicit PartMeans(Real pixels)
+    QUELL_KERNEL explicit StratifiedMean(Real pixels)
         : count(floor(clamp(pixels * (1.f / pixels_a_part), Real(1.f), Real(static_cast<float>(most_parts))))) {
         for (auto& w : weight) w = Real(0.f);
     }

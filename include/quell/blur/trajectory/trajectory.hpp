@@ -3,22 +3,22 @@
 #include <quell/frame/cursor/pixel.hpp>
 
 /// @file
-/// Contract of blur/trajectory/: how the surface that a sample shows moves on the screen while the shutter is open. A `Paths` type chooses
-/// the model and the channels that it reads; guides turn these into one channel that is safe to use.
+/// Contract of blur/trajectory/: how the surface that a sample shows moves on the screen while the shutter is open. A `Trajectories` type
+/// chooses the model and the channels that it reads; guides turn these into one channel that is safe to use.
 ///
-///     Sweep, Time  -> StraightPaths -+
+///     Sweep, Time  -> StraightTrajectories -+
 ///     Sweep, SweepBend, Time         |
-///                  -> BentPaths -----+-> PathGuide<Paths> -> UsablePath<Paths> -> two_motions/
+///                  -> BentTrajectories -----+-> PathGuide<Trajectories> -> SampleTrajectory<Trajectories> -> two_motions/
 ///     Sweep, Time, Depth             |
-///                  -> TurningPaths --+   (PathGuide<TurningPaths> is TurnGuide: UsablePath<StraightPaths>
-///                                         -> TurnEvidence -> UsablePath<TurningPaths>)
+///                  -> RotatingTrajectories --+   (PathGuide<RotatingTrajectories> is RotationGuide: SampleTrajectory<StraightTrajectories>
+///                                         -> RotationSums -> SampleTrajectory<RotatingTrajectories>)
 ///
-/// moving_and_static/ asks StraightPaths and BentPaths directly, by here() and there().
+/// moving_and_static/ asks StraightTrajectories and BentTrajectories directly, by here() and there().
 namespace quell {
 
 /// Linear trajectory of a sample: constant velocity through the pixel's centre at the sample's time. Bad input is repaired: a sweep that is
 /// not finite becomes 0, its components are clamped to +-`longest`, a time that is not finite becomes 0.5, others are clamped to [0, 1].
-template <class Real> struct Path {
+template <class Real> struct Trajectory {
     static constexpr float least = 0.5f;     ///< pixels; a shorter sweep counts as static
     static constexpr float longest = 1024.f; ///< pixels; of each component
 
@@ -27,7 +27,7 @@ template <class Real> struct Path {
     Real squared;     ///< squared length of the sweep
 
     /// From values of the channels Sweep and Time.
-    QUELL_KERNEL static Path of(vec2<Real> const& sweep, Real time) {
+    QUELL_KERNEL static Trajectory of(vec2<Real> const& sweep, Real time) {
         auto const usable = both(is_finite(sweep.x), is_finite(sweep.y));
         vec2<Real> v{clamp(masked(usable, sweep.x), Real(-longest), Real(longest)),
                      clamp(masked(usable, sweep.y), Real(-longest), Real(longest))};
@@ -40,14 +40,14 @@ template <class Real> struct Path {
     QUELL_KERNEL Real time_per_pixel() const { return min(sqrt(per_squared()), Real(1.f / least)); }
 
     /// Closest approach to a point (MB eq. 1).
-    struct Passing {
+    struct ClosestApproach {
         /// Distance in pixels, and its time: [0, 1] while the shutter is open.
         Real distance, when;
         /// Whether the shutter is open then.
         QUELL_KERNEL auto in_time() const { return both(when >= Real(0.f), when <= Real(1.f)); }
     };
     /// @param offset the point minus the sample's pixel, in pixels. Of a static sample the result means nothing.
-    QUELL_KERNEL Passing passing(vec2<Real> const& offset) const {
+    QUELL_KERNEL ClosestApproach passing(vec2<Real> const& offset) const {
         auto const along = fma(offset.x, sweep.x, offset.y * sweep.y) * per_squared();
         auto const x = fma(-along, sweep.x, offset.x), y = fma(-along, sweep.y, offset.y);
         return {sqrt(fma(x, x, y * y)), time + along};
@@ -55,20 +55,20 @@ template <class Real> struct Path {
 };
 
 /// Trajectory of second order: position(t) = position(0) + sweep t + 4 bend t (1 - t).
-template <class Real> struct BentPath : Path<Real> {
+template <class Real> struct BentTrajectory : Trajectory<Real> {
     vec2<Real> bend; ///< distance from the middle of the sweep to the position at t = 0.5, in pixels; repaired like the sweep
 
     /// Adds a bend, a value of the channel SweepBend.
-    QUELL_KERNEL static BentPath of(Path<Real> const& path, vec2<Real> const& bend) {
-        constexpr auto most = Path<Real>::longest;
+    QUELL_KERNEL static BentTrajectory of(Trajectory<Real> const& path, vec2<Real> const& bend) {
+        constexpr auto most = Trajectory<Real>::longest;
         auto const usable = both(is_finite(bend.x), is_finite(bend.y));
         return {path, {clamp(masked(usable, bend.x), Real(-most), Real(most)), clamp(masked(usable, bend.y), Real(-most), Real(most))}};
     }
     /// Closest approach by two steps of Newton's method from the linear trajectory's.
-    QUELL_KERNEL typename Path<Real>::Passing passing(vec2<Real> const& offset) const {
+    QUELL_KERNEL typename Trajectory<Real>::ClosestApproach passing(vec2<Real> const& offset) const {
         auto const& v = this->sweep;
         auto const t = this->time, begin = fma(-t, t, t) * 4.f;
-        auto when = clamp(Path<Real>::passing(offset).when, Real(-0.5f), Real(1.5f));
+        auto when = clamp(Trajectory<Real>::passing(offset).when, Real(-0.5f), Real(1.5f));
         vec2<Real> off{Real(0.f), Real(0.f)};
         for (int i = 0; i < 3; ++i) {
             auto const bent = fma(-when, when, when) * 4.f - begin, since = when - t;
@@ -84,40 +84,44 @@ template <class Real> struct BentPath : Path<Real> {
 };
 
 /// Where the mask holds, a; elsewhere a's time with b's motion.
-template <class Mask, class Real> QUELL_KERNEL Path<Real> moving_as(Mask mask, Path<Real> const& a, Path<Real> const& b) {
+template <class Mask, class Real> QUELL_KERNEL Trajectory<Real> moving_as(Mask mask, Trajectory<Real> const& a, Trajectory<Real> const& b) {
     return {select(mask, a.sweep, b.sweep), a.time, select(mask, a.squared, b.squared)};
 }
 /// The same for trajectories of second order.
-template <class Mask, class Real> QUELL_KERNEL BentPath<Real> moving_as(Mask mask, BentPath<Real> const& a, BentPath<Real> const& b) {
-    return {moving_as(mask, static_cast<Path<Real> const&>(a), static_cast<Path<Real> const&>(b)), select(mask, a.bend, b.bend)};
+template <class Mask, class Real>
+QUELL_KERNEL BentTrajectory<Real> moving_as(Mask mask, BentTrajectory<Real> const& a, BentTrajectory<Real> const& b) {
+    return {moving_as(mask, static_cast<Trajectory<Real> const&>(a), static_cast<Trajectory<Real> const&>(b)),
+            select(mask, a.bend, b.bend)};
 }
 
 /// Linear trajectories from a channel of sweeps, as in MB.
 /// @tparam SweepChannel Sweep; or SweepOf a signal that moves unlike the surface that shows it, such as a shadow
-template <ChannelTag SweepChannel> struct StraightPathsAlong {
+template <ChannelTag SweepChannel> struct StraightTrajectoriesAlong {
     /// Whether trajectories have a bend.
     static constexpr bool bent = false;
     using reads = Channels<SweepChannel, Time>;
     /// Trajectory of this pixel's sample.
-    template <class Px> QUELL_KERNEL static auto here(Px const& px) { return Path<typename Px::Real>::of(px[SweepChannel{}], px[time]); }
+    template <class Px> QUELL_KERNEL static auto here(Px const& px) {
+        return Trajectory<typename Px::Real>::of(px[SweepChannel{}], px[time]);
+    }
     /// Trajectory of another pixel's sample: PixelUnder::place.
     template <class Px, class Place> QUELL_KERNEL static auto there(Px const& px, Place const& place) {
-        return Path<typename Px::Real>::of(px.elsewhere(place, SweepChannel{}), px.elsewhere(place, time));
+        return Trajectory<typename Px::Real>::of(px.elsewhere(place, SweepChannel{}), px.elsewhere(place, time));
     }
 };
 /// Linear trajectories from Sweep.
-using StraightPaths = StraightPathsAlong<Sweep>;
+using StraightTrajectories = StraightTrajectoriesAlong<Sweep>;
 /// Trajectories of second order, with bends from the host.
-struct BentPaths {
+struct BentTrajectories {
     static constexpr bool bent = true; ///< trajectories have a bend
     using reads = Channels<Sweep, SweepBend, Time>;
     /// Trajectory of this pixel's sample.
     template <class Px> QUELL_KERNEL static auto here(Px const& px) {
-        return BentPath<typename Px::Real>::of(StraightPaths::here(px), px[sweep_bend]);
+        return BentTrajectory<typename Px::Real>::of(StraightTrajectories::here(px), px[sweep_bend]);
     }
     /// Trajectory of another pixel's sample: PixelUnder::place.
     template <class Px, class Place> QUELL_KERNEL static auto there(Px const& px, Place const& place) {
-        return BentPath<typename Px::Real>::of(StraightPaths::there(px, place), px.elsewhere(place, sweep_bend));
+        return BentTrajectory<typename Px::Real>::of(StraightTrajectories::there(px, place), px.elsewhere(place, sweep_bend));
     }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/blur/trajectory/path.hpp>
+#include <quell/blur/trajectory/trajectory.hpp>
 
 namespace quell {
 
@@ -8,31 +8,35 @@ namespace quell {
 /// depth; time to cross a pixel, as a fraction of the open shutter (0 for a missing sample, 2 if static). With bends also the relative
 /// sagitta: distance from the sweep's middle to the trajectory's, divided by the sweep's length, positive towards (sweep.y, -sweep.x). The
 /// bend's part along the sweep, a change of speed, is dropped.
-/// @tparam Paths StraightPaths, BentPaths or TurningPaths
-template <class Paths> struct UsablePath : MadeChannel<Paths::bent ? 6 : 5> { static constexpr auto name = "usable_path"; };
+/// @tparam Trajectories StraightTrajectories, BentTrajectories or RotatingTrajectories
+template <class Trajectories> struct SampleTrajectory : MadeChannel<Trajectories::bent ? 6 : 5> {
+    static constexpr auto name = "sample_trajectory";
+};
 
 namespace detail {
 
 /// Velocity (pixels per open shutter), inverse depth, and relative sagitta with bends: the features that tell surfaces apart.
-template <class Paths, class Real> using Mover = Value<Paths::bent ? 4 : 3, Real>;
+template <class Trajectories, class Real> using ScreenMotion = Value<Trajectories::bent ? 4 : 3, Real>;
 /// Squared length of a sweep in pixels, up to which it is static.
-inline constexpr float still_squared = Path<float>::least * Path<float>::least;
+inline constexpr float still_squared = Trajectory<float>::least * Trajectory<float>::least;
 
-template <class M> QUELL_KERNEL auto speed_of(M const& mover) { return vec2<real_of<M>>{component<0>(mover), component<1>(mover)}; }
-template <class M> QUELL_KERNEL auto nearness_of(M const& mover) { return component<2>(mover); }
-template <class M> QUELL_KERNEL auto sagitta_of([[maybe_unused]] M const& mover) {
+template <class M> QUELL_KERNEL auto speed_of(M const& screen_motion) {
+    return vec2<real_of<M>>{component<0>(screen_motion), component<1>(screen_motion)};
+}
+template <class M> QUELL_KERNEL auto inverse_depth_of(M const& screen_motion) { return component<2>(screen_motion); }
+template <class M> QUELL_KERNEL auto sagitta_of([[maybe_unused]] M const& screen_motion) {
     if constexpr (3 < components_of<M>)
-        return component<3>(mover);
+        return component<3>(screen_motion);
     else
         return real_of<M>(0.f);
 }
 /// The bend in pixels.
-template <class M> QUELL_KERNEL auto bend_of(M const& mover) {
-    auto const s = sagitta_of(mover);
-    return vec2<real_of<M>>{component<1>(mover) * s, -(component<0>(mover) * s)};
+template <class M> QUELL_KERNEL auto bend_of(M const& screen_motion) {
+    auto const s = sagitta_of(screen_motion);
+    return vec2<real_of<M>>{component<1>(screen_motion) * s, -(component<0>(screen_motion) * s)};
 }
-template <class M> QUELL_KERNEL auto squared_speed(M const& mover) {
-    return fma(component<0>(mover), component<0>(mover), component<1>(mover) * component<1>(mover));
+template <class M> QUELL_KERNEL auto squared_speed(M const& screen_motion) {
+    return fma(component<0>(screen_motion), component<0>(screen_motion), component<1>(screen_motion) * component<1>(screen_motion));
 }
 /// Squared difference of two velocities.
 template <class M> QUELL_KERNEL auto squared_difference(M const& a, M const& b) {
@@ -40,65 +44,66 @@ template <class M> QUELL_KERNEL auto squared_difference(M const& a, M const& b) 
     return fma(x, x, y * y);
 }
 
-/// Access to a value of UsablePath.
-template <class Paths, class Real> struct UsableSample {
-    Value<UsablePath<Paths>::components, Real> at;
+/// Access to a value of SampleTrajectory.
+template <class Trajectories, class Real> struct UsableSample {
+    Value<SampleTrajectory<Trajectories>::components, Real> at;
 
     /// The same with another model: with its sagitta, or without.
     template <class As> QUELL_KERNEL UsableSample<As, Real> as() const {
-        if constexpr (As::bent == Paths::bent)
+        if constexpr (As::bent == Trajectories::bent)
             return {at};
         else
             return {{component<0>(at), component<1>(at), component<2>(at), component<3>(at), component<4>(at)}};
     }
     QUELL_KERNEL vec2<Real> sweep() const { return {component<0>(at), component<1>(at)}; }
     QUELL_KERNEL Real time() const { return component<2>(at); }
-    QUELL_KERNEL Real nearness() const { return component<3>(at); }
+    QUELL_KERNEL Real inverse_depth() const { return component<3>(at); }
     QUELL_KERNEL Real time_per_pixel() const { return component<4>(at); }
     QUELL_KERNEL Real squared_length() const { return fma(sweep().x, sweep().x, sweep().y * sweep().y); }
     /// Length of the sweep in pixels; 0 if static.
     QUELL_KERNEL Real length() const { return squared_length() * time_per_pixel(); }
-    QUELL_KERNEL auto moves() const { return time_per_pixel() < Real(1.f / Path<Real>::least); }
+    QUELL_KERNEL auto moves() const { return time_per_pixel() < Real(1.f / Trajectory<Real>::least); }
     QUELL_KERNEL auto known() const { return time_per_pixel() > Real(0.f); }
     /// Closest approach; `offset` is the point minus the sample's pixel.
-    QUELL_KERNEL typename Path<Real>::Passing passing(vec2<Real> const& offset) const {
+    QUELL_KERNEL typename Trajectory<Real>::ClosestApproach passing(vec2<Real> const& offset) const {
         auto const moving = passing_in_motion(offset);
         return {select(moves(), moving.distance, sqrt(fma(offset.x, offset.x, offset.y * offset.y))), moving.when};
     }
     /// The same for a sample that is known to move. An arc is evaluated where the point projects onto the sweep: points that count are so
     /// near that its closest approach is hardly earlier or later.
-    QUELL_KERNEL typename Path<Real>::Passing passing_in_motion(vec2<Real> const& offset) const {
+    QUELL_KERNEL typename Trajectory<Real>::ClosestApproach passing_in_motion(vec2<Real> const& offset) const {
         auto const v = sweep();
         auto const along = fma(offset.x, v.x, offset.y * v.y) * time_per_pixel() * time_per_pixel(), when = time() + along;
         auto const aside = fma(offset.x, v.y, -(offset.y * v.x)) * time_per_pixel();
-        if constexpr (Paths::bent) {
+        if constexpr (Trajectories::bent) {
             auto const bent = along * (1.f - when - time()) * sagitta() * 4.f;
             return {abs(fma(-bent, length(), aside)) * cosine(slope_at(when, sagitta())), when};
         } else
             return {abs(aside), when};
     }
-    /// A sample with the pixel and time of `sample` that has the velocity and sagitta of `mover` at the point `offset` away. On an arc its
-    /// velocity differs elsewhere.
+    /// A sample with the pixel and time of `sample` that has the velocity and sagitta of `screen_motion` at the point `offset` away. On an
+    /// arc its velocity differs elsewhere.
     /// @param a_pixel the time to cross a pixel there
-    QUELL_KERNEL static UsableSample at_speed(auto const& mover, Real a_pixel, UsableSample const& sample,
+    QUELL_KERNEL static UsableSample at_speed(auto const& screen_motion, Real a_pixel, UsableSample const& sample,
                                               [[maybe_unused]] vec2<Real> const& offset) {
-        auto const speed = speed_of(mover);
-        if constexpr (Paths::bent) {
+        auto const speed = speed_of(screen_motion);
+        if constexpr (Trajectories::bent) {
             auto const until_there = fma(offset.x, speed.x, offset.y * speed.y) * a_pixel * a_pixel;
-            auto const slope = slope_at(sample.time() + until_there, sagitta_of(mover)), along = cosine(slope), per_longer = along * along;
+            auto const slope = slope_at(sample.time() + until_there, sagitta_of(screen_motion)), along = cosine(slope),
+                       per_longer = along * along;
             return {{fma(-slope, speed.y, speed.x) * per_longer, fma(slope, speed.x, speed.y) * per_longer, sample.time(),
-                     sample.nearness(), min(a_pixel * fma(slope, slope, Real(1.f)) * along, Real(1.f / Path<Real>::least)),
-                     sagitta_of(mover)}};
+                     sample.inverse_depth(), min(a_pixel * fma(slope, slope, Real(1.f)) * along, Real(1.f / Trajectory<Real>::least)),
+                     sagitta_of(screen_motion)}};
         } else
-            return {{{speed.x, speed.y, sample.time(), sample.nearness(), a_pixel}}};
+            return {{{speed.x, speed.y, sample.time(), sample.inverse_depth(), a_pixel}}};
     }
-    QUELL_KERNEL Mover<Paths, Real> mover() const {
+    QUELL_KERNEL ScreenMotion<Trajectories, Real> screen_motion() const {
         auto const v = sweep();
-        if constexpr (Paths::bent) {
+        if constexpr (Trajectories::bent) {
             auto const slope = slope_at(time(), sagitta());
-            return {fma(slope, v.y, v.x), fma(-slope, v.x, v.y), nearness(), sagitta()};
+            return {fma(slope, v.y, v.x), fma(-slope, v.x, v.y), inverse_depth(), sagitta()};
         } else
-            return {v.x, v.y, nearness()};
+            return {v.x, v.y, inverse_depth()};
     }
 
 private:
@@ -113,44 +118,45 @@ private:
         return fma(squared, fma(squared, Real(0.16f), Real(-0.46f)), Real(1.f));
     }
 };
-template <class Paths, class Px> QUELL_KERNEL auto usable_sample(Px const& px) {
-    return UsableSample<Paths, typename Px::Real>{px[UsablePath<Paths>{}]};
+template <class Trajectories, class Px> QUELL_KERNEL auto usable_sample(Px const& px) {
+    return UsableSample<Trajectories, typename Px::Real>{px[SampleTrajectory<Trajectories>{}]};
 }
 
-template <class Paths> struct UsablePathOf {
+template <class Trajectories> struct SampleTrajectoryOf {
     static constexpr auto name = "usable path";
     static constexpr bool leaves_signal = true;
-    using parts = Parts<Paths>;
+    using parts = Parts<Trajectories>;
     using reads = Channels<Depth>;
-    using emits = Channels<UsablePath<Paths>>;
+    using emits = Channels<SampleTrajectory<Trajectories>>;
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
-        auto const path = Paths::here(px);
+        auto const path = Trajectories::here(px);
         auto const moves = path.moves();
         auto const z = px[depth];
-        auto const nearness = 1.f / select(is_finite(z), clamp(z, Real(1e-6f), Real(1e6f)), Real(1e6f));
-        auto const a_pixel = select(moves, min(sqrt(path.per_squared()), Real(1.f / Path<Real>::least)), Real(1.f / Path<Real>::least));
+        auto const inverse_depth = 1.f / select(is_finite(z), clamp(z, Real(1e-6f), Real(1e6f)), Real(1e6f));
+        auto const a_pixel =
+            select(moves, min(sqrt(path.per_squared()), Real(1.f / Trajectory<Real>::least)), Real(1.f / Trajectory<Real>::least));
         auto const usable = select(px.missing(), Real(0.f), a_pixel);
         auto const x = masked(moves, path.sweep.x), y = masked(moves, path.sweep.y);
-        if constexpr (Paths::bent) {
+        if constexpr (Trajectories::bent) {
             constexpr float most = 0.5f; // a half circle's
             auto const sagitta = fma(path.bend.x, y, -(path.bend.y * x)) * a_pixel * a_pixel;
-            return emitted<Real>(UsablePath<Paths>{},
-                                 Value<6, Real>{{x, y, path.time, nearness, usable, clamp(sagitta, Real(-most), Real(most))}});
+            return emitted<Real>(SampleTrajectory<Trajectories>{},
+                                 Value<6, Real>{{x, y, path.time, inverse_depth, usable, clamp(sagitta, Real(-most), Real(most))}});
         } else
-            return emitted<Real>(UsablePath<Paths>{}, Value<5, Real>{{x, y, path.time, nearness, usable}});
+            return emitted<Real>(SampleTrajectory<Trajectories>{}, Value<5, Real>{{x, y, path.time, inverse_depth, usable}});
     }
 };
 } // namespace detail
 
-/// Emits UsablePath. PathGuide<TurningPaths> is TurnGuide.
-/// @tparam Paths StraightPaths or BentPaths
-template <class Paths> struct PathGuide {
-    using parts = Parts<detail::UsablePathOf<Paths>>;
-    using emits = Channels<UsablePath<Paths>>;
+/// Emits SampleTrajectory. PathGuide<RotatingTrajectories> is RotationGuide.
+/// @tparam Trajectories StraightTrajectories or BentTrajectories
+template <class Trajectories> struct PathGuide {
+    using parts = Parts<detail::SampleTrajectoryOf<Trajectories>>;
+    using emits = Channels<SampleTrajectory<Trajectories>>;
     static constexpr bool leaves_signal = true;
-    constexpr void for_each_pass(auto&& pass) const { pass(detail::UsablePathOf<Paths>{}); }
+    constexpr void for_each_pass(auto&& pass) const { pass(detail::SampleTrajectoryOf<Trajectories>{}); }
 };
 
 } // namespace quell
