@@ -5,7 +5,7 @@
 namespace quell {
 
 /// Emits the deviation in pixels for a CleanUp filter: min((alpha - usual_alpha)^2 + clamped, widest) (TRMV eqs. 7 and 8). It is large
-/// where little history was used, or where a clamp moved it. Does not change the inner policy's result.
+/// where little history was used, or where a clamp moved it; so a clamp goes outside. Does not change the inner policy's result.
 ///
 ///     Temporal{SurfaceMotion{}, Clamped{WithCleanUp{Exponential{.alpha = 0.1f}}}}
 ///

@@ -12,6 +12,10 @@ namespace quell {
 ///     Frame frame{size, pipeline, Borrowed<>{}};
 ///     frame[depth] = {pointer, size, 1, 1920}; // from a pixel to the next, from a row to the next
 ///
+/// The pointer is that of the top left pixel, wherever that lies in memory. For RGBA with the bottom row first:
+///
+///     frame[radiance] = {data + (height - 1) * 4 * width, size, 4, -4 * width};
+///
 /// The memory must outlive the run. With `pixel_stride` 1, loads are as fast as from Planar.
 /// @tparam Format Float32 or Float16; channels with `full_precision` (depth, motion, ...) are read as Float32 anyway
 template <class Format = Float32> struct Borrowed {

@@ -31,7 +31,8 @@ auto accumulate(P const& pipeline, Frame<Set, FrameStorage> const& frame, Histor
         .accumulated();
 }
 
-/// Like run(), but writes the output through a view of the host's.
+/// Like run(), but writes the output through a view of the host's: by set(component, x, y, value), from several threads with Threads. What
+/// the view does not show, such as alpha, stays as it is.
 /// @throws Error as run() does, and for a target that is not of the frame's size
 template <class P, class Set, class FrameStorage, class Storage, ImageView Target, Executor E = Simd>
 void run_into(Target const& target, P const& pipeline, Frame<Set, FrameStorage> const& frame, History<P, Storage>& history,

@@ -124,7 +124,7 @@ template <class R, class S> struct Pixel {
         auto const width = Real(row_inside ? static_cast<float>(scope.size.width) : 0.f);
         return both(column >= Real(0.f), column < width);
     }
-    /// Pixel coordinates of the centre: (column + 0.5, row + 0.5).
+    /// Pixel coordinates of the centre: (column + 0.5, row + 0.5). The point in the world is px[quell::position], or rays().position().
     QUELL_KERNEL vec2<Real> position() const {
         return {Real(static_cast<float>(x)) + lanes<Real>() + 0.5f, Real(static_cast<float>(y) + 0.5f)};
     }
@@ -160,7 +160,8 @@ template <class R, class S> struct Pixel {
         else
             return std::pair{v, Real(0.f) != Real(0.f)};
     }
-    /// Converts pixel coordinates to world space. The policy must declare `needs_camera`.
+    /// Converts pixel coordinates to world space: rays().position(position(), z) is the point at depth z. The policy must declare
+    /// `needs_camera`.
     QUELL_KERNEL PixelRays const& rays() const { return require_camera(), scope.rays; }
     /// The same for the previous frame.
     QUELL_KERNEL PixelRays const& rays_then() const { return require_camera(), scope.rays_then; }
