@@ -160,8 +160,7 @@ template <class R, class S> struct Pixel {
         else
             return std::pair{v, Real(0.f) != Real(0.f)};
     }
-    /// Converts pixel coordinates to world space: rays().position(position(), z) is the point at depth z. The policy must declare
-    /// `needs_camera`.
+    /// To world space: rays().position(position(), z) is the point at depth z. The policy must declare `needs_camera`.
     QUELL_KERNEL PixelRays const& rays() const { return require_camera(), scope.rays; }
     /// The same for the previous frame.
     QUELL_KERNEL PixelRays const& rays_then() const { return require_camera(), scope.rays_then; }
