@@ -6,7 +6,7 @@
 build_packages=(g++ cmake ninja-build)
 library_packages=(libglm-dev libxsimd-dev libtbb-dev)
 program_packages=(libembree-dev libopenexr-dev libtinygltf-dev libstb-dev libcli11-dev nlohmann-json3-dev libpng-dev zlib1g-dev gnuplot-nox)
-test_packages=(doctest-dev libbenchmark-dev clang)
+test_packages=(doctest-dev libbenchmark-dev clang doxygen python3)
 
 # oldest_version package: the oldest one that will do. Ubuntu 22.04 has xsimd 7 and OpenEXR 2, with other interfaces.
 oldest_version() {
@@ -34,6 +34,7 @@ project_of() {
     gnuplot-nox) echo "gnuplot (gnuplot.info)" ;;
     doctest-dev) echo "doctest (github.com/doctest/doctest)" ;;
     libbenchmark-dev) echo "Google Benchmark (github.com/google/benchmark)" ;;
+    doxygen) echo "Doxygen (doxygen.nl)" ;;
     cmake) echo "CMake (cmake.org)" ;;
     *) echo "$1" ;;
     esac

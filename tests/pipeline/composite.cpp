@@ -86,7 +86,7 @@ TEST_CASE("direct light and albedo that are no light and no colour, not finite, 
     }
 }
 
-TEST_CASE("a composite's memory is that of its pipelines and one picture; missing samples and what fireflies lost add up") {
+TEST_CASE("a composite takes no more memory than its pipelines and one picture; missing samples and what fireflies lost add up") {
     constexpr auto a = presets::surface(visibility, SuppressFireflies{});
     constexpr auto b = presets::none(glossy, SuppressFireflies{});
     constexpr auto both = Composite{a, b};
@@ -98,9 +98,10 @@ TEST_CASE("a composite's memory is that of its pipelines and one picture; missin
     History alone{size, a};
     History other{size, b};
     for (int i = 0; i < 3; ++i) run(both, frame, history), run(a, frame, alone), run(b, frame, other);
-    CHECK(history.bytes() == alone.bytes() + other.bytes() + ImageOf<Planar<>, Radiance>(size).bytes());
-    CHECK(history.part<0>().bytes() == alone.bytes());
-    CHECK(history.part<1>().bytes() == other.bytes());
+    // Scratch of the one serves the other.
+    auto const picture = ImageOf<Planar<>, Radiance>(size).bytes();
+    CHECK(history.bytes() > std::max(alone.bytes(), other.bytes()) + picture);
+    CHECK(history.bytes() <= alone.bytes() + other.bytes() + picture);
     CHECK(history.statistics().missing_samples == 3);
     CHECK(alone.statistics().suppressed > 0);
     CHECK(other.statistics().suppressed > 0);

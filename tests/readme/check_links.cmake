@@ -2,6 +2,7 @@
 # words (as wc -w counts them) than MOST_WORDS:
 #     cmake -DROOT=. -DMOST_WORDS=1200 -P check_links.cmake
 cmake_minimum_required(VERSION 3.22)
+get_filename_component(ROOT "${ROOT}" ABSOLUTE)
 file(GLOB pages LIST_DIRECTORIES false ${ROOT}/*.md ${ROOT}/docs/*.md)
 
 # text of a page, in which nothing means anything to CMake's lists

@@ -2,6 +2,7 @@
 # kernels are templates, in which a compiler finds little wrong before they are used.
 #     cmake -DROOT=. "-DPAGES=docs/*.md" -DCOMPILER=g++ -DINCLUDE=include -DFOLDER=/tmp/blocks -P compile_blocks.cmake
 cmake_minimum_required(VERSION 3.22)
+get_filename_component(ROOT "${ROOT}" ABSOLUTE)
 set(runs "
 void run_what_is_shown(quell::Extent size) {
     quell::Frame frame{size, denoise}; quell::History history{size, denoise};

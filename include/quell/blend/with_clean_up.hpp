@@ -21,7 +21,7 @@ template <class Inner> struct WithCleanUp {
     /// The inner result, with clean_up_deviation.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;
-        auto const result = detail::result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
+        auto const result = result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
         auto const excess = max(result.alpha - usual_alpha, Real(0.f));
         return result.with(clean_up_deviation, min(fma(excess, excess, past.clamped), Real(widest)));
     }

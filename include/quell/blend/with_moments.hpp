@@ -14,7 +14,7 @@ template <class Inner> struct WithMoments {
 
     /// The inner result, with luminance_mean and luminance_variance.
     QUELL_KERNEL auto blend(auto px, auto past) const {
-        auto const result = detail::result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
+        auto const result = result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
         auto const alpha = result.alpha;
         auto const before = past[luminance_mean];
         auto const off = luminance(px.signal()) - before;

@@ -15,7 +15,7 @@ template <class Inner> struct WithVariance {
 
     /// The inner result, with luminance_variance.
     QUELL_KERNEL auto blend(auto px, auto past) const {
-        auto const result = detail::result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
+        auto const result = result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
         auto const off = luminance(px.signal()) - luminance(past.signal);
         return result.with(luminance_variance, detail::variance_over_time(px, past[luminance_variance], off, result.alpha));
     }

@@ -79,13 +79,17 @@ template <class T> QUELL_KERNEL auto as_result(T const& t) {
     else
         return Result<T>{t, real_of<T>(1.f), {}};
 }
-/// make() as a Result. Avoids a copy, for which g++ calls memcpy.
+} // namespace detail
+
+/// What make() returns, as a Result: for decorators, whose inner policy may return a bare value. Avoids a copy, for which g++ calls memcpy.
+///
+///     auto const result = result_of([&]() QUELL_INLINED { return inner.blend(px, past); });    return result.with(channel, value);
+///
 template <class F> QUELL_KERNEL auto result_of(F&& make) {
-    if constexpr (is_result<decltype(make())>)
+    if constexpr (detail::is_result<decltype(make())>)
         return make();
     else
-        return as_result(make());
+        return detail::as_result(make());
 }
-} // namespace detail
 
 } // namespace quell

@@ -90,7 +90,7 @@ template <class Inner> struct WatchedClamp {
     Inner inner{}; ///< the wrapped blend policy
 
     QUELL_KERNEL auto blend(auto px, auto past) const {
-        auto const result = detail::result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
+        auto const result = result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
         return result.with(debug_clamp, select(past.validity > decltype(past.validity)(0.f), past.clamped, decltype(past.clamped)(0.f)));
     }
 };
@@ -108,7 +108,7 @@ template <class M, class Inner, class Fetch> struct Watched {
 
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;
-        auto const result = detail::result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
+        auto const result = result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
         auto const source = px.has_past() ? detail::source_of(px, motion, fetch, 1.f) : Real(0.f);
         auto const refused =
             px.has_past() ? detail::rejection_of(px, detail::first_of(motion)) : detail::code_of<Real>(Rejection::no_frame);

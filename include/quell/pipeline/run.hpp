@@ -10,8 +10,10 @@ namespace quell {
 ///
 /// @throws Error for channels of the wrong size, missing memory, a shutter that is negative or not finite, and singular cameras where the
 /// pipeline needs one
-template <class P, class Set, class FrameStorage, class Storage, Executor E = Simd>
-auto run(P const& pipeline, Frame<Set, FrameStorage> const& frame, History<P, Storage>& history, E const& executor = {}) {
+template <class P, class Set, class FrameStorage, class OfHistory, class Storage, Executor E = Simd>
+auto run(P const& pipeline, Frame<Set, FrameStorage> const& frame, History<OfHistory, Storage>& history, E const& executor = {}) {
+    static_assert(std::is_same_v<P, OfHistory>,
+                  "run(pipeline, frame, history): the history is another pipeline's; construct it with this pipeline");
     static_assert(contained_in<typename P::reads, Set>,
                   "run(pipeline, frame, ...): the frame lacks a channel that the pipeline reads; construct the frame with this pipeline");
     detail::NoTarget const none;

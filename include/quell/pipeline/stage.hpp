@@ -32,7 +32,7 @@ template <class M, class B, class Fetch = Bilinear> struct Temporal {
     QUELL_KERNEL auto operator()(auto px) const {
         using Px = decltype(px);
         auto const past = px.has_past() ? find(px, motion) : detail::no_past<Px>();
-        auto result = detail::result_of([&]() QUELL_INLINED { return blending.blend(px, past); });
+        auto result = result_of([&]() QUELL_INLINED { return blending.blend(px, past); });
         if (auto const missing = px.missing(); any(missing)) keep_past(missing, px, past, result);
         return result;
     }

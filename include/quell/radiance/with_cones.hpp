@@ -22,7 +22,7 @@ template <class Inner> struct WithCones {
 
     /// The shaded colour, with cone_radiance.
     QUELL_KERNEL auto blend(auto px, auto past) const {
-        auto result = detail::result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
+        auto result = result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
         auto const sample = cone::deposit(px.signal(), px[indirect_direction], px[normal]);
         auto before = past[cone_radiance];
         auto const clamped = past.clamped > typename decltype(px)::Real(0.f);

@@ -49,11 +49,7 @@ template <class R, class S> struct Pixel {
     /// The signal at fine pixel (i, j), as finer(). Finite and not negative.
     QUELL_KERNEL Signal finer_signal(int i, int j) const {
         static_assert(S::fraction > 1, "px.finer_signal(i, j): the pass is of the frame's size: use px.signal()");
-        auto const v = detail::fetch<Real>(scope.signal, scope.signal.size, under(S::fraction, i, j), 0, 0);
-        if constexpr (S::marks_missing)
-            return clear_mark(v);
-        else
-            return v;
+        return without_mark(detail::fetch<Real>(scope.signal, scope.signal.size, under(S::fraction, i, j), 0, 0));
     }
     /// A channel of a coarser resolution at the coarse pixel that contains this pixel, plus (dx, dy) coarse pixels. Outside the image the
     /// border repeats.
@@ -72,11 +68,7 @@ template <class R, class S> struct Pixel {
     /// The signal being denoised. Finite and not negative; a missing sample holds the mean of its usable neighbours.
     QUELL_KERNEL Signal signal() const {
         static_assert(S::fraction == 1, "a pass of a fraction of the frame's size looks at the signal: use px.finer_signal(i, j)");
-        auto const v = load(scope.signal);
-        if constexpr (S::marks_missing)
-            return clear_mark(v);
-        else
-            return v;
+        return without_mark(load(scope.signal));
     }
     /// One component of the signal.
     template <int c> QUELL_KERNEL Real signal_component() const {
@@ -156,7 +148,7 @@ template <class R, class S> struct Pixel {
     QUELL_KERNEL auto signal_elsewhere(PixelCoordinates<Real> const& place) const {
         auto const v = detail::fetch<Real>(scope.signal, scope.size, place, 0, 0);
         if constexpr (S::marks_missing)
-            return std::pair{clear_mark(v), sign_bit(component<0>(v))};
+            return std::pair{without_mark(v), sign_bit(component<0>(v))};
         else
             return std::pair{v, Real(0.f) != Real(0.f)};
     }
@@ -234,13 +226,16 @@ private:
         int const low = -width_of<Real>, high = scope.size.width;
         return i < low ? low : i > high ? high : i;
     }
-    QUELL_KERNEL static Signal clear_mark(Signal const& v) {
-        return make_value<S::components, R>([&](auto c) QUELL_INLINED {
-            if constexpr (c == 0)
-                return without_sign_bit(component<c>(v));
-            else
-                return component<c>(v);
-        });
+    QUELL_KERNEL static Signal without_mark(Signal const& v) {
+        if constexpr (!S::marks_missing)
+            return v;
+        else
+            return make_value<S::components, R>([&](auto c) QUELL_INLINED {
+                if constexpr (c == 0)
+                    return without_sign_bit(component<c>(v));
+                else
+                    return component<c>(v);
+            });
     }
 };
 
