@@ -99,4 +99,6 @@ done
 echo "== all steps passed"
 printf '%s' "$times"
 # The full suite's own summary comes last.
+# What was left out for want of data or programs, a line each.
+cat build/*/Testing/Temporary/LastTest.log 2>/dev/null | grep -o 'skipped: .*' | sort -u || true
 [[ ${#only[@]} -gt 0 || " ${steps[*]} " != *" gcc "* ]] || sed -n '/tests passed/,$p' build/release/ctest.log
