@@ -3,6 +3,8 @@
 #include <quell/execute/threads.hpp>
 #include <quell/pipeline/plan.hpp>
 
+#include <limits>
+
 using namespace quell;
 
 // Passes and channels of a fraction of the frame's size, against a plain computation pixel by pixel.
@@ -106,6 +108,14 @@ template <class P, class F> void check(P const& pipeline, Extent size, F&& wante
 }
 constexpr Extent sizes[] = {{64, 32}, {65, 33}, {37, 21}, {1, 1}, {2, 5}, {3, 1}};
 } // namespace
+
+TEST_CASE("a fraction of a size is rounded up, and no size is too large") {
+    CHECK(divided({5, 4}, 2) == Extent{3, 2});
+    CHECK(divided({1, 1}, 16) == Extent{1, 1});
+    CHECK(divided({7, 9}, 1) == Extent{7, 9});
+    int const most = std::numeric_limits<int>::max();
+    CHECK(divided({most, 0}, 2) == Extent{most / 2 + 1, 0});
+}
 
 TEST_CASE("a pass at a half or a third of the size sees the pixels under it, and the frame sees it interpolated") {
     for (auto const size : sizes) {

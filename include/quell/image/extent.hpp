@@ -17,7 +17,9 @@ struct Extent {
 
 /// size / fraction, rounded up in both directions.
 constexpr Extent divided(Extent size, int fraction) {
-    return {(size.width + fraction - 1) / fraction, (size.height + fraction - 1) / fraction};
+    // Not (a + b - 1) / b, which overflows for sizes that are refused only later.
+    auto const up = [&](int length) { return length / fraction + (length % fraction > 0 ? 1 : 0); };
+    return {up(size.width), up(size.height)};
 }
 
 /// Text for messages, such as "1920x1080".
