@@ -22,7 +22,6 @@
 
 #include <charconv>
 #include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <string>
 
@@ -71,7 +70,8 @@ int main(int count, char** arguments) {
     auto const rounds = take_flag(count, arguments, "--rounds");
     benchmark::Initialize(&count, arguments);
     if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;
-    if (summary) try {
+    if (summary) {
+        try {
             check_summary(*summary);
             print_summary(*summary, rounds ? rounds_in(*rounds) : 5);
             return 0;
@@ -79,6 +79,7 @@ int main(int count, char** arguments) {
             std::fprintf(stderr, "quell-bench: %s\n", error.what());
             return 2;
         }
+    }
     register_benchmarks();
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();

@@ -3,8 +3,8 @@
 
 Pages: headings get the anchors that GitHub gives them, with the page's name before, and links are rewritten to match. Links to
 what isn't a page of the site become plain text.
-Headers: members that are the same in every policy get the sentence of CONTRACT where the header says nothing of them. Of variables
-that are declared together, each gets their comment.
+Headers: members that are the same in every policy get the sentence of CONTRACT where the header says nothing of them, as do the
+values of channels and deduction guides. Of variables that are declared together, each gets their comment.
 No line is added or removed, so that warnings name the right line.
 """
 import os
@@ -30,6 +30,8 @@ CONTRACT = {
 }
 TYPE_OR_CONSTANT = re.compile(r"(?:using|static constexpr (?:auto|bool)) (\w+) = ")
 FUNCTION = re.compile(r"(?:template <[^<>]*> )?(?:QUELL_KERNEL|constexpr) (?:[\w:]+(?: [\w:]+)*) (\w+)\(")
+CHANNEL = re.compile(r"inline constexpr ([A-Z]\w*)(?:<[^;]*>)? \w+;$")
+DEDUCTION_GUIDE = re.compile(r"template <.*> \w+\(.*\) -> .*;$")
 VARIABLES = re.compile(r"((?:static |constexpr |inline )*(?:[\w:]|<[\w:, ]*>)+) (\w.*);(?: +///< (.*))?$")
 
 
@@ -65,6 +67,10 @@ def header(lines):
         documented = "///" in line or before.startswith("/// ") or before.endswith("*/")
         if found and found.group(1) in CONTRACT and not documented:
             yield indent + f"/** {CONTRACT[found.group(1)]} */ " + code + "\n"
+        elif not documented and CHANNEL.match(code):
+            yield indent + f"/** {CHANNEL.match(code).group(1)} as a value. */ " + code + "\n"
+        elif not documented and DEDUCTION_GUIDE.match(code):
+            yield indent + "/** Deduction guide. */ " + code + "\n"
         else:
             yield indent + separate(code, comment) + "\n"
         comment = f"{comment} {code[4:]}".strip() if code.startswith("/// ") else ""

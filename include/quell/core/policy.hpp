@@ -16,44 +16,26 @@ struct PartsOf<P> {
     using type = typename P::parts;
 };
 
-// One struct for each kind of declaration. `by<P>()` is what P itself declares, without its parts.
-struct SaidToRead {
-    template <class P>
-        requires requires { typename P::reads; }
-    static constexpr auto by() { return typename P::reads{}; }
-};
-struct SaidToRemember {
-    template <class P>
-        requires requires { typename P::remembers; }
-    static constexpr auto by() { return typename P::remembers{}; }
-};
-struct SaidToKeep {
-    template <class P>
-        requires requires { typename P::keeps; }
-    static constexpr auto by() { return typename P::keeps{}; }
-};
-struct SaidToReadKept {
-    template <class P>
-        requires requires { typename P::reads_kept; }
-    static constexpr auto by() { return typename P::reads_kept{}; }
-};
-struct SaidToEmit {
-    template <class P>
-        requires requires { typename P::emits; }
-    static constexpr auto by() { return typename P::emits{}; }
-};
+// What a policy itself declares, without its parts.
+template <class P> using OwnReads = typename P::reads;
+template <class P> using OwnRemembers = typename P::remembers;
+template <class P> using OwnKeeps = typename P::keeps;
+template <class P> using OwnReadsKept = typename P::reads_kept;
+template <class P> using OwnEmits = typename P::emits;
 
-template <class Kind, class P> struct Declared;
-template <class Kind, class Ps> struct DeclaredByParts;
-template <class Kind, class... Ps> struct DeclaredByParts<Kind, Parts<Ps...>> {
-    using type = union_of<typename Declared<Kind, Ps>::type...>;
+template <template <class> class Own, class P> struct Declared;
+template <template <class> class Own, class Ps> struct DeclaredByParts;
+template <template <class> class Own, class... Ps> struct DeclaredByParts<Own, Parts<Ps...>> {
+    using type = union_of<typename Declared<Own, Ps>::type...>;
 };
 /// The union of what a policy and its parts declare.
-template <class Kind, class P> struct Declared { using type = typename DeclaredByParts<Kind, typename PartsOf<P>::type>::type; };
-template <class Kind, class P>
-    requires requires { Kind::template by<P>(); }
-struct Declared<Kind, P> {
-    using type = decltype(Kind::template by<P>() | typename DeclaredByParts<Kind, typename PartsOf<P>::type>::type{});
+template <template <class> class Own, class P> struct Declared {
+    using type = typename DeclaredByParts<Own, typename PartsOf<P>::type>::type;
+};
+template <template <class> class Own, class P>
+    requires requires { typename Own<P>; }
+struct Declared<Own, P> {
+    using type = union_of<Own<P>, typename DeclaredByParts<Own, typename PartsOf<P>::type>::type>;
 };
 
 template <class P> constexpr bool needs_camera();
@@ -66,20 +48,20 @@ template <class P> constexpr bool needs_camera() {
 } // namespace detail
 
 /// The channels of the current frame that these policies and their parts read (`reads`).
-template <class... Ps> using reads_of = union_of<typename detail::Declared<detail::SaidToRead, Ps>::type...>;
+template <class... Ps> using reads_of = union_of<typename detail::Declared<detail::OwnReads, Ps>::type...>;
 
 /// The channels of the previous frame that these policies read (`remembers`). History stores them.
-template <class... Ps> using remembers_of = union_of<typename detail::Declared<detail::SaidToRemember, Ps>::type...>;
+template <class... Ps> using remembers_of = union_of<typename detail::Declared<detail::OwnRemembers, Ps>::type...>;
 
 /// The channels that these policies make and keep from frame to frame (`keeps`), such as the history length.
-template <class... Ps> using keeps_of = union_of<typename detail::Declared<detail::SaidToKeep, Ps>::type...>;
+template <class... Ps> using keeps_of = union_of<typename detail::Declared<detail::OwnKeeps, Ps>::type...>;
 
 /// The channels kept by other policies that these policies read in the previous frame (`reads_kept`). A change detector in front of
 /// Temporal needs that.
-template <class... Ps> using reads_kept_of = union_of<typename detail::Declared<detail::SaidToReadKept, Ps>::type...>;
+template <class... Ps> using reads_kept_of = union_of<typename detail::Declared<detail::OwnReadsKept, Ps>::type...>;
 
 /// The channels that these policies make for later passes of the same frame (`emits`).
-template <class... Ps> using emits_of = union_of<typename detail::Declared<detail::SaidToEmit, Ps>::type...>;
+template <class... Ps> using emits_of = union_of<typename detail::Declared<detail::OwnEmits, Ps>::type...>;
 
 /// Whether a policy or a part of it has `static constexpr bool needs_camera = true`. Hosts must then set frame.camera.
 template <class P> inline constexpr bool needs_camera_of = detail::needs_camera<P>();

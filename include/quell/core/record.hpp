@@ -58,8 +58,8 @@ template <class V, class Set = Channels<>> struct Result {
                                 })};
     }
 };
-template <class V> Result(V) -> Result<V>;             ///< deduction guide
-template <class V, class A> Result(V, A) -> Result<V>; ///< deduction guide
+template <class V> Result(V) -> Result<V>;
+template <class V, class A> Result(V, A) -> Result<V>;
 
 /// The result of a kernel that makes a channel and no signal. Add further channels by .with().
 ///

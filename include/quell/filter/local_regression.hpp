@@ -15,13 +15,11 @@ struct UnfilteredVariance : MadeChannel<1> {
     static constexpr bool squared = true;
     /// @endcond
 };
-/// See UnfilteredVariance.
 inline constexpr UnfilteredVariance unfiltered_variance;
 /// Mean luminance over a window: of the pilot (x), which has all of the light, and of the fit (y).
 struct LightOfPilotAndFit : MadeChannel<2> {
     static constexpr auto name = "light_of_pilot_and_fit";
 };
-/// See LightOfPilotAndFit.
 inline constexpr LightOfPilotAndFit light_of_pilot_and_fit;
 
 namespace detail {

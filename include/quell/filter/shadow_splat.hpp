@@ -14,7 +14,6 @@ struct ShadowTrack : MadeChannel<4> {
     static constexpr bool full_precision = true; // as Motion
     /// @endcond
 };
-/// See ShadowTrack.
 inline constexpr ShadowTrack shadow_track;
 
 namespace detail {

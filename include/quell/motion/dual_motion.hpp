@@ -73,6 +73,6 @@ private:
         return z;
     }
 };
-template <class Test> DualMotion(Test) -> DualMotion<Test>; ///< deduction guide
+template <class Test> DualMotion(Test) -> DualMotion<Test>;
 
 } // namespace quell

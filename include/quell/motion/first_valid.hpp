@@ -49,6 +49,6 @@ template <class Last> struct FirstValid<Last> : Last {
     constexpr explicit FirstValid(Last last) : Last(last) {}
 };
 /// @endcond
-template <class... Sources> FirstValid(Sources...) -> FirstValid<Sources...>; ///< deduction guide
+template <class... Sources> FirstValid(Sources...) -> FirstValid<Sources...>;
 
 } // namespace quell

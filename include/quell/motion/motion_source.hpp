@@ -16,7 +16,7 @@ template <class Real> struct Reprojection {
     vec2<Real> where; ///< pixel coordinates; a pixel's centre is at .5
     Real validity;    ///< trust in [0, 1]; 0: nothing was found
 };
-template <class Real, class Validity> Reprojection(glm::vec<2, Real>, Validity) -> Reprojection<Real>; ///< deduction guide
+template <class Real, class Validity> Reprojection(glm::vec<2, Real>, Validity) -> Reprojection<Real>;
 
 namespace detail {
 /// Whether what a source found accepts a past pixel. Without a test, all are accepted.

@@ -18,7 +18,7 @@ template <class Test = AllOf<SameDepth, SameNormal>> struct SurfaceMotion {
         return TestedReprojection<Real, decltype(test.around(px))>{{p.x + m.x, p.y + m.y}, Real(1.f), test.around(px)};
     }
 };
-template <class Test> SurfaceMotion(Test) -> SurfaceMotion<Test>; ///< deduction guide
+template <class Test> SurfaceMotion(Test) -> SurfaceMotion<Test>;
 
 /// Follows the surface by its previous world-space position and the previous camera, for hosts without a Motion channel. Validity is 1, or
 /// 0 behind the camera.
@@ -38,7 +38,7 @@ template <class Test = AllOf<SameDepth, SameNormal>> struct PositionMotion {
             {then.x, then.y}, validity, detail::around(test, px, then.z)};
     }
 };
-template <class Test> PositionMotion(Test) -> PositionMotion<Test>; ///< deduction guide
+template <class Test> PositionMotion(Test) -> PositionMotion<Test>;
 
 /// For a still camera and still objects: the same pixel, validity 1. It has no test.
 struct StillMotion {

@@ -110,6 +110,6 @@ template <class... Tests> struct AllOf : Tests... {
     }
     /// @endcond
 };
-template <class... Tests> AllOf(Tests...) -> AllOf<Tests...>; ///< deduction guide
+template <class... Tests> AllOf(Tests...) -> AllOf<Tests...>;
 
 } // namespace quell

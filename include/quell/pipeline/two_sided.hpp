@@ -15,7 +15,6 @@ namespace quell {
 struct TwoSided {
     using reads = Channels<MotionNext>;
 };
-/// See TwoSided.
 inline constexpr TwoSided two_sided;
 
 /// State between calls of run_two_sided().

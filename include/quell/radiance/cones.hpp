@@ -43,7 +43,6 @@ namespace quell {
 struct ConeRadiance : MadeChannel<24> {
     static constexpr auto name = "cone_radiance";
 };
-/// See ConeRadiance.
 inline constexpr ConeRadiance cone_radiance;
 
 /// Geometry of the six cones. Directions are unit vectors in world space.

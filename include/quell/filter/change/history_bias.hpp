@@ -9,7 +9,6 @@ namespace quell {
 struct HistoryBias : MadeChannel<1> {
     static constexpr auto name = "history_bias";
 };
-/// See HistoryBias.
 inline constexpr HistoryBias history_bias;
 
 // What BiasEstimate measures, as means over a window. Four channels of one component, so that later passes can reuse their memory.
@@ -30,10 +29,10 @@ struct ExpectedDeviation : MadeChannel<1> {
 struct HistoryShare : MadeChannel<1> {
     static constexpr auto name = "history_share";
 };
-inline constexpr HistoryDistance history_distance;     ///< see HistoryDistance
-inline constexpr HistoryDeviation history_deviation;   ///< see HistoryDeviation
-inline constexpr ExpectedDeviation expected_deviation; ///< see ExpectedDeviation
-inline constexpr HistoryShare history_share;           ///< see HistoryShare
+inline constexpr HistoryDistance history_distance;
+inline constexpr HistoryDeviation history_deviation;
+inline constexpr ExpectedDeviation expected_deviation;
+inline constexpr HistoryShare history_share;
 
 namespace detail {
 using WindowChannels = Channels<HistoryDistance, HistoryDeviation, ExpectedDeviation, HistoryShare>;

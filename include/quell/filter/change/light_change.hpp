@@ -11,7 +11,6 @@ namespace quell {
 struct LightChange : MadeChannel<2> {
     static constexpr auto name = "light_change";
 };
-/// See LightChange.
 inline constexpr LightChange light_change;
 
 namespace detail {

@@ -10,7 +10,6 @@ namespace quell {
 struct FilteredGradient : MadeChannel<2> {
     static constexpr auto name = "filtered_gradient";
 };
-/// See FilteredGradient.
 inline constexpr FilteredGradient filtered_gradient;
 
 namespace detail {

@@ -23,6 +23,12 @@ template <class Real> struct PixelCoordinates {
     }
 };
 
+/// The pixel that contains `where` (pixel coordinates); outside the image the nearest one.
+template <class Px, class Real> QUELL_KERNEL PixelCoordinates<Real> nearest_place(Px const& px, vec2<Real> const& where) {
+    Real const last_column(static_cast<float>(px.size().width - 1)), last_row(static_cast<float>(px.size().height - 1));
+    return {clamp(floor(where.x), Real(0.f), last_column), clamp(floor(where.y), Real(0.f), last_row)};
+}
+
 namespace detail {
 /// Pixels of a view of `size` at a place plus (dx, dy). Outside the image: lanes of a gather repeat the border, lanes of a load are finite
 /// and without meaning.

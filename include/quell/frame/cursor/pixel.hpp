@@ -21,18 +21,12 @@ template <class R, class S> struct Pixel {
 
     /// The value of a channel of this frame: supplied by the host or made by an earlier pass.
     template <ChannelTag C> QUELL_KERNEL auto operator[](C c) const {
-        constexpr bool made = S::made_channels::template has<C>, given = S::frame_channels::template has<C>;
-        static_assert(made || given, "a policy looks at a channel that it does not list: add the channel to its `reads`");
         require_same_size<C>();
-        if constexpr (made)
-            return load(scope.made.view(c));
-        else if constexpr (std::is_same_v<C, Motion>)
-            return scope.vectors(load(scope.frame.view(c)));
-        else if constexpr (given)
-            return load(scope.frame.view(c));
+        return read(c, [&](auto const& view) QUELL_INLINED { return load(view); });
     }
     /// One component of a channel, for channels of many components.
     template <int c, ChannelTag C> QUELL_KERNEL Real channel_component(C channel) const {
+        require_same_size<C>();
         if constexpr (S::made_channels::template has<C>)
             return load_one<c>(scope.made.view(channel));
         else
@@ -72,6 +66,7 @@ template <class R, class S> struct Pixel {
     }
     /// One component of the signal.
     template <int c> QUELL_KERNEL Real signal_component() const {
+        require_frame_size();
         auto const a = load_one<c>(scope.signal);
         if constexpr (S::marks_missing && c == 0)
             return without_sign_bit(a);
@@ -79,9 +74,9 @@ template <class R, class S> struct Pixel {
             return a;
     }
     /// True where the host's sample is unusable (NaN, infinite, negative, above 1e16). It must have weight 0. Always false after Temporal,
-    /// or, without a Temporal, after the first stage that makes a new signal.
+    /// or, without a Temporal, after the first stage that makes a new signal; and in a pass of a fraction of the frame's size.
     QUELL_KERNEL auto missing() const {
-        if constexpr (S::marks_missing)
+        if constexpr (S::marks_missing && S::fraction == 1)
             return sign_bit(component<0>(load(scope.signal)));
         else
             return Real(0.f) != Real(0.f);
@@ -135,6 +130,7 @@ template <class R, class S> struct Pixel {
     /// The pixel of the previous frame at a place plus (dx, dy). Outside the image it holds finite values without meaning. It keeps a
     /// reference to `place`.
     QUELL_KERNEL PastPixel<Real, S> past(PixelCoordinates<Real> const& place, int dx = 0, int dy = 0) const {
+        require_frame_size();
         return {scope, place, dx, dy};
     }
     /// Deleted: the place must outlive the past pixel, so give it a name.
@@ -146,6 +142,7 @@ template <class R, class S> struct Pixel {
     }
     /// The signal at any place, and whether the host's sample is missing there.
     QUELL_KERNEL auto signal_elsewhere(PixelCoordinates<Real> const& place) const {
+        require_frame_size();
         auto const v = detail::fetch<Real>(scope.signal, scope.size, place, 0, 0);
         if constexpr (S::marks_missing)
             return std::pair{without_mark(v), sign_bit(component<0>(v))};
@@ -193,16 +190,26 @@ private:
     }
     /// A channel of any resolution, at a place in its own pixels.
     template <ChannelTag C> QUELL_KERNEL auto at_place(C c, PixelCoordinates<Real> const& place) const {
+        return read(c, [&](auto const& view) QUELL_INLINED { return detail::fetch<Real>(view, view.size, place, 0, 0); });
+    }
+    /// What `load_from` makes of a channel's view, with motion in quell's convention.
+    template <ChannelTag C> QUELL_KERNEL auto read(C c, auto&& load_from) const {
         constexpr bool made = S::made_channels::template has<C>, given = S::frame_channels::template has<C>;
         static_assert(made || given, "a policy looks at a channel that it does not list: add the channel to its `reads`");
         if constexpr (made)
-            return detail::fetch<Real>(scope.made.view(c), scope.made.view(c).size, place, 0, 0);
+            return load_from(scope.made.view(c));
         else if constexpr (std::is_same_v<C, Motion>)
-            return scope.vectors(detail::fetch<Real>(scope.frame.view(c), scope.frame.view(c).size, place, 0, 0));
+            return scope.vectors(load_from(scope.frame.view(c)));
         else if constexpr (given)
-            return detail::fetch<Real>(scope.frame.view(c), scope.frame.view(c).size, place, 0, 0);
+            return load_from(scope.frame.view(c));
+    }
+    QUELL_KERNEL static void require_frame_size() {
+        static_assert(S::fraction == 1,
+                      "a pass of a fraction of the frame's size looks at the past, the camera or parts of the signal, which are of "
+                      "the frame's size: do that in a pass without `fraction`");
     }
     QUELL_KERNEL static void require_camera() {
+        require_frame_size();
         static_assert(S::has_camera, "a policy uses the camera without saying so: add `static constexpr bool needs_camera = true` to it");
     }
     QUELL_KERNEL vec3<Real> project(glm::mat4 const& m, vec3<Real> const& p) const {
@@ -238,11 +245,5 @@ private:
             });
     }
 };
-
-/// The pixel that contains `where` (pixel coordinates); outside the image the nearest one.
-template <class Px, class Real> QUELL_KERNEL PixelCoordinates<Real> nearest_place(Px const& px, vec2<Real> const& where) {
-    Real const last_column(static_cast<float>(px.size().width - 1)), last_row(static_cast<float>(px.size().height - 1));
-    return {clamp(floor(where.x), Real(0.f), last_column), clamp(floor(where.y), Real(0.f), last_row)};
-}
 
 } // namespace quell

@@ -57,6 +57,6 @@ private:
         return {masked(before, screen.x - image.screen.x), masked(before, screen.y - image.screen.y)};
     }
 };
-template <class Mirror> GlossyMotion(Mirror) -> GlossyMotion<Mirror>; ///< deduction guide
+template <class Mirror> GlossyMotion(Mirror) -> GlossyMotion<Mirror>;
 
 } // namespace quell

@@ -56,7 +56,7 @@ template <class Mirror = FlatMirror> struct MirrorMotion {
         return test.found(px, vec2<Real>{image.screen.x, image.screen.y}, masked(image.valid, Real(1.f)), image.plane);
     }
 };
-template <class Mirror> MirrorMotion(Mirror) -> MirrorMotion<Mirror>; ///< deduction guide
+template <class Mirror> MirrorMotion(Mirror) -> MirrorMotion<Mirror>;
 
 /// Moves the pixel by the displacement of the virtual image on the screen since the previous frame; MirrorMotion goes to the image's
 /// position itself. On a rough surface each pixel then keeps its place within the lobe: vectors have no noise, and a still picture stays
@@ -94,6 +94,6 @@ private:
         return select(moving > Real(0.f), Real(among_moving), Real(1.f));
     }
 };
-template <class Mirror> ImageMotion(Mirror) -> ImageMotion<Mirror>; ///< deduction guide
+template <class Mirror> ImageMotion(Mirror) -> ImageMotion<Mirror>;
 
 } // namespace quell
