@@ -5,7 +5,7 @@
 
 build_packages=(g++ cmake ninja-build)
 library_packages=(libglm-dev libxsimd-dev libtbb-dev)
-program_packages=(libembree-dev libopenexr-dev libtinygltf-dev libstb-dev libcli11-dev nlohmann-json3-dev libpng-dev zlib1g-dev gnuplot-nox)
+program_packages=(libembree-dev libopenexr-dev libtinygltf-dev libstb-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpng-dev zlib1g-dev gnuplot-nox)
 test_packages=(doctest-dev libbenchmark-dev clang doxygen python3)
 
 # oldest_version package: the oldest one that will do. Ubuntu 22.04 has xsimd 7 and OpenEXR 2, with other interfaces.
@@ -30,6 +30,7 @@ project_of() {
     libtinygltf-dev) echo "tinygltf (github.com/syoyo/tinygltf)" ;;
     libstb-dev) echo "stb (github.com/nothings/stb)" ;;
     libcli11-dev) echo "CLI11 (github.com/CLIUtils/CLI11)" ;;
+    libfmt-dev) echo "{fmt} (github.com/fmtlib/fmt)" ;;
     nlohmann-json3-dev) echo "JSON for Modern C++ (github.com/nlohmann/json)" ;;
     gnuplot-nox) echo "gnuplot (gnuplot.info)" ;;
     doctest-dev) echo "doctest (github.com/doctest/doctest)" ;;

@@ -20,6 +20,8 @@ constexpr Cost remember = pack_normal + Cost{0., 2., 0.};
 
 constexpr Cost ingest = divisor + Cost{15., 6., 3.}; // 3 x (finite 2, >=, <=), 3 /; reads radiance and albedo, writes the signal
 
+constexpr Cost undivided_ingest{12., 3., 3.}; // 3 x (finite 2, >=, <=)
+
 constexpr double around_depth = 18. + 2. + 2.; // two slopes, times sigma; floor: *, max
 constexpr double toward_depth = 0.5 * 7.;      // once for two taps: fma, *, +, approximate_reciprocal: fma, *
 constexpr double depth_distance = 3.;          // -, fma
@@ -62,11 +64,14 @@ Cost temporal_of(std::string_view preset, bool last) {
     return last ? cost + output + remember : cost;
 }
 
+constexpr std::string_view counted[] = {"none", "surface", "surface-clamp", "atrous", "svgf"};
+
 } // namespace
 
 Cost cost_of(std::string_view preset, std::string_view pass, bool last) {
+    if (std::ranges::find(counted, preset) == std::end(counted)) return {};
+    if (preset == "none") return pass == "ingest" ? undivided_ingest : pass_through + Cost{0., 3., 0.};
     if (pass == "ingest") return ingest;
-    if (pass == "pass-through") return pass_through + output;
     if (pass == "temporal") return temporal_of(preset, last);
     if (pass == "variance-estimate") return variance_estimate;
     if (pass.starts_with("a-trous")) return atrous_level(last);

@@ -21,7 +21,7 @@ struct Cost {
     }
 };
 
-/// Of a pass, by the names under which it is reported; nothing for one that nobody has counted.
+/// Of a pass, by the names under which it is reported; nothing for those of presets that nobody has counted.
 Cost cost_of(std::string_view preset, std::string_view pass, bool last);
 
 } // namespace quell::bench

@@ -1,5 +1,12 @@
 #include "family.hpp"
 
+#include <quell/image/interleaved.hpp>
+#include <quell/image/planar.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 namespace quell::bench {
 
 Seconds Workload::next(How how) {
@@ -26,6 +33,20 @@ double Family::bound(Extent size, int threads) const {
     for (std::size_t i = 0; i < passes.size(); ++i) sum += bound(i, size, threads);
     return sum;
 }
+
+namespace {
+template <class Storage, std::size_t... unit> void append_families(std::vector<Family>& all, std::index_sequence<unit...>) {
+    (std::ranges::move(families_of_unit<Storage, unit, sizeof...(unit)>(), std::back_inserter(all)), ...);
+}
+template <class... Storages> std::vector<Family> families_with() {
+    std::vector<Family> all;
+    (append_families<Storages>(all, std::make_index_sequence<QUELL_BENCH_UNITS>{}), ...);
+    std::ranges::stable_sort(all, {}, &Family::order);
+    return all;
+}
+} // namespace
+
+std::vector<Family> families() { return families_with<QUELL_BENCH_STORAGES>(); }
 
 Workload& workload(Family const& family, Extent size) {
     static std::unique_ptr<Workload> made;

@@ -32,9 +32,11 @@ private:
     std::size_t at = 0;
 };
 
-/// A preset with a storage for its history: what one generated file instantiates. All else is common code.
+/// A preset with a storage for its history: what generated files instantiate. All else is common code.
 struct Family {
-    std::string preset, storage;
+    std::string preset;
+    std::size_t order = 0; ///< the preset's place in quell::named_presets
+    std::string storage;
     int stored_size = 4; ///< bytes a stored value
     bool has_serial = false;
     std::vector<std::string> passes;
@@ -46,8 +48,10 @@ struct Family {
     [[nodiscard]] double bound(std::size_t pass, Extent size, int threads) const;
 };
 
-/// All of them, in the order of bench/CMakeLists.txt (which generates this).
+/// Those presets that read what Input has, with each storage, in the order of quell::named_presets.
 std::vector<Family> families();
+/// Every `units`-th of them from number `unit` on, with one storage: in a generated file.
+template <class Storage, std::size_t unit, std::size_t units> std::vector<Family> families_of_unit();
 
 /// A warm workload. Only the last one asked for is kept: at 1920x1080 they are large.
 Workload& workload(Family const& family, Extent size);

@@ -3,12 +3,12 @@
 //   quell-half-history 'dir/frame.%04d.exr' LAST reference.exr          frames 0 to LAST of quell-trace, of which the last is compared
 
 #include <quell/io/exr.hpp>
-#include <quell/metrics/flip.hpp>
-#include <quell/metrics/rmse.hpp>
-#include <quell/metrics/ssim.hpp>
 #include <quell/quell.hpp>
+#include <support/frame_pattern.hpp>
+#include <support/image_errors.hpp>
 
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <string>
 
@@ -18,28 +18,21 @@ using namespace quell;
 
 constexpr auto denoise = presets::svgf(radiance, Demodulate{});
 
-/// `pattern` with the frame's number at its %04d.
-std::string numbered(std::string pattern, int number) {
-    auto const digits = std::to_string(number);
-    auto const at = pattern.find("%04d");
-    if (at == std::string::npos) throw Error(pattern, "it has no %04d", "put that where the frame's number stands");
-    return pattern.replace(at, 4, std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits);
-}
-
 template <class Storage>
-double compare(char const* name, std::string const& pattern, int last, metrics::Picture const& reference, Storage const& storage) {
+double compare(char const* name, examples::FramePattern const& pattern, int last, metrics::Picture const& reference,
+               Storage const& storage) {
     Frame frame{reference.size, denoise};
     History history{reference.size, denoise, storage};
     for (int number = 0; number <= last; ++number) {
         frame.number = number;
-        io::load(frame, io::read_exr(numbered(pattern, number)));
+        io::load(frame, io::read_exr(pattern.path(number).string()));
         auto const clean = run(denoise, frame, history);
         if (number < last) continue;
         auto const picture = metrics::displayed(metrics::picture_of(clean));
-        auto const error = metrics::rmse(reference, picture);
-        std::printf("%-6s RMSE %.6f  SSIM %.6f  FLIP %.6f  %.0f bytes per pixel\n", name, error, metrics::ssim(reference, picture),
-                    metrics::flip(reference, picture).mean(), history.bytes_per_pixel());
-        return error;
+        auto const errors = examples::image_errors(reference, picture);
+        fmt::print("{:<6} RMSE {:.6f}  SSIM {:.6f}  FLIP {:.6f}  {:.0f} bytes per pixel\n", name, errors.rmse, errors.ssim, errors.flip,
+                   history.bytes_per_pixel());
+        return errors.rmse;
     }
     return 0;
 }
@@ -53,11 +46,12 @@ int main(int count, char** arguments) try {
     Frame<Channels<Radiance>> converged{image.size};
     io::load(converged, image);
     auto const reference = metrics::displayed(metrics::picture_of(converged[radiance].view()));
+    examples::FramePattern const pattern(arguments[1]);
     int const last = std::atoi(arguments[2]);
-    double const in_float = compare("float", arguments[1], last, reference, Planar<>{});
-    double const in_half = compare("half", arguments[1], last, reference, Planar<Float16>{});
-    std::printf("RMSE of half over that of float: %.5f\n", in_half / in_float);
+    double const in_float = compare("float", pattern, last, reference, Planar<>{});
+    double const in_half = compare("half", pattern, last, reference, Planar<Float16>{});
+    fmt::print("RMSE of half over that of float: {:.5f}\n", in_half / in_float);
 } catch (std::exception const& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    fmt::print(stderr, "{}\n", error.what());
     return 2;
 }

@@ -2,13 +2,13 @@
 
 #include "family.hpp"
 
-#include <quell/quell.hpp>
+#include <quell/presets/named.hpp>
 
 #include <algorithm>
 
 namespace quell::bench {
 
-/// The one template that generated files instantiate.
+/// What generated files instantiate.
 template <class P, class Storage, bool with_serial> class PresetWorkload final : public Workload {
     P pipeline;
     History<P, Storage> history;
@@ -33,20 +33,33 @@ template <class P> std::vector<std::string> pass_names(P const& pipeline) {
     return names;
 }
 
-/// @tparam make_pipeline a preset as a constant expression's type: a captureless function object
-template <class Storage, auto make_pipeline> Family make_family(std::string preset) {
-    using P = decltype(make_pipeline());
+template <class Storage, class Preset> Family make_family(Preset const& preset, std::size_t order) {
+    using P = decltype(Preset::usual());
     using Format = typename Storage::format;
     // One pixel at a time is the reference for the fast storage only; elsewhere it would double the time to compile for nothing.
     constexpr bool with_serial = std::is_same_v<Storage, Planar<>>;
-    return {std::move(preset),
+    return {std::string(preset.name),
+            order,
             std::string(Storage::name) + "-" + Format::name,
             sizeof(typename Format::Element),
             with_serial,
-            pass_names(make_pipeline()),
+            pass_names(Preset::usual()),
             [](Extent size) -> std::unique_ptr<Workload> {
-                return std::make_unique<PresetWorkload<P, Storage, with_serial>>(make_pipeline(), size);
+                return std::make_unique<PresetWorkload<P, Storage, with_serial>>(Preset::usual(), size);
             }};
+}
+
+/// Whether the sequence has what a pipeline reads.
+template <class P> inline constexpr bool is_measured = contained_in<typename P::reads, Input::channels>;
+
+template <class Storage, std::size_t unit, std::size_t units> std::vector<Family> families_of_unit() {
+    std::vector<Family> made;
+    std::size_t order = unit;
+    for_each_preset<unit, units>([&](auto const& preset) {
+        if constexpr (is_measured<decltype(preset.usual())>) made.push_back(make_family<Storage>(preset, order));
+        order += units;
+    });
+    return made;
 }
 
 } // namespace quell::bench

@@ -6,7 +6,7 @@
 
 namespace quell::bench {
 
-/// Everything that a preset may read. A preset that reads more does not compile: add its channel here and to sequence.cpp.
+/// What measured presets may read. A preset that reads more is left out: add its channels here and to sequence.cpp.
 using Input = Frame<Channels<Radiance, Depth, Normal, Motion, Albedo>>;
 
 /// A few frames of a made-up scene, to be run round and round: planes and spheres with edges before them, texture, noise as of one sample

@@ -3,8 +3,11 @@
 #include "allocations.hpp"
 #include "family.hpp"
 
+#include <fmt/format.h>
+#include <support/median.hpp>
+
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
 
 namespace quell::bench {
 namespace {
@@ -12,12 +15,7 @@ namespace {
 constexpr Extent size{1920, 1080};
 constexpr auto reference_storage = "planar-float";
 
-double median(std::vector<double> values) {
-    if (values.empty()) return 0.;
-    auto const middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
+using examples::median;
 
 /// The frames of one executor: seconds of each, seconds of each pass in each, what was allocated.
 struct Series {
@@ -57,36 +55,61 @@ std::vector<Series> alternate(Family const& family, std::vector<How> const& exec
     return all;
 }
 
+/// A row of a table in Markdown.
+void print_row(std::initializer_list<std::string> cells) { fmt::print("| {} |\n", fmt::join(cells, " | ")); }
+void print_head(std::initializer_list<std::string> cells) {
+    print_row(cells);
+    fmt::print("|{}\n", fmt::join(std::vector<std::string>(cells.size(), " --- |"), ""));
+}
+std::string number(double value, int digits) { return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "-"; }
+/// A part of a bound; unknown where operations were never counted.
+std::string part_of_bound(double bound, double seconds) { return bound > 0 ? number(bound / seconds, 2) : "-"; }
+
 void print_machine() {
-    std::printf("## Machine\n| threads | GFLOP/s | GB/s |\n| --- | --- | --- |\n");
+    fmt::print("## Machine\n");
+    print_head({"threads", "GFLOP/s", "GB/s"});
     for (int const threads : {1, most_threads()}) {
         auto const& m = machine(threads);
-        std::printf("| %d | %.1f | %.1f |\n", threads, 1e-9 * m.operations_per_second, 1e-9 * m.bytes_per_second);
+        print_row({std::to_string(threads), number(1e-9 * m.operations_per_second, 1), number(1e-9 * m.bytes_per_second, 1)});
         if (most_threads() == 1) break;
     }
 }
 
+void print_presets_head(int rounds) {
+    auto const most = std::to_string(most_threads());
+    fmt::print("\n## Presets, {}, {}, medians of {}; cpu: processor time, which others on the machine hardly lengthen\n", to_string(size),
+               reference_storage, rounds);
+    print_head({"preset", "serial ms", "simd ms", "simd cpu ms", "threads:1 ms", "threads:" + most + " ms", "best", "serial/simd",
+                "threads 1/" + most, "the same by cpu", "of bound, simd", "of bound, threads", "bytes/pixel", "allocations (simd)"});
+}
+
 void print_preset(Family const& family, std::vector<Series> const& s, double bytes) {
-    auto const& serial = s[0];
-    auto const& simd = s[1];
-    auto const& one = s[2];
-    auto const& many = s[3];
-    auto const ms = [](Series const& series) { return 1e3 * median(series.wall); };
-    std::printf("| %s | %.1f | %.2f | %.2f | %.2f | %.2f | %.2f | %.1f | %.2f | %.2f | %.2f | %.2f | %.1f | %lld |\n",
-                family.preset.c_str(), ms(serial), ms(simd), 1e3 * median(simd.processor), ms(one), ms(many),
-                1e3 * *std::ranges::min_element(many.wall), ratio(serial.processor, simd.processor), ratio(one.wall, many.wall),
-                many.how.threads * ratio(one.processor, many.processor), family.bound(size, 1) / median(simd.processor),
-                family.bound(size, many.how.threads) / median(many.wall), bytes, simd.allocated);
+    auto const &serial = s[0], &simd = s[1], &one = s[2], &many = s[3];
+    auto const ms = [](std::vector<double> const& seconds) { return number(1e3 * median(seconds), 2); };
+    print_row({family.preset, number(1e3 * median(serial.wall), 1), ms(simd.wall), ms(simd.processor), ms(one.wall), ms(many.wall),
+               number(1e3 * *std::ranges::min_element(many.wall), 2), number(ratio(serial.processor, simd.processor), 1),
+               number(ratio(one.wall, many.wall), 2), number(many.how.threads * ratio(one.processor, many.processor), 2),
+               part_of_bound(family.bound(size, 1), median(simd.processor)),
+               part_of_bound(family.bound(size, many.how.threads), median(many.wall)), number(bytes, 1), std::to_string(simd.allocated)});
+}
+
+void print_passes_head() {
+    fmt::print("\n## Passes, simd, {}, processor time\n", reference_storage);
+    print_head({"preset", "pass", "ms", "bound ms", "of bound", "flop/pixel", "bytes/pixel", "GFLOP/s", "GB/s"});
 }
 
 void print_passes(Family const& family, Series const& simd) {
+    auto const pixels = static_cast<double>(size.pixels());
     for (std::size_t i = 0; i < family.passes.size(); ++i) {
         double const seconds = median(simd.passes[i]), bound = family.bound(i, size, 1);
         auto const cost = family.cost(i);
-        auto const pixels = static_cast<double>(size.pixels());
-        std::printf("| %s | %s | %.2f | %.2f | %.2f | %.0f | %.0f | %.1f | %.1f |\n", family.preset.c_str(), family.passes[i].c_str(),
-                    1e3 * seconds, 1e3 * bound, bound / seconds, cost.operations, cost.bytes(family.stored_size),
-                    1e-9 * cost.operations * pixels / seconds, 1e-9 * cost.bytes(family.stored_size) * pixels / seconds);
+        if (bound > 0)
+            print_row({family.preset, family.passes[i], number(1e3 * seconds, 2), number(1e3 * bound, 2), part_of_bound(bound, seconds),
+                       number(cost.operations, 0), number(cost.bytes(family.stored_size), 0),
+                       number(1e-9 * cost.operations * pixels / seconds, 1),
+                       number(1e-9 * cost.bytes(family.stored_size) * pixels / seconds, 1)});
+        else
+            print_row({family.preset, family.passes[i], number(1e3 * seconds, 2), "-", "-", "-", "-", "-", "-"});
     }
 }
 
@@ -105,7 +128,7 @@ std::vector<Measured> measure(std::string_view wanted, int rounds) {
             family.has_serial
                 ? std::vector<How>{{How::Kind::serial, 1}, {How::Kind::simd, 1}, {How::Kind::threads, 1}, {How::Kind::threads, most}}
                 : std::vector<How>{{How::Kind::simd, 1}, {How::Kind::threads, most}};
-        std::fprintf(stderr, "measuring %s %s\n", family.preset.c_str(), family.storage.c_str());
+        fmt::print(stderr, "measuring {} {}\n", family.preset, family.storage);
         auto series = alternate(family, executors, rounds);
         all.push_back({family, std::move(series), workload(family, size).bytes_per_pixel()});
     }
@@ -113,13 +136,12 @@ std::vector<Measured> measure(std::string_view wanted, int rounds) {
 }
 
 void print_storages(std::vector<Measured> const& all) {
-    std::printf("\n## Storages, %s\n| preset | storage | simd ms | threads:%d ms | bytes/pixel | allocations |\n| --- | --- | --- | --- "
-                "| --- | --- |\n",
-                to_string(size).c_str(), most_threads());
+    fmt::print("\n## Storages, {}\n", to_string(size));
+    print_head({"preset", "storage", "simd ms", "threads:" + std::to_string(most_threads()) + " ms", "bytes/pixel", "allocations"});
     for (auto const& m : all) {
         auto const& simd = m.series[m.family.has_serial ? 1 : 0];
-        std::printf("| %s | %s | %.2f | %.2f | %.1f | %lld |\n", m.family.preset.c_str(), m.family.storage.c_str(),
-                    1e3 * median(simd.processor), 1e3 * median(m.series.back().wall), m.bytes, simd.allocated);
+        print_row({m.family.preset, m.family.storage, number(1e3 * median(simd.processor), 2),
+                   number(1e3 * median(m.series.back().wall), 2), number(m.bytes, 1), std::to_string(simd.allocated)});
     }
 }
 
@@ -128,21 +150,10 @@ void print_storages(std::vector<Measured> const& all) {
 void print_summary(std::string_view wanted, int rounds) {
     print_machine();
     auto const all = measure(wanted, rounds);
-    std::printf("\n## Presets, %s, %s, medians of %d; cpu: processor time, which others on the machine hardly lengthen\n",
-                to_string(size).c_str(), reference_storage, rounds);
-    std::printf(
-        "| preset | serial ms | simd ms | simd cpu ms | threads:1 ms | threads:%d ms | best | serial/simd | threads 1/%d | the same by cpu "
-        "| of bound, simd "
-        "| of "
-        "bound, threads | bytes/pixel | allocations (simd) |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- "
-        "| --- |\n",
-        most_threads(), most_threads());
+    print_presets_head(rounds);
     for (auto const& m : all)
         if (m.family.has_serial) print_preset(m.family, m.series, m.bytes);
-    std::printf(
-        "\n## Passes, simd, %s, processor time\n| preset | pass | ms | bound ms | of bound | flop/pixel | bytes/pixel | GFLOP/s | GB/s "
-        "|\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
-        reference_storage);
+    print_passes_head();
     for (auto const& m : all)
         if (m.family.has_serial) print_passes(m.family, m.series[1]);
     print_storages(all);

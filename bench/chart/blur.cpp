@@ -1,6 +1,4 @@
-#include "baselines.hpp"
-
-#include <quell/presets/published.hpp>
+#include "chart_presets.hpp"
 
 namespace quell::bench {
 namespace {
@@ -15,33 +13,13 @@ struct NoPast {
 /// Get one sample per pixel, each at a time of its own.
 auto denoisers() {
     Temporal const no_history{NoPast{}, PairBlend<Radiance>{}};
-    auto const blur = Named{"blur", presets::blur(radiance)}
-                          .vary(
-                              "count", {8, 16, 32, 128}, [](auto& p) -> auto& { return stage<1>(p).kernel.count; })
-                          .vary(
-                              "tile_width", {4, 16, 32}, [](auto& p) -> auto& { return stage<1>(p).kernel.tile_width; })
-                          .vary(
-                              "width", {0.75, 1.5, 2}, [](auto& p) -> auto& { return stage<1>(p).kernel.width; })
-                          .vary(
-                              "iterations", {0, 1, 2, 8}, [](auto& p) -> auto& { return stage<2>(p).motion.iterations; })
-                          .vary(
-                              "cap", caps, [](auto& p) -> auto& { return stage<2>(p).blending.cap; });
-    auto const adaptive = Named{"blur-adaptive", presets::blur<RotatingTrajectories, AdaptiveFootprint>(radiance)}.vary(
-        "allowed_error", {0.05, 0.1, 0.4}, [](auto& p) -> auto& { return stage<1>(p).kernel.footprint.allowed_error; });
-    return std::tuple(Named{"none", presets::none(radiance)}, Named{"svgf", presets::svgf(radiance)}, blur, blur.in_half(),
-                      Named{"blur-straight", presets::blur<StraightTrajectories>(radiance)},
-                      Named{"blur-bent", presets::blur<BentTrajectories>(radiance)},
-                      Named{"blur-one-step", presets::blur_one_step(radiance)},
-                      Named{"blur-no-history", Pipeline{radiance, Spatial{PairGuide<RotatingTrajectories>{}},
-                                                        Spatial{PairGather<Radiance, RotatingTrajectories>{}}, no_history}},
-                      Named{"blur-few-samples", presets::blur(radiance, {}, {.count = 32})}, adaptive,
-                      Named{"blur-wavelet", presets::blur_wavelet(radiance)}, Named{"blur-fixed-step", presets::blur_fixed_step(radiance)},
-                      Named{"blur-paper", presets::blur_paper(radiance)},
-                      Named{"blur-no-pre-filter", presets::blur_no_pre_filter(radiance)}, Named{"blur-split", presets::blur_split()});
-}
-/// Get a picture of the middle of the open shutter.
-auto post_processes() {
-    return std::tuple(Named{"gather-blur", presets::gather_blur(radiance)}, Named{"tilemax-blur", presets::tilemax_blur(radiance)});
+    return std::tuple_cat(std::tuple(Named{"none", presets::none(radiance)}, Named{"svgf", presets::svgf(radiance)},
+                                     Named{"general", presets::general(radiance)}),
+                          charted_presets(BlursSamples{}, radiance),
+                          std::tuple(Named{"blur", presets::blur(radiance)}.in_half(),
+                                     Named{"blur-no-history", Pipeline{radiance, Spatial{PairGuide<RotatingTrajectories>{}},
+                                                                       Spatial{PairGather<Radiance, RotatingTrajectories>{}}, no_history}},
+                                     Named{"blur-few-samples", presets::blur(radiance, {}, {.count = 32})}));
 }
 } // namespace
 
@@ -58,8 +36,9 @@ void chart_blur(Job const& job) {
         shown.competes = false;
         return Feed{settings, std::tuple(shown), true};
     };
-    chart_feeds(job, radiance, {tracer::Effect::blur}, Feed{blurred, denoisers()}, Feed{frozen, post_processes()}, input(4, "none-4spp"),
-                input(8, "none-8spp"), input(16, "none-16spp"), input(8, "none-8spp-random", false), input(16, "none-16spp-random", false));
+    chart_feeds(job, radiance, {tracer::Effect::blur}, Feed{blurred, denoisers()}, Feed{frozen, charted_presets(BlursPicture{}, radiance)},
+                input(4, "none-4spp"), input(8, "none-8spp"), input(16, "none-16spp"), input(8, "none-8spp-random", false),
+                input(16, "none-16spp-random", false));
 }
 
 } // namespace quell::bench

@@ -1,8 +1,7 @@
-#include "baselines.hpp"
+#include "chart_presets.hpp"
 
 void quell::bench::chart_composite(Job const& job) {
     using tracer::Effect;
-    Named const trmv{"trmv", presets::trmv()};
-    chart_with_baselines(job, radiance, {Effect::shadow, Effect::glossy, Effect::indirect}, baselines(radiance, Demodulate{}), trmv,
-                         trmv.in_half());
+    chart_presets(job, radiance, {Effect::shadow, Effect::glossy, Effect::indirect}, std::tuple(Demodulate{}),
+                  Named{"trmv", presets::trmv()}.in_half());
 }

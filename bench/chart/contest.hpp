@@ -68,8 +68,8 @@ private:
             check_differ(options.externals, entries.back().method);
         };
         if (!named.variant || options.sweep) make(named.variant, named.pipeline);
-        if (options.sweep)
-            for (auto const& changed : named.variants) make(changed.variant, changed.pipeline);
+        if (options.sweep && !named.variant)
+            for (auto const& changed : variants_of(named.name, named.pipeline)) make(changed.variant, changed.pipeline);
     }
 };
 

@@ -7,6 +7,7 @@
 #include <denoise/presets.hpp>
 #include <denoise/sequence_denoiser.hpp>
 #include <quell/core/error.hpp>
+#include <support/median.hpp>
 
 #include <algorithm>
 #include <set>
@@ -52,7 +53,7 @@ void check_no_gap(FramePattern const& in, examples::FrameRange const& range) {
 std::vector<FileMethod> methods_for(io::ExrFile const& file, io::SequenceNames const& names) {
     std::vector<FileMethod> methods;
     for (auto const& preset : examples::presets()) {
-        if (preset.is_part) continue;
+        if (preset.is_part || preset.wants_sharp_picture) continue;
         // The input itself is always there: it complains by name of what it lacks.
         if (preset.name != "none" && !examples::applies(preset, file, names)) continue;
         methods.push_back({preset.name, preset});
@@ -85,8 +86,8 @@ std::vector<Wanted> wanted_of(FileSequence const& sequence) {
 /// Denoises all frames with one method.
 Row row_of(FileSequence const& sequence, FileMethod const& method, int threads, Judge const& judge,
            std::function<void(std::string const&)> const& progress) {
-    examples::SequenceDenoiser denoiser(method.preset, threads, false, sequence.map);
-    denoiser.use_later_frames(method.later_frames);
+    examples::SequenceDenoiser denoiser(
+        {.preset = method.preset, .threads = threads, .map = sequence.map, .shutter = {}, .later_frames = method.later_frames});
     Entry entry{method.name};
     std::vector<double> times;
     int const first_timed = std::min(ChartOptions::first_timed, sequence.frames() / 2);
@@ -97,7 +98,7 @@ Row row_of(FileSequence const& sequence, FileMethod const& method, int threads, 
         if (number - sequence.range.first >= first_timed) times.push_back(denoiser.milliseconds() - before);
         if (std::ranges::binary_search(sequence.scored, number)) judge.measure(number, std::span(&entry, 1), std::span(&picture, 1));
     }
-    return judge.row_of(entry, middle_of(times), denoiser.bytes_per_pixel());
+    return judge.row_of(entry, examples::median(times), denoiser.bytes_per_pixel());
 }
 
 } // namespace

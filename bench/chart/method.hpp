@@ -6,6 +6,7 @@
 #include <quell/execute/threads.hpp>
 #include <quell/metrics/picture.hpp>
 #include <quell/quell.hpp>
+#include <support/median.hpp>
 
 #include <chrono>
 #include <memory>
@@ -21,7 +22,7 @@ public:
     [[nodiscard]] virtual double bytes_per_pixel() const = 0;
 
     /// The middle time of those from first_timed on; unknown where there is none.
-    [[nodiscard]] double ms_per_frame() const { return middle_of(milliseconds); }
+    [[nodiscard]] double ms_per_frame() const { return examples::median(milliseconds); }
 
 protected:
     std::vector<double> milliseconds;

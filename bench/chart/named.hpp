@@ -1,12 +1,13 @@
 #pragma once
 
+#include "parameters.hpp"
 #include "row.hpp"
 
 #include <quell/image/planar.hpp>
 #include <quell/pipeline/composite.hpp>
 
-#include <cstdio>
-#include <initializer_list>
+#include <fmt/format.h>
+
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -21,35 +22,18 @@ template <ChannelTag S, class... Parts> constexpr Composite<Pipeline<S, Parts...
     return Composite<Pipeline<S, Parts...>>(pipeline);
 }
 
-/// A pipeline to chart, by the name that its row has, and variants of it that are of its type: those cost no time to compile.
+/// A pipeline to chart, by the name that its row has.
 /// @tparam HistoryStorage of what it remembers
 template <class P, class HistoryStorage = Planar<>> struct Named {
     using Whole = decltype(whole(std::declval<P>()));
     using Storage = HistoryStorage;
-    struct Changed {
-        Variant variant;
-        P pipeline;
-    };
     std::string name;
     P pipeline;
-    std::vector<Changed> variants{};
     bool competes = true;
     std::optional<Variant> variant{}; ///< what this is a variant of, where its type differs from the preset's
 
     Named(std::string name_, P const& p) : name(std::move(name_)), pipeline(p) {}
 
-    /// Adds a variant for each value that isn't the preset's own; `field(pipeline)` is a reference to the number.
-    Named vary(std::string const& parameter, std::initializer_list<double> values, auto const& field) const {
-        Named more = *this;
-        for (double const value : values) {
-            Changed changed{{name, parameter, value, 0.}, pipeline};
-            auto& number = field(changed.pipeline);
-            changed.variant.preset_value = static_cast<double>(number);
-            number = static_cast<std::remove_reference_t<decltype(number)>>(value);
-            if (static_cast<float>(value) != static_cast<float>(changed.variant.preset_value)) more.variants.push_back(changed);
-        }
-        return more;
-    }
     /// The same with its history in half precision, as a variant.
     [[nodiscard]] auto in_half() const {
         Named<P, Planar<Float16>> half{name, pipeline};
@@ -62,9 +46,32 @@ template <class P> Named(std::string, P) -> Named<P>;
 
 /// What a variant's row is called: svgf/levels=3.
 [[nodiscard]] inline std::string name_of(Variant const& variant) {
-    char value[32];
-    std::snprintf(value, sizeof value, "%g", variant.value);
-    return variant.preset + "/" + variant.parameter + "=" + value;
+    return fmt::format("{}/{}={:g}", variant.preset, variant.parameter, variant.value);
+}
+
+/// A pipeline with one number changed.
+template <class P> struct Changed {
+    Variant variant;
+    P pipeline;
+};
+
+/// A pipeline with each value of each parameter that isn't its own. They are of its type: they cost no time to compile.
+template <class P> std::vector<Changed<P>> variants_of(std::string const& preset, P const& pipeline) {
+    std::vector<Changed<P>> all;
+    auto source = pipeline;
+    int place = 0; // among the pipeline's numbers
+    for_each_parameter(source, [&](Parameter const& parameter, auto const& own) {
+        for (double const value : parameter.values) {
+            if (static_cast<float>(value) == static_cast<float>(own)) continue;
+            auto& made = all.emplace_back(Variant{preset, std::string(parameter.name), value, static_cast<double>(own)}, pipeline);
+            int at = 0;
+            for_each_parameter(made.pipeline, [&](Parameter const&, auto& number) {
+                if (at++ == place) number = static_cast<std::remove_reference_t<decltype(number)>>(value);
+            });
+        }
+        ++place;
+    });
+    return all;
 }
 
 /// A pipeline of another type that differs from a preset in one number.

@@ -3,9 +3,10 @@
 #include <quell/core/error.hpp>
 #include <support/gnuplot.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <sstream>
 
@@ -17,11 +18,7 @@ using examples::quoted_for_gnuplot;
 constexpr int panel_width = 560, panel_height = 420;
 
 /// A number with all its digits.
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.9g", value);
-    return text;
-}
+std::string number(double value) { return fmt::format("{:.9g}", value); }
 
 /// Blocks of data and the elements that draw them. What is empty is left out, since gnuplot refuses to plot nothing.
 class Drawing {

@@ -1,19 +1,15 @@
 #include "row.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 namespace quell::bench {
 namespace {
 
-std::string cell(double value, int digits) {
-    if (std::isnan(value)) return "";
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*f", digits, value);
-    return text;
-}
+std::string cell(double value, int digits) { return std::isnan(value) ? "" : fmt::format("{:.{}f}", value, digits); }
 
 /// Text that has commas of its own, in quotes (RFC 4180).
 std::string cell(std::string const& text) {
@@ -26,13 +22,6 @@ std::string cell(std::string const& text) {
 bool beats(Row const& other, Row const& row) { return other.competes && other.ms_per_frame < row.ms_per_frame && other.rmse < row.rmse; }
 
 } // namespace
-
-double middle_of(std::vector<double> times) {
-    if (times.empty()) return Row::unknown;
-    auto const middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-    std::ranges::nth_element(times, middle);
-    return *middle;
-}
 
 void mark_pareto_front(std::vector<Row>& rows) {
     for (auto& row : rows)

@@ -34,9 +34,6 @@ struct Row {
     std::string picture{}, reference{}; ///< PNG files, from the chart's folder; empty for none
 };
 
-/// The middle one of some times, the upper one of an even number; unknown where there is none.
-[[nodiscard]] double middle_of(std::vector<double> times);
-
 /// A number that a chart can show.
 struct Measure {
     char const* name; ///< its column

@@ -1,15 +1,9 @@
 #include "bounds.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace quell::bench {
 namespace {
-
-std::string number(char const* format, double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
 
 void append(std::string& list, std::string const& item) { list += (list.empty() ? "" : ", ") + item; }
 
@@ -17,15 +11,15 @@ void append(std::string& list, std::string const& item) { list += (list.empty() 
 
 std::string to_string(Bounds const& bounds) {
     std::string list;
-    if (bounds.rmse) append(list, "RMSE " + number("%g", *bounds.rmse) + " or less");
-    if (bounds.flip) append(list, "FLIP " + number("%g", *bounds.flip) + " or less");
-    if (bounds.ms) append(list, number("%g", *bounds.ms) + " ms or less");
+    if (bounds.rmse) append(list, fmt::format("RMSE {:g} or less", *bounds.rmse));
+    if (bounds.flip) append(list, fmt::format("FLIP {:g} or less", *bounds.flip));
+    if (bounds.ms) append(list, fmt::format("{:g} ms or less", *bounds.ms));
     return list;
 }
 
 std::string to_string(Figures const& figures) {
-    auto text = number("%.2f", figures.ms) + " ms, RMSE " + number("%.6f", figures.rmse);
-    if (figures.flip) text += ", FLIP " + number("%.6f", *figures.flip);
+    auto text = fmt::format("{:.2f} ms, RMSE {:.6f}", figures.ms, figures.rmse);
+    if (figures.flip) text += fmt::format(", FLIP {:.6f}", *figures.flip);
     return text;
 }
 

@@ -1,8 +1,12 @@
 #include "header.hpp"
 
+#include <quell/presets/named.hpp>
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -48,12 +52,6 @@ std::string meaning_of(std::string const& channel, Effects const& split) {
     return meaning_of_radiance(split);
 }
 
-std::string digits(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6f", value);
-    return text;
-}
-
 std::string list_of(auto const& items, auto const& text_of) {
     std::string list;
     for (auto const& item : items) list += (list.empty() ? "" : ", ") + text_of(item);
@@ -70,15 +68,23 @@ void write_comment(std::ostream& out, Composition const& composition, Origin con
         << "// Memory: " << origin.memory << ".\n";
     for (auto const& sentence : origin.left_out) out << "// Left out: " << sentence << '\n';
     out << "//\n// Channels that a host must fill:\n";
-    for (auto const& name : channels_of(composition)) {
-        char line[64];
-        std::snprintf(line, sizeof line, "//   %-20s", name.c_str());
-        out << line << meaning_of(name, composition.split) << '\n';
-    }
+    for (auto const& name : channels_of(composition)) out << fmt::format("//   {:<20}{}\n", name, meaning_of(name, composition.split));
     bool const camera = std::ranges::any_of(composition.parts, [](auto const* trial) { return trial->contender->needs_camera; });
     if (camera) out << "// and frame.camera.\n";
     if (std::ranges::count(channels_of(composition), Sweep::name) > 0)
         out << "// and frame.shutter, the part of the frame time during which the shutter is open.\n";
+}
+
+/// The headers of the presets that it is made of.
+std::set<std::string_view> groups_of(Composition const& composition) {
+    std::set<std::string_view> groups;
+    for (auto const* trial : composition.parts) {
+        auto const& name = trial->contender->name;
+        for_each_preset([&](auto const& preset) {
+            if (preset.name == name.substr(0, name.find('/'))) groups.insert(to_string(preset.group));
+        });
+    }
+    return groups;
 }
 
 void write_pipeline(std::ostream& out, Composition const& composition) {
@@ -104,14 +110,16 @@ std::string header_text(Composition const& composition, Origin const& origin) {
     auto const channels = channels_of(composition);
     std::ostringstream out;
     write_comment(out, composition, origin);
-    out << "#pragma once\n\n#include <quell/quell.hpp>\n\n#include <array>\n#include <string_view>\n\nnamespace fit {\n\n";
+    out << "#pragma once\n\n";
+    for (auto const& group : groups_of(composition)) out << "#include <quell/presets/" << group << ".hpp>\n";
+    out << "#include <quell/quell.hpp>\n\n#include <array>\n#include <string_view>\n\nnamespace fit {\n\n";
     write_pipeline(out, composition);
     out << "\n/// What it reads.\ninline constexpr std::array<std::string_view, " << channels.size() << "> channels{"
         << list_of(channels, [](std::string const& name) { return '"' + name + '"'; }) << "};\n"
         << "static_assert(std::remove_const_t<decltype(pipeline)>::reads::size == channels.size(), \"this quell isn't the one that it was "
            "fitted with: run quell-fit again\");\n"
         << "\n/// Against the references of the sequence that it was fitted to.\ninline constexpr double promised_rmse = "
-        << digits(composition.figures.rmse) << ";\n\n} // namespace fit\n";
+        << fmt::format("{:.6f}", composition.figures.rmse) << ";\n\n} // namespace fit\n";
     return out.str();
 }
 

@@ -2,8 +2,9 @@
 
 #include <glm/geometric.hpp>
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 
 namespace quell::bench {
 namespace {
@@ -11,11 +12,7 @@ namespace {
 /// Less than this part of the pixels is nothing.
 constexpr double least_share = 0.001;
 
-std::string percent(double share) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f%%", 100 * share);
-    return text;
-}
+std::string percent(double share) { return fmt::format("{:.1f}%", 100 * share); }
 
 struct Look {
     FitFrame const& frame;

@@ -16,10 +16,6 @@ examples::Preset shadow_without_falloff() {
     });
 }
 
-examples::Preset glossy_with_flat_mirror() {
-    return preset("glossy-flat-mirror", [] { return Composite{presets::glossy<FlatMirror>(glossy)}; });
-}
-
 examples::Preset svgf_without_fireflies() {
     return preset("svgf-suppress-fireflies", [] { return presets::svgf(radiance, Demodulate{}, SuppressFireflies{}); });
 }

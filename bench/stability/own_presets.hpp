@@ -8,8 +8,6 @@ namespace quell::stability {
 
 /// `shadow` that keeps history on surfaces turned away as well.
 [[nodiscard]] examples::Preset shadow_without_falloff();
-/// `glossy` with the virtual image where a flat mirror has it.
-[[nodiscard]] examples::Preset glossy_with_flat_mirror();
 /// `svgf` with SuppressFireflies.
 [[nodiscard]] examples::Preset svgf_without_fireflies();
 /// `svgf` with its history in half precision.

@@ -5,18 +5,15 @@
 
 #include <report/report.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <set>
 
 namespace quell::stability {
 namespace {
 
-std::string number(double a) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", a);
-    return text;
-}
+std::string number(double a) { return fmt::format("{:.4g}", a); }
 
 std::string verdict(Promise const& promise) {
     if (promise.held()) return "held";

@@ -2,18 +2,15 @@
 
 #include <quell/core/error.hpp>
 
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <fstream>
 
 namespace quell::stability {
 namespace {
 
 /// Enough digits to be compared from run to run, and no more.
-std::string number(double a) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", a);
-    return text;
-}
+std::string number(double a) { return fmt::format("{:.6g}", a); }
 
 std::ofstream file_for(std::filesystem::path const& path, char const* header) {
     std::ofstream file(path);

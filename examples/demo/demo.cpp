@@ -2,54 +2,31 @@
 
 #include "method.hpp"
 
-#include <algorithm>
-#include <cstdio>
 #include <quell/image/planar.hpp>
 #include <quell/io/exr.hpp>
 #include <quell/metrics/error_map.hpp>
 #include <quell/metrics/flip.hpp>
-#include <quell/metrics/rmse.hpp>
-#include <quell/metrics/ssim.hpp>
 #include <report/report.hpp>
+#include <support/image_errors.hpp>
+#include <support/median.hpp>
 #include <support/output_folder.hpp>
 #include <support/png.hpp>
 #include <support/progress.hpp>
-#include <thread>
 #include <tracer/frame_sink.hpp>
 #include <tracer/gltf/gltf.hpp>
 #include <tracer/reference.hpp>
+
+#include <fmt/format.h>
+
+#include <thread>
 
 namespace quell::examples {
 
 namespace {
 
-std::string file_name(std::string const& kind, int frame, char const* ending) {
-    char number[16];
-    std::snprintf(number, sizeof number, "%04d", frame);
-    return kind + "." + number + "." + ending;
-}
+std::string file_name(std::string const& kind, int frame, char const* ending) { return fmt::format("{}.{:04}.{}", kind, frame, ending); }
 
-std::string number(double a, int digits) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*f", digits, a);
-    return text;
-}
-
-struct Errors {
-    double rmse = 0, ssim = 0, flip = 0;
-};
-
-/// Errors of one kind of picture, summed over the frames that have a reference.
-struct Score {
-    Errors sum;
-    int frames = 0;
-
-    void add(Errors const& e) { sum.rmse += e.rmse, sum.ssim += e.ssim, sum.flip += e.flip, ++frames; }
-    [[nodiscard]] std::vector<std::string> row(std::string name) const {
-        double const n = std::max(frames, 1);
-        return {std::move(name), number(sum.rmse / n, 4), number(sum.ssim / n, 4), number(sum.flip / n, 4)};
-    }
-};
+std::string number(double a, int digits) { return fmt::format("{:.{}f}", a, digits); }
 
 class Demo {
 public:
@@ -57,7 +34,7 @@ public:
         : options(options_), folder(folder_), scene_name(scene_), scene(tracer::open_scene(scene_)),
           // What has no noise but that of time was made to be blurred.
           blurs(!scene.description().secondary_rays), method(blurs ? motion_blur(options_) : all_effects(options_)), kinds(method->kinds()),
-          scores(kinds.size()) {
+          sums(kinds.size()) {
         make_output_folder(folder);
         report.title = "quell: " + std::filesystem::path(scene_).stem().string();
         report.subtitle = to_string(options.size) + ", 1 sample per pixel, " + std::to_string(options.frames) + " frames";
@@ -87,7 +64,8 @@ private:
     std::unique_ptr<DemoMethod> method;
     std::vector<DemoMethod::Kind> kinds;
     Report report;
-    std::vector<Score> scores; ///< of each kind
+    std::vector<ImageErrors> sums; ///< of each kind, over the frames that have a reference
+    int referenced = 0;            ///< frames that have one
     std::vector<double> milliseconds;
 
     [[nodiscard]] tracer::RenderSettings settings_of(int i) const {
@@ -131,29 +109,29 @@ private:
         write(entry, "reference", i, converged[radiance]);
         for (std::size_t k = 0; k < kinds.size(); ++k) {
             auto const shown = metrics::displayed(pictures[k]);
-            auto const flip = metrics::flip(reference, shown);
-            Errors const errors{metrics::rmse(reference, shown), metrics::ssim(reference, shown), flip.mean()};
-            scores[k].add(errors);
+            auto const errors = image_errors(reference, shown);
+            sums[k] += errors;
             report.add_value("FLIP", kinds[k].name, i, errors.flip);
             report.add_value("RMSE", kinds[k].name, i, errors.rmse);
             report.add_value("SSIM", kinds[k].name, i, errors.ssim);
-            if (kinds[k].name == "denoised") entry.pictures["error (FLIP)"] = encode_png(metrics::error_map(flip));
+            if (kinds[k].name == "denoised")
+                entry.pictures["error (FLIP)"] = encode_png(metrics::error_map(metrics::flip(reference, shown)));
         }
+        ++referenced;
     }
 
     void summarise() {
-        std::nth_element(milliseconds.begin(), milliseconds.begin() + static_cast<std::ptrdiff_t>(milliseconds.size() / 2),
-                         milliseconds.end());
-        if (scores.front().frames > 0) {
-            auto& table = report.tables.emplace_back(
-                ReportTable{"Mean over the " + std::to_string(scores.front().frames) + " frames that have a reference",
-                            {"image", "RMSE", "SSIM", "FLIP"},
-                            {}});
-            for (std::size_t k = 0; k < kinds.size(); ++k) table.rows.push_back(scores[k].row(kinds[k].name));
+        if (referenced > 0) {
+            auto& table = report.tables.emplace_back(ReportTable{
+                "Mean over the " + std::to_string(referenced) + " frames that have a reference", {"image", "RMSE", "SSIM", "FLIP"}, {}});
+            for (std::size_t k = 0; k < kinds.size(); ++k) {
+                auto const mean = sums[k] / referenced;
+                table.rows.push_back({kinds[k].name, number(mean.rmse, 4), number(mean.ssim, 4), number(mean.flip, 4)});
+            }
         }
         report.notes = {
-            {"denoising", number(milliseconds[milliseconds.size() / 2], 1) + " ms per frame (median), " +
-                              number(method->bytes_per_pixel(), 1) + " bytes per pixel of history and scratch"},
+            {"denoising", number(median(milliseconds), 1) + " ms per frame (median), " + number(method->bytes_per_pixel(), 1) +
+                              " bytes per pixel of history and scratch"},
             {"machine", std::to_string(std::thread::hardware_concurrency()) + " hardware threads, packs of " +
                             std::to_string(width_of<Pack>) + " floats"},
             {"command",

@@ -5,6 +5,7 @@
 #include <quell/io/channel_names.hpp>
 #include <quell/io/exr_image.hpp>
 #include <quell/metrics/picture.hpp>
+#include <quell/presets/preset_group.hpp>
 
 #include <chrono>
 #include <memory>
@@ -66,8 +67,10 @@ struct Preset {
     std::unique_ptr<Denoiser> (*make)(Extent size, int threads);
     /// The same with debug images, slower; null where there is none.
     std::unique_ptr<Denoiser> (*make_watched)(Extent size) = nullptr;
-    bool looks_ahead = false; ///< whether it makes use of frames that come later
-    bool is_part = false;     ///< whether what comes out is one effect's part of the picture
+    bool looks_ahead = false;         ///< whether it makes use of frames that come later
+    bool is_part = false;             ///< whether what comes out is one effect's part of the picture
+    bool wants_sharp_picture = false; ///< whether it blurs a picture of one instant
+    PresetGroup group = PresetGroup::general;
 
     static constexpr int usual_later_frames = 2; ///< of those that it looks ahead at
 };

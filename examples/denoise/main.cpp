@@ -123,10 +123,13 @@ void denoise(DenoiseOptions const& options) {
     auto const& preset = *choice.preset;
     Output const output(options, in, range);
     Comparison comparison(options.reference, range);
-    SequenceDenoiser denoiser(preset, options.threads, !options.debug_views.empty(), map);
-    denoiser.use_later_frames(later_frames(options, preset));
-    if (options.shutter) denoiser.set_shutter(*options.shutter);
-    if (options.diagnose) denoiser.diagnose();
+    SequenceDenoiser denoiser({.preset = preset,
+                               .threads = options.threads,
+                               .map = map,
+                               .shutter = options.shutter,
+                               .later_frames = later_frames(options, preset),
+                               .diagnose = options.diagnose,
+                               .debug_images = !options.debug_views.empty()});
     int findings = 0;
     {
         Progress progress(preset.name, range.last - range.begin + 1, !options.quiet);

@@ -1,5 +1,6 @@
 #include <denoise/debug_view.hpp>
 #include <denoise/options.hpp>
+#include <denoise/presets.hpp>
 #include <support/program.hpp>
 
 #include <quell/core/error.hpp>
@@ -24,6 +25,17 @@ Every member may be left out. A name stands for a layer (beauty.R beauty.G beaut
 "radiance" is divided by its albedo before it is denoised, "irradiance" already is. See examples/denoise/map_file.hpp.
 
 Exit codes: 0 done, 2 unusable arguments or input, 1 anything else.)";
+
+/// The names of all presets, a line a group.
+std::string preset_groups() {
+    std::string text = "by group:";
+    std::optional<PresetGroup> group;
+    for (auto const& preset : presets()) {
+        text += preset.group == group ? ", " + preset.name : "\n  " + std::string(to_string(preset.group)) + ": " + preset.name;
+        group = preset.group;
+    }
+    return text + "\n";
+}
 
 void describe(CLI::App& app, DenoiseOptions& options) {
     app.add_option("--in", options.in, "Noisy frames, e.g. 'dir/frame.%04d.exr'");
@@ -56,7 +68,7 @@ void describe(CLI::App& app, DenoiseOptions& options) {
         "--plan", options.plan,
         "Print the passes of --preset, or of the preset that suits --in, with what each reads and writes, and the memory that they take; "
         "denoise nothing");
-    app.footer(footer);
+    app.footer("Presets, " + preset_groups() + footer);
 }
 
 void check_debug_views(DenoiseOptions const& options) {

@@ -3,16 +3,28 @@
 #include <quell/core/error.hpp>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace quell::examples {
 
+namespace {
+
+constexpr std::size_t units = QUELL_PRESET_UNITS;
+
+/// In their own order again.
+std::vector<Preset> all_units() {
+    auto const made = []<std::size_t... i>(std::index_sequence<i...>) { return std::array{presets_of_unit<i, units>()...}; }
+    (std::make_index_sequence<units>{});
+    std::vector<Preset> list;
+    for (std::size_t i = 0; i / units < made[i % units].size(); ++i) list.push_back(made[i % units][i / units]);
+    return list;
+}
+
+} // namespace
+
 std::vector<Preset> const& presets() {
-    static std::vector<Preset> const all = [] {
-        std::vector<Preset> list;
-        for (auto const& family : {temporal_presets(), spatial_presets(), spatiotemporal_presets(), effect_presets(), blur_presets()})
-            list.insert(list.end(), family.begin(), family.end());
-        return list;
-    }();
+    static std::vector<Preset> const all = all_units();
     return all;
 }
 

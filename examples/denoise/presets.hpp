@@ -6,7 +6,7 @@
 
 namespace quell::examples {
 
-/// All presets, in the order in which --list names them.
+/// All presets, in the order of quell::named_presets.
 [[nodiscard]] std::vector<Preset> const& presets();
 /// @throws Error, listing the names, where there is no such preset
 [[nodiscard]] Preset const& preset_of(std::string const& name);
@@ -23,11 +23,7 @@ struct PresetChoice {
 /// final-frame.
 [[nodiscard]] PresetChoice preset_for(io::ExrFile const& file, io::SequenceNames const& names);
 
-// One function and one file per family, so that each is compiled by itself: a preset is a line in its family's file.
-[[nodiscard]] std::vector<Preset> temporal_presets();
-[[nodiscard]] std::vector<Preset> spatial_presets();
-[[nodiscard]] std::vector<Preset> spatiotemporal_presets();
-[[nodiscard]] std::vector<Preset> effect_presets();
-[[nodiscard]] std::vector<Preset> blur_presets();
+/// Every `units`-th preset from number `unit` on. Generated files instantiate it: all presets take minutes to compile.
+template <std::size_t unit, std::size_t units> [[nodiscard]] std::vector<Preset> presets_of_unit();
 
 } // namespace quell::examples

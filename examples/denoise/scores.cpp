@@ -1,10 +1,6 @@
 #include <denoise/scores.hpp>
 
-#include <quell/metrics/flip.hpp>
-#include <quell/metrics/rmse.hpp>
-#include <quell/metrics/ssim.hpp>
-
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace quell::examples {
 
@@ -12,18 +8,16 @@ Scores::Scores(std::ostream& out_) : out(out_) { out << "frame,rmse,ssim,flip\n"
 
 void Scores::add(long long frame, metrics::Picture const& reference, metrics::Picture const& output) {
     auto const expected = metrics::displayed(reference), shown = metrics::displayed(output);
-    auto const r = metrics::rmse(expected, shown), s = metrics::ssim(expected, shown), f = metrics::flip(expected, shown).mean();
-    row(std::to_string(frame), r, s, f);
-    rmse += r, ssim += s, flip += f;
+    auto const errors = image_errors(expected, shown);
+    row(std::to_string(frame), errors);
+    sum += errors;
     ++frames;
 }
 
-void Scores::finish() const { row("mean", rmse / frames, ssim / frames, flip / frames); }
+void Scores::finish() const { row("mean", sum / frames); }
 
-void Scores::row(std::string const& name, double r, double s, double f) const {
-    char numbers[96];
-    std::snprintf(numbers, sizeof numbers, "%.6f,%.6f,%.6f", r, s, f);
-    out << name << ',' << numbers << '\n' << std::flush;
+void Scores::row(std::string const& name, ImageErrors const& errors) const {
+    out << fmt::format("{},{:.6f},{:.6f},{:.6f}\n", name, errors.rmse, errors.ssim, errors.flip) << std::flush;
 }
 
 } // namespace quell::examples

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/metrics/picture.hpp>
+#include <support/image_errors.hpp>
 
 #include <ostream>
 
@@ -18,10 +18,10 @@ public:
 
 private:
     std::ostream& out;
-    double rmse = 0, ssim = 0, flip = 0; ///< sums
+    ImageErrors sum;
     int frames = 0;
 
-    void row(std::string const& name, double rmse_, double ssim_, double flip_) const;
+    void row(std::string const& name, ImageErrors const& errors) const;
 };
 
 } // namespace quell::examples

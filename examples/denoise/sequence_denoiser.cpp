@@ -23,22 +23,22 @@ std::string remedy_for_files(Mistake mistake) {
 
 } // namespace
 
-SequenceDenoiser::SequenceDenoiser(Preset preset_, int threads_, bool watched_, std::optional<io::SequenceNames> map)
-    : preset(std::move(preset_)), threads(threads_), watched(watched_), sequence(std::move(map)) {
-    if (watched && !preset.make_watched)
-        throw Error("--debug-view", "preset '" + preset.name + "' has none",
+SequenceDenoiser::SequenceDenoiser(SequenceSettings settings_) : settings(std::move(settings_)) {
+    if (settings.debug_images && !settings.preset.make_watched)
+        throw Error("--debug-view", "preset '" + settings.preset.name + "' has none",
                     "choose one with a history, such as svgf; of trmv, its parts shadow, glossy and dual-cone");
 }
 
 void SequenceDenoiser::begin(io::ExrFile const& file) {
-    if (!sequence) sequence = io::recognise(file);
-    if (shutter)
-        for (auto& signal : sequence->of_signals) signal.channels.shutter = shutter;
+    if (!settings.map) settings.map = io::recognise(file);
+    if (settings.shutter)
+        for (auto& signal : settings.map->of_signals) signal.channels.shutter = settings.shutter;
     size = file.size;
-    for (std::size_t s = 0; s < sequence->of_signals.size(); ++s)
-        denoisers.push_back(watched ? preset.make_watched(size) : preset.make(size, threads));
+    auto const& preset = settings.preset;
+    for (std::size_t s = 0; s < settings.map->of_signals.size(); ++s)
+        denoisers.push_back(settings.debug_images ? preset.make_watched(size) : preset.make(size, settings.threads));
     for (auto const& denoiser : denoisers)
-        if (looks) denoiser->diagnose();
+        if (settings.diagnose) denoiser->diagnose();
 }
 
 /// Each mistake once: it is most often in every frame, and guides are the same for all signals.
@@ -49,9 +49,9 @@ void SequenceDenoiser::collect(std::vector<Finding> const& findings) {
 }
 
 std::vector<std::string> SequenceDenoiser::planes(io::ExrFile const& file) const {
-    auto planes = composite_planes(*sequence);
+    auto planes = composite_planes(*settings.map);
     for (std::size_t s = 0; s < denoisers.size(); ++s) {
-        auto const& channels = sequence->of_signals[s].channels;
+        auto const& channels = settings.map->of_signals[s].channels;
         auto const more = denoisers[s]->planes(channels);
         planes.insert(planes.end(), more.begin(), more.end());
         for (auto const& plane : denoisers[s]->optional_planes(channels))
@@ -64,7 +64,7 @@ std::vector<std::pair<std::string, DebugImage>> SequenceDenoiser::debug_images(s
     std::vector<std::pair<std::string, DebugImage>> all;
     for (std::size_t s = 0; s < denoisers.size(); ++s) {
         auto images = denoisers[s]->debug_images(view);
-        auto const signal = denoisers.size() > 1 ? sequence->of_signals[s].name + "." : std::string();
+        auto const signal = denoisers.size() > 1 ? settings.map->of_signals[s].name + "." : std::string();
         for (auto& image : images) {
             auto const part = images.size() > 1 ? image.signal + "." : std::string();
             all.emplace_back(signal + part + view, std::move(image));
@@ -92,14 +92,14 @@ void SequenceDenoiser::read(FramePattern const& in, long long number) {
         throw Error(file.name, "it is " + to_string(file.size) + " but the frames before it are " + to_string(size),
                     "denoise frames of one size, or each size by itself (--first, --last)");
     auto image = file.read(planes(file));
-    for (std::size_t s = 0; s < denoisers.size(); ++s) denoisers[s]->look_ahead(image, sequence->of_signals[s].channels, number);
+    for (std::size_t s = 0; s < denoisers.size(); ++s) denoisers[s]->look_ahead(image, settings.map->of_signals[s].channels, number);
     window.push_back({number, std::move(image)});
 }
 
 /// A frame that is missing or broken ends the window, and is complained of when it is its turn: those before it are written whole.
 void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
-    if (!preset.looks_ahead || watched) return;
-    for (auto later = window.back().number + 1; later <= number + later_frames; ++later) {
+    if (!settings.preset.looks_ahead || settings.debug_images) return;
+    for (auto later = window.back().number + 1; later <= number + settings.later_frames; ++later) {
         if (!std::filesystem::exists(in.path(later))) return;
         try {
             read(in, later);
@@ -116,9 +116,9 @@ metrics::Picture SequenceDenoiser::next(FramePattern const& in, long long number
     auto const& image = window.front().image;
     found.clear();
     return composite(
-        image, *sequence,
+        image, *settings.map,
         [&](std::size_t s) {
-            auto result = denoisers[s]->denoise(image, sequence->of_signals[s].channels, number);
+            auto result = denoisers[s]->denoise(image, settings.map->of_signals[s].channels, number);
             missing += denoisers[s]->missing_samples();
             collect(denoisers[s]->findings());
             return result;

@@ -12,27 +12,29 @@
 
 namespace quell::examples {
 
+/// How a sequence is denoised.
+struct SequenceSettings {
+    Preset preset;
+    int threads = 0;                      ///< 0: all that there are
+    std::optional<io::SequenceNames> map; ///< how the files name their channels; without one, that is recognised from the first file
+    std::optional<float> shutter;         ///< how long it is open, whatever the files or the map say
+    int later_frames = 0;                 ///< that each frame is denoised with, where the preset makes use of them and the files are there
+    bool diagnose = false;                ///< look at each frame for what its renderer got wrong
+    bool debug_images = false;            ///< slower, and on one thread
+};
+
 /// Denoises the frames of a sequence one after the other, whichever renderer wrote them.
 class SequenceDenoiser {
 public:
-    /// @param watched whether debug images are wanted
-    /// @param map how the files name their channels; without one, that is recognised from the first file
-    SequenceDenoiser(Preset preset, int threads, bool watched, std::optional<io::SequenceNames> map);
+    /// @throws Error where debug images are wanted of a preset that has none
+    explicit SequenceDenoiser(SequenceSettings settings);
 
-    /// How long the shutter is open, whatever the files or the map say.
-    void set_shutter(float part) { shutter = part; }
-
-    /// From now on each frame is looked at for what its renderer got wrong.
-    void diagnose() { looks = true; }
     /// What the last frame showed for the first time.
     [[nodiscard]] std::vector<Finding> const& findings() const { return found; }
 
     /// What the last frame looked like inside, by a name for each image: that of the view, behind those of the signal and of its pipeline
     /// where there are several.
     [[nodiscard]] std::vector<std::pair<std::string, DebugImage>> debug_images(std::string const& view);
-
-    /// Lets each frame be denoised with this many after it, where the preset makes use of them and the files are there.
-    void use_later_frames(int count) { later_frames = count; }
 
     /// Reads, denoises and puts together one frame: a linear picture. Frames are to be asked for in order.
     /// @throws Error naming the file and what is wrong with it
@@ -43,22 +45,17 @@ public:
     [[nodiscard]] double milliseconds() const;
     /// Memory of history and scratch of all signals. Complete once a frame was denoised.
     [[nodiscard]] double bytes_per_pixel() const;
-    [[nodiscard]] std::optional<io::SequenceNames> const& names() const { return sequence; }
+    /// How the files name their channels. Known once a frame was denoised.
+    [[nodiscard]] std::optional<io::SequenceNames> const& names() const { return settings.map; }
 
 private:
-    Preset preset;
-    int threads;
-    bool watched;
-    std::optional<io::SequenceNames> sequence;
-    std::optional<float> shutter;
+    SequenceSettings settings;
     Extent size;
     std::vector<std::unique_ptr<Denoiser>> denoisers; ///< one per signal
     long long missing = 0;
-    bool looks = false;
     std::set<Mistake> known; ///< those that were found already
     std::vector<Finding> found;
 
-    int later_frames = 0;
     /// Frames that were read and shown to the denoisers: the next to be denoised first.
     struct Seen {
         long long number;

@@ -62,7 +62,7 @@ TEST_CASE("a sweep adds the variants, without the one that is the preset itself;
     auto const swept = chart_in(folder.path);
     chart_small(small_options(folder.path, {"--seed", "7"}));
     auto const reseeded = chart_in(folder.path);
-    CHECK(swept.size() == 5);
+    CHECK(swept.size() == 8);
     CHECK(swept.count("surface/alpha=0.1") == 0);
     // With nothing of the past, it is the input.
     CHECK(swept.at("surface/alpha=1").at("rmse") == swept.at("none").at("rmse"));

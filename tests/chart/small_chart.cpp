@@ -6,8 +6,7 @@
 
 void quell::bench::chart_small(ChartOptions const& options) {
     ::setenv("QUELL_CACHE", (options.out / "cache").c_str(), 1);
-    auto const alpha = [](auto& p) -> auto& { return std::get<0>(p.stages).blending.alpha; };
-    auto const surface = Named{"surface", presets::surface(visibility)}.vary("alpha", {0.1, 0.5, 1.}, alpha);
+    Named const surface{"surface", presets::surface(visibility)};
     tracer::RenderSettings const rendered{.size = options.size, .seed = options.seed, .threads = options.threads};
     Feed const feed{rendered, std::tuple(Named{"none", presets::none(visibility)}, surface)};
     Feed const scored_only{rendered, std::tuple(Named{"input", presets::none(visibility)}), true};

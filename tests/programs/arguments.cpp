@@ -1,20 +1,29 @@
 #include "programs.hpp"
 
+#include <quell/presets/named.hpp>
+
 using namespace quell;
 using namespace quell::tests;
 
 TEST_CASE("help and lists end well") {
     CHECK(denoise("--help").code == 0);
     CHECK(contains(denoise("--help").out, "--warmup"));
-    std::string names;
-    for (auto const& line : denoise("--list").lines()) names += line + ' ';
-    CHECK(
-        names ==
-        "none surface surface-clamp atrous general final-frame svgf asvgf dual-color shadow glossy mirror-clamp dual-cone trmv trmv-paper "
-        "blur blur-straight blur-bent blur-wavelet blur-fixed-step blur-one-step blur-paper blur-no-pre-filter blur-split ");
+    std::vector<std::string> names;
+    for_each_preset([&](auto const& preset) { names.emplace_back(preset.name); });
+    CHECK(denoise("--list").lines() == names);
+    for (auto const* const group : {"general: none, surface", "effects: shadow, ", "blur: blur, ", "published: asvgf, "})
+        CHECK(contains(denoise("--help").out, group));
     CHECK(trace("--help").code == 0);
     CHECK(trace("--list").code == 0);
     CHECK(contains(trace("--list").out, "room\n"));
+}
+
+TEST_CASE("every preset has its row in the documentation") {
+    auto const page = bytes_of(QUELL_ROOT "/docs/presets.md");
+    for_each_preset([&](auto const& preset) {
+        CAPTURE(preset.name);
+        CHECK(contains(page, "`" + std::string(preset.name) + "`"));
+    });
 }
 
 TEST_CASE("quell-denoise refuses what it can't use in one line") {
@@ -25,7 +34,7 @@ TEST_CASE("quell-denoise refuses what it can't use in one line") {
     check_refused(denoise(in), {"none of --out, --reference and --diagnose"});
     check_refused(denoise(both + "--nonsense"), {"--nonsense", "--help"});
     check_refused(denoise(both + "--first x"), {"--first"});
-    check_refused(denoise(both + "--preset best"), {"'best'", "none, surface, surface-clamp, atrous, general, final-frame, svgf"});
+    check_refused(denoise(both + "--preset best"), {"'best'", "none, surface, surface-clamp, atrous, svgf, general, final-frame"});
     check_refused(denoise(both + "--threads=-2"), {"--threads", "-2"});
     check_refused(denoise(both + "--threads=70000"), {"--threads", "70000"});
     check_refused(denoise(both + "--warmup=-1"), {"--warmup", "-1"});

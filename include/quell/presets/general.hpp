@@ -69,13 +69,13 @@ constexpr auto general_joining(ChannelTag auto signal, auto... parts) {
 }
 
 /// general() for final frames, with a regression on the guides after its filter (LocalRegression): better, and slower.
-constexpr auto final_frame(ChannelTag auto signal, auto... parts) {
-    return general_with(general_history, LocalRegression<>{}, signal, parts...);
+template <ChannelTag S> constexpr auto final_frame(S signal, auto... parts) {
+    return general_with(general_history, LocalRegression<Product<DepthEdge, NormalEdge>, S::components>{}, signal, parts...);
 }
 
 /// final_frame() with joined_history: the second argument of run_two_sided().
-constexpr auto final_frame_joining(ChannelTag auto signal, auto... parts) {
-    return general_with(joined_history, LocalRegression<>{}, signal, parts...);
+template <ChannelTag S> constexpr auto final_frame_joining(S signal, auto... parts) {
+    return general_with(joined_history, LocalRegression<Product<DepthEdge, NormalEdge>, S::components>{}, signal, parts...);
 }
 
 } // namespace quell::presets

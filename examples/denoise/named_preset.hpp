@@ -1,0 +1,53 @@
+#pragma once
+
+#include <denoise/presets.hpp>
+#include <denoise/two_sided_denoiser.hpp>
+
+#include <quell/presets/named.hpp>
+
+namespace quell::examples {
+
+/// Whether a preset denoises one part of the picture.
+template <class Signal> inline constexpr bool is_effect = ChannelTag<Signal> && !std::is_same_v<Signal, Radiance>;
+/// Debug images are of one pipeline with a history, of colours and not of cones.
+template <class P> inline constexpr bool has_debug_images = false;
+template <ChannelTag S, class... Parts>
+inline constexpr bool has_debug_images<Pipeline<S, Parts...>> = Pipeline<S, Parts...>::has_past && !(std::is_same_v<Parts, Cones> || ...);
+
+/// Makes the pipeline. An effect's is a composite, so that its part of the picture comes out.
+template <class Named> struct MakePipeline {
+    constexpr auto operator()(auto... parts) const {
+        if constexpr (is_effect<typename Named::signal_type>)
+            return Composite{Named::usual(parts...)};
+        else
+            return Named::usual(parts...);
+    }
+};
+template <class Named> struct MakeJoining {
+    constexpr auto operator()(auto... parts) const { return Named::usual_joining(parts...); }
+};
+
+template <class Named> Preset made_preset(Named const& named) {
+    using P = decltype(Named::usual());
+    std::string name(named.name);
+    auto made = [&] {
+        if constexpr (Named::is_two_sided)
+            return two_sided_preset(std::move(name), MakePipeline<Named>{}, MakeJoining<Named>{});
+        else if constexpr (has_debug_images<P>)
+            return watched_preset(std::move(name), MakePipeline<Named>{});
+        else
+            return preset(std::move(name), MakePipeline<Named>{});
+    }();
+    made.group = named.group;
+    made.is_part = is_effect<typename Named::signal_type>;
+    made.wants_sharp_picture = P::reads::template has<Sweep> && !P::reads::template has<Time>;
+    return made;
+}
+
+template <std::size_t unit, std::size_t units> std::vector<Preset> presets_of_unit() {
+    std::vector<Preset> made;
+    for_each_preset<unit, units>([&](auto const& named) { made.push_back(made_preset(named)); });
+    return made;
+}
+
+} // namespace quell::examples

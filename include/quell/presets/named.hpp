@@ -1,0 +1,109 @@
+#pragma once
+
+#include <quell/presets/preset_group.hpp>
+#include <quell/presets/published.hpp>
+
+#include <cstddef>
+#include <tuple>
+#include <utility>
+
+/// All presets by name, as one typed list: what programs, tests, fuzzers and charts go through.
+namespace quell {
+
+/// The signal of a preset that denoises any.
+struct AnySignal {};
+/// The signal of a preset that denoises all parts of a picture and puts them together.
+struct AllSignals {};
+
+/// A preset with its name.
+/// @tparam Signal what it denoises: a channel, AnySignal or AllSignals
+/// @tparam Make   make(signal, parts...) returns the pipeline, or a Composite; parts that the preset has no use for are dropped
+/// @tparam Join   the same for the second argument of run_two_sided(); nullptr where the preset makes no use of later frames
+template <class Signal, class Make, class Join = std::nullptr_t> struct NamedPreset {
+    using signal_type = Signal;
+    std::string_view name; ///< of lower-case words with hyphens; the function has underscores
+    PresetGroup group;
+    Signal signal;
+    Make make;
+    Join join = nullptr;
+
+    /// Whether it denoises this channel, by itself.
+    template <ChannelTag S> static constexpr bool serves = std::is_same_v<Signal, AnySignal> || std::is_same_v<Signal, S>;
+    /// Whether the frames before and after can be joined by run_two_sided().
+    static constexpr bool is_two_sided = !std::is_null_pointer_v<Join>;
+
+    /// The pipeline for its own signal. Where that is any, it is for `radiance`, filtered without its albedo.
+    static constexpr auto usual(auto... parts) { return of_usual_signal(Make{}, parts...); }
+    /// The second argument of run_two_sided() for usual().
+    static constexpr auto usual_joining(auto... parts) { return of_usual_signal(Join{}, parts...); }
+
+private:
+    static constexpr auto of_usual_signal(auto function, auto... parts) {
+        if constexpr (ChannelTag<Signal>)
+            return function(Signal{}, parts...);
+        else
+            return function(radiance, Demodulate{}, parts...);
+    }
+};
+template <class S, class M> NamedPreset(std::string_view, PresetGroup, S, M) -> NamedPreset<S, M>;
+template <class S, class M, class J> NamedPreset(std::string_view, PresetGroup, S, M, J) -> NamedPreset<S, M, J>;
+
+/// All presets, group by group.
+inline constexpr std::tuple named_presets = [] {
+    using enum PresetGroup;
+    using namespace presets;
+    constexpr AnySignal any;
+    constexpr AllSignals all;
+    return std::tuple{
+        NamedPreset{"none", general, any, [](auto signal, auto...) { return presets::none(signal); }},
+        NamedPreset{"surface", general, any, [](auto... a) { return presets::surface(a...); }},
+        NamedPreset{"surface-clamp", general, any, [](auto... a) { return surface_clamp(a...); }},
+        NamedPreset{"atrous", general, any, [](auto... a) { return atrous(a...); }},
+        NamedPreset{"svgf", general, any, [](auto... a) { return svgf(a...); }},
+        NamedPreset{"general", general, any, [](auto... a) { return presets::general(a...); },
+                    [](auto... a) { return general_joining(a...); }},
+        NamedPreset{"final-frame", general, any, [](auto... a) { return final_frame(a...); },
+                    [](auto... a) { return final_frame_joining(a...); }},
+
+        NamedPreset{"shadow", effects, visibility, [](auto... a) { return shadow(a...); }},
+        NamedPreset{"glossy", effects, quell::glossy, [](auto... a) { return presets::glossy(a...); }},
+        NamedPreset{"glossy-flat-mirror", effects, quell::glossy, [](auto... a) { return presets::glossy<FlatMirror>(a...); }},
+        NamedPreset{"dual-cone", effects, indirect, [](auto... a) { return dual_cone(a...); }},
+        NamedPreset{"trmv", effects, all, [](auto...) { return trmv(); }},
+
+        NamedPreset{"blur", blur, radiance, [](auto signal, auto...) { return presets::blur(signal); }},
+        NamedPreset{"blur-straight", blur, radiance, [](auto signal, auto...) { return presets::blur<StraightTrajectories>(signal); }},
+        NamedPreset{"blur-bent", blur, radiance, [](auto signal, auto...) { return presets::blur<BentTrajectories>(signal); }},
+        NamedPreset{"blur-adaptive", blur, radiance,
+                    [](auto signal, auto...) { return presets::blur<RotatingTrajectories, AdaptiveFootprint>(signal); }},
+        NamedPreset{"blur-split", blur, all, [](auto...) { return blur_split(); }},
+
+        NamedPreset{"asvgf", published, any, [](auto... a) { return asvgf(a...); }},
+        NamedPreset{"dual-color", published, any, [](auto... a) { return dual_color(a...); }},
+        NamedPreset{"mirror-clamp", published, quell::glossy, [](auto... a) { return mirror_clamp(a...); }},
+        NamedPreset{"shadow-paper", published, visibility, [](auto... a) { return shadow_paper(a...); }},
+        NamedPreset{"glossy-paper", published, quell::glossy, [](auto... a) { return glossy_paper(a...); }},
+        NamedPreset{"dual-cone-paper", published, indirect, [](auto... a) { return dual_cone_paper(a...); }},
+        NamedPreset{"trmv-paper", published, all, [](auto...) { return trmv_paper(); }},
+        NamedPreset{"blur-wavelet", published, radiance, [](auto signal, auto...) { return blur_wavelet(signal); }},
+        NamedPreset{"blur-fixed-step", published, radiance, [](auto signal, auto...) { return blur_fixed_step(signal); }},
+        NamedPreset{"blur-one-step", published, radiance, [](auto signal, auto...) { return blur_one_step(signal); }},
+        NamedPreset{"blur-paper", published, radiance, [](auto signal, auto...) { return blur_paper(signal); }},
+        NamedPreset{"blur-no-pre-filter", published, radiance, [](auto signal, auto...) { return blur_no_pre_filter(signal); }},
+        NamedPreset{"gather-blur", published, radiance, [](auto signal, auto...) { return gather_blur(signal); }},
+        NamedPreset{"tilemax-blur", published, radiance, [](auto signal, auto...) { return tilemax_blur(signal); }},
+    };
+}();
+
+/// How many presets there are.
+inline constexpr std::size_t preset_count = std::tuple_size_v<decltype(named_presets)>;
+
+/// Calls function(preset) for each preset, in order.
+/// @tparam unit, units of all presets only number unit, unit + units, ...: so that several files share the work of compiling them
+template <std::size_t unit = 0, std::size_t units = 1> constexpr void for_each_preset(auto const& function) {
+    static_assert(unit < units, "units are numbered from 0");
+    [&]<std::size_t... i>(std::index_sequence<i...>) { (function(std::get<unit + i * units>(named_presets)), ...); }
+    (std::make_index_sequence<(preset_count + units - 1 - unit) / units>{});
+}
+
+} // namespace quell

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace quell {
+
+/// A preset's file in quell/presets/, and its group where programs list it.
+enum class PresetGroup { general, effects, blur, published };
+
+/// @returns the group's name: that of its file
+constexpr std::string_view to_string(PresetGroup group) {
+    constexpr std::string_view names[] = {"general", "effects", "blur", "published"};
+    return names[static_cast<std::size_t>(group)];
+}
+
+} // namespace quell

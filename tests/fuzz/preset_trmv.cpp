@@ -1,6 +1,0 @@
-#include "arbitrary_frames.hpp"
-
-using namespace quell;
-using namespace quell::fuzz;
-
-static Known const all[] = {known("trmv", presets::trmv())};
