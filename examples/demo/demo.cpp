@@ -15,7 +15,6 @@
 #include <support/png.hpp>
 #include <support/progress.hpp>
 #include <thread>
-#include <tracer/frame_sink.hpp>
 #include <tracer/gltf/gltf.hpp>
 #include <tracer/reference.hpp>
 
