@@ -27,7 +27,7 @@ public:
         for (auto const& value : values) add(value);
     }
     template <Tied Value> void add(Value const& value) {
-        static_assert(ties_all_members<Value>, "tie() leaves out a member");
+        static_assert(ties_all_members<Value>(), "tie() leaves out a member");
         std::apply([&](auto const&... members) { (add(members), ...); }, value.tie());
     }
     template <class Value> void add(std::function<Value(float)> const& over_time) {

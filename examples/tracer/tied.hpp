@@ -1,9 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 namespace quell::tracer {
 
@@ -16,24 +16,31 @@ concept Tied = requires(Value const& value) {
 
 namespace detail {
 
-/// Bytes of a struct with these members, padding included.
-template <class... Members> constexpr std::size_t size_of_struct_with() {
-    std::size_t end = 0, alignment = 1;
-    auto const align = [&](std::size_t to) { end = (end + to - 1) / to * to; };
-    ((align(alignof(Members)), end += sizeof(Members), alignment = std::max(alignment, alignof(Members))), ...);
-    align(alignment);
-    return end;
+struct Anything {
+    std::size_t place; ///< so that there can be one for each of many
+    template <class Value> operator Value() const;
+};
+
+template <class Value, std::size_t... places> constexpr bool takes(std::index_sequence<places...>) {
+    return requires { Value{Anything{places}...}; };
 }
 
-template <class Tie> struct TiedSize;
-template <class... Members> struct TiedSize<std::tuple<Members const&...>> {
-    static constexpr std::size_t value = size_of_struct_with<Members...>();
-};
+/// How many members an aggregate has: as many initialisers as it takes.
+template <class Value, std::size_t count = 0> constexpr std::size_t members_of() {
+    if constexpr (takes<Value>(std::make_index_sequence<count + 1>{}))
+        return members_of<Value, count + 1>();
+    else
+        return count;
+}
 
 } // namespace detail
 
-/// Whether tie() leaves out none of those that it binds: what it refers to takes as many bytes as the struct.
-template <Tied Value>
-inline constexpr bool ties_all_members = detail::TiedSize<decltype(std::declval<Value const&>().tie())>::value == sizeof(Value);
+/// Whether tie() leaves out none of those that it binds. Of what has constructors nobody can count the members.
+template <Tied Value> [[nodiscard]] constexpr bool ties_all_members() {
+    if constexpr (std::is_aggregate_v<Value>)
+        return std::tuple_size_v<decltype(std::declval<Value const&>().tie())> == detail::members_of<Value>();
+    else
+        return true;
+}
 
 } // namespace quell::tracer
