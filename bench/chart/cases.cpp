@@ -4,41 +4,11 @@
 #include <tracer/scenes/scenes.hpp>
 
 #include <algorithm>
-#include <map>
 
 namespace quell::bench {
 namespace {
 
 using Effects = std::vector<std::string>;
-
-/// What each built-in scene was made for.
-std::map<std::string, Effects> const& made_for() {
-    static std::map<std::string, Effects> const effects{
-        {"room", {"composite", "shadow", "glossy", "indirect"}},
-        {"fence", {"shadow"}},
-        {"fence-lights", {"shadow"}},
-        {"apples", {"shadow"}},
-        {"pinkroom", {"shadow"}},
-        {"temple", {"glossy"}},
-        {"restaurant", {"glossy"}},
-        {"boxes", {"indirect"}},
-        {"disk", {"indirect"}},
-        {"spheres", {"blur"}},
-        {"colonnade", {"blur"}},
-        {"colonnade-slow", {"blur"}},
-        {"propeller", {"blur"}},
-        {"roll", {"blur"}},
-        {"mixed", {"blur"}},
-        {"flyby", {"blur"}},
-        {"cut", {"composite"}},
-        {"lightswitch", {"composite", "indirect"}},
-        {"leaves", {"shadow"}},
-        {"pan", {"indirect"}},
-        {"reverse", {"blur"}},
-        {"thinshadows", {"shadow"}},
-    };
-    return effects;
-}
 
 void check_known(std::string const& effect) {
     if (std::ranges::find(effect_names(), effect) != effect_names().end()) return;
@@ -55,8 +25,9 @@ std::vector<std::string> const& effect_names() {
 }
 
 std::vector<std::string> effects_of(std::string const& scene) {
-    auto const found = made_for().find(scene);
-    return found != made_for().end() ? found->second : Effects{"composite"};
+    auto const& scenes = tracer::built_in_scenes();
+    auto const found = std::ranges::find(scenes, scene, &tracer::BuiltInScene::name);
+    return found != scenes.end() ? Effects(found->effects.begin(), found->effects.end()) : Effects{"composite"};
 }
 
 std::vector<Case> cases_of(std::vector<std::string> const& scenes, std::vector<std::string> const& effects) {

@@ -3,8 +3,7 @@
 #include "external.hpp"
 #include "method.hpp"
 
-#include <tracer/frame_sink.hpp>
-#include <tracer/render.hpp>
+#include <tracer/trace_frame.hpp>
 
 #include <tuple>
 
@@ -34,10 +33,7 @@ public:
     void render(tracer::PreparedScene& scene, int number, FrameT& frame) const {
         auto settings = rendered;
         settings.frame = number;
-        tracer::FrameSink<FrameT> sink{frame};
-        tracer::render<typename FrameT::channels>(scene, settings, sink);
-        frame.camera = scene.description().camera_at(static_cast<float>(number), frame.size);
-        frame.number = number;
+        tracer::trace_frame(scene, settings, frame);
     }
 
     /// Lets the methods denoise a frame, one after the other; without a judge nobody looks at the pictures.

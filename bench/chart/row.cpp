@@ -1,5 +1,7 @@
 #include "row.hpp"
 
+#include <support/csv.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,14 +12,6 @@ namespace quell::bench {
 namespace {
 
 std::string cell(double value, int digits) { return std::isnan(value) ? "" : fmt::format("{:.{}f}", value, digits); }
-
-/// Text that has commas of its own, in quotes (RFC 4180).
-std::string cell(std::string const& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (char const c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + "\"";
-}
 
 bool beats(Row const& other, Row const& row) { return other.competes && other.ms_per_frame < row.ms_per_frame && other.rmse < row.rmse; }
 
@@ -36,7 +30,7 @@ std::string csv_header() {
 }
 
 std::string csv_line(Row const& row) {
-    std::string line = cell(row.scene) + "," + row.effect + "," + row.method;
+    std::string line = examples::csv_cell(row.scene) + "," + row.effect + "," + examples::csv_cell(row.method);
     for (int whole : {row.size.width, row.size.height, row.frames, row.threads}) line += "," + std::to_string(whole);
     line += "," + cell(row.ms_per_frame, 3);
     for (auto const& measure : measures) line += "," + cell(row.*measure.value, measure.value == &Row::bytes_per_pixel ? 1 : 6);

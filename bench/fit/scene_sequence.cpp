@@ -1,9 +1,9 @@
 #include "sequence.hpp"
 
 #include <support/progress.hpp>
-#include <tracer/frame_sink.hpp>
 #include <tracer/gltf/gltf.hpp>
 #include <tracer/reference.hpp>
+#include <tracer/trace_frame.hpp>
 
 #include <filesystem>
 
@@ -30,10 +30,7 @@ public:
 
     void load(long long number, FitFrame& frame) override {
         settings.frame = static_cast<int>(number);
-        tracer::FrameSink<FitFrame> sink{frame};
-        tracer::render<FitFrame::channels>(scene, settings, sink);
-        frame.camera = scene.description().camera_at(static_cast<float>(number), size);
-        frame.number = number;
+        tracer::trace_frame(scene, settings, frame);
     }
 
 private:

@@ -1,6 +1,7 @@
 #include "results.hpp"
 
 #include <quell/core/error.hpp>
+#include <support/csv.hpp>
 
 #include <fmt/format.h>
 
@@ -8,6 +9,8 @@
 
 namespace quell::stability {
 namespace {
+
+using examples::csv_cell;
 
 /// Enough digits to be compared from run to run, and no more.
 std::string number(double a) { return fmt::format("{:.6g}", a); }
@@ -28,12 +31,13 @@ void write_tables(Results const& results, std::filesystem::path const& folder) {
     auto const promises = folder / "stability.csv", frames = folder / "frames.csv";
     auto file = file_for(promises, "case,method,metric,value,limit,held");
     for (auto const& p : results.promises)
-        file << p.subject << ',' << p.method << ',' << p.metric << ',' << number(p.value) << ',' << number(p.limit) << ',' << p.held()
-             << '\n';
+        file << csv_cell(p.subject) << ',' << csv_cell(p.method) << ',' << csv_cell(p.metric) << ',' << number(p.value) << ','
+             << number(p.limit) << ',' << p.held() << '\n';
     finish(file, promises);
     file = file_for(frames, "case,method,frame,rmse,flip");
     for (auto const& f : results.frames)
-        file << f.subject << ',' << f.method << ',' << f.frame << ',' << number(f.rmse) << ',' << number(f.flip) << '\n';
+        file << csv_cell(f.subject) << ',' << csv_cell(f.method) << ',' << f.frame << ',' << number(f.rmse) << ',' << number(f.flip)
+             << '\n';
     finish(file, frames);
 }
 

@@ -1,9 +1,9 @@
 #include "sequence.hpp"
 
 #include <quell/io/frame_image.hpp>
-#include <tracer/frame_sink.hpp>
 #include <tracer/gltf/gltf.hpp>
 #include <tracer/reference.hpp>
+#include <tracer/trace_frame.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -65,10 +65,7 @@ metrics::Picture share(tracer::PreparedScene& scene, tracer::RenderSettings cons
 
 io::ExrImage frame_of(tracer::PreparedScene& scene, tracer::RenderSettings const& settings, Signal signal) {
     TracedFrame frame(settings.size);
-    tracer::FrameSink<TracedFrame> sink{frame};
-    tracer::render<Traced>(scene, settings, sink);
-    frame.shutter = settings.shutter;
-    frame.camera = scene.description().camera_at(static_cast<float>(settings.frame), settings.size);
+    tracer::trace_frame(scene, settings, frame);
     keep_share(frame, signal);
     return io::image_of(frame);
 }

@@ -12,7 +12,6 @@
 #include <support/output_folder.hpp>
 #include <support/png.hpp>
 #include <support/progress.hpp>
-#include <tracer/frame_sink.hpp>
 #include <tracer/gltf/gltf.hpp>
 #include <tracer/reference.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <quell/execute/threads.hpp>
 #include <quell/quell.hpp>
-#include <tracer/frame_sink.hpp>
+#include <tracer/trace_frame.hpp>
 
 #include <chrono>
 
@@ -25,10 +25,7 @@ public:
         : pipeline(p), rendered(options.size), history(options.size, p), threads{.count = options.threads} {}
 
     [[nodiscard]] metrics::Picture frame(tracer::PreparedScene& scene, tracer::RenderSettings const& settings) {
-        tracer::FrameSink<Rendered> sink{rendered};
-        tracer::render<typename Rendered::channels>(scene, settings, sink);
-        rendered.camera = scene.description().camera_at(static_cast<float>(settings.frame), settings.size);
-        rendered.number = settings.frame;
+        tracer::trace_frame(scene, settings, rendered);
         auto const begin = std::chrono::steady_clock::now();
         auto const clean = run(pipeline, rendered, history, threads);
         milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();

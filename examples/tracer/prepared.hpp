@@ -69,7 +69,8 @@ public:
     /// The camera at a time of the open shutter, in this frame or the one before.
     [[nodiscard]] CameraPose camera(float time, When when) const;
 
-    /// A digest of everything that pictures of the current frame depend on.
+    /// A digest of everything that pictures of the current frame depend on: all members of the description, and what its functions of
+    /// time give while the shutter is open.
     [[nodiscard]] std::uint64_t content_hash() const;
 
 private:

@@ -63,6 +63,23 @@ Reference joined(Half const& first, Half const& second, int samples, double half
     return result;
 }
 
+/// Both settings' members are all named here, so that a new one doesn't compile before somebody has decided whether references depend on
+/// it. The scene stands at the frame, and has the shutter and its moments in its hash.
+std::uint64_t key_of(PreparedScene const& scene, RenderSettings const& render_settings, ReferenceSettings const& settings,
+                     int least_samples, std::string const& channels) {
+    auto const& [size, frame, samples_per_pixel, seed, threads, shutter, first_sample, bounces, shutter_keys, stratified_times, frozen_at,
+                 jitter] = render_settings;
+    auto const& [tolerance, most_samples, least_samples_of_blur, samples_per_pass, cache, use_cache, progress] = settings;
+    Digest key;
+    key.add(scene.content_hash());
+    key.add(channels);
+    for (int number : {version, size.width, size.height, frame, bounces, most_samples, least_samples, samples_per_pass}) key.add(number);
+    key.add(seed);
+    key.add(tolerance);
+    key.add(name_of(jitter));
+    return key.value();
+}
+
 } // namespace
 
 Reference converged(RenderPass const& render_pass, int least_samples, ReferenceSettings const& settings) {
@@ -87,18 +104,8 @@ Reference cached_or_converged(PreparedScene& scene, RenderSettings const& render
     int const least_samples = render_settings.one_ray_per_pixel() ? 0 : settings.least_samples_of_blur;
     if (!settings.use_cache) return converged(render_pass, least_samples, settings);
     scene.move_to(static_cast<float>(render_settings.frame), render_settings.shutter, render_settings.shutter_keys);
-    Digest key;
-    key.add(scene.content_hash());
-    key.add(channels);
-    for (int number : {version, render_settings.size.width, render_settings.size.height, render_settings.frame, render_settings.bounces,
-                       settings.most_samples, settings.samples_per_pass})
-        key.add(number);
-    if (least_samples > 0) key.add(least_samples);
-    key.add(render_settings.seed);
-    key.add(settings.tolerance);
-    // Only what differs from the rule counts, so that other references stay what they are. A frame's offset follows from its number.
-    if (render_settings.jitter != Jitter::none) key.add(name_of(render_settings.jitter));
-    ReferenceCache const cache{settings.cache, scene.description().name, render_settings.frame, key.value()};
+    auto const key = key_of(scene, render_settings, settings, least_samples, channels);
+    ReferenceCache const cache{settings.cache, scene.description().name, render_settings.frame, key};
     if (auto found = cache.load(render_settings.size)) return *found;
     auto result = converged(render_pass, least_samples, settings);
     cache.store(result);

@@ -53,7 +53,8 @@ TEST_CASE("a row has the columns that other tools rely on, and nothing where not
     row.frames = 41, row.threads = 2, row.pareto = true, row.bytes_per_pixel = 68.55;
     CHECK(csv_line(row) == "s,e,svgf,2,1,41,2,12.346,0.012346,,,,,,,,68.5,1");
     row.scene = "a,\"b\"";
-    CHECK(csv_line(row).starts_with("\"a,\"\"b\"\"\",e,svgf,"));
+    row.method = "b,c";
+    CHECK(csv_line(row).starts_with("\"a,\"\"b\"\"\",e,\"b,c\",2,"));
 }
 
 TEST_CASE("flicker is measured by four frames that follow each other") {

@@ -2,9 +2,8 @@
 
 #include <quell/presets/blur.hpp>
 
-#include <tracer/frame_sink.hpp>
-#include <tracer/render.hpp>
 #include <tracer/scenes/scenes.hpp>
+#include <tracer/trace_frame.hpp>
 
 using namespace quell;
 using namespace quell::tests;
@@ -17,12 +16,7 @@ using tracer::Jitter;
 template <class F>
 void trace(tracer::PreparedScene& prepared, auto& frame, int first, int count, float shutter, F&& use, Jitter jitter = Jitter::none) {
     for (int number = first; number < first + count; ++number) {
-        using FrameT = std::remove_cvref_t<decltype(frame)>;
-        tracer::FrameSink<FrameT> sink{frame};
-        tracer::render<typename FrameT::channels>(
-            prepared, {.size = frame.size, .frame = number, .threads = 1, .shutter = shutter, .jitter = jitter}, sink);
-        frame.camera = prepared.description().camera_at(static_cast<float>(number), frame.size), frame.number = number;
-        frame.camera.jitter = tracer::camera_jitter(jitter, number);
+        tracer::trace_frame(prepared, {.frame = number, .threads = 1, .shutter = shutter, .jitter = jitter}, frame);
         use();
     }
 }

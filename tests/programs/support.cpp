@@ -1,5 +1,6 @@
 #include "../io/files.hpp"
 
+#include <support/csv.hpp>
 #include <support/frame_pattern.hpp>
 #include <support/gnuplot.hpp>
 #include <support/output_folder.hpp>
@@ -92,6 +93,15 @@ TEST_CASE("the frames on disk are those that the pattern itself would name") {
     CHECK(FramePattern((folder / "f.%04d.exr").string()).on_disk() == std::vector<long long>{-1, 1, 3, 12345});
     CHECK(FramePattern((folder / "h.%04d.exr").string()).on_disk().empty());
     CHECK(FramePattern((folder / "nowhere/h.%04d.exr").string()).on_disk().empty());
+}
+
+TEST_CASE("a cell of a table is quoted where its text would break the row") {
+    using quell::examples::csv_cell;
+    for (auto const* const plain : {"", "room", "a b.glb", "-1.5e3", "it's"}) CHECK(csv_cell(plain) == plain);
+    CHECK(csv_cell("a,b.glb") == "\"a,b.glb\"");
+    CHECK(csv_cell("the \"best\"") == "\"the \"\"best\"\"\"");
+    CHECK(csv_cell("two\nlines") == "\"two\nlines\"");
+    CHECK(csv_cell("two\r\nlines") == "\"two\r\nlines\"");
 }
 
 TEST_CASE("what a program throws decides its exit code") {

@@ -62,6 +62,9 @@ TEST_CASE("tables have the columns that other tools rely on") {
     CHECK(tests::bytes_of(folder / "stability.csv") ==
           "case,method,metric,value,limit,held\ncut,svgf,metric,0.5,1,1\ncut,none,other,0.5,0.9,0\n");
     CHECK(tests::bytes_of(folder / "frames.csv") == "case,method,frame,rmse,flip\ncut,svgf,24,0.125,0.25\n");
+    results.frames.front().subject = "a,b.glb";
+    write_tables(results, folder.path);
+    CHECK(tests::bytes_of(folder / "frames.csv") == "case,method,frame,rmse,flip\n\"a,b.glb\",svgf,24,0.125,0.25\n");
 }
 
 TEST_CASE("ratios are of one frame, and of means") {

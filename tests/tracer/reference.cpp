@@ -87,13 +87,37 @@ TEST_CASE("references are cached by all that they depend on") {
     for (RenderSettings const& changed :
          {RenderSettings{.size = {30, 18}, .frame = 4}, RenderSettings{.size = size, .frame = 4, .seed = 1},
           RenderSettings{.size = size, .frame = 4, .shutter = 0.5f}, RenderSettings{.size = size, .frame = 4, .bounces = 2},
-          RenderSettings{.size = size, .frame = 4, .jitter = Jitter::frame}})
+          RenderSettings{.size = size, .frame = 4, .jitter = Jitter::frame},
+          RenderSettings{.size = size, .frame = 4, .jitter = Jitter::pixel}})
         CHECK(!reference<Wanted>(scene, changed, settings).from_cache);
     for (auto const& changed : {ReferenceSettings{.tolerance = 0.04, .cache = cache.path},
                                 ReferenceSettings{.tolerance = 0.05, .most_samples = 256, .cache = cache.path},
                                 ReferenceSettings{.tolerance = 0.05, .samples_per_pass = 4, .cache = cache.path}})
         CHECK(!reference<Wanted>(scene, {.size = size, .frame = 4}, changed).from_cache);
-    CHECK(reference<Wanted>(scene, {.size = size, .frame = 4, .threads = 1}, settings).from_cache);
+    RenderSettings const no_matter{
+        .size = size, .frame = 4, .samples_per_pixel = 3, .threads = 1, .first_sample = 8, .shutter_keys = 3, .stratified_times = false};
+    CHECK(reference<Wanted>(scene, no_matter, settings).from_cache);
+}
+
+TEST_CASE("references of an open shutter depend on its moments and the least samples too") {
+    Cache const cache;
+    ReferenceSettings const settings{.tolerance = 0.5, .least_samples_of_blur = 16, .samples_per_pass = 4, .cache = cache.path};
+    PreparedScene scene{little_world()};
+    auto const cached = [&](RenderSettings const& render_settings, ReferenceSettings const& how) {
+        return reference<Channels<Radiance>>(scene, render_settings, how).from_cache;
+    };
+    RenderSettings const usual{.size = size, .shutter = 0.5f};
+    CHECK(!cached(usual, settings));
+    CHECK(cached(usual, settings));
+    auto other = usual;
+    other.shutter_keys = 17;
+    CHECK(!cached(other, settings));
+    other = usual;
+    other.shutter = 0.4f;
+    CHECK(!cached(other, settings));
+    auto longer = settings;
+    longer.least_samples_of_blur = 32;
+    CHECK(!cached(usual, longer));
 }
 
 TEST_CASE("a damaged cache file is computed again") {

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <set>
 #include <string>
 
 using namespace quell;
@@ -19,6 +20,17 @@ TEST_CASE("an unknown scene is refused with the names of those that exist") {
     } catch (Error const& error) {
         CHECK(error.subject.find("rom") != std::string::npos);
         for (auto const& name : scene_names()) CHECK(error.remedy.find(name) != std::string::npos);
+    }
+}
+
+TEST_CASE("every scene of the table has a name of its own and was made for effects that there are") {
+    std::set<std::string_view> const effects{"composite", "shadow", "glossy", "curved", "indirect", "blur"};
+    std::set<std::string_view> names;
+    for (auto const& scene : built_in_scenes()) {
+        CAPTURE(scene.name);
+        CHECK(names.insert(scene.name).second);
+        CHECK(!scene.effects.empty());
+        for (auto const& effect : scene.effects) CHECK(effects.contains(effect));
     }
 }
 

@@ -3,38 +3,38 @@
 #include <quell/core/error.hpp>
 
 #include <algorithm>
-#include <array>
 
 namespace quell::tracer {
+
+std::vector<BuiltInScene> const& built_in_scenes() {
+    static std::vector<BuiltInScene> const scenes{
+        {"room", room, {"composite", "shadow", "glossy", "indirect"}},
+        {"fence", fence, {"shadow"}},
+        {"fence-lights", fence_with_lights, {"shadow"}},
+        {"apples", apples, {"shadow"}},
+        {"pinkroom", pinkroom, {"shadow"}},
+        {"temple", temple, {"glossy"}},
+        {"restaurant", restaurant, {"glossy"}},
+        {"boxes", boxes, {"indirect"}},
+        {"disk", disk, {"indirect"}},
+        {"spheres", spheres, {"blur"}},
+        {"colonnade", colonnade, {"blur"}},
+        {"colonnade-slow", colonnade_slow, {"blur"}},
+        {"propeller", propeller, {"blur"}},
+        {"roll", roll, {"blur"}},
+        {"mixed", mixed, {"blur"}},
+        {"flyby", flyby, {"blur"}},
+        {"cut", cut, {"composite"}},
+        {"lightswitch", lightswitch, {"composite", "indirect"}},
+        {"leaves", leaves, {"shadow"}},
+        {"pan", pan, {"indirect"}},
+        {"thinshadows", thinshadows, {"shadow"}},
+        {"reverse", reverse, {"blur"}},
+    };
+    return scenes;
+}
+
 namespace {
-
-struct Entry {
-    std::string_view name;
-    SceneDescription (*make)();
-};
-
-constexpr std::array entries{Entry{"room", room},
-                             Entry{"fence", fence},
-                             Entry{"fence-lights", fence_with_lights},
-                             Entry{"apples", apples},
-                             Entry{"pinkroom", pinkroom},
-                             Entry{"temple", temple},
-                             Entry{"restaurant", restaurant},
-                             Entry{"boxes", boxes},
-                             Entry{"disk", disk},
-                             Entry{"spheres", spheres},
-                             Entry{"colonnade", colonnade},
-                             Entry{"colonnade-slow", colonnade_slow},
-                             Entry{"propeller", propeller},
-                             Entry{"roll", roll},
-                             Entry{"mixed", mixed},
-                             Entry{"flyby", flyby},
-                             Entry{"cut", cut},
-                             Entry{"lightswitch", lightswitch},
-                             Entry{"leaves", leaves},
-                             Entry{"pan", pan},
-                             Entry{"thinshadows", thinshadows},
-                             Entry{"reverse", reverse}};
 
 std::string listed(std::vector<std::string> const& names) {
     std::string list;
@@ -46,13 +46,13 @@ std::string listed(std::vector<std::string> const& names) {
 
 std::vector<std::string> scene_names() {
     std::vector<std::string> names;
-    for (auto const& entry : entries) names.emplace_back(entry.name);
+    for (auto const& scene : built_in_scenes()) names.emplace_back(scene.name);
     return names;
 }
 
 SceneDescription built_in_scene(std::string_view name) {
-    auto const found = std::ranges::find(entries, name, &Entry::name);
-    if (found == entries.end())
+    auto const found = std::ranges::find(built_in_scenes(), name, &BuiltInScene::name);
+    if (found == built_in_scenes().end())
         throw Error{"scene '" + std::string{name} + "'", "no built-in scene has this name",
                     "use one of " + listed(scene_names()) + ", or a path to a .gltf or .glb file"};
     auto scene = found->make();

@@ -8,7 +8,16 @@
 
 namespace quell::tracer {
 
-/// Names of the built-in scenes.
+/// A built-in scene.
+struct BuiltInScene {
+    std::string_view name;
+    SceneDescription (*make)();
+    std::vector<std::string_view> effects; ///< what it was made for: composite, shadow, glossy, curved, indirect, blur
+};
+
+/// All of them: the table of scenes.cpp.
+[[nodiscard]] std::vector<BuiltInScene> const& built_in_scenes();
+
 [[nodiscard]] std::vector<std::string> scene_names();
 
 /// Throws quell::Error, listing the names, where there is no such scene.
@@ -18,7 +27,7 @@ namespace quell::tracer {
 /// is somewhere else, the light is on, the leaves begin to open, the camera to turn, and something moves back.
 inline constexpr float event_frame = 24;
 
-// One function per scene, and one file but for variants; scenes.cpp lists them.
+// One function per scene, and one file but for variants; the table in scenes.cpp lists them.
 [[nodiscard]] SceneDescription room();
 [[nodiscard]] SceneDescription fence();
 [[nodiscard]] SceneDescription fence_with_lights();

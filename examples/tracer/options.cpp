@@ -1,0 +1,138 @@
+#include "options.hpp"
+#include "effects.hpp"
+#include "scenes/scenes.hpp"
+
+#include <support/program.hpp>
+#include <support/size_in.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+
+namespace quell::tracer {
+namespace {
+
+/// Beyond this number, either way, time is the same for several frames.
+constexpr int last_frame = 1 << 24;
+constexpr int most_samples = 1 << 20;
+
+/// As it is typed, before it is understood.
+struct Typed {
+    std::string size, jitter;
+    std::vector<float> eye{}, target{}, dolly{};
+    std::optional<float> shutter{};
+};
+
+void describe_output(CLI::App& app, TraceOptions& o, Typed& typed) {
+    app.add_option("--scene", o.scenes, "A built-in scene's name, a .gltf or .glb file, or all; may be given several times (default: room)")
+        ->take_all();
+    app.add_option("--out", o.out, "Folder for frame.0000.exr and so on; of several scenes, each gets a folder of its own in there");
+    app.add_option("--size", typed.size, "Pixels (default: " + typed.size + ")")->take_last();
+    app.add_option("--frames", o.frames, "How many frames (default: " + std::to_string(o.frames) + ")")
+        ->check(CLI::Range(1, 2 * last_frame));
+    app.add_option("--first", o.first, "Number of the first frame (default: 0)")->check(CLI::Range(-last_frame, last_frame));
+    app.add_option(
+           "--effects", o.effects,
+           "Which channels to write: any of composite,shadow,glossy,indirect,blur; or gradient, which asvgf wants (default: composite)")
+        ->delimiter(',')
+        ->check(CLI::IsMember(all_effect_names()));
+    app.add_option(
+        "--reference", o.reference,
+        "Write converged frames too, reference.0000.exr and so on: at most so many samples per pixel, fewer where two halves agree");
+    app.add_flag(
+        "--masks", o.masks,
+        "Write masks of the pixels that the effects touch too: mask_shadow.0000.png and so on, also glossy, curved, indirect and blur");
+    app.add_flag("--quiet", o.quiet, "Print nothing but errors");
+    app.add_flag("--list", o.list, "Print the names of the built-in scenes");
+}
+
+std::vector<std::string> jitter_names() {
+    std::vector<std::string> names;
+    for (auto const jitter : jitters) names.emplace_back(name_of(jitter));
+    return names;
+}
+
+void describe_rendering(CLI::App& app, TraceOptions& o, Typed& typed) {
+    auto& rendered = o.rendered;
+    app.add_option("--spp", rendered.samples_per_pixel, "Samples per pixel (default: 1)")->check(CLI::Range(1, most_samples));
+    app.add_option("--jitter", typed.jitter,
+                   "Where primary rays go through the pixel: none (its centre), frame (one offset for all, another in each frame; the "
+                   "camera says it) or pixel (each sample at a place of its own, spread as Cycles' pixel filter) (default: " +
+                       typed.jitter + ")")
+        ->take_last()
+        ->check(CLI::IsMember(jitter_names()));
+    app.add_flag("--primary-only", o.primary_only,
+                 "Trace no shadows, reflections and indirect light: unshadowed direct light and ambient light");
+    app.add_option("--shutter", typed.shutter,
+                   "Part of the frame time during which the shutter is open (default: 0.5 for blur, otherwise 0)")
+        ->check(CLI::Range(0.f, 1.f));
+    app.add_option("--shutter-keys", rendered.shutter_keys,
+                   "Moments of the open shutter between which everything moves in a straight line: 2 to " +
+                       std::to_string(most_shutter_keys) + " (default: " + std::to_string(rendered.shutter_keys) + ")")
+        ->check(CLI::Range(2, most_shutter_keys));
+    examples::add_threads(app, rendered.threads);
+    app.add_option("--seed", rendered.seed, "Another seed, other noise (default: 0)");
+}
+
+void describe_camera(CLI::App& app, CameraChoice& camera, Typed& typed) {
+    app.add_option("--eye", typed.eye, "Where the camera stands: x,y,z")->delimiter(',');
+    app.add_option("--target", typed.target, "What it looks at: x,y,z")->delimiter(',');
+    app.add_option("--fov", camera.field_of_view, "Vertical field of view in degrees");
+    app.add_option("--orbit", camera.orbit, "Degrees per frame around the target");
+    app.add_option("--dolly", typed.dolly, "Movement of eye and target per frame: x,y,z")->delimiter(',');
+}
+
+std::optional<glm::vec3> vector_in(char const* option, std::vector<float> const& numbers) {
+    if (numbers.empty()) return std::nullopt;
+    if (numbers.size() != 3) throw Error(option, std::to_string(numbers.size()) + " numbers", "give three, as in 0,1.5,4");
+    return glm::vec3(numbers[0], numbers[1], numbers[2]);
+}
+
+void understand(TraceOptions& o, Typed const& typed) {
+    o.rendered.size = examples::size_in(typed.size);
+    for (auto const jitter : jitters)
+        if (typed.jitter == name_of(jitter)) o.rendered.jitter = jitter;
+    o.rendered.shutter = typed.shutter.value_or(o.has(BlurEffect::name) ? 0.5f : 0.f);
+    o.camera.eye = vector_in("--eye", typed.eye);
+    o.camera.target = vector_in("--target", typed.target);
+    o.camera.dolly = vector_in("--dolly", typed.dolly).value_or(glm::vec3(0.f));
+}
+
+/// What no option can tell of itself.
+void check(TraceOptions const& o) {
+    if (o.out.empty()) throw Error("command line", "--out is missing", "say which folder the frames go to");
+    if (o.first + o.frames > last_frame)
+        throw Error("--first", std::to_string(o.first) + " and " + std::to_string(o.frames) + " frames",
+                    "give numbers up to " + std::to_string(last_frame) + ": beyond it, time is the same for several frames");
+    if (o.reference != 0 && (o.reference < 2 || o.reference > most_samples))
+        throw Error("--reference", std::to_string(o.reference), "give 2 to " + std::to_string(most_samples) + " samples per pixel");
+    for (auto const& effect : o.effects)
+        if (o.has(GradientEffect::name) && effect != GradientEffect::name && effect != CompositeEffect::name)
+            throw Error("--effects", std::string(GradientEffect::name) + " with " + effect,
+                        "trace it by itself, or with " + std::string(CompositeEffect::name));
+    if (o.has(BlurEffect::name) && !(o.rendered.shutter > 0))
+        throw Error("--shutter", std::to_string(o.rendered.shutter), "give more than 0: without time there is no blur");
+}
+
+} // namespace
+
+bool TraceOptions::has(std::string const& effect) const { return std::ranges::find(effects, effect) != effects.end(); }
+
+std::optional<TraceOptions> trace_options(int argc, char const* const* argv) {
+    CLI::App app("Renders scenes to sequences of EXR files: noisy signals, guides and converged references.", "quell-trace");
+    TraceOptions options;
+    Typed typed{.size = to_string(options.rendered.size), .jitter = std::string(name_of(options.rendered.jitter))};
+    describe_output(app, options, typed);
+    describe_rendering(app, options, typed);
+    describe_camera(app, options.camera, typed);
+    if (!examples::parse(app, argc, argv)) return std::nullopt;
+    if (options.list) return options;
+    if (options.effects.empty()) options.effects = {CompositeEffect::name};
+    if (options.scenes.empty()) options.scenes = {"room"};
+    if (std::ranges::find(options.scenes, "all") != options.scenes.end()) options.scenes = scene_names();
+    understand(options, typed);
+    check(options);
+    return options;
+}
+
+} // namespace quell::tracer
