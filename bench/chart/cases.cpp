@@ -30,16 +30,16 @@ std::vector<std::string> effects_of(std::string const& scene) {
     return found != scenes.end() ? Effects(found->effects.begin(), found->effects.end()) : Effects{"composite"};
 }
 
-std::vector<Case> cases_of(std::vector<std::string> const& scenes, std::vector<std::string> const& effects) {
+std::vector<SceneEffect> cases_of(std::vector<std::string> const& scenes, std::vector<std::string> const& effects) {
     for (auto const& effect : effects) check_known(effect);
     bool const all = std::ranges::find(scenes, "all") != scenes.end();
-    std::vector<Case> cases;
+    std::vector<SceneEffect> cases;
     for (auto const& scene : all ? tracer::scene_names() : scenes) {
         auto const its_own = effects_of(scene);
         // Of all scenes, only those that have the effect; of a scene that was asked for, whatever was asked for.
         for (auto const& effect : effects.empty() ? its_own : effects) {
             bool const wanted = !all || std::ranges::find(its_own, effect) != its_own.end();
-            if (Case const one{scene, effect}; wanted && std::ranges::find(cases, one) == cases.end()) cases.push_back(one);
+            if (SceneEffect const one{scene, effect}; wanted && std::ranges::find(cases, one) == cases.end()) cases.push_back(one);
         }
     }
     if (cases.empty()) throw Error("--effect", "no built-in scene was made for it", "name a scene with --scene");

@@ -6,9 +6,9 @@
 namespace quell::bench {
 
 /// An effect on a scene.
-struct Case {
+struct SceneEffect {
     std::string scene, effect;
-    bool operator==(Case const&) const = default;
+    bool operator==(SceneEffect const&) const = default;
 };
 
 /// shadow, glossy, curved (glossy in curved reflectors), indirect, blur and composite (all effects at once).
@@ -20,6 +20,6 @@ struct Case {
 /// These effects on these scenes, each once; without effects, those that the scenes have.
 /// @param scenes built-in names, files, or `all` for every built-in scene
 /// @throws Error for an effect that there isn't
-[[nodiscard]] std::vector<Case> cases_of(std::vector<std::string> const& scenes, std::vector<std::string> const& effects);
+[[nodiscard]] std::vector<SceneEffect> cases_of(std::vector<std::string> const& scenes, std::vector<std::string> const& effects);
 
 } // namespace quell::bench

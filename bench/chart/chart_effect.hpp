@@ -18,7 +18,7 @@ namespace quell::bench {
 /// What an effect's chart is asked for.
 struct Job {
     ChartOptions const& options;
-    Case const& what;
+    SceneEffect const& what;
     std::function<void(std::string const& doing)> const& progress; ///< called before each frame and each reference
     Results& results;
 };
@@ -90,8 +90,8 @@ void run_contests(Job const& job, ChannelTag auto signal, tracer::PreparedScene&
     }
 }
 
-/// Charts the methods of all feeds over a scene. Errors are those of the effect's share of the picture, displayed. Reference and masks are
-/// those of the first feed's frames.
+/// Charts the methods of all feeds over a scene. Errors are those of the effect's share of the picture, displayed. Reference and masks
+/// are those of the first feed's frames.
 template <ChannelTag Signal, class... Feeds>
 void chart_feeds(Job const& job, Signal signal, std::vector<tracer::Effect> const& effects, Feeds const&... feeds) {
     // Albedo and so on are what other programs expect.
@@ -99,7 +99,7 @@ void chart_feeds(Job const& job, Signal signal, std::vector<tracer::Effect> cons
     std::vector<Contest<FrameT>> contests;
     (contests.emplace_back(job.options, feeds), ...);
     tracer::PreparedScene scene(tracer::open_scene(job.what.scene));
-    Case const shown{std::filesystem::path(job.what.scene).stem().string(), job.what.effect};
+    SceneEffect const shown{std::filesystem::path(job.what.scene).stem().string(), job.what.effect};
     Judge const judge(job.options, shown, wanted_frames(job, signal, scene, contests.front().rendered, effects),
                       job.options.pictured_frame());
     ExternalRuns others;

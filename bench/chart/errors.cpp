@@ -17,7 +17,7 @@ void mark_flicker(std::vector<Wanted>& wanted) {
     for (auto i = end - std::min<std::size_t>(longest, 4); i < end; ++i) wanted[i].shows_flicker = true;
 }
 
-void Errors::add(Wanted const& wanted, metrics::Picture const& shown) {
+void ErrorSums::add(Wanted const& wanted, metrics::Picture const& shown) {
     auto const difference = metrics::flip(wanted.displayed, shown);
     rmse += metrics::rmse(wanted.displayed, shown), ssim += metrics::ssim(wanted.displayed, shown);
     flip += difference.mean(), flip_median += difference.weighted_median(), ++frames;
@@ -28,7 +28,7 @@ void Errors::add(Wanted const& wanted, metrics::Picture const& shown) {
     if (wanted.shows_flicker) flicker.add(wanted.displayed, shown);
 }
 
-void Errors::put(Row& row) const {
+void ErrorSums::put(Row& row) const {
     if (frames > 0) row.rmse = rmse / frames, row.ssim = ssim / frames, row.flip = flip / frames, row.flip_median = flip_median / frames;
     if (masked_frames > 0)
         row.mask_rmse = mask_rmse / masked_frames, row.mask_ssim = mask_ssim / masked_frames, row.mask_flip = mask_flip / masked_frames;

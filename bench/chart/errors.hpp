@@ -19,7 +19,7 @@ struct Wanted {
 void mark_flicker(std::vector<Wanted>& wanted);
 
 /// Sums over the scored frames of one method.
-class Errors {
+class ErrorSums {
 public:
     /// @param shown what the method made, as displayed
     void add(Wanted const& wanted, metrics::Picture const& shown);

@@ -17,7 +17,7 @@ std::string file_name(std::string name) {
     return name;
 }
 
-Judge::Judge(ChartOptions const& options_, Case const& what, std::vector<Wanted> wanted_, long long pictured_)
+Judge::Judge(ChartOptions const& options_, SceneEffect const& what, std::vector<Wanted> wanted_, long long pictured_)
     : options(options_), scene(what.scene), effect(what.effect), wanted(std::move(wanted_)), pictured(pictured_) {
     mark_flicker(wanted);
     for (auto const& one : wanted)

@@ -12,7 +12,7 @@ struct Entry {
     std::string method;
     bool competes = true;
     std::optional<Variant> variant{};
-    Errors errors{};
+    ErrorSums errors{};
     std::string picture{}; ///< from the chart's folder
 };
 
@@ -27,7 +27,7 @@ public:
     /// Writes the picture of the reference. @throws Error where it can't
     /// @param wanted in order
     /// @param pictured the frame whose pictures are kept
-    Judge(ChartOptions const& options, Case const& what, std::vector<Wanted> wanted, long long pictured);
+    Judge(ChartOptions const& options, SceneEffect const& what, std::vector<Wanted> wanted, long long pictured);
 
     /// Measures what each method made of a scored frame, side by side, and keeps one frame's pictures as files.
     /// @param pictures linear, one for each entry; @throws Error for a picture that isn't finite, or can't be written

@@ -24,7 +24,7 @@ struct Files {
 
 /// What the command line of quell-chart says.
 struct ChartOptions {
-    std::vector<Case> cases; ///< none where there are files
+    std::vector<SceneEffect> cases; ///< none where there are files
     std::vector<Files> files;
     std::string map;                      ///< how they name their channels; empty: by what they are
     std::optional<long long> first, last; ///< of their frames; what isn't given is what there is

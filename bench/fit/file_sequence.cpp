@@ -12,7 +12,7 @@ namespace quell::bench {
 namespace {
 
 /// Files of quell-trace may have every signal. Those of other renderers give the picture, and guides by the names of their first signal.
-class FileSequence final : public Sequence {
+class FileSequence final : public FitSequence {
     examples::FramePattern files;
     std::optional<io::SequenceNames> map;
     io::ChannelNames names;
@@ -89,6 +89,6 @@ private:
 
 } // namespace
 
-std::unique_ptr<Sequence> file_sequence(FitOptions const& options) { return std::make_unique<FileSequence>(options); }
+std::unique_ptr<FitSequence> file_sequence(FitOptions const& options) { return std::make_unique<FileSequence>(options); }
 
 } // namespace quell::bench

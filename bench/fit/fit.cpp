@@ -13,7 +13,7 @@ namespace {
 /// The search, from small to large.
 class Search {
 public:
-    Search(Sequence& sequence_, std::vector<Contender> const& contenders_, FitOptions const& options_, std::ostream& out_)
+    Search(FitSequence& sequence_, std::vector<Contender> const& contenders_, FitOptions const& options_, std::ostream& out_)
         : sequence(sequence_), contenders(contenders_), options(options_), out(out_), survey(sequence_), trials(sequence_, options_) {
         check_rest();
         for (auto const effect : effects)
@@ -63,7 +63,7 @@ public:
     }
 
 private:
-    Sequence& sequence;
+    FitSequence& sequence;
     std::vector<Contender> const& contenders;
     FitOptions const& options;
     std::ostream& out;
@@ -200,7 +200,7 @@ private:
 
 } // namespace
 
-Fitted fit(Sequence& sequence, std::vector<Contender> const& contenders, FitOptions const& options, std::ostream& out) {
+Fitted fit(FitSequence& sequence, std::vector<Contender> const& contenders, FitOptions const& options, std::ostream& out) {
     Search search(sequence, contenders, options, out);
     for (;;) {
         auto fitted = search.verified(search.find());

@@ -24,6 +24,6 @@ struct Fitted {
 /// something does. Writes to `out` what it looked at, what each costs, and how far it is from the reference.
 /// @param contenders at least one for the rest; must outlive what is returned
 /// @throws OutOfReach; Error where the sequence lacks what all contenders for the rest read
-[[nodiscard]] Fitted fit(Sequence& sequence, std::vector<Contender> const& contenders, FitOptions const& options, std::ostream& out);
+[[nodiscard]] Fitted fit(FitSequence& sequence, std::vector<Contender> const& contenders, FitOptions const& options, std::ostream& out);
 
 } // namespace quell::bench

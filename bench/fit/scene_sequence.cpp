@@ -10,7 +10,7 @@
 namespace quell::bench {
 namespace {
 
-class SceneSequence final : public Sequence {
+class SceneSequence final : public FitSequence {
     tracer::PreparedScene scene;
     tracer::RenderSettings settings;
 
@@ -50,6 +50,6 @@ private:
 
 } // namespace
 
-std::unique_ptr<Sequence> scene_sequence(FitOptions const& options) { return std::make_unique<SceneSequence>(options); }
+std::unique_ptr<FitSequence> scene_sequence(FitOptions const& options) { return std::make_unique<SceneSequence>(options); }
 
 } // namespace quell::bench

@@ -27,9 +27,9 @@ struct Converged {
 };
 
 /// Frames to fit a composition to, in order, as often as is wanted.
-class Sequence {
+class FitSequence {
 public:
-    virtual ~Sequence() = default;
+    virtual ~FitSequence() = default;
 
     std::string name; ///< as the header calls it
     Extent size;
@@ -44,9 +44,9 @@ public:
 
 /// A scene, rendered, with its references.
 /// @throws Error for a scene that there isn't
-[[nodiscard]] std::unique_ptr<Sequence> scene_sequence(FitOptions const& options);
+[[nodiscard]] std::unique_ptr<FitSequence> scene_sequence(FitOptions const& options);
 /// Frames from files.
 /// @throws Error where there are none, none has a reference, or they are too few for a history to fill
-[[nodiscard]] std::unique_ptr<Sequence> file_sequence(FitOptions const& options);
+[[nodiscard]] std::unique_ptr<FitSequence> file_sequence(FitOptions const& options);
 
 } // namespace quell::bench

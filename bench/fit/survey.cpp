@@ -84,7 +84,7 @@ float pixel_angle_of(FitFrame const& frame, bool has_camera) {
     return 2 / (scale * static_cast<float>(frame.size.height));
 }
 
-Traces traces_of(Sequence& sequence) {
+Traces traces_of(FitSequence& sequence) {
     FitFrame frame(sequence.size);
     Traces sum;
     std::vector<float> before;
@@ -138,6 +138,6 @@ Survey::Survey(Traces const& traces, std::set<std::string> const& channels)
         if (verdict.present) verdict.splits = false, verdict.evidence += ", at another time in each sample";
 }
 
-Survey::Survey(Sequence& sequence) : Survey(traces_of(sequence), sequence.channels) {}
+Survey::Survey(FitSequence& sequence) : Survey(traces_of(sequence), sequence.channels) {}
 
 } // namespace quell::bench

@@ -26,7 +26,7 @@ struct Verdict {
 /// Looks at a sequence once.
 class Survey {
 public:
-    explicit Survey(Sequence& sequence);
+    explicit Survey(FitSequence& sequence);
 
     [[nodiscard]] Verdict const& operator[](Part effect) const { return verdicts[static_cast<std::size_t>(effect)]; }
     /// Whether there is motion blur to be made of samples of different times.

@@ -60,7 +60,7 @@ void take_from_picture(FitFrame& frame, Effects const& split) {
         }
 }
 
-Trials::Trials(Sequence& sequence_, FitOptions const& options) : sequence(sequence_), frame(sequence_.size) {
+Trials::Trials(FitSequence& sequence_, FitOptions const& options) : sequence(sequence_), frame(sequence_.size) {
     how.size = sequence.size, how.threads = options.threads, how.quiet = options.quiet;
 }
 

@@ -27,7 +27,7 @@ struct Entrant {
 /// Runs contenders over the sequence, side by side.
 class Trials {
 public:
-    Trials(Sequence& sequence, FitOptions const& options);
+    Trials(FitSequence& sequence, FitOptions const& options);
 
     /// @param label for the progress bar; @throws Error for frames that can't be read
     [[nodiscard]] std::list<Trial> run(std::vector<Entrant> const& entrants, std::string const& label);
@@ -35,7 +35,7 @@ public:
     [[nodiscard]] bool leaves_nothing(Effects const& split);
 
 private:
-    Sequence& sequence;
+    FitSequence& sequence;
     ChartOptions how;
     FitFrame frame;
 };

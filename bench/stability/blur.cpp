@@ -13,7 +13,7 @@ namespace {
 constexpr int event = static_cast<int>(tracer::event_frame);
 
 /// Pixels with less than a tenth of the light that they should have.
-int holes(Sequence const& sequence, Pictures const& pictures) {
+int holes(TracedSequence const& sequence, Pictures const& pictures) {
     int count = 0;
     for (int i = sequence.scored_from; i <= sequence.last(); ++i) {
         auto const &truth = sequence.reference(i).pixels, &shown = pictures[static_cast<std::size_t>(i - sequence.scored_from)].pixels;
@@ -24,7 +24,7 @@ int holes(Sequence const& sequence, Pictures const& pictures) {
 }
 
 /// How far the light of all scored frames is from what it should be, relatively.
-double energy_error(Sequence const& sequence, Pictures const& pictures) {
+double energy_error(TracedSequence const& sequence, Pictures const& pictures) {
     double shown = 0, truth = 0;
     for (int i = sequence.scored_from; i <= sequence.last(); ++i) {
         for (auto const& pixel : pictures[static_cast<std::size_t>(i - sequence.scored_from)].pixels) shown += tracer::luminance(pixel);
@@ -34,7 +34,7 @@ double energy_error(Sequence const& sequence, Pictures const& pictures) {
 }
 
 /// The worst frame's FLIP over that of the mean frame.
-double worst_over_mean(Errors const& errors) {
+double worst_over_mean(FrameErrors const& errors) {
     double sum = 0;
     for (auto const each : errors.flip) sum += each;
     return *std::ranges::max_element(errors.flip) * static_cast<double>(errors.flip.size()) / sum;

@@ -72,11 +72,11 @@ io::ExrImage frame_of(tracer::PreparedScene& scene, tracer::RenderSettings const
 
 } // namespace
 
-Sequence traced(Shot const& shot, Making const& making) {
+TracedSequence traced(Shot const& shot, Making const& making) {
     auto description = tracer::open_scene(shot.scene);
     if (shot.change) shot.change(description);
     tracer::PreparedScene scene(std::move(description));
-    Sequence sequence{making.size, shot.first, shot.scored_from, {}, {}, {}};
+    TracedSequence sequence{making.size, shot.first, shot.scored_from, {}, {}, {}};
     tracer::RenderSettings settings{.size = making.size, .seed = making.seed, .threads = making.threads, .shutter = shot.shutter};
     for (settings.frame = shot.first; settings.frame <= shot.last; ++settings.frame) {
         sequence.frames.push_back(frame_of(scene, settings, shot.signal));

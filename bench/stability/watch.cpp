@@ -9,7 +9,7 @@
 
 namespace quell::stability {
 
-Pictures watch(examples::Preset const& preset, Sequence const& sequence, Memory memory, int threads) {
+Pictures watch(examples::Preset const& preset, TracedSequence const& sequence, Memory memory, int threads) {
     auto const denoiser = preset.make(sequence.size, threads);
     Pictures pictures;
     for (int i = sequence.first; i <= sequence.last(); ++i) {
@@ -19,8 +19,8 @@ Pictures watch(examples::Preset const& preset, Sequence const& sequence, Memory 
     return pictures;
 }
 
-Errors errors(Sequence const& sequence, Pictures const& pictures) {
-    Errors result;
+FrameErrors errors(TracedSequence const& sequence, Pictures const& pictures) {
+    FrameErrors result;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         int const number = sequence.scored_from + static_cast<int>(i);
         auto const mask = sequence.mask(number);
@@ -33,7 +33,7 @@ Errors errors(Sequence const& sequence, Pictures const& pictures) {
     return result;
 }
 
-void record(Results& results, std::string const& subject, std::string const& method, Errors const& errors) {
+void record(Results& results, std::string const& subject, std::string const& method, FrameErrors const& errors) {
     for (std::size_t i = 0; i < errors.frames.size(); ++i)
         results.frames.push_back({subject, method, errors.frames[i], errors.rmse[i], errors.flip[i]});
 }
@@ -46,14 +46,14 @@ void record(Results& results, std::string const& subject, std::string const& met
     results.frames.push_back({subject, method, frame, metrics::rmse(truth, picture), metrics::flip(truth, picture).mean()});
 }
 
-double worst_ratio(Errors const& a, Errors const& b, int from) {
+double worst_ratio(FrameErrors const& a, FrameErrors const& b, int from) {
     double worst = 0;
     for (std::size_t i = 0; i < a.frames.size(); ++i)
         if (a.frames[i] >= from) worst = std::max(worst, a.rmse[i] / b.rmse[i]);
     return worst;
 }
 
-double mean_ratio(Errors const& a, Errors const& b) {
+double mean_ratio(FrameErrors const& a, FrameErrors const& b) {
     return std::accumulate(a.rmse.begin(), a.rmse.end(), 0.) / std::accumulate(b.rmse.begin(), b.rmse.end(), 0.);
 }
 

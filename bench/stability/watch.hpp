@@ -24,15 +24,15 @@ struct Memory {
 
 /// What a method made of the scored frames of a sequence: linear pictures.
 using Pictures = std::vector<metrics::Picture>;
-[[nodiscard]] Pictures watch(examples::Preset const& preset, Sequence const& sequence, Memory memory = {}, int threads = 0);
+[[nodiscard]] Pictures watch(examples::Preset const& preset, TracedSequence const& sequence, Memory memory = {}, int threads = 0);
 
 /// Errors of the scored frames, displayed, in the sequence's masks. Frames without a single pixel that counts are left out.
-struct Errors {
+struct FrameErrors {
     std::vector<int> frames;
     std::vector<double> rmse, flip;
 };
-[[nodiscard]] Errors errors(Sequence const& sequence, Pictures const& pictures);
-void record(Results& results, std::string const& subject, std::string const& method, Errors const& errors);
+[[nodiscard]] FrameErrors errors(TracedSequence const& sequence, Pictures const& pictures);
+void record(Results& results, std::string const& subject, std::string const& method, FrameErrors const& errors);
 /// The error of one frame. A picture that isn't finite has none, and is left out. @param wanted, @param shown linear
 void record(Results& results, std::string const& subject, std::string const& method, int frame, metrics::Picture const& wanted,
             metrics::Picture const& shown);
@@ -41,8 +41,8 @@ void record(Results& results, std::string const& subject, std::string const& met
 inline constexpr double no_worse = 1.0001;
 
 /// The greatest ratio of two methods' RMSE in the same frame, from a frame on.
-[[nodiscard]] double worst_ratio(Errors const& a, Errors const& b, int from = 0);
+[[nodiscard]] double worst_ratio(FrameErrors const& a, FrameErrors const& b, int from = 0);
 /// The ratio of the mean RMSE of two methods.
-[[nodiscard]] double mean_ratio(Errors const& a, Errors const& b);
+[[nodiscard]] double mean_ratio(FrameErrors const& a, FrameErrors const& b);
 
 } // namespace quell::stability

@@ -31,7 +31,7 @@ void trace_all(TraceOptions const& options) {
     examples::Progress progress("quell-trace", static_cast<long long>(scenes.size()) * options.frames, !options.quiet);
     long long done = 0;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        Sequence sequence{options, std::move(scenes[i]), folders[i], progress, done};
+        SequenceWriter sequence{options, std::move(scenes[i]), folders[i], progress, done};
         auto const rays = with_channels([&](char const* effect) { return options.has(effect); },
                                         [&]<class Wanted>(Wanted) { return sequence.trace<Wanted>(); });
         if (!options.quiet) print(options.scenes[i], options, rays);

@@ -3,7 +3,8 @@
 
 #include <quell/io/replace_file.hpp>
 
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -21,9 +22,7 @@ std::filesystem::path default_folder() {
 }
 
 std::string file_name(std::string const& scene, int frame, std::uint64_t key) {
-    char digits[17];
-    std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(key));
-    return scene + "-" + std::to_string(frame) + "-" + digits + ".reference";
+    return fmt::format("{}-{}-{:016x}.reference", scene, frame, key);
 }
 
 class Writer {

@@ -6,18 +6,15 @@
 #include <support/png.hpp>
 #include <support/program.hpp>
 
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <set>
 
 namespace quell::tracer {
 namespace {
 
 /// As in frame.0000.exr.
-std::string numbered(std::string const& name, int frame, char const* ending) {
-    char number[16];
-    std::snprintf(number, sizeof number, ".%04d.", frame);
-    return name + number + ending;
-}
+std::string numbered(std::string const& name, int frame, char const* ending) { return fmt::format("{}.{:04}.{}", name, frame, ending); }
 
 /// Adds a channel of the reference, unless another effect did already.
 template <class C> void put(io::ExrImage& image, C channel, Reference const& converged) {
@@ -32,19 +29,19 @@ template <class C> void put(io::ExrImage& image, C channel, Reference const& con
 
 } // namespace
 
-RenderSettings Sequence::settings(int frame) const {
+RenderSettings SequenceWriter::settings(int frame) const {
     auto settings = options.rendered;
     settings.frame = frame;
     return settings;
 }
 
-void Sequence::write(char const* name, int frame, io::ExrImage image) const {
+void SequenceWriter::write(char const* name, int frame, io::ExrImage image) const {
     io::put_camera(image, camera_of(scene, settings(frame)));
     io::put_camera(image, camera_of(scene, settings(frame - 1)), "_previous");
     examples::store([&] { io::write_exr(folder / numbered(name, frame, "exr"), image); });
 }
 
-void Sequence::write_reference(int frame) {
+void SequenceWriter::write_reference(int frame) {
     io::ExrImage image{.size = options.rendered.size};
     ReferenceSettings const until{.most_samples = options.reference, .samples_per_pass = std::min(options.reference / 2, 16)};
     for_each_effect([&]<class Chosen>(Chosen) {
@@ -55,7 +52,7 @@ void Sequence::write_reference(int frame) {
     write("reference", frame, std::move(image));
 }
 
-void Sequence::write_masks(int frame) {
+void SequenceWriter::write_masks(int frame) {
     std::set<Effect> touching; // each once, whatever the number of effects that ask for it
     for_each_effect([&]<class Chosen>(Chosen) {
         if (options.has(Chosen::name)) touching.insert(Chosen::masks.begin(), Chosen::masks.end());

@@ -11,11 +11,11 @@
 namespace quell::tracer {
 
 /// One scene on its way to disk.
-class Sequence {
+class SequenceWriter {
 public:
     /// @param done counts the frames of all sequences, for the progress
-    Sequence(TraceOptions const& options_, SceneDescription description, std::filesystem::path folder_, examples::Progress& progress_,
-             long long& done_)
+    SequenceWriter(TraceOptions const& options_, SceneDescription description, std::filesystem::path folder_, examples::Progress& progress_,
+                   long long& done_)
         : options(options_), scene(std::move(description)), folder(std::move(folder_)), progress(progress_), done(done_) {}
 
     /// Traces all frames with one set of channels, known when this is compiled.

@@ -8,7 +8,7 @@ namespace quell::tests {
 
 /// A still wall, half in shadow, under a light whose brightness changes from frame to frame without noise: the history of the picture is
 /// wrong, while that of the shadow isn't. `blocked_by_what_moves` moves the blocker, though not its shadow.
-class FlickeringWall final : public bench::Sequence {
+class FlickeringWall final : public bench::FitSequence {
 public:
     bool blocker_moves = false, in_shadow = true;
     float sweeps = 0; ///< pixels, all of it, as far as the channels say

@@ -6,8 +6,8 @@
 // libFuzzer's program for whole frames: the input's first byte chooses the preset.
 namespace quell::fuzz {
 
-std::vector<Case>& cases() {
-    static std::vector<Case> all;
+std::vector<FuzzedPreset>& cases() {
+    static std::vector<FuzzedPreset> all;
     return all;
 }
 
@@ -17,7 +17,7 @@ using namespace quell::fuzz;
 
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
     // What a byte means must not depend on the order of linking.
-    std::ranges::sort(cases(), {}, &Case::name);
+    std::ranges::sort(cases(), {}, &FuzzedPreset::name);
     return 0;
 }
 

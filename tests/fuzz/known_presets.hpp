@@ -21,9 +21,8 @@ template <std::size_t i> void make_known() {
 
 /// Makes every `units`-th preset known from number `unit` on, as far as they are wanted.
 template <std::size_t unit, std::size_t units> bool make_presets_known() {
-    []<std::size_t... i>(std::index_sequence<i...>) {
-        (make_known<unit + i * units>(), ...);
-    }(std::make_index_sequence<(preset_count + units - 1 - unit) / units>{});
+    []<std::size_t... i>(std::index_sequence<i...>) { (make_known<unit + i * units>(), ...); }
+    (std::make_index_sequence<(preset_count + units - 1 - unit) / units>{});
     return true;
 }
 

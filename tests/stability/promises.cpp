@@ -68,7 +68,7 @@ TEST_CASE("tables have the columns that other tools rely on") {
 }
 
 TEST_CASE("ratios are of one frame, and of means") {
-    Errors const a{{24, 25}, {0.2, 0.1}, {0, 0}}, b{{24, 25}, {0.1, 0.2}, {0, 0}};
+    FrameErrors const a{{24, 25}, {0.2, 0.1}, {0, 0}}, b{{24, 25}, {0.1, 0.2}, {0, 0}};
     CHECK(worst_ratio(a, b) == doctest::Approx(2));
     CHECK(worst_ratio(a, b, 25) == doctest::Approx(0.5));
     CHECK(mean_ratio(a, b) == doctest::Approx(1));
