@@ -16,8 +16,8 @@ std::vector<How> executors(Family const& family) {
     std::vector<How> all;
     if (family.has_serial) all.push_back({How::Kind::serial});
     all.push_back({How::Kind::simd});
-    for (int n = 1; n < most_threads(); n *= 2) all.push_back({How::Kind::threads, n});
-    all.push_back({How::Kind::threads, most_threads()});
+    for (int n = 1; n < max_threads(); n *= 2) all.push_back({How::Kind::threads, n});
+    all.push_back({How::Kind::threads, max_threads()});
     return all;
 }
 
@@ -95,7 +95,7 @@ void register_benchmarks() {
     for (auto const& family : all)
         if (family.has_serial)
             benchmark::RegisterBenchmark(("smoke/" + family.preset).c_str(), [=](benchmark::State& state) {
-                run_preset(state, family, smoke_size, {How::Kind::threads, most_threads()});
+                run_preset(state, family, smoke_size, {How::Kind::threads, max_threads()});
             })->Iterations(1);
 }
 

@@ -21,7 +21,7 @@ Seconds Workload::next(How how) {
 
 void Workload::warm_up(Extent size_) {
     size = size_;
-    for (int i = 0; i < 8; ++i) next({How::Kind::threads, most_threads()});
+    for (int i = 0; i < 8; ++i) next({How::Kind::threads, max_threads()});
 }
 
 double Family::bound(std::size_t pass, Extent size, int threads) const {

@@ -83,7 +83,7 @@ double measure_bandwidth(int threads) {
 
 } // namespace
 
-int most_threads() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
+int max_threads() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
 
 Machine const& machine(int threads) {
     static std::map<int, Machine> measured;

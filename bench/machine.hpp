@@ -13,6 +13,6 @@ struct Machine {
 Machine const& machine(int threads);
 
 /// Threads that this process can run at once.
-int most_threads();
+int max_threads();
 
 } // namespace quell::bench

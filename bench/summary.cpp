@@ -68,15 +68,15 @@ std::string part_of_bound(double bound, double seconds) { return bound > 0 ? num
 void print_machine() {
     fmt::print("## Machine\n");
     print_head({"threads", "GFLOP/s", "GB/s"});
-    for (int const threads : {1, most_threads()}) {
+    for (int const threads : {1, max_threads()}) {
         auto const& m = machine(threads);
         print_row({std::to_string(threads), number(1e-9 * m.operations_per_second, 1), number(1e-9 * m.bytes_per_second, 1)});
-        if (most_threads() == 1) break;
+        if (max_threads() == 1) break;
     }
 }
 
 void print_presets_head(int rounds) {
-    auto const most = std::to_string(most_threads());
+    auto const most = std::to_string(max_threads());
     fmt::print("\n## Presets, {}, {}, medians of {}; cpu: processor time, which others on the machine hardly lengthen\n", to_string(size),
                reference_storage, rounds);
     print_head({"preset", "serial ms", "simd ms", "simd cpu ms", "threads:1 ms", "threads:" + most + " ms", "best", "serial/simd",
@@ -121,7 +121,7 @@ struct Measured {
 
 std::vector<Measured> measure(std::string_view wanted, int rounds) {
     std::vector<Measured> all;
-    int const most = most_threads();
+    int const most = max_threads();
     for (auto const& family : families()) {
         if (!wanted.empty() && family.preset != wanted) continue;
         std::vector<How> const executors =
@@ -137,7 +137,7 @@ std::vector<Measured> measure(std::string_view wanted, int rounds) {
 
 void print_storages(std::vector<Measured> const& all) {
     fmt::print("\n## Storages, {}\n", to_string(size));
-    print_head({"preset", "storage", "simd ms", "threads:" + std::to_string(most_threads()) + " ms", "bytes/pixel", "allocations"});
+    print_head({"preset", "storage", "simd ms", "threads:" + std::to_string(max_threads()) + " ms", "bytes/pixel", "allocations"});
     for (auto const& m : all) {
         auto const& simd = m.series[m.family.has_serial ? 1 : 0];
         print_row({m.family.preset, m.family.storage, number(1e3 * median(simd.processor), 2),

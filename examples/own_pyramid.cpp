@@ -6,7 +6,7 @@
 #include <cstdio>
 
 /// A channel whose image is half as wide and high as the frame.
-struct HalfLight : quell::MadeChannel<3> {
+struct HalfLight : quell::InternalChannel<3> {
     static constexpr auto name = "half_light";
     static constexpr int fraction = 2;
 };

@@ -46,12 +46,11 @@ public:
 
 private:
     /// Histories must fill, and what a frame costs is known from the ninth on.
-    static constexpr std::size_t least_frames = 12;
+    static constexpr std::size_t min_frames = 12;
 
     void check_numbers() const {
-        if (numbers.size() < least_frames)
-            throw Error("--in", std::to_string(numbers.size()) + " frames " + files.text(),
-                        "give at least " + std::to_string(least_frames));
+        if (numbers.size() < min_frames)
+            throw Error("--in", std::to_string(numbers.size()) + " frames " + files.text(), "give at least " + std::to_string(min_frames));
         if (static_cast<std::size_t>(numbers.back() - numbers.front()) + 1 == numbers.size()) return;
         throw Error("--in", "frames are missing between " + std::to_string(numbers.front()) + " and " + std::to_string(numbers.back()),
                     "give all of them");
@@ -73,7 +72,7 @@ private:
 
     void read_references(examples::FramePattern const& references) {
         for (auto const number : references.on_disk()) {
-            if (number < numbers.front() + static_cast<long long>(least_frames) - 1 || number > numbers.back()) continue;
+            if (number < numbers.front() + static_cast<long long>(min_frames) - 1 || number > numbers.back()) continue;
             auto const path = references.path(number);
             auto picture = metrics::displayed(examples::read_reference(path, map));
             if (!(picture.size == size))
@@ -82,7 +81,7 @@ private:
             converged.push_back({number, std::move(picture)});
         }
         if (converged.empty())
-            throw Error("--reference", "no file " + references.text() + " for a frame behind the first " + std::to_string(least_frames - 1),
+            throw Error("--reference", "no file " + references.text() + " for a frame behind the first " + std::to_string(min_frames - 1),
                         "give at least one: nothing is known of errors without");
     }
 };

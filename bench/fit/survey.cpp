@@ -10,7 +10,7 @@ namespace quell::bench {
 namespace {
 
 /// Less than this part of the pixels is nothing.
-constexpr double least_share = 0.001;
+constexpr double min_share = 0.001;
 
 std::string percent(double share) { return fmt::format("{:.1f}%", 100 * share); }
 
@@ -99,9 +99,9 @@ Traces traces_of(FitSequence& sequence) {
 }
 
 Verdict verdict(double here, double moving, std::string const& nothing, std::string const& shows, std::string const& moves) {
-    if (here < least_share) return {false, false, nothing};
+    if (here < min_share) return {false, false, nothing};
     auto const there = percent(here) + " of the pixels " + shows;
-    if (moving < least_share) return {true, false, there + ", and in none it " + moves + ": what follows that is left out"};
+    if (moving < min_share) return {true, false, there + ", and in none it " + moves + ": what follows that is left out"};
     return {true, true, there + ", and in " + percent(moving) + " it " + moves};
 }
 
@@ -127,7 +127,7 @@ std::array<Verdict, effects.size()> detail::verdicts_on(Traces const& t, std::se
 Verdict detail::verdict_on_blur(Traces const& t, std::set<std::string> const& channels) {
     auto const verdict = without_channels(channels, {"sweep", "time"}, "make it of");
     if (!verdict.present) return verdict;
-    if (t.swept < least_share) return {false, false, "nothing moves by more than half a pixel while the shutter is open"};
+    if (t.swept < min_share) return {false, false, "nothing moves by more than half a pixel while the shutter is open"};
     return {true, true, percent(t.swept) + " of the pixels move by more than half a pixel while the shutter is open"};
 }
 

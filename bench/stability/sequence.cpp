@@ -44,7 +44,7 @@ void keep_share(TracedFrame& frame, Signal signal) {
 }
 
 metrics::Picture share(tracer::PreparedScene& scene, tracer::RenderSettings const& settings, Signal signal, Making const& making) {
-    tracer::ReferenceSettings const how{.tolerance = making.tolerance, .most_samples = making.most_samples};
+    tracer::ReferenceSettings const how{.tolerance = making.tolerance, .max_samples = making.max_samples};
     auto const of = [&](auto channel) { return tracer::reference<Channels<decltype(channel)>>(scene, settings, how); };
     switch (signal) {
     case Signal::shadow: {

@@ -48,7 +48,7 @@ struct Making {
     Extent size{160, 90};
     int threads = 0;          ///< 0: all
     double tolerance = 0.015; ///< of references: mean FLIP between two independent halves
-    int most_samples = 1024;  ///< of references, per pixel
+    int max_samples = 1024;   ///< of references, per pixel
     std::uint32_t seed = 0;   ///< of the noise
     int long_run = 10000;     ///< frames of what lasts for the sake of it
 };

@@ -99,7 +99,7 @@ private:
 
     void compare(ReportFrame& entry, int i, std::vector<metrics::Picture> const& pictures) {
         tracer::ReferenceSettings reference_settings{.tolerance = options.reference_tolerance};
-        Progress progress("reference of frame " + std::to_string(i), reference_settings.most_samples, !options.quiet);
+        Progress progress("reference of frame " + std::to_string(i), reference_settings.max_samples, !options.quiet);
         reference_settings.progress = [&](tracer::ReferenceProgress const& p) {
             progress.show(p.samples, "halves differ by " + number(p.difference, 4) + ", wanted " + number(p.tolerance, 4));
         };

@@ -7,8 +7,8 @@
 namespace quell::examples {
 
 /// What --size says, as in "1920x1080".
-/// @param least of width and height, @param most_pixels of both together: twice those of 8K, whose channels take gigabytes
+/// @param least of width and height, @param max_pixels of both together: twice those of 8K, whose channels take gigabytes
 /// @throws Error for anything else
-[[nodiscard]] Extent size_in(std::string const& text, int least = 1, long long most_pixels = 1LL << 26);
+[[nodiscard]] Extent size_in(std::string const& text, int least = 1, long long max_pixels = 1LL << 26);
 
 } // namespace quell::examples

@@ -11,9 +11,9 @@ namespace {
 /// A sweep of 60 pixels has one of these times in each of its pixels.
 constexpr int time_count = 64;
 /// In pixels: what moves less than that isn't blurred.
-constexpr float least_motion = 0.1f;
+constexpr float min_motion = 0.1f;
 
-bool is_far(glm::vec2 a, glm::vec2 b) { return !(glm::distance(a, b) < least_motion); } // also behind the camera, where it is NaN
+bool is_far(glm::vec2 a, glm::vec2 b) { return !(glm::distance(a, b) < min_motion); } // also behind the camera, where it is NaN
 
 } // namespace
 
@@ -50,7 +50,7 @@ bool OpenShutter::has_moving_effect(Moment const& moment, Ray const& ray, Hit co
         trace_signals<Channels<SweepOf<Visibility>, SweepOf<Glossy>>>(scene, surface, -ray.direction, path, moment.view.pixel_angle());
     auto const moves = [&](auto const& place) {
         auto const way = place(ShutterMoment{scene, hit, closing.view, 1}) - place(ShutterMoment{scene, hit, opening.view, 0});
-        return glm::length(way) >= least_motion;
+        return glm::length(way) >= min_motion;
     };
     return moves([&](auto const& at) { return shadow_place(at, signals, moment.time); }) ||
            moves([&](auto const& at) { return reflection_place(at, signals); });

@@ -10,9 +10,9 @@ namespace {
 
 constexpr int shadow_samples = 32, lobe_samples = 16;
 /// What fewer of the samples find is too faint to see.
-constexpr int least_shadowed = 2, least_reflected = 2;
+constexpr int min_shadowed = 2, min_reflected = 2;
 /// In pixels per frame: what moves less than that, bilinear history follows well enough.
-constexpr float least_motion = 0.1f;
+constexpr float min_motion = 0.1f;
 /// Stands for infinitely far away: the motion of its image is the camera's rotation.
 constexpr float far_away = 1e4f;
 
@@ -76,8 +76,8 @@ bool has_moving_shadow(MaskPoint const& point) {
         signals.light = light.position;
         signals.light_previous = light.position_before;
         trace_shadow(point.scene, surface, path, true, signals);
-        if (signals.visibility > 0 || shadow_motion(point, planes, signals) < least_motion) continue;
-        if (++shadowed == least_shadowed) return true;
+        if (signals.visibility > 0 || shadow_motion(point, planes, signals) < min_motion) continue;
+        if (++shadowed == min_shadowed) return true;
     }
     return false;
 }
@@ -92,7 +92,7 @@ bool has_moving_reflection(MaskPoint const& point) {
         Signals signals;
         trace_glossy(point.scene, seen.surface, -seen.ray.direction, path, 0, false, signals);
         float const motion = reflection_motion(point, planes, signals, glm::reflect(seen.ray.direction, seen.surface.normal));
-        if (motion >= least_motion && ++reflected == least_reflected) return true;
+        if (motion >= min_motion && ++reflected == min_reflected) return true;
     }
     return false;
 }

@@ -14,7 +14,7 @@ namespace {
 
 /// Beyond this number, either way, time is the same for several frames.
 constexpr int last_frame = 1 << 24;
-constexpr int most_samples = 1 << 20;
+constexpr int max_samples = 1 << 20;
 
 /// As it is typed, before it is understood.
 struct Typed {
@@ -54,7 +54,7 @@ std::vector<std::string> jitter_names() {
 
 void describe_rendering(CLI::App& app, TraceOptions& o, Typed& typed) {
     auto& rendered = o.rendered;
-    app.add_option("--spp", rendered.samples_per_pixel, "Samples per pixel (default: 1)")->check(CLI::Range(1, most_samples));
+    app.add_option("--spp", rendered.samples_per_pixel, "Samples per pixel (default: 1)")->check(CLI::Range(1, max_samples));
     app.add_option("--jitter", typed.jitter,
                    "Where primary rays go through the pixel: none (its centre), frame (one offset for all, another in each frame; the "
                    "camera says it) or pixel (each sample at a place of its own, spread as Cycles' pixel filter) (default: " +
@@ -68,8 +68,8 @@ void describe_rendering(CLI::App& app, TraceOptions& o, Typed& typed) {
         ->check(CLI::Range(0.f, 1.f));
     app.add_option("--shutter-keys", rendered.shutter_keys,
                    "Moments of the open shutter between which everything moves in a straight line: 2 to " +
-                       std::to_string(most_shutter_keys) + " (default: " + std::to_string(rendered.shutter_keys) + ")")
-        ->check(CLI::Range(2, most_shutter_keys));
+                       std::to_string(max_shutter_keys) + " (default: " + std::to_string(rendered.shutter_keys) + ")")
+        ->check(CLI::Range(2, max_shutter_keys));
     examples::add_threads(app, rendered.threads);
     app.add_option("--seed", rendered.seed, "Another seed, other noise (default: 0)");
 }
@@ -104,8 +104,8 @@ void check(TraceOptions const& o) {
     if (o.first + o.frames > last_frame)
         throw Error("--first", std::to_string(o.first) + " and " + std::to_string(o.frames) + " frames",
                     "give numbers up to " + std::to_string(last_frame) + ": beyond it, time is the same for several frames");
-    if (o.reference != 0 && (o.reference < 2 || o.reference > most_samples))
-        throw Error("--reference", std::to_string(o.reference), "give 2 to " + std::to_string(most_samples) + " samples per pixel");
+    if (o.reference != 0 && (o.reference < 2 || o.reference > max_samples))
+        throw Error("--reference", std::to_string(o.reference), "give 2 to " + std::to_string(max_samples) + " samples per pixel");
     for (auto const& effect : o.effects)
         if (o.has(GradientEffect::name) && effect != GradientEffect::name && effect != CompositeEffect::name)
             throw Error("--effects", std::string(GradientEffect::name) + " with " + effect,

@@ -13,7 +13,7 @@ namespace quell::tracer {
 namespace {
 
 /// Unshadowed light sums over all lights at every hit. Finely tessellated emitters would make that slow; they only glow.
-constexpr std::size_t most_light_triangles = 512;
+constexpr std::size_t max_light_triangles = 512;
 
 glm::mat4 between(glm::mat4 const& a, glm::mat4 const& b, float part) { return a + (b - a) * part; }
 glm::vec3 between(glm::vec3 a, glm::vec3 b, float part) { return a + (b - a) * part; }
@@ -196,7 +196,7 @@ glm::vec3 PreparedScene::point(Hit const& hit, float time, When when) const {
 void PreparedScene::find_emitters() {
     lights.assign(scene.instances.size(), false);
     for (int i = 0; i < static_cast<int>(scene.instances.size()); ++i) {
-        if (!(glm::length(material(i).emission) > 0) || shape(i).mesh.triangles.size() > most_light_triangles) continue;
+        if (!(glm::length(material(i).emission) > 0) || shape(i).mesh.triangles.size() > max_light_triangles) continue;
         lights[static_cast<std::size_t>(i)] = true;
         if (shape(i).is_sphere)
             sources.push_back({i, 0, {}, material(i).emission});

@@ -16,7 +16,7 @@ enum class When { now, before };
 /// Enough moments for a quarter turn within the shutter to look round: the chord then errs by 0.5% of the radius.
 inline constexpr int default_shutter_keys = 9;
 /// As many as Embree allows.
-inline constexpr int most_shutter_keys = 129;
+inline constexpr int max_shutter_keys = 129;
 
 /// Something at evenly spaced moments of the open shutter (one moment while the shutter is closed), and the same one frame earlier.
 template <class Value> struct Moments {

@@ -65,15 +65,15 @@ Reference joined(Half const& first, Half const& second, int samples, double half
 
 /// Both settings' members are all named here, so that a new one doesn't compile before somebody has decided whether references depend on
 /// it. The scene stands at the frame, and has the shutter and its moments in its hash.
-std::uint64_t key_of(PreparedScene const& scene, RenderSettings const& render_settings, ReferenceSettings const& settings,
-                     int least_samples, std::string const& channels) {
+std::uint64_t key_of(PreparedScene const& scene, RenderSettings const& render_settings, ReferenceSettings const& settings, int min_samples,
+                     std::string const& channels) {
     auto const& [size, frame, samples_per_pixel, seed, threads, shutter, first_sample, bounces, shutter_keys, stratified_times, frozen_at,
                  jitter] = render_settings;
-    auto const& [tolerance, most_samples, least_samples_of_blur, samples_per_pass, cache, use_cache, progress] = settings;
+    auto const& [tolerance, max_samples, min_samples_of_blur, samples_per_pass, cache, use_cache, progress] = settings;
     Digest key;
     key.add(scene.content_hash());
     key.add(channels);
-    for (int number : {version, size.width, size.height, frame, bounces, most_samples, least_samples, samples_per_pass}) key.add(number);
+    for (int number : {version, size.width, size.height, frame, bounces, max_samples, min_samples, samples_per_pass}) key.add(number);
     key.add(seed);
     key.add(tolerance);
     key.add(name_of(jitter));
@@ -82,32 +82,32 @@ std::uint64_t key_of(PreparedScene const& scene, RenderSettings const& render_se
 
 } // namespace
 
-Reference converged(RenderPass const& render_pass, int least_samples, ReferenceSettings const& settings) {
+Reference converged(RenderPass const& render_pass, int min_samples, ReferenceSettings const& settings) {
     Half halves[2];
     double apart = 1;
     // Comparing costs as much as several samples, so it's done only after every growth by a quarter.
     for (int passes = 1, next_comparison = 1;; ++passes) {
         for (int half : {0, 1}) halves[half].add(render_pass(half, (passes - 1) * settings.samples_per_pass));
         int const samples = 2 * passes * settings.samples_per_pass;
-        bool const is_last = samples + 2 * settings.samples_per_pass > settings.most_samples;
+        bool const is_last = samples + 2 * settings.samples_per_pass > settings.max_samples;
         if (passes == next_comparison || is_last) {
             apart = difference(halves[0].mean, halves[1].mean);
             next_comparison = std::max(passes + 1, static_cast<int>(std::lround(1.25 * passes)));
         }
         if (settings.progress) settings.progress({samples, apart, settings.tolerance});
-        if ((apart < settings.tolerance && samples >= least_samples) || is_last) return joined(halves[0], halves[1], samples, apart);
+        if ((apart < settings.tolerance && samples >= min_samples) || is_last) return joined(halves[0], halves[1], samples, apart);
     }
 }
 
 Reference cached_or_converged(PreparedScene& scene, RenderSettings const& render_settings, ReferenceSettings const& settings,
                               std::string const& channels, RenderPass const& render_pass) {
-    int const least_samples = render_settings.one_ray_per_pixel() ? 0 : settings.least_samples_of_blur;
-    if (!settings.use_cache) return converged(render_pass, least_samples, settings);
+    int const min_samples = render_settings.one_ray_per_pixel() ? 0 : settings.min_samples_of_blur;
+    if (!settings.use_cache) return converged(render_pass, min_samples, settings);
     scene.move_to(static_cast<float>(render_settings.frame), render_settings.shutter, render_settings.shutter_keys);
-    auto const key = key_of(scene, render_settings, settings, least_samples, channels);
+    auto const key = key_of(scene, render_settings, settings, min_samples, channels);
     ReferenceCache const cache{settings.cache, scene.description().name, render_settings.frame, key};
     if (auto found = cache.load(render_settings.size)) return *found;
-    auto result = converged(render_pass, least_samples, settings);
+    auto result = converged(render_pass, min_samples, settings);
     cache.store(result);
     return result;
 }

@@ -18,10 +18,10 @@ struct ReferenceProgress {
 
 struct ReferenceSettings {
     double tolerance = 0.005; ///< converged when the mean FLIP between two independent halves is below it, for every effect
-    int most_samples = 16384; ///< per pixel, both halves together; the end even where it hasn't converged
+    int max_samples = 16384;  ///< per pixel, both halves together; the end even where it hasn't converged
     /// Per pixel, both halves together, with an open shutter or jitter of the samples: what is soft may be so small that the mean over the
     /// image is below the tolerance while the blur itself is not smooth yet.
-    int least_samples_of_blur = 128;
+    int min_samples_of_blur = 128;
     int samples_per_pass = 16;     ///< per pixel and half, between two looks at the clock
     std::filesystem::path cache{}; ///< empty: $QUELL_CACHE, else ~/.cache/quell
     bool use_cache = true;
@@ -45,7 +45,7 @@ using PassPictures = std::map<std::string, metrics::Picture, std::less<>>;
 /// Renders a pass of one half (0 or 1), starting at this sample.
 using RenderPass = std::function<PassPictures(int half, int first_sample)>;
 
-[[nodiscard]] Reference converged(RenderPass const& render_pass, int least_samples, ReferenceSettings const& settings);
+[[nodiscard]] Reference converged(RenderPass const& render_pass, int min_samples, ReferenceSettings const& settings);
 [[nodiscard]] Reference cached_or_converged(PreparedScene& scene, RenderSettings const& render_settings, ReferenceSettings const& settings,
                                             std::string const& channels, RenderPass const& render_pass);
 

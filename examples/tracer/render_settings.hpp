@@ -40,8 +40,8 @@ inline void check(RenderSettings const& settings) {
     if (settings.samples_per_pixel <= 0) throw Error{"samples per pixel", std::to_string(settings.samples_per_pixel), "give at least 1"};
     if (!(settings.shutter >= 0 && settings.shutter <= 1))
         throw Error{"shutter", std::to_string(settings.shutter), "give a part of the frame time from 0 to 1"};
-    if (settings.shutter_keys < 2 || settings.shutter_keys > most_shutter_keys)
-        throw Error{"shutter keys", std::to_string(settings.shutter_keys), "give 2 to " + std::to_string(most_shutter_keys)};
+    if (settings.shutter_keys < 2 || settings.shutter_keys > max_shutter_keys)
+        throw Error{"shutter keys", std::to_string(settings.shutter_keys), "give 2 to " + std::to_string(max_shutter_keys)};
     if (settings.frozen_at && !(*settings.frozen_at >= 0 && *settings.frozen_at <= 1))
         throw Error{"time of a frozen frame", std::to_string(*settings.frozen_at), "give a time from 0 to 1 over the open shutter"};
 }

@@ -43,7 +43,7 @@ void SequenceWriter::write(char const* name, int frame, io::ExrImage image) cons
 
 void SequenceWriter::write_reference(int frame) {
     io::ExrImage image{.size = options.rendered.size};
-    ReferenceSettings const until{.most_samples = options.reference, .samples_per_pass = std::min(options.reference / 2, 16)};
+    ReferenceSettings const until{.max_samples = options.reference, .samples_per_pass = std::min(options.reference / 2, 16)};
     for_each_effect([&]<class Chosen>(Chosen) {
         if (!options.has(Chosen::name)) return;
         auto const converged = reference<typename Chosen::reference>(scene, settings(frame), until);

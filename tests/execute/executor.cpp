@@ -20,7 +20,7 @@ struct Count {
 
 /// The same of a job that has a use for so many lanes.
 template <int lanes> struct CountFew : Count {
-    static constexpr int most_lanes = lanes;
+    static constexpr int max_lanes = lanes;
     template <class Real> void operator()(AtOnce<Real> at_once, int x, int y, int count) const {
         // There are packs of 4 and 8 wherever there are wider ones, and none of 3.
         static_assert(lanes == 3 || width_of<Real> <= lanes);

@@ -9,7 +9,7 @@ using namespace quell;
 
 // Passes and channels of a fraction of the frame's size, against a plain computation pixel by pixel.
 namespace {
-template <int n> struct Coarse : MadeChannel<3> {
+template <int n> struct Coarse : InternalChannel<3> {
     static constexpr auto name = "coarse";
     static constexpr int fraction = n;
 };

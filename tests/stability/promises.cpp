@@ -98,7 +98,7 @@ TEST_CASE("the command line says which cases, of what noise and how long") {
 
 TEST_CASE("another seed is another noise, held against the same truth") {
     Shot const shot{.scene = "fence", .scored_from = 0, .last = 0};
-    Making const making{.size = {24, 16}, .threads = 1, .tolerance = 1, .most_samples = 4};
+    Making const making{.size = {24, 16}, .threads = 1, .tolerance = 1, .max_samples = 4};
     auto reseeded = making;
     reseeded.seed = 5;
     auto const one = traced(shot, making), other = traced(shot, reseeded), again = traced(shot, making);

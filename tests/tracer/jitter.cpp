@@ -191,7 +191,7 @@ TEST_CASE("with jitter of the samples an edge is as soft as the filter") {
 
 TEST_CASE("a reference with jitter of the samples has the filter's edges, whatever the effect") {
     PreparedScene scene{lit_from(24.3f)};
-    ReferenceSettings const until{.tolerance = 0.001, .most_samples = 2048, .use_cache = false};
+    ReferenceSettings const until{.tolerance = 0.001, .max_samples = 2048, .use_cache = false};
     RenderSettings const how{.size = size, .frame = 2, .jitter = Jitter::pixel};
     auto const whole = reference<Channels<Radiance>>(scene, how, until);
     auto const parts = reference<Channels<Visibility, Glossy, Indirect>>(scene, how, until);
@@ -304,7 +304,7 @@ TEST_CASE("gradients are those of the first sample's point: none where nothing c
 TEST_CASE("references of one jitter are never taken for those of another") {
     quell::tests::Folder const folder;
     ReferenceSettings const settings{
-        .tolerance = 0.5, .most_samples = 8, .least_samples_of_blur = 0, .samples_per_pass = 4, .cache = folder / "cache"};
+        .tolerance = 0.5, .max_samples = 8, .min_samples_of_blur = 0, .samples_per_pass = 4, .cache = folder / "cache"};
     PreparedScene scene{room_of_boxes()};
     auto const found = [&](Jitter jitter, int frame, float shutter = 0) {
         return reference<Channels<Glossy>>(scene, {.size = size, .frame = frame, .shutter = shutter, .jitter = jitter}, settings);

@@ -60,7 +60,7 @@ TEST_CASE("a reference converges, and its halves say so") {
 TEST_CASE("a reference ends at the most samples") {
     PreparedScene scene{little_world()};
     auto const found =
-        reference<Wanted>(scene, {.size = size}, {.tolerance = 1e-9, .most_samples = 100, .samples_per_pass = 8, .use_cache = false});
+        reference<Wanted>(scene, {.size = size}, {.tolerance = 1e-9, .max_samples = 100, .samples_per_pass = 8, .use_cache = false});
     CHECK(found.samples <= 100);
     CHECK(found.samples >= 80);
     CHECK(found.half_difference > 1e-9);
@@ -91,7 +91,7 @@ TEST_CASE("references are cached by all that they depend on") {
           RenderSettings{.size = size, .frame = 4, .jitter = Jitter::pixel}})
         CHECK(!reference<Wanted>(scene, changed, settings).from_cache);
     for (auto const& changed : {ReferenceSettings{.tolerance = 0.04, .cache = cache.path},
-                                ReferenceSettings{.tolerance = 0.05, .most_samples = 256, .cache = cache.path},
+                                ReferenceSettings{.tolerance = 0.05, .max_samples = 256, .cache = cache.path},
                                 ReferenceSettings{.tolerance = 0.05, .samples_per_pass = 4, .cache = cache.path}})
         CHECK(!reference<Wanted>(scene, {.size = size, .frame = 4}, changed).from_cache);
     RenderSettings const no_matter{
@@ -101,7 +101,7 @@ TEST_CASE("references are cached by all that they depend on") {
 
 TEST_CASE("references of an open shutter depend on its moments and the least samples too") {
     Cache const cache;
-    ReferenceSettings const settings{.tolerance = 0.5, .least_samples_of_blur = 16, .samples_per_pass = 4, .cache = cache.path};
+    ReferenceSettings const settings{.tolerance = 0.5, .min_samples_of_blur = 16, .samples_per_pass = 4, .cache = cache.path};
     PreparedScene scene{little_world()};
     auto const cached = [&](RenderSettings const& render_settings, ReferenceSettings const& how) {
         return reference<Channels<Radiance>>(scene, render_settings, how).from_cache;
@@ -116,7 +116,7 @@ TEST_CASE("references of an open shutter depend on its moments and the least sam
     other.shutter = 0.4f;
     CHECK(!cached(other, settings));
     auto longer = settings;
-    longer.least_samples_of_blur = 32;
+    longer.min_samples_of_blur = 32;
     CHECK(!cached(usual, longer));
 }
 
@@ -153,7 +153,7 @@ TEST_CASE("references of blur are stratified in time") {
     });
     PreparedScene prepared{std::move(scene)};
     RenderSettings const settings{.size = {48, 32}, .frame = 3, .shutter = 0.6f};
-    auto const found = reference<Channels<Radiance>>(prepared, settings, {.tolerance = 0, .most_samples = 64, .use_cache = false});
+    auto const found = reference<Channels<Radiance>>(prepared, settings, {.tolerance = 0, .max_samples = 64, .use_cache = false});
     CHECK(found.samples == 64);
     float const pixels_per_unit = 16 / std::tan(glm::radians(20.f)) / 4;
     int blurred = 0;
@@ -171,7 +171,7 @@ TEST_CASE("references of blur are stratified in time") {
 
 TEST_CASE("a frozen frame has the reference of the open shutter, and its file") {
     Cache const cache;
-    ReferenceSettings const how{.tolerance = 0.5, .least_samples_of_blur = 0, .samples_per_pass = 4, .cache = cache.path};
+    ReferenceSettings const how{.tolerance = 0.5, .min_samples_of_blur = 0, .samples_per_pass = 4, .cache = cache.path};
     auto description = little_world();
     description.secondary_rays = false;
     description.camera = [](float frame) { return look_at({frame, 1, 3}, {frame, 0.3f, 0}, 45); };
@@ -198,9 +198,8 @@ TEST_CASE("a reference of blur ends when its halves agree, and its frames have n
     };
     PreparedScene scene{std::move(description)};
     auto const at = [&](int frame, double tolerance) {
-        return reference<Channels<Radiance>>(
-            scene, {.size = size, .frame = frame, .shutter = 0.9f},
-            {.tolerance = tolerance, .least_samples_of_blur = 0, .samples_per_pass = 2, .use_cache = false});
+        return reference<Channels<Radiance>>(scene, {.size = size, .frame = frame, .shutter = 0.9f},
+                                             {.tolerance = tolerance, .min_samples_of_blur = 0, .samples_per_pass = 2, .use_cache = false});
     };
     auto const rough = at(0, 0.03), later = at(1, 0.03), fine = at(0, 0.005);
     CHECK(rough.half_difference < 0.03);

@@ -128,10 +128,10 @@ TEST_CASE("a scene named for an event has it at the event's frame, and not befor
                 ++count;
         return count / static_cast<double>(size.pixels());
     };
-    auto const check = [&](std::string const& name, auto channel, float tolerance, double most_before, double least) {
+    auto const check = [&](std::string const& name, auto channel, float tolerance, double max_before, double least) {
         CAPTURE(name);
         PreparedScene scene{built_in_scene(name)};
-        CHECK(changed(scene, channel, event - 1, tolerance) <= most_before);
+        CHECK(changed(scene, channel, event - 1, tolerance) <= max_before);
         CHECK(changed(scene, channel, event, tolerance) >= least);
     };
     check("cut", direct, 0.2f, 0.2, 0.8);

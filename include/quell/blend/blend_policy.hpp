@@ -8,11 +8,13 @@ namespace quell {
 ///
 ///     auto blend(auto px, auto past) const      // the new value, or Result{value, alpha}.with(channel it `keeps`, value)...
 ///
-/// `px.signal()` is the new sample. `past` is a Past: its signal, its validity (0: no history), and `past[channel]` for what the policy
-/// `keeps`, which is 0 without history. A missing sample changes nothing: Temporal then keeps the history, whatever the policy returns.
-/// A decorator adds a channel to what another policy returns, a value or a Result, by `Result{inner.blend(px, past)}.with(channel, value)`.
+/// `px.signal()` is the new sample. `past` is a HistorySample: its signal, its validity (0: no history), and `past[channel]` for what the
+/// policy `keeps`, which is 0 without history. A missing sample changes nothing: Temporal then keeps the history, whatever the policy
+/// returns. A decorator adds a channel to what another policy returns, a value or a Result, by `Result{inner.blend(px, past)}.with(channel,
+/// value)`.
 template <class B>
-concept BlendPolicy = std::is_trivially_copyable_v<B> && requires(B const b, detail::Probe<B> px, detail::PastOf<detail::Probe<B>> past) {
+concept BlendPolicy = std::is_trivially_copyable_v<B> &&
+    requires(B const b, detail::Probe<B> px, detail::HistorySampleOf<detail::Probe<B>> past) {
     { detail::as_result(b.blend(px, past)).value } -> std::convertible_to<typename detail::Probe<B>::Signal>;
 };
 

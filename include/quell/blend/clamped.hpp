@@ -85,7 +85,7 @@ struct YCoCg {
 };
 
 /// Clamps the history to the range of the pixel's neighbourhood, then lets the inner policy blend. Adds the relative change to
-/// Past::clamped, which Adaptive and WithCleanUp read.
+/// HistorySample::clamped, which Adaptive and WithCleanUp read.
 ///
 ///     Clamped{RunningMean{}, MeanDeviation{.sigmas = 3}}
 ///

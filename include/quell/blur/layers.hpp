@@ -24,31 +24,33 @@ namespace quell {
 
 /// Moving layer (MB section 3): the signal times its coverage, then the coverage: the share of the open shutter in which a moving surface
 /// covers the pixel, in [0, 1].
-template <ChannelTag Signal> struct MovingLayer : MadeChannel<Signal::components + 1> { static constexpr auto name = "moving_layer"; };
+template <ChannelTag Signal> struct MovingLayer : InternalChannel<Signal::components + 1> { static constexpr auto name = "moving_layer"; };
 /// Static layer (MB section 3): the signal, then its confidence: 0 unknown, 1 seen. Between them it was guessed from neighbours; LayerSplit
 /// gives the mean of static neighbours 1 as well.
-template <ChannelTag Signal> struct StaticLayer : MadeChannel<Signal::components + 1> { static constexpr auto name = "static_layer"; };
+template <ChannelTag Signal> struct StaticLayer : InternalChannel<Signal::components + 1> { static constexpr auto name = "static_layer"; };
 /// Background layer: the signal, then the number of samples that it is the mean of.
-template <ChannelTag Signal> struct BackgroundLayer : MadeChannel<Signal::components + 1> {
+template <ChannelTag Signal> struct BackgroundLayer : InternalChannel<Signal::components + 1> {
     static constexpr auto name = "background_layer";
     /// Sample counts of a static background that is seen, and of one that is guessed from neighbours.
     static constexpr float certain = 64.f, guessed = 0.05f;
 };
 /// Foreground layer: the signal times its coverage; the coverage, the share of the open shutter in which it hides the background, in [0,
 /// 1]; and the number of samples that pass meanwhile, which is its sweep's length in pixels. History weighs the layer by that number.
-template <ChannelTag Signal> struct ForegroundLayer : MadeChannel<Signal::components + 2> {
+template <ChannelTag Signal> struct ForegroundLayer : InternalChannel<Signal::components + 2> {
     static constexpr auto name = "foreground_layer";
 };
 /// Mean sweep of the foreground layer, in pixels. Both components are 4096 where there is no foreground.
-struct ForegroundSweep : MadeChannel<2> {
+struct ForegroundSweep : InternalChannel<2> {
     static constexpr auto name = "foreground_sweep";
 };
 /// The channel ForegroundSweep.
 inline constexpr ForegroundSweep foreground_sweep;
 /// The moving layer after the spatial filters behind Temporal. Not part of the history.
-template <ChannelTag Signal> struct FilteredLayer : MadeChannel<Signal::components + 1> { static constexpr auto name = "filtered_layer"; };
+template <ChannelTag Signal> struct FilteredLayer : InternalChannel<Signal::components + 1> {
+    static constexpr auto name = "filtered_layer";
+};
 /// Mean sweep of the moving layer, in pixels; with two velocities, that of the background layer.
-struct MeanSweep : MadeChannel<2> {
+struct MeanSweep : InternalChannel<2> {
     static constexpr auto name = "mean_sweep";
 };
 /// The channel MeanSweep.

@@ -16,7 +16,7 @@ template <int Components> struct Channel {
 };
 
 /// A channel that stages make and no host supplies. A pipeline that reads it without a stage that makes it does not compile.
-template <int Components> struct MadeChannel : Channel<Components> {
+template <int Components> struct InternalChannel : Channel<Components> {
     static constexpr bool made_by_stages = true; ///< marks it for Pipeline
     static constexpr bool squared = false;       ///< true: a variance. Half stores its square root, since half ends at 65504.
 };

@@ -19,9 +19,10 @@ inline bool looks_noisy(Observation const& seen, SignalSeen const& signal) {
     Tally standing_out;
     for_each_place(seen.size, [&](int x, int y) {
         if (x < 1 || y < 1 || x + 1 >= seen.size.width || y + 1 >= seen.size.height) return;
-        auto const [least, most] = std::minmax({at(x - 1, y), at(x + 1, y), at(x, y - 1), at(x, y + 1)});
-        float const here = at(x, y), margin = 0.1f * std::max(here, most);
-        if (std::max(here, most) - std::min(here, least) > margin) standing_out.add(here > most + margin || here < least - margin);
+        auto const [minimum, maximum] = std::minmax({at(x - 1, y), at(x + 1, y), at(x, y - 1), at(x, y + 1)});
+        float const here = at(x, y), margin = 0.1f * std::max(here, maximum);
+        if (std::max(here, maximum) - std::min(here, minimum) > margin)
+            standing_out.add(here > maximum + margin || here < minimum - margin);
     });
     return standing_out.yes >= 20 && standing_out.share() > 0.04;
 }

@@ -9,7 +9,7 @@ namespace quell::detail {
 
 /// Counts of a comparison of two motion conventions: pixels where only the first, or only the second, leads to the surface seen in the
 /// pixel; and pixels where they lead to different places.
-struct Duel {
+struct Comparison {
     long long first = 0, second = 0, apart = 0;
 };
 
@@ -24,7 +24,7 @@ struct DiagnosisNotes {
     std::optional<float> constant_depth{}; ///< depth of the last call's frame if it was constant
     glm::vec2 motion_offset{};             ///< common offset of static pixels in pixels, if it may be jitter
     int jittered_in_a_row = 0;             ///< consecutive frames whose motion had an offset like jitter
-    std::vector<Duel> duels{};             ///< each convention against each, over all frames
+    std::vector<Comparison> comparisons{}; ///< each convention against each, over all frames
     int disagreed_in_a_row = 0;            ///< consecutive frames whose cameras find the past where motion does not
     int swept_wrongly_in_a_row = 0;        ///< consecutive frames whose sweeps contradict the cameras
     glm::vec2 shift{};                     ///< movement of the projection's centre, in pixels

@@ -134,7 +134,7 @@ template <class B> constexpr auto with_watched_clamps(Antilag<B> const& around) 
     return Antilag<decltype(with_watched_clamps(around.inner))>{with_watched_clamps(around.inner)};
 }
 template <class B> constexpr auto with_watched_clamps(ForgetChanged<B> const& around) {
-    return ForgetChanged<decltype(with_watched_clamps(around.inner))>{with_watched_clamps(around.inner), around.by_chance,
+    return ForgetChanged<decltype(with_watched_clamps(around.inner))>{with_watched_clamps(around.inner), around.noise_threshold,
                                                                       around.sharpness};
 }
 

@@ -32,7 +32,7 @@ struct AnyJob {
 ///     void for_each_pixel(Region region, auto const& job) const
 ///
 /// job(at_once<Real>, x, y, count) computes the `count` pixels from (x, y) to the right and writes no others; count <= width_of<Real>.
-/// `job.name` is the name of the pass. `job.most_lanes`, if there is one, is the largest useful SIMD width.
+/// `job.name` is the name of the pass. `job.max_lanes`, if there is one, is the largest useful SIMD width.
 /// Models: Serial, SimdOf, Threads, Cuda.
 template <class E>
 concept Executor = requires(E const e, Region region, detail::AnyJob job) {
@@ -50,18 +50,18 @@ struct Serial {
 
 #if !defined(__CUDACC__)
 namespace detail {
-/// The pack for a job: P, or a narrower one where the job's `most_lanes` is less and the instruction set has such packs.
+/// The pack for a job: P, or a narrower one where the job's `max_lanes` is less and the instruction set has such packs.
 template <class P, class Job> struct PackFor { using type = P; };
 template <class P, class Job>
-    requires(Job::most_lanes < width_of<P> && !std::is_void_v<xsimd::make_sized_batch_t<float, std::size_t{Job::most_lanes}>>)
+    requires(Job::max_lanes < width_of<P> && !std::is_void_v<xsimd::make_sized_batch_t<float, std::size_t{Job::max_lanes}>>)
 struct PackFor<P, Job> {
-    using type = xsimd::make_sized_batch_t<float, std::size_t{Job::most_lanes}>;
+    using type = xsimd::make_sized_batch_t<float, std::size_t{Job::max_lanes}>;
 };
 } // namespace detail
 
 /// Runs one pack of pixels at a time on the calling thread.
 /// @tparam P the pack. As a template argument it gives code for different instruction sets different linker symbols. The exception are jobs
-/// with `most_lanes`: two instruction sets may share a narrower pack.
+/// with `max_lanes`: two instruction sets may share a narrower pack.
 template <class P = Pack> struct SimdOf {
     /// See Executor.
     template <class Job> void for_each_pixel(Region r, Job const& job) const {

@@ -14,9 +14,9 @@ namespace quell {
 /// `count` 0 it uses the threads of the task arena that it is called in.
 /// @tparam Each the executor of one tile
 template <class Each = Simd> struct Threads {
-    static constexpr int most = 1024; ///< limit of `count`: oneTBB allocates memory for each thread and crashes where that fails
+    static constexpr int maximum = 1024; ///< limit of `count`: oneTBB allocates memory for each thread and crashes where that fails
 
-    int count = 0;           ///< threads, at most `most`; 0: those of the calling arena
+    int count = 0;           ///< threads, at most `maximum`; 0: those of the calling arena
     Extent tile = {256, 32}; ///< pixels. With the rows that a 5x5 kernel at step 16 reads, 256 columns fit a 512 KB L2 cache.
     Each each{};             ///< executor of one tile
 
@@ -36,7 +36,7 @@ template <class Each = Simd> struct Threads {
                 oneapi::tbb::simple_partitioner{});
         };
         if (count == 0) return work();
-        oneapi::tbb::task_arena arena(std::clamp(count, 1, most));
+        oneapi::tbb::task_arena arena(std::clamp(count, 1, maximum));
         arena.execute(work);
     }
 };

@@ -29,7 +29,7 @@ template <class Edge> struct VarianceOfMean {
 private:
     static constexpr int radius = 2, side = 2 * radius + 1;
     /// The minimum of four noisy estimates is too small; this makes up for it.
-    static constexpr float least_of_four = 1.5f;
+    static constexpr float min_of_four = 1.5f;
 
     /// Half the mean square difference of neighbours, in the direction with the least: row, column or diagonal. Along a shadow's edge there
     /// is only noise; the variance of the whole neighbourhood would include the edge. Not inlined: few histories are short.
@@ -46,7 +46,7 @@ private:
                 light[j][i] = luminance(there.signal());
                 weight[j][i] = i == radius && j == radius ? sampled : sampled * edge_weight(distance);
             }
-        Real least(1e30f);
+        Real minimum(1e30f);
         for (auto const& [dx, dy] : {std::pair{1, 0}, std::pair{0, 1}, std::pair{1, 1}, std::pair{-1, 1}}) {
             Real squares(0.f), weights(0.f);
             for (int j = 0; j + dy < side; ++j)
@@ -57,9 +57,9 @@ private:
                 }
             // A total weight under 1/20 of a pair is no evidence.
             auto const known = weights > Real(0.05f);
-            least = select(known, min(least, squares / select(known, weights, Real(1.f))), least);
+            minimum = select(known, min(minimum, squares / select(known, weights, Real(1.f))), minimum);
         }
-        return select(least < Real(1e30f), least * (0.5f * least_of_four), otherwise);
+        return select(minimum < Real(1e30f), minimum * (0.5f * min_of_four), otherwise);
     }
     static constexpr int max_of(int a, int b) { return a > b ? a : b; }
 };

@@ -7,9 +7,9 @@ namespace quell {
 
 /// The accumulated light after `level` levels of the pilot; 0: before the pilot.
 /// @tparam n the signal's components
-template <int level, int n> struct LessFilteredLight : MadeChannel<n> { static constexpr auto name = "less_filtered_light"; };
+template <int level, int n> struct LessFilteredLight : InternalChannel<n> { static constexpr auto name = "less_filtered_light"; };
 /// The variance of the accumulated light's luminance, before any filter.
-struct UnfilteredVariance : MadeChannel<1> {
+struct UnfilteredVariance : InternalChannel<1> {
     /// @cond
     static constexpr auto name = "unfiltered_variance";
     static constexpr bool squared = true;
@@ -17,7 +17,7 @@ struct UnfilteredVariance : MadeChannel<1> {
 };
 inline constexpr UnfilteredVariance unfiltered_variance;
 /// Mean luminance over a window: of the pilot (x), which has all of the light, and of the fit (y).
-struct LightOfPilotAndFit : MadeChannel<2> {
+struct LightOfPilotAndFit : InternalChannel<2> {
     static constexpr auto name = "light_of_pilot_and_fit";
 };
 inline constexpr LightOfPilotAndFit light_of_pilot_and_fit;
@@ -43,9 +43,9 @@ template <int level, int n> struct KeepLight {
 /// The largest difference of any component.
 template <class V> QUELL_KERNEL auto largest_difference(V const& a, V const& b) {
     return [&]<int... c>(std::integer_sequence<int, c...>) QUELL_INLINED {
-        auto most = abs(component<0>(a) - component<0>(b));
-        ((most = max(most, abs(component<c>(a) - component<c>(b)))), ...);
-        return most;
+        auto maximum = abs(component<0>(a) - component<0>(b));
+        ((maximum = max(maximum, abs(component<c>(a) - component<c>(b)))), ...);
+        return maximum;
     }
     (std::make_integer_sequence<int, components_of<V>>{});
 }
@@ -58,7 +58,7 @@ template <class Edge, int n> struct RegressionOnGuides {
     using reads = Channels<Normal, HistoryLength, Variance, UnfilteredVariance, Light<0>, Light<1>, Light<2>>;
     using emits = Channels<LightOfPilotAndFit>;
     Edge edge;
-    float width, least_width, most_width, tolerance, sigma_light, sigma_noise;
+    float width, min_width, max_width, tolerance, sigma_light, sigma_noise;
 
     QUELL_KERNEL auto filter(auto px) const {
         using Px = decltype(px);
@@ -104,7 +104,7 @@ private:
         auto const relative = clamp(noise / max(light, Real(1e-12f)), Real(1e-6f), Real(1e6f));
         // Cube root to a few percent: a third of the exponent.
         auto const root = from_bits(truncate(fma(to_real(bits(relative)), Real(1.f / 3.f), Real(709921077.f))));
-        auto const w = clamp(root * width, Real(least_width), Real(most_width));
+        auto const w = clamp(root * width, Real(min_width), Real(max_width));
         return 1.f / (w * w);
     }
     /// Adds a square ring of taps. Each stands for stride x stride pixels, and reads light filtered about that wide.
@@ -202,8 +202,8 @@ template <class Edge = Product<DepthEdge, NormalEdge>, int n = 3> struct LocalRe
     ConservingAtrous<> pilot{};             ///< runs first
     Edge edge = detail::loose_edge<Edge>(); ///< which neighbours belong to the same surface
     float width = 25.f;                     ///< distance in pixels at which taps have weight 1/e where the noise is as large as the light
-    float least_width = 4.f;                ///< minimum of that distance
-    float most_width = 24.f;                ///< maximum of that distance
+    float min_width = 4.f;                  ///< minimum of that distance
+    float max_width = 24.f;                 ///< maximum of that distance
     float tolerance = 0.0125f;              ///< difference in the pilot with weight 1/e is the sum of: this part of both pixels' luminance,
     float sigma_light = 1.f;                ///< this many standard deviations of the pilot's noise,
     float sigma_noise = 0.2f;               ///< and this many of the accumulated light's noise
@@ -219,7 +219,7 @@ template <class Edge = Product<DepthEdge, NormalEdge>, int n = 3> struct LocalRe
         };
         pilot.for_each_pass([&](auto const& kernel) { pass(kernel), keep_light(); });
         while (done <= 2) keep_light();
-        pass(Fit{edge, width, least_width, most_width, tolerance, sigma_light, sigma_noise});
+        pass(Fit{edge, width, min_width, max_width, tolerance, sigma_light, sigma_noise});
         for (int const step : {1, 5}) {
             pass(detail::LightLine{step, false});
             pass(detail::LightLine{step, true});

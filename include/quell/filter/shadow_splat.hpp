@@ -8,7 +8,7 @@ namespace quell {
 
 /// Motion and penumbra of the shadow around a pixel. x, y: motion to the previous frame, in pixels. z: width of the penumbra, in pixels. w:
 /// total weight of the pixels that know; 0: no shadow near. x, y and z are means with these weights.
-struct ShadowTrack : MadeChannel<4> {
+struct ShadowTrack : InternalChannel<4> {
     /// @cond
     static constexpr auto name = "shadow_track";
     static constexpr bool full_precision = true; // as Motion
@@ -118,23 +118,23 @@ template <class Source = ShadowMotion, class Edge = DepthEdge> struct ShadowSpla
     }
 };
 
-/// Width of an AdaptiveBilateral on shadows: clamp(part * penumbra, low, most), where low = min(least, part_of_least * penumbra). The
+/// Width of an AdaptiveBilateral on shadows: clamp(part * penumbra, low, most), where low = min(least, part_of_minimum * penumbra). The
 /// second term of `low` keeps narrow penumbrae sharp: they have little noise, and thin shadows may be no wider themselves. The minimum is
 /// 0.1 pixels, which filters nothing; it holds where no shadow is near.
 struct PenumbraWidth {
     using reads = Channels<ShadowTrack>;
-    float part = 0.15f;          ///< standard deviation of the Gaussian, as a part of the penumbra
-    float least = 0.5f;          ///< in pixels; wide enough to reach the next pixels
-    float most = 7.5f;           ///< in pixels
-    float part_of_least = 0.25f; ///< bounds `least` to this part of the penumbra
+    float part = 0.15f;            ///< standard deviation of the Gaussian, as a part of the penumbra
+    float minimum = 0.5f;          ///< in pixels; wide enough to reach the next pixels
+    float maximum = 7.5f;          ///< in pixels
+    float part_of_minimum = 0.25f; ///< bounds `minimum` to this part of the penumbra
 
     /// Standard deviation at the pixel, in pixels.
     QUELL_KERNEL auto of(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const penumbra = px[shadow_track].z;
         // At 0.1 all weights but the centre's are 0 already.
-        auto const low = max(min(Real(least), penumbra * part_of_least), Real(0.1f));
-        return clamp(penumbra * part, low, Real(most));
+        auto const low = max(min(Real(minimum), penumbra * part_of_minimum), Real(0.1f));
+        return clamp(penumbra * part, low, Real(maximum));
     }
 };
 

@@ -7,25 +7,25 @@ namespace quell {
 // Channels that policies make. Kept channels live from frame to frame, emitted channels until the end of the frame.
 
 /// The number of frames that a pixel's history is the mean of; of samples, with KnownSamples{}. 0 where every sample so far was missing.
-struct HistoryLength : MadeChannel<1> {
+struct HistoryLength : InternalChannel<1> {
     static constexpr auto name = "history_length"; ///< for messages
 };
 /// Mean over time of the signal's luminance (Welford's update).
-struct LuminanceMean : MadeChannel<1> {
+struct LuminanceMean : InternalChannel<1> {
     static constexpr auto name = "luminance_mean"; ///< for messages
 };
 /// Variance over time of the signal's luminance (Welford's update).
-struct LuminanceVariance : MadeChannel<1> {
+struct LuminanceVariance : InternalChannel<1> {
     static constexpr auto name = "luminance_variance"; ///< for messages
     static constexpr bool squared = true;              ///< half stores its root
 };
 /// The variance of the luminance that a variance-guided filter uses.
-struct Variance : MadeChannel<1> {
+struct Variance : InternalChannel<1> {
     static constexpr auto name = "variance"; ///< for messages
     static constexpr bool squared = true;    ///< half stores its root
 };
 /// The standard deviation of the clean-up filter, in pixels (TRMV section 5).
-struct CleanUpDeviation : MadeChannel<1> {
+struct CleanUpDeviation : InternalChannel<1> {
     static constexpr auto name = "clean_up_deviation"; ///< for messages
 };
 

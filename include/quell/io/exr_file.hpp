@@ -66,7 +66,7 @@ private:
 namespace detail {
 
 /// A larger picture means a broken header.
-inline constexpr std::int64_t most_pixels = std::int64_t(1) << 28;
+inline constexpr std::int64_t max_pixels = std::int64_t(1) << 28;
 
 inline SampleType sample_type(Imf::PixelType type) {
     if (type == Imf::HALF) return SampleType::half;
@@ -79,7 +79,7 @@ inline std::pair<std::int64_t, std::int64_t> extent_of(Imath::Box2i const& box) 
 }
 inline void check_window(std::string const& file, std::string const& which, Imath::Box2i const& box) {
     auto const [width, height] = extent_of(box);
-    if (width > 0 && height > 0 && width <= most_pixels && height <= most_pixels && width * height <= most_pixels) return;
+    if (width > 0 && height > 0 && width <= max_pixels && height <= max_pixels && width * height <= max_pixels) return;
     throw Error(file, "its " + which + " window is " + std::to_string(width) + "x" + std::to_string(height) + " pixels",
                 "write it again, with at least one pixel and at most 2^28");
 }

@@ -10,7 +10,7 @@ namespace quell {
 struct CatmullRom {
     Bilinear elsewhere{}; ///< fetches kept channels, and the replacement of rejected taps
 
-    /// The Past at the position that a motion source found.
+    /// The HistorySample at the position that a motion source found.
     template <class Px, class FoundPlace> QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& unchecked) const {
         auto past = elsewhere.fetch(px, unchecked);
         auto const known = past.validity > typename Px::Real(0.f);

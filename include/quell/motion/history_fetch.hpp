@@ -8,7 +8,7 @@ namespace quell {
 /// CatmullRom, Nearest.
 /// @tparam V    a value of the signal
 /// @tparam Kept the Record of the kept channels
-template <class V, class Kept> struct Past {
+template <class V, class Kept> struct HistorySample {
     using Real = real_of<V>; ///< float or a pack
     V signal;                ///< interpolated
     vec2<Real> where;        ///< pixel coordinates in the previous frame
@@ -20,7 +20,7 @@ template <class V, class Kept> struct Past {
     template <ChannelTag C> QUELL_KERNEL auto operator[](C c) const { return kept[c]; }
 
     /// Replaces all members in some lanes.
-    QUELL_KERNEL void replace(auto lanes, Past const& other) {
+    QUELL_KERNEL void replace(auto lanes, HistorySample const& other) {
         signal = select(lanes, other.signal, signal);
         where = select(lanes, other.where, where);
         validity = select(lanes, other.validity, validity);
@@ -31,9 +31,9 @@ template <class V, class Kept> struct Past {
 
 namespace detail {
 template <class Px> using KeptRecord = Record<typename Px::Real, typename Px::Scope::kept_channels>;
-template <class Px> using PastOf = Past<typename Px::Signal, KeptRecord<Px>>;
+template <class Px> using HistorySampleOf = HistorySample<typename Px::Signal, KeptRecord<Px>>;
 
-template <class Px> QUELL_KERNEL PastOf<Px> no_past() {
+template <class Px> QUELL_KERNEL HistorySampleOf<Px> no_past() {
     using Real = typename Px::Real;
     return {zero<typename Px::Signal>(), vec2<Real>{Real(0.f), Real(0.f)}, Real(0.f), Real(0.f),
             make_record<Real>(typename Px::Scope::kept_channels{},
@@ -43,7 +43,7 @@ template <class Px> QUELL_KERNEL PastOf<Px> no_past() {
 /// A weighted sum of past pixels.
 template <class Px> struct PastSum {
     using Real = typename Px::Real;
-    PastOf<Px> sum = no_past<Px>();
+    HistorySampleOf<Px> sum = no_past<Px>();
     Real weight = Real(0.f);
 
     QUELL_KERNEL void add(auto const& then, Real w) {
@@ -60,7 +60,7 @@ template <class Px> struct PastSum {
             return select(enough, sum.kept[c], zero<Value<decltype(c)::components, Real>>());
         });
     }
-    QUELL_KERNEL PastOf<Px> mean(auto const& found) const {
+    QUELL_KERNEL HistorySampleOf<Px> mean(auto const& found) const {
         auto const scale_by = masked(weight > Real(0.f), 1.f / weight);
         return {scale(sum.signal, scale_by), found.where, masked(weight > Real(0.f), found.validity), Real(0.f),
                 make_record<Real>(typename Px::Scope::kept_channels{}, [&](auto c) QUELL_INLINED { return scale(sum.kept[c], scale_by); })};
@@ -118,15 +118,15 @@ template <class V, class Mask> Interpolated(V, Mask) -> Interpolated<V, Mask>; /
 /// Bilinear history fetch. Rejected taps are left out and the weights renormalised. Where less than 1 % of the weight is accepted, the mean
 /// of the accepted pixels in the 3x3 around the position is used.
 struct Bilinear {
-    bool rescue = true; ///< whether the 3x3 is used
+    bool use_3x3 = true; ///< whether the 3x3 is used
 
-    /// The Past at the position that a motion source found.
+    /// The HistorySample at the position that a motion source found.
     template <class Px, class FoundPlace> QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& unchecked) const {
         auto const found = detail::sane(px, unchecked);
         detail::PastSum<Px> sum;
         each_tap(px, found, [&](auto const& then, auto w) QUELL_INLINED { sum.add(then, w); });
-        auto const enough = sum.weight > least_weight;
-        if (rescue && any(both(invert(enough), found.validity > real_of<decltype(sum.weight)>(0.f)))) {
+        auto const enough = sum.weight > min_weight;
+        if (use_3x3 && any(both(invert(enough), found.validity > real_of<decltype(sum.weight)>(0.f)))) {
             // A copy: the original then stays in registers.
             auto const narrow = sum;
             return detail::rescued(px, found, narrow, enough).mean(found);
@@ -146,12 +146,12 @@ struct Bilinear {
             sum = add_scaled(sum, value_of(then), w);
             weight = weight + w;
         });
-        auto const enough = weight > Real(least_weight);
+        auto const enough = weight > Real(min_weight);
         return detail::Interpolated{scale(sum, masked(enough, 1.f / weight)), enough};
     }
 
 private:
-    static constexpr float least_weight = 0.01f; ///< least accepted weight
+    static constexpr float min_weight = 0.01f; ///< least accepted weight
 
     /// Calls `visit(past pixel, weight)` for each tap; the weight is 0 where it is not accepted.
     template <class Px, class FoundPlace, class Visit>
@@ -173,7 +173,7 @@ private:
 
 /// History fetch from the one pixel that contains the position, if it is accepted. The cheapest; positions are off by up to half a pixel.
 struct Nearest {
-    /// The Past at the position that a motion source found.
+    /// The HistorySample at the position that a motion source found.
     template <class Px, class FoundPlace> QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& unchecked) const {
         using Real = typename Px::Real;
         auto const found = detail::sane(px, unchecked);

@@ -9,7 +9,7 @@ namespace quell {
 struct SamePlane {
     using remembers = Channels<Depth, Normal>; ///< of the previous frame
     float tolerance = 0.02f;                   ///< allowed distance from the plane, as a part of the past pixel's depth
-    float least_cosine = 0.9f;                 ///< least cosine of the angle between the normals, now and then
+    float min_cosine = 0.9f;                   ///< least cosine of the angle between the normals, now and then
 
     /// @cond
     template <class Real> struct Found {
@@ -17,20 +17,20 @@ struct SamePlane {
         Real validity;
         detail::Plane<Real> plane;
         PixelRays const& rays;
-        float tolerance, least_cosine;
+        float tolerance, min_cosine;
 
         QUELL_KERNEL auto accepts(auto const& then, Real, Real) const {
             auto const z = then[depth];
             auto const away = abs(dot(rays.position(then.sample_position(), z) - plane.point, plane.normal));
             auto const off = z * tolerance;
-            return both(is_finite(z), away<off, dot(then[normal], plane.normal)> Real(least_cosine));
+            return both(is_finite(z), away<off, dot(then[normal], plane.normal)> Real(min_cosine));
         }
     };
     /// @endcond
     /// A reprojection with this test. `plane` is the plane in the previous frame, in world space.
     template <class Px, class Real>
     QUELL_KERNEL Found<Real> found(Px const& px, vec2<Real> const& where, Real validity, detail::Plane<Real> const& plane) const {
-        return {where, validity, plane, px.rays_then(), tolerance, least_cosine};
+        return {where, validity, plane, px.rays_then(), tolerance, min_cosine};
     }
 };
 

@@ -11,7 +11,7 @@ namespace quell {
 struct ShadowMotion {
     using reads = decltype(detail::TangentPlaneChannels{} | Channels<Light, LightPrevious, Blocker, BlockerPrevious>{}); ///< of this frame
     static constexpr bool needs_camera = true;                                                                           ///< to project
-    float least_sine = 0.02f; ///< least sine of the angle between line and plane
+    float min_sine = 0.02f; ///< least sine of the angle between line and plane
 
     /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
@@ -22,7 +22,7 @@ struct ShadowMotion {
         if (!any(blocked)) return Reprojection<Real>{px.position(), Real(0.f)};
         auto const plane = detail::tangent_plane_then(px);
         auto const approach = dot(line, plane.normal), distance = dot(plane.point - light, plane.normal);
-        auto const steep = abs(approach) > detail::length(line) * least_sine;
+        auto const steep = abs(approach) > detail::length(line) * min_sine;
         // t = 0 is the light sample, t = 1 the blocker.
         auto const t = distance / select(steep, approach, Real(1.f));
         auto const then = px.project_to_past(add_scaled(light, line, t));

@@ -63,19 +63,19 @@ struct SameDepth {
 struct SameNormal {
     using reads = Channels<Normal>;     ///< of this frame
     using remembers = Channels<Normal>; ///< of the previous frame
-    float least_cosine = 0.8f;          ///< of the angle between the normals
+    float min_cosine = 0.8f;            ///< of the angle between the normals
 
     /// @cond
     template <class Real> struct Facing {
         vec3<Real> n;
-        Real least_cosine;
-        QUELL_KERNEL auto accepts(auto const& then, Real, Real) const { return dot(n, then[normal]) > least_cosine; }
+        Real min_cosine;
+        QUELL_KERNEL auto accepts(auto const& then, Real, Real) const { return dot(n, then[normal]) > min_cosine; }
     };
     QUELL_KERNEL auto around(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const n = px[normal];
         auto const given = detail::is_direction(n);
-        return Facing<Real>{select(given, n, zero<vec3<Real>>()), select(given, Real(least_cosine), Real(-1.f))};
+        return Facing<Real>{select(given, n, zero<vec3<Real>>()), select(given, Real(min_cosine), Real(-1.f))};
     }
     /// @endcond
 };

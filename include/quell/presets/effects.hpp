@@ -28,7 +28,7 @@ namespace quell::presets {
 /// Compared with shadow_paper: a narrower filter, a shorter history, a tighter clamp, history that is forgotten where the light changes,
 /// and a sharper fetch, which thin shadows need.
 constexpr auto shadow(ChannelTag auto signal, auto... parts) {
-    constexpr ForgetChanged<Exponential> accumulated{.inner = {.alpha = 0.4f}, .by_chance = 2.f, .sharpness = 0.3f};
+    constexpr ForgetChanged<Exponential> accumulated{.inner = {.alpha = 0.4f}, .noise_threshold = 2.f, .sharpness = 0.3f};
     return Pipeline{signal,
                     parts...,
                     Spatial{ShadowSplat{}},
@@ -44,7 +44,7 @@ constexpr auto shadow(ChannelTag auto signal, auto... parts) {
 /// that a rough lobe shows.
 /// @tparam Mirror where the virtual image lies: FlatMirror or ThinLens
 template <class Mirror = ThinLens> constexpr auto glossy(ChannelTag auto signal, auto... parts) {
-    constexpr ForgetChanged<RunningMean> accumulated{.inner = {.cap = 4.f}, .by_chance = 2.f, .sharpness = 0.3f};
+    constexpr ForgetChanged<RunningMean> accumulated{.inner = {.cap = 4.f}, .noise_threshold = 2.f, .sharpness = 0.3f};
     return Pipeline{signal, parts..., Spatial{ChangeDetector<>{.levels = 1}},
                     Temporal{FirstValid{ImageMotion{Mirror{}}, SurfaceMotion{}}, WithMoments{accumulated}},
                     Spatial{VarianceGuidedAtrous<Product<DepthEdge, NormalEdge, LobeEdge>>{.levels = 4, .feedback = false}}};

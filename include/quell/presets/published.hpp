@@ -36,7 +36,7 @@ constexpr auto shadow_paper(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal,
                     parts...,
                     Spatial{ShadowSplat{}},
-                    Spatial{AdaptiveBilateral<PenumbraWidth>{.width = {.part = 0.25f, .part_of_least = 1e9f}, .radius = 15}},
+                    Spatial{AdaptiveBilateral<PenumbraWidth>{.width = {.part = 0.25f, .part_of_minimum = 1e9f}, .radius = 15}},
                     Temporal{FirstValid{SplattedShadowMotion{}, SurfaceMotion{}},
                              Clamped{WithCleanUp{NonPlanarFalloff{Exponential{.alpha = 0.1f}}}, MeanDeviation{.sigmas = 3.f}}},
                     Spatial{CleanUp<>{}}};
@@ -62,7 +62,7 @@ constexpr auto dual_color(ChannelTag auto signal, auto... parts) {
 /// Diffuse indirect light as in TRMV section 4.3: six cones in every pass.
 constexpr auto dual_cone_paper(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal, Cones{}, parts..., Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, RunningMean{.cap = 32.f}, ConeFetch{}},
-                    Spatial{ConeAtrous<Product<DepthEdge, NormalEdge>>{.least_cosine = 0.9f}}};
+                    Spatial{ConeAtrous<Product<DepthEdge, NormalEdge>>{.min_cosine = 0.9f}}};
 }
 
 /// blur() with plain reprojection instead of the search for the history.

@@ -13,7 +13,7 @@ template <class Edge> struct ConeLevel {
     using reads = Channels<Normal>;
     Edge edge;
     int step = 1;
-    float least_cosine = 0.f;
+    float min_cosine = 0.f;
 
     QUELL_KERNEL auto filter(auto px) const {
         using Px = decltype(px);
@@ -41,7 +41,7 @@ template <class Edge> struct ConeLevel {
             auto const agree = cone::same_axes(n, there);
             same[t] = masked(agree, w);
             // Small weights are 0 in every lane: the result must not depend on the other pixels of the pack.
-            other[t] = select(either(agree, dot(n, there) < Real(least_cosine), w < Real(1e-4f)), Real(0.f), w);
+            other[t] = select(either(agree, dot(n, there) < Real(min_cosine), w < Real(1e-4f)), Real(0.f), w);
             turned = turned || any(other[t] > Real(0.f));
             sum_of_weights = sum_of_weights + same[t];
         }
@@ -94,13 +94,13 @@ template <class Edge = DepthEdge> struct ConeAtrous {
     using Level = detail::ConeLevel<Edge>;
     using parts = Parts<Level>;
     /// @endcond
-    Edge edge{};              ///< which places count
-    int levels = 4;           ///< passes
-    float least_cosine = 0.f; ///< surfaces whose normals have a smaller cosine between them do not count
+    Edge edge{};            ///< which places count
+    int levels = 4;         ///< passes
+    float min_cosine = 0.f; ///< surfaces whose normals have a smaller cosine between them do not count
 
     /// One pass per level.
     constexpr void for_each_pass(auto&& pass) const {
-        for (int i = 0; i < levels; ++i) pass(Level{edge, 1 << i, least_cosine});
+        for (int i = 0; i < levels; ++i) pass(Level{edge, 1 << i, min_cosine});
     }
 };
 

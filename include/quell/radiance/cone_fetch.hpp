@@ -48,16 +48,16 @@ private:
         using Real = typename Px::Real;
         auto const place = nearest_place(px, found.where);
         vec3<Real> n{Real(0.f), Real(0.f), Real(0.f)};
-        Real least(9.f);
+        Real minimum(9.f);
         for (int j = -1; j <= 1; ++j)
             for (int i = -1; i <= 1; ++i) {
                 auto const then = px.past(place, i, j);
                 auto const x = place.column - found.where.x + (static_cast<float>(i) + 0.5f),
                            y = place.row - found.where.y + (static_cast<float>(j) + 0.5f);
                 auto const distance = fma(x, x, y * y);
-                auto const nearer = both(detail::counts<Real>(then, found), distance < least);
+                auto const nearer = both(detail::counts<Real>(then, found), distance < minimum);
                 n = select(nearer, then[normal], n);
-                least = select(nearer, distance, least);
+                minimum = select(nearer, distance, minimum);
             }
         return n;
     }

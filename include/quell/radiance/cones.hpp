@@ -40,7 +40,7 @@ namespace quell {
 
 /// Incident radiance in six cones. Component 4 k + c is the sum of cone k's samples in colour c; component 4 k + 3 is their number. Sums
 /// can be filtered linearly; the radiance of a cone is their quotient, taken at the end. Axes are in world space (cone::Axes).
-struct ConeRadiance : MadeChannel<24> {
+struct ConeRadiance : InternalChannel<24> {
     static constexpr auto name = "cone_radiance";
 };
 inline constexpr ConeRadiance cone_radiance;

@@ -5,7 +5,7 @@
 struct DepthUnderIt {
     static constexpr int fraction = 2;
     using reads = quell::Channels<quell::Depth>;
-    struct Half : quell::MadeChannel<1> {
+    struct Half : quell::InternalChannel<1> {
         static constexpr auto name = "half";
         static constexpr int fraction = 2;
     };

@@ -1,7 +1,7 @@
 // error: a policy returns a channel that it does not list: add the channel to its `emits` or `keeps`
 #include <quell/quell.hpp>
 
-struct HalfDepth : quell::MadeChannel<1> {
+struct HalfDepth : quell::InternalChannel<1> {
     static constexpr auto name = "half_depth";
 };
 struct Halve {

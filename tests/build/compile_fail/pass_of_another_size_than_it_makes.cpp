@@ -1,7 +1,7 @@
 // error: a pass makes a channel of another size than its own: give the pass and what it `emits` the same `fraction`
 #include <quell/quell.hpp>
 
-struct HalfDepth : quell::MadeChannel<1> {
+struct HalfDepth : quell::InternalChannel<1> {
     static constexpr auto name = "half_depth";
     static constexpr int fraction = 2;
 };

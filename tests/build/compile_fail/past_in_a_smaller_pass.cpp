@@ -1,7 +1,7 @@
 // error: a pass of a fraction of the frame's size looks at the past, the camera or parts of the signal
 #include <quell/quell.hpp>
 
-struct HalfLight : quell::MadeChannel<1> {
+struct HalfLight : quell::InternalChannel<1> {
     static constexpr auto name = "half_light";
     static constexpr int fraction = 2;
 };

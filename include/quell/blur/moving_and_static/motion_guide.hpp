@@ -21,21 +21,21 @@
 namespace quell {
 
 /// Mean sweep of the moving samples around a pixel, in pixels: opposite directions cancel. 0 where nothing moves.
-struct GuideSweep : MadeChannel<2> {
+struct GuideSweep : InternalChannel<2> {
     static constexpr auto name = "guide_sweep";
 };
 /// Axis of motion around a pixel: opposite directions count as one. Its length is the mean length of the sweeps, in pixels; 0 where nothing
 /// moves.
-struct GuideAxis : MadeChannel<2> {
+struct GuideAxis : InternalChannel<2> {
     static constexpr auto name = "guide_axis";
 };
 /// Spread of the sweeps around a pixel: variance of their lengths (pixels^2); circular variance of their axes (0: all equal, 1: no
 /// direction prevails); and the share of samples that move.
-struct GuideSpread : MadeChannel<3> {
+struct GuideSpread : InternalChannel<3> {
     static constexpr auto name = "guide_spread";
 };
 /// Mean bend of the trajectories around a pixel, in pixels. Made only with bends.
-struct GuideBend : MadeChannel<2> {
+struct GuideBend : InternalChannel<2> {
     static constexpr auto name = "guide_bend";
 };
 /// The channel GuideSweep.
@@ -49,7 +49,7 @@ inline constexpr GuideBend guide_bend;
 
 namespace detail {
 /// Sums over a row: `all` counts its samples, the rest sums over those that move. Bends only where trajectories have them.
-template <class Trajectories> struct MotionSums : MadeChannel<Trajectories::bent ? 11 : 9> {
+template <class Trajectories> struct MotionSums : InternalChannel<Trajectories::bent ? 11 : 9> {
     static constexpr auto name = "motion_sums";
     enum { all, number, sweep_x, sweep_y, length, squared_length, doubled_cosine, doubled_sine, depth, bend_x, bend_y };
 };

@@ -7,7 +7,7 @@
 namespace quell {
 
 /// Longest sweep that may reach a pixel, in pixels; 0 where none does.
-struct DominantSweep : MadeChannel<2> {
+struct DominantSweep : InternalChannel<2> {
     static constexpr auto name = "dominant_sweep";
 };
 /// The channel DominantSweep.

@@ -14,7 +14,7 @@ struct RotatingTrajectories {
 namespace detail {
 /// Sums over neighbours of the same surface: how far the sweep's direction differs times the distance along the motion; and that distance,
 /// squared. Their ratio is the rotation while the shutter is open.
-struct RotationSums : MadeChannel<2> {
+struct RotationSums : InternalChannel<2> {
     static constexpr auto name = "rotation_sums";
 };
 inline constexpr RotationSums rotation_sums;
@@ -34,7 +34,7 @@ struct TurnEvidenceOf {
     static constexpr bool leaves_signal = true;
     using reads = Channels<SampleTrajectory<StraightTrajectories>>;
     using emits = Channels<RotationSums>;
-    static constexpr float least_turn = 2e-3f; ///< about radians; less counts as no rotation
+    static constexpr float min_turn = 2e-3f; ///< about radians; less counts as no rotation
     static constexpr int radius = 1;
     OneThing one_thing;
     int step;
@@ -67,7 +67,7 @@ struct TurnEvidenceOf {
         auto const mixed = along_across / across_across;
         auto const spread = max(fma(-mixed, along_across, along_along), Real(0.f)), turned = fma(-mixed, turned_across, turned_along);
         // No rotation at all is cheap for TurningPathOf to find.
-        auto const turns = both(turnable, abs(turned) > spread * Real(least_turn));
+        auto const turns = both(turnable, abs(turned) > spread * Real(min_turn));
         return emitted<Real>(rotation_sums, vec2<Real>{masked(turns, turned), masked(turnable, spread)});
     }
 };
@@ -80,13 +80,13 @@ struct TurningPathOf {
     static constexpr int radius = 2;
     OneThing one_thing;
     int step;
-    float least_evidence, least_bend;
+    float min_evidence, min_bend;
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
         auto const own = usable_sample<StraightTrajectories>(px);
         auto const turn = masked(both(own.known(), own.moves()), sagitta(px, own));
-        auto const bent = turn * turn * own.squared_length() > Real(least_bend * least_bend);
+        auto const bent = turn * turn * own.squared_length() > Real(min_bend * min_bend);
         return emitted<Real>(SampleTrajectory<RotatingTrajectories>{}, make_value<6, Real>([&](auto c) QUELL_INLINED {
                                  if constexpr (c < 5)
                                      return component<c>(own.at);
@@ -109,7 +109,7 @@ private:
         });
         // Sweeps are chords, so the slope is twice the sine of half the angle.
         auto const half_sine = clamp(sums.x / max(sums.y, Real(1e-9f)) * 0.5f, Real(-0.99f), Real(0.99f));
-        return masked(sums.y > Real(least_evidence), half_sine * 0.5f / (sqrt(fma(-half_sine, half_sine, Real(1.f))) + 1.f));
+        return masked(sums.y > Real(min_evidence), half_sine * 0.5f / (sqrt(fma(-half_sine, half_sine, Real(1.f))) + 1.f));
     }
 };
 } // namespace detail
@@ -124,16 +124,16 @@ template <> struct PathGuide<RotatingTrajectories> {
     static constexpr bool leaves_signal = true;
     /// Spacing in pixels of the 3x3 samples that are compared, and of the 5x5 such comparisons that are summed.
     int near_step = 3, far_step = 9;
-    float depth_gap = 0.1f;       ///< relative; largest difference of inverse depth within a surface
-    float likeness = 0.7f;        ///< largest difference of two sweeps within a surface, relative to the pixel's own
-    float least_evidence = 1e-3f; ///< least sum of the squared distances along the motion, in squared sweeps; below it nothing bends
-    float least_bend = 0.05f;     ///< pixels; a trajectory that bends less is linear
+    float depth_gap = 0.1f;     ///< relative; largest difference of inverse depth within a surface
+    float likeness = 0.7f;      ///< largest difference of two sweeps within a surface, relative to the pixel's own
+    float min_evidence = 1e-3f; ///< least sum of the squared distances along the motion, in squared sweeps; below it nothing bends
+    float min_bend = 0.05f;     ///< pixels; a trajectory that bends less is linear
 
     constexpr void for_each_pass(auto&& pass) const {
         detail::OneThing const one_thing{depth_gap, likeness};
         pass(detail::SampleTrajectoryOf<StraightTrajectories>{});
         pass(detail::TurnEvidenceOf{one_thing, near_step});
-        pass(detail::TurningPathOf{one_thing, far_step, least_evidence, least_bend});
+        pass(detail::TurningPathOf{one_thing, far_step, min_evidence, min_bend});
     }
 };
 

@@ -18,7 +18,7 @@ template <class Trajectories, class Real> struct LayerClassifier {
         towards = {(f.x - b.x) * apart, (f.y - b.y) * apart};
         middle = fma((f.x + b.x) * 0.5f, towards.x, (f.y + b.y) * 0.5f * towards.y);
         auto const gap = abs(inverse_depth_of(front) - inverse_depth_of(back));
-        per_gap = masked(gap > min(inverse_depth_of(front), inverse_depth_of(back)) * least_depth_gap, 1.f / max(gap, Real(1e-9f)));
+        per_gap = masked(gap > min(inverse_depth_of(front), inverse_depth_of(back)) * min_depth_gap, 1.f / max(gap, Real(1e-9f)));
     }
     /// By velocity, and also by depth where the two differ in it.
     template <class M> QUELL_KERNEL auto is_front(M const& m) const {

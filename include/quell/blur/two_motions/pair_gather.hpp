@@ -28,14 +28,14 @@ template <ChannelTag S, class Trajectories = StraightTrajectories, class Footpri
     using reads = Channels<LayerMotions<Trajectories>, SampleTrajectory<Trajectories>>;
     using emits = Channels<ForegroundLayer<Signal>, ForegroundSweep, BackgroundLayer<Signal>, MeanSweep>;
     /// Largest useful `count`.
-    static constexpr int most_samples = detail::LineOfPixels::most;
-    static constexpr int most_lanes = 8; ///< largest useful SIMD width: a tile's
-    int count = 64;      ///< samples per pixel, up to `most_samples`; with two velocities, half along each. AdaptiveFootprint adds others.
+    static constexpr int max_samples = detail::LineOfPixels::maximum;
+    static constexpr int max_lanes = 8; ///< largest useful SIMD width: a tile's
+    int count = 64;      ///< samples per pixel, up to `max_samples`; with two velocities, half along each. AdaptiveFootprint adds others.
     float reach = 0.65f; ///< how far to look along a sweep, as a fraction of it: samples farther away rarely pass in time
     float width = 1.f;   ///< pixels, above 0; distance of closest approach at which a sample's weight reaches 0
     float bend_influence = 0.1f;   ///< increase of `width` per pixel of bend, up to twice: bends are known less exactly
     float depth_tolerance = 0.02f; ///< relative difference of depth from which on a surface is behind another
-    /// Pixels of a row, at least 1, that share their lines: neighbours' samples are then neighbours in memory. See most_lanes for wider
+    /// Pixels of a row, at least 1, that share their lines: neighbours' samples are then neighbours in memory. See max_lanes for wider
     /// packs.
     int tile_width = 8;
     [[no_unique_address]] Footprint footprint{}; ///< how far to look
@@ -62,8 +62,8 @@ private:
             Real per_pixel;                      ///< 1 / match radius, per pixel
             detail::StandardError<Real> error{}; ///< of the mean's luminance
         } front_width, back_width;
-        detail::StratifiedMean<Value<Signal::components + 1, Real>, most_samples + 1> in_front; ///< signal and coverage
-        detail::StratifiedMean<Colour, most_samples + 1> behind;
+        detail::StratifiedMean<Value<Signal::components + 1, Real>, max_samples + 1> in_front; ///< signal and coverage
+        detail::StratifiedMean<Colour, max_samples + 1> behind;
         /// Weighted mean of sweeps.
         struct Swept {
             vec2<Real> sum{Real(0.f), Real(0.f)}; ///< of sweeps, weighted
@@ -81,7 +81,7 @@ private:
             : settings(g), own(detail::usable_sample<Trajectories>(px)), of(px.elsewhere(g.shared(px), LayerMotions<Trajectories>{})),
               own_in_front(of.is_front(own.screen_motion())), own_still(own_speed() <= Real(detail::still_squared)),
               back_moves(detail::squared_speed(of.back) > Real(detail::still_squared)),
-              front_per_length(1.f / max(speed(of.front), Real(Trajectory<float>::least))), front_width{per_width(of.front)},
+              front_per_length(1.f / max(speed(of.front), Real(Trajectory<float>::minimum))), front_width{per_width(of.front)},
               back_width{per_width(of.back)}, in_front(speed(of.front)), behind(speed(of.back)) {}
 
         /// Tile by tile: all pixels of a tile look at the same offsets, so that a pack loads neighbours. A pack may span several tiles.
@@ -118,7 +118,7 @@ private:
         QUELL_KERNEL void gather_along(What what, Px const& px, int k, Mask tile, ScreenMotion const& screen_motion, int shares,
                                        Width& width) {
             auto const speed = in_lane(detail::speed_of(screen_motion), k), bend = in_lane(detail::bend_of(screen_motion), k);
-            int const count = settings.count < most_samples ? settings.count : most_samples;
+            int const count = settings.count < max_samples ? settings.count : max_samples;
             detail::LineOfPixels const line(speed, bend, settings.reach, count / shares);
             auto const visit = [&](int dx, int dy) QUELL_INLINED { add<As>(what, px, dx, dy, tile); };
             if constexpr (std::is_same_v<What, ForBack>)
@@ -129,7 +129,7 @@ private:
                 auto const unsure = both(tile, width.error.above(settings.footprint.allowed_error));
                 if (!any(unsure)) return;
                 width.per_pixel = select(unsure, width.per_pixel * 0.5f, width.per_pixel);
-                int const room = most_samples / shares - line.size();
+                int const room = max_samples / shares - line.size();
                 detail::LineOfPixels(speed, bend, settings.reach, line.slanted ? room : room / 2)
                     .for_each_beside([&](int dx, int dy) QUELL_INLINED { add<As>(what, px, dx, dy, unsure); });
             }

@@ -25,7 +25,7 @@ namespace quell {
 /// with bends. A rotating surface has the velocity that it would have at the pixel. Where there is only one motion it is the background's,
 /// and the foreground's inverse depth is negative. Only rows detail::row_of_pair hold a value; a pair holds for its surroundings.
 /// @tparam Trajectories StraightTrajectories, BentTrajectories or RotatingTrajectories
-template <class Trajectories> struct LayerMotions : MadeChannel<Trajectories::bent ? 8 : 6> {
+template <class Trajectories> struct LayerMotions : InternalChannel<Trajectories::bent ? 8 : 6> {
     static constexpr auto name = "layer_motions";
 };
 
@@ -56,22 +56,22 @@ template <int which, class J> QUELL_KERNEL auto one_of(J const& both) {
 /// Keeps the motion that is largest by some measure.
 template <class M> struct Extreme {
     M screen_motion;
-    real_of<M> most;
+    real_of<M> maximum;
     QUELL_KERNEL void offer(M const& other, real_of<M> much) {
-        auto const more = much > most;
+        auto const more = much > maximum;
         screen_motion = select(more, other, screen_motion);
-        most = select(more, much, most);
+        maximum = select(more, much, maximum);
     }
 };
 template <class M> Extreme(M, real_of<M>) -> Extreme<M>; // clang 14 has no deduction for aggregates
 
 /// Relative difference of inverse depth below which depth does not tell the foreground.
-inline constexpr float least_depth_gap = 0.02f;
+inline constexpr float min_depth_gap = 0.02f;
 
-template <class Trajectories> struct RowExtremes : MadeChannel<2 * components_of<PlacedMotion<Trajectories, float>>> {
+template <class Trajectories> struct RowExtremes : InternalChannel<2 * components_of<PlacedMotion<Trajectories, float>>> {
     static constexpr auto name = "row_extremes";
 };
-template <class Trajectories> struct LocalPair : MadeChannel<2 * components_of<PlacedMotion<Trajectories, float>>> {
+template <class Trajectories> struct LocalPair : InternalChannel<2 * components_of<PlacedMotion<Trajectories, float>>> {
     static constexpr auto name = "local_pair";
 };
 
@@ -112,7 +112,7 @@ template <class Trajectories> struct LocalPairOf {
     using reads = Channels<RowExtremes<Trajectories>>;
     using emits = Channels<LocalPair<Trajectories>>;
     int radius;
-    float least, relative, depth_gap, unlike, unlike_least;
+    float minimum, relative, depth_gap, unlike, unlike_minimum;
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
@@ -130,7 +130,7 @@ template <class Trajectories> struct LocalPairOf {
             other.offer(one_of<0>(row), squared_difference(one_of<0>(row), a));
             other.offer(one_of<1>(row), squared_difference(one_of<1>(row), a));
         }
-        return emitted<Real>(LocalPair<Trajectories>{}, ordered(a, fastest.most, other.screen_motion, other.most));
+        return emitted<Real>(LocalPair<Trajectories>{}, ordered(a, fastest.maximum, other.screen_motion, other.maximum));
     }
 
 private:
@@ -138,18 +138,18 @@ private:
     template <class M, class Real> QUELL_KERNEL auto ordered(M const& a, Real squared, M const& b, Real difference) const {
         auto const near_a = inverse_depth_of(a), near_b = inverse_depth_of(b), nearer = max(near_a, near_b), farther = min(near_a, near_b);
         auto const speed = sqrt(squared);
-        auto const alike = fma(max(speed - 1.f, Real(0.f)), Real(relative), Real(least));
+        auto const alike = fma(max(speed - 1.f, Real(0.f)), Real(relative), Real(minimum));
         // A slanted or rotating surface has different velocities, but within a window they differ less than this.
-        auto const unlike_by = fma(speed, Real(unlike), Real(unlike_least));
+        auto const unlike_by = fma(speed, Real(unlike), Real(unlike_minimum));
         auto const two = both(difference > alike * alike, either(nearer > farther * (1.f + depth_gap), difference > unlike_by * unlike_by,
                                                                  squared_speed(b) <= Real(still_squared)));
         // At equal depth the faster one is the foreground.
-        auto const level = nearer <= farther * (1.f + least_depth_gap);
+        auto const level = nearer <= farther * (1.f + min_depth_gap);
         auto const a_in_front = both(two, either(level, near_a > near_b));
-        auto const front = select(two, select(a_in_front, a, b), at_nearness(a, Real(-1.f)));
+        auto const front = select(two, select(a_in_front, a, b), with_inverse_depth(a, Real(-1.f)));
         return joined(front, select(a_in_front, b, a));
     }
-    template <class M, class Real> QUELL_KERNEL static M at_nearness(M const& screen_motion, Real inverse_depth) {
+    template <class M, class Real> QUELL_KERNEL static M with_inverse_depth(M const& screen_motion, Real inverse_depth) {
         return make_value<components_of<M>, Real>([&](auto c) QUELL_INLINED {
             if constexpr (c == 2)
                 return inverse_depth;
@@ -202,18 +202,18 @@ template <class Trajectories = StraightTrajectories> struct PairGuide {
     static constexpr bool leaves_signal = true;
     /// Half width and half height of the window, in pixels.
     int across = 4, down = 1;
-    float least = 0.1f;     ///< pixels; velocities that differ by less are equal
-    float relative = 0.25f; ///< added to `least` per pixel of the faster speed beyond the first
-    /// Relative, but `unlike_least` in pixels: surfaces that differ by less in depth are one, unless one is static or their velocities
-    /// differ by more than `unlike` times the faster speed plus `unlike_least`.
-    float depth_gap = 0.05f, unlike = 0.5f, unlike_least = 2.f;
+    float minimum = 0.1f;   ///< pixels; velocities that differ by less are equal
+    float relative = 0.25f; ///< added to `minimum` per pixel of the faster speed beyond the first
+    /// Relative, but `unlike_minimum` in pixels: surfaces that differ by less in depth are one, unless one is static or their velocities
+    /// differ by more than `unlike` times the faster speed plus `unlike_minimum`.
+    float depth_gap = 0.05f, unlike = 0.5f, unlike_minimum = 2.f;
     float likeness = 0.5f; ///< match radius to either motion of a neighbour's pair, relative to the difference between these
     [[no_unique_address]] PathGuide<Trajectories> paths{}; ///< makes SampleTrajectory
 
     constexpr void for_each_pass(auto&& pass) const {
         paths.for_each_pass(pass);
         pass(detail::RowExtremesOf<Trajectories>{across});
-        pass(detail::LocalPairOf<Trajectories>{down, least, relative, depth_gap, unlike, unlike_least});
+        pass(detail::LocalPairOf<Trajectories>{down, minimum, relative, depth_gap, unlike, unlike_minimum});
         pass(detail::NearestPair<Trajectories>{2 * across, detail::rows_of_pair * down, likeness});
     }
 };

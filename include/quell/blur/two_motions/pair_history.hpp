@@ -20,7 +20,7 @@ template <ChannelTag S> struct PairFetch {
     template <class Px, class Found> QUELL_KERNEL auto fetch(Px const& px, Found const& unchecked) const {
         constexpr BackgroundLayer<Signal> back;
         // The rest of the past is needed only where samples are missing.
-        auto past = any(px.missing()) ? Bilinear{.rescue = false}.fetch(px, unchecked) : detail::no_past<Px>();
+        auto past = any(px.missing()) ? Bilinear{.use_3x3 = false}.fetch(px, unchecked) : detail::no_past<Px>();
         auto const found = detail::sane(px, unchecked);
         auto const known = interpolated(px, found, back);
         past.where = found.where;
@@ -97,8 +97,8 @@ template <ChannelTag S> struct PairBlend {
 
 private:
     /// Limit of the samples that a layer's past counts as, by its sweep.
-    template <class Real> QUELL_KERNEL Real at_most(float most, vec2<Real> const& sweep) const {
-        return min(sqrt(fma(sweep.x, sweep.x, sweep.y * sweep.y)) * (most / slow), Real(most));
+    template <class Real> QUELL_KERNEL Real at_most(float maximum, vec2<Real> const& sweep) const {
+        return min(sqrt(fma(sweep.x, sweep.x, sweep.y * sweep.y)) * (maximum / slow), Real(maximum));
     }
     /// Share of this frame's samples in the mean.
     template <class Real> QUELL_KERNEL static Real share_of(Real samples, Real past) {

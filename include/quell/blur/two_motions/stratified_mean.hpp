@@ -9,18 +9,18 @@ namespace quell::detail {
 /// weights of all strata are known.
 /// @tparam V the values, times their weights
 /// @tparam most samples kept per pixel: no more may be added
-template <class V, int most> struct StratifiedMean {
+template <class V, int maximum> struct StratifiedMean {
     using Real = real_of<V>;
-    static constexpr int most_parts = 8; ///< each is at least as long as it takes to cross `pixels_a_part`
+    static constexpr int max_parts = 8; ///< each is at least as long as it takes to cross `pixels_a_part`
     static constexpr float pixels_a_part = 0.5f;
     static constexpr int components = components_of<V>;
-    Real count;                      ///< number of strata, from 1
-    Real weight[most_parts];         ///< sum of weights per stratum
-    Real held[most][components + 1]; ///< weighted values, then the index of the stratum
+    Real count;                         ///< number of strata, from 1
+    Real weight[max_parts];             ///< sum of weights per stratum
+    Real held[maximum][components + 1]; ///< weighted values, then the index of the stratum
     int size = 0, next = 0;
 
     QUELL_KERNEL explicit StratifiedMean(Real pixels)
-        : count(floor(clamp(pixels * (1.f / pixels_a_part), Real(1.f), Real(static_cast<float>(most_parts))))) {
+        : count(floor(clamp(pixels * (1.f / pixels_a_part), Real(1.f), Real(static_cast<float>(max_parts))))) {
         for (auto& w : weight) w = Real(0.f);
     }
     /// Starts over for other pixels of the pack, which reuse the slots.
@@ -32,7 +32,7 @@ template <class V, int most> struct StratifiedMean {
         auto const counts = w > Real(0.f);
         if (!any(counts)) return;
         auto const part = clamp(floor(when * count), Real(0.f), count - 1.f);
-        for_each<most_parts>([&](auto i) QUELL_INLINED { weight[i] = weight[i] + masked(part == Real(static_cast<float>(i)), w); });
+        for_each<max_parts>([&](auto i) QUELL_INLINED { weight[i] = weight[i] + masked(part == Real(static_cast<float>(i)), w); });
         auto& place = held[next];
         if (next++ == size) {
             ++size;
@@ -44,28 +44,28 @@ template <class V, int most> struct StratifiedMean {
         }
     }
     QUELL_KERNEL V mean() const {
-        Real share[most_parts];
+        Real share[max_parts];
         find_shares(share);
         auto sum = zero<V>();
         for (int k = 0; k < size; ++k) {
             auto const& one = held[k];
             auto const value = make_value<components, Real>([&](auto c) QUELL_INLINED { return one[c]; });
-            sum = add_scaled(sum, value, looked_up<0, most_parts>(share, one[components]));
+            sum = add_scaled(sum, value, looked_up<0, max_parts>(share, one[components]));
         }
         return scale(sum, 1.f / count);
     }
 
 private:
     /// Number of strata that each stratum stands for, per weight: halfway to its filled neighbours.
-    QUELL_KERNEL void find_shares(Real (&share)[most_parts]) const {
-        Real begin[most_parts], before(-1.f), after = count;
-        for (int i = 0; i < most_parts; ++i) {
+    QUELL_KERNEL void find_shares(Real (&share)[max_parts]) const {
+        Real begin[max_parts], before(-1.f), after = count;
+        for (int i = 0; i < max_parts; ++i) {
             Real const here(static_cast<float>(i));
             auto const some = weight[i] > Real(0.f);
             begin[i] = masked(before >= Real(0.f), (before + here + 1.f) * 0.5f);
             before = select(some, here, before);
         }
-        for (int i = most_parts - 1; i >= 0; --i) {
+        for (int i = max_parts - 1; i >= 0; --i) {
             Real const here(static_cast<float>(i));
             auto const some = weight[i] > Real(0.f);
             auto const end = select(after < count, (after + here + 1.f) * 0.5f, count);
@@ -79,7 +79,7 @@ private:
         (std::make_integer_sequence<int, n>{});
     }
     /// Binary search for a stratum's entry.
-    template <int first, int size> QUELL_KERNEL static Real looked_up(Real const (&entries)[most_parts], Real part) {
+    template <int first, int size> QUELL_KERNEL static Real looked_up(Real const (&entries)[max_parts], Real part) {
         if constexpr (size == 1)
             return entries[first];
         else

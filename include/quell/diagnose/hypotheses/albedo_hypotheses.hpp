@@ -7,16 +7,16 @@ namespace quell::detail {
 
 inline void find_albedo_range(Observation const& seen, std::vector<Finding>& findings) {
     Tally above, black;
-    float most = 0.f;
+    float maximum = 0.f;
     for_each_hit(seen, [&](int x, int y) {
         auto const a = vec3_at(seen.albedo, x, y);
         float const largest = std::max(a.x, std::max(a.y, a.z));
-        above.add(largest > 1.005f), black.add(largest < 1e-3f), most = std::max(most, largest);
+        above.add(largest > 1.005f), black.add(largest < 1e-3f), maximum = std::max(maximum, largest);
     });
     if (above.share() > 0.005)
         findings.push_back({Mistake::albedo_above_one,
                             percent(above.share()) + " of the surface pixels have more than 1 in a component; the most is " +
-                                number(static_cast<double>(most)),
+                                number(static_cast<double>(maximum)),
                             "write reflectance in [0, 1] as a linear colour, and 1 on emitters, whose light belongs into the signal"});
     // Metals have no diffuse albedo, but no picture shows only metal.
     if (black.share() > 0.98)

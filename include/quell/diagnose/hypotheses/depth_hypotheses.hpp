@@ -65,16 +65,16 @@ inline bool find_constant_depth(Observation const& seen, std::vector<Finding>& f
 /// Depth of 0 or less: view-space z, or misses that are not infinite. Returns whether that is so.
 inline bool find_depth_not_positive(Observation const& seen, std::vector<Finding>& findings) {
     Tally bad;
-    float least = 0.f;
+    float minimum = 0.f;
     for_each_hit(seen, [&](int x, int y) {
         auto const z = seen.depth(0, x, y);
-        bad.add(!(z > 0.f)), least = std::min(least, z);
+        bad.add(!(z > 0.f)), minimum = std::min(minimum, z);
     });
     if (bad.share() < 0.01) return false;
     findings.push_back({Mistake::depth_not_positive,
-                        percent(bad.share()) + " of the finite depths are 0 or less; the least is " + number(static_cast<double>(least)),
-                        least < 0.f ? "write the distance along the view axis as a positive number: negate the view's z"
-                                    : "write +infinity where there is no surface"});
+                        percent(bad.share()) + " of the finite depths are 0 or less; the least is " + number(static_cast<double>(minimum)),
+                        minimum < 0.f ? "write the distance along the view axis as a positive number: negate the view's z"
+                                      : "write +infinity where there is no surface"});
     return true;
 }
 

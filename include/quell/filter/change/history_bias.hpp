@@ -6,7 +6,7 @@
 namespace quell {
 
 /// Squared bias of the history over the variance of one sample; 0 without evidence.
-struct HistoryBias : MadeChannel<1> {
+struct HistoryBias : InternalChannel<1> {
     static constexpr auto name = "history_bias";
 };
 inline constexpr HistoryBias history_bias;
@@ -14,19 +14,19 @@ inline constexpr HistoryBias history_bias;
 // What BiasEstimate measures, as means over a window. Four channels of one component, so that later passes can reuse their memory.
 
 /// Luminance of the sample minus luminance of the history.
-struct HistoryDistance : MadeChannel<1> {
+struct HistoryDistance : InternalChannel<1> {
     static constexpr auto name = "history_distance";
 };
 /// Root mean square of HistoryDistance.
-struct HistoryDeviation : MadeChannel<1> {
+struct HistoryDeviation : InternalChannel<1> {
     static constexpr auto name = "history_deviation";
 };
 /// Root mean square that noise alone would give, by the history's own variance.
-struct ExpectedDeviation : MadeChannel<1> {
+struct ExpectedDeviation : InternalChannel<1> {
     static constexpr auto name = "expected_deviation";
 };
 /// Part of the window that has both a sample and a history.
-struct HistoryShare : MadeChannel<1> {
+struct HistoryShare : InternalChannel<1> {
     static constexpr auto name = "history_share";
 };
 inline constexpr HistoryDistance history_distance;
@@ -103,8 +103,8 @@ inline constexpr float wide_window = 625.f; ///< in pixels: 25x25
 
 /// Squared bias over variance, by one window: the squared mean difference beyond what noise explains, over the variance.
 /// @param pixels    size of the window
-/// @param by_chance variances of the window's mean that count as noise
-template <class Real> QUELL_KERNEL Real bias_in(WindowOfHistory<Real> const& window, float pixels, float by_chance) {
+/// @param noise_threshold variances of the window's mean that count as noise
+template <class Real> QUELL_KERNEL Real bias_in(WindowOfHistory<Real> const& window, float pixels, float noise_threshold) {
     auto const share = 1.f / max(window.share, Real(1e-6f));
     auto const mean = window.distance * share;
     // With skewed noise, a window may lack the rare bright samples and look as if the light had changed. The history has seen them, so the
@@ -113,7 +113,7 @@ template <class Real> QUELL_KERNEL Real bias_in(WindowOfHistory<Real> const& win
     auto const expected = window.expected * window.expected * share;
     auto const noise = max(max(seen, expected), Real(1e-20f));
     auto const count = max(window.share * pixels - 1.f, Real(0.5f));
-    auto const excess = max(fma(mean, mean, -(noise * by_chance) / count), Real(0.f));
+    auto const excess = max(fma(mean, mean, -(noise * noise_threshold) / count), Real(0.f));
     return min(excess / noise, Real(1e6f));
 }
 
@@ -122,11 +122,11 @@ struct NarrowBias {
     static constexpr auto name = "history bias";
     using reads = WindowChannels;
     using emits = decltype(WindowChannels{} | Channels<HistoryBias>{});
-    float by_chance;
+    float noise_threshold;
 
     QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
-        return HistoryDistanceLine{5, false}.mean(px).emitted().with(history_bias, bias_in<Real>(window_at(px), 25.f, by_chance));
+        return HistoryDistanceLine{5, false}.mean(px).emitted().with(history_bias, bias_in<Real>(window_at(px), 25.f, noise_threshold));
     }
 };
 /// Does the columns of the 25x25 window, and evaluates it.
@@ -134,12 +134,12 @@ struct WideBias {
     static constexpr auto name = "history bias";
     using reads = decltype(WindowChannels{} | Channels<HistoryBias>{});
     using emits = Channels<HistoryBias, HistoryDeviation>;
-    float by_chance;
+    float noise_threshold;
 
     QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const wide = HistoryDistanceLine{5, true}.mean(px);
-        return emitted<Real>(history_bias, max(px[history_bias], bias_in<Real>(wide, wide_window, by_chance)))
+        return emitted<Real>(history_bias, max(px[history_bias], bias_in<Real>(wide, wide_window, noise_threshold)))
             .with(history_deviation, wide.deviation);
     }
 };

@@ -8,7 +8,7 @@ namespace quell {
 
 /// Difference of luminance between new samples and history, over a window of n pixels. x: sum / sqrt(n). y: root of the sum of squares,
 /// over sqrt(n). x / y is Student's statistic, and both fit in half precision.
-struct LightChange : MadeChannel<2> {
+struct LightChange : InternalChannel<2> {
     static constexpr auto name = "light_change";
 };
 inline constexpr LightChange light_change;
@@ -101,16 +101,16 @@ template <class Inner> struct ForgetChanged {
     static_assert(BlendPolicy<Inner>, "ForgetChanged{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
     using parts = Parts<Inner>;
     using reads = Channels<LightChange>;
-    Inner inner{};           ///< blends with the reduced validity
-    float by_chance = 16.f;  ///< values of the statistic up to this are noise
-    float sharpness = 400.f; ///< validity is divided by 1 + sharpness * (statistic - by_chance); longer histories need more
+    Inner inner{};                ///< blends with the reduced validity
+    float noise_threshold = 16.f; ///< values of the statistic up to this are noise
+    float sharpness = 400.f;      ///< validity is divided by 1 + sharpness * (statistic - noise_threshold); longer histories need more
 
     /// The inner policy's result with the reduced validity.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;
         auto const change = px[light_change];
         auto const ratio = change.x / max(change.y, Real(1e-12f));
-        auto const excess = max(ratio * ratio - by_chance, Real(0.f));
+        auto const excess = max(ratio * ratio - noise_threshold, Real(0.f));
         past.validity = past.validity / fma(excess, Real(sharpness), Real(1.f));
         return inner.blend(px, past);
     }

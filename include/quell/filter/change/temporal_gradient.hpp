@@ -7,7 +7,7 @@ namespace quell {
 
 /// Temporal gradient at a pixel, as means over its surroundings. x: luminance now minus luminance in the previous frame. y: the larger of
 /// the two.
-struct FilteredGradient : MadeChannel<2> {
+struct FilteredGradient : InternalChannel<2> {
     static constexpr auto name = "filtered_gradient";
 };
 inline constexpr FilteredGradient filtered_gradient;

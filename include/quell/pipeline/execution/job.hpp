@@ -23,9 +23,9 @@ template <class Form, class Scope, class Output, class RememberedViews> struct F
 };
 
 /// Largest useful SIMD width of a pass: any, unless it says so.
-template <class Pass> constexpr int most_lanes_of() {
-    if constexpr (requires { Pass::most_lanes; })
-        return Pass::most_lanes;
+template <class Pass> constexpr int max_lanes_of() {
+    if constexpr (requires { Pass::max_lanes; })
+        return Pass::max_lanes;
     else
         return std::numeric_limits<int>::max();
 }
@@ -50,7 +50,7 @@ template <int fraction, class... Cs> constexpr bool all_of_fraction(Channels<Cs.
 template <class Pass, class Scope, class SignalView, class MadeViews, class FinishWork, class RememberedSet, bool keeps_marks> struct Job {
     static constexpr auto name = name_of<Pass>();
     static constexpr bool makes_signal = makes_signal_of<Pass, Scope>;
-    static constexpr int most_lanes = most_lanes_of<Pass>();
+    static constexpr int max_lanes = max_lanes_of<Pass>();
     static_assert(Scope::fraction == 1 || !makes_signal,
                   "a pass of a fraction of the frame's size makes the signal, which is of the frame's size: give it emit_channels(px)");
     static_assert(all_of_fraction<Scope::fraction>(typename MadeViews::channels{}),
