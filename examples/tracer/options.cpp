@@ -67,8 +67,8 @@ void describe_rendering(CLI::App& app, TraceOptions& o, Typed& typed) {
                    "Part of the frame time during which the shutter is open (default: 0.5 for blur, otherwise 0)")
         ->check(CLI::Range(0.f, 1.f));
     app.add_option("--shutter-keys", rendered.shutter_keys,
-                   "Moments of the open shutter between which everything moves in a straight line: 2 to " +
-                       std::to_string(max_shutter_keys) + " (default: " + std::to_string(rendered.shutter_keys) + ")")
+                   "Moments of the open shutter between which everything moves in a straight line (default: " +
+                       std::to_string(rendered.shutter_keys) + ")")
         ->check(CLI::Range(2, max_shutter_keys));
     examples::add_threads(app, rendered.threads);
     app.add_option("--seed", rendered.seed, "Another seed, other noise (default: 0)");
@@ -112,6 +112,7 @@ void check(TraceOptions const& o) {
                         "trace it by itself, or with " + std::string(CompositeEffect::name));
     if (o.has(BlurEffect::name) && !(o.rendered.shutter > 0))
         throw Error("--shutter", std::to_string(o.rendered.shutter), "give more than 0: without time there is no blur");
+    detail::check(o.rendered); // what isn't a number is in no range, nor out of it
 }
 
 } // namespace
