@@ -115,11 +115,12 @@ async function check_full_page(open) {
 }
 
 async function check_sizes(open) {
-    for (const [width, height] of [[1920, 1080], [1400, 900], [1024, 768]]) {
-        const page = await shown(await open("full.html", {width, height}));
-        assert.deepEqual(await cut_off(page), [], `all is seen at a width of ${width}`);
-        await page.save_whole(`width_${width}`);
-    }
+    for (const [width, height] of [[1920, 1080], [1400, 900], [1024, 768], [420, 900]])
+        for (const name of ["full", "figures"]) {
+            const page = await shown(await open(`${name}.html`, {width, height}));
+            assert.deepEqual(await cut_off(page), [], `all of ${name} is seen at a width of ${width}`);
+            await page.save_whole(`${name}_${width}`);
+        }
 }
 
 async function check_small_screen(open) {
@@ -127,6 +128,21 @@ async function check_small_screen(open) {
     const width = await page.evaluate(() => document.documentElement.scrollWidth);
     assert.ok(width <= 420, `nothing sticks out sideways (${width})`);
     await page.save_whole("small");
+    assert.deepEqual(page.problems, []);
+}
+
+async function check_figures(open) {
+    const page = await shown(await open("figures.html"));
+    assert.equal(await page.is_visible("#keys"), false, "no word of keys that move pictures");
+    const [plot, facts] = [await page.box("#plot-card"), await page.box("#facts")];
+    assert.ok(Math.abs(plot.width - facts.width) < 1, "without pictures the plot has their place");
+    const looks = await page.all("#plot .series", lines => lines.map(one => getComputedStyle(one).stroke + getComputedStyle(one).strokeDasharray));
+    assert.equal(new Set(looks).size, 8, "no two lines look alike");
+    assert.match(await page.text("#readout"), /^surface\s+surface-clamp\s/, "names alone, until a frame is pointed at");
+    const lines = await page.all(".facts td", cells => Math.max(...cells.map(one => one.clientHeight)));
+    assert.ok(lines < 40, `a row is a line (${lines} pixels)`);
+    await page.hover("#plot");
+    assert.match(await page.text("#readout"), /^frame \d+\s+surface \d/);
     assert.deepEqual(page.problems, []);
 }
 
@@ -144,6 +160,6 @@ async function check_lesser_pages(open) {
 }
 
 await with_pages(async open => {
-    for (const check of [check_full_page, check_sizes, check_small_screen, check_lesser_pages]) await check(open);
+    for (const check of [check_full_page, check_sizes, check_small_screen, check_figures, check_lesser_pages]) await check(open);
 });
 console.log("the report page works in Chromium");
