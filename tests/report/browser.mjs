@@ -136,9 +136,13 @@ async function check_figures(open) {
     assert.equal(await page.is_visible("#keys"), false, "no word of keys that move pictures");
     const [plot, facts] = [await page.box("#plot-card"), await page.box("#facts")];
     assert.ok(Math.abs(plot.width - facts.width) < 1, "without pictures the plot has their place");
-    const looks = await page.all("#plot .series", lines => lines.map(one => getComputedStyle(one).stroke + getComputedStyle(one).strokeDasharray));
-    assert.equal(new Set(looks).size, 8, "no two lines look alike");
     assert.match(await page.text("#readout"), /^surface\s+surface-clamp\s/, "names alone, until a frame is pointed at");
+    const looks = () => page.all("#plot .series", lines => lines.map(one => getComputedStyle(one).stroke + getComputedStyle(one).strokeDasharray));
+    const before = await looks();
+    await page.choose("#metric", "cut: RMSE");
+    const after = await looks();
+    assert.equal(new Set(after).size, 24, "no two lines look alike");
+    assert.ok(before.every(one => after.includes(one)), "a method looks the same in every metric");
     const lines = await page.all(".facts td", cells => Math.max(...cells.map(one => one.clientHeight)));
     assert.ok(lines < 40, `a row is a line (${lines} pixels)`);
     await page.hover("#plot");

@@ -120,8 +120,8 @@ class ErrorPlot {
     read_out(number) {
         const entries = this.metric.series.map(series => {
             const {color, kind} = this.looks.get(series.name);
-            const mark = make("i", {class: kind});
-            mark.style.borderColor = color;
+            const mark = make_in(this.svg, "svg", {class: "mark", viewBox: "0 0 26 10"});
+            mark.append(make_in(this.svg, "path", {class: `series ${kind}`, d: "M1 5h24", style: `stroke: ${color}`}));
             const value = make("b", {}, number === null ? "" : format_reading(this.value_of(series.name, number)));
             return make("span", {class: "entry"}, mark, series.name, " ", value);
         });
@@ -130,9 +130,15 @@ class ErrorPlot {
     }
 }
 
-/// A colour for each name, the same in every metric. Where the colours run out, they come again with dashed lines.
+/// A colour and a kind of line for each name, the same in every metric. Names that share a metric look different, while looks last.
 function series_looks(metrics) {
-    const names = [...new Set(metrics.flatMap(metric => metric.series.map(series => series.name)))];
-    const look = i => ({color: `var(--series-${i % 6})`, kind: i % 12 < 6 ? "" : "dashed"});
-    return new Map(names.map((name, i) => [name, look(i)]));
+    const kinds = ["", "dashed", "dotted", "dash-dotted"];
+    const groups = metrics.map(metric => metric.series.map(series => series.name));
+    const numbers = new Map();
+    for (const name of new Set(groups.flat())) {
+        const taken = new Set(groups.filter(group => group.includes(name)).flat().map(other => numbers.get(other)));
+        const all = Array.from({length: 6 * kinds.length}, (_, i) => i);
+        numbers.set(name, all.find(i => !taken.has(i)) ?? numbers.size % all.length);
+    }
+    return new Map([...numbers].map(([name, i]) => [name, {color: `var(--series-${i % 6})`, kind: kinds[Math.floor(i / 6)]}]));
 }
