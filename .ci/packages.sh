@@ -60,6 +60,17 @@ need_packages() {
     [ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
 }
 
+# wish_for_browser: what opens pages in tests. Where it can't be had, the script goes on, and those tests are skipped.
+wish_for_browser() {
+    local missing=()
+    command -v node >/dev/null || missing+=(nodejs)
+    command -v chromium google-chrome >/dev/null || missing+=(chromium)
+    [ ${#missing[@]} -gt 0 ] && [ -z "${QUELL_PACKAGES_INSTALLED:-}" ] || return 0
+    # In a shell of its own, since it ends where something can't be installed.
+    (without_recommended=1 install_packages "${missing[@]}" 2>/dev/null) ||
+        echo "apt could not install ${missing[*]}: tests that open pages in a browser are skipped." >&2
+}
+
 install_packages() {
     local as_root=()
     if [ "$(id -u)" -ne 0 ]; then
@@ -72,7 +83,7 @@ install_packages() {
     echo "Installing $*"
     "${as_root[@]}" apt-get update -q || echo "apt could not update its lists; trying with those that it has." >&2
     check_candidates "$@"
-    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y "$@" && return
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y ${without_recommended:+--no-install-recommends} "$@" && return
     echo "apt could not install all of: $*. See its message above." >&2
     exit 2
 }

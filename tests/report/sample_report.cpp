@@ -63,4 +63,24 @@ Report make_bare_report() {
     return report;
 }
 
+Report make_report_of_figures() {
+    Report report{.title = "Figures"};
+    char const* const methods[] = {"surface", "surface-clamp", "svgf", "general", "final-frame", "dual-color", "glossy", "dual-cone"};
+    ReportTable table{.caption = "cut-unnoticed: the camera jumps to another room and nobody says so",
+                      .columns = {"method", "what", "value", "limit", ""},
+                      .rows = {}};
+    for (int i = 0; i < 8; ++i) {
+        std::string const fresh = std::string(methods[i]) + "-fresh";
+        for (int frame = 0; frame < 40; ++frame) {
+            report.add_value("pan: RMSE", methods[i], frame, 1 + i + std::sin(0.3 * frame));
+            report.add_value("cut: RMSE", methods[i], frame, 1 + i + std::sin(0.3 * frame));
+            report.add_value("cut: RMSE", fresh, frame, 1.5 + i + std::sin(0.3 * frame));
+            report.add_value("cut: RMSE", fresh + "-half", frame, 1.75 + i + std::sin(0.3 * frame));
+        }
+        table.rows.push_back({methods[i], "worst_frame_over_fresh_start", "1.2345", "<= 1.05", "known limit"});
+    }
+    report.tables = {table, table};
+    return report;
+}
+
 } // namespace quell::examples::sample

@@ -10,4 +10,7 @@ Report make_report(int width, int height, int frame_count);
 /// A report with one frame of one kind, no metrics, no tables and no notes.
 Report make_bare_report();
 
+/// A report without pictures, like that of quell-stability: many methods in a metric, and tables of long names without spaces.
+Report make_report_of_figures();
+
 } // namespace quell::examples::sample

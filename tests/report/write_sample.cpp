@@ -19,6 +19,7 @@ int main(int argument_count, char** arguments) {
         using quell::examples::write_report;
         write_report(sample::make_report(width, height, frames), folder / "full.html");
         write_report(sample::make_bare_report(), folder / "bare.html");
+        write_report(sample::make_report_of_figures(), folder / "figures.html");
         write_report({.title = "Nothing"}, folder / "empty.html");
     } catch (std::exception const& error) {
         std::fprintf(stderr, "report_sample: %s\n", error.what());

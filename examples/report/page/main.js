@@ -28,7 +28,8 @@ class Page {
     }
 
     hide_pictures() {
-        for (const id of ["stage", "panes-card"]) by_id(id).hidden = true;
+        for (const id of ["stage", "panes-card", "keys"]) by_id(id).hidden = true;
+        document.body.classList.add("no-pictures");
     }
 
     set_up_zoom() {

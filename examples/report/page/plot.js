@@ -4,7 +4,7 @@ class ErrorPlot {
     constructor(report, on_pick, on_metric) {
         this.metrics = report.metrics.filter(metric => metric.series.length);
         this.frames = report.frames;
-        this.colors = series_colors(this.metrics);
+        this.looks = series_looks(this.metrics);
         this.svg = by_id("plot");
         this.metric = this.metrics[0] ?? null;
         this.current = null;
@@ -79,14 +79,14 @@ class ErrorPlot {
     }
 
     draw_series(series) {
-        const style = `stroke: ${this.colors.get(series.name)}`;
+        const {color, kind} = this.looks.get(series.name);
         let path = "";
         let drawing = false;
         for (const [number, value] of series.points) {
             if (is_number(value)) path += `${drawing ? "L" : "M"}${this.axes.x(number).toFixed(1)} ${this.axes.y(value).toFixed(1)}`;
             drawing = is_number(value);
         }
-        this.svg.append(make_in(this.svg, "path", {class: "series", d: path, style}));
+        this.svg.append(make_in(this.svg, "path", {class: `series ${kind}`, d: path, style: `stroke: ${color}`}));
         // A line needs two points; a few may stand alone between gaps and each is worth a dot anyway.
         if (series.points.length <= 24) for (const point of series.points) this.draw_dot(this.svg, series, point, 2.5);
     }
@@ -94,7 +94,7 @@ class ErrorPlot {
     draw_dot(parent, series, [number, value], radius) {
         if (!is_number(value)) return;
         const place = {cx: this.axes.x(number), cy: this.axes.y(value), r: radius};
-        parent.append(make_in(this.svg, "circle", {class: "dot", ...place, style: `fill: ${this.colors.get(series.name)}`}));
+        parent.append(make_in(this.svg, "circle", {class: "dot", ...place, style: `fill: ${this.looks.get(series.name).color}`}));
     }
 
     draw_marks() {
@@ -119,9 +119,10 @@ class ErrorPlot {
     /// The legend, which doubles as the read-out.
     read_out(number) {
         const entries = this.metric.series.map(series => {
-            const mark = make("i");
-            mark.style.background = this.colors.get(series.name);
-            const value = make("b", {}, format_reading(this.value_of(series.name, number)));
+            const {color, kind} = this.looks.get(series.name);
+            const mark = make_in(this.svg, "svg", {class: "mark", viewBox: "0 0 26 10"});
+            mark.append(make_in(this.svg, "path", {class: `series ${kind}`, d: "M1 5h24", style: `stroke: ${color}`}));
+            const value = make("b", {}, number === null ? "" : format_reading(this.value_of(series.name, number)));
             return make("span", {class: "entry"}, mark, series.name, " ", value);
         });
         const at = number === null ? "" : `frame ${number}`;
@@ -129,8 +130,15 @@ class ErrorPlot {
     }
 }
 
-/// A colour for each name, the same in every metric.
-function series_colors(metrics) {
-    const names = [...new Set(metrics.flatMap(metric => metric.series.map(series => series.name)))];
-    return new Map(names.map((name, i) => [name, `var(--series-${i % 6})`]));
+/// A colour and a kind of line for each name, the same in every metric. Names that share a metric look different, while looks last.
+function series_looks(metrics) {
+    const kinds = ["", "dashed", "dotted", "dash-dotted"];
+    const groups = metrics.map(metric => metric.series.map(series => series.name));
+    const numbers = new Map();
+    for (const name of new Set(groups.flat())) {
+        const taken = new Set(groups.filter(group => group.includes(name)).flat().map(other => numbers.get(other)));
+        const all = Array.from({length: 6 * kinds.length}, (_, i) => i);
+        numbers.set(name, all.find(i => !taken.has(i)) ?? numbers.size % all.length);
+    }
+    return new Map([...numbers].map(([name, i]) => [name, {color: `var(--series-${i % 6})`, kind: kinds[Math.floor(i / 6)]}]));
 }
