@@ -36,6 +36,7 @@ TEST_CASE("a loose bound needs nothing, and the effects stay in the picture") {
     FlickeringWall wall;
     auto const [said, fitted] = run(wall, {.rmse = 0.9, .flip = {}, .ms = {}});
     CHECK(to_string(fitted.composition) == "rest by none");
+    CHECK(fitted.composition.figures.ms == 1);
     CHECK(channels_of(fitted.composition) == std::vector<std::string>{"radiance"});
     CHECK(says(said, "left out: shadow"));
     CHECK_FALSE(says(said, "split off:")); // once something fits, nothing larger is looked at
@@ -49,7 +50,8 @@ TEST_CASE("a tight bound splits off what it takes, and says what the sequence la
     CHECK(has(fitted.composition.split, Part::shadow));
     CHECK(fitted.composition.split.count() == 1);
     CHECK(fitted.composition.figures.rmse <= 0.08);
-    CHECK(fitted.composition.figures.bytes_per_pixel > 0);
+    CHECK(to_string(fitted.composition) == "shadow by short, rest by none"); // the cheaper of what leaves little of the shadow's noise
+    CHECK(fitted.composition.figures.ms == 64 + 1);
     CHECK(says(said, "left out: glossy: no pixel reflects"));
     auto const channels = channels_of(fitted.composition);
     CHECK(std::ranges::count(channels, "visibility") == 1);
@@ -116,6 +118,11 @@ TEST_CASE("with all the time that there is, the result is as accurate as any") {
     FlickeringWall wall;
     auto const best = run(wall, {.rmse = {}, .flip = {}, .ms = 1e6}).fitted.composition;
     CHECK(has(best.split, Part::shadow));
+    auto const in = [&](double ms) { return run(wall, {.rmse = {}, .flip = {}, .ms = ms}).fitted.composition; };
+    CHECK(to_string(in(best.figures.ms)) == to_string(best));
+    CHECK(in(best.figures.ms - 0.5).figures.rmse > best.figures.rmse); // anything cheaper is worse
+    CHECK(in(best.figures.ms - 0.5).figures.ms < best.figures.ms);
+    CHECK(to_string(in(1)) == "rest by none");
     CHECK_THROWS_AS(run(wall, {.rmse = 0.98 * best.figures.rmse, .flip = {}, .ms = {}}), OutOfReach);
 }
 
@@ -133,7 +140,7 @@ TEST_CASE("what can't be reached is said with the best that there is") {
         run(wall, {.rmse = {}, .flip = {}, .ms = 1e-9});
         FAIL("nothing was thrown");
     } catch (OutOfReach const& error) {
-        CHECK(says(error.what(), "the fastest is rest by none"));
+        CHECK(says(error.what(), "the fastest is rest by none: 1.00 ms"));
     }
 }
 

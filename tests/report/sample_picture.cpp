@@ -1,10 +1,11 @@
 #include "sample_picture.hpp"
 
+#include <support/png.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 
 namespace quell::examples::sample {
 
@@ -36,58 +37,6 @@ Color scene_color(double x, double y, double angle) {
     if (x * x + y * y < radius * radius) return ball_color(x, y, radius, angle);
     if (y > 0.1) return floor_color(x, y, angle);
     return {0.35 + 0.3 * y, 0.5 + 0.3 * y, 0.7 + 0.3 * y};
-}
-
-class Bytes {
-public:
-    std::vector<unsigned char> data = {};
-
-    void byte(unsigned value) { data.push_back(static_cast<unsigned char>(value)); }
-    void little_16(unsigned value) { byte(value & 255), byte(value >> 8 & 255); }
-    void big_32(std::uint32_t value) { byte(value >> 24), byte(value >> 16 & 255), byte(value >> 8 & 255), byte(value & 255); }
-};
-
-void append_chunk(Bytes& out, std::string_view name, std::vector<unsigned char> const& content) {
-    out.big_32(static_cast<std::uint32_t>(content.size()));
-    std::size_t const start = out.data.size();
-    for (char const letter : name) out.byte(static_cast<unsigned char>(letter));
-    out.data.insert(out.data.end(), content.begin(), content.end());
-    std::uint32_t check = 0xffffffffU;
-    for (std::size_t i = start; i < out.data.size(); ++i) {
-        check ^= out.data[i];
-        for (int bit = 0; bit < 8; ++bit) check = check >> 1 ^ (check & 1 ? 0xedb88320U : 0U);
-    }
-    out.big_32(~check);
-}
-
-/// zlib's frame around blocks that are stored as they are.
-std::vector<unsigned char> store(std::vector<unsigned char> const& rows) {
-    Bytes out;
-    out.little_16(0x0178);
-    constexpr std::size_t most = 65535;
-    for (std::size_t start = 0; start < rows.size(); start += most) {
-        std::size_t const count = std::min(most, rows.size() - start);
-        out.byte(start + count == rows.size());
-        out.little_16(static_cast<unsigned>(count));
-        out.little_16(static_cast<unsigned>(~count & 0xffff));
-        auto const first = rows.begin() + static_cast<std::ptrdiff_t>(start);
-        out.data.insert(out.data.end(), first, first + static_cast<std::ptrdiff_t>(count));
-    }
-    std::uint32_t a = 1, b = 0;
-    for (unsigned char const value : rows) a = (a + value) % 65521, b = (b + a) % 65521;
-    out.big_32(b << 16 | a);
-    return out.data;
-}
-
-std::vector<unsigned char> rows_of(Picture const& picture) {
-    std::vector<unsigned char> rows;
-    for (int y = 0; y < picture.height; ++y) {
-        rows.push_back(0);
-        for (int x = 0; x < picture.width; ++x)
-            for (double const part : picture.pixels[static_cast<std::size_t>(y * picture.width + x)])
-                rows.push_back(static_cast<unsigned char>(std::lround(std::clamp(part, 0.0, 1.0) * 255)));
-    }
-    return rows;
 }
 
 double difference(Color const& a, Color const& b) { return (std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2])) / 3; }
@@ -133,16 +82,11 @@ double mean_difference(Picture const& a, Picture const& b) {
     return sum / static_cast<double>(a.pixels.size());
 }
 
-std::vector<unsigned char> encode_stored_png(Picture const& picture) {
-    Bytes out{{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'}};
-    Bytes header;
-    header.big_32(static_cast<std::uint32_t>(picture.width));
-    header.big_32(static_cast<std::uint32_t>(picture.height));
-    for (unsigned const value : {8u, 2u, 0u, 0u, 0u}) header.byte(value); // 8 bits each of red, green and blue, not interlaced
-    append_chunk(out, "IHDR", header.data);
-    append_chunk(out, "IDAT", store(rows_of(picture)));
-    append_chunk(out, "IEND", {});
-    return out.data;
+std::vector<unsigned char> encode_png(Picture const& picture) {
+    metrics::Picture shown{{picture.width, picture.height}, {}};
+    for (Color const& color : picture.pixels)
+        shown.pixels.push_back(glm::vec3(color[0], color[1], color[2]));
+    return examples::encode_png(shown);
 }
 
 } // namespace quell::examples::sample

@@ -24,7 +24,7 @@ Picture draw_difference(Picture const& a, Picture const& b, std::vector<unsigned
 
 double mean_difference(Picture const& a, Picture const& b);
 
-/// A PNG file without compression, so that the tests need no library for it.
-std::vector<unsigned char> encode_stored_png(Picture const& picture);
+/// The picture as a PNG file.
+std::vector<unsigned char> encode_png(Picture const& picture);
 
 } // namespace quell::examples::sample

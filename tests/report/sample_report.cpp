@@ -20,16 +20,16 @@ void add_frame(Report& report, int width, int height, int number) {
     Picture const noisy = add_noise(reference, 0.8, number);
     Picture const denoised = add_noise(reference, 0.05 + 0.25 * std::exp(-0.5 * number), number + 1000);
     ReportFrame& frame = report.frames.emplace_back(ReportFrame{.number = number});
-    frame.pictures["noisy"] = encode_stored_png(noisy);
-    frame.pictures["denoised"] = encode_stored_png(denoised);
+    frame.pictures["noisy"] = encode_png(noisy);
+    frame.pictures["denoised"] = encode_png(denoised);
     for (char const* metric : {"FLIP", "RMSE"}) {
         double const factor = *metric == 'F' ? 1 : 1.4;
         report.add_value(metric, "noisy", number, factor * mean_difference(noisy, reference));
         report.add_value(metric, "denoised", number, factor * mean_difference(denoised, reference));
     }
     if (number % 2 != 0) return;
-    frame.pictures["reference"] = encode_stored_png(reference);
-    frame.pictures["FLIP of denoised"] = encode_stored_png(draw_difference(denoised, reference, stops_of(flip_color_scale())));
+    frame.pictures["reference"] = encode_png(reference);
+    frame.pictures["FLIP of denoised"] = encode_png(draw_difference(denoised, reference, stops_of(flip_color_scale())));
 }
 
 void add_words(Report& report) {
@@ -59,7 +59,7 @@ Report make_report(int width, int height, int frame_count) {
 
 Report make_bare_report() {
     Report report{.title = "One picture", .kinds = {{"noisy"}}};
-    report.frames.push_back({7, {{"noisy", encode_stored_png(draw_scene(64, 48, 0))}}});
+    report.frames.push_back({7, {{"noisy", encode_png(draw_scene(64, 48, 0))}}});
     return report;
 }
 
