@@ -10,17 +10,17 @@ namespace quell::detail {
 /// Access to the state of a history between runs.
 struct Inspect {
     template <class H> static bool has_past(H const& history) { return !history.empty; }
-    template <class H> static Camera const& camera(H const& history) { return history.camera; }
-    template <class H> static std::optional<long long> number(H const& history) { return history.number; }
+    template <class H> static Camera const& camera(H const& history) { return history.then.camera; }
+    template <class H> static std::optional<long long> number(H const& history) { return history.then.number; }
     template <class H> static Extent size(H const& history) { return history.size; }
     template <class H> static auto const& output(H const& history) { return history.output; }
     /// The signal that the next frame's Temporal stage finds.
-    template <class H> static auto const& signal(H const& history) { return history.signal; }
+    template <class H> static auto const& signal(H const& history) { return history.then.signal; }
     template <class H> static auto& parts(H& composite) { return composite.parts; }
     /// A channel of the last frame that the pipeline remembers.
-    template <class H, ChannelTag C> static auto const& remembered(H const& history, C) { return slot<C>(history.remembered); }
+    template <class H, ChannelTag C> static auto const& remembered(H const& history, C) { return slot<C>(history.then.guides); }
     /// A channel that its policies keep.
-    template <class H, ChannelTag C> static auto const& kept(H const& history, C) { return slot<C>(history.kept); }
+    template <class H, ChannelTag C> static auto const& kept(H const& history, C) { return slot<C>(history.then.kept); }
 
     template <class H> static DiagnosisNotes& notes(H& history) {
         if (!history.notes) history.notes = std::make_shared<DiagnosisNotes>();

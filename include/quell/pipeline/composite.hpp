@@ -149,7 +149,7 @@ struct CompositeRun {
             auto const factors = frame.views(typename Composite<Ps...>::factors{});
             auto const sum = [&](auto... parts) {
                 CompositeJob<decltype(frame.views(typename Composite<Ps...>::factors{})), decltype(history.picture.view()),
-                             decltype(parts)...> const job{factors, output, {parts...}};
+                             decltype(parts)...> const job{.frame = factors, .output = output, .parts = {parts...}};
                 executor.for_each_pixel(Region{0, 0, frame.size.width, frame.size.height}, job);
             };
             // Initialiser lists are evaluated in order.

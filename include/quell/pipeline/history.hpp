@@ -4,6 +4,7 @@
 #include <quell/pipeline/pipeline.hpp>
 
 #include <optional>
+#include <utility>
 
 namespace quell {
 
@@ -23,6 +24,24 @@ template <class... Cs> struct StoredChannels<Channels<Cs...>> { using type = Cha
 template <class P, class FrameT, class H, class E, class Into> class Run;
 struct Inspect;
 struct DiagnosisNotes;
+
+/// What one frame leaves for the next. A history has two, a double buffer: `then` and `now`.
+template <class P, class Storage> struct FrameState {
+    using Guides = typename StoredChannels<typename P::remembers>::type; ///< as the history stores them
+
+    std::shared_ptr<ImageOf<Storage, typename P::Signal>> signal; ///< accumulated
+    Handles<Storage, typename P::keeps> kept;                     ///< made by policies
+    Handles<Storage, Guides> guides;                              ///< copies of the host's channels that policies remember
+    Camera camera;
+    float shutter = 0;
+    std::optional<long long> number;
+
+    void drop_images() {
+        signal.reset();
+        kept.drop_all();
+        guides.drop_all();
+    }
+};
 
 /// Checks the size of a history.
 inline Extent checked(Extent size) {
@@ -57,36 +76,37 @@ public:
     /// View of a channel that a policy keeps (history_length, luminance_variance, ...). Valid after the first frame.
     template <ChannelTag C> [[nodiscard]] auto operator[](C) const {
         static_assert(P::keeps::template has<C>, "history[channel]: no policy of this pipeline keeps that channel");
-        if constexpr (P::keeps::template has<C>) return kept.views(Channels<C>{}).view(C{});
+        if constexpr (P::keeps::template has<C>) return then.kept.views(Channels<C>{}).view(C{});
     }
 
 private:
     template <class, class, class, class, class> friend class detail::Run;
     friend struct detail::Inspect;
     template <class, ImageStorage> friend class History;
-    using Remembered = typename detail::StoredChannels<typename P::remembers>::type;
+    using State = detail::FrameState<P, Storage>;
 
     std::shared_ptr<detail::ImagePool> pool; ///< this history's own, or shared by a composite
     Extent size;
-    std::shared_ptr<ImageOf<Storage, typename P::Signal>> signal;
-    std::shared_ptr<ImageOf<Storage, typename P::Output>> output;
-    detail::Handles<Storage, typename P::keeps> kept;
-    detail::Handles<Storage, Remembered> remembered;
-    Camera camera;
-    float shutter = 0;
-    std::optional<long long> number;
-    bool empty = true;
+    State then; ///< of the last frame: passes read it. Images that no later pass reads go back to the pool, or to `now`.
+    State now;  ///< of the running frame: passes write it. advance() makes it `then`.
+    std::shared_ptr<ImageOf<Storage, typename P::Output>> output; ///< for the host; may be the signal's image
+    bool empty = true;                                            ///< whether `then` is no past of the next frame
     Statistics counted;
     std::shared_ptr<detail::DiagnosisNotes> notes; ///< of quell::diagnose
 
     explicit History(std::shared_ptr<detail::ImagePool> shared) : pool(std::move(shared)), size(pool->size()) {}
 
+    /// Ends a frame: what it has written is what the next one reads.
+    void advance(auto const& frame) {
+        now.camera = frame.camera, now.shutter = frame.shutter, now.number = frame.number;
+        then = std::exchange(now, State{});
+    }
+
     /// Drops everything and takes another size.
     void restart(Extent new_size) {
-        signal.reset();
+        then.drop_images();
+        now = {};
         output.reset();
-        kept.drop_all();
-        remembered.drop_all();
         pool->resize(new_size);
         size = new_size;
         empty = true;

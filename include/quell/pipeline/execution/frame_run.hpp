@@ -34,10 +34,9 @@ class Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, Into> {
     E const& executor;
     Into const& into;
 
-    std::shared_ptr<SignalImage> current, for_history;
+    std::shared_ptr<SignalImage> current;
     Handles<Storage, typename P::made> made;
     Readers<typename P::made> readers; ///< passes that still have to read each channel that passes make
-    Handles<Storage, typename History<P, Storage>::Remembered> remembered;
     int passes_left = 0;
     bool past = false;
     bool marked = true; ///< whether the current signal marks missing samples
@@ -92,28 +91,25 @@ private:
     }
 
     void begin() {
-        bool const follows = !frame.number || !history.number || *frame.number == *history.number + 1;
+        bool const follows = !frame.number || !history.then.number || *frame.number == *history.then.number + 1;
         if (!(history.size == frame.size)) history.restart(frame.size);
         if (!follows) history.empty = true;
         past = !history.empty;
-        if (!past) ++history.counted.resets, history.counted.frames = 0;
+        history.now = {}; // half written, if an exception ended the last frame
+        if (!past) history.then.drop_images(), ++history.counted.resets, history.counted.frames = 0;
         // History counts as empty until the frame is complete: an exception must not leave half of one.
         history.empty = true;
         history.output.reset();
         if constexpr (P::needs_camera) {
             rays = PixelRays(frame.camera, frame.size);
-            rays_then = PixelRays(past ? history.camera : frame.camera, frame.size);
+            rays_then = PixelRays(past ? history.then.camera : frame.camera, frame.size);
         }
         frame_index = static_cast<std::int32_t>(frame.number.value_or(history.counted.frames));
     }
 
     void end() {
-        if constexpr (P::has_past) history.signal = for_history;
-        for_each_channel(typename P::keeps{}, [&](auto c) { history.kept[c] = made[c]; });
-        history.remembered = remembered;
-        history.camera = frame.camera;
-        history.shutter = frame.shutter;
-        history.number = frame.number;
+        for_each_channel(typename P::keeps{}, [&](auto c) { history.now.kept[c] = made[c]; });
+        history.advance(frame);
         history.empty = !P::has_past;
         ++history.counted.frames;
     }
@@ -143,15 +139,13 @@ private:
         });
     }
     void drop_past() {
-        history.signal.reset();
-        history.kept.drop_all();
+        history.then.signal.reset();
+        history.then.kept.drop_all();
     }
 
     template <bool raw, class Pass> void pass(Pass const& kernel) {
         run_pass<raw>(kernel, --passes_left == 0, nullptr);
-        if constexpr (is_temporal<Pass>) for_history = current;
-        if constexpr (requires { kernel.feedback; })
-            if (kernel.feedback) for_history = current;
+        if (P::has_past && (is_temporal<Pass> || feeds_back(kernel))) history.now.signal = current;
     }
 
     template <bool raw, class Pass> void run_pass(Pass const& kernel, bool last, Counts* counts) {
@@ -168,15 +162,15 @@ private:
         if (last) prepare_end(remembers_of<Pass>::size > 0, next);
 
         auto job = Job<Pass, S, SignalView, decltype(next_made.views(Made{})), decltype(finish()), Remembers, keeps_marks>{
-            kernel,
-            seen,
-            next ? next->view() : SignalView{},
-            next_made.views(Made{}),
-            finish(),
-            goes_on && makes_signal<Pass>,
-            last && stores_output(next),
-            last && Remembers::size > 0,
-            counts};
+            .pass = kernel,
+            .scope = seen,
+            .signal = next ? next->view() : SignalView{},
+            .made = next_made.views(Made{}),
+            .finish = finish(),
+            .store_signal = goes_on && makes_signal<Pass>,
+            .store_output = last && stores_output(next),
+            .store_remembered = last && Remembers::size > 0,
+            .counts = counts};
         executor.for_each_pixel(Region{0, 0, seen.size.width, seen.size.height}, job);
         current = next;
         for_each_channel(Made{}, [&](auto c) { made[c] = next_made[c]; });
@@ -193,16 +187,17 @@ private:
             return false;
     }
 
-    /// The last pass also writes the output, unless that is the image that goes into the history, and the remembered channels. These
-    /// replace the old ones in place, unless the pass still reads them.
-    void prepare_end(bool reads_remembered, std::shared_ptr<SignalImage> const& next) {
-        if (!reads_remembered) history.remembered.drop_all();
-        remembered.take_all(*history.pool);
+    /// The last pass also writes the guides for the next frame, and the output, unless that is the signal's image. Guides of the last frame
+    /// that it doesn't read are overwritten in place.
+    void prepare_end(bool reads_guides, std::shared_ptr<SignalImage> const& next) {
+        if (past && !reads_guides)
+            history.now.guides = std::exchange(history.then.guides, {});
+        else
+            history.now.guides.take_all(*history.pool);
         if constexpr (std::is_same_v<Into, NoTarget>) {
             if constexpr (!remodulates) history.output = next;
             if (!history.output) history.output = history.pool->template take<Output>();
         }
-        history.remembered.drop_all();
     }
     static constexpr bool remodulates = !std::is_same_v<typename P::Form, NoModulation>;
 
@@ -214,35 +209,39 @@ private:
     }
 
     template <class S, class Pass> S scope() const {
+        auto const& then = history.then;
         return {.size = divided(frame.size, S::fraction),
                 .frame = frame.views(typename S::frame_channels{}),
                 .made = made.views(typename S::made_channels{}),
                 .signal = current ? current->view() : SignalView{},
-                .signal_then = history.signal ? history.signal->view() : SignalView{},
-                .kept_then = history.kept.views(typename S::kept_channels{}),
-                .remembered = history.remembered.views(typename StoredChannels<remembers_of<Pass>>::type{}),
+                .signal_then = then.signal ? then.signal->view() : SignalView{},
+                .kept_then = then.kept.views(typename S::kept_channels{}),
+                .remembered = then.guides.views(typename StoredChannels<remembers_of<Pass>>::type{}),
                 .clip_from_world = frame.camera.clip_from_world(),
-                .clip_from_world_then = (past ? history.camera : frame.camera).clip_from_world(),
+                .clip_from_world_then = (past ? then.camera : frame.camera).clip_from_world(),
                 .rays = rays,
                 .rays_then = rays_then,
                 .jitter = frame.camera.jitter,
-                .jitter_then = history.camera.jitter,
+                .jitter_then = then.camera.jitter,
                 .shutter = frame.shutter,
-                .shutter_then = history.shutter,
+                .shutter_then = then.shutter,
                 .frame_index = frame_index,
-                .has_past = past && history.signal != nullptr,
+                .has_past = past && then.signal != nullptr,
                 .vectors = vectors()};
     }
-    Vectors vectors() const { return {frame.size, frame.camera.jitter, history.camera.jitter}; }
+    Vectors vectors() const { return {frame.size, frame.camera.jitter, history.then.camera.jitter}; }
 
     auto finish() const {
         FinishScope const scope{.size = frame.size, .frame = frame.views(typename FinishScope::frame_channels{}), .vectors = vectors()};
-        auto const views = remembered.views(typename History<P, Storage>::Remembered{});
-        if constexpr (std::is_same_v<Into, NoTarget>) {
-            auto const target = history.output ? history.output->view() : OutputView{};
-            return Finish<typename P::Form, FinishScope, OutputView, decltype(views)>{pipeline.ingest.modulation, scope, target, views};
-        } else
-            return Finish<typename P::Form, FinishScope, Into, decltype(views)>{pipeline.ingest.modulation, scope, into, views};
+        auto const guides = history.now.guides.views(typename History<P, Storage>::State::Guides{});
+        auto const ending = [&]<class Target>(Target const& target) {
+            return Finish<typename P::Form, FinishScope, Target, decltype(guides)>{
+                .modulation = pipeline.ingest.modulation, .scope = scope, .output = target, .remembered = guides};
+        };
+        if constexpr (std::is_same_v<Into, NoTarget>)
+            return ending(history.output ? history.output->view() : OutputView{});
+        else
+            return ending(into);
     }
 };
 } // namespace detail

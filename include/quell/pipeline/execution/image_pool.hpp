@@ -8,7 +8,7 @@
 namespace quell::detail {
 
 /// Images of the frame's size, or fractions of it, that passes take and give back. An image without handles is free for the next pass.
-/// After the first frame nothing is allocated.
+/// After the first frame nothing is allocated. What one frame leaves for the next is held apart from it, in FrameState.
 class ImagePool {
     struct Entry {
         void const* type;
@@ -31,7 +31,7 @@ public:
         for (auto const& e : entries)
             if (e.type == &type_key<Image> && e.size == size && e.image.use_count() == 1) return std::static_pointer_cast<Image>(e.image);
         auto image = std::make_shared<Image>(size);
-        entries.push_back({&type_key<Image>, size, image, image->bytes()});
+        entries.push_back({.type = &type_key<Image>, .size = size, .image = image, .bytes = image->bytes()});
         return image;
     }
     [[nodiscard]] std::size_t bytes() const {

@@ -17,7 +17,7 @@ template <class P, class Set, class FrameStorage, class Storage> struct PassScop
     using Of = Scope<Views<FrameStorage, common_to<decltype(reads_of<Pass>{} | typename P::known_samples{}), Set>>,
                      Views<Storage, common_to<reads_of<Pass>, typename P::made>>, SignalView, SignalView,
                      Views<Storage, decltype(keeps_of<Pass>{} | reads_kept_of<Pass>{})>, RememberedViewsOf<Storage, remembers_of<Pass>>,
-                     PassTraits{raw, needs_camera_of<Pass>, fraction_of<Pass>}, Vectors>;
+                     PassTraits{.marks_missing = raw, .has_camera = needs_camera_of<Pass>, .fraction = fraction_of<Pass>}, Vectors>;
     /// For the end of the last pass: what demodulation reads, and what the history remembers.
     using Finish = Scope<Views<FrameStorage, decltype(reads_of<typename P::Form>{} | typename P::remembers{})>, Views<Storage, Channels<>>,
                          SignalView, SignalView, Views<Storage, Channels<>>, RememberedViewsOf<Storage, Channels<>>, PassTraits{}, Vectors>;
