@@ -59,7 +59,7 @@ export class Page {
     async until(task, ...inputs) {
         const end = Date.now() + patience;
         while (!await this.evaluate(task, ...inputs)) {
-            assert.ok(Date.now() < end, `waited in vain for ${task} of ${inputs}`);
+            assert.ok(Date.now() < end, `waited in vain for ${task} of ${inputs}; ${this.problems}`);
             await new Promise(resolve => setTimeout(resolve, 20));
         }
     }

@@ -19,6 +19,13 @@ async function check_panels(page) {
     assert.ok(await height_of(page, point("fence", "svgf")) > await height_of(page, point("fence", "none")), "less error is lower");
     const labels = await page.all(`${panel("fence")} .label`, elements => elements.map(one => one.textContent));
     assert.equal(labels.filter(one => one === "svgf").length, 1, "points on the front have their names");
+    const crossed = await page.on(panel("fence"), element => {
+        const line = element.querySelector(".front");
+        const places = Array.from({length: 500}, (_, i) => line.getPointAtLength(line.getTotalLength() * i / 499));
+        const is_in = ({x, y, width, height}) => places.some(one => one.x > x && one.x < x + width && one.y > y + 2 && one.y < y + height - 2);
+        return [...element.querySelectorAll(".label")].filter(one => is_in(one.getBBox())).map(one => one.textContent);
+    });
+    assert.deepEqual(crossed, [], "the front crosses no name");
 }
 
 async function check_tooltip(page) {

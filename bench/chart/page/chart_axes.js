@@ -3,7 +3,7 @@
 class ChartAxes {
     constructor(rows, measure, logarithmic) {
         this.width = 560, this.height = 380;
-        this.left = 62, this.right = 540, this.top = 14, this.bottom = 338;
+        this.left = 72, this.right = 540, this.top = 14, this.bottom = 338;
         this.measure = measure;
         const values = rows.map(row => row[measure.name]);
         const positive = values.filter(value => value > 0);

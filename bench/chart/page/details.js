@@ -33,7 +33,8 @@ class Picked {
         by_id("picked").hidden = !row;
         if (!row) return;
         by_id("picked-name").textContent = row.method;
-        by_id("picked-case").textContent = `${row.scene}, ${row.effect}, ${row.width}x${row.height}, ${row.threads} threads`;
+        const threads = row.threads === 1 ? "1 thread" : `${row.threads} threads`;
+        by_id("picked-case").textContent = `${row.scene}, ${row.effect}, ${row.width}x${row.height}, ${threads}`;
         by_id("picked-caption").textContent = row.method;
         this.show_picture("picked-picture", row.picture, `${row.method} on ${row.scene}`);
         this.show_picture("reference-picture", row.reference, `reference of ${row.scene}`);

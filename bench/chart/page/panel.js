@@ -50,15 +50,17 @@ class Panel {
         this.svg.append(point);
     }
 
-    /// Names of the presets, the front's first, each where it covers no point or at least no name; one that has no room is left to the
-    /// tooltip.
+    /// Names of the presets, the front's first, each where it covers neither a point nor the front, else no point, or at least no name; one
+    /// that has no room is left to the tooltip.
     draw_labels(rows, front) {
         const points = rows.map(row => this.place(row)).map(({x, y}) => ({left: x - 5, right: x + 5, top: y - 5, bottom: y + 5}));
+        const line = boxes_along(front.map(row => this.place(row)));
         const names = [];
         const named = rows.filter(row => !row.parameter).sort((a, b) => front.includes(b) - front.includes(a));
         for (const row of named) {
             const free = this.boxes_beside(row).filter(one => this.is_inside(one) && !names.some(other => overlap(one, other)));
-            const box = free.find(one => !points.some(other => overlap(one, other))) ?? free[0];
+            const keeps_off = boxes => one => !boxes.some(other => overlap(one, other));
+            const box = free.find(keeps_off([...points, ...line])) ?? free.find(keeps_off(points)) ?? free[0];
             if (!box) continue;
             names.push(box);
             const style = {class: front.includes(row) ? "label on-front" : "label", x: box.left, y: box.bottom - 3};
@@ -68,7 +70,7 @@ class Panel {
 
     boxes_beside(row) {
         const {x, y} = this.place(row);
-        const width = 6.4 * row.method.length, height = 14;
+        const width = 7.3 * row.method.length, height = 15;
         const at = (left, top) => ({left, right: left + width, top, bottom: top + height});
         return [at(x + 9, y - 7), at(x - 9 - width, y - 7), at(x - width / 2, y - 22), at(x - width / 2, y + 8), at(x + 7, y - 20), at(x + 7, y + 7)];
     }
@@ -82,6 +84,18 @@ class Panel {
             point.classList.toggle("same", row !== picked && row.method === picked?.method);
         }
     }
+}
+
+/// Small boxes along the line through some places.
+function boxes_along(places) {
+    return places.slice(1).flatMap((to, i) => {
+        const from = places[i];
+        const count = Math.ceil(Math.hypot(to.x - from.x, to.y - from.y) / 3);
+        return Array.from({length: count + 1}, (_, k) => {
+            const x = from.x + (to.x - from.x) * k / count, y = from.y + (to.y - from.y) * k / count;
+            return {left: x - 1, right: x + 1, top: y - 1, bottom: y + 1};
+        });
+    });
 }
 
 function overlap(a, b) { return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom; }
