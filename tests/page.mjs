@@ -147,7 +147,8 @@ export class Page {
 
     /// Chooses an option by what it reads.
     async choose(selector, text) {
-        await this.fill(selector, await this.on(selector, (element, wanted) => [...element.options].find(one => one.text === wanted)?.value, text));
+        const value = await this.on(selector, (element, wanted) => [...element.options].find(one => one.text === wanted)?.value, text);
+        await this.fill(selector, value);
         await this.on(selector, element => element.blur());
     }
 
