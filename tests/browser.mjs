@@ -9,8 +9,8 @@ import {Chromium} from "./chromium.mjs";
 import {Page} from "./page.mjs";
 
 function find_chromium() {
-    const names = ["chromium", "chromium-headless-shell", "google-chrome", "chromium-browser"];
-    const found = [process.env.QUELL_CHROMIUM, ...names.map(name => `/usr/bin/${name}`)].find(place => place && existsSync(place));
+    const usual = ["chromium", "chromium-headless-shell", "google-chrome", "chromium-browser"].map(name => `/usr/bin/${name}`);
+    const found = (process.env.QUELL_CHROMIUM ? [process.env.QUELL_CHROMIUM] : usual).find(place => existsSync(place));
     if (found) return found;
     console.log("skipped: Chromium isn't installed (apt-get install chromium, or name it in QUELL_CHROMIUM)");
     return process.exit(77);

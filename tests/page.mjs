@@ -59,7 +59,7 @@ export class Page {
     async until(task, ...inputs) {
         const end = Date.now() + patience;
         while (!await this.evaluate(task, ...inputs)) {
-            assert.ok(Date.now() < end, `waited in vain for ${task} of ${inputs}`);
+            assert.ok(Date.now() < end, `waited in vain for ${task} of ${inputs}; ${this.problems}`);
             await new Promise(resolve => setTimeout(resolve, 20));
         }
     }
@@ -147,7 +147,8 @@ export class Page {
 
     /// Chooses an option by what it reads.
     async choose(selector, text) {
-        await this.fill(selector, await this.on(selector, (element, wanted) => [...element.options].find(one => one.text === wanted)?.value, text));
+        const value = await this.on(selector, (element, wanted) => [...element.options].find(one => one.text === wanted)?.value, text);
+        await this.fill(selector, value);
         await this.on(selector, element => element.blur());
     }
 

@@ -36,8 +36,8 @@ Json json_of(Row const& row) {
 std::string subtitle_of(std::vector<Row> const& rows) {
     if (rows.empty()) return "";
     auto const& row = rows.front();
-    return to_string(row.size) + ", " + std::to_string(row.threads) + (row.threads == 1 ? " thread, " : " threads, ") + std::to_string(row.frames) +
-           " frames; errors are of displayed pictures, and means over the scored frames";
+    return to_string(row.size) + ", " + std::to_string(row.threads) + (row.threads == 1 ? " thread, " : " threads, ") +
+           std::to_string(row.frames) + " frames; errors are of displayed pictures, and means over the scored frames";
 }
 
 } // namespace

@@ -61,7 +61,7 @@ async function check_zoom(page) {
     assert.ok(await level() > 3 * fit, "the wheel zooms in");
     assert.equal(await page.text("#pixel"), before, "what is under the pointer stays there");
     await page.save("zoomed");
-    const [pane, large] = [await color_at(page, ".pane:nth-child(1) canvas", 0.31, 0.47), await color_at(page, "#compare canvas", 0.31, 0.47)];
+    const [pane, large] = await Promise.all([".pane:nth-child(1)", "#compare"].map(one => color_at(page, `${one} canvas`, 0.31, 0.47)));
     assert.deepEqual(pane, large, "a pane shows the part that the large view shows");
     await page.drag(point, 120, 40);
     await page.drawn();
@@ -105,7 +105,7 @@ async function check_plot(page) {
 
 /// The page's elements that are wider than the place they have, so that something of them is cut off or must be scrolled to.
 const cut_off = page => page.all("body, .card, .table-frame, .readout, .toolbar, .playback", elements =>
-    elements.filter(one => one.scrollWidth > one.clientWidth + 1).map(one => `${one.id || one.className || one.tagName}: ${one.textContent.slice(0, 40)}`));
+    elements.filter(one => one.scrollWidth > one.clientWidth + 1).map(one => `${one.className}: ${one.textContent.slice(0, 40)}`));
 
 async function check_full_page(open) {
     const page = await shown(await open("full.html"));
@@ -137,14 +137,15 @@ async function check_figures(open) {
     const [plot, facts] = [await page.box("#plot-card"), await page.box("#facts")];
     assert.ok(Math.abs(plot.width - facts.width) < 1, "without pictures the plot has their place");
     assert.match(await page.text("#readout"), /^surface\s+surface-clamp\s/, "names alone, until a frame is pointed at");
-    const looks = () => page.all("#plot .series", lines => lines.map(one => getComputedStyle(one).stroke + getComputedStyle(one).strokeDasharray));
+    const looks = () => page.all("#plot .series",
+        lines => lines.map(one => getComputedStyle(one)).map(one => one.stroke + one.strokeDasharray));
     const before = await looks();
     await page.choose("#metric", "cut: RMSE");
     const after = await looks();
     assert.equal(new Set(after).size, 24, "no two lines look alike");
     assert.ok(before.every(one => after.includes(one)), "a method looks the same in every metric");
-    const lines = await page.all(".facts td", cells => Math.max(...cells.map(one => one.clientHeight)));
-    assert.ok(lines < 40, `a row is a line (${lines} pixels)`);
+    const highest = await page.all(".facts td", cells => Math.max(...cells.map(one => one.clientHeight)));
+    assert.ok(highest < 40, `a row is a line (${highest} pixels)`);
     await page.hover("#plot");
     assert.match(await page.text("#readout"), /^frame \d+\s+surface \d/);
     assert.deepEqual(page.problems, []);
