@@ -22,13 +22,13 @@ std::vector<How> executors(Family const& family) {
 }
 
 /// The counters that do not depend on how long it took come first, then what the time means on this machine.
-void report(benchmark::State& state, Workload const& work, Extent size, double seconds, double bound) {
+void report(benchmark::State& state, Workload const& work, Extent size, int threads, double seconds, double bound) {
     auto const frames = static_cast<double>(state.iterations()), pixels = static_cast<double>(size.pixels());
     state.counters["bytes/pixel"] = work.bytes_per_pixel();
     state.counters["ms/frame"] = 1e3 * seconds / frames;
     state.counters["pixels/s"] = pixels * frames / seconds;
-    state.counters["bound_ms"] = 1e3 * bound;
-    state.counters["of_bound"] = bound * frames / seconds;
+    state.counters["kFLOP/pixel"] = 1e-3 * seconds / frames * machine(threads).operations_per_second / pixels;
+    if (bound > 0) state.counters["bound_ms"] = 1e3 * bound, state.counters["of_bound"] = bound * frames / seconds;
 }
 
 void run_preset(benchmark::State& state, Family const& family, Extent size, How how) {
@@ -42,7 +42,7 @@ void run_preset(benchmark::State& state, Family const& family, Extent size, How 
         allocated += allocations() - before;
         seconds += frame.wall;
     }
-    report(state, work, size, seconds, bound);
+    report(state, work, size, how.threads, seconds, bound);
     state.counters["allocations/frame"] = static_cast<double>(allocated) / static_cast<double>(state.iterations());
 }
 
@@ -56,7 +56,7 @@ void run_pass(benchmark::State& state, Family const& family, std::size_t pass, E
         state.SetIterationTime(taken);
         seconds += taken;
     }
-    report(state, work, size, seconds, bound);
+    report(state, work, size, how.threads, seconds, bound);
 }
 
 void register_preset(Family const& family, Extent size, How how) {
@@ -93,7 +93,7 @@ void register_benchmarks() {
     auto const all = families();
     for (auto const size : sizes) register_size(all, size);
     for (auto const& family : all)
-        if (family.has_serial)
+        if (family.storage == reference_storage)
             benchmark::RegisterBenchmark(("smoke/" + family.preset).c_str(), [=](benchmark::State& state) {
                 run_preset(state, family, smoke_size, {How::Kind::threads, max_threads()});
             })->Iterations(1);

@@ -1,5 +1,7 @@
 #include "family.hpp"
 
+#include "sequence.hpp"
+
 #include <quell/image/interleaved.hpp>
 #include <quell/image/planar.hpp>
 
@@ -10,17 +12,15 @@
 namespace quell::bench {
 
 Seconds Workload::next(How how) {
-    auto const& frames = sequence(size);
     taken.clear();
     auto const before = Seconds::now();
-    run(frames[at], how);
+    run(at, how);
     auto const whole = Seconds::now() - before;
-    at = (at + 1) % frames.size();
+    at = (at + 1) % sequence_frames;
     return whole;
 }
 
-void Workload::warm_up(Extent size_) {
-    size = size_;
+void Workload::warm_up() {
     for (int i = 0; i < 8; ++i) next({How::Kind::threads, max_threads()});
 }
 
@@ -56,7 +56,7 @@ Workload& workload(Family const& family, Extent size) {
         made_for.clear();
         made.reset();
         made = family.make(size);
-        made->warm_up(size);
+        made->warm_up();
         made_for = wanted;
     }
     return *made;

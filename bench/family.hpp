@@ -1,7 +1,6 @@
 #pragma once
 
 #include "costs.hpp"
-#include "sequence.hpp"
 #include "timed.hpp"
 
 #include <memory>
@@ -10,11 +9,15 @@
 
 namespace quell::bench {
 
+/// The storage that all is compared with.
+inline constexpr auto reference_storage = "planar-float";
+
 /// A preset with a history of its own, ready to run frame after frame.
 class Workload {
 public:
     virtual ~Workload() = default;
-    virtual void run(Input const& frame, How how) = 0;
+    /// @param frame of the sequence
+    virtual void run(std::size_t frame, How how) = 0;
     [[nodiscard]] virtual double bytes_per_pixel() const = 0;
     /// What the passes of the last frame took.
     [[nodiscard]] std::vector<Seconds> const& passes() const { return taken; }
@@ -22,13 +25,12 @@ public:
     /// The next frame of the sequence. Returns the whole frame's time.
     Seconds next(How how);
     /// Until histories are long.
-    void warm_up(Extent size);
+    void warm_up();
 
 protected:
     std::vector<Seconds> taken;
 
 private:
-    Extent size;
     std::size_t at = 0;
 };
 
@@ -48,7 +50,7 @@ struct Family {
     [[nodiscard]] double bound(std::size_t pass, Extent size, int threads) const;
 };
 
-/// Those presets that read what Input has, with each storage, in the order of quell::named_presets.
+/// All presets with each storage, in the order of quell::named_presets. Without the tracer, only those that read what Input has.
 std::vector<Family> families();
 /// Every `units`-th of them from number `unit` on, with one storage: in a generated file.
 template <class Storage, std::size_t unit, std::size_t units> std::vector<Family> families_of_unit();

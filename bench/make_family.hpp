@@ -1,34 +1,47 @@
 #pragma once
 
 #include "family.hpp"
+#include "traced_sequence.hpp"
 
-#include <quell/presets/named.hpp>
+#include <quell/pipeline/plan.hpp>
 
 #include <algorithm>
 
 namespace quell::bench {
 
+/// Whether the made-up sequence has what a pipeline reads.
+template <class P> inline constexpr bool reads_input = contained_in<typename P::reads, Input::channels>;
+
+template <class P> auto const& frames_for(Extent size) {
+    if constexpr (reads_input<P>)
+        return sequence(size);
+    else
+        return traced_sequence<is_of_open_shutter<P>>(size);
+}
+
 /// What generated files instantiate.
 template <class P, class Storage, bool with_serial> class PresetWorkload final : public Workload {
     P pipeline;
     History<P, Storage> history;
+    Extent size;
 
 public:
-    PresetWorkload(P const& p, Extent size) : pipeline(p), history(size, p) {}
-    void run(Input const& frame, How how) override { quell::run(pipeline, frame, history, Timed<Chosen<with_serial>>{{how}, &taken}); }
+    PresetWorkload(P const& p, Extent s) : pipeline(p), history(s, p), size(s) {}
+    void run(std::size_t frame, How how) override {
+        quell::run(pipeline, frames_for<P>(size)[frame], history, Timed<Chosen<with_serial>>{{how}, &taken});
+    }
     [[nodiscard]] double bytes_per_pixel() const override { return history.bytes_per_pixel(); }
 };
 
 /// The names under which passes are reported: no spaces, and several of one name numbered.
 template <class P> std::vector<std::string> pass_names(P const& pipeline) {
-    std::vector<std::string> names{pipeline.ingest.name};
-    pipeline.for_each_pass([&](auto const& pass) { names.push_back(pass.name); });
-    if (names.size() == 1) names.push_back(detail::PassThrough::name);
+    std::vector<std::string> names;
+    for (auto const& pass : plan_of(pipeline).passes) names.emplace_back(pass.name);
     auto const all = names;
     for (std::size_t i = 0; i < names.size(); ++i) {
         std::ranges::replace(names[i], ' ', '-');
         if (std::ranges::count(all, all[i]) > 1)
-            names[i] += "/level" + std::to_string(std::count(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i), all[i]));
+            names[i] += "/" + std::to_string(std::count(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i), all[i]));
     }
     return names;
 }
@@ -36,8 +49,8 @@ template <class P> std::vector<std::string> pass_names(P const& pipeline) {
 template <class Storage, class Preset> Family make_family(Preset const& preset, std::size_t order) {
     using P = decltype(Preset::usual());
     using Format = typename Storage::format;
-    // One pixel at a time is the reference for the fast storage only; elsewhere it would double the time to compile for nothing.
-    constexpr bool with_serial = std::is_same_v<Storage, Planar<>>;
+    // One pixel at a time is a reference: everywhere, it would double the time to compile for nothing.
+    constexpr bool with_serial = std::is_same_v<Storage, Planar<>> && reads_input<P>;
     return {std::string(preset.name),
             order,
             std::string(Storage::name) + "-" + Format::name,
@@ -49,8 +62,8 @@ template <class Storage, class Preset> Family make_family(Preset const& preset, 
             }};
 }
 
-/// Whether the sequence has what a pipeline reads.
-template <class P> inline constexpr bool is_measured = contained_in<typename P::reads, Input::channels>;
+/// Whether there are frames for a pipeline.
+template <class P> inline constexpr bool is_measured = QUELL_BENCH_TRACES || reads_input<P>;
 
 template <class Storage, std::size_t unit, std::size_t units> std::vector<Family> families_of_unit() {
     std::vector<Family> made;

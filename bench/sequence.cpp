@@ -8,7 +8,7 @@
 namespace quell::bench {
 namespace {
 
-constexpr int frames = 4;
+constexpr int frames = sequence_frames;
 constexpr float miss = std::numeric_limits<float>::infinity();
 
 /// A surface seen in a pixel. The camera looks along +z and never turns, so a ray's parameter is its depth.

@@ -6,7 +6,10 @@
 
 namespace quell::bench {
 
-/// What measured presets may read. A preset that reads more is left out: add its channels here and to sequence.cpp.
+/// How many frames a sequence has.
+inline constexpr int sequence_frames = 4;
+
+/// What most presets read. Those that read more get frames that are traced.
 using Input = Frame<Channels<Radiance, Depth, Normal, Motion, Albedo>>;
 
 /// A few frames of a made-up scene, to be run round and round: planes and spheres with edges before them, texture, noise as of one sample

@@ -13,7 +13,6 @@ namespace quell::bench {
 namespace {
 
 constexpr Extent size{1920, 1080};
-constexpr auto reference_storage = "planar-float";
 
 using examples::median;
 
@@ -55,6 +54,18 @@ std::vector<Series> alternate(Family const& family, std::vector<How> const& exec
     return all;
 }
 
+/// A preset with a storage, and the frames of each executor.
+struct Measured {
+    Family family;
+    std::vector<Series> series;
+    double bytes;
+
+    [[nodiscard]] Series const& series_of(How how) const {
+        return *std::ranges::find_if(series, [&](auto const& each) { return each.how.name() == how.name(); });
+    }
+    [[nodiscard]] bool is_reference() const { return family.storage == reference_storage; }
+};
+
 /// A row of a table in Markdown.
 void print_row(std::initializer_list<std::string> cells) { fmt::print("| {} |\n", fmt::join(cells, " | ")); }
 void print_head(std::initializer_list<std::string> cells) {
@@ -79,18 +90,24 @@ void print_presets_head(int rounds) {
     auto const most = std::to_string(max_threads());
     fmt::print("\n## Presets, {}, {}, medians of {}; cpu: processor time, which others on the machine hardly lengthen\n", to_string(size),
                reference_storage, rounds);
-    print_head({"preset", "serial ms", "simd ms", "simd cpu ms", "threads:1 ms", "threads:" + most + " ms", "best", "serial/simd",
-                "threads 1/" + most, "the same by cpu", "of bound, simd", "of bound, threads", "bytes/pixel", "allocations (simd)"});
+    print_head({"preset", "serial ms", "simd ms", "simd cpu ms", "threads:1 ms", "threads:" + most + " ms", "best", "kFLOP/pixel",
+                "serial/simd", "threads:1/simd", "threads 1/" + most, "the same by cpu", "of bound, simd", "of bound, threads",
+                "bytes/pixel", "allocations (simd)"});
 }
 
-void print_preset(Family const& family, std::vector<Series> const& s, double bytes) {
-    auto const &serial = s[0], &simd = s[1], &one = s[2], &many = s[3];
+void print_preset(Measured const& m) {
+    auto const &simd = m.series_of({How::Kind::simd, 1}), &one = m.series_of({How::Kind::threads, 1}), &many = m.series.back();
     auto const ms = [](std::vector<double> const& seconds) { return number(1e3 * median(seconds), 2); };
-    print_row({family.preset, number(1e3 * median(serial.wall), 1), ms(simd.wall), ms(simd.processor), ms(one.wall), ms(many.wall),
-               number(1e3 * *std::ranges::min_element(many.wall), 2), number(ratio(serial.processor, simd.processor), 1),
-               number(ratio(one.wall, many.wall), 2), number(many.how.threads * ratio(one.processor, many.processor), 2),
-               part_of_bound(family.bound(size, 1), median(simd.processor)),
-               part_of_bound(family.bound(size, many.how.threads), median(many.wall)), number(bytes, 1), std::to_string(simd.allocated)});
+    auto const serial = m.family.has_serial ? m.series.front() : Series{};
+    auto const threads = many.how.threads;
+    // Work that the machine could have done in that time.
+    auto const peak_equivalents = 1e-3 * median(many.wall) * machine(threads).operations_per_second / static_cast<double>(size.pixels());
+    print_row({m.family.preset, ms(serial.wall), ms(simd.wall), ms(simd.processor), ms(one.wall), ms(many.wall),
+               number(1e3 * *std::ranges::min_element(many.wall), 2), number(peak_equivalents, 2),
+               number(ratio(serial.processor, simd.processor), 1), number(ratio(one.processor, simd.processor), 3),
+               number(ratio(one.wall, many.wall), 2), number(threads * ratio(one.processor, many.processor), 2),
+               part_of_bound(m.family.bound(size, 1), median(simd.processor)),
+               part_of_bound(m.family.bound(size, threads), median(many.wall)), number(m.bytes, 1), std::to_string(simd.allocated)});
 }
 
 void print_passes_head() {
@@ -113,21 +130,15 @@ void print_passes(Family const& family, Series const& simd) {
     }
 }
 
-struct Measured {
-    Family family;
-    std::vector<Series> series;
-    double bytes;
-};
-
 std::vector<Measured> measure(std::string_view wanted, int rounds) {
     std::vector<Measured> all;
     int const most = max_threads();
     for (auto const& family : families()) {
         if (!wanted.empty() && family.preset != wanted) continue;
-        std::vector<How> const executors =
-            family.has_serial
-                ? std::vector<How>{{How::Kind::serial, 1}, {How::Kind::simd, 1}, {How::Kind::threads, 1}, {How::Kind::threads, most}}
-                : std::vector<How>{{How::Kind::simd, 1}, {How::Kind::threads, most}};
+        std::vector<How> executors{{How::Kind::simd, 1}};
+        if (family.has_serial) executors.insert(executors.begin(), {How::Kind::serial, 1});
+        if (family.storage == reference_storage) executors.push_back({How::Kind::threads, 1});
+        executors.push_back({How::Kind::threads, most});
         fmt::print(stderr, "measuring {} {}\n", family.preset, family.storage);
         auto series = alternate(family, executors, rounds);
         all.push_back({family, std::move(series), workload(family, size).bytes_per_pixel()});
@@ -139,7 +150,7 @@ void print_storages(std::vector<Measured> const& all) {
     fmt::print("\n## Storages, {}\n", to_string(size));
     print_head({"preset", "storage", "simd ms", "threads:" + std::to_string(max_threads()) + " ms", "bytes/pixel", "allocations"});
     for (auto const& m : all) {
-        auto const& simd = m.series[m.family.has_serial ? 1 : 0];
+        auto const& simd = m.series_of({How::Kind::simd, 1});
         print_row({m.family.preset, m.family.storage, number(1e3 * median(simd.processor), 2),
                    number(1e3 * median(m.series.back().wall), 2), number(m.bytes, 1), std::to_string(simd.allocated)});
     }
@@ -152,10 +163,10 @@ void print_summary(std::string_view wanted, int rounds) {
     auto const all = measure(wanted, rounds);
     print_presets_head(rounds);
     for (auto const& m : all)
-        if (m.family.has_serial) print_preset(m.family, m.series, m.bytes);
+        if (m.is_reference()) print_preset(m);
     print_passes_head();
     for (auto const& m : all)
-        if (m.family.has_serial) print_passes(m.family, m.series[1]);
+        if (m.is_reference()) print_passes(m.family, m.series_of({How::Kind::simd, 1}));
     print_storages(all);
 }
 
