@@ -15,7 +15,8 @@ namespace {
 constexpr auto footer = R"(
 Files of quell-trace and of Blender's Cycles are recognised; --map names the channels of any other renderer's:
   {"channels":  {"depth": "Z", "normal": "N", "motion": ["speed.x", {"from": "speed.y", "scale": -1}]},
-   "motion":    {"points": "to_previous|from_previous", "unit": "pixel|uv|ndc", "y": "down|up"},
+   "motion":    {"points": "to_previous|from_previous", "unit": "pixel|uv|ndc", "y": "down|up",
+                 "jitter": "left_out|left_in"},
    "miss_from": 1e9,
    "shutter":   0.5,
    "signals":   [{"radiance": "beauty", "albedo": "base_color"},

@@ -1,5 +1,7 @@
 #include "../frames.hpp"
 
+#include <quell/image/interleaved.hpp>
+
 using namespace quell;
 
 namespace {
@@ -140,4 +142,17 @@ TEST_CASE("a factor that has a pipeline of its own is denoised too, and added to
         });
         CHECK(tests::difference(wanted, out) < 1e-6);
     }
+}
+
+TEST_CASE("run_into writes a composite's picture into the host's image, whatever size the history had") {
+    constexpr auto all = Composite{shadows, reflections, bounced};
+    Frame frame{size, all};
+    tests::fill_randomly(frame, 5);
+    Interleaved<>::Image<3> target(size);
+    History history{Extent{4, 4}, all};
+    run_into(target.view(), all, frame, history);
+    CHECK(tests::copy_of(target.view()) == once(all, frame));
+    Interleaved<>::Image<3> small({8, 8});
+    CHECK(tests::message([&] { run_into(small.view(), all, frame, history); }) ==
+          "run_into: the target: 8x8 for a frame of 37x11; give it the frame's size");
 }

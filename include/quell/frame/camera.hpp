@@ -9,9 +9,8 @@
 namespace quell {
 
 /// A host's perspective camera. Column-major GLM matrices, column vectors: clip = projection * view * world.
-/// View space looks down -z. Normalised device coordinates are in [-1, 1] with y up: image row 0 is y = +1. The depth range is free ([0,
-/// 1],
-/// [-1, 1] or reversed), as long as the projection can be inverted.
+/// View space looks down -z. Normalised device coordinates are in [-1, 1] with y up: image row 0 is y = +1.
+/// Any range of depth will do, reversed or not, if the projection can be inverted.
 struct Camera {
     glm::mat4 view{1.f};       ///< world space to view space
     glm::mat4 projection{1.f}; ///< view space to clip space, without jitter

@@ -143,13 +143,20 @@ struct CompositeRun {
     static auto all(Composite<Ps...> const& composite, F const& frame, History<Composite<Ps...>, Storage>& history, E const& executor) {
         // Checked before any part runs: an error must leave all histories at the same frame.
         check_frame<Composite<Ps...>>(frame);
-        if (!(history.picture.size() == frame.size)) history.picture = ImageOf<Storage, Radiance>(frame.size);
+        follow_size(frame, history);
         auto const output = history.picture.view();
+        into(output, composite, frame, history, executor);
+        return output;
+    }
+    /// @param frame checked
+    template <class Output, class... Ps, class F, class Storage, class E>
+    static void into(Output const& output, Composite<Ps...> const& composite, F const& frame, History<Composite<Ps...>, Storage>& history,
+                     E const& executor) {
         [&]<std::size_t... i>(std::index_sequence<i...>) {
             auto const factors = frame.views(typename Composite<Ps...>::factors{});
             auto const sum = [&](auto... parts) {
-                CompositeJob<decltype(frame.views(typename Composite<Ps...>::factors{})), decltype(history.picture.view()),
-                             decltype(parts)...> const job{.frame = factors, .output = output, .parts = {parts...}};
+                CompositeJob<decltype(frame.views(typename Composite<Ps...>::factors{})), Output, decltype(parts)...> const job{
+                    .frame = factors, .output = output, .parts = {parts...}};
                 executor.for_each_pixel(Region{0, 0, frame.size.width, frame.size.height}, job);
             };
             // Initialiser lists are evaluated in order.
@@ -157,7 +164,10 @@ struct CompositeRun {
                                 run(std::get<i>(composite.pipelines), frame, std::get<i>(history.parts), executor))...});
         }
         (std::index_sequence_for<Ps...>{});
-        return output;
+    }
+
+    template <class F, class H> static void follow_size(F const& frame, H& history) {
+        if (!(history.picture.size() == frame.size)) history.picture = decltype(history.picture)(frame.size);
     }
 
 private:
@@ -174,6 +184,21 @@ auto run(Composite<Ps...> const& composite, Frame<Set, FrameStorage> const& fram
         contained_in<typename Composite<Ps...>::reads, Set>,
         "run(composite, frame, ...): the frame lacks a channel that the composite reads; construct the frame with this composite");
     return detail::CompositeRun::all(composite, frame, history, executor);
+}
+
+/// Like run(), but writes the picture through a view of the host's, as run_into() of a Pipeline does. The history keeps a picture of its
+/// own nevertheless.
+/// @throws Error as run() does, and for a target that is not of the frame's size
+template <class... Ps, class Set, class FrameStorage, class Storage, ImageView Target, Executor E = Simd>
+void run_into(Target const& target, Composite<Ps...> const& composite, Frame<Set, FrameStorage> const& frame,
+              History<Composite<Ps...>, Storage>& history, E const& executor = {}) {
+    static_assert(contained_in<typename Composite<Ps...>::reads, Set>, "run_into(target, composite, frame, ...): the frame lacks a channel "
+                                                                       "that the composite reads; construct the frame with this composite");
+    static_assert(Target::components == 3, "run_into(target, composite, frame, ...): the target must have three components");
+    detail::check_target(target.size, frame.size);
+    detail::check_frame<Composite<Ps...>>(frame);
+    detail::CompositeRun::follow_size(frame, history);
+    detail::CompositeRun::into(target, composite, frame, history, executor);
 }
 
 } // namespace quell

@@ -16,8 +16,8 @@ struct PlannedPass {
     using Names = std::vector<std::string_view>; ///< names of channels
     std::string_view name;                       ///< of the pass
     int fraction = 1;                            ///< the pass runs at 1/fraction of the frame's width and height
-    Names reads{};                               ///< of this frame, from the host and from earlier passes
-    Names reads_past{};                          ///< of the last frame
+    Names reads{};                               ///< may read, of this frame: from the host and from earlier passes
+    Names reads_past{};                          ///< may read, of the last frame
     Names writes{};                              ///< for later passes, the next frame and the host
 };
 

@@ -43,9 +43,7 @@ void run_into(Target const& target, P const& pipeline, Frame<Set, FrameStorage> 
                                                         "pipeline reads; construct the frame with this pipeline");
     static_assert(Target::components == P::Output::components,
                   "run_into(target, pipeline, frame, ...): the target has another number of components than the pipeline's signal");
-    if (!(target.size == frame.size))
-        throw Error("run_into: the target", to_string(target.size) + " for a frame of " + to_string(frame.size),
-                    "give it the frame's size");
+    detail::check_target(target.size, frame.size);
     detail::Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, Target>(pipeline, frame, history, executor, target).all();
 }
 

@@ -16,6 +16,12 @@ inline bool usable(glm::mat4 const& m) {
     return abs(glm::determinant(m)) > 0.f;
 }
 
+/// @throws Error where the host's image is not of the frame's size
+inline void check_target(Extent target, Extent frame) {
+    if (!(target == frame))
+        throw Error("run_into: the target", to_string(target) + " for a frame of " + to_string(frame), "give it the frame's size");
+}
+
 /// @throws Error that names the channel, matrix or shutter at fault
 template <class P, class Set, class Storage> void check_frame(Frame<Set, Storage> const& frame) {
     for_each_channel(typename P::reads{}, [&](auto c) {
@@ -24,7 +30,7 @@ template <class P, class Set, class Storage> void check_frame(Frame<Set, Storage
             throw Error("channel '" + std::string(c.name) + "'", to_string(view.size) + " in a frame of " + to_string(frame.size),
                         c.fraction == 1
                             ? "give every channel the frame's size"
-                            : "give it a " + std::to_string(c.fraction) + "th of the frame's width and height: " + to_string(wanted));
+                            : "give it 1/" + std::to_string(c.fraction) + " of the frame's width and height: " + to_string(wanted));
         if constexpr (requires { view.data; })
             if (!view.data)
                 throw Error("channel '" + std::string(c.name) + "'", "no memory", "point the channel at the host's image before run()");
@@ -34,7 +40,8 @@ template <class P, class Set, class Storage> void check_frame(Frame<Set, Storage
                             "give the distance from a row to the next, in elements");
     });
     if (!(is_finite(frame.shutter) && frame.shutter >= 0.f))
-        throw Error("frame.shutter", std::to_string(frame.shutter), "give the part of the frame time during which the shutter is open");
+        throw Error("frame.shutter", std::to_string(frame.shutter),
+                    "give the fraction of the frame time during which the shutter is open: finite, 0 or more");
     if constexpr (P::needs_camera) {
         if (!usable(frame.camera.view))
             throw Error("camera.view", "a singular or non-finite matrix", "set frame.camera to the host's camera");
