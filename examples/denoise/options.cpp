@@ -1,4 +1,5 @@
 #include <denoise/debug_view.hpp>
+#include <denoise/map_file.hpp>
 #include <denoise/options.hpp>
 #include <denoise/presets.hpp>
 #include <support/program.hpp>
@@ -12,20 +13,16 @@ namespace quell::examples {
 
 namespace {
 
-constexpr auto footer = R"(
-Files of quell-trace and of Blender's Cycles are recognised; --map names the channels of any other renderer's:
-  {"channels":  {"depth": "Z", "normal": "N", "motion": ["speed.x", {"from": "speed.y", "scale": -1}]},
-   "motion":    {"points": "to_previous|from_previous", "unit": "pixel|uv|ndc", "y": "down|up",
-                 "jitter": "left_out|left_in"},
-   "miss_from": 1e9,
-   "shutter":   0.5,
-   "signals":   [{"radiance": "beauty", "albedo": "base_color"},
-                 {"irradiance": {"from": ["diffuse_direct", "diffuse_indirect"]}, "albedo": "diffuse_color"}],
-   "added":     "emission"}
-Every member may be left out. A name stands for a layer (beauty.R beauty.G beauty.B), a list for whole names, a number for itself everywhere;
-"radiance" is divided by its albedo before it is denoised, "irradiance" already is. See examples/denoise/map_file.hpp.
+/// What --map and exit codes mean.
+std::string footer() {
+    return "\nFiles of quell-trace and of Blender's Cycles are recognised; --map names the channels of any other renderer's:\n" +
+           std::string(map_example) + R"(
+Every member may be left out. A name stands for a layer (beauty.R beauty.G beauty.B), a list for whole names, a number for itself everywhere.
+"points" is to_previous or from_previous, "unit" pixel, uv or ndc, "y" down or up, "jitter" left_out or left_in.
+"radiance" is divided by its albedo before it is denoised, "irradiance" already is. docs/programs.md has all of it.
 
 Exit codes: 0 done, 2 unusable arguments or input, 1 anything else.)";
+}
 
 /// The names of all presets, a line a group.
 std::string preset_groups() {
@@ -69,7 +66,7 @@ void describe(CLI::App& app, DenoiseOptions& options) {
         "--plan", options.plan,
         "Print the passes of --preset, or of the preset that suits --in, with what each reads and writes, and the memory that they take; "
         "denoise nothing");
-    app.footer("Presets, " + preset_groups() + footer);
+    app.footer("Presets, " + preset_groups() + footer());
 }
 
 void check_debug_views(DenoiseOptions const& options) {

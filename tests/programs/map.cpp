@@ -1,9 +1,10 @@
-#include "../io/files.hpp"
+#include "programs.hpp"
 
 #include <denoise/map_file.hpp>
 
 using namespace quell;
 using namespace quell::tests;
+using quell::examples::map_example;
 using quell::examples::parse_map;
 
 namespace {
@@ -104,4 +105,12 @@ TEST_CASE("mistakes are named with their place and what to write") {
     check(brackets, {"map.json", "deep in each other"});
     check("{\"motion\": " + brackets + std::string(brackets.size(), ']') + "}", {"map.json", "deep in each other"});
     check_error([] { static_cast<void>(examples::read_map("/nowhere/map.json")); }, {"/nowhere/map.json", "can't be read"});
+}
+
+TEST_CASE("the example of a map is one, with every member, and stands in the documentation and in --help") {
+    auto const names = parse_map(std::string(map_example), "example");
+    CHECK(names.of_signals.size() == 2);
+    CHECK(!names.added.empty());
+    CHECK(contains(bytes_of(QUELL_ROOT "/docs/programs.md"), std::string(map_example)));
+    CHECK(contains(denoise("--help").out, std::string(map_example)));
 }
