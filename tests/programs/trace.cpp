@@ -88,7 +88,7 @@ TEST_CASE("any scene without secondary rays, and with straight motion") {
     auto const curved = bytes_of(folder / "frame.0020.exr");
     run("--scene propeller --shutter-keys 2");
     CHECK(bytes_of(folder / "frame.0020.exr") != curved);
-    check_refused(trace(to(folder) + "--effects blur --shutter-keys 1"), {"--shutter-keys", "1", "give 2 to 129"});
+    check_refused(trace(to(folder) + "--effects blur --shutter-keys 1"), {"--shutter-keys", "1", "2 to 129"});
 }
 
 TEST_CASE("the previous camera is the last frame's") {
@@ -127,7 +127,7 @@ TEST_CASE("with jitter files are usable, and say where a frame's samples lie") {
         CHECK(done.lines().size() == 5);
     }
     Folder const folder;
-    check_refused(trace(to(folder) + "--jitter halton"), {"--jitter", "there is no jitter 'halton'", "choose from: none, frame, pixel"});
+    check_refused(trace(to(folder) + "--jitter halton"), {"--jitter", "halton", "none,frame,pixel"});
     CHECK(folder.files() == 0);
 }
 
