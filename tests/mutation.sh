@@ -100,7 +100,7 @@ mutant "albedo comes back" pipeline/history frame/modulation.hpp 'return a * d;'
 mutant "the test for what is no light in a picture's factors" pipeline/composite pipeline/composite.hpp 'return select(is_light(f), f,' 'return select(Real(0.f) == Real(0.f), f,'
 mutant "what a filter before Temporal does with missing samples" pipeline/stages pipeline/ingest.hpp 'select(missing, with_sign_bit(a)' 'select(invert(missing), max(a, real_of<V>(0.f))'
 mutant "a past that never had a sample" pipeline/stages motion/history_fetch.hpp 'then[history_length] > Real(0.f)' 'then[history_length] >= Real(0.f)'
-mutant "the order of a pipeline's end: what is remembered is still read" pipeline/stages pipeline/execution/frame_run.hpp 'if (!reads_remembered)' 'if (reads_remembered)'
+mutant "the order of a pipeline's end: what is remembered is still read" pipeline/stages pipeline/execution/frame_run.hpp 'if (past && !reads_guides)' 'if (past && reads_guides)'
 mutant "blur: when a sample passes" blur/two_motions blur/trajectory/sample_trajectory.hpp 'when = time() + along;' 'when = time() - along;'
 mutant "blur: motions too unlike to be of one surface" blur/two_motions blur/two_motions/pair_guide.hpp \
     'difference > unlike_by * unlike_by,' 'difference > difference,'

@@ -3,6 +3,8 @@
 #include <quell/execute/threads.hpp>
 
 #include <array>
+#include <new>
+#include <string_view>
 
 using namespace quell;
 
@@ -16,6 +18,15 @@ template <class F> void every_pixel(F& frame, glm::vec3 colour) {
     tests::fill_still(frame);
     tests::fill(frame[radiance], [&](int, int) { return colour; });
 }
+
+/// Throws after the named pass.
+struct StopsAt {
+    std::string_view pass;
+    template <class Job> void for_each_pixel(Region region, Job const& job) const {
+        Serial{}.for_each_pixel(region, job);
+        if (Job::name == pass) throw std::bad_alloc{};
+    }
+};
 } // namespace
 
 TEST_CASE("history starts afresh at the first frame, a new size, a gap in the numbers, and on demand") {
@@ -40,6 +51,22 @@ TEST_CASE("history starts afresh at the first frame, a new size, a gap in the nu
     CHECK(out.size == Extent{64, 8});
     CHECK(out.get(0, 63, 7) == 2.f);
     CHECK(history.statistics().frames == 1);
+}
+
+TEST_CASE("a frame that an exception ends leaves nothing behind: the next one starts afresh, in the same memory") {
+    for (auto const pass : {"ingest", "temporal", "variance-guided a-trous"}) {
+        CAPTURE(pass);
+        Frame frame{size, svgf};
+        History history{size, svgf}, fresh{size, svgf};
+        for (float const light : {1.f, 2.f}) every_pixel(frame, glm::vec3(light)), run(svgf, frame, history, Serial{});
+        auto const memory = history.bytes();
+        CHECK_THROWS_AS(run(svgf, frame, history, StopsAt{pass}), std::bad_alloc);
+        for (float const light : {3.f, 5.f}) {
+            every_pixel(frame, glm::vec3(light));
+            CHECK(tests::copy_of(run(svgf, frame, history, Serial{})) == tests::copy_of(run(svgf, frame, fresh, Serial{})));
+        }
+        CHECK(history.bytes() == memory);
+    }
 }
 
 TEST_CASE("samples that are no light are missing: they never spread, and are counted") {
