@@ -38,7 +38,7 @@ build_and_test() {
     mapfile -t names < <(existing_tests "$folder" "$@")
     [ ${#names[@]} -gt 0 ] || return 0
     cmake --build "$folder" --target "${names[@]/#/test_}"
-    ctest --test-dir "$folder" --output-on-failure -j "$jobs" -R "^($(IFS='|'; echo "${names[*]}"))\$"
+    ctest --test-dir "$folder" --output-on-failure -j "$jobs" -R "^($(IFS='|'; echo "${names[*]}"))(_shared_data)?\$"
 }
 
 step_gcc() {

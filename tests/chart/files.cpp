@@ -206,7 +206,7 @@ TEST_CASE("files are not mixed with scenes, and have their references") {
     CHECK(options_of({"a", "b"}, "out").files.at(1).reference == "b/reference.%04d.exr");
 }
 
-TEST_CASE("files of Blender's Cycles are charted as they are") {
+TEST_CASE("files of Blender's Cycles are charted as they are" * doctest::test_suite("shared data")) {
     auto const cycles = shared("data/sequences/cycles_occlusion");
     if (cycles.empty()) return;
     Folder const folder;

@@ -101,7 +101,7 @@ TEST_CASE("what was charted before another program failed is kept") {
 
 TEST_CASE("another program has no method's name, nor one whose picture would take a method's place") {
     Folder const folder;
-    for (std::string const name : {"surface", "surface_alpha_0.5"})
+    for (std::string const name : {"surface", "surface_alpha_0.4"})
         check_refused(small_options(folder.path, {"--sweep", "--external", name + "=" + copy_frames}), "the name of a method", name);
     CHECK(!std::filesystem::exists(folder / "pictures"));
 }

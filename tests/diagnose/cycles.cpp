@@ -33,11 +33,11 @@ struct CyclesFrames {
 
 } // namespace
 
-TEST_CASE("nothing is said of the Cycles sequence") {
+TEST_CASE("nothing is said of the Cycles sequence" * doctest::test_suite("shared data")) {
     CyclesFrames(16).check_named({}, [](GoodFrame&, int) {});
 }
 
-TEST_CASE("mistakes in the Cycles sequence are named, as far as a still camera shows them") {
+TEST_CASE("mistakes in the Cycles sequence are named, as far as a still camera shows them" * doctest::test_suite("shared data")) {
     CyclesFrames const frames(4);
     for (auto const convention : detail::motion_conventions({})) {
         // Both objects move sideways, which says nothing about y.
@@ -68,7 +68,7 @@ TEST_CASE("mistakes in the Cycles sequence are named, as far as a still camera s
     frames.check_named({Mistake::resets_every_frame}, [](GoodFrame& frame, int i) { frame.number = 2 * i; });
 }
 
-TEST_CASE("a Cycles frame rendered with one seed is named, and a history that nothing enters") {
+TEST_CASE("a Cycles frame rendered with one seed is named, and a history that nothing enters" * doctest::test_suite("shared data")) {
     CyclesFrames frames(5);
     frames.check_named({Mistake::output_is_input},
                        [](GoodFrame& frame, int) { each(frame, motion, [](glm::vec2) { return glm::vec2(1e6f); }); });

@@ -137,7 +137,7 @@ TEST_CASE("quell's own names go before others, and unknown ones are listed") {
     check_error([&] { static_cast<void>(names_of(folder, unknown)); }, {"cycles.exr", "neither quell's", "channel map", "beauty.colour.B"});
 }
 
-TEST_CASE("the Cycles sequence is recognised, and its passes make up its image") {
+TEST_CASE("the Cycles sequence is recognised, and its passes make up its image" * doctest::test_suite("shared data")) {
     auto const folder = shared("data/sequences/cycles_occlusion");
     if (folder.empty()) return;
     io::ExrFile const file(folder / "frame_0040.exr");

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "../shared_data.hpp"
 #include "../temporary_folder.hpp"
 
 #include <doctest/doctest.h>
 #include <quell/io/exr.hpp>
 
-#include <cstdlib>
 #include <functional>
 
 // Files and images to test with.
@@ -41,15 +41,6 @@ inline void check_error(std::function<void()> const& f, std::initializer_list<st
         INFO("part: ", part);
         CHECK(contains(message, part));
     }
-}
-
-/// Data that lies beside the repository; empty, with a line that says so, where it doesn't.
-inline std::filesystem::path shared(std::string const& name) {
-    auto const* const folder = std::getenv("QUELL_SHARED");
-    auto const path = std::filesystem::path(folder ? folder : "../shared") / name;
-    if (std::filesystem::exists(path)) return path;
-    MESSAGE("skipped: there is no ", path.string(), " (QUELL_SHARED names the folder)");
-    return {};
 }
 
 } // namespace quell::tests

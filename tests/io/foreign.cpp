@@ -94,7 +94,7 @@ TEST_CASE("numbers without sign that a float can't hold are told from those that
     check_error([&] { io::load(frame, image); }, {"ids.exr channel 'instance.ID'", "not exact in float", "2^24"});
 }
 
-TEST_CASE("the same image from one part and from several") {
+TEST_CASE("the same image from one part and from several" * doctest::test_suite("shared data")) {
     auto const folder = shared("data/scenes/exr");
     if (folder.empty()) return;
     auto const one = io::read_exr(folder / "singlepart.0001.exr"), several = io::read_exr(folder / "multipart.0001.exr");

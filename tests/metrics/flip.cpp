@@ -1,21 +1,16 @@
+#include "../shared_data.hpp"
 #include "pictures.hpp"
 
 #include <quell/metrics/flip.hpp>
 #include <support/png.hpp>
 
-#include <cstdlib>
-
 using namespace pictures;
 using quell::metrics::flip;
 using quell::metrics::Flip;
 
-TEST_CASE("flip: agrees with the reference implementation") {
-    auto const* const shared = std::getenv("QUELL_SHARED");
-    auto const folder = std::filesystem::path(shared == nullptr ? "." : shared) / "data" / "flip";
-    if (shared == nullptr || !std::filesystem::exists(folder)) {
-        MESSAGE("skipped: FLIP's reference pictures aren't here; set QUELL_SHARED to the folder that holds data/flip");
-        return;
-    }
+TEST_CASE("flip: agrees with the reference implementation" * doctest::test_suite("shared data")) {
+    auto const folder = quell::tests::shared("data/flip");
+    if (folder.empty()) return;
     struct Expected {
         char const* name;
         double mean, weighted_median;

@@ -161,7 +161,7 @@ TEST_CASE("several scenes get a folder each") {
     CHECK(std::filesystem::exists(folder / "boxes/frame.0000.exr"));
 }
 
-TEST_CASE("a glTF file with a camera of one's own") {
+TEST_CASE("a glTF file with a camera of one's own" * doctest::test_suite("shared data")) {
     auto const scene = shared("data/scenes/cornell_box/cornell_bevy.glb");
     if (scene.empty()) return;
     Folder const folder;

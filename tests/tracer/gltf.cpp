@@ -1,21 +1,12 @@
+#include "../shared_data.hpp"
 #include "worlds.hpp"
 
 #include <tracer/gltf/gltf.hpp>
-
-#include <cstdlib>
-#include <filesystem>
 
 using namespace quell;
 using namespace quell::tracer;
 
 namespace {
-
-/// The folder with other people's scenes; empty where there is none.
-std::filesystem::path scenes_folder() {
-    char const* shared = std::getenv("QUELL_SHARED");
-    std::filesystem::path const folder = shared == nullptr ? "" : std::filesystem::path{shared} / "data" / "scenes";
-    return std::filesystem::is_directory(folder) ? folder : "";
-}
 
 struct Expectation {
     char const* file;
@@ -54,12 +45,9 @@ void check_file(std::filesystem::path const& folder, Expectation const& expected
 
 } // namespace
 
-TEST_CASE("glTF scenes of others load, move and render") {
-    auto const folder = scenes_folder();
-    if (folder.empty()) {
-        MESSAGE("skipped: $QUELL_SHARED/data/scenes is absent");
-        return;
-    }
+TEST_CASE("glTF scenes of others load, move and render" * doctest::test_suite("shared data")) {
+    auto const folder = quell::tests::shared("data/scenes");
+    if (folder.empty()) return;
     check_file(folder, {"milk_truck/milktruck.gltf", true, {}});
     check_file(folder, {"vintage_desk_fan/vintageFan_animated.gltf", true, {}});
     check_file(folder, {"cesium_man/CesiumMan.glb", true, {}});
@@ -71,16 +59,16 @@ TEST_CASE("glTF scenes of others load, move and render") {
                         {.eye = glm::vec3{-9, 2.2f, -0.3f}, .target = glm::vec3{0, 3, 0}, .field_of_view = 70.f, .dolly = {0.1f, 0, 0}}});
 }
 
-TEST_CASE("a file's own camera is used") {
-    auto const folder = scenes_folder();
+TEST_CASE("a file's own camera is used" * doctest::test_suite("shared data")) {
+    auto const folder = quell::tests::shared("data/scenes");
     if (folder.empty()) return;
     auto const scene = load_gltf(folder / "cornell_box/cornell_suzanne_babylon.glb");
     CHECK(scene.camera(0).vertical_field_of_view == doctest::Approx(1.0808390484719517));
     CHECK(glm::distance(glm::vec3(scene.camera(0).world_from_camera[3]), glm::vec3{0, 1.5f, 4.5f}) < 1e-4f);
 }
 
-TEST_CASE("emissive triangles are lights") {
-    auto const folder = scenes_folder();
+TEST_CASE("emissive triangles are lights" * doctest::test_suite("shared data")) {
+    auto const folder = quell::tests::shared("data/scenes");
     if (folder.empty()) return;
     PreparedScene scene{load_gltf(folder / "cornell_box/cornell_bevy.glb")};
     scene.move_to(0);
