@@ -20,12 +20,12 @@ struct AllSignals {};
 /// @tparam Make   make(signal, parts...) returns the pipeline, or a Composite; parts that the preset has no use for are dropped
 /// @tparam Join   the same for the second argument of run_two_sided(); nullptr where the preset makes no use of later frames
 template <class Signal, class Make, class Join = std::nullptr_t> struct NamedPreset {
-    using signal_type = Signal;
-    std::string_view name; ///< of lower-case words with hyphens; the function has underscores
-    PresetGroup group;
-    Signal signal;
-    Make make;
-    Join join = nullptr;
+    using signal_type = Signal; ///< what it denoises
+    std::string_view name;      ///< of lower-case words with hyphens; the function has underscores
+    PresetGroup group;          ///< where it stands
+    Signal signal;              ///< what it denoises
+    Make make;                  ///< make(signal, parts...)
+    Join join = nullptr;        ///< join(signal, parts...)
 
     /// Whether it denoises this channel, by itself.
     template <ChannelTag S> static constexpr bool serves = std::is_same_v<Signal, AnySignal> || std::is_same_v<Signal, S>;
