@@ -31,7 +31,7 @@ CONTRACT = {
 TYPE_OR_CONSTANT = re.compile(r"(?:using|static constexpr (?:auto|bool)) (\w+) = ")
 FUNCTION = re.compile(r"(?:template <[^<>]*> )?(?:QUELL_KERNEL|constexpr) (?:[\w:]+(?: [\w:]+)*) (\w+)\(")
 CHANNEL = re.compile(r"inline constexpr ([A-Z]\w*)(?:<[^;]*>)? \w+;$")
-DEDUCTION_GUIDE = re.compile(r"template <.*> \w+\(.*\) -> .*;$")
+DEDUCTION_GUIDE = re.compile(r"(?:template <.*> )?\w+\(.*\) -> .*;$")
 VARIABLES = re.compile(r"((?:static |constexpr |inline )*(?:[\w:]|<[\w:, ]*>)+) (\w.*);(?: +///< (.*))?$")
 
 
@@ -64,7 +64,7 @@ def header(lines):
         code = line.strip()
         indent = re.match(r"[ \t]*", line).group()
         found = TYPE_OR_CONSTANT.match(code) or FUNCTION.match(code)
-        documented = "///" in line or before.startswith("/// ") or before.endswith("*/")
+        documented = "///" in line or (before.startswith("/// ") and before != "/// @endcond") or before.endswith("*/")
         if found and found.group(1) in CONTRACT and not documented:
             yield indent + f"/** {CONTRACT[found.group(1)]} */ " + code + "\n"
         elif not documented and CHANNEL.match(code):

@@ -18,8 +18,8 @@ concept BlendPolicy = std::is_trivially_copyable_v<B> &&
     { detail::as_result(b.blend(px, past)).value } -> std::convertible_to<typename detail::Probe<B>::Signal>;
 };
 
-/// past + alpha (now - past), the exponential blend that most policies end in.
-/// @param alpha weight of the new sample, 0 to 1
+/// past + alpha (now - past), the exponential blend that most policies end in. `alpha` is the weight of the new sample, from
+/// 0 to 1.
 template <class Px, class P> QUELL_KERNEL auto accumulate(Px const& px, P const& past, typename Px::Real alpha) {
     auto const now = px.signal();
     // mix() would round: alpha 1 must return `now` exactly, even beside a much larger past.
