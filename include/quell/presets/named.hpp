@@ -48,55 +48,56 @@ private:
 template <class S, class M> NamedPreset(std::string_view, PresetGroup, S, M) -> NamedPreset<S, M>;
 template <class S, class M, class J> NamedPreset(std::string_view, PresetGroup, S, M, J) -> NamedPreset<S, M, J>;
 
+namespace detail::named {
+using enum PresetGroup;
+using namespace presets;
+inline constexpr AnySignal any;
+inline constexpr AllSignals all;
+inline constexpr std::tuple list{
+    NamedPreset{"none", general, any, [](auto signal, auto...) { return presets::none(signal); }},
+    NamedPreset{"surface", general, any, [](auto... a) { return presets::surface(a...); }},
+    NamedPreset{"surface-clamp", general, any, [](auto... a) { return surface_clamp(a...); }},
+    NamedPreset{"atrous", general, any, [](auto... a) { return atrous(a...); }},
+    NamedPreset{"svgf", general, any, [](auto... a) { return svgf(a...); }},
+    NamedPreset{"general", general, any, [](auto... a) { return presets::general(a...); }, [](auto... a) { return general_joining(a...); }},
+    NamedPreset{"final-frame", general, any, [](auto... a) { return final_frame(a...); },
+                [](auto... a) { return final_frame_joining(a...); }},
+
+    NamedPreset{"shadow", effects, visibility, [](auto... a) { return shadow(a...); }},
+    NamedPreset{"glossy", effects, quell::glossy, [](auto... a) { return presets::glossy(a...); }},
+    NamedPreset{"glossy-flat-mirror", effects, quell::glossy, [](auto... a) { return presets::glossy<FlatMirror>(a...); }},
+    NamedPreset{"dual-cone", effects, indirect, [](auto... a) { return dual_cone(a...); }},
+    NamedPreset{"trmv", effects, all, [](auto...) { return trmv(); }},
+
+    NamedPreset{"blur", blur, radiance, [](auto signal, auto...) { return presets::blur(signal); }},
+    NamedPreset{"blur-straight", blur, radiance, [](auto signal, auto...) { return presets::blur<StraightTrajectories>(signal); }},
+    NamedPreset{"blur-bent", blur, radiance, [](auto signal, auto...) { return presets::blur<BentTrajectories>(signal); }},
+    NamedPreset{"blur-adaptive", blur, radiance,
+                [](auto signal, auto...) { return presets::blur<RotatingTrajectories, AdaptiveFootprint>(signal); }},
+    NamedPreset{"blur-split", blur, all, [](auto...) { return blur_split(); }},
+
+    NamedPreset{"asvgf", published, any, [](auto... a) { return asvgf(a...); }},
+    NamedPreset{"dual-color", published, any, [](auto... a) { return dual_color(a...); }},
+    NamedPreset{"mirror-clamp", published, quell::glossy, [](auto... a) { return mirror_clamp(a...); }},
+    NamedPreset{"shadow-paper", published, visibility, [](auto... a) { return shadow_paper(a...); }},
+    NamedPreset{"glossy-paper", published, quell::glossy, [](auto... a) { return glossy_paper(a...); }},
+    NamedPreset{"dual-cone-paper", published, indirect, [](auto... a) { return dual_cone_paper(a...); }},
+    NamedPreset{"trmv-paper", published, all, [](auto...) { return trmv_paper(); }},
+    NamedPreset{"blur-wavelet", published, radiance, [](auto signal, auto...) { return blur_wavelet(signal); }},
+    NamedPreset{"blur-fixed-step", published, radiance, [](auto signal, auto...) { return blur_fixed_step(signal); }},
+    NamedPreset{"blur-one-step", published, radiance, [](auto signal, auto...) { return blur_one_step(signal); }},
+    NamedPreset{"blur-paper", published, radiance, [](auto signal, auto...) { return blur_paper(signal); }},
+    NamedPreset{"blur-no-pre-filter", published, radiance, [](auto signal, auto...) { return blur_no_pre_filter(signal); }},
+    NamedPreset{"gather-blur", published, radiance, [](auto signal, auto...) { return gather_blur(signal); }},
+    NamedPreset{"tilemax-blur", published, radiance, [](auto signal, auto...) { return tilemax_blur(signal); }},
+};
+} // namespace detail::named
+
 /// All presets, group by group.
-inline constexpr std::tuple named_presets = [] {
-    using enum PresetGroup;
-    using namespace presets;
-    constexpr AnySignal any;
-    constexpr AllSignals all;
-    return std::tuple{
-        NamedPreset{"none", general, any, [](auto signal, auto...) { return presets::none(signal); }},
-        NamedPreset{"surface", general, any, [](auto... a) { return presets::surface(a...); }},
-        NamedPreset{"surface-clamp", general, any, [](auto... a) { return surface_clamp(a...); }},
-        NamedPreset{"atrous", general, any, [](auto... a) { return atrous(a...); }},
-        NamedPreset{"svgf", general, any, [](auto... a) { return svgf(a...); }},
-        NamedPreset{"general", general, any, [](auto... a) { return presets::general(a...); },
-                    [](auto... a) { return general_joining(a...); }},
-        NamedPreset{"final-frame", general, any, [](auto... a) { return final_frame(a...); },
-                    [](auto... a) { return final_frame_joining(a...); }},
-
-        NamedPreset{"shadow", effects, visibility, [](auto... a) { return shadow(a...); }},
-        NamedPreset{"glossy", effects, quell::glossy, [](auto... a) { return presets::glossy(a...); }},
-        NamedPreset{"glossy-flat-mirror", effects, quell::glossy, [](auto... a) { return presets::glossy<FlatMirror>(a...); }},
-        NamedPreset{"dual-cone", effects, indirect, [](auto... a) { return dual_cone(a...); }},
-        NamedPreset{"trmv", effects, all, [](auto...) { return trmv(); }},
-
-        NamedPreset{"blur", blur, radiance, [](auto signal, auto...) { return presets::blur(signal); }},
-        NamedPreset{"blur-straight", blur, radiance, [](auto signal, auto...) { return presets::blur<StraightTrajectories>(signal); }},
-        NamedPreset{"blur-bent", blur, radiance, [](auto signal, auto...) { return presets::blur<BentTrajectories>(signal); }},
-        NamedPreset{"blur-adaptive", blur, radiance,
-                    [](auto signal, auto...) { return presets::blur<RotatingTrajectories, AdaptiveFootprint>(signal); }},
-        NamedPreset{"blur-split", blur, all, [](auto...) { return blur_split(); }},
-
-        NamedPreset{"asvgf", published, any, [](auto... a) { return asvgf(a...); }},
-        NamedPreset{"dual-color", published, any, [](auto... a) { return dual_color(a...); }},
-        NamedPreset{"mirror-clamp", published, quell::glossy, [](auto... a) { return mirror_clamp(a...); }},
-        NamedPreset{"shadow-paper", published, visibility, [](auto... a) { return shadow_paper(a...); }},
-        NamedPreset{"glossy-paper", published, quell::glossy, [](auto... a) { return glossy_paper(a...); }},
-        NamedPreset{"dual-cone-paper", published, indirect, [](auto... a) { return dual_cone_paper(a...); }},
-        NamedPreset{"trmv-paper", published, all, [](auto...) { return trmv_paper(); }},
-        NamedPreset{"blur-wavelet", published, radiance, [](auto signal, auto...) { return blur_wavelet(signal); }},
-        NamedPreset{"blur-fixed-step", published, radiance, [](auto signal, auto...) { return blur_fixed_step(signal); }},
-        NamedPreset{"blur-one-step", published, radiance, [](auto signal, auto...) { return blur_one_step(signal); }},
-        NamedPreset{"blur-paper", published, radiance, [](auto signal, auto...) { return blur_paper(signal); }},
-        NamedPreset{"blur-no-pre-filter", published, radiance, [](auto signal, auto...) { return blur_no_pre_filter(signal); }},
-        NamedPreset{"gather-blur", published, radiance, [](auto signal, auto...) { return gather_blur(signal); }},
-        NamedPreset{"tilemax-blur", published, radiance, [](auto signal, auto...) { return tilemax_blur(signal); }},
-    };
-}();
+inline constexpr auto& named_presets = detail::named::list;
 
 /// How many presets there are.
-inline constexpr std::size_t preset_count = std::tuple_size_v<decltype(named_presets)>;
+inline constexpr std::size_t preset_count = std::tuple_size_v<std::remove_cvref_t<decltype(named_presets)>>;
 
 /// Calls function(preset) for each preset, in order.
 /// @tparam unit, units of all presets only number unit, unit + units, ...: so that several files share the work of compiling them
