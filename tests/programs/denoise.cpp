@@ -84,7 +84,7 @@ TEST_CASE("every preset for whole images runs, and none leaves the image as it i
 
 TEST_CASE("the effects' presets lessen the error of what quell-trace writes for these effects") {
     Folder const folder;
-    CHECK(trace("--scene room --size 96x64 --frames 6 --quiet --effects composite,shadow,glossy,indirect --reference 512 --out '" +
+    CHECK(trace("--scene temple --size 96x64 --frames 6 --quiet --effects composite,shadow,glossy,indirect --reference 512 --out '" +
                 folder.path.string() + "'")
               .code == 0);
     CHECK(left_of_error(folder, "shadow", 5, {"direct", "visibility.V"}) < 0.55);
