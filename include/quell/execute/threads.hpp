@@ -25,12 +25,12 @@ template <class Each = Simd> struct Threads {
         // oneTBB halves ranges. Ranges of pixels would give tiles of widths that are no multiple of a pack, so the range counts tiles.
         auto const work = [&] {
             using Range = oneapi::tbb::blocked_range2d<int>;
-            auto const [width, height] = tile_in({r.x1 - r.x0, r.y1 - r.y0});
+            auto const size = tile_in({r.x1 - r.x0, r.y1 - r.y0});
             oneapi::tbb::parallel_for(
-                Range(0, (r.y1 - r.y0 + height - 1) / height, 0, (r.x1 - r.x0 + width - 1) / width),
+                Range(0, (r.y1 - r.y0 + size.height - 1) / size.height, 0, (r.x1 - r.x0 + size.width - 1) / size.width),
                 [&](Range const& part) {
-                    int const x = r.x0 + part.cols().begin() * width, y = r.y0 + part.rows().begin() * height;
-                    each.for_each_pixel({x, y, std::min(x + width, r.x1), std::min(y + height, r.y1)}, job);
+                    int const x = r.x0 + part.cols().begin() * size.width, y = r.y0 + part.rows().begin() * size.height;
+                    each.for_each_pixel({x, y, std::min(x + size.width, r.x1), std::min(y + size.height, r.y1)}, job);
                 },
                 oneapi::tbb::simple_partitioner{});
         };
