@@ -40,7 +40,7 @@ template <class Each = Simd> struct Threads {
     }
 
 private:
-    /// The tile for a region. Whole rows are what prefetchers and address translation do best: tiles of 256 columns took a third longer.
+    /// The tile for a region. Whole rows are what prefetchers and address translation do best.
     Extent tile_in(Extent region) const {
         constexpr int usual_height = 16, tiles_per_thread = 4;
         int const threads = oneapi::tbb::this_task_arena::max_concurrency();
