@@ -20,6 +20,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cstdio>
 #include <optional>
@@ -54,12 +56,12 @@ int rounds_in(std::string const& text) {
 }
 /// @throws quell::Error for a preset that isn't measured
 void check_summary(std::string const& preset) {
-    std::string names;
+    std::vector<std::string> names; // each once: there is a family for each storage
     for (auto const& family : quell::bench::families()) {
         if (preset.empty() || family.preset == preset) return;
-        if (names.find(family.preset) == std::string::npos) names += (names.empty() ? "" : ", ") + family.preset;
+        if (names.empty() || names.back() != family.preset) names.push_back(family.preset);
     }
-    throw quell::Error("--summary", "there is no preset '" + preset + "'", "choose one of: " + names);
+    throw quell::Error("--summary", "there is no preset '" + preset + "'", fmt::format("choose one of: {}", fmt::join(names, ", ")));
 }
 
 } // namespace

@@ -16,7 +16,7 @@ template <class P> auto const& frames_for(Extent size) {
     if constexpr (reads_input<P>)
         return sequence(size);
     else
-        return traced_sequence<is_of_open_shutter<P>>(size);
+        return traced_sequence<blurs<P>>(size);
 }
 
 /// What generated files instantiate.
@@ -67,10 +67,9 @@ template <class P> inline constexpr bool is_measured = QUELL_BENCH_TRACES || rea
 
 template <class Storage, std::size_t unit, std::size_t units> std::vector<Family> families_of_unit() {
     std::vector<Family> made;
-    std::size_t order = unit;
-    for_each_preset<unit, units>([&](auto const& preset) {
-        if constexpr (is_measured<decltype(preset.usual())>) made.push_back(make_family<Storage>(preset, order));
-        order += units;
+    for_each_preset_index<unit, units>([&](auto i) {
+        auto const& preset = std::get<i>(named_presets);
+        if constexpr (is_measured<decltype(preset.usual())>) made.push_back(make_family<Storage>(preset, i));
     });
     return made;
 }

@@ -6,11 +6,11 @@
 
 namespace quell::bench {
 
-/// Whether a pipeline is for samples at times of the open shutter, or for pictures that it blurs.
-template <class P> inline constexpr bool is_of_open_shutter = P::reads::template has<Time> || P::reads::template has<Sweep>;
+/// Whether a pipeline makes motion blur, so that the shutter is open.
+template <class P> inline constexpr bool blurs = blur_input<P> != BlurInput::none;
 
 namespace detail {
-template <class P, bool open> using ReadsIf = std::conditional_t<is_of_open_shutter<P> == open, typename P::reads, Channels<>>;
+template <class P, bool open> using ReadsIf = std::conditional_t<blurs<P> == open, typename P::reads, Channels<>>;
 template <bool open, class... Presets>
 constexpr union_of<ReadsIf<decltype(Presets::usual()), open>...> all_reads(std::tuple<Presets...> const&) {
     return {};

@@ -13,13 +13,14 @@ struct NoPast {
 /// Get one sample per pixel, each at a time of its own.
 auto denoisers() {
     Temporal const no_history{NoPast{}, PairBlend<Radiance>{}};
-    return std::tuple_cat(std::tuple(Named{"none", presets::none(radiance)}, Named{"svgf", presets::svgf(radiance)},
-                                     Named{"general", presets::general(radiance)}),
-                          charted_presets(BlursSamples{}, radiance),
-                          std::tuple(Named{"blur", presets::blur(radiance)}.in_half(),
-                                     Named{"blur-no-history", Pipeline{radiance, Spatial{PairGuide<RotatingTrajectories>{}},
-                                                                       Spatial{PairGather<Radiance, RotatingTrajectories>{}}, no_history}},
-                                     Named{"blur-few-samples", presets::blur(radiance, {}, {.count = 32})}));
+    return std::tuple_cat(
+        std::tuple(Charted{"none", presets::none(radiance)}, Charted{"svgf", presets::svgf(radiance)},
+                   Charted{"general", presets::general(radiance)}),
+        charted_presets<BlurInput::samples>(radiance),
+        std::tuple(Charted{"blur", presets::blur(radiance)}.in_half(),
+                   Charted{"blur-no-history", Pipeline{radiance, Spatial{PairGuide<RotatingTrajectories>{}},
+                                                       Spatial{PairGather<Radiance, RotatingTrajectories>{}}, no_history}},
+                   Charted{"blur-few-samples", presets::blur(radiance, {}, {.count = 32})}));
 }
 } // namespace
 
@@ -32,13 +33,13 @@ void chart_blur(Job const& job) {
         auto settings = blurred;
         settings.samples_per_pixel = samples;
         settings.stratified_times = stratified;
-        Named shown{name, presets::none(radiance)};
+        Charted shown{name, presets::none(radiance)};
         shown.competes = false;
         return Feed{settings, std::tuple(shown), true};
     };
-    chart_feeds(job, radiance, {tracer::Effect::blur}, Feed{blurred, denoisers()}, Feed{frozen, charted_presets(BlursPicture{}, radiance)},
-                input(4, "none-4spp"), input(8, "none-8spp"), input(16, "none-16spp"), input(8, "none-8spp-random", false),
-                input(16, "none-16spp-random", false));
+    chart_feeds(job, radiance, {tracer::Effect::blur}, Feed{blurred, denoisers()},
+                Feed{frozen, charted_presets<BlurInput::picture>(radiance)}, input(4, "none-4spp"), input(8, "none-8spp"),
+                input(16, "none-16spp"), input(8, "none-8spp-random", false), input(16, "none-16spp-random", false));
 }
 
 } // namespace quell::bench

@@ -3,6 +3,8 @@
 #include <quell/core/error.hpp>
 #include <tracer/scenes/scenes.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace quell::bench {
@@ -12,9 +14,7 @@ using Effects = std::vector<std::string>;
 
 void check_known(std::string const& effect) {
     if (std::ranges::find(effect_names(), effect) != effect_names().end()) return;
-    std::string names;
-    for (auto const& name : effect_names()) names += (names.empty() ? "" : ", ") + name;
-    throw Error("--effect", "there is no effect '" + effect + "'", "choose from: " + names);
+    throw Error("--effect", "there is no effect '" + effect + "'", fmt::format("choose from: {}", fmt::join(effect_names(), ", ")));
 }
 
 } // namespace

@@ -3,5 +3,5 @@
 void quell::bench::chart_composite(Job const& job) {
     using tracer::Effect;
     chart_presets(job, radiance, {Effect::shadow, Effect::glossy, Effect::indirect}, std::tuple(Demodulate{}),
-                  Named{"trmv", presets::trmv()}.in_half());
+                  Charted{"trmv", presets::trmv()}.in_half());
 }

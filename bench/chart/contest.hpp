@@ -10,13 +10,13 @@
 namespace quell::bench {
 
 /// Methods, and how the frames are rendered that they get.
-template <class... Nameds> struct Feed {
-    using reads = reads_of<typename Nameds::Whole...>;
+template <class... Methods> struct Feed {
+    using reads = reads_of<typename Methods::Whole...>;
     tracer::RenderSettings rendered; ///< but for the frame's number
-    std::tuple<Nameds...> methods;
+    std::tuple<Methods...> methods;
     bool scored_frames_only = false; ///< for what has no history and whose time doesn't matter
 };
-template <class... Nameds> Feed(tracer::RenderSettings, std::tuple<Nameds...>, bool = false) -> Feed<Nameds...>;
+template <class... Methods> Feed(tracer::RenderSettings, std::tuple<Methods...>, bool = false) -> Feed<Methods...>;
 
 /// A feed's methods at work, and how they do.
 template <class FrameT> class Contest {
@@ -24,8 +24,8 @@ public:
     tracer::RenderSettings rendered;
     bool scored_frames_only;
 
-    template <class... Nameds>
-    Contest(ChartOptions const& options, Feed<Nameds...> const& feed)
+    template <class... Methods>
+    Contest(ChartOptions const& options, Feed<Methods...> const& feed)
         : rendered(feed.rendered), scored_frames_only(feed.scored_frames_only) {
         std::apply([&](auto const&... named) { (add(named, options), ...); }, feed.methods);
     }
@@ -56,8 +56,8 @@ private:
     std::vector<Entry> entries;
 
     /// A named pipeline and, in a sweep, its variants.
-    template <class P, class Storage> void add(Named<P, Storage> const& named, ChartOptions const& options) {
-        using Made = MethodOf<FrameT, typename Named<P, Storage>::Whole, Storage>;
+    template <class P, class Storage> void add(Charted<P, Storage> const& named, ChartOptions const& options) {
+        using Made = MethodOf<FrameT, typename Charted<P, Storage>::Whole, Storage>;
         auto const make = [&](std::optional<Variant> const& variant, P const& pipeline) {
             methods.push_back(std::make_unique<Made>(whole(pipeline), options));
             entries.push_back({variant ? name_of(*variant) : named.name, named.competes, variant});

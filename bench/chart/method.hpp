@@ -1,7 +1,7 @@
 #pragma once
 
+#include "charted.hpp"
 #include "judge.hpp"
-#include "named.hpp"
 
 #include <quell/execute/threads.hpp>
 #include <quell/metrics/picture.hpp>

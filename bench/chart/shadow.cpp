@@ -1,5 +1,5 @@
 #include "chart_presets.hpp"
 
 void quell::bench::chart_shadow(Job const& job) {
-    chart_presets(job, visibility, {tracer::Effect::shadow}, {}, Named{"shadow", presets::shadow(visibility)}.in_half());
+    chart_presets(job, visibility, {tracer::Effect::shadow}, {}, Charted{"shadow", presets::shadow(visibility)}.in_half());
 }

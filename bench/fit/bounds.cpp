@@ -2,19 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 namespace quell::bench {
-namespace {
-
-void append(std::string& list, std::string const& item) { list += (list.empty() ? "" : ", ") + item; }
-
-} // namespace
-
 std::string to_string(Bounds const& bounds) {
-    std::string list;
-    if (bounds.rmse) append(list, fmt::format("RMSE {:g} or less", *bounds.rmse));
-    if (bounds.flip) append(list, fmt::format("FLIP {:g} or less", *bounds.flip));
-    if (bounds.ms) append(list, fmt::format("{:g} ms or less", *bounds.ms));
-    return list;
+    std::vector<std::string> list;
+    if (bounds.rmse) list.push_back(fmt::format("RMSE {:g} or less", *bounds.rmse));
+    if (bounds.flip) list.push_back(fmt::format("FLIP {:g} or less", *bounds.flip));
+    if (bounds.ms) list.push_back(fmt::format("{:g} ms or less", *bounds.ms));
+    return fmt::format("{}", fmt::join(list, ", "));
 }
 
 std::string to_string(Figures const& figures) {

@@ -3,6 +3,8 @@
 #include <quell/metrics/flip.hpp>
 #include <quell/metrics/rmse.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 
@@ -29,10 +31,10 @@ Composition* cheapest(std::vector<Composition>& compositions, auto const& condit
 } // namespace
 
 std::string to_string(Composition const& composition) {
-    std::string text;
+    std::vector<std::string> parts;
     for (auto const* trial : composition.parts)
-        text += (text.empty() ? "" : ", ") + std::string(name_of(trial->contender->part)) + " by " + trial->contender->name;
-    return text;
+        parts.push_back(fmt::format("{} by {}", name_of(trial->contender->part), trial->contender->name));
+    return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 metrics::Picture picture_of(Composition const& composition, std::size_t scored) {

@@ -52,14 +52,8 @@ std::string meaning_of(std::string const& channel, Effects const& split) {
     return meaning_of_radiance(split);
 }
 
-std::string list_of(auto const& items, auto const& text_of) {
-    std::string list;
-    for (auto const& item : items) list += (list.empty() ? "" : ", ") + text_of(item);
-    return list;
-}
-
 void write_comment(std::ostream& out, Composition const& composition, Origin const& origin) {
-    auto const frames = list_of(origin.scored, [](long long number) { return std::to_string(number); });
+    auto const frames = fmt::format("{}", fmt::join(origin.scored, ", "));
     out << "// Written by quell-fit: the smallest composition found that keeps " << origin.sequence << " to " << to_string(origin.bounds)
         << ".\n"
         << "// " << to_string(composition) << '\n'
@@ -115,7 +109,7 @@ std::string header_text(Composition const& composition, Origin const& origin) {
     out << "#include <quell/quell.hpp>\n\n#include <array>\n#include <string_view>\n\nnamespace fit {\n\n";
     write_pipeline(out, composition);
     out << "\n/// What it reads.\ninline constexpr std::array<std::string_view, " << channels.size() << "> channels{"
-        << list_of(channels, [](std::string const& name) { return '"' + name + '"'; }) << "};\n"
+        << fmt::format("\"{}\"", fmt::join(channels, "\", \"")) << "};\n"
         << "static_assert(std::remove_const_t<decltype(pipeline)>::reads::size == channels.size(), \"this quell isn't the one that it was "
            "fitted with: run quell-fit again\");\n"
         << "\n/// Against the references of the sequence that it was fitted to.\ninline constexpr double promised_rmse = "

@@ -13,7 +13,7 @@ namespace {
 constexpr int event = static_cast<int>(tracer::event_frame);
 
 /// Pixels with less than a tenth of the light that they should have.
-int holes(TracedSequence const& sequence, Pictures const& pictures) {
+int holes(ScoredSequence const& sequence, Pictures const& pictures) {
     int count = 0;
     for (int i = sequence.scored_from; i <= sequence.last(); ++i) {
         auto const &truth = sequence.reference(i).pixels, &shown = pictures[static_cast<std::size_t>(i - sequence.scored_from)].pixels;
@@ -24,7 +24,7 @@ int holes(TracedSequence const& sequence, Pictures const& pictures) {
 }
 
 /// How far the light of all scored frames is from what it should be, relatively.
-double energy_error(TracedSequence const& sequence, Pictures const& pictures) {
+double energy_error(ScoredSequence const& sequence, Pictures const& pictures) {
     double shown = 0, truth = 0;
     for (int i = sequence.scored_from; i <= sequence.last(); ++i) {
         for (auto const& pixel : pictures[static_cast<std::size_t>(i - sequence.scored_from)].pixels) shown += tracer::luminance(pixel);

@@ -2,7 +2,10 @@
 
 #include <quell/core/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <ranges>
 
 namespace quell::stability {
 
@@ -20,9 +23,8 @@ std::vector<Case> const& cases() {
 Case const& case_of(std::string const& name) {
     auto const found = std::ranges::find(cases(), name, &Case::name);
     if (found != cases().end()) return *found;
-    std::string names;
-    for (auto const& each : cases()) names += (names.empty() ? "" : ", ") + each.name;
-    throw Error("--case", "there is no case '" + name + "'", "choose one of: " + names);
+    throw Error("--case", "there is no case '" + name + "'",
+                fmt::format("choose one of: {}", fmt::join(cases() | std::views::transform(&Case::name), ", ")));
 }
 
 } // namespace quell::stability

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "results.hpp"
-#include "sequence.hpp"
+#include "scored_sequence.hpp"
 
 #include <string>
 #include <vector>

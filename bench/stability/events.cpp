@@ -12,7 +12,7 @@ constexpr int event = static_cast<int>(tracer::event_frame);
 
 /// After an event a method with all its history is held against the same one that was told to forget, whose noise is the same, and at the
 /// event itself against the input.
-void settle(std::string const& name, TracedSequence const& sequence, std::vector<std::string> const& methods, int threads,
+void settle(std::string const& name, ScoredSequence const& sequence, std::vector<std::string> const& methods, int threads,
             Results& results) {
     auto const input = errors(sequence, watch(examples::preset_of("none"), sequence, {}, threads));
     record(results, name, "none", input);

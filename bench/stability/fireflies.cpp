@@ -75,7 +75,7 @@ void firefly(std::string const& name, Making const& making, Results& results) {
 void variance(std::string const& name, Making const& making, Results& results) {
     auto const even = even_frame(light, making);
     std::mt19937 random(making.seed + 3);
-    TracedSequence sequence{making.size, 0, 32, std::vector(64, even), {}, {}};
+    ScoredSequence sequence{making.size, 0, 32, std::vector(64, even), {}, {}};
     for (auto& frame : sequence.frames) {
         std::vector<float> factors(frame.pixels());
         for (auto& factor : factors) factor = random() % 50 == 0 ? 50.f : 0.f;

@@ -41,7 +41,7 @@ void take(io::ExrImage& image, io::ExrImage const& other, std::vector<bool> cons
 }
 
 /// A smooth coat over a rough ground: half of the light comes from each, and a sample follows one of them.
-TracedSequence coated(Making const& making) {
+ScoredSequence coated(Making const& making) {
     auto coat = traced(temple_of(0.1f), making);
     auto const ground = traced(temple_of(0.45f), making);
     std::mt19937 random(making.seed + 1);

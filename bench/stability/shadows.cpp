@@ -34,7 +34,7 @@ void several(std::string const& name, Making const& making, Results& results) {
 }
 
 /// The slope of the line through (true, shown) visibility of the pixels that a moving shadow touches: 1 keeps all contrast, 0 none.
-double contrast_kept(TracedSequence const& sequence, Pictures const& pictures) {
+double contrast_kept(ScoredSequence const& sequence, Pictures const& pictures) {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (int i = sequence.scored_from; i <= sequence.last(); ++i) {
         auto const direct = picture_of(sequence.frame(i), "direct");
@@ -61,7 +61,7 @@ void thin(std::string const& name, Making const& making, Results& results) {
 }
 
 /// The part of the pixels well inside the light that are drawn with less than four fifths of it.
-double wrongly_dark(TracedSequence const& sequence, Pictures const& pictures) {
+double wrongly_dark(ScoredSequence const& sequence, Pictures const& pictures) {
     constexpr int margin = 3;
     double lit = 0, dark = 0;
     int const width = sequence.size.width, height = sequence.size.height;

@@ -51,7 +51,7 @@ struct Round {
     [[nodiscard]] bool is_scored() const { return loop_number == 4 && place == loop - 1; }
 };
 
-io::ExrImage frame_at(int number, TracedSequence const& sequence, std::mt19937& random) {
+io::ExrImage frame_at(int number, ScoredSequence const& sequence, std::mt19937& random) {
     Round const at(number);
     auto image = sequence.frame(at.place);
     if (at.is_smaller()) return cropped(image, {sequence.size.width - 37, sequence.size.height - 11});
@@ -69,7 +69,7 @@ struct Log {
     double broken = 0;
 };
 
-Log run(examples::Preset const& preset, TracedSequence const& sequence, Making const& making, bool quiet) {
+Log run(examples::Preset const& preset, ScoredSequence const& sequence, Making const& making, bool quiet) {
     auto const denoiser = preset.make(sequence.size, making.threads);
     auto const wanted = metrics::displayed(sequence.reference(loop - 1));
     std::mt19937 random(making.seed + 7);

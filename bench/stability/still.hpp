@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sequence.hpp"
+#include "scored_sequence.hpp"
 
 namespace quell::stability {
 

@@ -14,7 +14,7 @@ namespace {
 constexpr int event = static_cast<int>(tracer::event_frame);
 
 /// One method against another, in every frame.
-void never_worse(std::string const& name, TracedSequence const& sequence, std::string const& method, std::string const& than, int threads,
+void never_worse(std::string const& name, ScoredSequence const& sequence, std::string const& method, std::string const& than, int threads,
                  Results& results) {
     auto const a = errors(sequence, watch(examples::preset_of(method), sequence, {}, threads));
     auto const b = errors(sequence, watch(examples::preset_of(than), sequence, {}, threads));
@@ -84,7 +84,7 @@ bool same_around(io::ExrImage const& a, io::ExrImage const& b, int x, int y) {
 /// How many frames a method lags behind light that fades on what stands still: where the truth has fallen by a tenth or more within a few
 /// frames, what is shown too brightly, in units of what the truth falls by in a frame. Of light that fades evenly, an exponential history
 /// of alpha lags by 1 / alpha - 1.
-double lag_in_frames(TracedSequence const& sequence, Pictures const& pictures) {
+double lag_in_frames(ScoredSequence const& sequence, Pictures const& pictures) {
     constexpr int step = 4;
     double excess = 0, fall = 0;
     for (int i = sequence.scored_from + step; i <= sequence.last(); ++i)

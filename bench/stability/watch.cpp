@@ -9,7 +9,7 @@
 
 namespace quell::stability {
 
-Pictures watch(examples::Preset const& preset, TracedSequence const& sequence, Memory memory, int threads) {
+Pictures watch(examples::Preset const& preset, ScoredSequence const& sequence, Memory memory, int threads) {
     auto const denoiser = preset.make(sequence.size, threads);
     Pictures pictures;
     for (int i = sequence.first; i <= sequence.last(); ++i) {
@@ -19,7 +19,7 @@ Pictures watch(examples::Preset const& preset, TracedSequence const& sequence, M
     return pictures;
 }
 
-FrameErrors errors(TracedSequence const& sequence, Pictures const& pictures) {
+FrameErrors errors(ScoredSequence const& sequence, Pictures const& pictures) {
     FrameErrors result;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         int const number = sequence.scored_from + static_cast<int>(i);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "results.hpp"
-#include "sequence.hpp"
+#include "scored_sequence.hpp"
 
 #include <denoise/presets.hpp>
 
@@ -24,14 +24,14 @@ struct Memory {
 
 /// What a method made of the scored frames of a sequence: linear pictures.
 using Pictures = std::vector<metrics::Picture>;
-[[nodiscard]] Pictures watch(examples::Preset const& preset, TracedSequence const& sequence, Memory memory = {}, int threads = 0);
+[[nodiscard]] Pictures watch(examples::Preset const& preset, ScoredSequence const& sequence, Memory memory = {}, int threads = 0);
 
 /// Errors of the scored frames, displayed, in the sequence's masks. Frames without a single pixel that counts are left out.
 struct FrameErrors {
     std::vector<int> frames;
     std::vector<double> rmse, flip;
 };
-[[nodiscard]] FrameErrors errors(TracedSequence const& sequence, Pictures const& pictures);
+[[nodiscard]] FrameErrors errors(ScoredSequence const& sequence, Pictures const& pictures);
 void record(Results& results, std::string const& subject, std::string const& method, FrameErrors const& errors);
 /// The error of one frame. A picture that isn't finite has none, and is left out. @param wanted, @param shown linear
 void record(Results& results, std::string const& subject, std::string const& method, int frame, metrics::Picture const& wanted,

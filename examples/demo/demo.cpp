@@ -7,6 +7,7 @@
 #include <quell/metrics/error_map.hpp>
 #include <quell/metrics/flip.hpp>
 #include <report/report.hpp>
+#include <support/frame_pattern.hpp>
 #include <support/image_errors.hpp>
 #include <support/median.hpp>
 #include <support/output_folder.hpp>
@@ -22,8 +23,6 @@
 namespace quell::examples {
 
 namespace {
-
-std::string file_name(std::string const& kind, int frame, char const* ending) { return fmt::format("{}.{:04}.{}", kind, frame, ending); }
 
 std::string number(double a, int digits) { return fmt::format("{:.{}f}", a, digits); }
 
@@ -83,7 +82,7 @@ private:
     void write(ReportFrame& entry, std::string const& kind, int i, metrics::Picture const& linear) {
         auto const shown = metrics::displayed(linear);
         auto png = encode_png(shown);
-        write_png(folder / file_name(kind, i, "png"), shown);
+        write_png(folder / frame_file_name(kind, i, "png"), shown);
         io::ExrImage image{.size = linear.size};
         Planar<>::Image<3> copy(linear.size);
         for (int y = 0; y < linear.size.height; ++y)
@@ -93,7 +92,7 @@ private:
                     linear.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(linear.size.width) + static_cast<std::size_t>(x)]);
         io::put(image, radiance, copy.view());
         io::put_camera(image, scene.description().camera_at(static_cast<float>(i), options.size));
-        io::write_exr(folder / file_name(kind, i, "exr"), image);
+        io::write_exr(folder / frame_file_name(kind, i, "exr"), image);
         entry.pictures[kind] = std::move(png);
     }
 

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
@@ -32,8 +34,7 @@ struct Member {
 };
 
 void check_keys(Member const& object, std::initializer_list<char const*> known) {
-    std::string list;
-    for (auto const* const key : known) list += (list.empty() ? "" : ", ") + std::string(key);
+    auto const list = fmt::format("{}", fmt::join(known, ", "));
     if (!object.value.is_object()) object.fail("write an object with any of: " + list);
     for (auto const& [key, value] : object.value.items())
         if (std::ranges::find(known, key) == known.end()) object.at(key).fail("there is no member of that name; write any of: " + list);

@@ -40,7 +40,7 @@ template <class Named> Preset made_preset(Named const& named) {
     }();
     made.group = named.group;
     made.is_part = is_effect<typename Named::signal_type>;
-    made.wants_sharp_picture = P::reads::template has<Sweep> && !P::reads::template has<Time>;
+    made.wants_sharp_picture = blur_input<P> == BlurInput::picture;
     return made;
 }
 

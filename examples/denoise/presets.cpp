@@ -2,8 +2,11 @@
 
 #include <quell/core/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <ranges>
 #include <utility>
 
 namespace quell::examples {
@@ -31,9 +34,8 @@ std::vector<Preset> const& presets() {
 Preset const& preset_of(std::string const& name) {
     auto const found = std::ranges::find(presets(), name, &Preset::name);
     if (found != presets().end()) return *found;
-    std::string names;
-    for (auto const& preset : presets()) names += (names.empty() ? "" : ", ") + preset.name;
-    throw Error("--preset", "there is no preset '" + name + "'", "choose one of: " + names);
+    throw Error("--preset", "there is no preset '" + name + "'",
+                fmt::format("choose one of: {}", fmt::join(presets() | std::views::transform(&Preset::name), ", ")));
 }
 
 bool applies(Preset const& preset, io::ExrFile const& file, io::SequenceNames const& names) {

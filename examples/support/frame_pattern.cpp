@@ -2,6 +2,8 @@
 
 #include <quell/core/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <set>
@@ -59,6 +61,10 @@ std::vector<long long> FramePattern::on_disk(long long first, long long last) co
     auto numbers = on_disk();
     std::erase_if(numbers, [&](auto number) { return number < first || number > last; });
     return numbers;
+}
+
+std::string frame_file_name(std::string const& name, long long number, std::string const& ending) {
+    return fmt::format("{}.{:04}.{}", name, number, ending);
 }
 
 FrameRange range_of(FramePattern const& files, std::optional<long long> first, std::optional<long long> last) {

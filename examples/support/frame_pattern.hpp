@@ -29,6 +29,9 @@ private:
     std::size_t digits = 0;
 };
 
+/// What quell's own programs call the file of a frame: name.0007.exr.
+[[nodiscard]] std::string frame_file_name(std::string const& name, long long number, std::string const& ending);
+
 /// Numbers of the first and the last frame of those that are wanted.
 struct FrameRange {
     long long first, last;

@@ -3,7 +3,7 @@
 #include "effects.hpp"
 #include "options.hpp"
 #include "scenes/scenes.hpp"
-#include "sequence.hpp"
+#include "sequence_writer.hpp"
 
 #include <support/output_folder.hpp>
 #include <support/program.hpp>

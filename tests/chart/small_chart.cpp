@@ -6,10 +6,10 @@
 
 void quell::bench::chart_small(ChartOptions const& options) {
     ::setenv("QUELL_CACHE", (options.out / "cache").c_str(), 1);
-    Named const surface{"surface", presets::surface(visibility)};
+    Charted const surface{"surface", presets::surface(visibility)};
     tracer::RenderSettings const rendered{.size = options.size, .seed = options.seed, .threads = options.threads};
-    Feed const feed{rendered, std::tuple(Named{"none", presets::none(visibility)}, surface)};
-    Feed const scored_only{rendered, std::tuple(Named{"input", presets::none(visibility)}), true};
+    Feed const feed{rendered, std::tuple(Charted{"none", presets::none(visibility)}, surface)};
+    Feed const scored_only{rendered, std::tuple(Charted{"input", presets::none(visibility)}), true};
     Results results(options);
     for (auto const& what : options.cases)
         chart_feeds(Job{options, what, [](std::string const&) {}, results}, visibility, {tracer::Effect::shadow}, feed, scored_only);

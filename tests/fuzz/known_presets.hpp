@@ -14,15 +14,12 @@ constexpr bool is_wanted(std::string_view name) {
     return wanted == "all";
 }
 
-template <std::size_t i> void make_known() {
-    constexpr auto preset = std::get<i>(named_presets);
-    if constexpr (is_wanted(preset.name)) known(std::string(preset.name), preset.usual());
-}
-
 /// Makes every `units`-th preset known from number `unit` on, as far as they are wanted.
 template <std::size_t unit, std::size_t units> bool make_presets_known() {
-    []<std::size_t... i>(std::index_sequence<i...>) { (make_known<unit + i * units>(), ...); }
-    (std::make_index_sequence<(preset_count + units - 1 - unit) / units>{});
+    for_each_preset_index<unit, units>([](auto i) {
+        constexpr auto preset = std::get<i>(named_presets);
+        if constexpr (is_wanted(preset.name)) known(std::string(preset.name), preset.usual());
+    });
     return true;
 }
 

@@ -2,6 +2,8 @@
 
 #include <quell/core/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace quell::tracer {
@@ -34,16 +36,6 @@ std::vector<BuiltInScene> const& built_in_scenes() {
     return scenes;
 }
 
-namespace {
-
-std::string listed(std::vector<std::string> const& names) {
-    std::string list;
-    for (auto const& name : names) list += (list.empty() ? "" : ", ") + name;
-    return list;
-}
-
-} // namespace
-
 std::vector<std::string> scene_names() {
     std::vector<std::string> names;
     for (auto const& scene : built_in_scenes()) names.emplace_back(scene.name);
@@ -54,7 +46,7 @@ SceneDescription built_in_scene(std::string_view name) {
     auto const found = std::ranges::find(built_in_scenes(), name, &BuiltInScene::name);
     if (found == built_in_scenes().end())
         throw Error{"scene '" + std::string{name} + "'", "no built-in scene has this name",
-                    "use one of " + listed(scene_names()) + ", or a path to a .gltf or .glb file"};
+                    fmt::format("use one of {}, or a path to a .gltf or .glb file", fmt::join(scene_names(), ", "))};
     auto scene = found->make();
     scene.name = name;
     return scene;

@@ -14,9 +14,9 @@ namespace quell {
 /// `count` 0 it uses the threads of the task arena that it is called in.
 /// @tparam Each the executor of one tile
 template <class Each = Simd> struct Threads {
-    static constexpr int maximum = 1024; ///< limit of `count`: oneTBB allocates memory for each thread and crashes where that fails
+    static constexpr int max_count = 1024; ///< limit of `count`: oneTBB allocates memory for each thread and crashes where that fails
 
-    int count = 0;    ///< threads, at most `maximum`; 0: those of the calling arena
+    int count = 0;    ///< threads, at most `max_count`; 0: those of the calling arena
     Extent tile = {}; ///< pixels; width 0: whole rows, height 0: 16 rows, or fewer where threads would have less than four tiles each
     Each each{};      ///< executor of one tile
 
@@ -35,7 +35,7 @@ template <class Each = Simd> struct Threads {
                 oneapi::tbb::simple_partitioner{});
         };
         if (count == 0) return work();
-        oneapi::tbb::task_arena arena(std::clamp(count, 1, maximum));
+        oneapi::tbb::task_arena arena(std::clamp(count, 1, max_count));
         arena.execute(work);
     }
 

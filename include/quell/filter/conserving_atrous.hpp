@@ -29,7 +29,7 @@ template <class Edge> struct VarianceOfMean {
 private:
     static constexpr int radius = 2, side = 2 * radius + 1;
     /// The minimum of four noisy estimates is too small; this makes up for it.
-    static constexpr float min_of_four = 1.5f;
+    static constexpr float minimum_correction = 1.5f;
 
     /// Half the mean square difference of neighbours, in the direction with the least: row, column or diagonal. Along a shadow's edge there
     /// is only noise; the variance of the whole neighbourhood would include the edge. Not inlined: few histories are short.
@@ -59,7 +59,7 @@ private:
             auto const known = weights > Real(0.05f);
             minimum = select(known, min(minimum, squares / select(known, weights, Real(1.f))), minimum);
         }
-        return select(minimum < Real(1e30f), minimum * (0.5f * min_of_four), otherwise);
+        return select(minimum < Real(1e30f), minimum * (0.5f * minimum_correction), otherwise);
     }
     static constexpr int max_of(int a, int b) { return a > b ? a : b; }
 };

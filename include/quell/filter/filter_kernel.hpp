@@ -91,8 +91,8 @@ template <class Real> QUELL_KERNEL Real edge_weight(Real distance) { return edge
 /// @param distance       sum of distances, at least 0
 /// @param bits_of_weight weight_bits(weight)
 template <class Real> QUELL_KERNEL Real edge_weight(Real distance, float bits_of_weight) {
-    constexpr float per_unit = 12102203.16f, minimum = 545259520.f; // 2^23 / ln 2, and the bits of 2^-62
-    return from_bits(truncate(max(fma(distance, Real(-per_unit), Real(bits_of_weight)), Real(minimum))));
+    constexpr float per_unit = 12102203.16f, min_bits = 545259520.f; // 2^23 / ln 2, and the bits of 2^-62
+    return from_bits(truncate(max(fma(distance, Real(-per_unit), Real(bits_of_weight)), Real(min_bits))));
 }
 
 namespace detail {

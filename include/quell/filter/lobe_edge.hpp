@@ -12,8 +12,8 @@ namespace quell {
 struct LobeEdge {
     using reads = Channels<Roughness, GlossyHit, Position, Depth>;
     static constexpr bool needs_camera = true;
-    float width = 2.f;    ///< w in GGX alphas (squared roughness) times the distance to the hit
-    float minimum = 0.3f; ///< minimum of w, in pixels
+    float width = 2.f;      ///< w in GGX alphas (squared roughness) times the distance to the hit
+    float min_width = 0.3f; ///< least w, in pixels
 
     /// @cond
     template <class Real> struct Around {
@@ -32,7 +32,7 @@ struct LobeEdge {
         // The hit is `away` from the surface and z + away from the camera, if it lies straight behind.
         auto const away = select(is_finite(way), way, z * 1e3f);
         auto const pixels = px[roughness] * px[roughness] * width * away / ((z + away) * px.rays().pixel_size);
-        auto const w = max(masked(is_finite(pixels), pixels), Real(minimum));
+        auto const w = max(masked(is_finite(pixels), pixels), Real(min_width));
         return Around<Real>{Real(0.5f) / (w * w)};
     }
 };

@@ -118,23 +118,23 @@ template <class Source = ShadowMotion, class Edge = DepthEdge> struct ShadowSpla
     }
 };
 
-/// Width of an AdaptiveBilateral on shadows: clamp(part * penumbra, low, most), where low = min(least, part_of_minimum * penumbra). The
-/// second term of `low` keeps narrow penumbrae sharp: they have little noise, and thin shadows may be no wider themselves. The minimum is
-/// 0.1 pixels, which filters nothing; it holds where no shadow is near.
+/// Width of an AdaptiveBilateral on shadows: clamp(part * penumbra, low, max_width), where low = min(min_width, min_width_part * penumbra).
+/// The second term of `low` keeps narrow penumbrae sharp: they have little noise, and thin shadows may be no wider themselves. The minimum
+/// is 0.1 pixels, which filters nothing; it holds where no shadow is near.
 struct PenumbraWidth {
     using reads = Channels<ShadowTrack>;
-    float part = 0.15f;            ///< standard deviation of the Gaussian, as a part of the penumbra
-    float minimum = 0.5f;          ///< in pixels; wide enough to reach the next pixels
-    float maximum = 7.5f;          ///< in pixels
-    float part_of_minimum = 0.25f; ///< bounds `minimum` to this part of the penumbra
+    float part = 0.15f;           ///< standard deviation of the Gaussian, as a part of the penumbra
+    float min_width = 0.5f;       ///< in pixels; wide enough to reach the next pixels
+    float max_width = 7.5f;       ///< in pixels
+    float min_width_part = 0.25f; ///< bounds `min_width` to this part of the penumbra
 
     /// Standard deviation at the pixel, in pixels.
     QUELL_KERNEL auto of(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const penumbra = px[shadow_track].z;
         // At 0.1 all weights but the centre's are 0 already.
-        auto const low = max(min(Real(minimum), penumbra * part_of_minimum), Real(0.1f));
-        return clamp(penumbra * part, low, Real(maximum));
+        auto const low = max(min(Real(min_width), penumbra * min_width_part), Real(0.1f));
+        return clamp(penumbra * part, low, Real(max_width));
     }
 };
 

@@ -21,7 +21,7 @@ concept Modulation = std::is_trivially_copyable_v<M> && requires {
 struct Demodulate {
     using reads = Channels<Albedo>;           ///< of this frame
     template <ChannelTag S> using Signal = S; ///< the same channel
-    float minimum = 0.02f;                    ///< least divisor of a component; a surface with a luminance below it counts as black
+    float min_divisor = 0.02f;                ///< least divisor of a component; a surface with a luminance below it counts as black
 
     /// sample / divisor.
     QUELL_KERNEL auto inward(auto const& px, auto const& sample) const {
@@ -37,11 +37,11 @@ private:
         using Real = typename std::remove_cvref_t<decltype(px)>::Real;
         auto const a = px[albedo];
         auto const colour =
-            map([&](auto c) QUELL_INLINED { return select(is_finite(c), clamp(c, Real(minimum), Real(1e4f)), Real(1.f)); }, a);
+            map([&](auto c) QUELL_INLINED { return select(is_finite(c), clamp(c, Real(min_divisor), Real(1e4f)), Real(1.f)); }, a);
         // A negative component is invalid too: clamped to the least divisor, it would turn the sample into bright light.
         auto const albedo_like =
             fold([](auto sofar, auto c) QUELL_INLINED { return both(sofar, is_finite(c), c >= Real(0.f)); }, Real(0.f) == Real(0.f), a);
-        auto const black = either(invert(albedo_like), luminance(a) < Real(minimum));
+        auto const black = either(invert(albedo_like), luminance(a) < Real(min_divisor));
         return select(black, splat<decltype(a + a)>(Real(1.f)), colour);
     }
 };

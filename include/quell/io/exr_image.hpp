@@ -67,12 +67,12 @@ struct ExrImage {
 namespace detail {
 /// "A, B and 3 more", from objects with a name.
 inline std::string list_of_names(auto const& named) {
-    constexpr std::size_t maximum = 60;
+    constexpr std::size_t max_listed = 60;
     std::string list;
     std::size_t count = 0;
     for (auto const& each : named)
-        if (count++ < maximum) list += (count > 1 ? ", " : "") + each.name;
-    if (count > maximum) list += " and " + std::to_string(count - maximum) + " more";
+        if (count++ < max_listed) list += (count > 1 ? ", " : "") + each.name;
+    if (count > max_listed) list += " and " + std::to_string(count - max_listed) + " more";
     return count > 0 ? list : "none";
 }
 [[noreturn]] inline void throw_missing(std::string const& file, std::string_view channel, auto const& named) {

@@ -68,14 +68,17 @@ constexpr auto general_joining(ChannelTag auto signal, auto... parts) {
     return general_with(joined_history, ConservingAtrous<>{}, signal, parts...);
 }
 
+/// The filter of final_frame().
+template <ChannelTag S> inline constexpr LocalRegression<Product<DepthEdge, NormalEdge>, S::components> final_frame_filter{};
+
 /// general() for final frames, with a regression on the guides after its filter (LocalRegression): better, and slower.
 template <ChannelTag S> constexpr auto final_frame(S signal, auto... parts) {
-    return general_with(general_history, LocalRegression<Product<DepthEdge, NormalEdge>, S::components>{}, signal, parts...);
+    return general_with(general_history, final_frame_filter<S>, signal, parts...);
 }
 
 /// final_frame() with joined_history: the second argument of run_two_sided().
 template <ChannelTag S> constexpr auto final_frame_joining(S signal, auto... parts) {
-    return general_with(joined_history, LocalRegression<Product<DepthEdge, NormalEdge>, S::components>{}, signal, parts...);
+    return general_with(joined_history, final_frame_filter<S>, signal, parts...);
 }
 
 } // namespace quell::presets

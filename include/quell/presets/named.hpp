@@ -17,15 +17,17 @@ struct AllSignals {};
 
 /// A preset with its name.
 /// @tparam Signal what it denoises: a channel, AnySignal or AllSignals
-/// @tparam Make   make(signal, parts...) returns the pipeline, or a Composite; parts that the preset has no use for are dropped
+/// @tparam Make   make(signal, parts...) returns the pipeline; of AllSignals make(parts...) returns the Composite. The presets of motion
+/// blur
+///                drop parts.
 /// @tparam Join   the same for the second argument of run_two_sided(); nullptr where the preset makes no use of later frames
 template <class Signal, class Make, class Join = std::nullptr_t> struct NamedPreset {
     using signal_type = Signal; ///< what it denoises
     std::string_view name;      ///< of lower-case words with hyphens; the function has underscores
     PresetGroup group;          ///< where it stands
     Signal signal;              ///< what it denoises
-    Make make;                  ///< make(signal, parts...)
-    Join join = nullptr;        ///< join(signal, parts...)
+    Make make;                  ///< makes the pipeline
+    Join join = nullptr;        ///< makes the one that joins both sides
 
     /// Whether it denoises this channel, by itself.
     template <ChannelTag S> static constexpr bool serves = std::is_same_v<Signal, AnySignal> || std::is_same_v<Signal, S>;
@@ -39,10 +41,12 @@ template <class Signal, class Make, class Join = std::nullptr_t> struct NamedPre
 
 private:
     static constexpr auto of_usual_signal(auto function, auto... parts) {
-        if constexpr (ChannelTag<Signal>)
-            return function(Signal{}, parts...);
-        else
+        if constexpr (std::is_same_v<Signal, AllSignals>)
+            return function(parts...);
+        else if constexpr (std::is_same_v<Signal, AnySignal>)
             return function(radiance, Demodulate{}, parts...);
+        else
+            return function(Signal{}, parts...);
     }
 };
 template <class S, class M> NamedPreset(std::string_view, PresetGroup, S, M) -> NamedPreset<S, M>;
@@ -67,7 +71,7 @@ inline constexpr std::tuple list{
     NamedPreset{"glossy", effects, quell::glossy, [](auto... a) { return presets::glossy(a...); }},
     NamedPreset{"glossy-flat-mirror", effects, quell::glossy, [](auto... a) { return presets::glossy<FlatMirror>(a...); }},
     NamedPreset{"dual-cone", effects, indirect, [](auto... a) { return dual_cone(a...); }},
-    NamedPreset{"trmv", effects, all, [](auto...) { return trmv(); }},
+    NamedPreset{"trmv", effects, all, [](auto... parts) { return trmv(parts...); }},
 
     NamedPreset{"blur", blur, radiance, [](auto signal, auto...) { return presets::blur(signal); }},
     NamedPreset{"blur-straight", blur, radiance, [](auto signal, auto...) { return presets::blur<StraightTrajectories>(signal); }},
@@ -82,14 +86,14 @@ inline constexpr std::tuple list{
     NamedPreset{"shadow-paper", published, visibility, [](auto... a) { return shadow_paper(a...); }},
     NamedPreset{"glossy-paper", published, quell::glossy, [](auto... a) { return glossy_paper(a...); }},
     NamedPreset{"dual-cone-paper", published, indirect, [](auto... a) { return dual_cone_paper(a...); }},
-    NamedPreset{"trmv-paper", published, all, [](auto...) { return trmv_paper(); }},
+    NamedPreset{"trmv-paper", published, all, [](auto... parts) { return trmv_paper(parts...); }},
     NamedPreset{"blur-wavelet", published, radiance, [](auto signal, auto...) { return blur_wavelet(signal); }},
     NamedPreset{"blur-fixed-step", published, radiance, [](auto signal, auto...) { return blur_fixed_step(signal); }},
     NamedPreset{"blur-one-step", published, radiance, [](auto signal, auto...) { return blur_one_step(signal); }},
     NamedPreset{"blur-paper", published, radiance, [](auto signal, auto...) { return blur_paper(signal); }},
     NamedPreset{"blur-no-pre-filter", published, radiance, [](auto signal, auto...) { return blur_no_pre_filter(signal); }},
-    NamedPreset{"gather-blur", published, radiance, [](auto signal, auto...) { return gather_blur(signal); }},
-    NamedPreset{"tilemax-blur", published, radiance, [](auto signal, auto...) { return tilemax_blur(signal); }},
+    NamedPreset{"gather-blur", published, radiance, [](auto... a) { return gather_blur(a...); }},
+    NamedPreset{"tilemax-blur", published, radiance, [](auto... a) { return tilemax_blur(a...); }},
 };
 } // namespace detail::named
 
@@ -99,12 +103,25 @@ inline constexpr auto& named_presets = detail::named::list;
 /// How many presets there are.
 inline constexpr std::size_t preset_count = std::tuple_size_v<std::remove_cvref_t<decltype(named_presets)>>;
 
-/// Calls function(preset) for each preset, in order.
+/// Calls function(i) with the index of each preset, in order, as a constant (std::integral_constant).
 /// @tparam unit, units of all presets only number unit, unit + units, ...: so that several files share the work of compiling them
-template <std::size_t unit = 0, std::size_t units = 1> constexpr void for_each_preset(auto const& function) {
+template <std::size_t unit = 0, std::size_t units = 1> constexpr void for_each_preset_index(auto const& function) {
     static_assert(unit < units, "units are numbered from 0");
-    [&]<std::size_t... i>(std::index_sequence<i...>) { (function(std::get<unit + i * units>(named_presets)), ...); }
+    [&]<std::size_t... i>(std::index_sequence<i...>) { (function(std::integral_constant<std::size_t, unit + i * units>{}), ...); }
     (std::make_index_sequence<(preset_count + units - 1 - unit) / units>{});
 }
+
+/// Calls function(preset) for each preset, in order, or for those of a unit: see for_each_preset_index().
+template <std::size_t unit = 0, std::size_t units = 1> constexpr void for_each_preset(auto const& function) {
+    for_each_preset_index<unit, units>([&](auto i) { function(std::get<i>(named_presets)); });
+}
+
+/// What motion blur is made of: samples at random times of the open shutter, a picture of one instant; or none is made.
+enum class BlurInput { none, samples, picture };
+/// What a pipeline makes motion blur of, by the channels that it reads.
+template <class P>
+inline constexpr BlurInput blur_input = P::reads::template has<Time>    ? BlurInput::samples
+                                        : P::reads::template has<Sweep> ? BlurInput::picture
+                                                                        : BlurInput::none;
 
 } // namespace quell

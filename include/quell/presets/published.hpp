@@ -36,7 +36,7 @@ constexpr auto shadow_paper(ChannelTag auto signal, auto... parts) {
     return Pipeline{signal,
                     parts...,
                     Spatial{ShadowSplat{}},
-                    Spatial{AdaptiveBilateral<PenumbraWidth>{.width = {.part = 0.25f, .part_of_minimum = 1e9f}, .radius = 15}},
+                    Spatial{AdaptiveBilateral<PenumbraWidth>{.width = {.part = 0.25f, .min_width_part = 1e9f}, .radius = 15}},
                     Temporal{FirstValid{SplattedShadowMotion{}, SurfaceMotion{}},
                              Clamped{WithCleanUp{NonPlanarFalloff{Exponential{.alpha = 0.1f}}}, MeanDeviation{.sigmas = 3.f}}},
                     Spatial{CleanUp<>{}}};

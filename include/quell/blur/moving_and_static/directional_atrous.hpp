@@ -31,7 +31,7 @@ template <ChannelTag S, ChannelTag From> struct DirectionalLevel {
         auto const own = px[From{}];
         auto const axis = px[guide_axis];
         auto const length = sqrt(fma(axis.x, axis.x, axis.y * axis.y));
-        auto const moves = length > Real(Trajectory<Real>::minimum);
+        auto const moves = length > Real(Trajectory<Real>::min_length);
         if (!any(moves)) return own;
         auto const inverse = 1.f / max(length, Real(1e-6f));
         auto const along = fixed > 0.f ? Real(fixed) : length * part;

@@ -88,7 +88,7 @@ template <ChannelTag S, class Trajectories = StraightTrajectories, class Places 
         Gathered<Px> sums(guide.length());
         if (any(px[guide_spread].z > Real(0.f))) {
             auto const reach = weight.reach(px);
-            auto const share = select(own.moves(), guide.length() / max(own.length(), Real(Trajectory<Real>::minimum)), Real(1.f));
+            auto const share = select(own.moves(), guide.length() / max(own.length(), Real(Trajectory<Real>::min_length)), Real(1.f));
             sums.add(signal, own, masked(seen, share), own.moves(), own.time);
             auto const places = where.places(px);
             for (int i = 0; i < where.count; ++i) add_sample(px, sums, places.at(i), own, guide, z, reach);
@@ -168,7 +168,7 @@ private:
         auto const centre = px.position();
         auto const passing = looked_at.passing({centre.x - there.column - 0.5f, centre.y - there.row - 0.5f});
         auto const usable = both(invert(missing), there.inside);
-        auto const w = weight.weight(passing, reach) / max(looked_at.length(), Real(Trajectory<Real>::minimum));
+        auto const w = weight.weight(passing, reach) / max(looked_at.length(), Real(Trajectory<Real>::min_length));
         sums.add(value, path, masked(usable, w * guide.length()), moves, passing.when);
     }
     /// The static layer behind a moving pixel.

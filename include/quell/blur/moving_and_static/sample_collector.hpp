@@ -15,12 +15,12 @@ template <class Trajectories = StraightTrajectories> struct SampleCollector {
     int samples = 2;        ///< random places per trajectory, at most 8
     int radius = 1;         ///< pixels; neighbours whose trajectories are used: 1 is MB's 3x3
     float threshold = 2.5f; ///< pixels; samples that pass nearer count, all with weight 1
-    float minimum = 3.f;    ///< pixels; shorter sweeps are skipped
+    float min_length = 3.f; ///< pixels; shorter sweeps are skipped
     float jitter = 1.5f;    ///< largest offset of a place from the trajectory, in x and in y, in pixels
 
     template <class Px> QUELL_KERNEL auto filter(Px const& px) const {
         using Real = typename Px::Real;
-        auto const wanted = both(Trajectories::here(px).squared >= Real(minimum * minimum), invert(px.missing()));
+        auto const wanted = both(Trajectories::here(px).squared >= Real(min_length * min_length), invert(px.missing()));
         auto sum = px.signal();
         if (!any(wanted)) return sum;
         Real count(1.f);

@@ -10,14 +10,14 @@ struct PathWeight {
     using reads = Channels<GuideSpread>;
     float length_influence = 10.f; ///< beta_l of the paper
     float angle_influence = 1.f;   ///< beta_a of the paper
-    float maximum = 1.f;           ///< largest increase of the reach by each of the two variances: 1 doubles it
+    float max_increase = 1.f;      ///< largest increase of the reach by each of the two variances: 1 doubles it
 
     /// Distance at which the weight is 0, in pixels.
     template <class Px> QUELL_KERNEL auto reach(Px const& px) const {
         using Real = typename Px::Real;
         auto const spread = px[guide_spread];
-        auto const by_length = 1.f + min(spread.x * length_influence, Real(maximum)),
-                   by_angle = 1.f + min(spread.y * angle_influence, Real(maximum));
+        auto const by_length = 1.f + min(spread.x * length_influence, Real(max_increase)),
+                   by_angle = 1.f + min(spread.y * angle_influence, Real(max_increase));
         return by_length * by_angle;
     }
     /// @param passing Trajectory::ClosestApproach

@@ -18,7 +18,7 @@ namespace detail {
 /// Velocity (pixels per open shutter), inverse depth, and relative sagitta with bends: the features that tell surfaces apart.
 template <class Trajectories, class Real> using ScreenMotion = Value<Trajectories::bent ? 4 : 3, Real>;
 /// Squared length of a sweep in pixels, up to which it is static.
-inline constexpr float still_squared = Trajectory<float>::minimum * Trajectory<float>::minimum;
+inline constexpr float still_squared = Trajectory<float>::min_length * Trajectory<float>::min_length;
 
 template <class M> QUELL_KERNEL auto speed_of(M const& screen_motion) {
     return vec2<real_of<M>>{component<0>(screen_motion), component<1>(screen_motion)};
@@ -62,7 +62,7 @@ template <class Trajectories, class Real> struct UsableSample {
     QUELL_KERNEL Real squared_length() const { return fma(sweep().x, sweep().x, sweep().y * sweep().y); }
     /// Length of the sweep in pixels; 0 if static.
     QUELL_KERNEL Real length() const { return squared_length() * time_per_pixel(); }
-    QUELL_KERNEL auto moves() const { return time_per_pixel() < Real(1.f / Trajectory<Real>::minimum); }
+    QUELL_KERNEL auto moves() const { return time_per_pixel() < Real(1.f / Trajectory<Real>::min_length); }
     QUELL_KERNEL auto known() const { return time_per_pixel() > Real(0.f); }
     /// Closest approach; `offset` is the point minus the sample's pixel.
     QUELL_KERNEL typename Trajectory<Real>::ClosestApproach passing(vec2<Real> const& offset) const {
@@ -92,7 +92,7 @@ template <class Trajectories, class Real> struct UsableSample {
             auto const slope = slope_at(sample.time() + until_there, sagitta_of(screen_motion)), along = cosine(slope),
                        per_longer = along * along;
             return {{fma(-slope, speed.y, speed.x) * per_longer, fma(slope, speed.x, speed.y) * per_longer, sample.time(),
-                     sample.inverse_depth(), min(a_pixel * fma(slope, slope, Real(1.f)) * along, Real(1.f / Trajectory<Real>::minimum)),
+                     sample.inverse_depth(), min(a_pixel * fma(slope, slope, Real(1.f)) * along, Real(1.f / Trajectory<Real>::min_length)),
                      sagitta_of(screen_motion)}};
         } else
             return {{{speed.x, speed.y, sample.time(), sample.inverse_depth(), a_pixel}}};
@@ -135,15 +135,15 @@ template <class Trajectories> struct SampleTrajectoryOf {
         auto const moves = path.moves();
         auto const z = px[depth];
         auto const inverse_depth = 1.f / select(is_finite(z), clamp(z, Real(1e-6f), Real(1e6f)), Real(1e6f));
-        auto const a_pixel =
-            select(moves, min(sqrt(path.per_squared()), Real(1.f / Trajectory<Real>::minimum)), Real(1.f / Trajectory<Real>::minimum));
+        auto const a_pixel = select(moves, min(sqrt(path.per_squared()), Real(1.f / Trajectory<Real>::min_length)),
+                                    Real(1.f / Trajectory<Real>::min_length));
         auto const usable = select(px.missing(), Real(0.f), a_pixel);
         auto const x = masked(moves, path.sweep.x), y = masked(moves, path.sweep.y);
         if constexpr (Trajectories::bent) {
-            constexpr float maximum = 0.5f; // a half circle's
+            constexpr float max_sagitta = 0.5f; // a half circle's
             auto const sagitta = fma(path.bend.x, y, -(path.bend.y * x)) * a_pixel * a_pixel;
-            return emitted<Real>(SampleTrajectory<Trajectories>{},
-                                 Value<6, Real>{{x, y, path.time, inverse_depth, usable, clamp(sagitta, Real(-maximum), Real(maximum))}});
+            return emitted<Real>(SampleTrajectory<Trajectories>{}, Value<6, Real>{{x, y, path.time, inverse_depth, usable,
+                                                                                   clamp(sagitta, Real(-max_sagitta), Real(max_sagitta))}});
         } else
             return emitted<Real>(SampleTrajectory<Trajectories>{}, Value<5, Real>{{x, y, path.time, inverse_depth, usable}});
     }

@@ -19,8 +19,8 @@ namespace quell {
 /// Linear trajectory of a sample: constant velocity through the pixel's centre at the sample's time. Bad input is repaired: a sweep that is
 /// not finite becomes 0, its components are clamped to +-`longest`, a time that is not finite becomes 0.5, others are clamped to [0, 1].
 template <class Real> struct Trajectory {
-    static constexpr float minimum = 0.5f;   ///< pixels; a shorter sweep counts as static
-    static constexpr float longest = 1024.f; ///< pixels; of each component
+    static constexpr float min_length = 0.5f; ///< pixels; a shorter sweep counts as static
+    static constexpr float longest = 1024.f;  ///< pixels; of each component
 
     vec2<Real> sweep; ///< displacement from shutter opening to closing, in pixels
     Real time;        ///< time of the sample: 0 shutter opening, 1 closing
@@ -33,11 +33,11 @@ template <class Real> struct Trajectory {
                      clamp(masked(usable, sweep.y), Real(-longest), Real(longest))};
         return {v, clamp(select(is_finite(time), time, Real(0.5f)), Real(0.f), Real(1.f)), fma(v.x, v.x, v.y * v.y)};
     }
-    QUELL_KERNEL auto moves() const { return squared > Real(minimum * minimum); }      ///< not static
-    QUELL_KERNEL Real length() const { return sqrt(squared); }                         ///< of the sweep, in pixels
-    QUELL_KERNEL Real per_squared() const { return 1.f / max(squared, Real(1e-12f)); } ///< 1 / squared length, finite for a static sample
-    /// Time to cross one pixel, as a fraction of the open shutter; at most 1 / `minimum`.
-    QUELL_KERNEL Real time_per_pixel() const { return min(sqrt(per_squared()), Real(1.f / minimum)); }
+    QUELL_KERNEL auto moves() const { return squared > Real(min_length * min_length); } ///< not static
+    QUELL_KERNEL Real length() const { return sqrt(squared); }                          ///< of the sweep, in pixels
+    QUELL_KERNEL Real per_squared() const { return 1.f / max(squared, Real(1e-12f)); }  ///< 1 / squared length, finite for a static sample
+    /// Time to cross one pixel, as a fraction of the open shutter; at most 1 / `min_length`.
+    QUELL_KERNEL Real time_per_pixel() const { return min(sqrt(per_squared()), Real(1.f / min_length)); }
 
     /// Closest approach to a point (MB eq. 1).
     struct ClosestApproach {
@@ -60,11 +60,9 @@ template <class Real> struct BentTrajectory : Trajectory<Real> {
 
     /// Adds a bend, a value of the channel SweepBend.
     QUELL_KERNEL static BentTrajectory of(Trajectory<Real> const& path, vec2<Real> const& bend) {
-        constexpr auto maximum = Trajectory<Real>::longest;
+        constexpr auto limit = Trajectory<Real>::longest;
         auto const usable = both(is_finite(bend.x), is_finite(bend.y));
-        return {
-            path,
-            {clamp(masked(usable, bend.x), Real(-maximum), Real(maximum)), clamp(masked(usable, bend.y), Real(-maximum), Real(maximum))}};
+        return {path, {clamp(masked(usable, bend.x), Real(-limit), Real(limit)), clamp(masked(usable, bend.y), Real(-limit), Real(limit))}};
     }
     /// Closest approach by two steps of Newton's method from the linear trajectory's.
     QUELL_KERNEL typename Trajectory<Real>::ClosestApproach passing(vec2<Real> const& offset) const {

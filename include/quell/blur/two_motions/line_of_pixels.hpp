@@ -8,7 +8,7 @@ namespace quell::detail {
 /// The pixels along a line through a pixel, to both sides: all of them, or a subset within the budget. Beside a slanted line both nearest
 /// pixels are visited.
 struct LineOfPixels {
-    static constexpr int maximum = 128; ///< steps, for any budget
+    static constexpr int max_steps = 128; ///< steps, for any budget
     bool steep, slanted;
     float slope, bent, whole, reach, step;
     int steps;
@@ -27,7 +27,7 @@ struct LineOfPixels {
         whole = floor(abs(major)) + 1.f;
         reach = min(whole, floor(abs(major) * part) + 2.f);
         float const pixels = fma(reach, 2.f, 1.f), affordable = static_cast<float>(slanted ? budget / 2 : budget);
-        steps = static_cast<int>(min(affordable, min(pixels, static_cast<float>(maximum))));
+        steps = static_cast<int>(min(affordable, min(pixels, static_cast<float>(max_steps))));
         step = 2.f * reach / max(static_cast<float>(steps - 1), 1.f);
     }
     /// Number of pixels.
@@ -44,7 +44,7 @@ struct LineOfPixels {
 private:
     template <class Visit> QUELL_KERNEL void for_each(Visit&& visit, int from, int to, int by, bool itself) const {
         // All places first, so that the loads of several visits overlap.
-        glm::ivec2 places[2 * maximum + 1];
+        glm::ivec2 places[2 * max_steps + 1];
         int n = 0;
         if (itself) places[n++] = {0, 0};
         for (int i = 0; i < steps; ++i) {

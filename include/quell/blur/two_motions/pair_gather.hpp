@@ -28,7 +28,7 @@ template <ChannelTag S, class Trajectories = StraightTrajectories, class Footpri
     using reads = Channels<LayerMotions<Trajectories>, SampleTrajectory<Trajectories>>;
     using emits = Channels<ForegroundLayer<Signal>, ForegroundSweep, BackgroundLayer<Signal>, MeanSweep>;
     /// Largest useful `count`.
-    static constexpr int max_samples = detail::LineOfPixels::maximum;
+    static constexpr int max_samples = detail::LineOfPixels::max_steps;
     static constexpr int max_lanes = 8; ///< largest useful SIMD width: a tile's
     int count = 64;      ///< samples per pixel, up to `max_samples`; with two velocities, half along each. AdaptiveFootprint adds others.
     float reach = 0.65f; ///< how far to look along a sweep, as a fraction of it: samples farther away rarely pass in time
@@ -81,7 +81,7 @@ private:
             : settings(g), own(detail::usable_sample<Trajectories>(px)), of(px.elsewhere(g.shared(px), LayerMotions<Trajectories>{})),
               own_in_front(of.is_front(own.screen_motion())), own_still(own_speed() <= Real(detail::still_squared)),
               back_moves(detail::squared_speed(of.back) > Real(detail::still_squared)),
-              front_per_length(1.f / max(speed(of.front), Real(Trajectory<float>::minimum))), front_width{per_width(of.front)},
+              front_per_length(1.f / max(speed(of.front), Real(Trajectory<float>::min_length))), front_width{per_width(of.front)},
               back_width{per_width(of.back)}, in_front(speed(of.front)), behind(speed(of.back)) {}
 
         /// Tile by tile: all pixels of a tile look at the same offsets, so that a pack loads neighbours. A pack may span several tiles.

@@ -112,7 +112,7 @@ template <class Trajectories> struct LocalPairOf {
     using reads = Channels<RowExtremes<Trajectories>>;
     using emits = Channels<LocalPair<Trajectories>>;
     int radius;
-    float minimum, relative, depth_gap, unlike, unlike_minimum;
+    float min_difference, relative, depth_gap, unlike, unlike_minimum;
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
@@ -138,7 +138,7 @@ private:
     template <class M, class Real> QUELL_KERNEL auto ordered(M const& a, Real squared, M const& b, Real difference) const {
         auto const near_a = inverse_depth_of(a), near_b = inverse_depth_of(b), nearer = max(near_a, near_b), farther = min(near_a, near_b);
         auto const speed = sqrt(squared);
-        auto const alike = fma(max(speed - 1.f, Real(0.f)), Real(relative), Real(minimum));
+        auto const alike = fma(max(speed - 1.f, Real(0.f)), Real(relative), Real(min_difference));
         // A slanted or rotating surface has different velocities, but within a window they differ less than this.
         auto const unlike_by = fma(speed, Real(unlike), Real(unlike_minimum));
         auto const two = both(difference > alike * alike, either(nearer > farther * (1.f + depth_gap), difference > unlike_by * unlike_by,
@@ -202,8 +202,8 @@ template <class Trajectories = StraightTrajectories> struct PairGuide {
     static constexpr bool leaves_signal = true;
     /// Half width and half height of the window, in pixels.
     int across = 4, down = 1;
-    float minimum = 0.1f;   ///< pixels; velocities that differ by less are equal
-    float relative = 0.25f; ///< added to `minimum` per pixel of the faster speed beyond the first
+    float min_difference = 0.1f; ///< pixels; velocities that differ by less are equal
+    float relative = 0.25f;      ///< added to `min_difference` per pixel of the faster speed beyond the first
     /// Relative, but `unlike_minimum` in pixels: surfaces that differ by less in depth are one, unless one is static or their velocities
     /// differ by more than `unlike` times the faster speed plus `unlike_minimum`.
     float depth_gap = 0.05f, unlike = 0.5f, unlike_minimum = 2.f;
@@ -213,7 +213,7 @@ template <class Trajectories = StraightTrajectories> struct PairGuide {
     constexpr void for_each_pass(auto&& pass) const {
         paths.for_each_pass(pass);
         pass(detail::RowExtremesOf<Trajectories>{across});
-        pass(detail::LocalPairOf<Trajectories>{down, minimum, relative, depth_gap, unlike, unlike_minimum});
+        pass(detail::LocalPairOf<Trajectories>{down, min_difference, relative, depth_gap, unlike, unlike_minimum});
         pass(detail::NearestPair<Trajectories>{2 * across, detail::rows_of_pair * down, likeness});
     }
 };

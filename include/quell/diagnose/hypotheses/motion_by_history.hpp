@@ -11,17 +11,17 @@ namespace quell::detail {
 using Mismatch = std::optional<float>;
 
 /// Surfaces enter the picture from outside, but not from far.
-inline Mismatch unlikeness_outside(Extent size, glm::vec2 place) {
+inline Mismatch mismatch_outside(Extent size, glm::vec2 place) {
     glm::vec2 const whole(size.width, size.height);
     auto const beyond = glm::abs(place - glm::clamp(place, glm::vec2(0.f), whole)) / whole;
     return std::max(beyond.x, beyond.y) < 0.1f ? Mismatch() : 1.f;
 }
 
 /// The least of the four pixels of the last frame around the place.
-inline Mismatch unlikeness(Observation const& seen, int x, int y, glm::vec2 motion) {
+inline Mismatch mismatch(Observation const& seen, int x, int y, glm::vec2 motion) {
     auto const place = glm::vec2(x, y) + motion;
     glm::vec2 const last(seen.size.width - 1, seen.size.height - 1);
-    if (!(place.x >= 0.f && place.y >= 0.f && place.x < last.x && place.y < last.y)) return unlikeness_outside(seen.size, place);
+    if (!(place.x >= 0.f && place.y >= 0.f && place.x < last.x && place.y < last.y)) return mismatch_outside(seen.size, place);
     int const column = static_cast<int>(place.x), row = static_cast<int>(place.y);
     auto const z = seen.depth(0, x, y);
     float minimum = 1.f;
@@ -40,7 +40,7 @@ struct Trial {
     std::vector<Mismatch> found;
 
     void add(Observation const& seen, int x, int y, glm::vec2 motion) {
-        motions.push_back(motion), found.push_back(unlikeness(seen, x, y, motion));
+        motions.push_back(motion), found.push_back(mismatch(seen, x, y, motion));
     }
 };
 

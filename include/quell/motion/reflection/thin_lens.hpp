@@ -9,7 +9,7 @@ namespace quell {
 /// the normals of neighbouring pixels in this frame and are used for the previous frame too. Convex mirrors bring the image closer.
 struct ThinLens {
     using reads = Channels<Position, ReceiverPrevious, Normal>; ///< of this frame
-    float maximum = 50.f;                                       ///< limit of the absolute curvature, in 1 / world units
+    float max_curvature = 50.f;                                 ///< limit of the absolute curvature, in 1 / world units
 
     /// The virtual image of `point`. All in world space.
     template <class Px, class Plane, class V> QUELL_KERNEL V image(Px const& px, Plane const& plane, V const& point) const {
@@ -38,7 +38,7 @@ private:
         // Across a silhouette the span is much longer than the shorter edge.
         auto const smooth = both(forth.inside(), back.inside(), dot(span, span) < dot(edge, edge) * 9.f);
         auto const bend = dot(turn, span) / max(dot(span, span), Real(1e-20f));
-        return masked(both(smooth, is_finite(bend)), clamp(bend, Real(-maximum), Real(maximum)));
+        return masked(both(smooth, is_finite(bend)), clamp(bend, Real(-max_curvature), Real(max_curvature)));
     }
     /// Image distance / object distance.
     template <class Real> QUELL_KERNEL static Real shrink(Real curvature, Real distance) {

@@ -1,4 +1,4 @@
-#include "sequence.hpp"
+#include "scored_sequence.hpp"
 
 #include <quell/io/frame_image.hpp>
 #include <tracer/gltf/gltf.hpp>
@@ -72,11 +72,11 @@ io::ExrImage frame_of(tracer::PreparedScene& scene, tracer::RenderSettings const
 
 } // namespace
 
-TracedSequence traced(Shot const& shot, Making const& making) {
+ScoredSequence traced(Shot const& shot, Making const& making) {
     auto description = tracer::open_scene(shot.scene);
     if (shot.change) shot.change(description);
     tracer::PreparedScene scene(std::move(description));
-    TracedSequence sequence{making.size, shot.first, shot.scored_from, {}, {}, {}};
+    ScoredSequence sequence{making.size, shot.first, shot.scored_from, {}, {}, {}};
     tracer::RenderSettings settings{.size = making.size, .seed = making.seed, .threads = making.threads, .shutter = shot.shutter};
     for (settings.frame = shot.first; settings.frame <= shot.last; ++settings.frame) {
         sequence.frames.push_back(frame_of(scene, settings, shot.signal));

@@ -1,20 +1,16 @@
-#include "sequence.hpp"
+#include "sequence_writer.hpp"
 #include "effects.hpp"
 #include "reference.hpp"
 
 #include <quell/io/write_exr.hpp>
+#include <support/frame_pattern.hpp>
 #include <support/png.hpp>
 #include <support/program.hpp>
-
-#include <fmt/format.h>
 
 #include <set>
 
 namespace quell::tracer {
 namespace {
-
-/// As in frame.0000.exr.
-std::string numbered(std::string const& name, int frame, char const* ending) { return fmt::format("{}.{:04}.{}", name, frame, ending); }
 
 /// Adds a channel of the reference, unless another effect did already.
 template <class C> void put(io::ExrImage& image, C channel, Reference const& converged) {
@@ -38,7 +34,7 @@ RenderSettings SequenceWriter::settings(int frame) const {
 void SequenceWriter::write(char const* name, int frame, io::ExrImage image) const {
     io::put_camera(image, camera_of(scene, settings(frame)));
     io::put_camera(image, camera_of(scene, settings(frame - 1)), "_previous");
-    examples::store([&] { io::write_exr(folder / numbered(name, frame, "exr"), image); });
+    examples::store([&] { io::write_exr(folder / examples::frame_file_name(name, frame, "exr"), image); });
 }
 
 void SequenceWriter::write_reference(int frame) {
@@ -60,7 +56,7 @@ void SequenceWriter::write_masks(int frame) {
     for (auto const effect : touching) {
         metrics::Picture picture{options.rendered.size, {}};
         for (auto const entry : effect_mask(scene, settings(frame), effect)) picture.pixels.emplace_back(entry != 0 ? 1.f : 0.f);
-        auto const file = folder / numbered("mask_" + std::string(name_of(effect)), frame, "png");
+        auto const file = folder / examples::frame_file_name("mask_" + std::string(name_of(effect)), frame, "png");
         examples::store([&] { examples::write_png(file, picture); });
     }
 }

@@ -24,7 +24,7 @@ template <ChannelTag S, class... Parts> constexpr Composite<Pipeline<S, Parts...
 
 /// A pipeline to chart, by the name that its row has.
 /// @tparam HistoryStorage of what it remembers
-template <class P, class HistoryStorage = Planar<>> struct Named {
+template <class P, class HistoryStorage = Planar<>> struct Charted {
     using Whole = decltype(whole(std::declval<P>()));
     using Storage = HistoryStorage;
     std::string name;
@@ -32,17 +32,17 @@ template <class P, class HistoryStorage = Planar<>> struct Named {
     bool competes = true;
     std::optional<Variant> variant{}; ///< what this is a variant of, where its type differs from the preset's
 
-    Named(std::string name_, P const& p) : name(std::move(name_)), pipeline(p) {}
+    Charted(std::string name_, P const& p) : name(std::move(name_)), pipeline(p) {}
 
     /// The same with its history in half precision, as a variant.
     [[nodiscard]] auto in_half() const {
-        Named<P, Planar<Float16>> half{name, pipeline};
+        Charted<P, Planar<Float16>> half{name, pipeline};
         half.variant = Variant{name, "history_bits", 16., 32.};
         return half;
     }
 };
-template <class P> Named(char const*, P) -> Named<P>;
-template <class P> Named(std::string, P) -> Named<P>;
+template <class P> Charted(char const*, P) -> Charted<P>;
+template <class P> Charted(std::string, P) -> Charted<P>;
 
 /// What a variant's row is called: svgf/levels=3.
 [[nodiscard]] inline std::string name_of(Variant const& variant) {
@@ -75,8 +75,8 @@ template <class P> std::vector<Changed<P>> variants_of(std::string const& preset
 }
 
 /// A pipeline of another type that differs from a preset in one number.
-template <class P> Named<P> variant_of(Variant const& variant, P const& pipeline) {
-    Named<P> named(name_of(variant), pipeline);
+template <class P> Charted<P> variant_of(Variant const& variant, P const& pipeline) {
+    Charted<P> named(name_of(variant), pipeline);
     named.variant = variant;
     return named;
 }

@@ -27,7 +27,7 @@ struct Shot {
 
 /// Frames as a renderer hands them over, and the truth about them. The channels `radiance` and `albedo` hold the signal's share of the
 /// picture and what it is divided by before filtering, so that a method for any signal works on the same as those for this one.
-struct TracedSequence {
+struct ScoredSequence {
     Extent size;
     int first = 0, scored_from = 0;
     std::vector<io::ExrImage> frames;
@@ -53,7 +53,7 @@ struct Making {
     int long_run = 10000;     ///< frames of what lasts for the sake of it
 };
 
-[[nodiscard]] TracedSequence traced(Shot const& shot, Making const& making);
+[[nodiscard]] ScoredSequence traced(Shot const& shot, Making const& making);
 
 /// A channel's components in an image, which must have them.
 [[nodiscard]] std::vector<float>& plane(io::ExrImage& image, std::string const& name);
