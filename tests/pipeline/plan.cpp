@@ -35,7 +35,7 @@ template <class P> void check_order(P const& pipeline) {
     }
     for (auto const& pass : plan.passes)
         for (auto const name : pass.reads_past) CHECK(has(written, name));
-    CHECK((has(plan.passes.back().writes, "output") || has(plan.passes.back().writes, "signal")));
+    CHECK(has(plan.passes.back().writes, "output"));
     for (auto const name : kept_by(pipeline)) CHECK(has(written, name));
 }
 } // namespace
@@ -49,6 +49,7 @@ TEST_CASE("a plan names the passes in order, with what they read and write") {
     CHECK(has(plan.passes[1].reads, "motion"));
     CHECK(has(plan.passes[1].reads_past, "luminance_mean"));
     CHECK(has(plan.passes[1].writes, "history_length"));
+    CHECK(plan.passes[1].denoises == "radiance");
     CHECK(to_string(plan).find("| ingest | radiance, albedo |  | signal |") != std::string::npos);
     check_order(presets::svgf(radiance, Demodulate{}));
     check_order(presets::general(radiance, Demodulate{}));
@@ -74,5 +75,12 @@ TEST_CASE("the pipelines of a composite run in order and share what is scratch")
     CHECK(has(plan.passes[0].reads, "glossy"));
     CHECK(has(plan.passes[8].reads, "indirect"));
     CHECK(plan.passes.back().name == "composite");
+    CHECK(plan.passes[7].denoises == "glossy");
+    CHECK(has(plan.passes[7].writes, "output"));
+    CHECK(plan.passes[15].denoises == "indirect");
+    CHECK(plan.passes[16].denoises.empty());
+    auto const text = to_string(plan), heading = std::string("| **indirect** |  |  |  |\n| ingest | indirect |");
+    CHECK(text.find(heading) != std::string::npos);
+    CHECK(to_string(plan_of(one)).find("**") == std::string::npos);
     CHECK(plan.bytes_per_pixel < plan_of(one).bytes_per_pixel + plan_of(other).bytes_per_pixel);
 }

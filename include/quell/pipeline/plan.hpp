@@ -6,15 +6,16 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace quell {
 
-/// One pass over the image, as run() executes it. Channels appear by name. "signal" is what is denoised; "output" is what the host gets,
-/// where that is not the last signal itself.
+/// One pass over the image, as run() executes it. Channels appear by name. "signal" is what is denoised; "output" is what the host gets.
 struct PlannedPass {
     using Names = std::vector<std::string_view>; ///< names of channels
     std::string_view name;                       ///< of the pass
+    std::string_view denoises{};                 ///< the channel that its pipeline denoises; empty: it adds up what several have made
     int fraction = 1;                            ///< the pass runs at 1/fraction of the frame's width and height
     Names reads{};                               ///< may read, of this frame: from the host and from earlier passes
     Names reads_past{};                          ///< may read, of the last frame
@@ -28,16 +29,24 @@ struct Plan {
 };
 
 namespace detail {
-template <class Pass> inline constexpr bool is_ingest = false;
-template <class S, class Form, class Suppression> inline constexpr bool is_ingest<Ingest<S, Form, Suppression>> = true;
+/// The name of the channel that an ingest reads; empty for other passes.
+template <class Pass> inline constexpr std::string_view ingested_by{};
+template <class S, class Form, class Suppression> inline constexpr std::string_view ingested_by<Ingest<S, Form, Suppression>> = S::name;
 
 /// An executor that computes nothing and records the passes.
 struct PassRecorder {
     std::vector<PlannedPass>* passes;
 
     template <class Job> void for_each_pixel(Region, Job const& job) const {
-        passes->push_back({.name = Job::name});
-        describe(job, passes->back());
+        PlannedPass pass{.name = Job::name, .denoises = passes->empty() ? std::string_view{} : passes->back().denoises};
+        auto const before = pass.denoises;
+        describe(job, pass);
+        if (pass.denoises != before) end_pipeline();
+        passes->push_back(std::move(pass));
+    }
+    /// The last pass so far made what its pipeline gives, which may be the image of the signal.
+    void end_pipeline() const {
+        if (!passes->empty()) add(passes->back().writes, "output");
     }
 
 private:
@@ -49,7 +58,10 @@ private:
     template <class Pass, class S, class SignalView, class MadeViews, class FinishWork, class RememberedSet, bool keeps_marks>
     static void describe(Job<Pass, S, SignalView, MadeViews, FinishWork, RememberedSet, keeps_marks> const& job, PlannedPass& pass) {
         pass.fraction = S::fraction;
-        if (!is_ingest<Pass>) add(pass.reads, "signal");
+        if (ingested_by<Pass>.empty())
+            add(pass.reads, "signal");
+        else
+            pass.denoises = ingested_by<Pass>;
         add(pass.reads, typename S::frame_channels{});
         add(pass.reads, typename S::made_channels{});
         if (is_temporal<Pass> || S::kept_channels::size + S::remembered_channels::size > 0) add(pass.reads_past, "signal");
@@ -62,6 +74,7 @@ private:
     }
     template <class FrameViews, class OutputView, class... Parts>
     static void describe(CompositeJob<FrameViews, OutputView, Parts...> const&, PlannedPass& pass) {
+        pass.denoises = {};
         (add(pass.reads, Parts::Channel::name), ...);
         add(pass.reads, typename FrameViews::channels{});
         add(pass.writes, "output");
@@ -79,14 +92,16 @@ template <class P, ImageStorage Storage = Planar<>> Plan plan_of(P const& pipeli
     frame.camera.projection[2][3] = -1.f, frame.camera.projection[3][3] = 0.f, frame.camera.projection[3][2] = -1.f;
     History<P, Storage> history{size, pipeline, storage};
     Plan plan;
-    run(pipeline, frame, history, detail::PassRecorder{&plan.passes});
+    detail::PassRecorder const recorder{&plan.passes};
+    run(pipeline, frame, history, recorder);
     plan.passes.clear();
-    run(pipeline, frame, history, detail::PassRecorder{&plan.passes});
+    run(pipeline, frame, history, recorder);
+    recorder.end_pipeline();
     plan.bytes_per_pixel = history.bytes_per_pixel();
     return plan;
 }
 
-/// The plan as a Markdown table with a row per pass.
+/// The plan as a Markdown table with a row per pass. Each pipeline of a composite has a row with its signal's name above it.
 inline std::string to_string(Plan const& plan) {
     auto const joined = [](PlannedPass::Names const& names) {
         std::string text;
@@ -94,9 +109,15 @@ inline std::string to_string(Plan const& plan) {
         return text;
     };
     std::string text = "| pass | reads | of the last frame | writes |\n| --- | --- | --- | --- |\n";
-    for (auto const& pass : plan.passes)
+    bool const is_composite = !plan.passes.empty() && plan.passes.back().denoises.empty();
+    std::string_view above;
+    for (auto const& pass : plan.passes) {
+        if (is_composite && pass.denoises != above)
+            text += "| **" + std::string(pass.denoises.empty() ? "sum" : pass.denoises) + "** |  |  |  |\n";
+        above = pass.denoises;
         text += "| " + std::string(pass.name) + (pass.fraction > 1 ? ", 1/" + std::to_string(pass.fraction) : "") + " | " +
                 joined(pass.reads) + " | " + joined(pass.reads_past) + " | " + joined(pass.writes) + " |\n";
+    }
     return text + "History and scratch: " + std::to_string(static_cast<long>(plan.bytes_per_pixel + 0.5)) + " bytes a pixel.\n";
 }
 
