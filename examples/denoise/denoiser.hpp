@@ -44,7 +44,9 @@ public:
     virtual void diagnose() = 0;
     /// What was found in the last frame.
     [[nodiscard]] virtual std::vector<Finding> const& findings() const = 0;
-    /// What a channel of DebugChannels shows of the last frame, by its name: none where this is no watched denoiser.
+    /// Whether it makes a channel of DebugChannels, by its name.
+    [[nodiscard]] virtual bool has_debug_view(std::string const& view) const = 0;
+    /// What a channel of DebugChannels shows of the last frame, by its name: none where it makes none.
     [[nodiscard]] virtual std::vector<DebugImage> debug_images(std::string const& view) = 0;
     /// The next frame, denoised: linear, row by row. Where its size is another one, history starts afresh.
     [[nodiscard]] virtual metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number) = 0;

@@ -11,6 +11,10 @@
 
 namespace quell::examples {
 
+/// The channels that a pipeline keeps, or that all pipelines of a composite keep.
+template <class P> struct KeptChannels { using type = typename P::keeps; };
+template <class... Ps> struct KeptChannels<Composite<Ps...>> { using type = union_of<typename Ps::keeps...>; };
+
 /// @tparam Storage of the history
 template <class P, class E = Threads<>, ImageStorage Storage = Planar<>> class DenoiserOf final : public Denoiser {
     P pipeline;
@@ -42,6 +46,12 @@ public:
     bool needs_camera() const override { return P::needs_camera; }
     void diagnose() override { looks = true; }
     std::vector<Finding> const& findings() const override { return found; }
+    bool has_debug_view(std::string const& view) const override {
+        bool has = false;
+        for_each_channel(common_to<DebugChannels, typename KeptChannels<P>::type>{},
+                         [&](auto channel) { has = has || view == channel.name; });
+        return has;
+    }
     std::vector<DebugImage> debug_images(std::string const& view) override {
         std::vector<DebugImage> images;
         for_each_channel(DebugChannels{}, [&](auto channel) {

@@ -58,7 +58,6 @@ public:
     }
 
     void write_views(long long number, std::string const& view, std::vector<std::pair<std::string, DebugImage>> const& images) const {
-        if (images.empty()) throw Error("--debug-view", "this preset has no " + view, "leave it out, or choose a preset that clamps");
         for (auto const& each : images) store([&] { write_debug_view(pattern->path(number), view, each.first, each.second); });
     }
 };
@@ -129,7 +128,7 @@ void denoise(DenoiseOptions const& options) {
                                .shutter = options.shutter,
                                .later_frames = later_frames(options, preset),
                                .diagnose = options.diagnose,
-                               .debug_images = !options.debug_views.empty()});
+                               .debug_views = options.debug_views});
     int findings = 0;
     {
         Progress progress(preset.name, range.last - range.begin + 1, !options.quiet);
@@ -149,8 +148,10 @@ void denoise(DenoiseOptions const& options) {
     if (options.diagnose && findings == 0) std::fprintf(stderr, "quell-denoise: --diagnose found nothing wrong\n");
     if (!choice.reason.empty()) std::fprintf(stderr, "quell-denoise: preset %s, since %s\n", preset.name.c_str(), choice.reason.c_str());
     for (auto const& remark : denoiser.names()->remarks) std::fprintf(stderr, "quell-denoise: %s\n", remark.c_str());
-    std::fprintf(stderr, "quell-denoise: %lld frames of %s; %lld samples were missing (not finite, or negative)\n",
-                 range.last - range.first + 1, denoiser.names()->renderer.c_str(), denoiser.missing_samples());
+    auto const frames = range.last - range.first + 1, missing = denoiser.missing_samples();
+    std::fprintf(stderr, "quell-denoise: %lld %s of %s; %lld %s missing (not finite, or negative)\n", frames,
+                 frames == 1 ? "frame" : "frames", denoiser.names()->renderer.c_str(), missing,
+                 missing == 1 ? "sample was" : "samples were");
 }
 
 } // namespace

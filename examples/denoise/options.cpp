@@ -58,7 +58,7 @@ void describe(CLI::App& app, DenoiseOptions& options) {
                  "frame that first shows");
     app.add_option("--debug-view", options.debug_views,
                    "Write what happened in each pixel beside the output, as EXR and PNG: any of " + debug_view_names() +
-                       "; slower, and on one thread")
+                       " (clamp of presets that clamp only); slower, and on one thread")
         ->delimiter(',');
     app.add_flag("--quiet", options.quiet, "Say nothing on stderr but errors");
     app.add_flag("--list", options.list, "Print the names of the presets");

@@ -21,12 +21,22 @@ std::string remedy_for_files(Mistake mistake) {
     }
 }
 
+void check_debug_views(Preset const& preset, std::vector<std::string> const& views) {
+    if (views.empty()) return;
+    if (!preset.make_watched)
+        throw Error("--debug-view", "preset '" + preset.name + "' has none",
+                    "choose one with a history, such as svgf; of trmv, its parts shadow, glossy and dual-cone");
+    auto const watched = preset.make_watched({1, 1});
+    for (auto const& view : views)
+        if (!watched->has_debug_view(view))
+            throw Error("--debug-view", "preset '" + preset.name + "' has no " + view,
+                        "leave it out, or choose a preset that clamps, such as surface-clamp");
+}
+
 } // namespace
 
 SequenceDenoiser::SequenceDenoiser(SequenceSettings settings_) : settings(std::move(settings_)) {
-    if (settings.debug_images && !settings.preset.make_watched)
-        throw Error("--debug-view", "preset '" + settings.preset.name + "' has none",
-                    "choose one with a history, such as svgf; of trmv, its parts shadow, glossy and dual-cone");
+    check_debug_views(settings.preset, settings.debug_views);
 }
 
 void SequenceDenoiser::begin(io::ExrFile const& file) {
@@ -36,7 +46,7 @@ void SequenceDenoiser::begin(io::ExrFile const& file) {
     size = file.size;
     auto const& preset = settings.preset;
     for (std::size_t s = 0; s < settings.map->of_signals.size(); ++s)
-        denoisers.push_back(settings.debug_images ? preset.make_watched(size) : preset.make(size, settings.threads));
+        denoisers.push_back(!settings.debug_views.empty() ? preset.make_watched(size) : preset.make(size, settings.threads));
     for (auto const& denoiser : denoisers)
         if (settings.diagnose) denoiser->diagnose();
 }
@@ -98,7 +108,7 @@ void SequenceDenoiser::read(FramePattern const& in, long long number) {
 
 /// A frame that is missing or broken ends the window, and is complained of when it is its turn: those before it are written whole.
 void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
-    if (!settings.preset.looks_ahead || settings.debug_images) return;
+    if (!settings.preset.looks_ahead || !settings.debug_views.empty()) return;
     for (auto later = window.back().number + 1; later <= number + settings.later_frames; ++later) {
         if (!std::filesystem::exists(in.path(later))) return;
         try {

@@ -20,13 +20,13 @@ struct SequenceSettings {
     std::optional<float> shutter;         ///< how long it is open, whatever the files or the map say
     int later_frames = 0;                 ///< that each frame is denoised with, where the preset makes use of them and the files are there
     bool diagnose = false;                ///< look at each frame for what its renderer got wrong
-    bool debug_images = false;            ///< slower, and on one thread
+    std::vector<std::string> debug_views; ///< names of DebugChannels that debug_images() will be asked for: slower, and on one thread
 };
 
 /// Denoises the frames of a sequence one after the other, whichever renderer wrote them.
 class SequenceDenoiser {
 public:
-    /// @throws Error where debug images are wanted of a preset that has none
+    /// @throws Error where the preset has no debug images, or not one that is wanted
     explicit SequenceDenoiser(SequenceSettings settings);
 
     /// What the last frame showed for the first time.

@@ -60,6 +60,7 @@ public:
     bool needs_camera() const override { return P::needs_camera; }
     void diagnose() override { looks = true; }
     std::vector<Finding> const& findings() const override { return found; }
+    bool has_debug_view(std::string const&) const override { return false; }
     std::vector<DebugImage> debug_images(std::string const&) override { return {}; }
     long long missing_samples() const override { return history.statistics().missing_samples; }
     std::string plan() const override { return to_string(plan_of(pipeline)); }

@@ -376,7 +376,16 @@ TEST_CASE("debug views are written beside the output") {
     }
     check_refused(denoise(at + "--debug-view depth"), {"--debug-view", "'depth'", "rejection"});
     check_refused(denoise(at + "--preset atrous --debug-view clamp"), {"--debug-view", "'atrous'", "svgf"});
-    check_refused(denoise(at + "--preset surface --debug-view clamp"), {"clamp", "a preset that clamps"});
+}
+
+TEST_CASE("a debug view that the preset has not is refused before anything is written") {
+    Folder const folder;
+    write_sequence(folder, 1, 2);
+    for (std::string const preset : {"surface", "svgf"})
+        check_refused(denoise(input(folder) + output(folder) + "--preset " + preset + " --debug-view history_length,clamp"),
+                      {"--debug-view", "'" + preset + "' has no clamp", "a preset that clamps"});
+    check_refused(denoise(input(folder) + output(folder) + "--preset trmv --debug-view rejection"), {"--debug-view", "'trmv'", "shadow"});
+    CHECK(folder.files() == 2);
 }
 
 TEST_CASE("debug views of frames whose names have no ending keep their numbers") {
@@ -414,7 +423,8 @@ TEST_CASE("products that are too large for a float are missing, not infinite") {
     auto const ran = denoise(input(folder) + output(folder) + "--preset none --map '" + (folder / "map.json").string() + "'");
     INFO(ran.err);
     CHECK(ran.code == 0);
-    CHECK(contains(ran.err, "; 1 samples were missing"));
+    CHECK(contains(ran.err, "quell-denoise: 1 frame of "));
+    CHECK(contains(ran.err, "; 1 sample was missing"));
     CHECK(io::read_exr(folder / "out.0001.exr")["R"].values[100] == 0.f);
 }
 
