@@ -20,7 +20,7 @@ struct SequenceSettings {
     std::optional<float> shutter;         ///< how long it is open, whatever the files or the map say
     int later_frames = 0;                 ///< that each frame is denoised with, where the preset makes use of them and the files are there
     bool diagnose = false;                ///< look at each frame for what its renderer got wrong
-    std::vector<std::string> debug_views; ///< names of DebugChannels that debug_images() will be asked for: slower, and on one thread
+    std::vector<std::string> debug_views{}; ///< names of DebugChannels that debug_images() will be asked for: slower, and on one thread
 };
 
 /// Denoises the frames of a sequence one after the other, whichever renderer wrote them.
