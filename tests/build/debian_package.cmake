@@ -72,8 +72,8 @@ step(${COMPILER} -std=c++20 -O1 ${sources} ${flags} -o ${WORK}/by_pkg_config)
 step(${WORK}/by_pkg_config)
 
 # By find_package, which must find this one and no other.
-step(${CMAKE_COMMAND} -S ${SOURCE}/tests/build/consumer -B ${WORK}/build -G ${GENERATOR} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=-O1
-    -D CMAKE_PREFIX_PATH=${WORK}/root/usr -D EXPECT_THREADS=${THREADS} -D EXPECT_EXR=${EXR})
+step(${CMAKE_COMMAND} -S ${SOURCE}/tests/build/consumer -B ${WORK}/build -G ${GENERATOR} -D CMAKE_CXX_COMPILER=${COMPILER}
+    -D CMAKE_CXX_FLAGS=-O1 -D CMAKE_PREFIX_PATH=${WORK}/root/usr -D EXPECT_THREADS=${THREADS} -D EXPECT_EXR=${EXR})
 load_cache(${WORK}/build READ_WITH_PREFIX found_ quell_DIR)
 check_that("${found_quell_DIR}" "${WORK}/root/usr/share/cmake/quell")
 step(${CMAKE_COMMAND} --build ${WORK}/build)
