@@ -73,7 +73,7 @@ template <class Format, int N, int pixel_step> struct StridedView {
                 (Format::store(at(c, x, y), component<c>(value)), ...);
             else {
                 constexpr int width = width_of<Real>;
-                alignas(64) float apart[N][width], run[N * width];
+                alignas(64) float apart[std::size_t{N}][std::size_t{width}], run[std::size_t{N * width}];
                 (component<c>(value).store_aligned(apart[c]), ...);
                 for (int i = 0; i < width; ++i) ((run[i * N + c] = apart[c][i]), ...);
                 (Format::store(at(0, x, y) + c * width, Real::load_aligned(run + c * width)), ...);

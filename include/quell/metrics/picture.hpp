@@ -149,7 +149,7 @@ template <class Number> Taps<Number> gaussian(double deviation, int radius) {
 /// use SIMD registers; g++ 12 still stores the sums between taps, hence four taps at a time.
 template <int lanes, class Number>
 void weighted_sum(std::span<Number const* const> sources, Number const* taps, std::size_t first, Number* out) {
-    Number sums[lanes] = {};
+    Number sums[std::size_t{lanes}] = {};
     std::size_t t = 0;
     for (; t + 4 <= sources.size(); t += 4) {
         Number const *a = sources[t] + first, *b = sources[t + 1] + first, *c = sources[t + 2] + first, *d = sources[t + 3] + first;
