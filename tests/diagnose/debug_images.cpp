@@ -68,7 +68,7 @@ TEST_CASE("later it is told what follows its surface, what was uncovered, and fo
     CHECK(later.at(debug_length, 12, 8) == 4.f);
     CHECK(later.at(debug_length, 2, 2) == 4.f);
     CHECK(later.at(debug_source, 9, 8) != 1.f);
-    CHECK(later.at(debug_rejection, 9, 8) == static_cast<float>(Rejection::depth));
+    CHECK(later.at(debug_rejection, 9, 8) == static_cast<float>(Rejection::depth_test));
     float most = 0.f;
     for (int x = 0; x < size.width; ++x) most = std::max(most, later.at(debug_clamp, x, 2));
     CHECK(most > 0.f);
@@ -83,7 +83,7 @@ TEST_CASE("other reasons for there being no past are told apart") {
     run(debug, after.frame, after.history, Serial{});
     CHECK(after.at(debug_rejection, 1, 1) == static_cast<float>(Rejection::outside));
     CHECK(after.at(debug_rejection, 2, 1) == static_cast<float>(Rejection::no_motion));
-    CHECK(after.at(debug_rejection, 3, 1) == static_cast<float>(Rejection::normal));
+    CHECK(after.at(debug_rejection, 3, 1) == static_cast<float>(Rejection::normal_test));
 }
 
 TEST_CASE("without a clamp there is no image of one, and each pipeline of a composite has its own") {

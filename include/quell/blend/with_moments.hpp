@@ -19,8 +19,8 @@ template <class Inner> struct WithMoments {
         auto const before = past[luminance_mean];
         auto const off = luminance(px.signal()) - before;
         auto const mean = before + off * alpha;
-        auto const variance = detail::variance_over_time(px, past[luminance_variance], off, alpha);
-        return result.with(luminance_mean, mean).with(luminance_variance, variance);
+        return result.with(luminance_mean, mean)
+            .with(luminance_variance, detail::variance_over_time(px, past[luminance_variance], off, alpha));
     }
 };
 template <class Inner> WithMoments(Inner) -> WithMoments<Inner>;

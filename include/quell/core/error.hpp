@@ -1,11 +1,16 @@
 #pragma once
 
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace quell {
 
-/// Thrown for input that quell cannot use. what() is "subject: found; remedy".
+/// What is wrong with input that quell cannot use. what() is "subject: found; remedy". raise_error() throws it, or hands it to the
+/// ErrorHandler.
 struct Error : std::runtime_error {
     std::string subject; ///< the file, channel or parameter
     std::string found;   ///< what is wrong with it
@@ -16,5 +21,40 @@ struct Error : std::runtime_error {
         : std::runtime_error(subject_ + ": " + found_ + "; " + remedy_), subject(std::move(subject_)), found(std::move(found_)),
           remedy(std::move(remedy_)) {}
 };
+
+/// What is called with an Error in a program that is compiled without exceptions. It ends the program, and does not return.
+using ErrorHandler = void (*)(Error const& error);
+
+/// The handler of a program that sets none: prints what() to stderr and aborts.
+[[noreturn]] inline void abort_on_error(Error const& error) {
+    std::fprintf(stderr, "quell: %s\n", error.what());
+    std::abort();
+}
+
+namespace detail {
+inline constinit std::atomic<ErrorHandler> error_handler = abort_on_error;
+} // namespace detail
+
+/// Sets the handler of the whole program, from any thread, and returns the one before:
+///
+///     quell::set_error_handler([](quell::Error const& error) {
+///         engine::fatal("%s: %s", error.subject.c_str(), error.remedy.c_str()); // does not return
+///     });
+///
+/// The program aborts where the handler returns. Several threads may call the handler at once. It is never called where exceptions are on.
+/// @param handler nullptr: abort_on_error
+inline ErrorHandler set_error_handler(ErrorHandler handler) { return detail::error_handler.exchange(handler ? handler : abort_on_error); }
+
+/// Every error of the headers outside `io` comes through here. Throws an Error, or calls the handler where exceptions are off.
+/// @throws Error where exceptions are on
+[[noreturn]] inline void raise_error(std::string subject, std::string found, std::string remedy) {
+    Error error(std::move(subject), std::move(found), std::move(remedy));
+#if defined(__cpp_exceptions)
+    throw error;
+#else
+    detail::error_handler.load()(error);
+    std::abort();
+#endif
+}
 
 } // namespace quell

@@ -123,11 +123,11 @@ template <class A> QUELL_KERNEL auto select(xsimd::batch_bool<float, A> m, float
     return xsimd::select(m, detail::PackOf<A>(a), b);
 }
 template <class A> QUELL_KERNEL auto masked(xsimd::batch_bool<float, A> m, xsimd::batch<float, A> a) {
-    using Pack = detail::PackOf<A>;
+    using Batch = detail::PackOf<A>;
     if constexpr (sizeof(m) == sizeof(a)) // the mask is as wide as the pack: all bits of a lane are equal
-        return a & std::bit_cast<Pack>(m);
+        return a & std::bit_cast<Batch>(m);
     else
-        return xsimd::select(m, a, Pack(0.f));
+        return xsimd::select(m, a, Batch(0.f));
 }
 template <class A> QUELL_KERNEL bool any(xsimd::batch_bool<float, A> m) { return xsimd::any(m); }
 template <class A> QUELL_KERNEL bool all(xsimd::batch_bool<float, A> m) { return xsimd::all(m); }

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <cstddef>
 #include <utility>
 
 namespace quell {
@@ -18,7 +19,7 @@ template <class Real> using vec3 = glm::vec<3, Real>;
 
 /// A value of more than four components, which GLM's vectors cannot hold.
 template <int N, class Real> struct Components {
-    Real at[N]; ///< component c is at[c]
+    Real at[std::size_t{N}]; ///< component c is at[c]
 };
 
 namespace detail {

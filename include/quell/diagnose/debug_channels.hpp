@@ -39,14 +39,14 @@ using DebugChannels = Channels<DebugLength, DebugSource, DebugRejection, DebugCl
 
 /// Why the first motion source gives no past, in the order of the tests.
 enum class Rejection {
-    none,      ///< there is a past
-    no_frame,  ///< the history is empty
-    no_motion, ///< the source has no vector, or no validity, for this pixel
-    outside,   ///< the place is outside the image
-    depth,     ///< the depth test rejects all four taps
-    normal,    ///< the normal test does
-    instance,  ///< the instance test does
-    other,     ///< another test does, or several tests reject some taps each
+    none,          ///< there is a past
+    no_frame,      ///< the history is empty
+    no_motion,     ///< the source has no vector, or no validity, for this pixel
+    outside,       ///< the place is outside the image
+    depth_test,    ///< the depth test rejects all four taps
+    normal_test,   ///< the normal test does
+    instance_test, ///< the instance test does
+    other_test,    ///< another test does, or several tests reject some taps each
 };
 
 /// One debug channel of one pipeline, from the last run.

@@ -18,13 +18,13 @@ template <class Real> QUELL_KERNEL Real code_of(Rejection rejection) { return Re
 /// The guide that a surface test compares.
 template <class Test> constexpr Rejection rejection_by() {
     if constexpr (remembers_of<Test>::template has<Depth>)
-        return Rejection::depth;
+        return Rejection::depth_test;
     else if constexpr (remembers_of<Test>::template has<Normal>)
-        return Rejection::normal;
+        return Rejection::normal_test;
     else if constexpr (remembers_of<Test>::template has<Instance>)
-        return Rejection::instance;
+        return Rejection::instance_test;
     else
-        return Rejection::other;
+        return Rejection::other_test;
 }
 
 /// Whether a test rejects all four past pixels around a place.
@@ -39,13 +39,13 @@ template <class Px, class Test> QUELL_KERNEL auto refuses(Px const& px, vec2<typ
 }
 template <class Px, class Test> QUELL_KERNEL auto refusal(Px const& px, vec2<typename Px::Real> where, Test const& test) {
     using Real = typename Px::Real;
-    return select(refuses(px, where, test), code_of<Real>(rejection_by<Test>()), code_of<Real>(Rejection::other));
+    return select(refuses(px, where, test), code_of<Real>(rejection_by<Test>()), code_of<Real>(Rejection::other_test));
 }
 template <class Px, class... Tests> QUELL_KERNEL auto refusal(Px const& px, vec2<typename Px::Real> where, AllOf<Tests...> const& all) {
     using Real = typename Px::Real;
-    Real reason = code_of<Real>(Rejection::other);
+    Real reason = code_of<Real>(Rejection::other_test);
     auto const unless_earlier = [&]<class Test>(Test const& test) QUELL_INLINED {
-        auto const open = reason > code_of<Real>(Rejection::instance);
+        auto const open = reason > code_of<Real>(Rejection::instance_test);
         reason = select(both(open, refuses(px, where, test)), code_of<Real>(rejection_by<Test>()), reason);
     };
     (unless_earlier(static_cast<Tests const&>(all)), ...);
@@ -57,7 +57,7 @@ template <class Px, class Source> QUELL_KERNEL auto rejection_of(Px const& px, S
     using Real = typename Px::Real;
     auto const found = source.previous(px);
     auto const place = sane(px, found);
-    auto reason = code_of<Real>(Rejection::other);
+    auto reason = code_of<Real>(Rejection::other_test);
     if constexpr (requires { source.test.around(px); }) reason = refusal(px, place.where, source.test);
     auto const says = both(is_finite(found.where.x), is_finite(found.where.y), found.validity > Real(0.f));
     reason = select(place.validity > Real(0.f), reason, code_of<Real>(Rejection::outside));

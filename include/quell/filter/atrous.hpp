@@ -19,7 +19,7 @@ namespace detail {
 /// The bits of a spline's weights (weight_bits), by |column| and |row|.
 template <class Spline> struct SplineBits {
     static constexpr int radius = static_cast<int>(std::size(Spline::weights)) - 1;
-    float at[radius + 1][radius + 1];
+    float at[std::size_t{radius + 1}][std::size_t{radius + 1}];
     constexpr SplineBits() : at{} {
         for (int i = 0; i <= radius; ++i)
             for (int j = 0; j <= radius; ++j)

@@ -41,9 +41,9 @@ struct PixelRays {
                 fma(where.x, Real(right.z), fma(where.y, Real(down.z), Real(forward.z)))};
     }
     /// World-space point at `where` (pixel coordinates) and a linear depth.
-    template <class Real> QUELL_KERNEL vec3<Real> position(vec2<Real> const& where, Real depth) const {
+    template <class Real> QUELL_KERNEL vec3<Real> position(vec2<Real> const& where, Real linear_depth) const {
         auto const d = direction(where);
-        return {fma(d.x, depth, Real(eye.x)), fma(d.y, depth, Real(eye.y)), fma(d.z, depth, Real(eye.z))};
+        return {fma(d.x, linear_depth, Real(eye.x)), fma(d.y, linear_depth, Real(eye.y)), fma(d.z, linear_depth, Real(eye.z))};
     }
 };
 

@@ -73,7 +73,7 @@ template <class Format, int N, int pixel_step> struct StridedView {
                 (Format::store(at(c, x, y), component<c>(value)), ...);
             else {
                 constexpr int width = width_of<Real>;
-                alignas(64) float apart[N][width], run[N * width];
+                alignas(64) float apart[std::size_t{N}][std::size_t{width}], run[std::size_t{N * width}];
                 (component<c>(value).store_aligned(apart[c]), ...);
                 for (int i = 0; i < width; ++i) ((run[i * N + c] = apart[c][i]), ...);
                 (Format::store(at(0, x, y) + c * width, Real::load_aligned(run + c * width)), ...);
@@ -103,7 +103,7 @@ public:
     /// @throws Error where offsets within a component exceed 31 bits
     explicit StridedImage(Extent size = {}) : extent(size) {
         if (size.height > 0 && View{nullptr, size}.row_stride() > std::numeric_limits<std::int32_t>::max() / size.height)
-            throw Error("image size", to_string(size) + " pixels, " + std::to_string(step) + " floats apart",
+            raise_error("image size", to_string(size) + " pixels, " + std::to_string(step) + " floats apart",
                         step > 1 ? "use Planar storage or smaller images" : "use smaller images");
         memory.reset(static_cast<Element*>(::operator new[](bytes(), std::align_val_t{64})));
         std::uninitialized_value_construct_n(memory.get(), elements());

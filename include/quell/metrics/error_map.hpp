@@ -24,7 +24,7 @@ namespace quell::metrics {
     detail::check_size("FLIP error", flip.size, flip.error.size());
     Picture result{flip.size, {}};
     for (auto const error : flip.error) {
-        if (!detail::in_unit_range(error)) throw Error("FLIP error", "one value is " + std::to_string(error), "give values in [0, 1]");
+        if (!detail::in_unit_range(error)) raise_error("FLIP error", "one value is " + std::to_string(error), "give values in [0, 1]");
         result.pixels.push_back(magma(error));
     }
     return result;

@@ -204,7 +204,7 @@ inline float feature_error(Features const& a, Features const& b, std::size_t i) 
     check_pair(reference, test);
     // Below 1 a filter is narrower than a pixel and has no derivative. Comparing bits also rejects NaN.
     if (auto const bits = std::bit_cast<std::uint32_t>(pixels_per_degree); bits < 0x3f800000u || bits > 0x461c4000u)
-        throw Error("FLIP", std::to_string(pixels_per_degree) + " pixels per degree",
+        raise_error("FLIP", std::to_string(pixels_per_degree) + " pixels per degree",
                     "give it 1 to 10000; a monitor at arm's length has 67");
     auto const a = opponent(reference), b = opponent(test);
     auto const lab_a = perceived_lab(reference.size, a, pixels_per_degree), lab_b = perceived_lab(test.size, b, pixels_per_degree);

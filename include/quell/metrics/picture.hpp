@@ -80,16 +80,16 @@ inline std::string describe(Picture const& picture, std::size_t i) {
 }
 
 inline void check_size(std::string const& name, Extent size, std::size_t found) {
-    if (size.width <= 0 || size.height <= 0) throw Error(name, "its size is " + to_string(size), "give it at least 1x1 pixels");
+    if (size.width <= 0 || size.height <= 0) raise_error(name, "its size is " + to_string(size), "give it at least 1x1 pixels");
     if (found == count(size)) return;
-    throw Error(name, "its size is " + to_string(size) + " but it holds " + std::to_string(found) + " pixels",
+    raise_error(name, "its size is " + to_string(size) + " but it holds " + std::to_string(found) + " pixels",
                 "give it " + std::to_string(size.pixels()) + ", row by row from the top-left");
 }
 
 inline void check_values(std::string const& name, Picture const& picture, auto valid, std::string const& remedy) {
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
         auto const& p = picture.pixels[i];
-        if (!(valid(p.x) && valid(p.y) && valid(p.z))) throw Error(name, describe(picture, i), remedy);
+        if (!(valid(p.x) && valid(p.y) && valid(p.z))) raise_error(name, describe(picture, i), remedy);
     }
 }
 
@@ -102,7 +102,7 @@ inline void check_pair(Picture const& reference, Picture const& test) {
     check_displayed("reference picture", reference);
     check_displayed("test picture", test);
     if (reference.size == test.size) return;
-    throw Error("test picture", "its size is " + to_string(test.size) + " but the reference's is " + to_string(reference.size),
+    raise_error("test picture", "its size is " + to_string(test.size) + " but the reference's is " + to_string(reference.size),
                 "compare pictures of one size");
 }
 
@@ -110,9 +110,9 @@ inline void check_mask(Mask const& mask, Extent size) {
     if (mask.empty()) return;
     auto const pixels = std::to_string(size.pixels()) + " pixels of " + to_string(size);
     if (mask.size() != count(size))
-        throw Error("mask", "it has " + std::to_string(mask.size()) + " entries for the " + pixels, "give it one entry per pixel, or none");
+        raise_error("mask", "it has " + std::to_string(mask.size()) + " entries for the " + pixels, "give it one entry per pixel, or none");
     if (std::ranges::all_of(mask, [](auto entry) { return entry == 0; }))
-        throw Error("mask", "it selects 0 of the " + pixels, "select at least one, or pass an empty mask for the whole image");
+        raise_error("mask", "it selects 0 of the " + pixels, "select at least one, or pass an empty mask for the whole image");
 }
 
 /// Calls f(i) for each pixel that counts.
@@ -149,7 +149,7 @@ template <class Number> Taps<Number> gaussian(double deviation, int radius) {
 /// use SIMD registers; g++ 12 still stores the sums between taps, hence four taps at a time.
 template <int lanes, class Number>
 void weighted_sum(std::span<Number const* const> sources, Number const* taps, std::size_t first, Number* out) {
-    Number sums[lanes] = {};
+    Number sums[std::size_t{lanes}] = {};
     std::size_t t = 0;
     for (; t + 4 <= sources.size(); t += 4) {
         Number const *a = sources[t] + first, *b = sources[t + 1] + first, *c = sources[t + 2] + first, *d = sources[t + 3] + first;

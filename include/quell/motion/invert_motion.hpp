@@ -63,7 +63,7 @@ void invert_motion(To const& to, NextMotion const& next_motion, NextDepth const&
     static_assert(To::components == 2 && NextMotion::components == 2 && NextDepth::components == 1,
                   "invert_motion(to, next_motion, next_depth): motion has two components and depth has one");
     if (!(to.size == next_motion.size && to.size == next_depth.size))
-        throw Error("invert_motion",
+        raise_error("invert_motion",
                     "`to` of " + to_string(to.size) + ", motion of " + to_string(next_motion.size) + " and depth of " +
                         to_string(next_depth.size),
                     "give images of one size");

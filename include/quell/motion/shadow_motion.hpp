@@ -16,16 +16,16 @@ struct ShadowMotion {
     /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
-        auto const light = px[light_previous], blocker = px[blocker_previous];
-        auto const line = blocker - light;
-        auto const blocked = both(all_finite(px[quell::blocker]), all_finite(light), all_finite(blocker));
+        auto const light_then = px[light_previous], blocker_then = px[blocker_previous];
+        auto const line = blocker_then - light_then;
+        auto const blocked = both(all_finite(px[blocker]), all_finite(light_then), all_finite(blocker_then));
         if (!any(blocked)) return Reprojection<Real>{px.position(), Real(0.f)};
         auto const plane = detail::tangent_plane_then(px);
-        auto const approach = dot(line, plane.normal), distance = dot(plane.point - light, plane.normal);
+        auto const approach = dot(line, plane.normal), distance = dot(plane.point - light_then, plane.normal);
         auto const steep = abs(approach) > detail::length(line) * min_sine;
         // t = 0 is the light sample, t = 1 the blocker.
         auto const t = distance / select(steep, approach, Real(1.f));
-        auto const then = px.project_to_past(add_scaled(light, line, t));
+        auto const then = px.project_to_past(add_scaled(light_then, line, t));
         // t = 1: the receiver is its own blocker, a self-shadow. Rounding may leave t slightly below.
         auto const valid = both(blocked, steep, t >= Real(0.999f), then.z > Real(0.f), is_finite(then.x), is_finite(then.y));
         return Reprojection<Real>{{then.x, then.y}, masked(valid, Real(1.f))};

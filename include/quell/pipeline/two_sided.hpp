@@ -107,11 +107,11 @@ template <class P, class Window, class Storage, Executor E = Simd>
 auto run_two_sided(P const& pipeline, P const& joining, Window& window, TwoSidedHistory<P, Storage>& history, E const& executor = {}) {
     using F = std::remove_reference_t<decltype(window[0])>;
     using FrameStorage = typename F::storage;
-    using Light = typename P::Output;
+    using Output = typename P::Output;
     static_assert(F::channels::template has<MotionNext>,
                   "run_two_sided(pipeline, window, ...): the frames have no motion_next; construct them with two_sided");
     static_assert(owns_memory<FrameStorage>(), "run_two_sided(pipeline, window, ...): the frames must own their memory (Planar<>)");
-    if (std::size(window) == 0) throw Error("run_two_sided: the window", "no frames", "give the frame to denoise and those after it");
+    if (std::size(window) == 0) raise_error("run_two_sided: the window", "no frames", "give the frame to denoise and those after it");
     std::size_t last = 0;
     auto const follows = [&](std::size_t i) {
         return window[i].size == window[0].size &&
@@ -121,17 +121,17 @@ auto run_two_sided(P const& pipeline, P const& joining, Window& window, TwoSided
     auto& frame = window[0];
     if (last == 0) return run(pipeline, frame, history.before, executor);
 
-    auto const light = accumulate(pipeline, frame, history.before, executor);
+    auto const accumulated = accumulate(pipeline, frame, history.before, executor);
     history.after.forget();
     for (auto i = last; i > 0; --i) {
         detail::Exchanged const backwards(window[i][motion], window[i][motion_next]);
         detail::CountedBackwards const number(window[i]);
         accumulate(pipeline, window[i], history.after, executor);
     }
-    ImageOf<FrameStorage, Light> known_light(frame.size);
+    ImageOf<FrameStorage, Output> known_light(frame.size);
     ImageOf<FrameStorage, SampleCount> known_count(frame.size), known_variance(frame.size);
-    detail::copy_accumulated(light, history.before, known_light.view(), known_count.view(), known_variance.view());
-    detail::Exchanged const of_light(frame[Light{}], known_light);
+    detail::copy_accumulated(accumulated, history.before, known_light.view(), known_count.view(), known_variance.view());
+    detail::Exchanged const of_light(frame[Output{}], known_light);
     detail::Exchanged const of_count(frame[sample_count], known_count);
     detail::Exchanged const of_variance(frame[sample_variance], known_variance);
     detail::Exchanged const backwards(frame[motion], frame[motion_next]);

@@ -48,10 +48,11 @@ inline constexpr GuideSpread guide_spread;
 inline constexpr GuideBend guide_bend;
 
 namespace detail {
-/// Sums over a row: `all` counts its samples, the rest sums over those that move. Bends only where trajectories have them.
+/// Sums over a row: `all` counts its samples, `in_motion` those that move, the rest sums over those. Bends only where
+/// trajectories have them.
 template <class Trajectories> struct MotionSums : InternalChannel<Trajectories::bent ? 11 : 9> {
     static constexpr auto name = "motion_sums";
-    enum { all, number, sweep_x, sweep_y, length, squared_length, doubled_cosine, doubled_sine, depth, bend_x, bend_y };
+    enum { all, in_motion, sweep_x, sweep_y, length, squared_length, doubled_cosine, doubled_sine, depth, bend_x, bend_y };
 };
 template <class Trajectories, class Real> using MotionSumsOf = Components<MotionSums<Trajectories>::components, Real>;
 template <class Sums, class Mask> QUELL_KERNEL void add_where(Mask counts, Sums& sums, Sums const& more) {
@@ -125,16 +126,16 @@ template <class Trajectories> struct MotionColumn {
             if (!neighbour.row_inside) continue;
             auto const row = neighbour[Sums{}];
             samples = samples + row.at[Sums::all];
-            auto const mean_depth = row.at[Sums::depth] / max(row.at[Sums::number], Real(1.f));
+            auto const mean_depth = row.at[Sums::depth] / max(row.at[Sums::in_motion], Real(1.f));
             add_where(invert(hidden_behind(mean_depth, nearest, depth_tolerance)), sums, row);
         }
-        auto const some = sums.at[Sums::number] > Real(0.5f);
-        auto const inverse = masked(some, 1.f / max(sums.at[Sums::number], Real(1.f)));
+        auto const some = sums.at[Sums::in_motion] > Real(0.5f);
+        auto const inverse = masked(some, 1.f / max(sums.at[Sums::in_motion], Real(1.f)));
         auto const mean = scale(sums, inverse);
         auto const length = mean.at[Sums::length];
         vec3<Real> const spread{max(fma(-length, length, mean.at[Sums::squared_length]), Real(0.f)),
                                 variance(mean.at[Sums::doubled_cosine], mean.at[Sums::doubled_sine], some),
-                                sums.at[Sums::number] / max(samples, Real(1.f))};
+                                sums.at[Sums::in_motion] / max(samples, Real(1.f))};
         auto const guide = emitted<Real>(guide_sweep, vec2<Real>{mean.at[Sums::sweep_x], mean.at[Sums::sweep_y]})
                                .with(guide_axis, axis(sums.at[Sums::doubled_cosine], sums.at[Sums::doubled_sine], length))
                                .with(guide_spread, spread);

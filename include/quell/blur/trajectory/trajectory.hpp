@@ -27,11 +27,11 @@ template <class Real> struct Trajectory {
     Real squared;     ///< squared length of the sweep
 
     /// From values of the channels Sweep and Time.
-    QUELL_KERNEL static Trajectory of(vec2<Real> const& sweep, Real time) {
-        auto const usable = both(is_finite(sweep.x), is_finite(sweep.y));
-        vec2<Real> v{clamp(masked(usable, sweep.x), Real(-longest), Real(longest)),
-                     clamp(masked(usable, sweep.y), Real(-longest), Real(longest))};
-        return {v, clamp(select(is_finite(time), time, Real(0.5f)), Real(0.f), Real(1.f)), fma(v.x, v.x, v.y * v.y)};
+    QUELL_KERNEL static Trajectory of(vec2<Real> const& displacement, Real when) {
+        auto const usable = both(is_finite(displacement.x), is_finite(displacement.y));
+        vec2<Real> v{clamp(masked(usable, displacement.x), Real(-longest), Real(longest)),
+                     clamp(masked(usable, displacement.y), Real(-longest), Real(longest))};
+        return {v, clamp(select(is_finite(when), when, Real(0.5f)), Real(0.f), Real(1.f)), fma(v.x, v.x, v.y * v.y)};
     }
     QUELL_KERNEL auto moves() const { return squared > Real(min_length * min_length); } ///< not static
     QUELL_KERNEL Real length() const { return sqrt(squared); }                          ///< of the sweep, in pixels

@@ -69,7 +69,7 @@ private:
             vec2<Real> sum{Real(0.f), Real(0.f)}; ///< of sweeps, weighted
             Real weight = Real(0.f);              ///< sum of weights
             /// Adds a sweep, in pixels.
-            QUELL_KERNEL void add(vec2<Real> const& sweep, Real w) { sum = add_scaled(sum, sweep, w), weight = weight + w; }
+            QUELL_KERNEL void add(vec2<Real> const& of_sample, Real w) { sum = add_scaled(sum, of_sample, w), weight = weight + w; }
             /// Whether any sample counted.
             QUELL_KERNEL auto known() const { return weight > Real(0.f); }
             /// 0 where none did.
@@ -116,19 +116,19 @@ private:
         /// All lanes follow lane k's line, whatever each finds on it.
         template <class As, class What>
         QUELL_KERNEL void gather_along(What what, Px const& px, int k, Mask tile, ScreenMotion const& screen_motion, int shares,
-                                       Width& width) {
+                                       Width& layer_width) {
             auto const speed = in_lane(detail::speed_of(screen_motion), k), bend = in_lane(detail::bend_of(screen_motion), k);
-            int const count = settings.count < max_samples ? settings.count : max_samples;
-            detail::LineOfPixels const line(speed, bend, settings.reach, count / shares);
+            int const samples_wanted = settings.count < max_samples ? settings.count : max_samples;
+            detail::LineOfPixels const line(speed, bend, settings.reach, samples_wanted / shares);
             auto const visit = [&](int dx, int dy) QUELL_INLINED { add<As>(what, px, dx, dy, tile); };
             if constexpr (std::is_same_v<What, ForBack>)
                 line.for_each_other(visit); // the foreground's line had the pixel itself
             else
                 line.for_each(visit);
             if constexpr (Footprint::adapts) {
-                auto const unsure = both(tile, width.error.above(settings.footprint.allowed_error));
+                auto const unsure = both(tile, layer_width.error.above(settings.footprint.allowed_error));
                 if (!any(unsure)) return;
-                width.per_pixel = select(unsure, width.per_pixel * 0.5f, width.per_pixel);
+                layer_width.per_pixel = select(unsure, layer_width.per_pixel * 0.5f, layer_width.per_pixel);
                 int const room = max_samples / shares - line.size();
                 detail::LineOfPixels(speed, bend, settings.reach, line.slanted ? room : room / 2)
                     .for_each_beside([&](int dx, int dy) QUELL_INLINED { add<As>(what, px, dx, dy, unsure); });
@@ -205,13 +205,13 @@ private:
             auto const found = both(invert(still_here), back_swept.known());
             auto back = detail::layer_of(select(still_here, px.signal(), behind.mean()),
                                          select(still_here, Real(BackgroundLayer<Signal>::certain), masked(found, samples)));
-            auto sweep = select(found, back_swept.mean(), zero<vec2<Real>>());
+            auto back_sweep = select(found, back_swept.mean(), zero<vec2<Real>>());
             auto const covered = invert(either(still_here, found));
             if (any(covered)) {
                 back = select(covered, guessed(px), back);
                 auto const nothing = both(covered, detail::weight_of(back) <= Real(0.f));
-                sweep = select(both(covered, back_moves), detail::speed_of(of.back), sweep);
-                sweep = select(nothing, nowhere, sweep);
+                back_sweep = select(both(covered, back_moves), detail::speed_of(of.back), back_sweep);
+                back_sweep = select(nothing, nowhere, back_sweep);
             }
             // The number of samples is the sweep's length in pixels.
             auto const front = detail::layer_of(in_front.mean(), masked(of.two, max(speed(of.front), Real(1.f))));
@@ -219,7 +219,7 @@ private:
             return emitted<Real>(ForegroundLayer<Signal>{}, front)
                 .with(foreground_sweep, select(of.two, front_moves, nowhere))
                 .with(BackgroundLayer<Signal>{}, back)
-                .with(mean_sweep, sweep);
+                .with(mean_sweep, back_sweep);
         }
         /// The background where no sample of it passes: from neighbours that show it.
         QUELL_KERNEL auto guessed(Px const& px) const {

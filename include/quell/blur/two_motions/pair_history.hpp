@@ -77,10 +77,10 @@ template <ChannelTag S> struct PairBlend {
         using Real = typename Px::Real;
         constexpr ForegroundLayer<Signal> front;
         constexpr BackgroundLayer<Signal> back;
-        auto const sweep = px[mean_sweep];
-        auto const still = both(sweep.x == Real(0.f), sweep.y == Real(0.f));
+        auto const back_sweep = px[mean_sweep];
+        auto const still = both(back_sweep.x == Real(0.f), back_sweep.y == Real(0.f));
         auto const samples = detail::weight_of(px[back]), known = detail::weight_of(past[back]);
-        auto const counted = min(known, select(still, known, at_most(cap, sweep)));
+        auto const counted = min(known, select(still, known, at_most(cap, back_sweep)));
         auto const share = select(still, masked(samples >= known, Real(1.f)), share_of(samples, counted));
         auto const behind = joined(past[back], px[back], share, select(still, max(samples, known), samples + counted));
 
@@ -92,13 +92,13 @@ template <ChannelTag S> struct PairBlend {
             .with(front, in_front)
             .with(foreground_sweep, px[foreground_sweep])
             .with(back, behind)
-            .with(mean_sweep, sweep);
+            .with(mean_sweep, back_sweep);
     }
 
 private:
     /// Limit of the samples that a layer's past counts as, by its sweep.
-    template <class Real> QUELL_KERNEL Real at_most(float maximum, vec2<Real> const& sweep) const {
-        return min(sqrt(fma(sweep.x, sweep.x, sweep.y * sweep.y)) * (maximum / slow), Real(maximum));
+    template <class Real> QUELL_KERNEL Real at_most(float maximum, vec2<Real> const& of_layer) const {
+        return min(sqrt(fma(of_layer.x, of_layer.x, of_layer.y * of_layer.y)) * (maximum / slow), Real(maximum));
     }
     /// Share of this frame's samples in the mean.
     template <class Real> QUELL_KERNEL static Real share_of(Real samples, Real past) {

@@ -14,9 +14,9 @@ template <class V, int max_samples> struct StratifiedMean {
     static constexpr int max_parts = 8; ///< each is at least as long as it takes to cross `pixels_a_part`
     static constexpr float pixels_a_part = 0.5f;
     static constexpr int components = components_of<V>;
-    Real count;                             ///< number of strata, from 1
-    Real weight[max_parts];                 ///< sum of weights per stratum
-    Real held[max_samples][components + 1]; ///< weighted values, then the index of the stratum
+    Real count;                                                       ///< number of strata, from 1
+    Real weight[max_parts];                                           ///< sum of weights per stratum
+    Real held[std::size_t{max_samples}][std::size_t{components + 1}]; ///< weighted values, then the index of the stratum
     int size = 0, next = 0;
 
     QUELL_KERNEL explicit StratifiedMean(Real pixels)

@@ -2,6 +2,8 @@
 
 #include <quell/frame/cursor/pixel.hpp>
 
+#include <cstddef>
+
 namespace quell {
 
 namespace detail {
@@ -20,12 +22,12 @@ template <int n, class F> QUELL_KERNEL void repeat(F&& f) {
 /// outside the image. Rows outside are skipped. Divide sums by the sum of the weights.
 /// @tparam radius in taps
 template <int radius, class Px, class Body>
-QUELL_KERNEL void for_each_tap(Px const& px, int step, float const (&profile)[radius + 1], Body&& body) {
+QUELL_KERNEL void for_each_tap(Px const& px, int step, float const (&profile)[std::size_t{radius + 1}], Body&& body) {
     using Real = typename Px::Real;
     constexpr int side = 2 * radius + 1;
     // What depends on the column only is computed once.
-    Real across[side];
-    int column[side];
+    Real across[std::size_t{side}];
+    int column[std::size_t{side}];
     detail::repeat<side>([&](auto i) QUELL_INLINED {
         auto const beside = px.at((i - radius) * step, 0);
         across[i] = masked(beside.inside(), Real(profile[i < radius ? radius - i : i - radius]));
@@ -44,12 +46,12 @@ QUELL_KERNEL void for_each_tap(Px const& px, int step, float const (&profile)[ra
 /// The same taps in opposite pairs, without the centre: `body(near, weight, opposite, weight of opposite, dx, dy)`. What depends on the
 /// distance only is computed once for two taps. Rows outside have weight 0. It is unrolled: use small radii.
 template <int radius, class Px, class Body>
-QUELL_KERNEL void for_each_tap_pair(Px const& px, int step, float const (&profile)[radius + 1], Body&& body) {
+QUELL_KERNEL void for_each_tap_pair(Px const& px, int step, float const (&profile)[std::size_t{radius + 1}], Body&& body) {
     using Real = typename Px::Real;
     constexpr int side = 2 * radius + 1, pairs = side * side / 2;
-    Real across[side];
-    int column[side], row[side];
-    float down[side];
+    Real across[std::size_t{side}];
+    int column[std::size_t{side}], row[std::size_t{side}];
+    float down[std::size_t{side}];
     detail::repeat<side>([&](auto i) QUELL_INLINED {
         auto const beside = px.at((i - radius) * step, 0), below = px.at(0, (i - radius) * step);
         float const weight = profile[i < radius ? radius - i : i - radius];
@@ -89,8 +91,8 @@ inline constexpr float too_far = 1e9f, ///< a distance that gives it
 template <int radius, class Px, class Body> QUELL_KERNEL void for_each_opposite_taps(Px const& px, int step, float base, Body&& body) {
     using Real = typename Px::Real;
     constexpr int side = 2 * radius + 1;
-    Real start[side];
-    int column[side];
+    Real start[std::size_t{side}];
+    int column[std::size_t{side}];
     for (int i = 0; i < side; ++i) {
         auto const beside = px.at((i - radius) * step, 0);
         start[i] = select(beside.inside(), Real(base), Real(too_far));
@@ -107,7 +109,7 @@ template <int radius, class Px, class Body> QUELL_KERNEL void for_each_opposite_
 
 /// As for_each_tap, with weights 1.
 template <int radius, class Px, class Body> QUELL_KERNEL void for_each_neighbour(Px const& px, int step, Body&& body) {
-    float ones[radius + 1];
+    float ones[std::size_t{radius + 1}];
     for (float& one : ones) one = 1.f;
     for_each_tap<radius>(px, step, ones, body);
 }

@@ -19,7 +19,7 @@ inline bool usable(glm::mat4 const& m) {
 /// @throws Error where the host's image is not of the frame's size
 inline void check_target(Extent target, Extent frame) {
     if (!(target == frame))
-        throw Error("run_into: the target", to_string(target) + " for a frame of " + to_string(frame), "give it the frame's size");
+        raise_error("run_into: the target", to_string(target) + " for a frame of " + to_string(frame), "give it the frame's size");
 }
 
 /// @throws Error that names the channel, matrix or shutter at fault
@@ -27,29 +27,29 @@ template <class P, class Set, class Storage> void check_frame(Frame<Set, Storage
     for_each_channel(typename P::reads{}, [&](auto c) {
         auto const view = frame[c].view();
         if (auto const wanted = divided(frame.size, c.fraction); !(view.size == wanted))
-            throw Error("channel '" + std::string(c.name) + "'", to_string(view.size) + " in a frame of " + to_string(frame.size),
+            raise_error("channel '" + std::string(c.name) + "'", to_string(view.size) + " in a frame of " + to_string(frame.size),
                         c.fraction == 1
                             ? "give every channel the frame's size"
                             : "give it 1/" + std::to_string(c.fraction) + " of the frame's width and height: " + to_string(wanted));
         if constexpr (requires { view.data; })
             if (!view.data)
-                throw Error("channel '" + std::string(c.name) + "'", "no memory", "point the channel at the host's image before run()");
+                raise_error("channel '" + std::string(c.name) + "'", "no memory", "point the channel at the host's image before run()");
         if constexpr (requires { view.pixel_stride; })
             if (view.row_stride == 0 && view.pixel_stride != 0 && view.size.height > 1)
-                throw Error("channel '" + std::string(c.name) + "'", "row_stride 0",
+                raise_error("channel '" + std::string(c.name) + "'", "row_stride 0",
                             "give the distance from a row to the next, in elements");
     });
     if (!(is_finite(frame.shutter) && frame.shutter >= 0.f))
-        throw Error("frame.shutter", std::to_string(frame.shutter),
+        raise_error("frame.shutter", std::to_string(frame.shutter),
                     "give the fraction of the frame time during which the shutter is open: finite, 0 or more");
     if constexpr (P::needs_camera) {
         if (!usable(frame.camera.view))
-            throw Error("camera.view", "a singular or non-finite matrix", "set frame.camera to the host's camera");
+            raise_error("camera.view", "a singular or non-finite matrix", "set frame.camera to the host's camera");
         if (!usable(frame.camera.projection))
-            throw Error("camera.projection", "a singular or non-finite matrix", "set frame.camera to the host's camera");
+            raise_error("camera.projection", "a singular or non-finite matrix", "set frame.camera to the host's camera");
         auto const& p = frame.camera.projection;
         if (p[0][3] == 0.f && p[1][3] == 0.f && p[2][3] == 0.f)
-            throw Error("camera.projection", "a matrix without perspective, such as the identity of a camera that was never set",
+            raise_error("camera.projection", "a matrix without perspective, such as the identity of a camera that was never set",
                         "set frame.camera to the host's camera; orthographic ones are not supported");
     }
 }
