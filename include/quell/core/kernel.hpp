@@ -19,3 +19,10 @@
 
 /// The same for a lambda inside a kernel. It stands after the parameters: [&](auto a) QUELL_INLINED { ... }.
 #define QUELL_INLINED __attribute__((always_inline))
+
+/// Unrolls the loop that follows, of at most 8 turns. The addresses of its taps become constants.
+#if defined(__CUDACC__)
+#define QUELL_UNROLL _Pragma("unroll")
+#else
+#define QUELL_UNROLL _Pragma("GCC unroll 8")
+#endif

@@ -37,31 +37,45 @@ private:
         using Real = typename Px::Real;
         auto const around = edge.around(px);
         Real light[side][side], weight[side][side];
-        for (int j = 0; j < side; ++j)
+        auto const keep = [&](auto const& there, Real w, int i, int j) QUELL_INLINED {
+            light[radius + j][radius + i] = luminance(there.signal());
+            weight[radius + j][radius + i] = w * min(there[history_length], Real(1.f));
+        };
+        keep(px, Real(1.f), 0, 0);
+        for_each_opposite_taps<radius>(px, 1, edge_offset(around),
+                                       [&](auto const& there, auto start, float row, auto const& opposite, auto its_start, float its_row,
+                                           int dx, int dy, int i, int j) QUELL_INLINED {
+                                           auto const& toward = edge_toward(around, dx, dy);
+                                           float const one = weight_bits(1.f);
+                                           keep(there, edge_weight(toward.distance(there, start), one + row), i, j);
+                                           keep(opposite, edge_weight(toward.distance(opposite, its_start), one + its_row), -i, -j);
+                                       });
+        // Sums for each direction.
+        constexpr int right[] = {1, 0, 1, -1}, down[] = {0, 1, 1, 1};
+        Real squares[4], weights[4];
+        for (int k = 0; k < 4; ++k) squares[k] = weights[k] = Real(0.f);
+        QUELL_UNROLL
+        for (int j = 0; j < side; ++j) {
+            QUELL_UNROLL
             for (int i = 0; i < side; ++i) {
-                auto const there = px.at(i - radius, j - radius);
-                auto const distance =
-                    detail::edge_toward(around, i - radius, j - radius).distance(there, Real(detail::edge_offset(around)));
-                auto const sampled = masked(there.inside(), min(there[history_length], Real(1.f)));
-                light[j][i] = luminance(there.signal());
-                weight[j][i] = i == radius && j == radius ? sampled : sampled * edge_weight(distance);
-            }
-        Real minimum(1e30f);
-        for (auto const& [dx, dy] : {std::pair{1, 0}, std::pair{0, 1}, std::pair{1, 1}, std::pair{-1, 1}}) {
-            Real squares(0.f), weights(0.f);
-            for (int j = 0; j + dy < side; ++j)
-                for (int i = max_of(-dx, 0); i + max_of(dx, 0) < side; ++i) {
-                    auto const off = light[j + dy][i + dx] - light[j][i], w = weight[j][i] * weight[j + dy][i + dx];
-                    squares = fma(off * off, w, squares);
-                    weights = weights + w;
+                QUELL_UNROLL
+                for (int k = 0; k < 4; ++k) {
+                    int const x = i + right[k], y = j + down[k];
+                    if (x < 0 || x >= side || y >= side) continue;
+                    auto const off = light[y][x] - light[j][i], w = weight[j][i] * weight[y][x];
+                    squares[k] = fma(off * off, w, squares[k]);
+                    weights[k] = weights[k] + w;
                 }
+            }
+        }
+        Real minimum(1e30f);
+        for (int k = 0; k < 4; ++k) {
             // A total weight under 1/20 of a pair is no evidence.
-            auto const known = weights > Real(0.05f);
-            minimum = select(known, min(minimum, squares / select(known, weights, Real(1.f))), minimum);
+            auto const known = weights[k] > Real(0.05f);
+            minimum = select(known, min(minimum, squares[k] / select(known, weights[k], Real(1.f))), minimum);
         }
         return select(minimum < Real(1e30f), minimum * (0.5f * minimum_correction), otherwise);
     }
-    static constexpr int max_of(int a, int b) { return a > b ? a : b; }
 };
 
 /// One level of ConservingAtrous.
@@ -74,40 +88,48 @@ template <class Edge> struct ExchangeLevel {
     int step;
     float sigma_luminance;
     float exchange;
+    float quiet;
 
     QUELL_KERNEL auto filter(auto px) const {
         using Px = decltype(px);
         using Real = typename Px::Real;
+        if (quiet > 0.f && !any(is_noisy(px))) return Result{px.signal()}.with(variance, px[variance]);
         constexpr float centre = LinearSpline::weights[0] * LinearSpline::weights[0];
         auto const around = edge.around(px);
         auto const here = px.signal();
-        auto const brightness = luminance(here);
         auto const noise_here = px[variance];
+        auto const light = luminance(here);
         // Differences under 1e-4 of the light are no edge.
         constexpr float rounding = 1e-8f;
-        auto const tolerated = fma(brightness * brightness, Real(rounding), noise_here + 1e-20f);
+        Real const spread(sigma_luminance * sigma_luminance);
+        auto const tolerated = max(noise_here, light * light * rounding) * spread;
         // Only weights of geometry are normalised. Normalising those of luminance would lose light.
-        auto gained = zero<typename Px::Signal>();
+        auto sum = zero<typename Px::Signal>();
         Real weights(centre), taken(0.f), noise(0.f);
-        auto const exchanged = [&](auto const& neighbour, auto distance, float bits) QUELL_INLINED {
+        auto const give_and_take = [&](auto const& neighbour, auto distance, float bits) QUELL_INLINED {
             weights = weights + edge_weight(distance, bits);
             auto const there = neighbour.signal();
             auto const its_noise = neighbour[variance];
             // Symmetric in the two pixels: what one gives the other gets.
-            auto const its_brightness = luminance(there);
-            auto const of_both = fma(its_brightness * its_brightness, Real(rounding), tolerated + its_noise);
-            distance = fma(abs(its_brightness - brightness), approximate_reciprocal(sqrt(of_both) * sigma_luminance), distance);
+            auto const inverse = approximate_inverse_sqrt(fma(its_noise, spread, tolerated));
+            distance = fma(abs(luminance_plus(there, -light)), inverse, distance);
             auto const w = edge_weight(distance, bits);
-            gained = map([&](auto sum, auto a, auto b) QUELL_INLINED { return fma(a - b, w, sum); }, gained, there, here);
+            sum = add_scaled(sum, there, w);
             taken = taken + w;
             noise = fma(its_noise, w * w, noise);
         };
         for_each_edge_distance<true, 1>(
-            px, step, around, [](int i, int j) QUELL_INLINED { return spline_bits<LinearSpline>.at[i][j]; }, exchanged);
-        auto const part = exchange / weights;
+            px, step, around, [](int i, int j) QUELL_INLINED { return spline_bits<LinearSpline>.at[i][j]; }, give_and_take);
+        auto const part = masked(is_noisy(px), exchange / weights);
         auto const kept = 1.f - taken * part;
-        auto const value = map([&](auto a, auto g) QUELL_INLINED { return max(fma(g, part, a), Real(0.f)); }, here, gained);
+        auto const value = map([&](auto a, auto s) QUELL_INLINED { return max(fma(s, part, a * kept), Real(0.f)); }, here, sum);
         return Result{finite_or(value, here)}.with(variance, finite_or(fma(noise, part * part, noise_here * (kept * kept)), noise_here));
+    }
+
+private:
+    QUELL_KERNEL auto is_noisy(auto const& px) const {
+        auto const allowed = luminance(px.signal()) * quiet;
+        return px[variance] > allowed * allowed;
     }
 };
 } // namespace detail
@@ -118,7 +140,7 @@ template <class Edge> struct ExchangeLevel {
 /// The usual filter averages the neighbours that look alike. With the skewed noise of path tracing, most pixels are darker than the mean
 /// and find each other, so light is lost. Here pixels exchange light in pairs: out(p) = in(p) + sum of w(p, q) (in(q) - in(p)). w is the
 /// same from both sides, since differences are measured against the noise of both pixels, so what one loses the other gains. Exact inside a
-/// surface; at edges of geometry the weights are normalised per pixel. Taps are 3x3.
+/// surface; at edges of geometry the weights are normalised per pixel. Taps are 3x3. What is nearly clean is left alone by the last level.
 /// @tparam Edge an EdgeWeight for geometry; the one for luminance is built in
 template <class Edge = Product<DepthEdge, NormalEdge>> struct ConservingAtrous {
     static_assert(EdgeWeight<Edge>, "ConservingAtrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
@@ -130,13 +152,15 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConservingAtrous {
     int levels = 5;              ///< passes, with taps 1, 2, 4, ... pixels apart
     float sigma_luminance = 4.f; ///< difference with weight 1/e, in standard deviations of the noise of both pixels
     float sigma_first = 6.f;     ///< the same for the first level, whose input is noisier
-    float exchange = 1.2f;       ///< among equal pixels, a pixel keeps 1 - 0.75 exchange of itself; 0 to 1.33
+    float exchange = 1.33f;      ///< among equal pixels, a pixel keeps 1 - 0.75 exchange of itself; 0 to 1.33
+    float quiet = 0.008f;        ///< the last level leaves pixels alone whose noise is a smaller part of their luminance
     float enough = 4.f;          ///< history length from which the variance over time is trusted; 0 with KnownSamples{}
 
     /// The variance, then one pass per level.
     constexpr void for_each_pass(auto&& pass) const {
         pass(detail::VarianceOfMean<Edge>{edge, enough});
-        for (int i = 0; i < levels; ++i) pass(Level{edge, 1 << i, i == 0 ? sigma_first : sigma_luminance, exchange});
+        for (int i = 0; i < levels; ++i)
+            pass(Level{edge, 1 << i, i == 0 ? sigma_first : sigma_luminance, exchange, i + 1 < levels ? 0.f : quiet});
     }
 };
 template <class... Fields>

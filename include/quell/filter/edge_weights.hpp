@@ -60,8 +60,10 @@ struct NormalEdge {
 namespace detail {
 /// Distance by luminance: |difference| * inverse.
 template <class Real> struct AroundLuminance {
-    Real centre, inverse;
-    QUELL_KERNEL Real distance(auto neighbour, Real sum) const { return fma(abs(luminance(neighbour.signal()) - centre), inverse, sum); }
+    Real minus_centre, inverse;
+    QUELL_KERNEL Real distance(auto neighbour, Real sum) const {
+        return fma(abs(luminance_plus(neighbour.signal(), minus_centre)), inverse, sum);
+    }
 };
 } // namespace detail
 
@@ -73,7 +75,7 @@ struct LuminanceEdge {
     /// See EdgeWeight.
     QUELL_KERNEL auto around(auto px) const {
         using Real = typename decltype(px)::Real;
-        return Around<Real>{{luminance(px.signal()), Real(1.f / sigma)}};
+        return Around<Real>{{-luminance(px.signal()), Real(1.f / sigma)}};
     }
 };
 
@@ -94,7 +96,7 @@ struct VarianceGuidedEdge {
             weights = weights + (weight + its_weight);
         });
         auto const deviation = sqrt(max(sum / weights, Real(0.f)));
-        return Around<Real>{{luminance(px.signal()), 1.f / (deviation * sigma + 1e-4f)}};
+        return Around<Real>{{-luminance(px.signal()), 1.f / (deviation * sigma + 1e-4f)}};
     }
 };
 
