@@ -79,8 +79,10 @@ TEST_CASE("exp is right to 3e-7, for floats and packs alike") {
     CHECK(quell::exp(-1e30f) < 1e-37f);
 }
 
-TEST_CASE("the approximate reciprocal is within 0.2 %") {
+TEST_CASE("the approximate reciprocal is within 0.2 %, the inverse root within 3.5 %") {
     for (float x = 1e-12f; x < 1e12f; x *= 1.0137f) CHECK(std::abs(approximate_reciprocal(x) * x - 1.f) < 2e-3f);
+    for (float x = 1e-30f; x < 1e30f; x *= 1.0137f) CHECK(std::abs(approximate_inverse_sqrt(x) * std::sqrt(x) - 1.f) < 3.5e-2f);
+    CHECK(is_finite(approximate_inverse_sqrt(0.f)));
 }
 
 TEST_CASE("half precision: every bit pattern survives the way to float and back") {
@@ -139,6 +141,9 @@ TEST_CASE("values of any number of components") {
     CHECK(scale(cones, 3.f).at[23] == 6.f);
     CHECK(luminance(cones) == doctest::Approx(2.0 / 24));
     CHECK(luminance(vec3<float>(1.f)) == doctest::Approx(1));
+    vec3<float> const colour(0.3f, 0.7f, 0.2f);
+    CHECK(luminance_plus(colour, -0.25f) == doctest::Approx(luminance(colour) - 0.25f));
+    CHECK(luminance_plus(0.5f, 0.25f) == doctest::Approx(0.75));
     auto const half_way = mix(vec3<float>(0, 2, 4), vec3<float>(2, 4, 8), 0.5f);
     CHECK(half_way.x == 1.f);
     CHECK(half_way.z == 6.f);

@@ -88,12 +88,10 @@ template <class Edge> struct ExchangeLevel {
     int step;
     float sigma_luminance;
     float exchange;
-    float quiet;
 
     QUELL_KERNEL auto filter(auto px) const {
         using Px = decltype(px);
         using Real = typename Px::Real;
-        if (quiet > 0.f && !any(is_noisy(px))) return Result{px.signal()}.with(variance, px[variance]);
         constexpr float centre = LinearSpline::weights[0] * LinearSpline::weights[0];
         auto const around = edge.around(px);
         auto const here = px.signal();
@@ -120,16 +118,10 @@ template <class Edge> struct ExchangeLevel {
         };
         for_each_edge_distance<true, 1>(
             px, step, around, [](int i, int j) QUELL_INLINED { return spline_bits<LinearSpline>.at[i][j]; }, give_and_take);
-        auto const part = masked(is_noisy(px), exchange / weights);
+        auto const part = exchange / weights;
         auto const kept = 1.f - taken * part;
         auto const value = map([&](auto a, auto s) QUELL_INLINED { return max(fma(s, part, a * kept), Real(0.f)); }, here, sum);
         return Result{finite_or(value, here)}.with(variance, finite_or(fma(noise, part * part, noise_here * (kept * kept)), noise_here));
-    }
-
-private:
-    QUELL_KERNEL auto is_noisy(auto const& px) const {
-        auto const allowed = luminance(px.signal()) * quiet;
-        return px[variance] > allowed * allowed;
     }
 };
 } // namespace detail
@@ -140,7 +132,7 @@ private:
 /// The usual filter averages the neighbours that look alike. With the skewed noise of path tracing, most pixels are darker than the mean
 /// and find each other, so light is lost. Here pixels exchange light in pairs: out(p) = in(p) + sum of w(p, q) (in(q) - in(p)). w is the
 /// same from both sides, since differences are measured against the noise of both pixels, so what one loses the other gains. Exact inside a
-/// surface; at edges of geometry the weights are normalised per pixel. Taps are 3x3. What is nearly clean is left alone by the last level.
+/// surface; at edges of geometry the weights are normalised per pixel. Taps are 3x3.
 /// @tparam Edge an EdgeWeight for geometry; the one for luminance is built in
 template <class Edge = Product<DepthEdge, NormalEdge>> struct ConservingAtrous {
     static_assert(EdgeWeight<Edge>, "ConservingAtrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
@@ -153,14 +145,12 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConservingAtrous {
     float sigma_luminance = 4.f; ///< difference with weight 1/e, in standard deviations of the noise of both pixels
     float sigma_first = 6.f;     ///< the same for the first level, whose input is noisier
     float exchange = 1.33f;      ///< among equal pixels, a pixel keeps 1 - 0.75 exchange of itself; 0 to 1.33
-    float quiet = 0.008f;        ///< the last level leaves pixels alone whose noise is a smaller part of their luminance
     float enough = 4.f;          ///< history length from which the variance over time is trusted; 0 with KnownSamples{}
 
     /// The variance, then one pass per level.
     constexpr void for_each_pass(auto&& pass) const {
         pass(detail::VarianceOfMean<Edge>{edge, enough});
-        for (int i = 0; i < levels; ++i)
-            pass(Level{edge, 1 << i, i == 0 ? sigma_first : sigma_luminance, exchange, i + 1 < levels ? 0.f : quiet});
+        for (int i = 0; i < levels; ++i) pass(Level{edge, 1 << i, i == 0 ? sigma_first : sigma_luminance, exchange});
     }
 };
 template <class... Fields>
