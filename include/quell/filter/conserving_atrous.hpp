@@ -144,7 +144,7 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConservingAtrous {
     int levels = 5;              ///< passes, with taps 1, 2, 4, ... pixels apart
     float sigma_luminance = 4.f; ///< difference with weight 1/e, in standard deviations of the noise of both pixels
     float sigma_first = 6.f;     ///< the same for the first level, whose input is noisier
-    float exchange = 1.33f;      ///< among equal pixels, a pixel keeps 1 - 0.75 exchange of itself; 0 to 1.33
+    float exchange = 1.2f;       ///< among equal pixels, a pixel keeps 1 - 0.75 exchange of itself; 0 to 1.33
     float enough = 4.f;          ///< history length from which the variance over time is trusted; 0 with KnownSamples{}
 
     /// The variance, then one pass per level.
