@@ -76,7 +76,7 @@ mutant "history that is wrong for the light of now" filter/history_bias filter/c
 mutant "rare bright samples that the history has seen" filter/conserving_atrous filter/change/history_bias.hpp \
     'max(max(seen, expected), Real(1e-20f))' 'max(seen, Real(1e-20f))'
 mutant "light exchanged by the noise of both pixels" filter/conserving_atrous filter/conserving_atrous.hpp \
-    'tolerated + its_noise' 'tolerated'
+    'fma(its_noise, sigma_squared, tolerated)' 'tolerated'
 mutant "regressors of a fit" filter/local_regression filter/local_regression.hpp \
     'n_there.x - centre.n_here.x' 'n_there.x'
 mutant "a window as wide as there is noise" filter/local_regression filter/local_regression.hpp \

@@ -1,11 +1,5 @@
 # Installs quell under WORK where WAY begins with `package`, then configures, builds and runs the consumer there.
-function(step)
-    execute_process(COMMAND ${ARGN} RESULT_VARIABLE failed OUTPUT_VARIABLE output ERROR_VARIABLE output)
-    if(failed)
-        list(JOIN ARGN " " command)
-        message(FATAL_ERROR "failed: ${command}\n${output}")
-    endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/step.cmake)
 
 # What an earlier run left must not stand in for what is missing now.
 file(REMOVE_RECURSE ${WORK})

@@ -59,22 +59,18 @@ void run_with_singular_camera() {
     images_by_trmv(camera);
 }
 
-void check_own_handler() {
-    auto const of_frame = death_of([] {
+void check_handler_gets(std::string const& wanted, auto const& action) {
+    auto const death = death_of([&] {
         set_error_handler(write_and_exit);
-        make_empty_frame();
+        action();
     });
-    check(of_frame.exited_with(code_of_handler), "an empty frame reaches the handler");
-    check(of_frame.output == "frame size|0x0|give a width and a height of at least one pixel",
-          "the handler gets '" + of_frame.output + "'");
+    check(death.exited_with(code_of_handler), "the handler is called: " + wanted);
+    check(death.output == wanted, "the handler gets '" + death.output + "', not '" + wanted + "'");
+}
 
-    auto const of_camera = death_of([] {
-        set_error_handler(write_and_exit);
-        run_with_singular_camera();
-    });
-    check(of_camera.exited_with(code_of_handler), "a singular camera reaches the handler");
-    check(of_camera.output == "camera.view|a singular or non-finite matrix|set frame.camera to the host's camera",
-          "the handler gets '" + of_camera.output + "'");
+void check_own_handler() {
+    check_handler_gets("frame size|0x0|give a width and a height of at least one pixel", make_empty_frame);
+    check_handler_gets("camera.view|a singular or non-finite matrix|set frame.camera to the host's camera", run_with_singular_camera);
 }
 
 void check_aborts() {

@@ -22,9 +22,9 @@ constexpr auto counted = Pipeline{radiance, KnownSamples{}, Temporal{SurfaceMoti
 void check_diagnosis() {
     Frame frame{image_size, debug};
     History history{image_size, debug};
-    fill(frame, 1);
-    for (int y = 0; y < image_size.height; ++y)
-        for (int x = 0; x < image_size.width; ++x) frame[normal].set(x, y, {0.f, 0.f, 3.f});
+    fill_still(frame);
+    frame.camera = usual_camera();
+    fill(frame[normal], [](int, int) { return glm::vec3(0.f, 0.f, 3.f); });
     check(diagnose(frame, history).size() == 1, "diagnose names normals of length 3");
     run(debug, frame, history);
     check(debug_images(debug_rejection, history).size() == 1, "a watched pipeline has a debug image");
@@ -33,8 +33,8 @@ void check_diagnosis() {
 void check_metrics() {
     using namespace metrics;
     Frame frame{image_size, debug};
-    fill(frame, 2);
-    auto const picture = picture_of(frame[radiance].view());
+    fill_randomly(frame, 2);
+    auto const picture = displayed(picture_of(frame[radiance].view()));
     check(rmse(picture, picture) == 0., "rmse of equal pictures");
     check(ssim(picture, picture) > 0.999, "ssim of equal pictures");
     auto const difference = flip(picture, picture);
@@ -48,7 +48,7 @@ void check_metrics() {
 void check_two_sided() {
     using F = decltype(Frame{image_size, counted, two_sided});
     std::deque<F> window;
-    for (std::uint32_t i = 0; i < 2; ++i) fill(window.emplace_back(image_size, counted, two_sided), i);
+    for (unsigned i = 0; i < 2; ++i) fill_randomly(window.emplace_back(image_size, counted, two_sided), i);
     invert_motion(window[0][motion_next].view(), window[1][motion].view(), window[1][depth].view());
     TwoSidedHistory history{image_size, counted};
     auto const clean = run_two_sided(counted, window, history);

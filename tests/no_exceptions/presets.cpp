@@ -16,8 +16,8 @@ template <class P> std::vector<float> images_by(P const& denoise, Camera const& 
     Frame frame{image_size, denoise};
     History history{image_size, denoise};
     std::vector<float> images;
-    for (std::uint32_t i = 0; i < 3; ++i) {
-        fill(frame, i);
+    for (unsigned i = 0; i < 3; ++i) {
+        fill_randomly(frame, i);
         frame.camera = camera;
         std::ranges::copy(copy_of(run(denoise, frame, history, executor)), std::back_inserter(images));
     }

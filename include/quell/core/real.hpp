@@ -226,8 +226,9 @@ template <class Real> QUELL_KERNEL Real approximate_reciprocal(Real a) {
     return guess * fma(-a, guess, Real(2.001f));
 }
 
-/// 1 / sqrt(a) with a relative error under 3.5 %, for positive normal a: two integer operations, where a square root and a division take 30
-/// cycles. At 0 it is a large number. For weights.
+/// 1 / sqrt(a) with a relative error under 3.5 %, for positive normal a; a large finite number at 0. Filters use it for weights, where a
+/// square root and a division would cost most of a tap. Halving the bits halves the exponent, and the subtraction negates it. It has the
+/// same bits on every machine.
 template <class Real> QUELL_KERNEL Real approximate_inverse_sqrt(Real a) { return from_bits(Index<Real>(0x5f37642f) - (bits(a) >> 1)); }
 
 } // namespace quell

@@ -125,7 +125,7 @@ template <class V> QUELL_KERNEL auto all_finite(V const& v) {
 /// The dot product.
 template <class Real> QUELL_KERNEL Real dot(vec3<Real> const& a, vec3<Real> const& b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
 
-/// luminance(v) + more.
+/// luminance(v) + more, in as many operations as luminance(v).
 template <class V> QUELL_KERNEL auto luminance_plus(V const& v, real_of<V> more) {
     using Real = real_of<V>;
     if constexpr (components_of<V> == 3)
@@ -135,12 +135,6 @@ template <class V> QUELL_KERNEL auto luminance_plus(V const& v, real_of<V> more)
 }
 
 /// Rec. 709 luminance of three components. For other shapes, the mean of the components.
-template <class V> QUELL_KERNEL auto luminance(V const& v) {
-    if constexpr (components_of<V> == 3) {
-        using Real = real_of<V>;
-        return fma(component<0>(v), Real(0.2126f), fma(component<1>(v), Real(0.7152f), component<2>(v) * 0.0722f));
-    } else
-        return fold([](auto sofar, auto a) QUELL_INLINED { return sofar + a; }, real_of<V>(0.f), v) * (1.f / components_of<V>);
-}
+template <class V> QUELL_KERNEL auto luminance(V const& v) { return luminance_plus(v, real_of<V>(0.f)); }
 
 } // namespace quell

@@ -31,15 +31,49 @@ private:
     /// The minimum of four noisy estimates is too small; this makes up for it.
     static constexpr float minimum_correction = 1.5f;
 
+    /// What spatial_variance() compares.
+    template <class Real> struct Window {
+        Real light[side][side];  ///< luminance, by row and column
+        Real weight[side][side]; ///< 0 where nothing was ever sampled
+    };
+
     /// Half the mean square difference of neighbours, in the direction with the least: row, column or diagonal. Along a shadow's edge there
     /// is only noise; the variance of the whole neighbourhood would include the edge. Not inlined: few histories are short.
     template <class Px> [[gnu::noinline]] constexpr auto spatial_variance(Px const& px, typename Px::Real otherwise) const {
         using Real = typename Px::Real;
+        auto const window = window_around(px);
+        constexpr int right[] = {1, 0, 1, -1}, down[] = {0, 1, 1, 1}, directions = 4;
+        Real squares[directions], weights[directions];
+        for (int k = 0; k < directions; ++k) squares[k] = weights[k] = Real(0.f);
+        QUELL_UNROLL
+        for (int j = 0; j < side; ++j) {
+            QUELL_UNROLL
+            for (int i = 0; i < side; ++i) {
+                QUELL_UNROLL
+                for (int k = 0; k < directions; ++k) {
+                    int const x = i + right[k], y = j + down[k];
+                    if (x < 0 || x >= side || y >= side) continue;
+                    auto const off = window.light[y][x] - window.light[j][i], w = window.weight[j][i] * window.weight[y][x];
+                    squares[k] = fma(off * off, w, squares[k]);
+                    weights[k] = weights[k] + w;
+                }
+            }
+        }
+        Real minimum(1e30f);
+        for (int k = 0; k < directions; ++k) {
+            // A total weight under 1/20 of a pair is no evidence.
+            auto const known = weights[k] > Real(0.05f);
+            minimum = select(known, min(minimum, squares[k] / select(known, weights[k], Real(1.f))), minimum);
+        }
+        return select(minimum < Real(1e30f), minimum * (0.5f * minimum_correction), otherwise);
+    }
+    template <class Px> QUELL_KERNEL auto window_around(Px const& px) const {
+        using Real = typename Px::Real;
         auto const around = edge.around(px);
-        Real light[side][side], weight[side][side];
+        Window<Real> window;
         auto const keep = [&](auto const& there, Real w, int i, int j) QUELL_INLINED {
-            light[radius + j][radius + i] = luminance(there.signal());
-            weight[radius + j][radius + i] = w * min(there[history_length], Real(1.f));
+            window.light[radius + j][radius + i] = luminance(there.signal());
+            window.weight[radius + j][radius + i] = w * min(there[history_length], Real(1.f));
         };
         keep(px, Real(1.f), 0, 0);
         for_each_opposite_taps<radius>(px, 1, edge_offset(around),
@@ -50,31 +84,7 @@ private:
                                            keep(there, edge_weight(toward.distance(there, start), one + row), i, j);
                                            keep(opposite, edge_weight(toward.distance(opposite, its_start), one + its_row), -i, -j);
                                        });
-        // Sums for each direction.
-        constexpr int right[] = {1, 0, 1, -1}, down[] = {0, 1, 1, 1};
-        Real squares[4], weights[4];
-        for (int k = 0; k < 4; ++k) squares[k] = weights[k] = Real(0.f);
-        QUELL_UNROLL
-        for (int j = 0; j < side; ++j) {
-            QUELL_UNROLL
-            for (int i = 0; i < side; ++i) {
-                QUELL_UNROLL
-                for (int k = 0; k < 4; ++k) {
-                    int const x = i + right[k], y = j + down[k];
-                    if (x < 0 || x >= side || y >= side) continue;
-                    auto const off = light[y][x] - light[j][i], w = weight[j][i] * weight[y][x];
-                    squares[k] = fma(off * off, w, squares[k]);
-                    weights[k] = weights[k] + w;
-                }
-            }
-        }
-        Real minimum(1e30f);
-        for (int k = 0; k < 4; ++k) {
-            // A total weight under 1/20 of a pair is no evidence.
-            auto const known = weights[k] > Real(0.05f);
-            minimum = select(known, min(minimum, squares[k] / select(known, weights[k], Real(1.f))), minimum);
-        }
-        return select(minimum < Real(1e30f), minimum * (0.5f * minimum_correction), otherwise);
+        return window;
     }
 };
 
@@ -99,8 +109,8 @@ template <class Edge> struct ExchangeLevel {
         auto const light = luminance(here);
         // Differences under 1e-4 of the light are no edge.
         constexpr float rounding = 1e-8f;
-        Real const spread(sigma_luminance * sigma_luminance);
-        auto const tolerated = max(noise_here, light * light * rounding) * spread;
+        Real const sigma_squared(sigma_luminance * sigma_luminance);
+        auto const tolerated = max(noise_here, light * light * rounding) * sigma_squared;
         // Only weights of geometry are normalised. Normalising those of luminance would lose light.
         auto sum = zero<typename Px::Signal>();
         Real weights(centre), taken(0.f), noise(0.f);
@@ -109,7 +119,7 @@ template <class Edge> struct ExchangeLevel {
             auto const there = neighbour.signal();
             auto const its_noise = neighbour[variance];
             // Symmetric in the two pixels: what one gives the other gets.
-            auto const inverse = approximate_inverse_sqrt(fma(its_noise, spread, tolerated));
+            auto const inverse = approximate_inverse_sqrt(fma(its_noise, sigma_squared, tolerated));
             distance = fma(abs(luminance_plus(there, -light)), inverse, distance);
             auto const w = edge_weight(distance, bits);
             sum = add_scaled(sum, there, w);
