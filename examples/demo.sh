@@ -5,6 +5,6 @@ cd "$(dirname "$0")/.."
 source .ci/packages.sh
 
 need_packages "${build_packages[@]}" "${library_packages[@]}" "${program_packages[@]}" "${test_packages[@]:0:2}"
-cmake --preset release
+CXX=${CXX:-g++} cmake --preset release
 cmake --build --preset release --target quell-demo
 build/release/examples/demo/quell-demo "$@"
