@@ -12,26 +12,29 @@ namespace {
 struct At {
     float when, value, weight;
 };
-/// Of `parts` equal parts, each has the mean of its samples, or where it has none that of the nearest one that has; of two as near, half of
-/// each.
-double nearest_parts(std::vector<At> const& samples, int parts) {
+/// Of `parts` equal parts, each has the mean of its samples, or where it has none half of the next one before it that has and half of the
+/// next one after it. Each counts by `exposed`.
+double filled_parts(std::vector<At> const& samples, int parts, auto&& exposed) {
     std::vector<double> sum(static_cast<std::size_t>(parts)), weight(sum);
     for (auto const& s : samples) {
         auto const part = static_cast<std::size_t>(std::min(static_cast<int>(s.when * static_cast<float>(parts)), parts - 1));
         sum[part] += static_cast<double>(s.value) * s.weight, weight[part] += s.weight;
     }
-    double mean = 0;
-    for (int i = 0; i < parts; ++i)
-        for (int away = 0; away < parts; ++away) {
-            double found = 0, n = 0;
-            for (int const k : {i - away, i + away})
-                if (k >= 0 && k < parts && weight[static_cast<std::size_t>(k)] > 0)
-                    found += sum[static_cast<std::size_t>(k)] / weight[static_cast<std::size_t>(k)], ++n;
-            if (n == 0) continue;
-            mean += found / n / parts;
-            break;
-        }
-    return mean;
+    double mean = 0, total = 0;
+    for (int i = 0; i < parts; ++i) {
+        double found = 0, n = 0;
+        auto const look = [&](int step) {
+            for (int k = i; k >= 0 && k < parts; k += step) {
+                auto const at = static_cast<std::size_t>(k);
+                if (weight[at] <= 0) continue;
+                found += sum[at] / weight[at], ++n;
+                return;
+            }
+        };
+        look(-1), look(1);
+        mean += found / std::max(n, 1.) * exposed(i), total += exposed(i);
+    }
+    return mean / total;
 }
 using Means = detail::StratifiedMean<Value<1, float>, 32>;
 Means of(std::vector<At> const& samples, float pixels) {
@@ -42,16 +45,30 @@ Means of(std::vector<At> const& samples, float pixels) {
 float mean(std::vector<At> const& samples, float pixels) { return component<0>(of(samples, pixels).mean()); }
 } // namespace
 
-TEST_CASE("each part of the open shutter has the mean of its samples, or of the nearest ones where it has none") {
+TEST_CASE("each part of the open shutter has the mean of its samples, or of the next ones where it has none") {
     std::mt19937 random(1);
     std::uniform_real_distribution<float> unit;
     for (int const count : {1, 2, 3, 5, 9, 32})
         for (int trial = 0; trial < 20; ++trial) {
             std::vector<At> samples;
             for (int i = 0; i < count; ++i) samples.push_back({unit(random), unit(random), unit(random) + 0.1f});
-            for (int const parts : {1, 2, 5, 8})
-                CHECK(mean(samples, static_cast<float>(parts) * Means::pixels_a_part) == doctest::Approx(nearest_parts(samples, parts)));
+            detail::Strata<float> exposed;
+            for (auto& e : exposed.at) e = unit(random) + 0.01f;
+            for (int const parts : {1, 2, 5, 8}) {
+                auto const means = of(samples, static_cast<float>(parts) * Means::pixels_a_part);
+                CHECK(component<0>(means.mean()) == doctest::Approx(filled_parts(samples, parts, [](int) { return 1.; })));
+                CHECK(component<0>(means.mean(exposed)) ==
+                      doctest::Approx(filled_parts(samples, parts, [&](int i) { return static_cast<double>(exposed.at[i]); })));
+                for (int i = 0; i < parts; ++i)
+                    CHECK(means.last_component().at[i] ==
+                          doctest::Approx(filled_parts(samples, parts, [&](int k) { return k == i ? 1. : 0.; })));
+            }
         }
+}
+
+TEST_CASE("a mean over no time is that over all of it") {
+    auto const means = of({{0.1f, 1, 1}, {0.9f, 3, 1}}, 20);
+    CHECK(component<0>(means.mean({})) == doctest::Approx(component<0>(means.mean())));
 }
 
 TEST_CASE("a mean over the open shutter needs a sample, and counts from when it opens until it closes") {

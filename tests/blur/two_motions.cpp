@@ -57,6 +57,54 @@ TEST_CASE("what moves in front of something else that moves covers it for as lon
     }
 }
 
+TEST_CASE("of what changes behind something that moves, a pixel shows what is there while it is not covered") {
+    World const world{tall, 1};
+    constexpr float period = 60;
+    auto const seen = [](int x, int y, int frame, float t) {
+        if (tests::in_sliding_bar(x, frame, t)) return Seen{1.f, {12, 0}, 4.f};
+        float const along = static_cast<float>(y) - 40 * t;
+        return Seen{0.5f + 0.5f * std::sin(along * 6.2832f / period), {0, 40}, 9.f};
+    };
+    auto const out = world.last(denoise, seen);
+    double error = 0;
+    // Covered only later, only earlier, and at last.
+    for (int const x : {21, 24, 28, 42, 46, 50}) {
+        double squared = 0;
+        for (int y = 45; y < tall.height - 45; ++y) {
+            double blurred = 0;
+            for (int k = 0; k < 64; ++k) blurred += seen(x, y, 0, (static_cast<float>(k) + 0.5f) / 64).value / 64.;
+            squared += std::pow(world.at(out, x, y) - blurred, 2) / (tall.height - 90);
+        }
+        error = std::max(error, std::sqrt(squared));
+    }
+    CHECK(error < 0.065);
+}
+
+TEST_CASE("motion of hundreds of pixels is as smooth as that of some, though only a part of its samples is looked at") {
+    World const world{{640, 64}, 1};
+    auto const deviation_of = [&](auto const& pipeline, float length) {
+        auto const out = world.last(pipeline, [&](int x, int y, int, float t) {
+            // Stripes of every row their own.
+            float const along = static_cast<float>(x) - length * t;
+            return Seen{0.5f + 0.5f * std::sin(along * 0.11f + static_cast<float>(y) * 1.7f), {length, 0}, 9.f};
+        });
+        double squared = 0;
+        for (int y = 0; y < world.size.height; ++y)
+            for (int x = 200; x < 440; ++x) {
+                double blurred = 0;
+                for (int k = 0; k < 256; ++k)
+                    blurred += std::sin((x - static_cast<double>(length) * (k + 0.5) / 256) * 0.11 + y * 1.7) * 0.5 / 256;
+                squared += std::pow(world.at(out, x, y) - 0.5 - blurred, 2) / (240. * world.size.height);
+            }
+        return std::sqrt(squared);
+    };
+    constexpr Pipeline without{radiance, Spatial{PairGuide<>{}}, Spatial{PairGather<Radiance>{}},
+                               Temporal{PathSearch{}, PairBlend<Radiance>{}, PairFetch<Radiance>{PathSearch{}.along(foreground_sweep)}}};
+    constexpr auto with = presets::blur<StraightTrajectories>(radiance);
+    CHECK(deviation_of(with, 360) < 0.6 * deviation_of(without, 360));
+    CHECK(deviation_of(with, 8) == doctest::Approx(deviation_of(without, 8)));
+}
+
 TEST_CASE("an outline that passes a few pixels is nearly as smooth as if the shutter had been watched all the time") {
     World const world{tall, 1};
     auto const out = world.last(denoise, [](int x, int, int, float t) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/blur/path_search.hpp>
+#include <quell/blur/two_motions/directional_mean.hpp>
 #include <quell/blur/two_motions/pair_history.hpp>
 #include <quell/pipeline/composite.hpp>
 
@@ -9,7 +10,8 @@
 namespace quell::presets {
 
 /// Motion blur from one sample per pixel at a random time (after Oberberger et al. 2022). Samples are gathered along the two motions that
-/// meet around a pixel, and each is tested by its own trajectory. Foreground and background layer are accumulated separately.
+/// meet around a pixel, and each is tested by its own trajectory. Each layer is averaged along its motion, over the gaps between samples.
+/// Foreground and background layer are accumulated separately.
 /// @tparam Trajectories     trajectories: RotatingTrajectories, arcs measured from the velocities around; BentTrajectories, arcs that the
 /// host supplies; or StraightTrajectories, which cost less
 /// @tparam Footprint FixedFootprint, or AdaptiveFootprint: more distant samples count where the mean is uncertain
@@ -19,7 +21,7 @@ namespace quell::presets {
 /// @param gather     how samples are gathered
 template <class Trajectories = RotatingTrajectories, class Footprint = FixedFootprint, ChannelTag S>
 constexpr auto blur(S signal, PathSearch search = {}, PairGather<S, Trajectories, Footprint> gather = {}) {
-    return Pipeline{signal, Spatial{PairGuide<Trajectories>{}}, Spatial{gather},
+    return Pipeline{signal, Spatial{PairGuide<Trajectories>{}}, Spatial{gather}, Spatial{DirectionalMean{gather}},
                     Temporal{search, PairBlend<S>{}, PairFetch<S>{search.along(foreground_sweep)}}};
 }
 

@@ -32,6 +32,14 @@ struct LineOfPixels {
     }
     /// Number of pixels.
     constexpr int size() const { return slanted ? 2 * steps : steps; }
+    /// The pixel nearest to a point of the line, `along` pixels away by rows or columns. Lines and their mirror images have the same ones.
+    QUELL_KERNEL glm::ivec2 nearest(float along) const {
+        auto const rounded = [](float a) { return a < 0.f ? -floor(0.5f - a) : floor(0.5f + a); };
+        float const part = along / whole;
+        int const a = static_cast<int>(rounded(along)),
+                  b = static_cast<int>(rounded(fma(part * part * bent, -4.f, rounded(along) * slope)));
+        return steep ? glm::ivec2(b, a) : glm::ivec2(a, b);
+    }
     /// Calls visit(dx, dy) for each, the pixel itself first.
     template <class Visit> QUELL_KERNEL void for_each(Visit&& visit) const { for_each(visit, 0, slanted ? 1 : 0, 1, true); }
     /// Without the pixel itself.

@@ -4,18 +4,18 @@
 #include <quell/blur/two_motions/footprint.hpp>
 #include <quell/blur/two_motions/layer_classifier.hpp>
 #include <quell/blur/two_motions/line_of_pixels.hpp>
+#include <quell/blur/two_motions/row_tiles.hpp>
 #include <quell/blur/two_motions/standard_error.hpp>
 #include <quell/blur/two_motions/stratified_mean.hpp>
 
 namespace quell {
 
 /// Gathers the samples that pass each pixel while the shutter is open into a foreground and a background layer. The foreground's coverage
-/// is the share of all samples along its velocity that show it. Each sample is tested by its own trajectory and weighted by the time it
-/// takes to cross a pixel, as a faster surface is seen in more pixels. A sample stands for half a pixel of its trajectory, and counts half
-/// if it passes just as the shutter opens or closes; a longer footprint would have less noise and more blur than the motion has. A static
-/// pixel keeps its value bit by bit.
-/// Emits ForegroundLayer, ForegroundSweep, BackgroundLayer, and MeanSweep of the background: 0 if static, 4096 in both components if
-/// unknown. Needs a PairGuide before it.
+/// is the share of all samples along its velocity that show it, and the background is averaged over the rest of the time. Each sample is
+/// tested by its own trajectory and weighted by the time it takes to cross a pixel, as a faster surface is seen in more pixels. A sample
+/// stands for half a pixel of its trajectory, and counts half if it passes just as the shutter opens or closes; a longer footprint would
+/// have less noise and more blur than the motion has. A static pixel keeps its value bit by bit. Emits ForegroundLayer, ForegroundSweep,
+/// BackgroundLayer, and MeanSweep of the background: 0 if static, 4096 in both components if unknown. Needs a PairGuide before it.
 /// @tparam S the pipeline's signal
 /// @tparam Trajectories the PairGuide's
 /// @tparam Footprint FixedFootprint or AdaptiveFootprint
@@ -46,6 +46,14 @@ template <ChannelTag S, class Trajectories = StraightTrajectories, class Footpri
         return work.result(px);
     }
 
+    /// @cond
+    QUELL_KERNEL detail::RowTiles tiles() const { return {tile_width}; }
+    /// Where one of `shares` lines looks for samples.
+    QUELL_KERNEL detail::LineOfPixels line(glm::vec2 const& speed, glm::vec2 const& bend, int shares) const {
+        return {speed, bend, reach, (count < max_samples ? count : max_samples) / shares};
+    }
+    /// @endcond
+
 private:
     template <class Px> struct Work {
         using Real = typename Px::Real;
@@ -64,35 +72,26 @@ private:
         } front_width, back_width;
         detail::StratifiedMean<Value<Signal::components + 1, Real>, max_samples + 1> in_front; ///< signal and coverage
         detail::StratifiedMean<Colour, max_samples + 1> behind;
-        /// Weighted mean of sweeps.
+        /// Weighted mean of sweeps, in pixels; 0 where no sample counted.
         struct Swept {
-            vec2<Real> sum{Real(0.f), Real(0.f)}; ///< of sweeps, weighted
-            Real weight = Real(0.f);              ///< sum of weights
-            /// Adds a sweep, in pixels.
+            vec2<Real> sum{Real(0.f), Real(0.f)};
+            Real weight = Real(0.f);
             QUELL_KERNEL void add(vec2<Real> const& of_sample, Real w) { sum = add_scaled(sum, of_sample, w), weight = weight + w; }
-            /// Whether any sample counted.
             QUELL_KERNEL auto known() const { return weight > Real(0.f); }
-            /// 0 where none did.
             QUELL_KERNEL auto mean() const { return scale(sum, 1.f / max(weight, Real(1e-12f))); }
         } front_swept, back_swept;
         Real samples = Real(0.f);
 
         QUELL_KERNEL Work(PairGather const& g, Px const& px)
-            : settings(g), own(detail::usable_sample<Trajectories>(px)), of(px.elsewhere(g.shared(px), LayerMotions<Trajectories>{})),
-              own_in_front(of.is_front(own.screen_motion())), own_still(own_speed() <= Real(detail::still_squared)),
+            : settings(g), own(detail::usable_sample<Trajectories>(px)),
+              of(px.elsewhere(g.tiles().shared(px), LayerMotions<Trajectories>{})), own_in_front(of.is_front(own.screen_motion())),
+              own_still(own_speed() <= Real(detail::still_squared)),
               back_moves(detail::squared_speed(of.back) > Real(detail::still_squared)),
               front_per_length(1.f / max(speed(of.front), Real(Trajectory<float>::min_length))), front_width{per_width(of.front)},
               back_width{per_width(of.back)}, in_front(speed(of.front)), behind(speed(of.back)) {}
 
-        /// Tile by tile: all pixels of a tile look at the same offsets, so that a pack loads neighbours. A pack may span several tiles.
         QUELL_KERNEL void gather(Px const& px) {
-            auto const column = Real(static_cast<float>(px.x)) + lanes<Real>();
-            for (int first = px.x; first < px.x + width_of<Real>;) {
-                int const next = (first / settings.tile_width + 1) * settings.tile_width;
-                auto const tile = both(column >= Real(static_cast<float>(first)), column < Real(static_cast<float>(next)));
-                gather(px, tile, first - px.x);
-                first = next;
-            }
+            settings.tiles().for_each(px, [&](auto tile, int k) QUELL_INLINED { gather(px, tile, k); });
         }
         /// One tile, by the velocities of lane k.
         QUELL_KERNEL void gather(Px const& px, Mask tile, int k) {
@@ -104,7 +103,7 @@ private:
         }
         /// @tparam As the model of trajectories: StraightTrajectories where nothing bends, which is cheaper
         template <class As> QUELL_KERNEL void gather_as(Px const& px, Mask tile, int k) {
-            auto const behind_speed = in_lane(detail::speed_of(of.back), k);
+            auto const behind_speed = detail::in_lane(detail::speed_of(of.back), k);
             bool const moves = dot(behind_speed, behind_speed) > detail::still_squared;
             if (lane(detail::inverse_depth_of(of.front), k) > 0.f) {
                 int const shares = moves ? 2 : 1;
@@ -117,9 +116,9 @@ private:
         template <class As, class What>
         QUELL_KERNEL void gather_along(What what, Px const& px, int k, Mask tile, ScreenMotion const& screen_motion, int shares,
                                        Width& layer_width) {
-            auto const speed = in_lane(detail::speed_of(screen_motion), k), bend = in_lane(detail::bend_of(screen_motion), k);
-            int const samples_wanted = settings.count < max_samples ? settings.count : max_samples;
-            detail::LineOfPixels const line(speed, bend, settings.reach, samples_wanted / shares);
+            auto const speed = detail::in_lane(detail::speed_of(screen_motion), k),
+                       bend = detail::in_lane(detail::bend_of(screen_motion), k);
+            auto const line = settings.line(speed, bend, shares);
             auto const visit = [&](int dx, int dy) QUELL_INLINED { add<As>(what, px, dx, dy, tile); };
             if constexpr (std::is_same_v<What, ForBack>)
                 line.for_each_other(visit); // the foreground's line had the pixel itself
@@ -196,14 +195,25 @@ private:
         }
         QUELL_KERNEL Real own_speed() const { return detail::squared_speed(own.screen_motion()); }
         QUELL_KERNEL static Real speed(ScreenMotion const& screen_motion) { return sqrt(detail::squared_speed(screen_motion)); }
-        QUELL_KERNEL static glm::vec2 in_lane(vec2<Real> const& v, int k) { return {lane(v.x, k), lane(v.y, k)}; }
 
+        /// The background's mean over the time in which the foreground does not cover the pixel: what shows of it. Only where both layers
+        /// have all strata, which are the same times then; with fewer there are too few samples in each to tell.
+        QUELL_KERNEL Colour mean_behind(Real coverage) const {
+            constexpr float fast = decltype(behind)::pixels_for_all;
+            auto const certain = clamp(min(speed(of.front), speed(of.back)) * (1.f / fast) - 1.f, Real(0.f), Real(1.f));
+            auto const hides = both(of.two, certain > Real(0.f));
+            if (!any(hides)) return behind.mean();
+            auto exposed = in_front.last_component();
+            for (auto& e : exposed.at) e = 1.f - masked(hides, mix(coverage, min(e, Real(1.f)), certain));
+            return behind.mean(exposed);
+        }
         QUELL_KERNEL auto result(Px const& px) const {
+            auto const front_mean = in_front.mean();
             constexpr float beyond = 4.f * Trajectory<float>::longest;
             vec2<Real> const nowhere{Real(beyond), Real(beyond)};
             auto const still_here = both(own.known(), own_still, invert(own_in_front));
             auto const found = both(invert(still_here), back_swept.known());
-            auto back = detail::layer_of(select(still_here, px.signal(), behind.mean()),
+            auto back = detail::layer_of(select(still_here, px.signal(), mean_behind(component<Signal::components>(front_mean))),
                                          select(still_here, Real(BackgroundLayer<Signal>::certain), masked(found, samples)));
             auto back_sweep = select(found, back_swept.mean(), zero<vec2<Real>>());
             auto const covered = invert(either(still_here, found));
@@ -214,7 +224,7 @@ private:
                 back_sweep = select(nothing, nowhere, back_sweep);
             }
             // The number of samples is the sweep's length in pixels.
-            auto const front = detail::layer_of(in_front.mean(), masked(of.two, max(speed(of.front), Real(1.f))));
+            auto const front = detail::layer_of(front_mean, masked(of.two, max(speed(of.front), Real(1.f))));
             auto const front_moves = select(front_swept.known(), front_swept.mean(), detail::speed_of(of.front));
             return emitted<Real>(ForegroundLayer<Signal>{}, front)
                 .with(foreground_sweep, select(of.two, front_moves, nowhere))
@@ -232,14 +242,6 @@ private:
         }
     };
 
-    /// The pixel whose LayerMotions a tile shares.
-    template <class Px> QUELL_KERNEL auto shared(Px const& px) const {
-        using Real = typename Px::Real;
-        auto const tile = floor(px.position().x / static_cast<float>(tile_width));
-        auto const column = fma(tile, Real(static_cast<float>(tile_width)), Real(static_cast<float>(tile_width / 2)));
-        return PixelCoordinates<Real>(min(column, Real(static_cast<float>(px.size().width - 1))),
-                                      Real(static_cast<float>(detail::row_of_pair(px.y, px.size()))));
-    }
     /// Whether a surface is behind another, by inverse depth.
     template <class Real> QUELL_KERNEL auto is_behind(Real inverse_depth, Real before) const {
         return inverse_depth * (1.f + depth_tolerance) < before;

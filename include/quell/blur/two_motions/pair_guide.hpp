@@ -13,12 +13,13 @@
 ///       v   NearestPair       -> LayerMotions    a neighbour's pair where only one motion is    (every second row)
 ///       |
 ///       v   PairGather        -> ForegroundLayer, ForegroundSweep, BackgroundLayer, MeanSweep
+///       v   DirectionalMean   -> ForegroundLayer, BackgroundLayer                             (where samples are far apart)
 ///       |
 ///       v   Temporal{PathSearch, PairBlend, PairFetch}: both layers are accumulated and composited
 ///     signal
 ///
 /// PairGuide is the first three passes, with PathGuide before them. LineOfPixels and AdaptiveFootprint say where PairGather looks,
-/// StratifiedMean averages by time strata, LayerClassifier assigns a sample to a layer.
+/// RowTiles which pixels look along the same line. StratifiedMean averages by time strata, LayerClassifier assigns a sample to a layer.
 namespace quell {
 
 /// The two motions around a pixel, foreground first: each has its velocity (pixels per open shutter), inverse depth, and relative sagitta

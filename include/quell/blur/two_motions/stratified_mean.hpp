@@ -4,25 +4,25 @@
 
 namespace quell::detail {
 
+inline constexpr int max_strata = 8;
+/// A number for each stratum.
+template <class Real> struct Strata { Real at[max_strata]; };
+
 /// Stratified mean over the open shutter: samples are averaged within equal time strata, then the strata are averaged. An empty stratum
-/// takes the nearest one's mean. Random times cluster, so this has much less noise than the mean of all samples. Samples are kept until the
-/// weights of all strata are known.
+/// takes the mean of the next filled ones before and after it. Random times cluster, so this has much less noise than the mean of all
+/// samples. Samples are kept until the weights of all strata are known.
 /// @tparam V the values, times their weights
-/// @tparam most samples kept per pixel: no more may be added
+/// @tparam max_samples kept per pixel: no more may be added
 template <class V, int max_samples> struct StratifiedMean {
     using Real = real_of<V>;
-    static constexpr int max_parts = 8; ///< each is at least as long as it takes to cross `pixels_a_part`
+    static constexpr int max_parts = max_strata; ///< each is at least as long as it takes to cross `pixels_a_part`
     static constexpr float pixels_a_part = 0.5f;
+    static constexpr float pixels_for_all = max_parts * pixels_a_part; ///< length of a sweep from which on there are `max_parts` strata
     static constexpr int components = components_of<V>;
-    Real count;                                                       ///< number of strata, from 1
-    Real weight[max_parts];                                           ///< sum of weights per stratum
-    Real held[std::size_t{max_samples}][std::size_t{components + 1}]; ///< weighted values, then the index of the stratum
-    int size = 0, next = 0;
+    using Strata = detail::Strata<Real>;
 
     QUELL_KERNEL explicit StratifiedMean(Real pixels)
-        : count(floor(clamp(pixels * (1.f / pixels_a_part), Real(1.f), Real(static_cast<float>(max_parts))))) {
-        for (auto& w : weight) w = Real(0.f);
-    }
+        : count(floor(clamp(pixels * (1.f / pixels_a_part), Real(1.f), Real(static_cast<float>(max_parts))))) {}
     /// Starts over for other pixels of the pack, which reuse the slots.
     QUELL_KERNEL void restart() { next = 0; }
     /// @param weighted the value times its weight
@@ -32,46 +32,117 @@ template <class V, int max_samples> struct StratifiedMean {
         auto const counts = w > Real(0.f);
         if (!any(counts)) return;
         auto const part = clamp(floor(when * count), Real(0.f), count - 1.f);
-        for_each<max_parts>([&](auto i) QUELL_INLINED { weight[i] = weight[i] + masked(part == Real(static_cast<float>(i)), w); });
         auto& place = held[next];
         if (next++ == size) {
             ++size;
-            for_each<components>([&](auto c) QUELL_INLINED { place[c] = component<c>(weighted); });
-            place[components] = part;
+            for_each<components>([&](auto c) QUELL_INLINED { place.value[c] = component<c>(weighted); });
+            place.weight = w, place.part = part;
         } else {
-            for_each<components>([&](auto c) QUELL_INLINED { place[c] = select(counts, component<c>(weighted), place[c]); });
-            place[components] = select(counts, part, place[components]);
+            for_each<components>([&](auto c) QUELL_INLINED { place.value[c] = select(counts, component<c>(weighted), place.value[c]); });
+            place.weight = select(counts, w, place.weight), place.part = select(counts, part, place.part);
         }
     }
+    /// 0 without samples.
     QUELL_KERNEL V mean() const {
-        Real share[max_parts];
-        find_shares(share);
-        auto sum = zero<V>();
-        for (int k = 0; k < size; ++k) {
-            auto const& one = held[k];
-            auto const value = make_value<components, Real>([&](auto c) QUELL_INLINED { return one[c]; });
-            sum = add_scaled(sum, value, looked_up<0, max_parts>(share, one[components]));
+        Strata all;
+        for_each<max_parts>([&](auto i) QUELL_INLINED { all.at[i] = masked(in_use<i>(), Real(1.f)); });
+        return mean_with(shares(all), count);
+    }
+    /// The mean over a part of the time.
+    /// @param exposed how much of each stratum counts, in [0, 1]; where it is hardly anything, all strata count the same
+    QUELL_KERNEL V mean(Strata exposed) const {
+        Real total(0.f);
+        for_each<max_parts>([&](auto i) QUELL_INLINED {
+            constexpr float hardly = 1e-3f;
+            exposed.at[i] = masked(in_use<i>(), max(exposed.at[i], Real(hardly)));
+            total = total + exposed.at[i];
+        });
+        return mean_with(shares(exposed), total);
+    }
+    /// Mean of the last component in each stratum.
+    QUELL_KERNEL Strata last_component() const {
+        auto const weight = weights();
+        auto mean = sums([](auto const& sample) QUELL_INLINED { return sample.value[components - 1]; });
+        Filled const filled(weight);
+        Real nearest(0.f);
+        Strata before;
+        for (int i = 0; i < max_parts; ++i) {
+            mean.at[i] = mean.at[i] / max(weight.at[i], Real(1e-12f));
+            before.at[i] = nearest = select(filled.is[i], mean.at[i], nearest);
         }
-        return scale(sum, 1.f / count);
+        nearest = Real(0.f);
+        for (int i = max_parts - 1; i >= 0; --i) {
+            nearest = select(filled.is[i], mean.at[i], nearest);
+            mean.at[i] = select(filled.is[i], mean.at[i], fma(before.at[i], filled.to_previous(i), nearest * filled.to_next(i)));
+        }
+        return mean;
     }
 
 private:
-    /// Number of strata that each stratum stands for, per weight: halfway to its filled neighbours.
-    QUELL_KERNEL void find_shares(Real (&share)[max_parts]) const {
-        Real begin[max_parts], before(-1.f), after = count;
+    struct Held {
+        Real value[std::size_t{components}], weight, part; ///< value times weight; index of the stratum
+    };
+    Real count; ///< number of strata, from 1
+    Held held[std::size_t{max_samples}];
+    int size = 0, next = 0;
+
+    template <int i> QUELL_KERNEL auto in_use() const { return Real(static_cast<float>(i)) < count; }
+    /// Sums over the samples of each stratum. The sums stay in registers, which is why samples keep their weights.
+    template <class Of> QUELL_KERNEL Strata sums(Of&& of) const {
+        Strata sum;
+        for_each<max_parts>([&](auto i) QUELL_INLINED { sum.at[i] = Real(0.f); });
+        for (int k = 0; k < size; ++k) {
+            auto const part = held[k].part, one = of(held[k]);
+            for_each<max_parts>([&](auto i) QUELL_INLINED { sum.at[i] = sum.at[i] + masked(part == Real(static_cast<float>(i)), one); });
+        }
+        return sum;
+    }
+    QUELL_KERNEL Strata weights() const {
+        return sums([](auto const& sample) QUELL_INLINED { return sample.weight; });
+    }
+    /// Which strata have samples, and to which filled ones an empty one belongs.
+    struct Filled {
+        decltype(Real(0.f) < Real(0.f)) is[max_parts];
+        Real before[max_parts], after[max_parts]; ///< 1 where one of the strata up to here, or from here on, is filled; otherwise 0
+        QUELL_KERNEL explicit Filled(Strata const& weight) {
+            Real some(0.f);
+            for (int i = 0; i < max_parts; ++i) {
+                is[i] = weight.at[i] > Real(0.f);
+                before[i] = some = select(is[i], Real(1.f), some);
+            }
+            some = Real(0.f);
+            for (int i = max_parts - 1; i >= 0; --i) after[i] = some = select(is[i], Real(1.f), some);
+        }
+        /// Share of an empty stratum that belongs to the next filled one before it; the rest belongs to the one after it.
+        QUELL_KERNEL Real to_previous(int i) const { return fma(after[i], Real(-0.5f), Real(1.f)) * before[i]; }
+        QUELL_KERNEL Real to_next(int i) const { return fma(before[i], Real(-0.5f), Real(1.f)) * after[i]; }
+    };
+    /// What a sample of each stratum counts for, per weight: how much of its own stratum is exposed, and of the empty ones that belong to
+    /// it.
+    QUELL_KERNEL Strata shares(Strata const& exposed) const {
+        auto const weight = weights();
+        Filled const filled(weight);
+        Strata share;
+        Real carried(0.f);
         for (int i = 0; i < max_parts; ++i) {
-            Real const here(static_cast<float>(i));
-            auto const some = weight[i] > Real(0.f);
-            begin[i] = masked(before >= Real(0.f), (before + here + 1.f) * 0.5f);
-            before = select(some, here, before);
+            share.at[i] = exposed.at[i] + carried;
+            carried = masked(invert(filled.is[i]), fma(exposed.at[i], filled.to_next(i), carried));
         }
+        carried = Real(0.f);
         for (int i = max_parts - 1; i >= 0; --i) {
-            Real const here(static_cast<float>(i));
-            auto const some = weight[i] > Real(0.f);
-            auto const end = select(after < count, (after + here + 1.f) * 0.5f, count);
-            share[i] = masked(some, (end - begin[i]) / max(weight[i], Real(1e-12f)));
-            after = select(some, here, after);
+            share.at[i] = masked(filled.is[i], (share.at[i] + carried) / max(weight.at[i], Real(1e-12f)));
+            carried = masked(invert(filled.is[i]), fma(exposed.at[i], filled.to_previous(i), carried));
         }
+        return share;
+    }
+    QUELL_KERNEL V mean_with(Strata const& share, Real total) const {
+        auto sum = zero<V>();
+        for (int k = 0; k < size; ++k) {
+            auto const& one = held[k];
+            auto const value = make_value<components, Real>([&](auto c) QUELL_INLINED { return one.value[c]; });
+            sum = add_scaled(sum, value, looked_up<0, max_parts>(share.at, one.part));
+        }
+        return scale(sum, 1.f / total);
     }
     /// Unrolled under any flags: a loop would make its constants anew each time.
     template <int n, class Visit> QUELL_KERNEL static void for_each(Visit&& visit) {

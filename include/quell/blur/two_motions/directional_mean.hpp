@@ -1,0 +1,84 @@
+#pragma once
+
+#include <quell/blur/two_motions/pair_gather.hpp>
+
+namespace quell {
+
+/// Mean of each layer along its own motion, over the gaps that PairGather leaves. Where a sweep is longer than PairGather has samples for,
+/// pixels next to each other along the motion gather other samples: their mean has the noise of them all. A blurred layer changes slowly
+/// along its motion, so little is lost, as long as the mean's length is a small part of the sweep's. Neighbours count by how like their
+/// sweep is. What stands still keeps its value bit by bit. Goes directly after the PairGather, and has its settings.
+/// @tparam S the pipeline's signal
+/// @tparam Trajectories the PairGather's
+/// @tparam Footprint the PairGather's
+template <ChannelTag S, class Trajectories, class Footprint> struct DirectionalMean {
+    using Signal = S;
+    using Gather = PairGather<S, Trajectories, Footprint>; ///< what it goes after
+    static constexpr auto name = "directional mean";
+    static constexpr bool leaves_signal = true;
+    static constexpr int max_lanes = Gather::max_lanes; ///< largest useful SIMD width: a tile's
+    using reads = Channels<LayerMotions<Trajectories>, ForegroundLayer<Signal>, ForegroundSweep, BackgroundLayer<Signal>, MeanSweep>;
+    using emits = Channels<ForegroundLayer<Signal>, BackgroundLayer<Signal>>;
+    Gather gather{};        ///< whose gaps it fills
+    float gaps = 2.f;       ///< length of the mean, in gaps between samples
+    float max_part = 0.12f; ///< largest length of the mean, as a fraction of the sweep
+    int taps = 6;           ///< neighbours to either side, at most
+    float tolerance =
+        0.25f; ///< difference of sweeps from which on a neighbour counts nothing, as a fraction of the sweep, beyond half a pixel
+
+    template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
+        using Real = typename Px::Real;
+        constexpr ForegroundLayer<Signal> front;
+        constexpr BackgroundLayer<Signal> back;
+        auto in_front = px[front];
+        auto behind = px[back];
+        detail::LayerClassifier<Trajectories, Real> const of(px.elsewhere(gather.tiles().shared(px), LayerMotions<Trajectories>{}));
+        gather.tiles().for_each(px, [&](auto tile, int k) QUELL_INLINED {
+            auto const speed_in_front = detail::in_lane(detail::speed_of(of.front), k);
+            auto const speed_behind = detail::in_lane(detail::speed_of(of.back), k);
+            bool const two = lane(detail::inverse_depth_of(of.front), k) > 0.f,
+                       moves = dot(speed_behind, speed_behind) > detail::still_squared;
+            int const shares = two && moves ? 2 : 1;
+            if (two) average(px, front, foreground_sweep, speed_in_front, shares, tile, in_front);
+            if (moves) average(px, back, mean_sweep, speed_behind, shares, tile, behind);
+        });
+        return emitted<Real>(front, in_front).with(back, behind);
+    }
+
+private:
+    /// Replaces the layer of a tile by its mean along the velocity `speed`. Number of samples stays: history weighs by it.
+    template <class Px, class Layer, class SweepChannel, class Mask, class V>
+    QUELL_KERNEL void average(Px const& px, Layer layer, SweepChannel sweep, glm::vec2 speed, int shares, Mask tile, V& value) const {
+        using Real = typename Px::Real;
+        auto const line = gather.line(speed, {}, shares);
+        float const length = min(line.step * gaps, line.whole * max_part);
+        float const spacing = max(length / static_cast<float>(2 * taps + 1), 1.f);
+        int const each_side = static_cast<int>(min(static_cast<float>(taps), floor(0.5f * length / spacing)));
+        if (each_side <= 0) return;
+        auto const own = px[sweep];
+        auto const likeness = 1.f / fma(sqrt(fma(own.x, own.x, own.y * own.y)), Real(tolerance), Real(0.5f));
+        auto const samples = samples_of(layer, value);
+        auto sum = scale(value, samples);
+        auto weights = samples;
+        for (int i = -each_side; i <= each_side; ++i) {
+            auto const offset = line.nearest(static_cast<float>(i) * spacing);
+            auto const there = px.at(offset.x, offset.y);
+            if (i == 0 || !there.row_inside) continue;
+            auto const its = there[layer];
+            auto const x = there[sweep].x - own.x, y = there[sweep].y - own.y;
+            auto const alike = clamp(fma(sqrt(fma(x, x, y * y)) * likeness, Real(-2.f), Real(2.f)), Real(0.f), Real(1.f));
+            auto const w = masked(there.inside(), alike * samples_of(layer, its));
+            sum = add_scaled(sum, its, w);
+            weights = weights + w;
+        }
+        auto const mean = scale(sum, 1.f / max(weights, Real(1e-12f)));
+        value = select(both(tile, weights > samples), detail::layer_of(detail::signal_of(mean), detail::weight_of(value)), value);
+    }
+    /// The background's mean is weighted by samples. The foreground has as many everywhere: its coverage is a share of all that pass.
+    template <class V> QUELL_KERNEL static auto samples_of(BackgroundLayer<Signal>, V const& layer) { return detail::weight_of(layer); }
+    template <class V> QUELL_KERNEL static auto samples_of(ForegroundLayer<Signal>, V const&) { return real_of<V>(1.f); }
+};
+template <class S, class Trajectories, class Footprint, class... Fields>
+DirectionalMean(PairGather<S, Trajectories, Footprint>, Fields...) -> DirectionalMean<S, Trajectories, Footprint>;
+
+} // namespace quell

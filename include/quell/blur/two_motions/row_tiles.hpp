@@ -1,0 +1,34 @@
+#pragma once
+
+#include <quell/blur/two_motions/pair_guide.hpp>
+
+namespace quell::detail {
+
+/// Tiles of a row whose pixels look along the same lines, so that a pack loads neighbours. A pack may span several tiles.
+struct RowTiles {
+    int width; ///< pixels, at least 1
+
+    /// The pixel whose LayerMotions a pixel's tile shares.
+    template <class Px> QUELL_KERNEL auto shared(Px const& px) const {
+        using Real = typename Px::Real;
+        auto const tile = floor(px.position().x / static_cast<float>(width));
+        auto const column = fma(tile, Real(static_cast<float>(width)), Real(static_cast<float>(width / 2)));
+        return PixelCoordinates<Real>(min(column, Real(static_cast<float>(px.size().width - 1))),
+                                      Real(static_cast<float>(row_of_pair(px.y, px.size()))));
+    }
+    /// Calls visit(pixels, k) for each tile of a pack: the mask of its pixels, and the first one's lane.
+    template <class Px, class Visit> QUELL_KERNEL void for_each(Px const& px, Visit&& visit) const {
+        using Real = typename Px::Real;
+        auto const column = Real(static_cast<float>(px.x)) + lanes<Real>();
+        for (int first = px.x; first < px.x + width_of<Real>;) {
+            int const next = (first / width + 1) * width;
+            visit(both(column >= Real(static_cast<float>(first)), column < Real(static_cast<float>(next))), first - px.x);
+            first = next;
+        }
+    }
+};
+
+/// A vector of one lane.
+template <class Real> QUELL_KERNEL glm::vec2 in_lane(vec2<Real> const& v, int k) { return {lane(v.x, k), lane(v.y, k)}; }
+
+} // namespace quell::detail
