@@ -42,7 +42,8 @@ template <ChannelTag S, class Trajectories = StraightTrajectories, class Footpri
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         Work<Px> work(*this, px);
-        if (any(either(work.of.two, work.back_moves))) work.gather(px);
+        if (any(either(work.of.two, work.back_moves)))
+            tiles().for_each(px, [&](auto tile, int k) QUELL_INLINED { work.gather(px, tile, k); });
         return work.result(px);
     }
 
@@ -90,9 +91,6 @@ private:
               front_per_length(1.f / max(speed(of.front), Real(Trajectory<float>::min_length))), front_width{per_width(of.front)},
               back_width{per_width(of.back)}, in_front(speed(of.front)), behind(speed(of.back)) {}
 
-        QUELL_KERNEL void gather(Px const& px) {
-            settings.tiles().for_each(px, [&](auto tile, int k) QUELL_INLINED { gather(px, tile, k); });
-        }
         /// One tile, by the velocities of lane k.
         QUELL_KERNEL void gather(Px const& px, Mask tile, int k) {
             in_front.restart(), behind.restart();
@@ -242,7 +240,7 @@ private:
         }
     };
 
-    /// Whether a surface is behind another, by inverse depth.
+    /// By inverse depth.
     template <class Real> QUELL_KERNEL auto is_behind(Real inverse_depth, Real before) const {
         return inverse_depth * (1.f + depth_tolerance) < before;
     }
