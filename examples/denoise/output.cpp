@@ -24,8 +24,7 @@ Output::Output(DenoiseOptions const& options, FramePattern const& input, std::ve
 bool Output::has(long long number) const {
     if (!pattern || !std::filesystem::exists(pattern->path(number))) return false;
     try {
-        static_cast<void>(io::ExrFile(pattern->path(number)));
-        return true;
+        return io::ExrOriginal(pattern->path(number)).is_whole();
     } catch (Error const&) {
         return false;
     }

@@ -226,3 +226,20 @@ TEST_CASE("mip maps with new numbers are refused, and copied otherwise") {
     io::write_copy(folder / "same.exr", original, {.canvas = original.canvas()});
     CHECK(bytes_of(folder / "same.exr") == bytes_of(folder / "in.exr"));
 }
+
+TEST_CASE("a file that was cut off isn't whole, though its header is") {
+    Folder const folder;
+    for (bool const tiled : {false, true})
+        for (int const parts : {1, 2}) {
+            std::vector<WholePart> list{{"a", box(0, 0, 63, 63), usual_channels(), tiled},
+                                        {"b", box(9, 9, 40, 40), usual_channels(), tiled}};
+            list.resize(static_cast<std::size_t>(parts));
+            write_whole(folder / "in.exr", box(0, 0, 63, 63), list);
+            CHECK(io::ExrOriginal(folder / "in.exr").is_whole());
+            auto const bytes = bytes_of(folder / "in.exr");
+            for (auto const cut : {bytes.size() - 1, bytes.size() * 3 / 4, bytes.size() / 2}) {
+                write_bytes(folder / "cut.exr", bytes.substr(0, cut));
+                CHECK_FALSE(io::ExrOriginal(folder / "cut.exr").is_whole());
+            }
+        }
+}

@@ -23,6 +23,10 @@ public:
     /// @throws Error naming the file and the channel
     [[nodiscard]] ExrImage read(std::span<std::string const> names, Region const& canvas) const;
 
+    /// Whether the first and the last row of each flat part can be read. A file that was cut off, or not copied whole, lacks one of them,
+    /// though its header is whole.
+    [[nodiscard]] bool is_whole() const;
+
     [[nodiscard]] int parts() const { return file->parts(); }
     [[nodiscard]] Imf::Header const& header(int part) const { return file->header(part); }
     /// The parts' pixels by the library's own interface.
@@ -79,6 +83,27 @@ inline Region ExrOriginal::canvas() const {
     }
     detail::check_window(listed.name, "whole", {{all.x0, all.y0}, {all.x1 - 1, all.y1 - 1}});
     return all;
+}
+
+inline bool ExrOriginal::is_whole() const {
+    try {
+        for (int part = 0; part < parts(); ++part) {
+            if (detail::is_deep(header(part))) continue;
+            auto const window = header(part).dataWindow();
+            Imf::InputPart input(*file, part);
+            auto const channel = header(part).channels().begin();
+            std::vector<float> row(static_cast<std::size_t>(detail::extent_of(window).first)); // all rows go here
+            Imf::FrameBuffer buffer;
+            buffer.insert(channel.name(), Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(row.data() - window.min.x), sizeof(float), 0,
+                                                     channel.channel().xSampling, channel.channel().ySampling));
+            input.setFrameBuffer(buffer);
+            input.readPixels(window.min.y);
+            input.readPixels(window.max.y);
+        }
+        return true;
+    } catch (std::exception const&) { // the base of OpenEXR's exceptions
+        return false;
+    }
 }
 
 inline ExrImage ExrOriginal::read(std::span<std::string const> names, Region const& canvas) const {
