@@ -46,8 +46,10 @@ std::vector<std::string> copy_with_new_red(std::filesystem::path const& from, st
 TEST_CASE("a copy has other numbers in one channel, and everything else as it was, by every compression") {
     Folder const folder;
     auto const display = box(10, -5, 41, 18), data = box(7, -9, 50, 12);
-    for (auto const& [name, compression] : all_compressions())
+    for (auto const& each : all_compressions())
         for (bool const tiled : {false, true}) {
+            auto const name = each.first;
+            auto const compression = each.second;
             INFO(name, tiled);
             write_whole(folder / "in.exr", display, {{"", data, usual_channels(), tiled, compression}});
             CHECK(copy_with_new_red(folder / "in.exr", folder / "out.exr").size() <= 1);
@@ -68,7 +70,9 @@ TEST_CASE("a lossy compression stays where it keeps all data") {
     Folder const folder;
     auto channels = usual_channels();
     std::erase_if(channels, [](auto const& channel) { return channel.name.starts_with("crypto") || channel.name.starts_with("normal"); });
-    for (auto const& [name, compression] : all_compressions()) {
+    for (auto const& each : all_compressions()) {
+        auto const name = each.first;
+        auto const compression = each.second;
         INFO(name);
         write_whole(folder / "in.exr", box(0, 0, 31, 23), {{"", box(0, 0, 31, 23), channels, false, compression}});
         CHECK(copy_with_new_red(folder / "in.exr", folder / "out.exr").empty());
@@ -169,7 +173,7 @@ TEST_CASE("deep parts are copied as they are") {
     std::vector<unsigned> counts(48, 1);
     std::vector<float> depths(48, 3.5f);
     std::vector<float*> samples;
-    for (auto& depth : depths) samples.push_back(&depth);
+    for (auto& z : depths) samples.push_back(&z);
     {
         Imf::MultiPartOutputFile file((folder / "in.exr").string().c_str(), headers.data(), 2);
         Imf::OutputPart first(file, 0);
@@ -193,7 +197,7 @@ TEST_CASE("deep parts are copied as they are") {
     std::vector<unsigned> read_counts(48, 0);
     std::vector<float> read_depths(48, 0.f);
     std::vector<float*> places;
-    for (auto& depth : read_depths) places.push_back(&depth);
+    for (auto& z : read_depths) places.push_back(&z);
     Imf::DeepFrameBuffer deep;
     deep.insertSampleCountSlice(Imf::Slice::Make(Imf::UINT, read_counts.data(), window));
     deep.insert("Z", Imf::DeepSlice(Imf::FLOAT, reinterpret_cast<char*>(places.data()), sizeof(float*), 8 * sizeof(float*), sizeof(float)));

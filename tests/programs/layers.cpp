@@ -63,8 +63,10 @@ Ran denoised(Folder const& folder, std::string const& more = "", std::string con
 } // namespace
 
 TEST_CASE("all of a file comes out again, with the picture denoised, whatever its windows, tiles and compression") {
-    for (auto const& [name, compression] : all_compressions())
+    for (auto const& each : all_compressions())
         for (bool const tiled : {false, true}) {
+            auto const name = each.first;
+            auto const compression = each.second;
             INFO(name, tiled);
             Folder const folder;
             write_frames(folder, box(10, 20, 49, 45), {5, 17}, tiled, compression);
@@ -83,13 +85,13 @@ TEST_CASE("files of several parts keep them, and what lies in other parts than t
     Folder const folder;
     auto const display = window_at({0, 0}, usual_size);
     for (int i = 1; i <= 2; ++i) {
-        auto guides = channels_of(noisy_image(usual_size, i), {0, 0});
+        auto of_frame = channels_of(noisy_image(usual_size, i), {0, 0});
         std::vector<WholeChannel> light;
-        std::copy_n(guides.begin(), 3, std::back_inserter(light));
-        guides.erase(guides.begin(), guides.begin() + 3);
+        std::copy_n(of_frame.begin(), 3, std::back_inserter(light));
+        of_frame.erase(of_frame.begin(), of_frame.begin() + 3);
         write_whole(folder / numbered("frame.", i), display,
                     {{"rgba", display, light, false, Imf::DWAA_COMPRESSION},
-                     {"guides", display, guides, true, Imf::PIZ_COMPRESSION},
+                     {"guides", display, of_frame, true, Imf::PIZ_COMPRESSION},
                      {"ids", box(-4, -4, 20, 20), others(), false, Imf::ZIPS_COMPRESSION}});
     }
     denoised(folder);
