@@ -86,11 +86,11 @@ TEST_CASE("files of several parts keep them, and what lies in other parts than t
     auto const display = window_at({0, 0}, usual_size);
     for (int i = 1; i <= 2; ++i) {
         auto of_frame = channels_of(noisy_image(usual_size, i), {0, 0});
-        std::vector<WholeChannel> light;
-        std::copy_n(of_frame.begin(), 3, std::back_inserter(light));
+        std::vector<WholeChannel> rgb;
+        std::copy_n(of_frame.begin(), 3, std::back_inserter(rgb));
         of_frame.erase(of_frame.begin(), of_frame.begin() + 3);
         write_whole(folder / numbered("frame.", i), display,
-                    {{"rgba", display, light, false, Imf::DWAA_COMPRESSION},
+                    {{"rgba", display, rgb, false, Imf::DWAA_COMPRESSION},
                      {"guides", display, of_frame, true, Imf::PIZ_COMPRESSION},
                      {"ids", box(-4, -4, 20, 20), others(), false, Imf::ZIPS_COMPRESSION}});
     }
