@@ -105,7 +105,9 @@ public:
     }
     /// Whether any data that has no new numbers differs between the original and a copy.
     [[nodiscard]] bool differs(ExrOriginal const& original, Imf::MultiPartInputFile& copy, int part) const;
-    void write(ExrOriginal const& original, Region const& canvas, Imf::MultiPartOutputFile& output, int part) const;
+    /// @param from the original's file, opened anew: the library must not open a part as two kinds of it
+    void write(ExrOriginal const& original, Imf::MultiPartInputFile& from, Region const& canvas, Imf::MultiPartOutputFile& output,
+               int part) const;
 
 private:
     [[nodiscard]] bool is_tiled() const { return header.hasType() ? header.type() == Imf::TILEDIMAGE : header.hasTileDescription(); }
@@ -184,8 +186,8 @@ inline void CopiedPart::write_pixels(Imf::FrameBuffer const& buffer, Imf::MultiP
     out.writeTiles(0, out.numXTiles() - 1, 0, out.numYTiles() - 1);
 }
 
-inline void CopiedPart::write(ExrOriginal const& original, Region const& canvas, Imf::MultiPartOutputFile& output, int part) const {
-    auto& from = original.library_file();
+inline void CopiedPart::write(ExrOriginal const& original, Imf::MultiPartInputFile& from, Region const& canvas,
+                              Imf::MultiPartOutputFile& output, int part) const {
     if (!is_touched()) return copy_packed(from, output, part);
     if (is_tiled() && header.tileDescription().mode != Imf::ONE_LEVEL)
         throw Error(original.listed.name, "its tiles have several levels (a mip map or rip map)", "write frames with one level");

@@ -44,9 +44,10 @@ inline std::string encoded(std::string const& file, ExrOriginal const& original,
     MemoryStream stream(file);
     std::vector<Imf::Header> headers;
     for (auto const& part : parts) headers.push_back(part.header);
+    Imf::MultiPartInputFile from(original.listed.name.c_str());
     {
         Imf::MultiPartOutputFile output(stream, headers.data(), static_cast<int>(headers.size()));
-        for (int i = 0; auto const& part : parts) part.write(original, canvas, output, i++);
+        for (int i = 0; auto const& part : parts) part.write(original, from, canvas, output, i++);
     }
     return stream.contents();
 }

@@ -29,7 +29,7 @@ public:
 
     [[nodiscard]] int parts() const { return file->parts(); }
     [[nodiscard]] Imf::Header const& header(int part) const { return file->header(part); }
-    /// The parts' pixels by the library's own interface.
+    /// The parts' pixels by the library's own interface: by Imf::InputPart and no other kind of part, which the library would confuse.
     [[nodiscard]] Imf::MultiPartInputFile& library_file() const { return *file; }
     /// A part's data window.
     [[nodiscard]] Region data_window(int part) const { return relative(file->header(part).dataWindow()); }
