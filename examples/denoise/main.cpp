@@ -63,15 +63,23 @@ int later_frames(DenoiseOptions const& options, Preset const& preset) {
     return options.extra_frames.value_or(preset.looks_ahead ? Preset::usual_later_frames : 0);
 }
 
-/// All frames that the command line asks for, on disk or not.
-std::vector<long long> frames_of(DenoiseOptions const& options, FramePattern const& in) {
+/// All frames that the command line asks for, in whichever chunk, on disk or not.
+std::vector<long long> all_frames(DenoiseOptions const& options, FramePattern const& in) {
     auto const range = range_of(in, options.first, options.last);
+    if (!options.frames.empty()) return frames_in(options.frames);
     std::vector<long long> frames;
-    if (options.frames.empty())
-        for (auto number = range.first; number <= range.last; ++number) frames.push_back(number);
-    else
-        frames = frames_in(options.frames);
-    return options.chunk.empty() ? frames : part_of(frames, chunk_in(options.chunk));
+    for (auto number = range.first; number <= range.last; ++number) frames.push_back(number);
+    return frames;
+}
+
+/// What the first of all frames is recognised as, so that all chunks go by the same; nothing where it can't be read.
+std::optional<io::SequenceNames> names_in(std::filesystem::path const& first) {
+    if (!std::filesystem::exists(first)) return std::nullopt;
+    try {
+        return io::recognise(io::ExrFile(first));
+    } catch (Error const&) {
+        return std::nullopt; // another chunk complains of it
+    }
 }
 
 void print_plan(DenoiseOptions const& options) {
@@ -90,8 +98,8 @@ void print_plan(DenoiseOptions const& options) {
 class Job {
     DenoiseOptions const& options;
     FramePattern const in;
-    std::vector<long long> const frames;
-    std::optional<io::SequenceNames> map;
+    std::vector<long long> frames;
+    std::optional<io::SequenceNames> map, names; ///< that the user gave; that the files are read by, where these are known already
     PresetChoice choice;
     Summary& summary;
     std::optional<Output> output;
@@ -100,19 +108,22 @@ class Job {
     std::optional<SequenceDenoiser> denoiser;
 
 public:
-    Job(DenoiseOptions const& o, Summary& s) : options(o), in(o.in), frames(frames_of(o, in)), summary(s) {
+    Job(DenoiseOptions const& o, Summary& s) : options(o), in(o.in), frames(all_frames(o, in)), summary(s) {
+        auto const first = in.path(frames.front());
+        if (!options.chunk.empty()) frames = part_of(frames, chunk_in(options.chunk));
         if (!options.map.empty()) map = read_map(options.map);
+        names = map ? map : names_in(first);
         if (!options.preset.empty()) choice.preset = &preset_of(options.preset);
         output.emplace(options, in, frames);
         for (auto const number : frames) (options.skip_existing && output->has(number) ? summary.skipped : wanted).push_back(number);
         if (wanted.empty()) return;
-        if (!choice.preset) choice = suitable_preset(in.path(wanted.front()), map);
+        if (!choice.preset) choice = suitable_preset(in.path(wanted.front()), names);
         summary.preset = choice.preset->name, summary.preset_reason = choice.reason;
         if (!options.layers.empty()) output->check(wanted.front());
         comparison.emplace(options, wanted);
         denoiser.emplace(SequenceSettings{.preset = *choice.preset,
                                           .threads = options.threads,
-                                          .map = map,
+                                          .map = names,
                                           .shutter = options.shutter,
                                           .later_frames = later_frames(options, *choice.preset),
                                           .diagnose = options.diagnose,
