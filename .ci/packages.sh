@@ -71,6 +71,13 @@ wish_for_browser() {
         echo "apt could not install ${missing[*]}: tests that open pages in a browser are skipped." >&2
 }
 
+# wish_for_slurm: the farm that jobs are tested on. It brings services, so that only machines of continuous integration get it.
+wish_for_slurm() {
+    [ -n "${CI:-}" ] && [ -z "${QUELL_PACKAGES_INSTALLED:-}" ] && ! command -v sbatch >/dev/null || return 0
+    (without_recommended=1 install_packages slurm-wlm 2>/dev/null) ||
+        echo "apt could not install slurm-wlm: the test of Slurm's job is skipped." >&2
+}
+
 install_packages() {
     local as_root=()
     if [ "$(id -u)" -ne 0 ]; then

@@ -74,6 +74,7 @@ step_tsan() {
 
 need_packages "${build_packages[@]}" "${library_packages[@]}" "${program_packages[@]}" "${test_packages[@]}"
 wish_for_browser
+wish_for_slurm
 steps=()
 for word in "$@"; do
     if declare -F "step_$word" >/dev/null; then

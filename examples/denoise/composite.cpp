@@ -46,13 +46,24 @@ std::vector<std::string> picture_planes(io::SequenceNames const& names) {
 
 metrics::Picture composite(io::ExrImage const& image, io::SequenceNames const& names,
                            std::function<metrics::Picture(std::size_t)> const& signal, long long& missing) {
+    std::vector<metrics::Picture> none;
+    return composite(image, names, signal, missing, none);
+}
+
+metrics::Picture composite(io::ExrImage const& image, io::SequenceNames const& names,
+                           std::function<metrics::Picture(std::size_t)> const& signal, long long& missing,
+                           std::vector<metrics::Picture>& parts) {
+    parts.clear();
     auto sum = picture_of(image, names.added, 0.f);
     drop_non_finite(sum, missing);
     for (std::size_t s = 0; s < names.of_signals.size(); ++s) {
-        auto const part = signal(s);
+        auto& part = parts.emplace_back(signal(s));
         auto factor = picture_of(image, names.of_signals[s].factor, 1.f);
         drop_non_finite(factor, missing);
-        for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += part.pixels[i] * factor.pixels[i];
+        for (std::size_t i = 0; i < sum.pixels.size(); ++i) {
+            part.pixels[i] *= factor.pixels[i];
+            sum.pixels[i] += part.pixels[i];
+        }
     }
     drop_non_finite(sum, missing); // numbers that are finite can have a product that isn't
     return sum;

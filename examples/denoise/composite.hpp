@@ -15,6 +15,11 @@ namespace quell::examples {
 [[nodiscard]] metrics::Picture composite(io::ExrImage const& image, io::SequenceNames const& names,
                                          std::function<metrics::Picture(std::size_t)> const& signal, long long& missing);
 
+/// The same, and what each signal adds to it: its picture times its factor.
+[[nodiscard]] metrics::Picture composite(io::ExrImage const& image, io::SequenceNames const& names,
+                                         std::function<metrics::Picture(std::size_t)> const& signal, long long& missing,
+                                         std::vector<metrics::Picture>& parts);
+
 /// The planes that this takes, beside those of the signals.
 [[nodiscard]] std::vector<std::string> composite_planes(io::SequenceNames const& names);
 

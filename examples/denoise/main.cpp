@@ -1,83 +1,47 @@
 #include <denoise/composite.hpp>
-#include <denoise/debug_view.hpp>
+#include <denoise/frame_list.hpp>
 #include <denoise/map_file.hpp>
 #include <denoise/options.hpp>
+#include <denoise/output.hpp>
+#include <denoise/preset_memory.hpp>
 #include <denoise/presets.hpp>
 #include <denoise/scores.hpp>
 #include <denoise/sequence_denoiser.hpp>
+#include <denoise/summary.hpp>
 #include <support/frame_pattern.hpp>
-#include <support/output_folder.hpp>
 #include <support/program.hpp>
 #include <support/progress.hpp>
 
-#include <quell/io/write_exr.hpp>
-
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <sstream>
 
 using namespace quell;
 using namespace quell::examples;
 
 namespace {
 
-struct Range : FrameRange {
-    long long begin; ///< from here on frames are denoised, from first on they are written
-};
-
-Range range_of(DenoiseOptions const& options, FramePattern const& in) {
-    auto const range = examples::range_of(in, options.first, options.last);
-    // A shot's first frames have none before them to warm up with.
-    return {range, std::max(range.first - options.warmup, std::min(range.first, in.on_disk().front()))};
-}
-
-/// Where the results go.
-class Output {
-    std::optional<FramePattern> pattern;
-
-public:
-    Output(DenoiseOptions const& options, FramePattern const& in, Range const& range) {
-        if (options.out.empty()) return;
-        pattern.emplace(options.out);
-        auto const written = in.on_disk(range.first, range.last);
-        check_keeps(in, "the input's own files", *pattern, written);
-        if (!options.reference.empty()) check_keeps(FramePattern(options.reference), "the references", *pattern, written);
-        auto const folder = pattern->path(range.first).parent_path();
-        make_output_folder(folder.empty() ? "." : folder);
-    }
-
-    void write(long long number, metrics::Picture const& picture) const {
-        if (!pattern) return;
-        io::ExrImage image{.name = pattern->path(number).string(), .size = picture.size};
-        for (int c = 0; auto const* const name : {"R", "G", "B"}) {
-            io::Plane plane{.name = name, .type = io::SampleType::half, .values = {}};
-            for (auto const& pixel : picture.pixels) plane.values.push_back(pixel[c]);
-            image.planes.push_back(std::move(plane));
-            ++c;
-        }
-        store([&] { io::write_exr(image.name, image); });
-    }
-
-    void write_views(long long number, std::string const& view, std::vector<std::pair<std::string, DebugImage>> const& images) const {
-        for (auto const& each : images) store([&] { write_debug_view(pattern->path(number), view, each.first, each.second); });
-    }
-};
-
 /// The references that there are, and the table.
 class Comparison {
     std::optional<FramePattern> pattern;
+    std::ostringstream nowhere;
     std::optional<Scores> scores;
 
 public:
-    Comparison(std::string const& reference, Range const& range) {
-        if (reference.empty()) return;
-        pattern.emplace(reference);
-        static_cast<void>(numbers_of_references(*pattern, range)); // there is at least one
-        scores.emplace(std::cout);
+    Comparison(DenoiseOptions const& options, std::vector<long long> const& frames) {
+        if (options.reference.empty()) return;
+        pattern.emplace(options.reference);
+        // There must be at least one.
+        auto const with_reference = numbers_of_references(*pattern, {frames.front(), frames.back()});
+        if (std::ranges::none_of(frames, [&](auto number) { return std::ranges::binary_search(with_reference, number); }))
+            throw Error(pattern->text(), "there is none for these frames", "give converged frames with the numbers of the noisy ones");
+        scores.emplace(options.json ? static_cast<std::ostream&>(nowhere) : std::cout);
     }
 
-    void add(long long number, metrics::Picture const& picture, std::optional<io::SequenceNames> const& map) {
+    void add(long long number, metrics::Picture const& picture, std::optional<io::SequenceNames> const& map, Summary& summary) {
         if (!pattern || !std::filesystem::exists(pattern->path(number))) return;
-        scores->add(number, read_reference(pattern->path(number), map, picture.size), picture);
+        summary.scores.emplace_back(number, scores->add(number, read_reference(pattern->path(number), map, picture.size), picture));
     }
     void finish() const {
         if (scores) scores->finish();
@@ -99,59 +63,155 @@ int later_frames(DenoiseOptions const& options, Preset const& preset) {
     return options.extra_frames.value_or(preset.looks_ahead ? Preset::usual_later_frames : 0);
 }
 
+/// All frames that the command line asks for, in whichever chunk, on disk or not.
+std::vector<long long> all_frames(DenoiseOptions const& options, FramePattern const& in) {
+    auto const range = range_of(in, options.first, options.last);
+    if (!options.frames.empty()) return frames_in(options.frames);
+    std::vector<long long> frames;
+    for (auto number = range.first; number <= range.last; ++number) frames.push_back(number);
+    return frames;
+}
+
+/// What the first of all frames is recognised as, so that all chunks go by the same; nothing where it can't be read.
+std::optional<io::SequenceNames> names_in(std::filesystem::path const& first) {
+    if (!std::filesystem::exists(first)) return std::nullopt;
+    try {
+        return io::recognise(io::ExrFile(first));
+    } catch (Error const&) {
+        return std::nullopt; // another chunk complains of it
+    }
+}
+
 void print_plan(DenoiseOptions const& options) {
     auto const choose = [&] {
         if (!options.preset.empty()) return &preset_of(options.preset);
         FramePattern const in(options.in);
         std::optional<io::SequenceNames> map;
         if (!options.map.empty()) map = read_map(options.map);
-        return suitable_preset(in.path(range_of(options, in).begin), map).preset;
+        return suitable_preset(in.path(range_of(in, options.first, options.last).first), map).preset;
     };
     auto const& preset = *choose();
     std::cout << preset.name << "\n\n" << preset.make({1, 1}, 1)->plan();
 }
 
-void denoise(DenoiseOptions const& options) {
+/// One run over a sequence. Everything that can be refused is, before the first frame.
+class Job {
+    DenoiseOptions const& options;
+    FramePattern const in;
+    std::vector<long long> frames;
+    std::optional<io::SequenceNames> map, names; ///< that the user gave; that the files are read by, where these are known already
     PresetChoice choice;
-    if (!options.preset.empty()) choice.preset = &preset_of(options.preset);
-    FramePattern const in(options.in);
-    auto const range = range_of(options, in);
-    std::optional<io::SequenceNames> map;
-    if (!options.map.empty()) map = read_map(options.map);
-    if (!choice.preset) choice = suitable_preset(in.path(range.begin), map);
-    auto const& preset = *choice.preset;
-    Output const output(options, in, range);
-    Comparison comparison(options.reference, range);
-    SequenceDenoiser denoiser({.preset = preset,
-                               .threads = options.threads,
-                               .map = map,
-                               .shutter = options.shutter,
-                               .later_frames = later_frames(options, preset),
-                               .diagnose = options.diagnose,
-                               .debug_views = options.debug_views});
-    int findings = 0;
-    {
-        Progress progress(preset.name, range.last - range.begin + 1, !options.quiet);
-        for (auto number = range.begin; number <= range.last; ++number) {
-            progress.show(number - range.begin, in.path(number).filename().string());
-            auto const picture = denoiser.next(in, number);
-            for (auto const& finding : denoiser.findings())
-                progress.say("quell-denoise: frame " + std::to_string(number) + ": " + to_string(finding)), ++findings;
-            if (number < range.first) continue;
-            output.write(number, picture);
-            for (auto const& view : options.debug_views) output.write_views(number, view, denoiser.debug_images(view));
-            comparison.add(number, picture, map);
+    Summary& summary;
+    std::optional<Output> output;
+    std::vector<long long> wanted; ///< frames that are to be written
+    std::optional<Comparison> comparison;
+    std::optional<SequenceDenoiser> denoiser;
+
+public:
+    Job(DenoiseOptions const& o, Summary& s) : options(o), in(o.in), frames(all_frames(o, in)), summary(s) {
+        auto const first = in.path(frames.front());
+        if (!options.chunk.empty()) frames = part_of(frames, chunk_in(options.chunk));
+        if (!options.map.empty()) map = read_map(options.map);
+        names = map ? map : names_in(first);
+        if (!options.preset.empty()) choice.preset = &preset_of(options.preset);
+        output.emplace(options, in, frames);
+        for (auto const number : frames) (options.skip_existing && output->has(number) ? summary.skipped : wanted).push_back(number);
+        if (wanted.empty()) return;
+        if (!choice.preset) choice = suitable_preset(in.path(wanted.front()), names);
+        summary.preset = choice.preset->name, summary.preset_reason = choice.reason;
+        if (!options.layers.empty()) output->check(wanted.front());
+        comparison.emplace(options, wanted);
+        denoiser.emplace(SequenceSettings{.preset = *choice.preset,
+                                          .threads = options.threads,
+                                          .map = names,
+                                          .shutter = options.shutter,
+                                          .later_frames = later_frames(options, *choice.preset),
+                                          .diagnose = options.diagnose,
+                                          .debug_views = options.debug_views});
+    }
+
+    void run() {
+        if (wanted.empty()) return;
+        WarmUp const warm_up{options.warmup ? *options.warmup : usual_warm_up(choice.preset->name), !options.warmup};
+        auto const steps = steps_for(wanted, warm_up, in.on_disk());
+        Progress progress(choice.preset->name, static_cast<long long>(steps.size()), !options.quiet);
+        for (long long done = 0; auto const& step : steps) {
+            progress.show(done++, in.path(step.number).filename().string());
+            if (step.begins) denoiser->forget();
+            if (step.is_written)
+                write(step.number, progress);
+            else
+                warm_up_with(step.number, progress);
+        }
+        comparison->finish();
+    }
+
+    /// Adds what the denoiser knows, of a run that was stopped too.
+    void finish() {
+        if (output)
+            for (auto const& remark : output->remarks()) summary.remarks.push_back(remark);
+        if (!denoiser) return;
+        summary.missing_samples = denoiser->missing_samples();
+        summary.milliseconds = denoiser->milliseconds();
+        summary.bytes_per_pixel = denoiser->bytes_per_pixel();
+        if (!denoiser->names()) return;
+        summary.renderer = denoiser->names()->renderer;
+        summary.remarks.insert(summary.remarks.begin(), denoiser->names()->remarks.begin(), denoiser->names()->remarks.end());
+        if (auto const changes = denoiser->canvas_changes(); changes > 0)
+            summary.remarks.push_back("history started afresh " + std::to_string(changes) +
+                                      " times, where data windows began to reach farther out of the display window");
+    }
+
+private:
+    void report_findings(long long number, Progress& progress) {
+        for (auto const& finding : denoiser->findings()) {
+            auto const text = "frame " + std::to_string(number) + ": " + to_string(finding);
+            progress.say("quell-denoise: " + text);
+            summary.findings.push_back(text);
         }
     }
-    comparison.finish();
+    /// Where nobody asked for these frames, a broken one is as good as none.
+    void warm_up_with(long long number, Progress& progress) {
+        try {
+            static_cast<void>(denoiser->next_whole(in, number));
+        } catch (Error const&) {
+            if (options.warmup) throw;
+            denoiser->forget();
+        }
+        ++summary.warm_up_frames;
+        report_findings(number, progress);
+    }
+    void write(long long number, Progress& progress) {
+        auto frame = denoiser->next_whole(in, number);
+        report_findings(number, progress);
+        auto const shown = denoiser->displayed(frame.picture);
+        output->write(number, frame, *denoiser->names());
+        for (auto const& view : options.debug_views) output->write_views(number, view, denoiser->debug_images(view));
+        summary.written.push_back(number);
+        comparison->add(number, shown, map, summary);
+    }
+};
+
+void denoise(DenoiseOptions const& options) {
+    Summary summary;
+    try {
+        Job job(options, summary);
+        try {
+            job.run();
+        } catch (...) {
+            job.finish();
+            throw;
+        }
+        job.finish();
+    } catch (std::exception const& error) {
+        summary.error = error.what();
+        if (options.json) std::cout << json_of(summary) << std::endl;
+        throw;
+    }
+    if (options.json) std::cout << json_of(summary) << '\n';
     if (options.quiet) return;
-    if (options.diagnose && findings == 0) std::fprintf(stderr, "quell-denoise: --diagnose found nothing wrong\n");
-    if (!choice.reason.empty()) std::fprintf(stderr, "quell-denoise: preset %s, since %s\n", preset.name.c_str(), choice.reason.c_str());
-    for (auto const& remark : denoiser.names()->remarks) std::fprintf(stderr, "quell-denoise: %s\n", remark.c_str());
-    auto const frames = range.last - range.first + 1, missing = denoiser.missing_samples();
-    std::fprintf(stderr, "quell-denoise: %lld %s of %s; %lld %s missing (not finite, or negative)\n", frames,
-                 frames == 1 ? "frame" : "frames", denoiser.names()->renderer.c_str(), missing,
-                 missing == 1 ? "sample was" : "samples were");
+    if (options.diagnose && summary.findings.empty()) std::fprintf(stderr, "quell-denoise: --diagnose found nothing wrong\n");
+    say(summary);
 }
 
 } // namespace

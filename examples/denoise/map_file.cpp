@@ -163,12 +163,23 @@ Json json_in(std::string const& text, std::string const& name) {
     }
 }
 
+constexpr auto name_a_layer = "write the name of a layer";
+
+std::string text_of(std::filesystem::path const& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string text(std::istreambuf_iterator<char>(file), {});
+    if (!file.is_open() || file.bad() || std::filesystem::is_directory(path))
+        throw Error(path.string(), "it can't be read", "give the path of a channel map in JSON");
+    return text;
+}
+
 } // namespace
 
 io::SequenceNames parse_map(std::string const& text, std::string const& name) {
     auto const json = json_in(text, name);
     Member const map{name, "", json};
-    check_keys(map, {"channels", "motion", "miss_from", "shutter", "signals", "added"});
+    check_keys(map, {"channels", "motion", "miss_from", "shutter", "signals", "added", "picture"});
+    if (map.has("picture")) static_cast<void>(map.at("picture").text(name_a_layer));
     auto const guides = guides_in(map);
     io::SequenceNames names{name};
     if (map.has("added")) names.added = sources_in(map.at("added"), "radiance", 3);
@@ -182,12 +193,13 @@ io::SequenceNames parse_map(std::string const& text, std::string const& name) {
     return names;
 }
 
-io::SequenceNames read_map(std::filesystem::path const& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::string const text(std::istreambuf_iterator<char>(file), {});
-    if (!file.is_open() || file.bad() || std::filesystem::is_directory(path))
-        throw Error(path.string(), "it can't be read", "give the path of a channel map in JSON");
-    return parse_map(text, path.string());
+io::SequenceNames read_map(std::filesystem::path const& path) { return parse_map(text_of(path), path.string()); }
+
+std::optional<std::string> read_picture_layer(std::filesystem::path const& path) {
+    auto const json = json_in(text_of(path), path.string());
+    Member const map{path.string(), "", json};
+    if (!json.is_object() || !map.has("picture")) return std::nullopt;
+    return map.at("picture").text(name_a_layer);
 }
 
 } // namespace quell::examples

@@ -3,6 +3,7 @@
 #include <quell/io/sequence_names.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,7 +17,8 @@ inline constexpr std::string_view map_example =
  "shutter":   0.5,
  "signals":   [{"radiance": "beauty", "albedo": "base_color"},
                {"irradiance": {"from": ["diffuse_direct", "diffuse_indirect"]}, "albedo": "diffuse_color"}],
- "added":     "emission"})";
+ "added":     "emission",
+ "picture":   "beauty"})";
 
 /// Reads a channel map, by which quell-denoise understands any renderer's files: a JSON object such as map_example. What it leaves out goes
 /// by quell's own names.
@@ -25,5 +27,9 @@ inline constexpr std::string_view map_example =
 
 /// The same from text; `name` is what messages call it.
 [[nodiscard]] io::SequenceNames parse_map(std::string const& text, std::string const& name);
+
+/// The layer that a map says the denoised picture goes to, where it says that.
+/// @throws Error as read_map does
+[[nodiscard]] std::optional<std::string> read_picture_layer(std::filesystem::path const& file);
 
 } // namespace quell::examples

@@ -37,17 +37,27 @@ std::string preset_groups() {
 
 void describe(CLI::App& app, DenoiseOptions& options) {
     app.add_option("--in", options.in, "Noisy frames, e.g. 'dir/frame.%04d.exr'");
-    app.add_option("--out", options.out, "Denoised frames, e.g. 'dir/out.%04d.exr': channels R, G, B");
+    app.add_option("--out", options.out, "Denoised frames, e.g. 'dir/out.%04d.exr': all of the input, with the picture denoised");
+    app.add_option(
+           "--layers", options.layers,
+           "Which layers to write: any of all, picture (the denoised image and its alpha), signals (what each denoised signal adds to "
+           "it), and names of the input's layers, channels or parts (default: all)")
+        ->delimiter(',');
     app.add_option("--preset", options.preset,
                    "How to denoise; --list names them (default: what suits the files' channels: blur where they have "
                    "sweeps and times, trmv where they have what shadows and reflections move by, else final-frame)");
     app.add_option("--first", options.first, "Number of the first frame (default: the first that there is)");
     app.add_option("--last", options.last, "Number of the last frame (default: the last that there is)");
+    app.add_option("--frames", options.frames, "The frames in place of --first and --last: numbers and ranges, as in 1-48,60 or 1-99x2");
+    app.add_option("--chunk", options.chunk, "A part of the frames, for a farm's jobs: 2/6 is the second of six in a row");
+    app.add_flag("--skip-existing", options.skip_existing, "Leave out frames whose output is there already and is whole");
     app.add_option("--reference", options.reference, "Converged frames, e.g. 'dir/ref.%04d.exr': prints frame,rmse,ssim,flip as CSV");
     app.add_option("--map", options.map, "JSON file that names the channels of another renderer, see below");
     app.add_option("--shutter", options.shutter,
                    "Part of the frame time during which the shutter is open (default: what the map says, or else the files, or else 0.5)");
-    app.add_option("--warmup", options.warmup, "Frames before the first to denoise without writing them (default: 0)");
+    app.add_option("--warmup", options.warmup,
+                   "Frames before the first, and before each gap in the list, to denoise without writing them (default: so many that "
+                   "frames come out as from the whole sequence, as far as the preset remembers; fewer where there are none)");
     app.add_option(
         "--extra-frames", options.extra_frames,
         "Later frames that each one is denoised with, 0 to 8 (default: 2 with the presets final-frame and general, the only ones that "
@@ -61,6 +71,7 @@ void describe(CLI::App& app, DenoiseOptions& options) {
                        " (clamp of presets that clamp only); slower, and on one thread")
         ->delimiter(',');
     app.add_flag("--quiet", options.quiet, "Say nothing on stderr but errors");
+    app.add_flag("--json", options.json, "Print a summary for scripts on stdout: one JSON object, with the rows of --reference in it");
     app.add_flag("--list", options.list, "Print the names of the presets");
     app.add_flag(
         "--plan", options.plan,
@@ -74,6 +85,13 @@ void check_debug_views(DenoiseOptions const& options) {
         if (!is_debug_view(view)) throw Error("--debug-view", "there is no view '" + view + "'", "choose any of: " + debug_view_names());
     if (!options.debug_views.empty() && options.out.empty())
         throw Error("--debug-view", "--out is missing", "say where the result goes: views are written beside it");
+}
+
+void check_output(DenoiseOptions const& options) {
+    if (!options.frames.empty() && (options.first || options.last))
+        throw Error("--frames", "--first or --last is there too", "leave one or the other out");
+    for (auto const& [name, is_there] : {std::pair{"--skip-existing", options.skip_existing}, {"--layers", !options.layers.empty()}})
+        if (is_there && options.out.empty()) throw Error(name, "--out is missing", "say where the result goes");
 }
 
 void check(DenoiseOptions const& options) {
@@ -90,7 +108,8 @@ void check(DenoiseOptions const& options) {
         throw Error("--shutter", std::to_string(*options.shutter), "give a part of the frame time, such as 0.5");
     if (options.extra_frames && (*options.extra_frames < 0 || *options.extra_frames > 8))
         throw Error("--extra-frames", std::to_string(*options.extra_frames), "give 0 to 8 frames");
-    if (options.warmup < 0) throw Error("--warmup", std::to_string(options.warmup), "give 0 or more frames");
+    if (options.warmup.value_or(0) < 0) throw Error("--warmup", std::to_string(*options.warmup), "give 0 or more frames");
+    check_output(options);
 }
 
 } // namespace

@@ -11,12 +11,15 @@ struct DenoiseOptions {
     std::string in, out, reference, map;
     std::string preset; ///< empty: what suits the files
     std::optional<long long> first, last;
-    long long warmup = 0;
+    std::string frames;              ///< a list; empty: from first to last
+    std::string chunk;               ///< a part of them, as 2/6; empty: all
+    std::optional<long long> warmup; ///< without one, what the preset remembers
+    std::vector<std::string> layers; ///< to write; empty: all
     std::optional<int> extra_frames; ///< later ones that each frame is denoised with
     int threads = 0;
     std::optional<float> shutter; ///< of all frames, whatever the map and the files say
     std::vector<std::string> debug_views;
-    bool quiet = false, list = false, plan = false, diagnose = false;
+    bool quiet = false, list = false, plan = false, diagnose = false, skip_existing = false, json = false;
 };
 
 /// Nothing where help was asked for, which has then been printed.

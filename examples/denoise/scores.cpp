@@ -6,12 +6,13 @@ namespace quell::examples {
 
 Scores::Scores(std::ostream& out_) : out(out_) { out << "frame,rmse,ssim,flip\n" << std::flush; }
 
-void Scores::add(long long frame, metrics::Picture const& reference, metrics::Picture const& output) {
+ImageErrors Scores::add(long long frame, metrics::Picture const& reference, metrics::Picture const& output) {
     auto const expected = metrics::displayed(reference), shown = metrics::displayed(output);
     auto const errors = image_errors(expected, shown);
     row(std::to_string(frame), errors);
     sum += errors;
     ++frames;
+    return errors;
 }
 
 void Scores::finish() const { row("mean", sum / frames); }

@@ -11,8 +11,8 @@ class Scores {
 public:
     /// Writes the header.
     explicit Scores(std::ostream& out);
-    /// Compares two linear pictures as a screen shows them, and writes the row at once.
-    void add(long long frame, metrics::Picture const& reference, metrics::Picture const& output);
+    /// Compares two linear pictures as a screen shows them, writes the row at once, and returns it.
+    ImageErrors add(long long frame, metrics::Picture const& reference, metrics::Picture const& output);
     /// Writes the last row.
     void finish() const;
 

@@ -1,6 +1,10 @@
 #include <denoise/composite.hpp>
 #include <denoise/sequence_denoiser.hpp>
 
+#include <quell/core/real.hpp>
+
+#include <algorithm>
+
 namespace quell::examples {
 
 namespace {
@@ -33,22 +37,66 @@ void check_debug_views(Preset const& preset, std::vector<std::string> const& vie
                         "leave it out, or choose a preset that clamps, such as surface-clamp");
 }
 
+/// Vectors in parts of the display window's size are other parts of a canvas that is larger.
+io::SequenceNames names_on_canvas(io::SequenceNames names, Extent size, Region const& canvas) {
+    auto const whole = io::detail::size_of(canvas);
+    std::array const parts{static_cast<float>(size.width) / static_cast<float>(whole.width),
+                           static_cast<float>(size.height) / static_cast<float>(whole.height)};
+    auto const scale = [&](auto channel, io::ChannelNames& channels) {
+        auto sources = io::sources_of(channels, channel);
+        for (std::size_t c = 0; c < 2; ++c) sources[c].scale *= parts[c];
+        channels.sources.insert_or_assign(channel.name, sources);
+    };
+    for (auto& signal : names.of_signals)
+        if (!(whole == size) && signal.channels.motion.unit != MotionConvention::Unit::pixel)
+            scale(motion, signal.channels), scale(motion_next, signal.channels);
+    return names;
+}
+
+/// Cameras are of the display window. This changes their projections so that the canvas is what they show.
+void put_cameras_on_canvas(io::ExrImage& image, Extent size, Region const& canvas) {
+    auto const part = [](int of, int whole) { return static_cast<float>(of) / static_cast<float>(whole); };
+    float const x = part(size.width, image.size.width), y = part(size.height, image.size.height);
+    glm::mat4 to_canvas(1.f);
+    to_canvas[0][0] = x, to_canvas[3][0] = x - 1.f - 2.f * part(canvas.x0, image.size.width);
+    to_canvas[1][1] = y, to_canvas[3][1] = 1.f - y + 2.f * part(canvas.y0, image.size.height);
+    if (image.size == size) return;
+    for (auto const* const name : {"quell:projection", "quell:projection_previous"})
+        if (auto const* const projection = image.attribute<glm::mat4>(name)) image.attributes[name] = to_canvas * *projection;
+}
+
 } // namespace
 
 SequenceDenoiser::SequenceDenoiser(SequenceSettings settings_) : settings(std::move(settings_)) {
     check_debug_views(settings.preset, settings.debug_views);
 }
 
-void SequenceDenoiser::begin(io::ExrFile const& file) {
-    if (!settings.map) settings.map = io::recognise(file);
+void SequenceDenoiser::begin(io::ExrOriginal const& file) {
+    if (!settings.map) settings.map = io::recognise(file.listed);
     if (settings.shutter)
         for (auto& signal : settings.map->of_signals) signal.channels.shutter = settings.shutter;
-    size = file.size;
+    auto const others = file.canvas();
+    if (!(file.listed.size == size)) canvas = others;
+    size = file.listed.size;
+    canvas = {std::min(canvas.x0, others.x0), std::min(canvas.y0, others.y0), std::max(canvas.x1, others.x1),
+              std::max(canvas.y1, others.y1)};
+    on_canvas = names_on_canvas(*settings.map, size, canvas);
     auto const& preset = settings.preset;
+    auto const whole = io::detail::size_of(canvas);
     for (std::size_t s = 0; s < settings.map->of_signals.size(); ++s)
-        denoisers.push_back(!settings.debug_views.empty() ? preset.make_watched(size) : preset.make(size, settings.threads));
+        denoisers.push_back(!settings.debug_views.empty() ? preset.make_watched(whole) : preset.make(whole, settings.threads));
     for (auto const& denoiser : denoisers)
         if (settings.diagnose) denoiser->diagnose();
+}
+
+bool SequenceDenoiser::is_inside(Region const& other) const {
+    return other.x0 >= canvas.x0 && other.y0 >= canvas.y0 && other.x1 <= canvas.x1 && other.y1 <= canvas.y1;
+}
+
+void SequenceDenoiser::forget() {
+    earlier_milliseconds = milliseconds();
+    denoisers.clear();
+    window.clear();
 }
 
 /// Each mistake once: it is most often in every frame, and guides are the same for all signals.
@@ -59,9 +107,9 @@ void SequenceDenoiser::collect(std::vector<Finding> const& findings) {
 }
 
 std::vector<std::string> SequenceDenoiser::planes(io::ExrFile const& file) const {
-    auto planes = composite_planes(*settings.map);
+    auto planes = composite_planes(on_canvas);
     for (std::size_t s = 0; s < denoisers.size(); ++s) {
-        auto const& channels = settings.map->of_signals[s].channels;
+        auto const& channels = on_canvas.of_signals[s].channels;
         auto const more = denoisers[s]->planes(channels);
         planes.insert(planes.end(), more.begin(), more.end());
         for (auto const& plane : denoisers[s]->optional_planes(channels))
@@ -84,7 +132,7 @@ std::vector<std::pair<std::string, DebugImage>> SequenceDenoiser::debug_images(s
 }
 
 double SequenceDenoiser::milliseconds() const {
-    double sum = 0;
+    double sum = earlier_milliseconds;
     for (auto const& denoiser : denoisers) sum += denoiser->milliseconds();
     return sum;
 }
@@ -96,17 +144,25 @@ double SequenceDenoiser::bytes_per_pixel() const {
 }
 
 void SequenceDenoiser::read(FramePattern const& in, long long number) {
-    io::ExrFile const file(in.path(number));
+    io::ExrOriginal const file(in.path(number));
     if (denoisers.empty()) begin(file);
-    if (!(file.size == size))
-        throw Error(file.name, "it is " + to_string(file.size) + " but the frames before it are " + to_string(size),
+    if (!(file.listed.size == size))
+        throw Error(file.listed.name, "it is " + to_string(file.listed.size) + " but the frames before it are " + to_string(size),
                     "denoise frames of one size, or each size by itself (--first, --last)");
-    auto image = file.read(planes(file));
-    for (std::size_t s = 0; s < denoisers.size(); ++s) denoisers[s]->look_ahead(image, settings.map->of_signals[s].channels, number);
+    if (!is_inside(file.canvas())) {
+        if (!window.empty())
+            throw Error(file.listed.name, "it holds more around its display window than the frames before it", "denoise it without them");
+        forget();
+        begin(file);
+        ++changes;
+    }
+    auto image = file.read(planes(file.listed), canvas);
+    put_cameras_on_canvas(image, size, canvas);
+    for (std::size_t s = 0; s < denoisers.size(); ++s) denoisers[s]->look_ahead(image, on_canvas.of_signals[s].channels, number);
     window.push_back({number, std::move(image)});
 }
 
-/// A frame that is missing or broken ends the window, and is complained of when it is its turn: those before it are written whole.
+/// A frame that is missing, broken or larger ends the window, and is dealt with when it is its turn: those before it are written whole.
 void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
     if (!settings.preset.looks_ahead || !settings.debug_views.empty()) return;
     for (auto later = window.back().number + 1; later <= number + settings.later_frames; ++later) {
@@ -119,21 +175,46 @@ void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
     }
 }
 
-metrics::Picture SequenceDenoiser::next(FramePattern const& in, long long number) {
+DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long number) {
     while (!window.empty() && window.front().number != number) window.pop_front();
     if (window.empty()) read(in, number);
     read_ahead(in, number);
     auto const& image = window.front().image;
     found.clear();
-    return composite(
-        image, *settings.map,
-        [&](std::size_t s) {
-            auto result = denoisers[s]->denoise(image, settings.map->of_signals[s].channels, number);
-            missing += denoisers[s]->missing_samples();
-            collect(denoisers[s]->findings());
-            return result;
-        },
-        missing);
+    DenoisedFrame frame;
+    frame.canvas = canvas;
+    auto const denoised = [&](std::size_t s) {
+        auto result = denoisers[s]->denoise(image, on_canvas.of_signals[s].channels, number);
+        missing += denoisers[s]->missing_samples();
+        collect(denoisers[s]->findings());
+        return result;
+    };
+    frame.picture = composite(image, on_canvas, denoised, missing, frame.signals);
+    if (frame.signals.size() == 1 && on_canvas.added.empty()) frame.signals.clear(); // it is the picture
+    for (std::size_t c = 0; c < on_canvas.added.size(); ++c)
+        for (auto const& plane : on_canvas.added[c].sum) frame.added[c].push_back({&image[plane].values, on_canvas.added[c].scale});
+    return frame;
+}
+
+metrics::Picture SequenceDenoiser::next(FramePattern const& in, long long number) { return displayed(next_whole(in, number).picture); }
+
+metrics::Picture SequenceDenoiser::displayed(metrics::Picture const& whole) const {
+    if (whole.size == size) return whole;
+    metrics::Picture part{size, {}};
+    for (int y = 0; y < size.height; ++y) {
+        auto const begin = whole.pixels.begin() + static_cast<std::ptrdiff_t>(y - canvas.y0) * whole.size.width - canvas.x0;
+        part.pixels.insert(part.pixels.end(), begin, begin + size.width);
+    }
+    return part;
+}
+
+void DenoisedFrame::added_at(std::size_t pixel, int component, std::vector<float>& values) const {
+    values.clear();
+    bool finite = true;
+    for (auto const& planes : added)
+        for (auto const& plane : planes) finite = finite && is_finite((*plane.values)[pixel]);
+    for (auto const& plane : added[static_cast<std::size_t>(component)])
+        if (finite) values.push_back((*plane.values)[pixel] * plane.scale);
 }
 
 } // namespace quell::examples

@@ -3,8 +3,10 @@
 #include <denoise/denoiser.hpp>
 #include <support/frame_pattern.hpp>
 
+#include <quell/io/exr/exr_original.hpp>
 #include <quell/io/sequence_names.hpp>
 
+#include <array>
 #include <deque>
 #include <filesystem>
 #include <optional>
@@ -23,6 +25,24 @@ struct SequenceSettings {
     std::vector<std::string> debug_views{}; ///< names of DebugChannels that debug_images() will be asked for: slower, and on one thread
 };
 
+/// A frame when it is denoised, with what lies outside of its display window.
+struct DenoisedFrame {
+    Region canvas;                         ///< what the pictures show, counted from the display window's corner
+    metrics::Picture picture;              ///< linear
+    std::vector<metrics::Picture> signals; ///< times their factors: what each adds to the picture
+
+    /// What is added to the signals at a pixel, in order; zeros where some of it is not finite.
+    /// @param component from 0 to 2
+    void added_at(std::size_t pixel, int component, std::vector<float>& values) const;
+
+    /// A plane of the file that is added, and what it is multiplied by.
+    struct Added {
+        std::vector<float> const* values; ///< the file's, as long as the SequenceDenoiser has this frame
+        float scale;
+    };
+    std::array<std::vector<Added>, 3> added; ///< by component
+};
+
 /// Denoises the frames of a sequence one after the other, whichever renderer wrote them.
 class SequenceDenoiser {
 public:
@@ -36,9 +56,17 @@ public:
     /// where there are several.
     [[nodiscard]] std::vector<std::pair<std::string, DebugImage>> debug_images(std::string const& view);
 
-    /// Reads, denoises and puts together one frame: a linear picture. Frames are to be asked for in order.
+    /// Reads, denoises and puts together one frame: a linear picture of its display window. Frames are to be asked for in order.
     /// @throws Error naming the file and what is wrong with it
     [[nodiscard]] metrics::Picture next(FramePattern const& in, long long number);
+    /// The same with its signals, and all that the file holds around the display window. Valid until the next frame is asked for.
+    /// @throws Error as next does
+    [[nodiscard]] DenoisedFrame next_whole(FramePattern const& in, long long number);
+    /// The part of a picture that the display window shows.
+    [[nodiscard]] metrics::Picture displayed(metrics::Picture const& whole) const;
+
+    /// Forgets all frames so far, as before frames that don't follow them.
+    void forget();
 
     [[nodiscard]] long long missing_samples() const { return missing; } ///< of all frames so far
     /// Of all frames so far: how long denoising took, without reading and loading files.
@@ -47,10 +75,16 @@ public:
     [[nodiscard]] double bytes_per_pixel() const;
     /// How the files name their channels. Known once a frame was denoised.
     [[nodiscard]] std::optional<io::SequenceNames> const& names() const { return settings.map; }
+    /// How often frames began to reach farther out of their display window, so that history started afresh.
+    [[nodiscard]] int canvas_changes() const { return changes; }
 
 private:
     SequenceSettings settings;
-    Extent size;
+    Extent size;                 ///< of the display window
+    Region canvas;               ///< what is denoised
+    io::SequenceNames on_canvas; ///< the names for images of the canvas
+    int changes = 0;
+    double earlier_milliseconds = 0;                  ///< of denoisers that are gone
     std::vector<std::unique_ptr<Denoiser>> denoisers; ///< one per signal
     long long missing = 0;
     std::set<Mistake> known; ///< those that were found already
@@ -63,7 +97,8 @@ private:
     };
     std::deque<Seen> window;
 
-    void begin(io::ExrFile const& file);
+    void begin(io::ExrOriginal const& file);
+    [[nodiscard]] bool is_inside(Region const& other) const;
     void read(FramePattern const& in, long long number);
     void read_ahead(FramePattern const& in, long long number);
     void collect(std::vector<Finding> const& findings);

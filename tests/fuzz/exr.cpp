@@ -36,6 +36,21 @@ void load_what_fits(io::ExrImage const& image) {
     io::load(frame, image, names);
 }
 
+/// What can be read can be written again.
+void copy_what_fits(std::filesystem::path const& file) {
+    io::ExrOriginal const original(file);
+    auto const canvas = original.canvas();
+    if (io::detail::size_of(canvas).pixels() >= 10000) return;
+    static_cast<void>(original.is_whole());
+    auto const& channel = original.listed.channels.front();
+    auto const image = original.read(std::vector{channel.name}, canvas);
+    auto copy = file;
+    copy += ".copy";
+    io::write_copy(copy, original,
+                   {.canvas = canvas, .numbers = {{channel.part, channel.in_part, channel.type, image.planes.front().values}}});
+    check(io::ExrFile(copy).size == original.listed.size);
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
@@ -45,6 +60,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         for (auto const& plane : image.planes) check(plane.values.size() == image.pixels());
         // What is larger only takes longer.
         if (image.pixels() < 10000) load_what_fits(image);
+        copy_what_fits(file);
     } catch (Error const& error) {
         check(std::string_view(error.what()).find('\n') == std::string_view::npos);
     }

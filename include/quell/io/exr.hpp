@@ -5,6 +5,7 @@
 //     quell::io::write_exr("frame.0001.exr", quell::io::image_of(frame));
 
 #include <quell/io/channel_names.hpp>
+#include <quell/io/exr/exr_copy.hpp>
 #include <quell/io/exr_file.hpp>
 #include <quell/io/exr_image.hpp>
 #include <quell/io/frame_image.hpp>

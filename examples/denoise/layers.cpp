@@ -1,0 +1,185 @@
+#include <denoise/layers.hpp>
+
+#include <quell/core/half.hpp>
+#include <quell/core/real.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+
+namespace quell::examples {
+
+namespace {
+
+constexpr std::array components{"R", "G", "B"};
+
+std::string layer_of(std::string const& channel) {
+    auto const dot = channel.rfind('.');
+    return dot == std::string::npos ? std::string() : channel.substr(0, dot);
+}
+
+/// A name stands for a channel, a layer, all layers below a view layer, a layer whatever its view layer, or a part.
+bool is_named(std::string const& name, std::string const& part, std::string const& channel) {
+    auto const layer = layer_of(channel);
+    return name == channel || name == layer || layer.starts_with(name + ".") || layer.ends_with("." + name) ||
+           (!part.empty() && name == part);
+}
+
+std::string list_of_layers(io::ExrFile const& file) {
+    std::set<std::string> names;
+    for (auto const& channel : file.channels) names.insert(layer_of(channel.in_part).empty() ? channel.in_part : layer_of(channel.in_part));
+    std::string list;
+    for (auto const& name : names) list += ", " + name;
+    return list;
+}
+
+ChannelTriple in_layer(std::string const& layer) {
+    ChannelTriple names;
+    for (std::size_t c = 0; c < 3; ++c) names[c] = layer + (layer.empty() ? "" : ".") + components[c];
+    return names;
+}
+
+/// The signal's own channels, where these are the picture as they are.
+std::optional<ChannelTriple> only_signal(io::SequenceNames const& names) {
+    if (names.of_signals.size() != 1 || !names.of_signals[0].factor.empty() || !names.added.empty()) return std::nullopt;
+    auto const sources = io::sources_of(names.of_signals[0].channels, radiance);
+    ChannelTriple channels;
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (sources[c].sum.size() != 1 || sources[c].scale != 1.f) return std::nullopt;
+        channels[c] = sources[c].sum[0];
+    }
+    return channels;
+}
+
+/// The view layer's name with a dot, of files that Blender wrote.
+std::string view_layer(io::ExrFile const& file, io::SequenceNames const& names) {
+    return names.renderer == "Blender Cycles" ? io::detail::view_layer_prefix(file.channels).value_or("") : "";
+}
+
+/// A name for a layer: dots would part it.
+std::string word_of(std::string name) {
+    for (auto& c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
+    while (name.ends_with('_')) name.pop_back();
+    return name;
+}
+
+float rounded(float value, io::SampleType type) {
+    return type == io::SampleType::half ? float_from_half(io::detail::stored_half(value)) : value;
+}
+
+std::vector<float> component_of(metrics::Picture const& picture, std::size_t c) {
+    std::vector<float> values;
+    values.reserve(picture.pixels.size());
+    for (auto const& pixel : picture.pixels) values.push_back(pixel[static_cast<glm::length_t>(c)]);
+    return values;
+}
+
+/// The part that new channels go to: that of the signal's light.
+int home_part(io::ExrFile const& file, io::SequenceNames const& names) {
+    for (auto const& source : io::sources_of(names.of_signals[0].channels, radiance))
+        for (auto const& plane : source.sum)
+            if (auto const* const channel = file.find(plane)) return channel->part;
+    return file.channels.front().part;
+}
+
+struct Place {
+    int part;
+    std::string name;
+    io::SampleType type;
+};
+Place place_of(std::string const& name, io::ExrFile const& file, io::SequenceNames const& names, io::SampleType otherwise) {
+    if (auto const* const channel = file.find(name)) return {channel->part, channel->in_part, channel->type};
+    return {home_part(file, names), name, otherwise};
+}
+
+} // namespace
+
+bool LayerChoice::has(std::string const& word) const {
+    return names.empty() || std::ranges::find(names, word) != names.end() || std::ranges::find(names, "all") != names.end();
+}
+
+bool LayerChoice::keeps(std::string const& part, std::string const& channel) const {
+    return has("all") || std::ranges::any_of(names, [&](auto const& name) { return is_named(name, part, channel); });
+}
+
+void LayerChoice::check(io::ExrFile const& file) const {
+    for (auto const& name : names) {
+        if (name == "all" || name == "picture" || name == "signals") continue;
+        if (std::ranges::none_of(file.channels, [&](auto const& c) { return is_named(name, c.part_name, c.in_part); }))
+            throw Error("--layers", "there is no layer '" + name + "' in " + file.name,
+                        "choose any of: all, picture, signals" + list_of_layers(file));
+    }
+}
+
+ChannelTriple picture_channels(io::ExrFile const& file, io::SequenceNames const& names, std::optional<std::string> const& said) {
+    if (said) return in_layer(*said);
+    if (auto const only = only_signal(names)) return *only;
+    auto const layer = view_layer(file, names);
+    return in_layer(layer.empty() ? layer : layer + "Combined");
+}
+
+std::vector<ChannelTriple> signal_channels(io::ExrFile const& file, io::SequenceNames const& names) {
+    if (names.of_signals.size() == 1 && names.added.empty()) return {};
+    std::vector<ChannelTriple> channels;
+    for (auto const& signal : names.of_signals) {
+        channels.push_back(in_layer(view_layer(file, names) + "denoised_" + word_of(signal.name)));
+        if (std::ranges::count(channels, channels.back()) > 1)
+            throw Error(names.renderer, "two signals have the name '" + signal.name + "'", "give each a name of its own");
+    }
+    return channels;
+}
+
+void add_up_exactly(DenoisedFrame& frame, std::array<io::SampleType, 3> const& type) {
+    std::vector<float> added;
+    for (int c = 0; c < 3; ++c)
+        for (std::size_t i = 0; i < frame.picture.pixels.size(); ++i) {
+            auto& whole = frame.picture.pixels[i][c];
+            whole = rounded(whole, type[static_cast<std::size_t>(c)]);
+            if (frame.signals.empty()) continue;
+            frame.added_at(i, c, added);
+            auto const sum = [&] {
+                float all = 0;
+                for (auto const& signal : frame.signals) all += signal.pixels[i][c];
+                for (auto const value : added) all += value;
+                return all;
+            };
+            auto* strongest = &frame.signals[0].pixels[i][c];
+            double rest = 0;
+            for (auto& signal : frame.signals) {
+                auto& part = signal.pixels[i][c];
+                if (!is_finite(part)) part = 0.f;
+                rest += static_cast<double>(part);
+                if (std::abs(part) > std::abs(*strongest)) strongest = &part;
+            }
+            for (auto const value : added) rest += static_cast<double>(value);
+            *strongest = static_cast<float>(static_cast<double>(whole) - (rest - static_cast<double>(*strongest)));
+            for (int tries = 0; tries < 8 && sum() != whole; ++tries)
+                *strongest = std::nextafter(*strongest, sum() < whole ? INFINITY : -INFINITY);
+        }
+}
+
+io::ExrChanges changes_for(DenoisedFrame& frame, io::ExrFile const& file, io::SequenceNames const& names,
+                           std::optional<std::string> const& picture_layer, LayerChoice const& layers) {
+    auto const picture = picture_channels(file, names, picture_layer);
+    auto const layer = layer_of(picture[0]);
+    auto const alpha = layer.empty() ? "A" : layer + ".A"; // belongs to the picture
+    io::ExrChanges changes{.canvas = frame.canvas, .keeps = [=, &layers](auto const& part, auto const& channel) {
+                               return layers.keeps(part, channel) || (layers.has_picture() && channel == alpha);
+                           }};
+    auto const put = [&](Place const& place, metrics::Picture const& of, std::size_t c) {
+        changes.numbers.push_back({place.part, place.name, place.type, component_of(of, c)});
+    };
+    std::vector<Place> places;
+    for (auto const& name : picture) places.push_back(place_of(name, file, names, io::SampleType::half));
+    add_up_exactly(frame, {places[0].type, places[1].type, places[2].type});
+    for (std::size_t c = 0; c < 3; ++c)
+        if (layers.has_picture() || layers.keeps("", places[c].name)) put(places[c], frame.picture, c);
+    auto const signals = signal_channels(file, names);
+    for (std::size_t s = 0; s < signals.size() && layers.has_signals(); ++s)
+        for (std::size_t c = 0; c < 3; ++c) put(place_of(signals[s][c], file, names, io::SampleType::float32), frame.signals[s], c);
+    return changes;
+}
+
+} // namespace quell::examples

@@ -1,0 +1,58 @@
+#include <denoise/debug_view.hpp>
+#include <denoise/map_file.hpp>
+#include <denoise/output.hpp>
+#include <support/output_folder.hpp>
+#include <support/program.hpp>
+
+namespace quell::examples {
+
+Output::Output(DenoiseOptions const& options, FramePattern const& input, std::vector<long long> const& numbers)
+    : in(input), layers(options.layers) {
+    if (!options.map.empty()) picture_layer = read_picture_layer(options.map);
+    if (options.out.empty()) return;
+    pattern.emplace(options.out);
+    std::vector<long long> there;
+    for (auto const number : numbers)
+        if (std::filesystem::exists(in.path(number))) there.push_back(number);
+    check_keeps(in, "the input's own files", *pattern, there);
+    if (!options.reference.empty()) check_keeps(FramePattern(options.reference), "the references", *pattern, there);
+    if (numbers.empty()) return;
+    auto const folder = pattern->path(numbers.front()).parent_path();
+    make_output_folder(folder.empty() ? "." : folder);
+}
+
+bool Output::has(long long number) const {
+    if (!pattern || !std::filesystem::exists(pattern->path(number))) return false;
+    try {
+        return io::ExrOriginal(pattern->path(number)).is_whole();
+    } catch (Error const&) {
+        return false;
+    }
+}
+
+void Output::check(long long first) const {
+    if (pattern) layers.check(io::ExrFile(in.path(first)));
+}
+
+void Output::write(long long number, DenoisedFrame& frame, io::SequenceNames const& names) {
+    if (!pattern) return;
+    io::ExrOriginal const original(in.path(number));
+    layers.check(original.listed);
+    auto const changes = changes_for(frame, original.listed, names, picture_layer, layers);
+    store([&] {
+        for (auto const& part : io::write_copy(pattern->path(number), original, changes)) lossless.insert(part);
+    });
+}
+
+void Output::write_views(long long number, std::string const& view, std::vector<std::pair<std::string, DebugImage>> const& images) const {
+    for (auto const& each : images) store([&] { write_debug_view(pattern->path(number), view, each.first, each.second); });
+}
+
+std::vector<std::string> Output::remarks() const {
+    std::vector<std::string> lines;
+    for (auto const& part : lossless)
+        lines.push_back("part '" + part + "' is packed without loss (ZIP): its lossy compression would change ids, depth or other data");
+    return lines;
+}
+
+} // namespace quell::examples

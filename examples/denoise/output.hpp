@@ -1,0 +1,38 @@
+#pragma once
+
+#include <denoise/layers.hpp>
+#include <denoise/options.hpp>
+#include <support/frame_pattern.hpp>
+
+#include <quell/diagnose/debug_channels.hpp>
+
+#include <optional>
+#include <set>
+
+namespace quell::examples {
+
+/// Where the results of quell-denoise go.
+class Output {
+    FramePattern in;
+    std::optional<FramePattern> pattern;
+    LayerChoice layers;
+    std::optional<std::string> picture_layer; ///< that the map names
+    std::set<std::string> lossless;           ///< parts that can't be packed as they were
+
+public:
+    /// Makes the folder. @param numbers of the frames that may be written
+    /// @throws Error where a result would take the place of an input or a reference, or can't be written
+    Output(DenoiseOptions const& options, FramePattern const& input, std::vector<long long> const& numbers);
+
+    /// Whether the output of a frame is there, and whole.
+    [[nodiscard]] bool has(long long number) const;
+    /// Makes sure that a frame has the layers to write. @throws Error naming the one that it has not
+    void check(long long first) const;
+    /// Writes the input's file again, with what was denoised in its place.
+    void write(long long number, DenoisedFrame& frame, io::SequenceNames const& names);
+    void write_views(long long number, std::string const& view, std::vector<std::pair<std::string, DebugImage>> const& images) const;
+    /// What the user should know, a line each.
+    [[nodiscard]] std::vector<std::string> remarks() const;
+};
+
+} // namespace quell::examples

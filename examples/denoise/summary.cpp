@@ -1,0 +1,54 @@
+#include <denoise/summary.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace quell::examples {
+
+namespace {
+using Json = nlohmann::ordered_json;
+
+Json json_of(ImageErrors const& errors) { return {{"rmse", errors.rmse}, {"ssim", errors.ssim}, {"flip", errors.flip}}; }
+} // namespace
+
+std::string json_of(Summary const& summary) {
+    Json json{{"preset", summary.preset},
+              {"preset_reason", summary.preset_reason},
+              {"renderer", summary.renderer},
+              {"written", summary.written},
+              {"skipped", summary.skipped},
+              {"warm_up_frames", summary.warm_up_frames},
+              {"missing_samples", summary.missing_samples},
+              {"milliseconds", summary.milliseconds},
+              {"bytes_per_pixel", summary.bytes_per_pixel},
+              {"findings", summary.findings},
+              {"remarks", summary.remarks}};
+    if (!summary.scores.empty()) {
+        ImageErrors sum;
+        auto& rows = json["scores"] = Json::array();
+        for (auto const& [frame, errors] : summary.scores) {
+            Json row{{"frame", frame}};
+            row.update(json_of(errors));
+            rows.push_back(row);
+            sum += errors;
+        }
+        json["mean"] = json_of(sum / static_cast<int>(summary.scores.size()));
+    }
+    if (summary.error) json["error"] = *summary.error;
+    // File names may have any bytes.
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+void say(Summary const& summary) {
+    if (!summary.preset_reason.empty())
+        std::fprintf(stderr, "quell-denoise: preset %s, since %s\n", summary.preset.c_str(), summary.preset_reason.c_str());
+    for (auto const& remark : summary.remarks) std::fprintf(stderr, "quell-denoise: %s\n", remark.c_str());
+    if (!summary.skipped.empty()) std::fprintf(stderr, "quell-denoise: %zu skipped, since their output is there\n", summary.skipped.size());
+    auto const frames = summary.written.size();
+    auto const of = summary.renderer.empty() ? std::string() : " of " + summary.renderer;
+    std::fprintf(stderr, "quell-denoise: %zu %s%s; %lld %s missing (not finite, or negative)\n", frames, frames == 1 ? "frame" : "frames",
+                 of.c_str(), summary.missing_samples, summary.missing_samples == 1 ? "sample was" : "samples were");
+}
+
+} // namespace quell::examples

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <support/image_errors.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace quell::examples {
+
+/// What quell-denoise has done.
+struct Summary {
+    std::string preset, preset_reason, renderer;
+    std::vector<long long> written, skipped; ///< numbers of frames; without --out, those that were denoised
+    long long warm_up_frames = 0;            ///< denoised and not written
+    long long missing_samples = 0;           ///< that were not finite, or negative
+    double milliseconds = 0;                 ///< of denoising alone
+    double bytes_per_pixel = 0;              ///< of history and scratch
+    std::vector<std::string> findings, remarks;
+    std::vector<std::pair<long long, ImageErrors>> scores; ///< of the frames that have a reference
+    std::optional<std::string> error;                      ///< why it stopped
+};
+
+/// One JSON object on a line, with all of it.
+[[nodiscard]] std::string json_of(Summary const& summary);
+/// Writes the sentences for people on stderr.
+void say(Summary const& summary);
+
+} // namespace quell::examples

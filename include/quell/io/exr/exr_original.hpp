@@ -1,0 +1,146 @@
+#pragma once
+
+#include <quell/io/exr_file.hpp>
+
+namespace quell::io {
+
+/// An EXR file of which write_copy() makes another. Unlike ExrFile it also reads what lies outside of the display window. Pixels are
+/// counted from the display window's top left corner, so that overscan has negative numbers.
+class ExrOriginal {
+    std::unique_ptr<Imf::MultiPartInputFile> file;
+    Imath::Box2i display;
+
+public:
+    /// Opens a file and reads its header.
+    /// @throws Error as ExrFile does
+    explicit ExrOriginal(std::filesystem::path const& path);
+
+    ExrFile listed; ///< its channels and attributes
+
+    /// The display window together with the data windows of all flat parts.
+    [[nodiscard]] Region canvas() const;
+    /// Reads these channels, each once, onto a canvas. A depth outside of the file's data window is a miss.
+    /// @throws Error naming the file and the channel
+    [[nodiscard]] ExrImage read(std::span<std::string const> names, Region const& canvas) const;
+
+    /// Whether the first and the last row of each flat part can be read. A file that was cut off, or not copied whole, lacks one of them,
+    /// though its header is whole.
+    [[nodiscard]] bool is_whole() const;
+
+    [[nodiscard]] int parts() const { return file->parts(); }
+    [[nodiscard]] Imf::Header const& header(int part) const { return file->header(part); }
+    /// The parts' pixels by the library's own interface: by Imf::InputPart and no other kind of part, which the library would confuse.
+    [[nodiscard]] Imf::MultiPartInputFile& library_file() const { return *file; }
+    /// A part's data window.
+    [[nodiscard]] Region data_window(int part) const { return relative(file->header(part).dataWindow()); }
+
+private:
+    [[nodiscard]] Region relative(Imath::Box2i const& box) const;
+    void read_part(int part, std::vector<ExrChannel const*> const& wanted, Imath::Box2i const& canvas, ExrImage& image) const;
+};
+
+namespace detail {
+
+/// Whether a part holds deep data.
+inline bool is_deep(Imf::Header const& header) { return header.hasType() && Imf::isDeepData(header.type()); }
+
+inline Extent size_of(Region const& region) { return {region.x1 - region.x0, region.y1 - region.y0}; }
+
+/// A difference of corners; windows are checked to be at most 2^28 wide, but may lie anywhere.
+inline int difference(std::string const& file, int a, int b) {
+    auto const exact = std::int64_t(a) - b;
+    if (exact >= -max_pixels && exact <= max_pixels) return static_cast<int>(exact);
+    throw Error(file, "its data window lies " + std::to_string(exact) + " pixels from its display window", "write it again");
+}
+
+inline void check_full_resolution(std::string const& file, ExrChannel const& channel) {
+    if (channel.x_sampling == 1 && channel.y_sampling == 1) return;
+    throw Error(file + " channel '" + channel.name + "'",
+                "it is sub-sampled " + std::to_string(channel.x_sampling) + "x" + std::to_string(channel.y_sampling),
+                "write it at full resolution");
+}
+
+} // namespace detail
+
+inline ExrOriginal::ExrOriginal(std::filesystem::path const& path) : listed(path) {
+    detail::naming_file(listed.name, "its header can't be read",
+                        [&] { file = std::make_unique<Imf::MultiPartInputFile>(listed.name.c_str()); });
+    display = file->header(0).displayWindow();
+}
+
+inline Region ExrOriginal::relative(Imath::Box2i const& box) const {
+    auto const from = [&](int a, int b) { return detail::difference(listed.name, a, b); };
+    return {from(box.min.x, display.min.x), from(box.min.y, display.min.y), from(box.max.x, display.min.x) + 1,
+            from(box.max.y, display.min.y) + 1};
+}
+
+inline Region ExrOriginal::canvas() const {
+    Region all{0, 0, listed.size.width, listed.size.height};
+    for (int part = 0; part < parts(); ++part) {
+        if (detail::is_deep(header(part))) continue;
+        auto const data = data_window(part);
+        all = {std::min(all.x0, data.x0), std::min(all.y0, data.y0), std::max(all.x1, data.x1), std::max(all.y1, data.y1)};
+    }
+    detail::check_window(listed.name, "whole", {{all.x0, all.y0}, {all.x1 - 1, all.y1 - 1}});
+    return all;
+}
+
+inline bool ExrOriginal::is_whole() const {
+    try {
+        for (int part = 0; part < parts(); ++part) {
+            if (detail::is_deep(header(part))) continue;
+            auto const window = header(part).dataWindow();
+            Imf::InputPart input(*file, part);
+            auto const channel = header(part).channels().begin();
+            std::vector<float> row(static_cast<std::size_t>(detail::extent_of(window).first)); // all rows go here
+            Imf::FrameBuffer buffer;
+            buffer.insert(channel.name(), Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(row.data() - window.min.x), sizeof(float), 0,
+                                                     channel.channel().xSampling, channel.channel().ySampling));
+            input.setFrameBuffer(buffer);
+            input.readPixels(window.min.y);
+            input.readPixels(window.max.y);
+        }
+        return true;
+    } catch (std::exception const&) { // the base of OpenEXR's exceptions
+        return false;
+    }
+}
+
+inline ExrImage ExrOriginal::read(std::span<std::string const> names, Region const& canvas) const {
+    std::map<int, std::vector<ExrChannel const*>> wanted;
+    for (auto const& each : names) {
+        auto const* const channel = listed.find(each);
+        if (!channel) detail::throw_missing(listed.name, each, listed.channels);
+        detail::check_full_resolution(listed.name, *channel);
+        auto& of_part = wanted[channel->part];
+        if (std::ranges::find(of_part, channel) == of_part.end()) of_part.push_back(channel);
+    }
+    ExrImage image{listed.name, detail::size_of(canvas), {}, listed.attributes};
+    Imath::V2i const corner = display.min;
+    Imath::Box2i const box{corner + Imath::V2i(canvas.x0, canvas.y0), corner + Imath::V2i(canvas.x1 - 1, canvas.y1 - 1)};
+    for (auto const& [part, of_part] : wanted) read_part(part, of_part, box, image);
+    return image;
+}
+
+inline void ExrOriginal::read_part(int part, std::vector<ExrChannel const*> const& wanted, Imath::Box2i const& canvas,
+                                   ExrImage& image) const {
+    auto const window = header(part).dataWindow();
+    detail::check_memory(listed.name, wanted.size(), window, 1e8);
+    detail::check_memory(listed.name, wanted.size(), canvas, 1e9); // most of it lies outside a region that was rendered alone
+    auto const [width, height] = detail::extent_of(window);
+    std::vector<detail::Incoming> incoming;
+    detail::naming_file(listed.name, "its pixels can't be read, it is truncated or damaged", [&, w = width, h = height] {
+        Imf::FrameBuffer buffer;
+        incoming.reserve(wanted.size());
+        for (auto const* const channel : wanted) {
+            incoming.emplace_back(*channel, static_cast<std::size_t>(w * h));
+            buffer.insert(channel->in_part, incoming.back().slice(window));
+        }
+        Imf::InputPart input(*file, part);
+        input.setFrameBuffer(buffer);
+        input.readPixels(window.min.y, window.max.y);
+    });
+    for (auto& each : incoming) image.planes.push_back(detail::placed(std::move(each), window, canvas));
+}
+
+} // namespace quell::io
