@@ -2,15 +2,16 @@
 
 // Opt-in: finds mistakes of a host that integrates quell. Needs the same libraries as quell.hpp.
 
-#include <quell/diagnose/hypotheses/albedo_hypotheses.hpp>
-#include <quell/diagnose/hypotheses/camera_hypotheses.hpp>
-#include <quell/diagnose/hypotheses/depth_hypotheses.hpp>
-#include <quell/diagnose/hypotheses/history_hypotheses.hpp>
-#include <quell/diagnose/hypotheses/motion_by_history.hpp>
-#include <quell/diagnose/hypotheses/motion_disagreement.hpp>
-#include <quell/diagnose/hypotheses/normal_hypotheses.hpp>
-#include <quell/diagnose/hypotheses/sample_hypotheses.hpp>
-#include <quell/diagnose/hypotheses/sweep_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/guides/albedo_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/camera/camera_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/camera/wrong_geometry.hpp>
+#include <quell/diagnose/hypotheses/guides/depth_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/samples/history_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/motion/motion_by_history.hpp>
+#include <quell/diagnose/hypotheses/motion/motion_disagreement.hpp>
+#include <quell/diagnose/hypotheses/guides/normal_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/samples/sample_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/motion/sweep_hypotheses.hpp>
 #include <quell/diagnose/inspect.hpp>
 #include <quell/pipeline/execution/check_frame.hpp>
 
@@ -50,11 +51,13 @@ inline void find_mistakes_over_time(Observation seen, bool camera_is_wrong, std:
 /// Depth first, then the camera: later tests build on them.
 inline void find_guide_mistakes(Observation const& seen, std::vector<Finding>& findings) {
     if (seen.albedo) find_albedo_range(seen, findings);
-    bool camera_is_wrong = find_wrong_matrices(seen, findings);
+    bool const camera_is_wrong = find_wrong_matrices(seen, findings);
     bool const depth_is_wrong = seen.depth && find_wrong_depth(seen, findings);
     bool const length_is_wrong = seen.normal && find_normal_length(seen, findings);
     if (!seen.depth || depth_is_wrong) return;
-    if (seen.normal && !length_is_wrong && !camera_is_wrong && known(seen.camera)) camera_is_wrong = find_normal_space(seen, findings);
+    auto with_good_normals = seen;
+    if (length_is_wrong) with_good_normals.normal = {};
+    if (!camera_is_wrong && find_wrong_geometry(with_good_normals, findings) == GeometryIs::wrong) return;
     if ((seen.motion || seen.sweep) && seen.has_then) find_mistakes_over_time(seen, camera_is_wrong, findings);
 }
 
@@ -64,6 +67,7 @@ inline std::vector<Finding> findings_of(Observation const& seen) {
     find_sample_mistakes(seen, findings);
     find_guide_mistakes(seen, findings);
     find_output_mistakes(seen, findings);
+    seen.notes().camera_before = seen.has_then ? std::optional(seen.camera_then) : std::nullopt;
     return findings;
 }
 } // namespace detail

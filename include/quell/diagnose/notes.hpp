@@ -1,5 +1,7 @@
 #pragma once
 
+#include <quell/frame/camera.hpp>
+
 #include <glm/vec2.hpp>
 
 #include <optional>
@@ -27,6 +29,8 @@ struct DiagnosisNotes {
     std::vector<Comparison> comparisons{}; ///< each convention against each, over all frames
     int disagreed_in_a_row = 0;            ///< consecutive frames whose cameras find the past where motion does not
     int swept_wrongly_in_a_row = 0;        ///< consecutive frames whose sweeps contradict the cameras
+    int misfits_in_a_row = 0;              ///< consecutive frames that fit better with a mistake of the geometry
+    std::optional<Camera> camera_before{}; ///< of the frame before the last
     glm::vec2 shift{};                     ///< movement of the projection's centre, in pixels
 };
 

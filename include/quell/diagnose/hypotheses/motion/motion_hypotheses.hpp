@@ -1,7 +1,7 @@
 #pragma once
 
-#include <quell/diagnose/hypotheses/motion_conventions.hpp>
-#include <quell/diagnose/hypotheses/static_motion.hpp>
+#include <quell/diagnose/hypotheses/motion/motion_conventions.hpp>
+#include <quell/diagnose/hypotheses/camera/static_motion.hpp>
 #include <quell/diagnose/observation.hpp>
 #include <quell/diagnose/statistics.hpp>
 
