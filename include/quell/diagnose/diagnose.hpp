@@ -3,12 +3,16 @@
 // Opt-in: finds mistakes of a host that integrates quell. Needs the same libraries as quell.hpp.
 
 #include <quell/diagnose/hypotheses/guides/albedo_hypotheses.hpp>
-#include <quell/diagnose/hypotheses/camera/camera_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/camera/matrices.hpp>
 #include <quell/diagnose/hypotheses/camera/wrong_geometry.hpp>
 #include <quell/diagnose/hypotheses/guides/depth_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/samples/history_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/motion/forgotten_motion.hpp>
+#include <quell/diagnose/hypotheses/motion/geometry_by_motion.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_by_history.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_disagreement.hpp>
+#include <quell/diagnose/hypotheses/motion/motion_offsets.hpp>
+#include <quell/diagnose/hypotheses/motion/motion_scale.hpp>
 #include <quell/diagnose/hypotheses/guides/normal_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/samples/sample_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/motion/sweep_hypotheses.hpp>
@@ -21,30 +25,38 @@ namespace detail {
 /// A moving camera tells best what motion must be. Exact causes come first, since one mistake has many symptoms.
 inline void find_by_moving_camera(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
     auto const before = findings.size();
+    auto const found = [&] { return findings.size() > before; };
     find_zero_motion(pairs, findings);
-    if (findings.size() == before && !find_inverted_view(seen, pairs, findings) && !find_camera_upside_down(seen, pairs, findings))
-        find_motion_convention(seen, pairs, findings);
-    if (findings.size() == before) find_disagreement(seen, pairs, findings);
+    if (!found()) find_motion_convention(seen, pairs, findings);
+    if (!found()) find_motion_scale(pairs, findings);
+    if (!found()) find_disagreement(seen, pairs, findings);
 }
 
 /// Without known cameras, motion is judged as of a static camera, then by the history.
-inline void find_motion_mistakes(Observation const& seen, bool cameras, bool shift_is_known, std::vector<Finding>& findings) {
+inline void find_motion_mistakes(Observation const& seen, GeometryIs geometry, bool cameras, bool shift_is_known, std::vector<Finding>& findings) {
+    auto const before = findings.size();
     auto const pairs = cameras ? motion_pairs(seen, seen.camera, seen.camera_then) : still_pairs(seen);
+    auto const moved = cameras ? moving(pairs) : ComparedMotions{};
+    bool const moves = moved.size() >= fewest_pairs;
     if (pairs.size() < fewest_pairs || (shift_is_known && find_motion_jitter(seen, pairs, findings))) return;
-    if (cameras) find_still_camera(seen, pairs, findings);
-    if (auto const moved = moving(pairs); cameras && moved.size() >= fewest_pairs)
+    if (geometry == GeometryIs::right && find_motion_offset(seen, pairs, moves, findings)) return;
+    if (moves && geometry == GeometryIs::unknown && find_geometry_by_motion(seen, moved, findings)) return;
+    if (moves)
         find_by_moving_camera(seen, moved, findings);
     else if (seen.depth_then)
         find_motion_convention_by_history(seen, findings);
+    if (findings.size() > before || !seen.depth_then) return;
+    if (cameras) find_forgotten_motion(seen, seen.camera, seen.camera_then, findings);
 }
 
 /// Mistakes that take two frames to see.
-inline void find_mistakes_over_time(Observation seen, bool camera_is_wrong, std::vector<Finding>& findings) {
+inline void find_mistakes_over_time(Observation seen, GeometryIs geometry, bool camera_is_wrong, std::vector<Finding>& findings) {
     bool const jittered = !camera_is_wrong && find_projection_jitter(seen, findings);
     // Judge motion without the jitter.
     if (jittered) seen.camera_then.projection = seen.camera.projection;
     bool const cameras = !camera_is_wrong && known(seen.camera) && known(seen.camera_then);
-    if (seen.motion) find_motion_mistakes(seen, cameras, shift_of(seen) == glm::vec2(0.f), findings);
+    if (cameras && geometry == GeometryIs::unknown && find_still_camera(seen, findings)) return;
+    if (seen.motion) find_motion_mistakes(seen, geometry, cameras, shift_of(seen) == glm::vec2(0.f), findings);
     if (seen.sweep && cameras) find_wrong_sweeps(seen, findings);
 }
 
@@ -57,8 +69,9 @@ inline void find_guide_mistakes(Observation const& seen, std::vector<Finding>& f
     if (!seen.depth || depth_is_wrong) return;
     auto with_good_normals = seen;
     if (length_is_wrong) with_good_normals.normal = {};
-    if (!camera_is_wrong && find_wrong_geometry(with_good_normals, findings) == GeometryIs::wrong) return;
-    if ((seen.motion || seen.sweep) && seen.has_then) find_mistakes_over_time(seen, camera_is_wrong, findings);
+    auto const geometry = camera_is_wrong ? GeometryIs::unknown : find_wrong_geometry(with_good_normals, findings);
+    if (geometry == GeometryIs::wrong) return;
+    if ((seen.motion || seen.sweep) && seen.has_then) find_mistakes_over_time(seen, geometry, camera_is_wrong, findings);
 }
 
 inline std::vector<Finding> findings_of(Observation const& seen) {

@@ -26,7 +26,10 @@ struct DiagnosisNotes {
     std::optional<float> constant_depth{}; ///< depth of the last call's frame if it was constant
     glm::vec2 motion_offset{};             ///< common offset of static pixels in pixels, if it may be jitter
     int jittered_in_a_row = 0;             ///< consecutive frames whose motion had an offset like jitter
+    glm::vec2 constant_offset{};           ///< the last frame's common offset in pixels
+    int offset_in_a_row = 0;               ///< consecutive frames in which it was the same
     std::vector<Comparison> comparisons{}; ///< each convention against each, over all frames
+    int absent_in_a_row = 0;               ///< consecutive frames with static surfaces that the last frame did not have
     int disagreed_in_a_row = 0;            ///< consecutive frames whose cameras find the past where motion does not
     int swept_wrongly_in_a_row = 0;        ///< consecutive frames whose sweeps contradict the cameras
     int misfits_in_a_row = 0;              ///< consecutive frames that fit better with a mistake of the geometry

@@ -38,10 +38,12 @@ inline void transpose_rotation(Camera& camera) {
 inline std::vector<GeometryMistake> mistakes_of_view(Geometry const& own) {
     return {
         {Mistake::view_inverted, "with the inverse of camera.view",
-         "set camera.view to the inverse of the camera's pose: it takes the world to the camera",
+         "set camera.view to the inverse of the camera's pose, if its last column is where the camera is in the world: it takes the world to "
+         "the camera",
          changed(own, [](Camera& c) { c.view = glm::inverse(c.view); })},
         {Mistake::view_rotation_transposed, "with the rotation in camera.view transposed",
-         "transpose the upper 3x3 of camera.view and leave the last column: its rows are the camera's axes in world space",
+         "transpose the upper 3x3 of camera.view, if its last column is where the world's origin is for the camera: its rows are the "
+         "camera's axes in world space",
          changed(own, transpose_rotation)},
     };
 }

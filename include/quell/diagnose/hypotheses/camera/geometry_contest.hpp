@@ -32,19 +32,18 @@ struct GeometryContest {
         });
     }
     /// Whether depth or normals are clearly for the second, and neither is clearly against it.
-    [[nodiscard]] bool second_wins() const {
-        return (clearly(depth.second, depth) || clearly(normal.second, normal)) && !against(depth) && !against(normal);
-    }
-    [[nodiscard]] long long lead() const { return depth.second - depth.first + normal.second - normal.first; }
+    [[nodiscard]] bool second_wins() const { return (clearly(depth) || clearly(normal)) && !second_loses(); }
+    /// Whether depth or normals are against it.
+    [[nodiscard]] bool second_loses() const { return against(depth) || against(normal); }
+    /// Whether most pixels are for it.
+    [[nodiscard]] bool by_most() const { return 2 * depth.second > depth.apart || 2 * normal.second > normal.apart; }
     [[nodiscard]] std::string counts() const {
         auto const text = [](Comparison const& c) { return std::to_string(c.second) + " of " + std::to_string(c.apart); };
         return "depth fits the last frame's better at " + text(depth) + " pixels, and normals the slope of depth at " + text(normal);
     }
 
 private:
-    static bool clearly(long long votes, Comparison const& c) {
-        return votes >= 40 && 5 * votes > c.apart && votes > 5 * (c.first + c.second - votes);
-    }
+    static bool clearly(Comparison const& c) { return c.second >= 40 && 5 * c.second > c.apart && c.second > 5 * c.first; }
     static bool against(Comparison const& c) { return c.first >= 40 && c.first > c.second; }
 };
 
@@ -94,7 +93,9 @@ inline std::vector<std::pair<GeometryContest, GeometryMistake>> winners_of(Obser
     std::vector<std::pair<GeometryContest, GeometryMistake>> winners;
     for (auto& mistake : mistakes) {
         GeometryContest const contest(seen, own, mistake.geometry);
-        if (contest.second_wins()) winners.emplace_back(contest, std::move(mistake));
+        // A projection has room to fit to anything a little.
+        bool const enough = mistake.mistake != Mistake::field_of_view || contest.by_most();
+        if (contest.second_wins() && enough) winners.emplace_back(contest, std::move(mistake));
     }
     for (std::size_t i = 1; i < winners.size(); ++i)
         if (GeometryContest(seen, winners[0].second.geometry, winners[i].second.geometry).second_wins()) std::swap(winners[0], winners[i]);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/diagnose/hypotheses/camera/geometry_contest.hpp>
+#include <quell/diagnose/hypotheses/camera/still_camera.hpp>
 
 #include <utility>
 
@@ -35,7 +36,7 @@ inline Finding finding_of(Observation const& seen, std::vector<std::pair<Geometr
         if (other.mistake == best.mistake || GeometryContest(seen, other.geometry, best.geometry).second_wins()) continue;
         if (std::ranges::find(finding.or_else, other.mistake) != finding.or_else.end()) continue;
         finding.or_else.push_back(other.mistake);
-        finding.remedy += "; or, which looks the same here, " + std::string(name_of(other.mistake)) + ": " + other.remedy;
+        finding.remedy += "; or " + std::string(name_of(other.mistake)) + ", which looks the same here: " + other.remedy;
     }
     return finding;
 }
@@ -48,6 +49,7 @@ inline GeometryIs find_wrong_geometry(Observation const& seen, std::vector<Findi
     Geometry const own{seen.camera, has_past ? seen.camera_then : seen.camera};
     Misfit const misfit(seen, own, 1);
     if (misfit.depth < 1e-4f && misfit.normal < 5e-3f) return has_past ? GeometryIs::right : GeometryIs::unknown;
+    if (has_past && find_still_camera(seen, findings)) return GeometryIs::wrong;
     auto const winners = winners_of(seen, own, mistakes_of_geometry(seen, own));
     auto& in_a_row = seen.notes().misfits_in_a_row;
     in_a_row = winners.empty() ? 0 : in_a_row + 1;

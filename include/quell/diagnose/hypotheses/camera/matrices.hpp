@@ -1,6 +1,11 @@
 #pragma once
 
-#include <quell/diagnose/hypotheses/motion/motion_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/camera/static_motion.hpp>
+#include <quell/diagnose/observation.hpp>
+#include <quell/diagnose/statistics.hpp>
+
+#include <cmath>
+#include <utility>
 
 namespace quell::detail {
 
@@ -83,62 +88,6 @@ inline bool find_projection_jitter(Observation const& seen, std::vector<Finding>
                             pair(before.x, before.y),
                         "set camera.projection without the jitter, and camera.jitter to the offset in pixels, y down"});
     return true;
-}
-
-/// Share of surfaces that move as static ones must, with the cameras as given and with other ones.
-struct OtherCameras {
-    Tally own, other;
-    /// better than any motion convention, too: a camera that only translates looks like motion of the wrong sign, the commoner mistake
-    bool better = false;
-
-    OtherCameras(Observation const& seen, ComparedMotions const& pairs, Camera const& now, Camera const& then) {
-        auto const others = moving(motion_pairs(seen, now, then));
-        if (others.size() < fewest_pairs) return;
-        own = agreeing(pairs, {1.f, 1.f}), other = agreeing(others, {1.f, 1.f});
-        better = other.share() >= std::max(own.share() + clear_margin, BestConvention(pairs, seen).best.share() + 0.02);
-    }
-    [[nodiscard]] std::string evidence() const {
-        return percent(own.share()) + " of the surface pixels move as depth and cameras say of what stands still, but " +
-               percent(other.share());
-    }
-};
-
-/// The camera's pose in place of its inverse: with the inverse, static surfaces would move as expected. Returns whether that is so.
-inline bool find_inverted_view(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
-    auto now = seen.camera, then = seen.camera_then;
-    now.view = glm::inverse(now.view), then.view = glm::inverse(then.view);
-    OtherCameras const inverted(seen, pairs, now, then);
-    if (!inverted.better) return false;
-    findings.push_back({Mistake::view_inverted, inverted.evidence() + " with the inverse of camera.view",
-                        "set camera.view to the inverse of the camera's pose: it takes the world to the camera"});
-    return true;
-}
-
-/// Images with the first row at the bottom, or a projection as for Vulkan. Returns whether that is so.
-inline bool find_camera_upside_down(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
-    auto now = seen.camera, then = seen.camera_then;
-    for (auto* const camera : {&now, &then})
-        for (int column = 0; column < 4; ++column) camera->projection[column][1] *= -1.f;
-    OtherCameras const turned(seen, pairs, now, then);
-    if (!turned.better) return false;
-    findings.push_back({Mistake::camera_upside_down, turned.evidence() + " with the second row of camera.projection negated",
-                        "negate that row, or give all images with their first row at the top: row 0 is y = +1 of the projection"});
-    return true;
-}
-
-/// The camera never changes, although all surfaces move.
-inline void find_still_camera(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
-    if (!(seen.camera.view == seen.camera_then.view && seen.camera.projection == seen.camera_then.projection)) return;
-    Tally moves;
-    std::vector<float> lengths;
-    for (auto const& pair : pairs) moves.add(glm::length(pair.found) > 0.05f), lengths.push_back(glm::length(pair.found));
-    long long places = 0;
-    for_each_place(seen.size, [&](int, int) { ++places; });
-    if (moves.share() < 0.98 || 2 * moves.asked < places) return;
-    findings.push_back({Mistake::camera_never_moves,
-                        "view and projection are those of the last frame, but " + percent(moves.share()) +
-                            " of all surface pixels move, by " + number(static_cast<double>(median(lengths))) + " pixels (median)",
-                        "set frame.camera in every frame; where it is right, motion of what stands still must be 0"});
 }
 
 } // namespace quell::detail
