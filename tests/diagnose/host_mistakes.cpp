@@ -65,7 +65,7 @@ std::vector<HostMistake> mistakes_of_motion() {
          [](GoodFrame& frame, Take const&, std::size_t) {
              each(frame, motion, [&](glm::vec2 m) { return m / glm::vec2(frame.size.width, frame.size.height); });
          }},
-        {"motion is zero", {M::motion_zero}, in_motion([](glm::vec2) { return glm::vec2(0.f); })},
+        {"motion is zero", {M::motion_zero, M::motion_forgotten}, in_motion([](glm::vec2) { return glm::vec2(0.f); })},
         {"motion half a pixel beside", {M::motion_offset}, in_motion([](glm::vec2 m) { return m + 0.5f; })},
         {"motion one pixel beside", {M::motion_offset}, in_motion([](glm::vec2 m) { return m + glm::vec2(1.f, 0.f); })},
         {"motion half as long", {M::motion_scale}, in_motion([](glm::vec2 m) { return 0.5f * m; })},

@@ -142,7 +142,10 @@ template <class F> std::vector<Finding> findings(Extent size, int frames, F&& ma
 
 inline std::set<Mistake> mistakes(std::vector<Finding> const& findings) {
     std::set<Mistake> set;
-    for (auto const& finding : findings) set.insert(finding.mistake);
+    for (auto const& finding : findings) {
+        set.insert(finding.mistake);
+        set.insert(finding.also.begin(), finding.also.end());
+    }
     return set;
 }
 

@@ -61,10 +61,12 @@ inline void find_mistakes_over_time(Observation seen, GeometryIs geometry, bool 
 }
 
 /// Depth first, then the camera: later tests build on them.
-inline void find_guide_mistakes(Observation const& seen, std::vector<Finding>& findings) {
+inline void find_guide_mistakes(Observation seen, std::vector<Finding>& findings) {
     if (seen.albedo) find_albedo_range(seen, findings);
     bool const camera_is_wrong = find_wrong_matrices(seen, findings);
     bool const depth_is_wrong = seen.depth && find_wrong_depth(seen, findings);
+    if (seen.depth && !depth_is_wrong)
+        if (auto const sky = find_finite_sky(seen, findings)) seen = without_sky(std::move(seen), *sky);
     bool const length_is_wrong = seen.normal && find_normal_length(seen, findings);
     if (!seen.depth || depth_is_wrong) return;
     auto with_good_normals = seen;

@@ -23,6 +23,7 @@ struct DiagnosisNotes {
     int idle_in_a_row = 0;                 ///< consecutive runs whose output was their input
     int calls_without_surface = 0;         ///< calls with no finite depth, before the first with one
     bool had_surface = false;              ///< whether any call had a surface
+    float farthest = 0.f;                  ///< largest finite depth of the last call's frame
     std::optional<float> constant_depth{}; ///< depth of the last call's frame if it was constant
     glm::vec2 motion_offset{};             ///< common offset of static pixels in pixels, if it may be jitter
     int jittered_in_a_row = 0;             ///< consecutive frames whose motion had an offset like jitter

@@ -34,15 +34,25 @@ inline std::string row_and_column(glm::mat4 const& m) {
 }
 inline constexpr char transpose_it[] = "transpose it: quell's matrices are column-major and multiply column vectors";
 
-/// Hosts with row vectors give a transposed matrix, hosts with D3D's conventions one that looks down +z; some give both.
-inline void find_wrong_projection(Camera const& camera, std::vector<Finding>& findings) {
-    auto projection = camera.projection;
-    auto const turned = glm::transpose(projection);
-    bool const transposed = !is_affine(projection) && !nearly(std::abs(last_row(projection).z), 1.f) && is_perspective(turned);
-    if (transposed) {
-        findings.push_back({Mistake::projection_transposed, row_and_column(projection), transpose_it});
-        projection = turned;
-    }
+inline bool view_is_transposed(Camera const& camera) { return !is_affine(camera.view) && is_affine(glm::transpose(camera.view)); }
+inline bool projection_is_transposed(glm::mat4 const& p) {
+    return !is_affine(p) && !nearly(std::abs(last_row(p).z), 1.f) && is_perspective(glm::transpose(p));
+}
+
+/// Hosts with row vectors give transposed matrices: one cause, one finding.
+inline void find_transposed(Camera const& camera, std::vector<Finding>& findings) {
+    bool const view = view_is_transposed(camera), projection = projection_is_transposed(camera.projection);
+    if (!view && !projection) return;
+    Finding finding{projection ? Mistake::projection_transposed : Mistake::view_transposed,
+                    row_and_column(projection ? camera.projection : camera.view), transpose_it};
+    if (view && projection) finding.also = {Mistake::view_transposed}, finding.remedy = "transpose both" + finding.remedy.substr(12);
+    findings.push_back(std::move(finding));
+}
+
+/// Hosts with D3D's conventions give a projection that looks down +z.
+inline void find_backwards_projection(Camera const& camera, std::vector<Finding>& findings) {
+    bool const transposed = projection_is_transposed(camera.projection);
+    auto const projection = transposed ? glm::transpose(camera.projection) : camera.projection;
     if (!faces_backwards(projection)) return;
     findings.push_back({Mistake::camera_faces_backwards,
                         (transposed ? "transposed, its last row is " : "its last row is ") + text_of(last_row(projection)),
@@ -50,18 +60,13 @@ inline void find_wrong_projection(Camera const& camera, std::vector<Finding>& fi
                             "negate the view's third row and the projection's third column: quell's view looks down -z"});
 }
 
-inline void find_transposed_view(Camera const& camera, std::vector<Finding>& findings) {
-    if (is_affine(camera.view) || !is_affine(glm::transpose(camera.view))) return;
-    findings.push_back({Mistake::view_transposed, row_and_column(camera.view), transpose_it});
-}
-
 /// What the matrices show by themselves. Returns whether the camera is unusable.
 inline bool find_wrong_matrices(Observation const& seen, std::vector<Finding>& findings) {
     auto const before = findings.size();
     find_swapped_matrices(seen.camera, findings);
     if (findings.size() == before) {
-        find_wrong_projection(seen.camera, findings);
-        find_transposed_view(seen.camera, findings);
+        find_transposed(seen.camera, findings);
+        find_backwards_projection(seen.camera, findings);
     }
     return findings.size() > before;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/diagnose/hypotheses/motion/motion_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/motion/motion_scale.hpp>
 
 #include <cmath>
 #include <optional>
@@ -56,14 +56,26 @@ inline void add(Comparison& comparison, Trial const& a, Trial const& b) {
     }
 }
 
-/// Compares all conventions pairwise on the vectors of all frames so far. The pipeline's is the first.
+/// A way to read the vectors: of another convention, or longer or shorter than they should be.
+struct Reading {
+    MotionConvention convention;
+    float scale = 1.f; ///< what they are multiplied by
+};
+inline std::vector<Reading> readings(MotionConvention taken_for) {
+    std::vector<Reading> all;
+    for (auto const each : motion_conventions(taken_for)) all.push_back({each});
+    all.push_back({taken_for, 0.5f}), all.push_back({taken_for, 2.f});
+    return all;
+}
+
+/// Compares all readings pairwise on the vectors of all frames so far. The pipeline's is the first.
 class Tournament {
-    std::vector<MotionConvention> conventions;
+    std::vector<Reading> conventions;
     std::vector<Comparison>& comparisons;
     std::size_t best = 0;
 
 public:
-    explicit Tournament(Observation const& seen) : conventions(motion_conventions(seen.convention)), comparisons(seen.notes().comparisons) {
+    explicit Tournament(Observation const& seen) : conventions(readings(seen.convention)), comparisons(seen.notes().comparisons) {
         comparisons.resize(conventions.size() * conventions.size());
         auto const trials = trials_of(seen);
         for (std::size_t a = 0; a < trials.size(); ++a)
@@ -71,7 +83,7 @@ public:
         for (std::size_t i = 1; i < trials.size(); ++i)
             if (won(i, best)) best = i;
     }
-    [[nodiscard]] MotionConvention convention() const { return conventions[best]; }
+    [[nodiscard]] Reading reading() const { return conventions[best]; }
     /// The pipeline's convention against the best.
     [[nodiscard]] Comparison comparison() const { return comparison(0, best); }
     /// Whether the best beats the pipeline's convention, and all others that differ from that in as little.
@@ -82,7 +94,10 @@ public:
     }
 
 private:
-    [[nodiscard]] std::size_t mistakes_in(std::size_t i) const { return mistakes_of(conventions[i], conventions[0]).size(); }
+    [[nodiscard]] std::size_t mistakes_in(std::size_t i) const { 
+        auto const [convention, scale] = conventions[i];
+        return mistakes_of(convention, conventions[0].convention).size() + (scale < 1.f || scale > 1.f ? 1 : 0);
+    }
     [[nodiscard]] Comparison comparison(std::size_t a, std::size_t b) const {
         if (a > b) return comparisons[a * conventions.size() + b];
         auto const turned = comparisons[b * conventions.size() + a];
@@ -99,7 +114,7 @@ private:
             auto const found = vec2_at(seen.motion, x, y);
             if (!all_finite(found) || found == glm::vec2(0.f)) return;
             for (std::size_t i = 0; i < trials.size(); ++i)
-                trials[i].add(seen, x, y, found * correction(conventions[i], seen.convention, seen.size));
+                trials[i].add(seen, x, y, found * conventions[i].scale * correction(conventions[i].convention, seen.convention, seen.size));
         });
         return trials;
     }
@@ -109,13 +124,16 @@ private:
 inline void find_motion_convention_by_history(Observation const& seen, std::vector<Finding>& findings) {
     Tournament const tournament(seen);
     if (!tournament.decided()) return;
-    auto const factor = correction(tournament.convention(), seen.convention, seen.size);
-    report_convention(tournament.convention(), seen,
-                      std::to_string(tournament.comparison().first) +
+    auto const [convention, scale] = tournament.reading();
+    auto const factor = scale * correction(convention, seen.convention, seen.size);
+    auto const evidence = std::to_string(tournament.comparison().first) +
                           " moving pixels find their surface in the last frame by motion as it is and not by motion times " +
-                          pair(factor.x, factor.y) + ", " + std::to_string(tournament.comparison().second) +
-                          " the other way round, in all frames so far",
-                      findings);
+                          pair(static_cast<double>(factor.x), static_cast<double>(factor.y)) + ", " + std::to_string(tournament.comparison().second) +
+                          " the other way round, in all frames so far";
+    if (scale < 1.f || scale > 1.f)
+        findings.push_back({Mistake::motion_scale, evidence, scale_remedy(factor)});
+    else
+        report_convention(convention, seen, evidence, findings);
 }
 
 } // namespace quell::detail

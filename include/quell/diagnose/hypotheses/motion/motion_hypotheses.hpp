@@ -71,10 +71,11 @@ inline void report_convention(MotionConvention convention, Observation const& se
     auto const factor = correction(convention, seen.convention, seen.size);
     std::string swapped;
     if (convention.points != seen.convention.points) swapped = ", or swap the current and the previous matrix where it is computed,";
-    for (auto const mistake : mistakes_of(convention, seen.convention))
-        findings.push_back(
-            {mistake, evidence,
-             "multiply motion by " + pair(factor.x, factor.y) + swapped + " or give the pipeline Supplied<" + code_of(convention) + ">{}"});
+    auto const wrong = mistakes_of(convention, seen.convention);
+    findings.push_back(
+        {wrong.front(), evidence,
+         "multiply motion by " + pair(static_cast<double>(factor.x), static_cast<double>(factor.y)) + swapped + " or give the pipeline Supplied<" + code_of(convention) + ">{}",
+         {wrong.begin() + 1, wrong.end()}});
 }
 
 /// Sign, unit and direction of y, by a moving camera.
