@@ -67,8 +67,11 @@ std::vector<Finding> said_of(HostMistake const* mistake, Take const& take) {
 TEST_CASE("the table") {
     auto const scenes = takes();
     auto const all = host_mistakes();
-    for (auto const& take : scenes)
+    for (auto const& take : scenes) {
+        std::cout << take.scene << std::endl;
         for (auto const& finding : said_of(nullptr, take)) std::cout << "FALSE " << take.scene << ": " << to_string(finding) << "\n";
+    }
+    if (std::getenv("EDGES")) return;
     int named = 0;
     for (auto const& mistake : all) {
         std::cout << mistake.name << ":\n";

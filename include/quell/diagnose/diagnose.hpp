@@ -14,7 +14,9 @@
 #include <quell/diagnose/hypotheses/motion/motion_offsets.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_scale.hpp>
 #include <quell/diagnose/hypotheses/guides/normal_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/samples/repeated_noise.hpp>
 #include <quell/diagnose/hypotheses/samples/sample_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/samples/signal_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/motion/sweep_hypotheses.hpp>
 #include <quell/diagnose/inspect.hpp>
 #include <quell/pipeline/execution/check_frame.hpp>
@@ -81,6 +83,15 @@ inline std::vector<Finding> findings_of(Observation const& seen) {
     find_resets(seen, findings);
     find_sample_mistakes(seen, findings);
     find_guide_mistakes(seen, findings);
+    auto const mistaken = [&](auto... mistakes) {
+        return std::ranges::any_of(findings, [&](Finding const& f) { return ((f.mistake == mistakes) || ...); });
+    };
+    bool const albedo_is_wrong = mistaken(Mistake::albedo_black, Mistake::albedo_above_one);
+    bool const guides_are_behind = mistaken(Mistake::guides_behind);
+    for (auto const& signal : seen.of_signals) {
+        if (!mistaken(Mistake::identical_frames)) find_repeated_noise(seen, signal, findings);
+        if (!albedo_is_wrong && !guides_are_behind) find_signal_mistakes(seen, signal, findings);
+    }
     find_output_mistakes(seen, findings);
     seen.notes().camera_before = seen.has_then ? std::optional(seen.camera_then) : std::nullopt;
     return findings;

@@ -54,6 +54,7 @@ template <class P, class F, class H> SignalSeen signal_seen(F const& frame, H& h
     auto const& counted = history.statistics();
     SignalSeen seen{.name = std::string(Output::name), .components = Output::components, .has_past = P::has_past};
     seen.has_stages = std::tuple_size_v<decltype(P::stages)> > 0;
+    seen.demodulated = P::reads::template has<Albedo> && Output::components == 3;
     seen.blurs = P::reads::template has<Sweep> || P::reads::template has<Time>;
     seen.input = lookup_of<P>(frame, Output{});
     if (Inspect::size(history) == frame.size) seen.output_then = lookup_in(Inspect::output(history));

@@ -3,7 +3,9 @@
 #include <quell/frame/camera.hpp>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -13,6 +15,22 @@ namespace quell::detail {
 /// pixel; and pixels where they lead to different places.
 struct Comparison {
     long long first = 0, second = 0, apart = 0;
+};
+
+/// Sums of a signal on both sides of edges in albedo, by how strong the edge is and in groups that tell how sure the sums are.
+struct EdgeSums {
+    static constexpr int groups = 8, strengths = 4;
+    struct Sum {
+        double bright = 0., dark = 0., logarithms = 0.;
+        long long edges = 0;
+    };
+    std::array<std::array<Sum, strengths>, groups> sums{};
+    long long edges = 0;
+};
+
+/// A pixel with its neighbours to the right and below.
+struct Patch {
+    std::array<glm::vec3, 3> signal{}, albedo{};
 };
 
 /// State of diagnose between calls. It lives in the history, from the first call on.
@@ -35,6 +53,12 @@ struct DiagnosisNotes {
     int swept_wrongly_in_a_row = 0;        ///< consecutive frames whose sweeps contradict the cameras
     int misfits_in_a_row = 0;              ///< consecutive frames that fit better with a mistake of the geometry
     std::optional<Camera> camera_before{}; ///< of the frame before the last
+    std::array<EdgeSums, 4> edges{};       ///< of each Pairing of the signal with albedo, over all frames
+    std::vector<Patch> patches{};          ///< of the last call's frame, at the places that were looked at
+    float brightest = 0.f;                 ///< largest value of the signal at those places in all frames
+    int other_power_in_a_row = 0;          ///< consecutive frames in which the signal did not follow albedo as it should
+    std::vector<int> noise{};              ///< which pixels stood out in the last call's frame
+    int repeats_in_a_row = 0;              ///< consecutive frames whose noise is the last one's
     glm::vec2 shift{};                     ///< movement of the projection's centre, in pixels
 };
 

@@ -28,6 +28,7 @@ struct SignalSeen {
     int components = 1;
     bool has_past = false;   ///< whether the pipeline has a history
     bool has_stages = false; ///< whether the pipeline has stages
+    bool demodulated = false; ///< whether the pipeline divides it by albedo
     bool blurs = false;      ///< whether it blurs along sweeps: its static pixels come out as they went in
     Lookup input{};
     Lookup output_then{}; ///< of the last run; empty without one, or if the host owns it (run_into)

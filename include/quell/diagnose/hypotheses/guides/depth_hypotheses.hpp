@@ -140,18 +140,20 @@ inline std::optional<float> find_finite_sky(Observation const& seen, std::vector
     for_each_hit(seen, [&](int x, int y) { depths.push_back(seen.depth(0, x, y)), farthest = std::max(farthest, depths.back()); });
     Tally there;
     glm::vec3 sum{};
+    float lengths = 0.f;
     for_each_hit(seen, [&](int x, int y) {
         bool const far = bits(seen.depth(0, x, y)) == bits(farthest);
         there.add(far);
-        if (far && seen.normal) sum += vec3_at(seen.normal, x, y);
+        if (!far || !seen.normal) return;
+        sum += vec3_at(seen.normal, x, y), lengths += glm::length(vec3_at(seen.normal, x, y));
     });
     auto const before = std::exchange(seen.notes().farthest, farthest);
     if (there.share() < 0.005 || there.yes < 20 || there.yes == there.asked) return std::nullopt;
     bool const cameras = seen.has_then && known(seen.camera) && known(seen.camera_then);
     bool const stays = cameras && bits(before) == bits(farthest) && changes_depth(seen.camera, seen.camera_then, farthest);
     // A wall that faces the camera has one normal.
-    bool const has_normals = seen.normal && glm::length(sum) < 0.99f * static_cast<float>(there.yes);
-    if (!stays && !has_normals && farthest < 1e4f * median(depths)) return std::nullopt;
+    bool const is_no_wall = seen.normal && (glm::length(sum) < 0.99f * lengths || lengths < 0.5f * static_cast<float>(there.yes));
+    if (!stays && !is_no_wall && farthest < 1e4f * median(depths)) return std::nullopt;
     findings.push_back({Mistake::depth_of_misses,
                         "it is exactly " + number(static_cast<double>(farthest)) + " in " + percent(there.share()) +
                             " of the picture, more than anywhere else, and not as a wall is",

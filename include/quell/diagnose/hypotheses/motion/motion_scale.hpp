@@ -20,11 +20,6 @@ struct CommonFactor {
     }
 };
 
-inline std::string scale_remedy(glm::vec2 factor) {
-    return "multiply motion by " + pair(static_cast<double>(factor.x), static_cast<double>(factor.y)) +
-           ": it is in pixels of this picture, from this frame to the one before it";
-}
-
 /// Motion of half the length, of two frames, or in pixels of another resolution.
 inline void find_motion_scale(ComparedMotions const& pairs, std::vector<Finding>& findings) {
     CommonFactor const common(pairs);
@@ -36,7 +31,8 @@ inline void find_motion_scale(ComparedMotions const& pairs, std::vector<Finding>
                         "of " + std::to_string(pairs.size()) + " surface pixels " + percent(common.sharing.share()) + " move by " +
                             pair(static_cast<double>(f.x), static_cast<double>(f.y)) + " times what depth and cameras say, " + percent(own.share()) +
                             " by that itself",
-                        scale_remedy(1.f / f)});
+                        "multiply motion by " + pair(1. / static_cast<double>(f.x), 1. / static_cast<double>(f.y)) +
+                            ": it is in pixels of this picture, from this frame to the one before it"});
 }
 
 } // namespace quell::detail
