@@ -78,20 +78,26 @@ inline void find_guide_mistakes(Observation seen, std::vector<Finding>& findings
     if ((seen.motion || seen.sweep) && seen.has_then) find_mistakes_over_time(seen, geometry, camera_is_wrong, findings);
 }
 
+/// What the signals show together with guides, where these are right.
+inline void find_signal_mistakes(Observation const& seen, std::vector<Finding>& findings) {
+    auto const said = [&](auto... mistakes) {
+        return std::ranges::any_of(findings, [&](Finding const& f) { return ((f.mistake == mistakes) || ...); });
+    };
+    bool const same = said(Mistake::identical_frames);
+    bool const guides_are_wrong = said(Mistake::albedo_black, Mistake::albedo_above_one, Mistake::guides_behind, Mistake::normal_packed,
+                                       Mistake::normal_not_unit, Mistake::depth_not_positive, Mistake::depth_not_linear);
+    for (auto const& signal : seen.of_signals) {
+        if (!same) find_repeated_noise(seen, signal, findings);
+        if (!guides_are_wrong) find_signal_mistakes(seen, signal, findings);
+    }
+}
+
 inline std::vector<Finding> findings_of(Observation const& seen) {
     std::vector<Finding> findings;
     find_resets(seen, findings);
     find_sample_mistakes(seen, findings);
     find_guide_mistakes(seen, findings);
-    auto const mistaken = [&](auto... mistakes) {
-        return std::ranges::any_of(findings, [&](Finding const& f) { return ((f.mistake == mistakes) || ...); });
-    };
-    bool const albedo_is_wrong = mistaken(Mistake::albedo_black, Mistake::albedo_above_one);
-    bool const guides_are_behind = mistaken(Mistake::guides_behind);
-    for (auto const& signal : seen.of_signals) {
-        if (!mistaken(Mistake::identical_frames)) find_repeated_noise(seen, signal, findings);
-        if (!albedo_is_wrong && !guides_are_behind) find_signal_mistakes(seen, signal, findings);
-    }
+    find_signal_mistakes(seen, findings);
     find_output_mistakes(seen, findings);
     seen.notes().camera_before = seen.has_then ? std::optional(seen.camera_then) : std::nullopt;
     return findings;

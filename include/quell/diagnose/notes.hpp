@@ -48,6 +48,7 @@ struct DiagnosisNotes {
     glm::vec2 constant_offset{};           ///< the last frame's common offset in pixels
     int offset_in_a_row = 0;               ///< consecutive frames in which it was the same
     std::vector<Comparison> comparisons{}; ///< each convention against each, over all frames
+    long long absent = 0;                  ///< how many such pixels in these frames
     int absent_in_a_row = 0;               ///< consecutive frames with static surfaces that the last frame did not have
     int disagreed_in_a_row = 0;            ///< consecutive frames whose cameras find the past where motion does not
     int swept_wrongly_in_a_row = 0;        ///< consecutive frames whose sweeps contradict the cameras

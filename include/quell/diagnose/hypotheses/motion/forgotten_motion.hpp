@@ -34,8 +34,10 @@ inline Tally absent_before(Observation const& seen, Camera const& now, Camera co
 inline void find_forgotten_motion(Observation const& seen, Camera const& now, Camera const& then, std::vector<Finding>& findings) {
     auto const absent = absent_before(seen, now, then);
     auto& in_a_row = seen.notes().absent_in_a_row;
-    in_a_row = absent.yes >= 8 && absent.share() > 3e-4 ? in_a_row + 1 : 0;
-    if (in_a_row < 3) return;
+    auto& total = seen.notes().absent;
+    bool const some = absent.yes >= 3 && absent.share() > 2e-4;
+    in_a_row = some ? in_a_row + 1 : 0, total = some ? total + absent.yes : 0;
+    if (in_a_row < 3 || total < 20) return;
     findings.push_back({Mistake::motion_forgotten,
                         "at " + std::to_string(absent.yes) + " of " + std::to_string(absent.asked) +
                             " pixels that move like what stands still, the last frame saw something farther away where they were",

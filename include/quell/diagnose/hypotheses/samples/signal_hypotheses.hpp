@@ -37,6 +37,13 @@ inline std::optional<Finding> other_albedo_of(SignalSeen const& signal, Exponent
     return std::nullopt;
 }
 
+/// Whether too few edges moved so far to tell, but enough to tell some day.
+inline bool is_open(SignalSeen const& signal, Pairing pairing) {
+    auto const& edges = signal.notes->edges[static_cast<std::size_t>(pairing)];
+    auto const e = exponent_of(edges);
+    return 50 * edges.edges > signal.notes->edges[0].edges && !(e && e->error < 0.12 && e->value < 0.3);
+}
+
 /// Whether it is divided by albedo already, or one of the two is not linear. Light that albedo has no part in, such as reflections, makes
 /// the power a little less than 1.
 inline std::optional<Finding> other_power_of(SignalSeen const& signal, Exponent const& own) {
@@ -71,7 +78,8 @@ inline void find_signal_mistakes(Observation const& seen, SignalSeen const& sign
     auto const own = exponent_of(notes.edges[0]);
     std::optional<Finding> finding;
     if (own && own->error < 0.1) finding = other_albedo_of(signal, *own);
-    if (own && !finding) finding = other_power_of(signal, *own);
+    bool const open = is_open(signal, Pairing::turned) || is_open(signal, Pairing::behind) || is_open(signal, Pairing::ahead);
+    if (own && !finding && !open) finding = other_power_of(signal, *own);
     notes.other_power_in_a_row = finding ? notes.other_power_in_a_row + 1 : 0;
     if (notes.other_power_in_a_row >= 2) findings.push_back(std::move(*finding));
 }
