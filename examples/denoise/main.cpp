@@ -136,7 +136,8 @@ void denoise(DenoiseOptions const& options) {
             progress.show(number - range.begin, in.path(number).filename().string());
             auto const picture = denoiser.next(in, number);
             for (auto const& finding : denoiser.findings())
-                progress.say("quell-denoise: frame " + std::to_string(number) + ": " + to_string(finding)), ++findings;
+                progress.say("quell-denoise: frame " + std::to_string(number) + ": " + to_string(finding)),
+                    findings += finding.mistake != Mistake::not_checked;
             if (number < range.first) continue;
             output.write(number, picture);
             for (auto const& view : options.debug_views) output.write_views(number, view, denoiser.debug_images(view));

@@ -14,11 +14,13 @@
 #include <quell/diagnose/hypotheses/motion/motion_offsets.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_scale.hpp>
 #include <quell/diagnose/hypotheses/guides/normal_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/guides/position_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/samples/repeated_noise.hpp>
 #include <quell/diagnose/hypotheses/samples/sample_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/samples/signal_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/motion/sweep_hypotheses.hpp>
 #include <quell/diagnose/inspect.hpp>
+#include <quell/diagnose/not_checked.hpp>
 #include <quell/pipeline/execution/check_frame.hpp>
 
 namespace quell {
@@ -92,20 +94,30 @@ inline void find_signal_mistakes(Observation const& seen, std::vector<Finding>& 
     }
 }
 
+/// Whether a finding says already that the camera is no use.
+inline bool camera_was_said(std::vector<Finding> const& findings) {
+    return std::ranges::any_of(findings, [](Finding const& f) {
+        return f.mistake == Mistake::projection_transposed || f.mistake == Mistake::view_transposed || f.mistake == Mistake::matrices_swapped ||
+               f.mistake == Mistake::camera_faces_backwards;
+    });
+}
+
 inline std::vector<Finding> findings_of(Observation const& seen) {
     std::vector<Finding> findings;
     find_resets(seen, findings);
     find_sample_mistakes(seen, findings);
+    find_zero_positions(seen, findings), find_zero_hits(seen, findings);
     find_guide_mistakes(seen, findings);
     find_signal_mistakes(seen, findings);
     find_output_mistakes(seen, findings);
+    if (!camera_was_said(findings)) say_what_is_not_checked(seen, findings);
     seen.notes().camera_before = seen.has_then ? std::optional(seen.camera_then) : std::nullopt;
     return findings;
 }
 } // namespace detail
 
 /// Finds mistakes of the host in this frame, its past and their cameras. Empty where all is well and where there is no evidence: a static
-/// camera says little about motion. Call it right before run(), in debug builds every frame:
+/// camera says little about motion. One finding of a history, Mistake::not_checked, says what there was too little to check. Call it right before run(), in debug builds every frame:
 ///
 ///     for (auto const& finding : diagnose(frame, history)) log(to_string(finding));
 ///     run(denoise, frame, history);
@@ -118,17 +130,30 @@ inline std::vector<Finding> findings_of(Observation const& seen) {
 /// @param history the history that run() gets next; it also keeps the notes
 /// @param converted_from for hosts that convert motion vectors before they write them: the convention from which, so that the finding names
 /// the mistake in its terms. Not needed with Supplied<>.
-/// @throws Error as run() does for a frame that it could not use
+/// No exception leaves it: a frame that run() would refuse is a finding. Where exceptions are off, the ErrorHandler is called as by run().
 template <class P, class Set, class FrameStorage, class Storage>
 [[nodiscard]] std::vector<Finding> diagnose(Frame<Set, FrameStorage> const& frame, History<P, Storage>& history,
                                             std::optional<MotionConvention> converted_from = {}) {
     static_assert(
         contained_in<typename P::reads, Set>,
         "diagnose(frame, history): the frame lacks a channel that the history's pipeline reads; construct the frame with this pipeline");
-    detail::check_frame<P>(frame);
-    auto seen = detail::observe<P>(frame, history);
-    if (converted_from) seen.convention = *converted_from;
-    return detail::findings_of(seen);
+    auto const diagnosed = [&] {
+        detail::check_frame<P>(frame);
+        auto seen = detail::observe<P>(frame, history);
+        if (converted_from) seen.convention = *converted_from;
+        return detail::findings_of(seen);
+    };
+#if defined(__cpp_exceptions)
+    try {
+        return diagnosed();
+    } catch (Error const& error) {
+        return {{Mistake::frame_refused, error.subject + ": " + error.found, error.remedy}};
+    } catch (std::exception const& error) {
+        return {{Mistake::not_checked, std::string("this frame, since there was an error: ") + error.what(), "look at the host's images"}};
+    }
+#else
+    return diagnosed();
+#endif
 }
 
 } // namespace quell

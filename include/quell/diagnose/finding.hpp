@@ -6,7 +6,7 @@
 
 namespace quell {
 
-/// Mistakes of hosts that show in a frame and its past. name_of() says each in words.
+/// Mistakes of hosts that show in a frame and its past. The last is none: it says what could not be checked. name_of() says each in words.
 enum class Mistake {
     motion_sign,
     motion_unit,
@@ -46,6 +46,8 @@ enum class Mistake {
     guides_behind,
     bad_samples,
     bad_guides,
+    positions_zero,
+    hits_zero,
     signal_demodulated,
     signal_encoded,
     signal_upside_down,
@@ -54,6 +56,8 @@ enum class Mistake {
     seed_repeats,
     resets_every_frame,
     output_is_input,
+    frame_refused,
+    not_checked, ///< no mistake: what there was too little to go by
 };
 
 /// A few words for reports.
@@ -97,6 +101,8 @@ enum class Mistake {
         "guides are one frame behind",
         "samples are not finite or negative",
         "guides are not finite",
+        "positions are zero",
+        "what a ray hit is zero where it hit nothing",
         "the signal is already divided by albedo",
         "the signal is not linear",
         "the signal's rows are in the other order than those of the guides",
@@ -105,6 +111,8 @@ enum class Mistake {
         "the noise is the same in every frame",
         "history starts afresh in every frame",
         "the output is the input",
+        "run() refuses the frame",
+        "not checked",
     };
     return names[static_cast<int>(mistake)];
 }

@@ -77,6 +77,14 @@ template <class P, class Set, class Storage> std::vector<GuideSeen> guides_seen(
     return guides;
 }
 
+/// Of some channels, those that the frame has and the pipeline reads.
+template <class P, class Some, class Set, class Storage> std::vector<GuideSeen> some_of(Frame<Set, Storage> const& frame) {
+    std::vector<GuideSeen> guides;
+    for_each_channel(common_to<common_to<Some, typename P::reads>, Set>{},
+                     [&](auto c) { guides.push_back({std::string(c.name), c.components, lookup(frame[c].view()), 0.}); });
+    return guides;
+}
+
 /// Camera and depth of the last frame, from the first history that has them.
 template <class P, class H> void see_past(Observation& seen, std::type_identity<P>, H const& history) {
     auto const number = Inspect::number(history);
@@ -102,6 +110,8 @@ template <class P, class Set, class FrameStorage, class H> Observation observe(F
     seen.motion = lookup_of<P>(frame, motion), seen.albedo = lookup_of<P>(frame, albedo);
     seen.sweep = lookup_of<P>(frame, sweep), seen.shutter = frame.shutter;
     seen.guides = guides_seen<P>(frame);
+    seen.positions = some_of<P, Channels<Position, ReceiverPrevious, Light, LightPrevious>>(frame);
+    seen.hit_points = some_of<P, Channels<Blocker, BlockerPrevious, GlossyHit, GlossyHitPrevious>>(frame);
     seen.convention = P::motion_convention;
     for_each_history(history, [&]<class Part>(std::type_identity<Part> part, auto& of_part) {
         seen.of_signals.push_back(signal_seen<Part>(frame, of_part));

@@ -60,6 +60,8 @@ struct Observation {
     Camera camera{}, camera_then{};
     std::vector<SignalSeen> of_signals{};
     std::vector<GuideSeen> guides{};
+    std::vector<GuideSeen> positions{};  ///< world-space positions that every surface has
+    std::vector<GuideSeen> hit_points{}; ///< world-space positions that are not finite where a ray hit nothing
 
     [[nodiscard]] DiagnosisNotes& notes() const { return *of_signals.front().notes; }
     /// Whether the pixel shows a surface; a miss may hold anything.

@@ -54,7 +54,6 @@ inline void find_repeated_noise(Observation const& seen, SignalSeen const& signa
         if (one != 0 && other != 0 && seen.hit(x, y) && all_finite(moved) && glm::length(moved) > 0.75f) agreement.add(one, other);
     });
     auto const& same = agreement.same;
-    if (std::getenv("EDGES")) std::printf("seed %.3f %lld\n", agreement.beyond_chance(), same.asked);
     bool const repeats = same.asked >= 150 && agreement.beyond_chance() > 0.3;
     notes.repeats_in_a_row = repeats ? notes.repeats_in_a_row + 1 : 0;
     if (notes.repeats_in_a_row < 3) return;

@@ -50,7 +50,7 @@ inline std::optional<Finding> other_power_of(SignalSeen const& signal, Exponent 
     auto const evidence = signal_evidence(signal, own) + ", and not of 1";
     if (own.error < 0.05 && std::abs(own.value) < 0.13)
         return Finding{Mistake::signal_demodulated, evidence,
-                       "leave Demodulate{} out, or give the signal with albedo in it (for files, \"irradiance\" in place of \"radiance\" in --map)"};
+                       "leave Demodulate{} out, or give the signal with albedo in it"};
     if (own.error < 0.05 && own.value > 0.2 && own.value < 0.62) {
         bool const displayed = signal.notes->brightest <= 1.001f;
         Finding finding{displayed ? Mistake::signal_encoded : Mistake::albedo_squared, evidence, {}};
