@@ -11,9 +11,7 @@ using Made = std::function<void(GoodFrame&, Take const&, std::size_t)>;
 template <ChannelTag C, class F> Made in(C channel, F change) {
     return [=](GoodFrame& frame, Take const&, std::size_t) { each(frame, channel, change); };
 }
-template <class F> Made in_motion(F change) {
-    return in(motion, change);
-}
+template <class F> Made in_motion(F change) { return in(motion, change); }
 /// A mistake in the camera alone.
 template <class F> Made in_camera(F change) {
     return [=](GoodFrame& frame, Take const&, std::size_t) { change(frame.camera); };

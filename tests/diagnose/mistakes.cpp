@@ -233,7 +233,7 @@ TEST_CASE("a signal that is the same in every frame is named, but not one withou
         fill_well(first, {}, 0);
         fill(frame[radiance], [&](int x, int y) { return first[radiance].get(x, y); });
     });
-    check_named({}, [](GoodFrame& frame, int) { each(frame, radiance, [](glm::vec3) { return glm::vec3(1.f); }); });
+    check_named({}, [](GoodFrame& frame, int) { fill(frame[radiance], [&](int x, int y) { return frame[albedo].get(x, y); }); });
     // A host that pauses: shaded and textured.
     auto const shaded = [](GoodFrame& frame, int i) {
         fill_well(frame, {.moves = false, .jitters = false}, 0);

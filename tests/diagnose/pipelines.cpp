@@ -69,6 +69,7 @@ TEST_CASE("every guide that a pipeline reads must be finite on surfaces; what te
         auto const found = findings_of(reflections, frame, history, [&](GoodFrame& good) {
             auto const nowhere = glm::vec3(std::nanf(""));
             fill(frame[position], [&](int, int) { return wrong == 1 ? nowhere : glm::vec3(1.f); });
+            fill(frame[receiver_previous], [&](int, int) { return glm::vec3(1.f); });
             fill(frame[roughness], [&](int, int) { return wrong == 2 ? std::nanf("") : 0.2f; });
             fill(frame[glossy_hit], [&](int, int) { return nowhere; });
             fill(frame[glossy_hit_previous], [&](int, int) { return nowhere; });
@@ -84,7 +85,8 @@ TEST_CASE("a host's own memory is read in place, and asked for where there is no
     History history{size, denoise};
     auto const refused = diagnose(frame, history);
     REQUIRE(refused.size() == 1);
-    CHECK(to_string(refused[0]) == "run() refuses the frame: channel 'radiance': no memory; point the channel at the host's image before run()");
+    CHECK(to_string(refused[0]) ==
+          "run() refuses the frame: channel 'radiance': no memory; point the channel at the host's image before run()");
     GoodFrame good(size);
     fill_well(good, {.size = size}, 0);
     std::vector<std::vector<float>> memory;
@@ -144,7 +146,8 @@ TEST_CASE("what was not checked is said once, with the reason") {
             if (!known) good.camera = {};
         });
         REQUIRE(found.size() == (known ? 0 : 1));
-        if (!known) CHECK(to_string(found[0]).starts_with("not checked: frame.camera is not set: motion, depth and normals were not compared"));
+        if (!known)
+            CHECK(to_string(found[0]).starts_with("not checked: frame.camera is not set: motion, depth and normals were not compared"));
     }
     constexpr auto by_motion = Pipeline{radiance, Temporal{SurfaceMotion<SameInstance>{}, RunningMean{}}};
     Frame frame{size, by_motion};

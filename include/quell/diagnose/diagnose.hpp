@@ -2,23 +2,23 @@
 
 // Opt-in: finds mistakes of a host that integrates quell. Needs the same libraries as quell.hpp.
 
-#include <quell/diagnose/hypotheses/guides/albedo_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/camera/matrices.hpp>
 #include <quell/diagnose/hypotheses/camera/wrong_geometry.hpp>
+#include <quell/diagnose/hypotheses/guides/albedo_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/guides/depth_hypotheses.hpp>
-#include <quell/diagnose/hypotheses/samples/history_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/guides/normal_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/guides/position_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/motion/forgotten_motion.hpp>
 #include <quell/diagnose/hypotheses/motion/geometry_by_motion.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_by_history.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_disagreement.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_offsets.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_scale.hpp>
-#include <quell/diagnose/hypotheses/guides/normal_hypotheses.hpp>
-#include <quell/diagnose/hypotheses/guides/position_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/motion/sweep_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/samples/history_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/samples/repeated_noise.hpp>
 #include <quell/diagnose/hypotheses/samples/sample_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/samples/signal_hypotheses.hpp>
-#include <quell/diagnose/hypotheses/motion/sweep_hypotheses.hpp>
 #include <quell/diagnose/inspect.hpp>
 #include <quell/diagnose/not_checked.hpp>
 #include <quell/pipeline/execution/check_frame.hpp>
@@ -37,7 +37,8 @@ inline void find_by_moving_camera(Observation const& seen, ComparedMotions const
 }
 
 /// Without known cameras, motion is judged as of a static camera, then by the history.
-inline void find_motion_mistakes(Observation const& seen, GeometryIs geometry, bool cameras, bool shift_is_known, std::vector<Finding>& findings) {
+inline void find_motion_mistakes(Observation const& seen, GeometryIs geometry, bool cameras, bool shift_is_known,
+                                 std::vector<Finding>& findings) {
     auto const before = findings.size();
     auto const pairs = cameras ? motion_pairs(seen, seen.camera, seen.camera_then) : still_pairs(seen);
     auto const moved = cameras ? moving(pairs) : ComparedMotions{};
@@ -97,8 +98,8 @@ inline void find_signal_mistakes(Observation const& seen, std::vector<Finding>& 
 /// Whether a finding says already that the camera is no use.
 inline bool camera_was_said(std::vector<Finding> const& findings) {
     return std::ranges::any_of(findings, [](Finding const& f) {
-        return f.mistake == Mistake::projection_transposed || f.mistake == Mistake::view_transposed || f.mistake == Mistake::matrices_swapped ||
-               f.mistake == Mistake::camera_faces_backwards;
+        return f.mistake == Mistake::projection_transposed || f.mistake == Mistake::view_transposed ||
+               f.mistake == Mistake::matrices_swapped || f.mistake == Mistake::camera_faces_backwards;
     });
 }
 
@@ -117,7 +118,8 @@ inline std::vector<Finding> findings_of(Observation const& seen) {
 } // namespace detail
 
 /// Finds mistakes of the host in this frame, its past and their cameras. Empty where all is well and where there is no evidence: a static
-/// camera says little about motion. One finding of a history, Mistake::not_checked, says what there was too little to check. Call it right before run(), in debug builds every frame:
+/// camera says little about motion. One finding of a history, Mistake::not_checked, says what there was too little to check. Call it right
+/// before run(), in debug builds every frame:
 ///
 ///     for (auto const& finding : diagnose(frame, history)) log(to_string(finding));
 ///     run(denoise, frame, history);

@@ -80,8 +80,9 @@ template <class P, class Set, class Storage> std::vector<GuideSeen> guides_seen(
 /// Of some channels, those that the frame has and the pipeline reads.
 template <class P, class Some, class Set, class Storage> std::vector<GuideSeen> some_of(Frame<Set, Storage> const& frame) {
     std::vector<GuideSeen> guides;
-    for_each_channel(common_to<common_to<Some, typename P::reads>, Set>{},
-                     [&](auto c) { guides.push_back({std::string(c.name), c.components, lookup(frame[c].view()), 0.}); });
+    for_each_channel(common_to<common_to<Some, typename P::reads>, Set>{}, [&](auto c) {
+        guides.push_back({std::string(c.name), c.components, lookup(frame[c].view()), 0.});
+    });
     return guides;
 }
 

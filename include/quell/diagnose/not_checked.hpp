@@ -21,9 +21,10 @@ inline void say_what_is_not_checked(Observation const& seen, std::vector<Finding
         findings.push_back({Mistake::not_checked, "frame.camera is not set: motion, depth and normals were not compared with it",
                             "set it, also for a pipeline that needs none"});
     else if (!known(seen.camera))
-        findings.push_back({Mistake::not_checked,
-                            "frame.camera is not a perspective camera that looks down -z: motion, depth and normals were not compared with it",
-                            "only perspective cameras are checked"});
+        findings.push_back(
+            {Mistake::not_checked,
+             "frame.camera is not a perspective camera that looks down -z: motion, depth and normals were not compared with it",
+             "only perspective cameras are checked"});
 }
 
 } // namespace quell::detail

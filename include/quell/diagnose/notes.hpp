@@ -61,7 +61,7 @@ struct DiagnosisNotes {
     std::vector<int> noise{};              ///< which pixels stood out in the last call's frame
     int repeats_in_a_row = 0;              ///< consecutive frames whose noise is the last one's
     bool said_what_is_not_checked = false;
-    glm::vec2 shift{};                     ///< movement of the projection's centre, in pixels
+    glm::vec2 shift{}; ///< movement of the projection's centre, in pixels
 };
 
 } // namespace quell::detail

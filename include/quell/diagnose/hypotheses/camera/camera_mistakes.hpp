@@ -38,7 +38,8 @@ inline void transpose_rotation(Camera& camera) {
 inline std::vector<GeometryMistake> mistakes_of_view(Geometry const& own) {
     return {
         {Mistake::view_inverted, "with the inverse of camera.view",
-         "set camera.view to the inverse of the camera's pose, if its last column is where the camera is in the world: it takes the world to "
+         "set camera.view to the inverse of the camera's pose, if its last column is where the camera is in the world: it takes the world "
+         "to "
          "the camera",
          changed(own, [](Camera& c) { c.view = glm::inverse(c.view); })},
         {Mistake::view_rotation_transposed, "with the rotation in camera.view transposed",
@@ -55,11 +56,13 @@ inline std::vector<GeometryMistake> mistakes_of_axes(Geometry const& own) {
     turned.now.jitter.y *= -1.f, turned.then.jitter.y *= -1.f;
     return {
         {Mistake::camera_upside_down, "with the second row of camera.projection negated and jitter.y too",
-         "where a picture shown row by row from row 0 down stands on its head, give all images with their first row at the top; else negate "
+         "where a picture shown row by row from row 0 down stands on its head, give all images with their first row at the top; else "
+         "negate "
          "that row of the projection: row 0 is y = +1 of it",
          turned},
         {Mistake::camera_upside_down, "with the second row of camera.projection negated",
-         "where a picture shown row by row from row 0 down stands on its head, give all images with their first row at the top; else negate "
+         "where a picture shown row by row from row 0 down stands on its head, give all images with their first row at the top; else "
+         "negate "
          "that row of the projection: row 0 is y = +1 of it",
          with({1, -1, 1})},
         {Mistake::view_looks_backwards, "with the third row of camera.view negated", "negate it: quell's view looks down -z",
@@ -92,8 +95,7 @@ inline GeometryMistake mistake_of_projection(Geometry const& own, glm::vec2 by) 
     auto const without = changed(own, [=](Camera& c) { scale_projection(c, by); });
     auto const& p = own.now.projection;
     auto const is = pair(static_cast<double>(p[0][0]), static_cast<double>(p[1][1]));
-    auto const should =
-        pair(static_cast<double>(without.now.projection[0][0]), static_cast<double>(without.now.projection[1][1]));
+    auto const should = pair(static_cast<double>(without.now.projection[0][0]), static_cast<double>(without.now.projection[1][1]));
     return {Mistake::field_of_view, "with " + should + " in place of " + is + " in camera.projection[0][0] and [1][1]",
             "look at the field of view (radians, vertical, whole or half) and at the aspect ratio that camera.projection is made from",
             without};

@@ -16,8 +16,8 @@ void for_each_some(Observation const& seen, int every, auto&& f) {
 inline void judge(Comparison& comparison, std::optional<float> one, std::optional<float> other, float rounding) {
     if (!one || !other) return;
     ++comparison.apart;
-    comparison.first += *one < 0.5f * *other && *other > rounding;
-    comparison.second += *other < 0.5f * *one && *one > rounding;
+    comparison.first += *one<0.5f * *other&& * other> rounding;
+    comparison.second += *other<0.5f * *one&& * one> rounding;
 }
 
 /// Two geometries, pixel by pixel.

@@ -22,7 +22,7 @@ inline std::vector<GeometryMistake> mistakes_of_geometry(Observation const& seen
     add(mistakes_of_axes(own)), add(mistakes_of_surfaces(own));
     if (auto const& before = seen.notes().camera_before; before && known(*before))
         add({{Mistake::guides_behind, "with the cameras of one frame earlier",
-              "fill depth, normals, albedo and motion from the frame that the signal is of; or frame.camera is one frame ahead", 
+              "fill depth, normals, albedo and motion from the frame that the signal is of; or frame.camera is one frame ahead",
               Geometry{seen.camera_then, *before}}});
     add(mistakes_of_projection(seen, own));
     return all;

@@ -122,13 +122,14 @@ inline bool find_depth_not_linear(Observation const& seen, std::vector<Finding>&
     if (in_unit_range.share() < 0.99) return false;
     auto const evenness = evenness_of(seen);
     if (evenness.buffer.asked < 50 || evenness.buffer.share() < evenness.linear.share() + 0.25) return false;
-    findings.push_back({Mistake::depth_not_linear,
-                        "all depths lie in [0, 1], their median at " + number(static_cast<double>(median(depths))) + ", and of " +
-                            std::to_string(evenness.buffer.asked) + " places on slopes " + percent(evenness.buffer.share()) +
-                            " look like planes in a depth buffer, " + percent(evenness.linear.share()) + " like planes in linear depth",
-                        std::string("write the distance along the view axis in world units, +infinity where there is no surface: for depth d in [0, 1] "
-                                    "near * far / (far - d * (far - near)), with near and far exchanged where it is reversed") +
-                            (none.yes > 0 ? ", as it seems to be: it is 0 in " + percent(none.share()) + " of the picture" : "")});
+    findings.push_back(
+        {Mistake::depth_not_linear,
+         "all depths lie in [0, 1], their median at " + number(static_cast<double>(median(depths))) + ", and of " +
+             std::to_string(evenness.buffer.asked) + " places on slopes " + percent(evenness.buffer.share()) +
+             " look like planes in a depth buffer, " + percent(evenness.linear.share()) + " like planes in linear depth",
+         std::string("write the distance along the view axis in world units, +infinity where there is no surface: for depth d in [0, 1] "
+                     "near * far / (far - d * (far - near)), with near and far exchanged where it is reversed") +
+             (none.yes > 0 ? ", as it seems to be: it is 0 in " + percent(none.share()) + " of the picture" : "")});
     return true;
 }
 

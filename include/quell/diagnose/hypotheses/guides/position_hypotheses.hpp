@@ -26,7 +26,8 @@ inline void find_zero_positions(Observation const& seen, std::vector<Finding>& f
             continue; // it may be there
         }
         if (zeros.asked < 50 || zeros.share() < 0.95) continue;
-        findings.push_back({Mistake::positions_zero, "'" + guide.name + "' is (0, 0, 0) in " + percent(zeros.share()) + " of the surface pixels",
+        findings.push_back({Mistake::positions_zero,
+                            "'" + guide.name + "' is (0, 0, 0) in " + percent(zeros.share()) + " of the surface pixels",
                             "fill it with positions in world space; what does not move has the same one in both frames"});
     }
 }

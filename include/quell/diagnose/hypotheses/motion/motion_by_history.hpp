@@ -96,7 +96,7 @@ public:
     }
 
 private:
-    [[nodiscard]] std::size_t mistakes_in(std::size_t i) const { 
+    [[nodiscard]] std::size_t mistakes_in(std::size_t i) const {
         auto const [convention, scale] = all[i];
         return mistakes_of(convention, all[0].convention).size() + (scale < 1.f || scale > 1.f ? 1 : 0);
     }

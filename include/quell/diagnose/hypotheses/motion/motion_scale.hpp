@@ -16,7 +16,8 @@ struct CommonFactor {
                 if (std::abs(pair.expected[axis]) > 0.5f) factors.push_back(pair.found[axis] / pair.expected[axis]);
             if (factors.size() >= fewest_pairs) factor[axis] = median(factors);
         }
-        for (auto const& pair : pairs) sharing.add(glm::length(pair.found - factor * pair.expected) < 0.05f + 0.02f * glm::length(pair.expected));
+        for (auto const& pair : pairs)
+            sharing.add(glm::length(pair.found - factor * pair.expected) < 0.05f + 0.02f * glm::length(pair.expected));
     }
 };
 
@@ -29,8 +30,8 @@ inline void find_motion_scale(ComparedMotions const& pairs, std::vector<Finding>
     if (!differs || !usable || common.sharing.share() < std::max(0.6, own.share() + clear_margin)) return;
     findings.push_back({Mistake::motion_scale,
                         "of " + std::to_string(pairs.size()) + " surface pixels " + percent(common.sharing.share()) + " move by " +
-                            pair(static_cast<double>(f.x), static_cast<double>(f.y)) + " times what depth and cameras say, " + percent(own.share()) +
-                            " by that itself",
+                            pair(static_cast<double>(f.x), static_cast<double>(f.y)) + " times what depth and cameras say, " +
+                            percent(own.share()) + " by that itself",
                         "multiply motion by " + pair(1. / static_cast<double>(f.x), 1. / static_cast<double>(f.y)) +
                             ": it is in pixels of this picture, from this frame to the one before it"});
 }

@@ -54,7 +54,8 @@ inline std::optional<Exponent> exponent_of(EdgeSums const& edges) {
 }
 
 /// Adds the edge of one channel between two pixels, if there is one, and if the other albedo has none.
-inline void add_edge(EdgeSums& edges, int group, float albedo, float beside, float other, float other_beside, float signal, float signal_beside) {
+inline void add_edge(EdgeSums& edges, int group, float albedo, float beside, float other, float other_beside, float signal,
+                     float signal_beside) {
     auto const [dark, bright] = std::minmax(albedo, beside);
     auto const [low, high] = std::minmax(other, other_beside);
     if (!(dark > 0.02f) || !(bright <= 1.001f) || bright < 1.3f * dark || high > 1.05f * low + 1e-3f) return;

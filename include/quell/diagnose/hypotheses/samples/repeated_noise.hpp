@@ -60,7 +60,8 @@ inline void find_repeated_noise(Observation const& seen, SignalSeen const& signa
     findings.push_back({Mistake::seed_repeats,
                         "of " + std::to_string(same.asked) + " pixels of '" + signal.name +
                             "' that stand out from their neighbours in this frame and the last, and whose surface moved on, " +
-                            percent(same.share()) + " do so in the same direction, which is " + percent(agreement.beyond_chance()) + " of the way from chance to always",
+                            percent(same.share()) + " do so in the same direction, which is " + percent(agreement.beyond_chance()) +
+                            " of the way from chance to always",
                         "give the random numbers a new seed in every frame: noise that stays does not average out"});
 }
 

@@ -22,8 +22,8 @@ inline constexpr OtherAlbedo other_albedos[] = {
 };
 
 inline std::string signal_evidence(SignalSeen const& signal, Exponent const& own) {
-    return "at " + std::to_string(signal.notes->edges[0].edges) + " edges of albedo '" + signal.name + "' goes like albedo to the power of " +
-           text_of(own);
+    return "at " + std::to_string(signal.notes->edges[0].edges) + " edges of albedo '" + signal.name +
+           "' goes like albedo to the power of " + text_of(own);
 }
 
 /// Whether the signal follows an albedo of other rows or of another frame.
@@ -49,16 +49,16 @@ inline bool is_open(SignalSeen const& signal, Pairing pairing) {
 inline std::optional<Finding> other_power_of(SignalSeen const& signal, Exponent const& own) {
     auto const evidence = signal_evidence(signal, own) + ", and not of 1";
     if (own.error < 0.05 && std::abs(own.value) < 0.13)
-        return Finding{Mistake::signal_demodulated, evidence,
-                       "leave Demodulate{} out, or give the signal with albedo in it"};
+        return Finding{Mistake::signal_demodulated, evidence, "leave Demodulate{} out, or give the signal with albedo in it"};
     if (own.error < 0.05 && own.value > 0.2 && own.value < 0.62) {
         bool const displayed = signal.notes->brightest <= 1.001f;
         Finding finding{displayed ? Mistake::signal_encoded : Mistake::albedo_squared, evidence, {}};
         finding.or_else = {displayed ? Mistake::albedo_squared : Mistake::signal_encoded};
-        finding.remedy = std::string(displayed ? "the signal never exceeds 1, so it is most likely encoded for display (sRGB): give linear light"
-                                               : "the signal exceeds 1, so albedo is most likely linearised twice: give it as it is reflected") +
-                         "; compare the albedo of a material with the value that it is known to have: if it is right, the signal is " +
-                         "encoded, and if it is too dark, albedo is squared";
+        finding.remedy =
+            std::string(displayed ? "the signal never exceeds 1, so it is most likely encoded for display (sRGB): give linear light"
+                                  : "the signal exceeds 1, so albedo is most likely linearised twice: give it as it is reflected") +
+            "; compare the albedo of a material with the value that it is known to have: if it is right, the signal is " +
+            "encoded, and if it is too dark, albedo is squared";
         return finding;
     }
     if (own.error < 0.15 && own.value > 1.6 && own.value < 3.)
