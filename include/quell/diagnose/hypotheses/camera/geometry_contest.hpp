@@ -60,6 +60,7 @@ struct Misfit {
         });
         depth = median(depths), normal = median(normals);
     }
+    [[nodiscard]] bool is_small() const { return depth < 1e-4f && normal < 5e-3f; }
     /// To compare geometries by: a pixel's worth of normals counts about as much as one of depth.
     [[nodiscard]] float sum() const { return depth + 0.1f * normal; }
 };

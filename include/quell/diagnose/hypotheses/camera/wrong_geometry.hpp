@@ -24,7 +24,6 @@ inline std::vector<GeometryMistake> mistakes_of_geometry(Observation const& seen
         add({{Mistake::guides_behind, "with the cameras of one frame earlier",
               "fill depth, normals, albedo and motion from the frame that the signal is of; or frame.camera is one frame ahead",
               Geometry{seen.camera_then, *before}}});
-    add(mistakes_of_projection(seen, own));
     return all;
 }
 
@@ -48,9 +47,15 @@ inline GeometryIs find_wrong_geometry(Observation const& seen, std::vector<Findi
     if (!has_past && !seen.normal) return GeometryIs::unknown;
     Geometry const own{seen.camera, has_past ? seen.camera_then : seen.camera};
     Misfit const misfit(seen, own, 1);
-    if (misfit.depth < 1e-4f && misfit.normal < 5e-3f) return has_past ? GeometryIs::right : GeometryIs::unknown;
+    if (misfit.is_small()) return has_past ? GeometryIs::right : GeometryIs::unknown;
     if (has_past && find_still_camera(seen, findings)) return GeometryIs::wrong;
-    auto const winners = winners_of(seen, own, mistakes_of_geometry(seen, own));
+    auto winners = winners_of(seen, own, mistakes_of_geometry(seen, own));
+    // The search for a projection is long, and needless where all fits without.
+    if (winners.empty() || !Misfit(seen, winners[0].second.geometry, 8).is_small()) {
+        auto all = mistakes_of_geometry(seen, own);
+        for (auto& one : mistakes_of_projection(seen, own)) all.push_back(std::move(one));
+        winners = winners_of(seen, own, std::move(all));
+    }
     auto& in_a_row = seen.notes().misfits_in_a_row;
     in_a_row = winners.empty() ? 0 : in_a_row + 1;
     if (winners.empty()) return GeometryIs::unknown;
