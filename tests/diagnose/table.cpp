@@ -42,7 +42,7 @@ Take traced(std::string const& scene, tracer::Jitter jitter = tracer::Jitter::no
 }
 
 std::vector<Take> takes() {
-    constexpr Extent size{128, 72};
+    constexpr Extent size{96, 54};
     std::vector<Take> all;
     all.push_back(shot("hall", {.jitters = false, .size = size}));
     all.push_back(shot("hall, jittered", {.size = size}));

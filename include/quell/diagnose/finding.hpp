@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,62 +61,65 @@ enum class Mistake {
     not_checked, ///< no mistake: what there was too little to go by
 };
 
+namespace detail {
+/// In the order of Mistake.
+inline constexpr std::string_view mistake_names[] = {
+    "motion points the wrong way",
+    "motion is in another unit",
+    "motion's y points the other way",
+    "motion is zero although the camera moves",
+    "motion has the jitter in it",
+    "motion, cameras and depth disagree",
+    "motion is beside the right place, by the same in every pixel and frame",
+    "motion is too long or too short",
+    "something that moves has no motion of its own",
+    "sweeps point the wrong way",
+    "frame.shutter is not what sweeps last",
+    "camera.projection has the jitter in it",
+    "camera.projection is transposed",
+    "camera.view is transposed",
+    "camera.view is the camera's pose and not its inverse",
+    "the rotation in camera.view is transposed",
+    "camera.view looks down +z",
+    "camera.view is mirrored",
+    "camera.view and camera.projection are swapped",
+    "camera.projection looks down +z",
+    "rows start at the bottom, or camera.projection has y down",
+    "camera.projection is not what the picture was made with",
+    "frame.camera stays the same although everything moves",
+    "depth says nothing",
+    "depth is finite where there is no surface",
+    "depth is not positive",
+    "depth is not linear",
+    "depth is the length of the ray",
+    "normals are packed into [0, 1]",
+    "normals are not of unit length",
+    "normals are in view space",
+    "albedo is above 1",
+    "albedo is black",
+    "albedo is not linear",
+    "albedo is squared",
+    "guides are one frame behind",
+    "samples are not finite or negative",
+    "guides are not finite",
+    "positions are zero",
+    "what a ray hit is zero where it hit nothing",
+    "the signal is already divided by albedo",
+    "the signal is not linear",
+    "the signal's rows are in the other order than those of the guides",
+    "the signal is one frame behind",
+    "the signal is the same in every frame",
+    "the noise is the same in every frame",
+    "history starts afresh in every frame",
+    "the output is the input",
+    "run() refuses the frame",
+    "not checked",
+};
+static_assert(std::size(mistake_names) == static_cast<std::size_t>(Mistake::not_checked) + 1);
+} // namespace detail
+
 /// A few words for reports.
-[[nodiscard]] constexpr std::string_view name_of(Mistake mistake) {
-    constexpr std::string_view names[] = {
-        "motion points the wrong way",
-        "motion is in another unit",
-        "motion's y points the other way",
-        "motion is zero although the camera moves",
-        "motion has the jitter in it",
-        "motion, cameras and depth disagree",
-        "motion is beside the right place, by the same in every pixel and frame",
-        "motion is too long or too short",
-        "something that moves has no motion of its own",
-        "sweeps point the wrong way",
-        "frame.shutter is not what sweeps last",
-        "camera.projection has the jitter in it",
-        "camera.projection is transposed",
-        "camera.view is transposed",
-        "camera.view is the camera's pose and not its inverse",
-        "the rotation in camera.view is transposed",
-        "camera.view looks down +z",
-        "camera.view is mirrored",
-        "camera.view and camera.projection are swapped",
-        "camera.projection looks down +z",
-        "rows start at the bottom, or camera.projection has y down",
-        "camera.projection is not what the picture was made with",
-        "frame.camera stays the same although everything moves",
-        "depth says nothing",
-        "depth is finite where there is no surface",
-        "depth is not positive",
-        "depth is not linear",
-        "depth is the length of the ray",
-        "normals are packed into [0, 1]",
-        "normals are not of unit length",
-        "normals are in view space",
-        "albedo is above 1",
-        "albedo is black",
-        "albedo is not linear",
-        "albedo is squared",
-        "guides are one frame behind",
-        "samples are not finite or negative",
-        "guides are not finite",
-        "positions are zero",
-        "what a ray hit is zero where it hit nothing",
-        "the signal is already divided by albedo",
-        "the signal is not linear",
-        "the signal's rows are in the other order than those of the guides",
-        "the signal is one frame behind",
-        "the signal is the same in every frame",
-        "the noise is the same in every frame",
-        "history starts afresh in every frame",
-        "the output is the input",
-        "run() refuses the frame",
-        "not checked",
-    };
-    return names[static_cast<int>(mistake)];
-}
+[[nodiscard]] constexpr std::string_view name_of(Mistake mistake) { return detail::mistake_names[static_cast<int>(mistake)]; }
 
 /// A mistake that diagnose() found.
 struct Finding {

@@ -24,7 +24,7 @@ inline Tally absent_before(Observation const& seen, Camera const& now, Camera co
     for_each_hit(seen, [&](int x, int y) {
         auto const found = vec2_at(seen.motion, x, y);
         auto const was = still.then(x, y, seen.depth(0, x, y));
-        if (!was || !all_finite(found) || glm::length(found - was->motion) > 0.05f + 0.01f * glm::length(was->motion)) return;
+        if (!was || !all_finite(found) || glm::length(found - was->motion) > 0.005f + 0.01f * glm::length(was->motion)) return;
         absent.add(saw_farther(seen, glm::vec2(x, y) + was->motion + jitter, was->depth));
     });
     return absent;

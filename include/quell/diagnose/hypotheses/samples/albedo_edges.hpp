@@ -100,7 +100,7 @@ inline void add_edges(Observation const& seen, SignalSeen const& signal) {
         patches.push_back(now);
         auto const* const then = has_then && count < notes.patches.size() ? &notes.patches[count] : nullptr;
         int const group = static_cast<int>(count / 7 % EdgeSums::groups);
-        for (std::size_t i : {1, 2}) {
+        for (std::size_t const i : {std::size_t{1}, std::size_t{2}}) {
             if (!one_surface(seen, x, y, x + (i == 1), y + (i == 2))) continue;
             for (int c = 0; c < 3; ++c) {
                 auto const add = [&](Pairing pairing, Patch const& albedo, Patch const& other, Patch const& of) {
