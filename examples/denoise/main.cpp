@@ -167,7 +167,7 @@ private:
         for (auto const& finding : denoiser->findings()) {
             auto const text = "frame " + std::to_string(number) + ": " + to_string(finding);
             progress.say("quell-denoise: " + text);
-            summary.findings.push_back(text);
+            (finding.mistake == Mistake::not_checked ? summary.not_checked : summary.findings).push_back(text);
         }
     }
     /// Where nobody asked for these frames, a broken one is as good as none.

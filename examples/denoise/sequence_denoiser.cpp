@@ -9,8 +9,8 @@ namespace quell::examples {
 
 namespace {
 
-/// The change that a file's user can make, where there is one beside that of the host's code.
-std::string remedy_for_files(Mistake mistake) {
+/// The change that a file's user can make to mend a mistake, where there is one beside that of the host's code.
+std::string in_the_map(Mistake mistake) {
     switch (mistake) {
     case Mistake::motion_sign:
         return "; for files, set \"points\" of \"motion\" in --map";
@@ -20,9 +20,16 @@ std::string remedy_for_files(Mistake mistake) {
         return "; for files, set \"y\" of \"motion\" in --map";
     case Mistake::depth_of_misses:
         return "; for files, set \"miss_from\" in --map";
+    case Mistake::signal_demodulated:
+        return "; for files, write \"irradiance\" in place of \"radiance\" in --map";
     default:
         return {};
     }
+}
+std::string remedy_for_files(Finding const& finding) {
+    auto text = in_the_map(finding.mistake);
+    for (auto const mistake : finding.also) text += in_the_map(mistake);
+    return text;
 }
 
 void check_debug_views(Preset const& preset, std::vector<std::string> const& views) {
@@ -103,7 +110,7 @@ void SequenceDenoiser::forget() {
 void SequenceDenoiser::collect(std::vector<Finding> const& findings) {
     for (auto const& finding : findings)
         if (known.insert(finding.mistake).second)
-            found.push_back({finding.mistake, finding.evidence, finding.remedy + remedy_for_files(finding.mistake)});
+            found.push_back({finding.mistake, finding.evidence, finding.remedy + remedy_for_files(finding), finding.also, finding.or_else});
 }
 
 std::vector<std::string> SequenceDenoiser::planes(io::ExrFile const& file) const {

@@ -23,6 +23,7 @@ std::string json_of(Summary const& summary) {
               {"milliseconds", summary.milliseconds},
               {"bytes_per_pixel", summary.bytes_per_pixel},
               {"findings", summary.findings},
+              {"not_checked", summary.not_checked},
               {"remarks", summary.remarks}};
     if (!summary.scores.empty()) {
         ImageErrors sum;

@@ -16,7 +16,7 @@ struct Summary {
     long long missing_samples = 0;           ///< that were not finite, or negative
     double milliseconds = 0;                 ///< of denoising alone
     double bytes_per_pixel = 0;              ///< of history and scratch
-    std::vector<std::string> findings, remarks;
+    std::vector<std::string> findings, not_checked, remarks;
     std::vector<std::pair<long long, ImageErrors>> scores; ///< of the frames that have a reference
     std::optional<std::string> error;                      ///< why it stopped
 };

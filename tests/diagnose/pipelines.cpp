@@ -69,6 +69,7 @@ TEST_CASE("every guide that a pipeline reads must be finite on surfaces; what te
         auto const found = findings_of(reflections, frame, history, [&](GoodFrame& good) {
             auto const nowhere = glm::vec3(std::nanf(""));
             fill(frame[position], [&](int, int) { return wrong == 1 ? nowhere : glm::vec3(1.f); });
+            fill(frame[receiver_previous], [&](int, int) { return glm::vec3(1.f); });
             fill(frame[roughness], [&](int, int) { return wrong == 2 ? std::nanf("") : 0.2f; });
             fill(frame[glossy_hit], [&](int, int) { return nowhere; });
             fill(frame[glossy_hit_previous], [&](int, int) { return nowhere; });
@@ -82,7 +83,10 @@ TEST_CASE("every guide that a pipeline reads must be finite on surfaces; what te
 TEST_CASE("a host's own memory is read in place, and asked for where there is none") {
     Frame frame{size, denoise, Borrowed<>{}};
     History history{size, denoise};
-    CHECK_THROWS_AS(static_cast<void>(diagnose(frame, history)), Error);
+    auto const refused = diagnose(frame, history);
+    REQUIRE(refused.size() == 1);
+    CHECK(to_string(refused[0]) ==
+          "run() refuses the frame: channel 'radiance': no memory; point the channel at the host's image before run()");
     GoodFrame good(size);
     fill_well(good, {.size = size}, 0);
     std::vector<std::vector<float>> memory;
@@ -130,6 +134,25 @@ TEST_CASE("vectors of a convention that the pipeline declares are no mistake; ot
     }
     History history{size, other};
     auto const found = findings_of(other, frame, history, [](GoodFrame& good) { good.camera.jitter = {}; });
-    CHECK(mistakes(found).contains(Mistake::motion_unit));
+    REQUIRE(mistakes(found).contains(Mistake::motion_unit));
     CHECK(found[0].remedy.find("Supplied<MotionConvention{}>") != std::string::npos);
+}
+
+TEST_CASE("what was not checked is said once, with the reason") {
+    for (bool const known : {true, false}) {
+        Frame frame{size, denoise};
+        History history{size, denoise};
+        auto const found = findings_of(denoise, frame, history, [&](GoodFrame& good) {
+            if (!known) good.camera = {};
+        });
+        REQUIRE(found.size() == (known ? 0 : 1));
+        if (!known)
+            CHECK(to_string(found[0]).starts_with("not checked: frame.camera is not set: motion, depth and normals were not compared"));
+    }
+    constexpr auto by_motion = Pipeline{radiance, Temporal{SurfaceMotion<SameInstance>{}, RunningMean{}}};
+    Frame frame{size, by_motion};
+    History history{size, by_motion};
+    auto const found = findings_of(by_motion, frame, history, [](GoodFrame&) {});
+    REQUIRE(found.size() == 1);
+    CHECK(to_string(found[0]).starts_with("not checked: the pipeline reads no depth"));
 }

@@ -2,16 +2,25 @@
 
 // Opt-in: finds mistakes of a host that integrates quell. Needs the same libraries as quell.hpp.
 
-#include <quell/diagnose/hypotheses/albedo_hypotheses.hpp>
-#include <quell/diagnose/hypotheses/camera_hypotheses.hpp>
-#include <quell/diagnose/hypotheses/depth_hypotheses.hpp>
-#include <quell/diagnose/hypotheses/history_hypotheses.hpp>
-#include <quell/diagnose/hypotheses/motion_by_history.hpp>
-#include <quell/diagnose/hypotheses/motion_disagreement.hpp>
-#include <quell/diagnose/hypotheses/normal_hypotheses.hpp>
-#include <quell/diagnose/hypotheses/sample_hypotheses.hpp>
-#include <quell/diagnose/hypotheses/sweep_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/camera/matrices.hpp>
+#include <quell/diagnose/hypotheses/camera/wrong_geometry.hpp>
+#include <quell/diagnose/hypotheses/guides/albedo_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/guides/depth_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/guides/normal_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/guides/position_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/motion/forgotten_motion.hpp>
+#include <quell/diagnose/hypotheses/motion/geometry_by_motion.hpp>
+#include <quell/diagnose/hypotheses/motion/motion_by_history.hpp>
+#include <quell/diagnose/hypotheses/motion/motion_disagreement.hpp>
+#include <quell/diagnose/hypotheses/motion/motion_offsets.hpp>
+#include <quell/diagnose/hypotheses/motion/motion_scale.hpp>
+#include <quell/diagnose/hypotheses/motion/sweep_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/samples/history_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/samples/repeated_noise.hpp>
+#include <quell/diagnose/hypotheses/samples/sample_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/samples/signal_hypotheses.hpp>
 #include <quell/diagnose/inspect.hpp>
+#include <quell/diagnose/not_checked.hpp>
 #include <quell/pipeline/execution/check_frame.hpp>
 
 namespace quell {
@@ -20,56 +29,97 @@ namespace detail {
 /// A moving camera tells best what motion must be. Exact causes come first, since one mistake has many symptoms.
 inline void find_by_moving_camera(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
     auto const before = findings.size();
+    auto const found = [&] { return findings.size() > before; };
     find_zero_motion(pairs, findings);
-    if (findings.size() == before && !find_inverted_view(seen, pairs, findings) && !find_camera_upside_down(seen, pairs, findings))
-        find_motion_convention(seen, pairs, findings);
-    if (findings.size() == before) find_disagreement(seen, pairs, findings);
+    if (!found()) find_motion_convention(seen, pairs, findings);
+    if (!found()) find_motion_scale(pairs, findings);
+    if (!found()) find_disagreement(seen, pairs, findings);
 }
 
 /// Without known cameras, motion is judged as of a static camera, then by the history.
-inline void find_motion_mistakes(Observation const& seen, bool cameras, bool shift_is_known, std::vector<Finding>& findings) {
+inline void find_motion_mistakes(Observation const& seen, GeometryIs geometry, bool cameras, bool shift_is_known,
+                                 std::vector<Finding>& findings) {
+    auto const before = findings.size();
     auto const pairs = cameras ? motion_pairs(seen, seen.camera, seen.camera_then) : still_pairs(seen);
+    auto const moved = cameras ? moving(pairs) : ComparedMotions{};
+    bool const moves = moved.size() >= fewest_pairs;
     if (pairs.size() < fewest_pairs || (shift_is_known && find_motion_jitter(seen, pairs, findings))) return;
-    if (cameras) find_still_camera(seen, pairs, findings);
-    if (auto const moved = moving(pairs); cameras && moved.size() >= fewest_pairs)
+    if (geometry == GeometryIs::right && find_motion_offset(seen, pairs, moves, findings)) return;
+    if (moves && geometry == GeometryIs::unknown && find_geometry_by_motion(seen, moved, findings)) return;
+    if (moves)
         find_by_moving_camera(seen, moved, findings);
     else if (seen.depth_then)
         find_motion_convention_by_history(seen, findings);
+    if (findings.size() > before || !seen.depth_then) return;
+    if (cameras) find_forgotten_motion(seen, seen.camera, seen.camera_then, findings);
 }
 
 /// Mistakes that take two frames to see.
-inline void find_mistakes_over_time(Observation seen, bool camera_is_wrong, std::vector<Finding>& findings) {
+inline void find_mistakes_over_time(Observation seen, GeometryIs geometry, bool camera_is_wrong, std::vector<Finding>& findings) {
     bool const jittered = !camera_is_wrong && find_projection_jitter(seen, findings);
     // Judge motion without the jitter.
     if (jittered) seen.camera_then.projection = seen.camera.projection;
     bool const cameras = !camera_is_wrong && known(seen.camera) && known(seen.camera_then);
-    if (seen.motion) find_motion_mistakes(seen, cameras, shift_of(seen) == glm::vec2(0.f), findings);
+    if (cameras && geometry == GeometryIs::unknown && find_still_camera(seen, findings)) return;
+    if (seen.motion) find_motion_mistakes(seen, geometry, cameras, shift_of(seen) == glm::vec2(0.f), findings);
     if (seen.sweep && cameras) find_wrong_sweeps(seen, findings);
 }
 
 /// Depth first, then the camera: later tests build on them.
-inline void find_guide_mistakes(Observation const& seen, std::vector<Finding>& findings) {
+inline void find_guide_mistakes(Observation seen, std::vector<Finding>& findings) {
     if (seen.albedo) find_albedo_range(seen, findings);
-    bool camera_is_wrong = find_wrong_matrices(seen, findings);
+    bool const camera_is_wrong = find_wrong_matrices(seen, findings);
     bool const depth_is_wrong = seen.depth && find_wrong_depth(seen, findings);
+    if (seen.depth && !depth_is_wrong)
+        if (auto const sky = find_finite_sky(seen, findings)) seen = without_sky(std::move(seen), *sky);
     bool const length_is_wrong = seen.normal && find_normal_length(seen, findings);
     if (!seen.depth || depth_is_wrong) return;
-    if (seen.normal && !length_is_wrong && !camera_is_wrong && known(seen.camera)) camera_is_wrong = find_normal_space(seen, findings);
-    if ((seen.motion || seen.sweep) && seen.has_then) find_mistakes_over_time(seen, camera_is_wrong, findings);
+    auto with_good_normals = seen;
+    if (length_is_wrong) with_good_normals.normal = {};
+    auto const geometry = camera_is_wrong ? GeometryIs::unknown : find_wrong_geometry(with_good_normals, findings);
+    if (geometry == GeometryIs::wrong) return;
+    if ((seen.motion || seen.sweep) && seen.has_then) find_mistakes_over_time(seen, geometry, camera_is_wrong, findings);
+}
+
+/// What the signals show together with guides, where these are right.
+inline void find_signal_mistakes(Observation const& seen, std::vector<Finding>& findings) {
+    auto const said = [&](auto... mistakes) {
+        return std::ranges::any_of(findings, [&](Finding const& f) { return ((f.mistake == mistakes) || ...); });
+    };
+    bool const same = said(Mistake::identical_frames);
+    bool const guides_are_wrong = said(Mistake::albedo_black, Mistake::albedo_above_one, Mistake::guides_behind, Mistake::normal_packed,
+                                       Mistake::normal_not_unit, Mistake::depth_not_positive, Mistake::depth_not_linear);
+    for (auto const& signal : seen.of_signals) {
+        if (!same) find_repeated_noise(seen, signal, findings);
+        if (!guides_are_wrong) find_signal_mistakes(seen, signal, findings);
+    }
+}
+
+/// Whether a finding says already that the camera is no use.
+inline bool camera_was_said(std::vector<Finding> const& findings) {
+    return std::ranges::any_of(findings, [](Finding const& f) {
+        return f.mistake == Mistake::projection_transposed || f.mistake == Mistake::view_transposed ||
+               f.mistake == Mistake::matrices_swapped || f.mistake == Mistake::camera_faces_backwards;
+    });
 }
 
 inline std::vector<Finding> findings_of(Observation const& seen) {
     std::vector<Finding> findings;
     find_resets(seen, findings);
     find_sample_mistakes(seen, findings);
+    find_zero_positions(seen, findings), find_zero_hits(seen, findings);
     find_guide_mistakes(seen, findings);
+    find_signal_mistakes(seen, findings);
     find_output_mistakes(seen, findings);
+    if (!camera_was_said(findings)) say_what_is_not_checked(seen, findings);
+    seen.notes().camera_before = seen.has_then ? std::optional(seen.camera_then) : std::nullopt;
     return findings;
 }
 } // namespace detail
 
 /// Finds mistakes of the host in this frame, its past and their cameras. Empty where all is well and where there is no evidence: a static
-/// camera says little about motion. Call it right before run(), in debug builds every frame:
+/// camera says little about motion. One finding of a history, Mistake::not_checked, says what there was too little to check. Call it right
+/// before run(), in debug builds every frame:
 ///
 ///     for (auto const& finding : diagnose(frame, history)) log(to_string(finding));
 ///     run(denoise, frame, history);
@@ -82,17 +132,30 @@ inline std::vector<Finding> findings_of(Observation const& seen) {
 /// @param history the history that run() gets next; it also keeps the notes
 /// @param converted_from for hosts that convert motion vectors before they write them: the convention from which, so that the finding names
 /// the mistake in its terms. Not needed with Supplied<>.
-/// @throws Error as run() does for a frame that it could not use
+/// No exception leaves it: a frame that run() would refuse is a finding. Where exceptions are off, the ErrorHandler is called as by run().
 template <class P, class Set, class FrameStorage, class Storage>
 [[nodiscard]] std::vector<Finding> diagnose(Frame<Set, FrameStorage> const& frame, History<P, Storage>& history,
                                             std::optional<MotionConvention> converted_from = {}) {
     static_assert(
         contained_in<typename P::reads, Set>,
         "diagnose(frame, history): the frame lacks a channel that the history's pipeline reads; construct the frame with this pipeline");
-    detail::check_frame<P>(frame);
-    auto seen = detail::observe<P>(frame, history);
-    if (converted_from) seen.convention = *converted_from;
-    return detail::findings_of(seen);
+    auto const diagnosed = [&] {
+        detail::check_frame<P>(frame);
+        auto seen = detail::observe<P>(frame, history);
+        if (converted_from) seen.convention = *converted_from;
+        return detail::findings_of(seen);
+    };
+#if defined(__cpp_exceptions)
+    try {
+        return diagnosed();
+    } catch (Error const& error) {
+        return {{Mistake::frame_refused, error.subject + ": " + error.found, error.remedy}};
+    } catch (std::exception const& error) {
+        return {{Mistake::not_checked, std::string("this frame, since there was an error: ") + error.what(), "look at the host's images"}};
+    }
+#else
+    return diagnosed();
+#endif
 }
 
 } // namespace quell

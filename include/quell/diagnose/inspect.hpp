@@ -54,6 +54,7 @@ template <class P, class F, class H> SignalSeen signal_seen(F const& frame, H& h
     auto const& counted = history.statistics();
     SignalSeen seen{.name = std::string(Output::name), .components = Output::components, .has_past = P::has_past};
     seen.has_stages = std::tuple_size_v<decltype(P::stages)> > 0;
+    seen.demodulated = P::reads::template has<Albedo> && Output::components == 3;
     seen.blurs = P::reads::template has<Sweep> || P::reads::template has<Time>;
     seen.input = lookup_of<P>(frame, Output{});
     if (Inspect::size(history) == frame.size) seen.output_then = lookup_in(Inspect::output(history));
@@ -72,6 +73,15 @@ template <class P, class Set, class Storage> std::vector<GuideSeen> guides_seen(
     std::vector<GuideSeen> guides;
     for_each_channel(common_to<common_to<FiniteGuides, typename P::reads>, Set>{}, [&](auto c) {
         guides.push_back({std::string(c.name), c.components, lookup(frame[c].view()), c.components == 2 ? 0.1 : 0.001});
+    });
+    return guides;
+}
+
+/// Of some channels, those that the frame has and the pipeline reads.
+template <class P, class Some, class Set, class Storage> std::vector<GuideSeen> some_of(Frame<Set, Storage> const& frame) {
+    std::vector<GuideSeen> guides;
+    for_each_channel(common_to<common_to<Some, typename P::reads>, Set>{}, [&](auto c) {
+        guides.push_back({std::string(c.name), c.components, lookup(frame[c].view()), 0.});
     });
     return guides;
 }
@@ -101,6 +111,8 @@ template <class P, class Set, class FrameStorage, class H> Observation observe(F
     seen.motion = lookup_of<P>(frame, motion), seen.albedo = lookup_of<P>(frame, albedo);
     seen.sweep = lookup_of<P>(frame, sweep), seen.shutter = frame.shutter;
     seen.guides = guides_seen<P>(frame);
+    seen.positions = some_of<P, Channels<Position, ReceiverPrevious, Light, LightPrevious>>(frame);
+    seen.hit_points = some_of<P, Channels<Blocker, BlockerPrevious, GlossyHit, GlossyHitPrevious>>(frame);
     seen.convention = P::motion_convention;
     for_each_history(history, [&]<class Part>(std::type_identity<Part> part, auto& of_part) {
         seen.of_signals.push_back(signal_seen<Part>(frame, of_part));

@@ -26,9 +26,10 @@ inline glm::vec3 vec3_at(Lookup const& image, int x, int y) { return {image(0, x
 struct SignalSeen {
     std::string name;
     int components = 1;
-    bool has_past = false;   ///< whether the pipeline has a history
-    bool has_stages = false; ///< whether the pipeline has stages
-    bool blurs = false;      ///< whether it blurs along sweeps: its static pixels come out as they went in
+    bool has_past = false;    ///< whether the pipeline has a history
+    bool has_stages = false;  ///< whether the pipeline has stages
+    bool demodulated = false; ///< whether the pipeline divides it by albedo
+    bool blurs = false;       ///< whether it blurs along sweeps: its static pixels come out as they went in
     Lookup input{};
     Lookup output_then{}; ///< of the last run; empty without one, or if the host owns it (run_into)
     long long frames = 0, resets = 0;
@@ -59,6 +60,8 @@ struct Observation {
     Camera camera{}, camera_then{};
     std::vector<SignalSeen> of_signals{};
     std::vector<GuideSeen> guides{};
+    std::vector<GuideSeen> positions{};  ///< world-space positions that every surface has
+    std::vector<GuideSeen> hit_points{}; ///< world-space positions that are not finite where a ray hit nothing
 
     [[nodiscard]] DiagnosisNotes& notes() const { return *of_signals.front().notes; }
     /// Whether the pixel shows a surface; a miss may hold anything.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/diagnose/hypotheses/motion_by_history.hpp>
+#include <quell/diagnose/hypotheses/motion/motion_by_history.hpp>
 
 namespace quell::detail {
 

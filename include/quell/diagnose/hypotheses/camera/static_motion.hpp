@@ -45,12 +45,22 @@ public:
         auto const p = view_from_clip * glm::dvec4(place.x / size.x * 2. - 1., 1. - place.y / size.y * 2., 0.5, 1.);
         return glm::dvec3(p) / p.w * (static_cast<double>(depth) * p.w / -p.z);
     }
-    /// Its motion in pixels; empty if it was behind the camera.
-    [[nodiscard]] std::optional<glm::vec2> at(int x, int y, float depth) const {
+    /// Motion in pixels, and depth in the previous frame.
+    struct Then {
+        glm::vec2 motion;
+        float depth;
+    };
+    /// Empty if it was behind the camera.
+    [[nodiscard]] std::optional<Then> then(int x, int y, float depth) const {
         auto const clip = clip_then_from_view * glm::dvec4(point(x, y, depth), 1.);
         if (!(clip.w > 1e-6)) return std::nullopt;
-        glm::dvec2 const then{(clip.x / clip.w * 0.5 + 0.5) * size.x, (0.5 - 0.5 * clip.y / clip.w) * size.y};
-        return glm::vec2(then - place_of(x, y));
+        glm::dvec2 const place{(clip.x / clip.w * 0.5 + 0.5) * size.x, (0.5 - 0.5 * clip.y / clip.w) * size.y};
+        return Then{glm::vec2(place - place_of(x, y)), static_cast<float>(clip.w)};
+    }
+    /// Its motion alone.
+    [[nodiscard]] std::optional<glm::vec2> at(int x, int y, float depth) const {
+        auto const found = then(x, y, depth);
+        return found ? std::optional(found->motion) : std::nullopt;
     }
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/diagnose/hypotheses/motion_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/motion/motion_hypotheses.hpp>
 
 #include <algorithm>
 

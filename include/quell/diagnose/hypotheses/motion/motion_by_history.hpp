@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/diagnose/hypotheses/motion_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/motion/motion_hypotheses.hpp>
 
 #include <cmath>
 #include <optional>
@@ -56,36 +56,53 @@ inline void add(Comparison& comparison, Trial const& a, Trial const& b) {
     }
 }
 
-/// Compares all conventions pairwise on the vectors of all frames so far. The pipeline's is the first.
+/// A way to read the vectors: of another convention, or longer or shorter than they should be.
+struct Reading {
+    MotionConvention convention;
+    float scale = 1.f; ///< what they are multiplied by
+};
+inline std::vector<Reading> readings(MotionConvention taken_for) {
+    std::vector<Reading> all;
+    for (auto const each : motion_conventions(taken_for)) all.push_back({each});
+    all.push_back({taken_for, 0.5f}), all.push_back({taken_for, 2.f});
+    return all;
+}
+
+/// Compares all readings pairwise on the vectors of all frames so far. The pipeline's is the first.
 class Tournament {
-    std::vector<MotionConvention> conventions;
+    std::vector<Reading> all;
     std::vector<Comparison>& comparisons;
     std::size_t best = 0;
 
 public:
-    explicit Tournament(Observation const& seen) : conventions(motion_conventions(seen.convention)), comparisons(seen.notes().comparisons) {
-        comparisons.resize(conventions.size() * conventions.size());
+    explicit Tournament(Observation const& seen) : all(readings(seen.convention)), comparisons(seen.notes().comparisons) {
+        comparisons.resize(all.size() * all.size());
         auto const trials = trials_of(seen);
         for (std::size_t a = 0; a < trials.size(); ++a)
             for (std::size_t b = 0; b < a; ++b) add(comparisons[a * trials.size() + b], trials[a], trials[b]);
         for (std::size_t i = 1; i < trials.size(); ++i)
             if (won(i, best)) best = i;
     }
-    [[nodiscard]] MotionConvention convention() const { return conventions[best]; }
+    [[nodiscard]] MotionConvention convention() const { return all[best].convention; }
     /// The pipeline's convention against the best.
     [[nodiscard]] Comparison comparison() const { return comparison(0, best); }
     /// Whether the best beats the pipeline's convention, and all others that differ from that in as little.
     [[nodiscard]] bool decided() const {
-        for (std::size_t i = 1; i < conventions.size(); ++i)
+        for (std::size_t i = 1; i < all.size(); ++i)
             if (i != best && mistakes_in(i) <= mistakes_in(best) && comparison(best, i).apart >= 20 && !won(best, i)) return false;
-        return best > 0 && won(best, 0) && comparison().second >= 20;
+        // Shorter vectors lead to the same surface more often: that is no evidence.
+        bool const scaled = all[best].scale < 1.f || all[best].scale > 1.f;
+        return best > 0 && !scaled && won(best, 0) && comparison().second >= 20;
     }
 
 private:
-    [[nodiscard]] std::size_t mistakes_in(std::size_t i) const { return mistakes_of(conventions[i], conventions[0]).size(); }
+    [[nodiscard]] std::size_t mistakes_in(std::size_t i) const {
+        auto const [convention, scale] = all[i];
+        return mistakes_of(convention, all[0].convention).size() + (scale < 1.f || scale > 1.f ? 1 : 0);
+    }
     [[nodiscard]] Comparison comparison(std::size_t a, std::size_t b) const {
-        if (a > b) return comparisons[a * conventions.size() + b];
-        auto const turned = comparisons[b * conventions.size() + a];
+        if (a > b) return comparisons[a * all.size() + b];
+        auto const turned = comparisons[b * all.size() + a];
         return {turned.second, turned.first, turned.apart};
     }
     /// With a margin: disoccluded pixels match neither, or one by chance.
@@ -94,12 +111,12 @@ private:
     }
 
     [[nodiscard]] std::vector<Trial> trials_of(Observation const& seen) const {
-        std::vector<Trial> trials(conventions.size());
+        std::vector<Trial> trials(all.size());
         for_each_hit(seen, [&](int x, int y) {
             auto const found = vec2_at(seen.motion, x, y);
             if (!all_finite(found) || found == glm::vec2(0.f)) return;
             for (std::size_t i = 0; i < trials.size(); ++i)
-                trials[i].add(seen, x, y, found * correction(conventions[i], seen.convention, seen.size));
+                trials[i].add(seen, x, y, found * all[i].scale * correction(all[i].convention, seen.convention, seen.size));
         });
         return trials;
     }
@@ -113,8 +130,8 @@ inline void find_motion_convention_by_history(Observation const& seen, std::vect
     report_convention(tournament.convention(), seen,
                       std::to_string(tournament.comparison().first) +
                           " moving pixels find their surface in the last frame by motion as it is and not by motion times " +
-                          pair(factor.x, factor.y) + ", " + std::to_string(tournament.comparison().second) +
-                          " the other way round, in all frames so far",
+                          pair(static_cast<double>(factor.x), static_cast<double>(factor.y)) + ", " +
+                          std::to_string(tournament.comparison().second) + " the other way round, in all frames so far",
                       findings);
 }
 

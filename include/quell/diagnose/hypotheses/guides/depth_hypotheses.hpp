@@ -1,9 +1,10 @@
 #pragma once
 
-#include <quell/diagnose/hypotheses/static_motion.hpp>
+#include <quell/diagnose/hypotheses/camera/static_motion.hpp>
 #include <quell/diagnose/observation.hpp>
 #include <quell/diagnose/statistics.hpp>
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
 
 #include <cmath>
@@ -112,29 +113,72 @@ inline Evenness evenness_of(Observation const& seen) {
 
 /// Depth-buffer values. Returns whether that is so.
 inline bool find_depth_not_linear(Observation const& seen, std::vector<Finding>& findings) {
-    Tally in_unit_range;
+    Tally in_unit_range, none;
     std::vector<float> depths;
     for_each_hit(seen, [&](int x, int y) {
         depths.push_back(seen.depth(0, x, y));
-        in_unit_range.add(depths.back() >= 0.f && depths.back() <= 1.f);
+        in_unit_range.add(depths.back() >= 0.f && depths.back() <= 1.f), none.add(!(std::abs(depths.back()) > 0.f));
     });
     if (in_unit_range.share() < 0.99) return false;
     auto const evenness = evenness_of(seen);
     if (evenness.buffer.asked < 50 || evenness.buffer.share() < evenness.linear.share() + 0.25) return false;
-    findings.push_back({Mistake::depth_not_linear,
-                        "all depths lie in [0, 1], their median at " + number(static_cast<double>(median(depths))) + ", and of " +
-                            std::to_string(evenness.buffer.asked) + " places on slopes " + percent(evenness.buffer.share()) +
-                            " look like planes in a depth buffer, " + percent(evenness.linear.share()) + " like planes in linear depth",
-                        "write the distance along the view axis in world units, +infinity where there is no surface: for depth d in [0, 1] "
-                        "near * far / (far - d * (far - near)), with near and far exchanged where it is reversed"});
+    findings.push_back(
+        {Mistake::depth_not_linear,
+         "all depths lie in [0, 1], their median at " + number(static_cast<double>(median(depths))) + ", and of " +
+             std::to_string(evenness.buffer.asked) + " places on slopes " + percent(evenness.buffer.share()) +
+             " look like planes in a depth buffer, " + percent(evenness.linear.share()) + " like planes in linear depth",
+         std::string("write the distance along the view axis in world units, +infinity where there is no surface: for depth d in [0, 1] "
+                     "near * far / (far - d * (far - near)), with near and far exchanged where it is reversed") +
+             (none.yes > 0 ? ", as it seems to be: it is 0 in " + percent(none.share()) + " of the picture" : "")});
     return true;
+}
+
+/// The depth of a sky that a host with a far plane gives: the largest of the picture, the same in many pixels, and not that of a wall.
+/// Returns it, if that is so.
+inline std::optional<float> find_finite_sky(Observation const& seen, std::vector<Finding>& findings) {
+    float farthest = 0.f;
+    std::vector<float> depths;
+    for_each_hit(seen, [&](int x, int y) { depths.push_back(seen.depth(0, x, y)), farthest = std::max(farthest, depths.back()); });
+    Tally there;
+    glm::vec3 sum{};
+    float lengths = 0.f;
+    for_each_hit(seen, [&](int x, int y) {
+        bool const far = bits(seen.depth(0, x, y)) == bits(farthest);
+        there.add(far);
+        if (!far || !seen.normal) return;
+        sum += vec3_at(seen.normal, x, y), lengths += glm::length(vec3_at(seen.normal, x, y));
+    });
+    auto const before = std::exchange(seen.notes().farthest, farthest);
+    if (there.share() < 0.005 || there.yes < 20 || there.yes == there.asked) return std::nullopt;
+    bool const cameras = seen.has_then && known(seen.camera) && known(seen.camera_then);
+    bool const stays = cameras && bits(before) == bits(farthest) && changes_depth(seen.camera, seen.camera_then, farthest);
+    // A wall that faces the camera has one normal.
+    bool const is_no_wall = seen.normal && (glm::length(sum) < 0.99f * lengths || lengths < 0.5f * static_cast<float>(there.yes));
+    if (!stays && !is_no_wall && farthest < 1e4f * median(depths)) return std::nullopt;
+    findings.push_back({Mistake::depth_of_misses,
+                        "it is exactly " + number(static_cast<double>(farthest)) + " in " + percent(there.share()) +
+                            " of the picture, more than anywhere else, and not as a wall is",
+                        "write +infinity into depth where there is no surface"});
+    return farthest;
+}
+/// The same frame, and its past, with misses in place of that depth.
+inline Observation without_sky(Observation seen, float sky) {
+    auto const masked = [sky](Lookup const& depth) -> Lookup {
+        if (!depth) return {};
+        return [=](int c, int x, int y) {
+            float const z = depth(c, x, y);
+            return z < sky ? z : std::numeric_limits<float>::infinity();
+        };
+    };
+    seen.depth = masked(seen.depth), seen.depth_then = masked(seen.depth_then);
+    return seen;
 }
 
 /// What depth shows by itself. Returns whether it is unusable.
 inline bool find_wrong_depth(Observation const& seen, std::vector<Finding>& findings) {
     find_depth_not_finite(seen, findings);
     bool const says_nothing = find_no_surface(seen, findings) || find_constant_depth(seen, findings);
-    return says_nothing || find_depth_not_positive(seen, findings) || find_depth_not_linear(seen, findings);
+    return says_nothing || find_depth_not_linear(seen, findings) || find_depth_not_positive(seen, findings);
 }
 
 } // namespace quell::detail

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <quell/diagnose/observation.hpp>
+#include <quell/diagnose/statistics.hpp>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace quell::detail {
+
+/// Which signal is held against which albedo.
+enum class Pairing {
+    as_given,
+    turned, ///< the signal with its rows in the other order
+    behind, ///< this frame's signal, the last frame's albedo
+    ahead,  ///< the last frame's signal, this frame's albedo
+};
+
+/// How the signal follows albedo: it goes like albedo to this power. 1 where all is right.
+struct Exponent {
+    double value = 0., error = 0.; ///< the error is a standard one
+};
+
+/// Of some groups.
+inline double exponent_without(EdgeSums const& edges, int left_out) {
+    double sum = 0., weight = 0.;
+    for (std::size_t strength = 0; strength < EdgeSums::strengths; ++strength) {
+        EdgeSums::Sum all;
+        for (int group = 0; group < EdgeSums::groups; ++group) {
+            if (group == left_out) continue;
+            auto const& one = edges.sums[static_cast<std::size_t>(group)][strength];
+            all.bright += one.bright, all.dark += one.dark, all.logarithms += one.logarithms, all.edges += one.edges;
+        }
+        if (all.edges < 20 || !(all.bright > 0.) || !(all.dark > 0.)) continue;
+        double const mean = all.logarithms / static_cast<double>(all.edges), w = all.logarithms * mean;
+        sum += w * std::log(all.bright / all.dark) / mean, weight += w;
+    }
+    return weight > 0. ? sum / weight : 0.;
+}
+/// By leaving out one group after the other; empty if there are few edges.
+inline std::optional<Exponent> exponent_of(EdgeSums const& edges) {
+    if (edges.edges < 150) return std::nullopt;
+    Exponent result{exponent_without(edges, -1), 0.};
+    double variance = 0.;
+    for (int group = 0; group < EdgeSums::groups; ++group) {
+        double const off = exponent_without(edges, group) - result.value;
+        variance += off * off * (EdgeSums::groups - 1.) / EdgeSums::groups;
+    }
+    result.error = std::sqrt(variance);
+    return result;
+}
+
+/// Adds the edge of one channel between two pixels, if there is one, and if the other albedo has none.
+inline void add_edge(EdgeSums& edges, int group, float albedo, float beside, float other, float other_beside, float signal,
+                     float signal_beside) {
+    auto const [dark, bright] = std::minmax(albedo, beside);
+    auto const [low, high] = std::minmax(other, other_beside);
+    if (!(dark > 0.02f) || !(bright <= 1.001f) || bright < 1.3f * dark || high > 1.05f * low + 1e-3f) return;
+    if (!(signal >= 0.f) || !(signal_beside >= 0.f) || !is_finite(signal + signal_beside)) return;
+    double const logarithm = std::log(static_cast<double>(bright / dark));
+    auto const strength = std::min(static_cast<std::size_t>(logarithm / 0.5), std::size_t{EdgeSums::strengths - 1});
+    auto& sum = edges.sums[static_cast<std::size_t>(group)][strength];
+    sum.bright += static_cast<double>(albedo > beside ? signal : signal_beside);
+    sum.dark += static_cast<double>(albedo > beside ? signal_beside : signal);
+    sum.logarithms += logarithm, ++sum.edges, ++edges.edges;
+}
+
+inline Patch patch_at(Lookup const& signal, Lookup const& albedo, int x, int y, int step) {
+    Patch patch;
+    glm::ivec2 const places[] = {{x, y}, {x + 1, y}, {x, y + step}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        patch.signal[i] = vec3_at(signal, places[i].x, places[i].y);
+        patch.albedo[i] = vec3_at(albedo, places[i].x, places[i].y);
+    }
+    return patch;
+}
+
+/// Whether two pixels show the same smooth surface, so that only albedo tells them apart.
+inline bool one_surface(Observation const& seen, int x, int y, int i, int j) {
+    if (!seen.depth || !seen.hit(x, y) || !seen.hit(i, j)) return false;
+    float const here = seen.depth(0, x, y), there = seen.depth(0, i, j);
+    if (std::abs(here - there) > 0.03f * here) return false;
+    return !seen.normal || glm::dot(vec3_at(seen.normal, x, y), vec3_at(seen.normal, i, j)) > 0.98f;
+}
+
+/// Adds this frame's edges to all sums, and keeps its patches for the next one.
+inline void add_edges(Observation const& seen, SignalSeen const& signal) {
+    auto& notes = *signal.notes;
+    std::vector<Patch> patches;
+    auto const edges = [&](Pairing pairing) -> EdgeSums& { return notes.edges[static_cast<std::size_t>(pairing)]; };
+    bool const has_then = seen.has_then;
+    int const height = seen.size.height;
+    for_each_place(seen.size, [&](int x, int y) {
+        if (x + 1 >= seen.size.width || y + 1 >= height) return;
+        auto const now = patch_at(signal.input, seen.albedo, x, y, 1), turned = patch_at(signal.input, seen.albedo, x, height - 1 - y, -1);
+        auto const count = patches.size();
+        patches.push_back(now);
+        auto const* const then = has_then && count < notes.patches.size() ? &notes.patches[count] : nullptr;
+        int const group = static_cast<int>(count / 7 % EdgeSums::groups);
+        for (std::size_t const i : {std::size_t{1}, std::size_t{2}}) {
+            if (!one_surface(seen, x, y, x + (i == 1), y + (i == 2))) continue;
+            for (int c = 0; c < 3; ++c) {
+                auto const add = [&](Pairing pairing, Patch const& albedo, Patch const& other, Patch const& of) {
+                    add_edge(edges(pairing), group, albedo.albedo[0][c], albedo.albedo[i][c], other.albedo[0][c], other.albedo[i][c],
+                             of.signal[0][c], of.signal[i][c]);
+                };
+                Patch const none{};
+                add(Pairing::as_given, now, none, now), add(Pairing::turned, now, turned, turned);
+                if (then) add(Pairing::behind, *then, now, now), add(Pairing::ahead, now, *then, *then);
+            }
+        }
+    });
+    notes.patches = std::move(patches);
+}
+
+} // namespace quell::detail

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <quell/diagnose/hypotheses/samples/albedo_edges.hpp>
+
+namespace quell::detail {
+
+inline std::string text_of(Exponent const& e) { return number(e.value) + " +- " + number(e.error); }
+
+/// A signal that follows another albedo than the one given with it.
+struct OtherAlbedo {
+    Pairing pairing;
+    Mistake mistake;
+    char const *which, *remedy;
+};
+inline constexpr OtherAlbedo other_albedos[] = {
+    {Pairing::turned, Mistake::signal_upside_down, "its rows in the other order",
+     "give the signal and the guides in the same order of rows, the first at the top"},
+    {Pairing::behind, Mistake::signal_behind, "the last frame's albedo",
+     "give run() the signal and the guides of one frame: look at double buffers and at what is read back late"},
+    {Pairing::ahead, Mistake::guides_behind, "the last frame's signal and this frame's albedo",
+     "give run() the signal and the guides of one frame: look at double buffers and at what is read back late"},
+};
+
+inline std::string signal_evidence(SignalSeen const& signal, Exponent const& own) {
+    return "at " + std::to_string(signal.notes->edges[0].edges) + " edges of albedo '" + signal.name +
+           "' goes like albedo to the power of " + text_of(own);
+}
+
+/// Whether the signal follows an albedo of other rows or of another frame.
+inline std::optional<Finding> other_albedo_of(SignalSeen const& signal, Exponent const& own) {
+    if (own.value > 0.4) return std::nullopt;
+    for (auto const& other : other_albedos) {
+        auto const e = exponent_of(signal.notes->edges[static_cast<std::size_t>(other.pairing)]);
+        if (e && e->error < 0.12 && e->value > 0.65 && e->value < 1.5)
+            return Finding{other.mistake, signal_evidence(signal, own) + ", and with " + other.which + " of " + text_of(*e), other.remedy};
+    }
+    return std::nullopt;
+}
+
+/// Whether too few edges moved so far to tell, but enough to tell some day.
+inline bool is_open(SignalSeen const& signal, Pairing pairing) {
+    auto const& edges = signal.notes->edges[static_cast<std::size_t>(pairing)];
+    auto const e = exponent_of(edges);
+    return 50 * edges.edges > signal.notes->edges[0].edges && !(e && e->error < 0.12 && e->value < 0.3);
+}
+
+/// Whether it is divided by albedo already, or one of the two is not linear. Light that albedo has no part in, such as reflections, makes
+/// the power a little less than 1.
+inline std::optional<Finding> other_power_of(SignalSeen const& signal, Exponent const& own) {
+    auto const evidence = signal_evidence(signal, own) + ", and not of 1";
+    if (own.error < 0.05 && std::abs(own.value) < 0.13)
+        return Finding{Mistake::signal_demodulated, evidence, "leave Demodulate{} out, or give the signal with albedo in it"};
+    if (own.error < 0.05 && own.value > 0.2 && own.value < 0.62) {
+        bool const displayed = signal.notes->brightest <= 1.001f;
+        Finding finding{displayed ? Mistake::signal_encoded : Mistake::albedo_squared, evidence, {}};
+        finding.or_else = {displayed ? Mistake::albedo_squared : Mistake::signal_encoded};
+        finding.remedy =
+            std::string(displayed ? "the signal never exceeds 1, so it is most likely encoded for display (sRGB): give linear light"
+                                  : "the signal exceeds 1, so albedo is most likely linearised twice: give it as it is reflected") +
+            "; compare the albedo of a material with the value that it is known to have: if it is right, the signal is " +
+            "encoded, and if it is too dark, albedo is squared";
+        return finding;
+    }
+    if (own.error < 0.15 && own.value > 1.6 && own.value < 3.)
+        return Finding{Mistake::albedo_encoded, evidence, "give albedo as a linear colour: textures are mostly stored as sRGB"};
+    return std::nullopt;
+}
+
+/// What the edges of albedo say of the signal, in two frames.
+inline void find_signal_mistakes(Observation const& seen, SignalSeen const& signal, std::vector<Finding>& findings) {
+    if (!signal.demodulated || !seen.albedo) return;
+    auto& notes = *signal.notes;
+    add_edges(seen, signal);
+    for (auto const& patch : notes.patches)
+        for (auto const& value : patch.signal)
+            for (int c = 0; c < 3; ++c)
+                if (is_finite(value[c])) notes.brightest = std::max(notes.brightest, value[c]);
+    auto const own = exponent_of(notes.edges[0]);
+    std::optional<Finding> finding;
+    if (own && own->error < 0.1) finding = other_albedo_of(signal, *own);
+    bool const open = is_open(signal, Pairing::turned) || is_open(signal, Pairing::behind) || is_open(signal, Pairing::ahead);
+    if (own && !finding && !open) finding = other_power_of(signal, *own);
+    notes.other_power_in_a_row = finding ? notes.other_power_in_a_row + 1 : 0;
+    if (notes.other_power_in_a_row >= 2) findings.push_back(std::move(*finding));
+}
+
+} // namespace quell::detail
