@@ -149,19 +149,20 @@ void denoise(DenoiseOptions const& options) {
     if (!choice.reason.empty()) std::fprintf(stderr, "quell-denoise: preset %s, since %s\n", preset.name.c_str(), choice.reason.c_str());
     for (auto const& remark : denoiser.names()->remarks) std::fprintf(stderr, "quell-denoise: %s\n", remark.c_str());
     auto const frames = range.last - range.first + 1, missing = denoiser.missing_samples();
+    auto const files = map ? in.text() : denoiser.names()->renderer;
     std::fprintf(stderr, "quell-denoise: %lld %s of %s; %lld %s missing (not finite, or negative)\n", frames,
-                 frames == 1 ? "frame" : "frames", denoiser.names()->renderer.c_str(), missing,
-                 missing == 1 ? "sample was" : "samples were");
+                 frames == 1 ? "frame" : "frames", files.c_str(), missing, missing == 1 ? "sample was" : "samples were");
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    return exit_code_of("quell-denoise", [&] {
+    auto const body = [&] {
         auto const options = denoise_options(argc, argv);
         if (!options) return;
         if (options->plan) return print_plan(*options);
         if (!options->list) return denoise(*options);
         for (auto const& preset : presets()) std::cout << preset.name << '\n';
-    });
+    };
+    return exit_code_of("quell-denoise", body, "choose a --preset that takes less (--plan says how much), or give --extra-frames 0");
 }

@@ -36,7 +36,7 @@ std::string preset_groups() {
 }
 
 void describe(CLI::App& app, DenoiseOptions& options) {
-    app.add_option("--in", options.in, "Noisy frames, e.g. 'dir/frame.%04d.exr'");
+    app.add_option("--in", options.in, "Noisy frames, e.g. 'dir/frame.%04d.exr' or 'dir/frame.####.exr'");
     app.add_option("--out", options.out, "Denoised frames, e.g. 'dir/out.%04d.exr': channels R, G, B");
     app.add_option("--preset", options.preset,
                    "How to denoise; --list names them (default: what suits the files' channels: blur where they have "
