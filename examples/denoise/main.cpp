@@ -156,7 +156,12 @@ void denoise(DenoiseOptions const& options) {
 
 } // namespace
 
+#if defined(QUELL_DENOISE_ENTRY) // one of several instruction sets: dispatch.cpp.in calls it
+extern "C" int QUELL_DENOISE_ENTRY(int argc, char** argv);
+extern "C" int QUELL_DENOISE_ENTRY(int argc, char** argv) {
+#else
 int main(int argc, char** argv) {
+#endif
     auto const body = [&] {
         auto const options = denoise_options(argc, argv);
         if (!options) return;

@@ -52,6 +52,9 @@ bool parse(CLI::App& app, int argc, char const* const* argv) {
     } catch (CLI::CallForHelp const&) {
         std::cout << app.help();
         return false;
+    } catch (CLI::CallForVersion const&) {
+        std::cout << app.version() << '\n';
+        return false;
     } catch (CLI::ParseError const& error) {
         throw Error("command line", error.what(), "see --help");
     }

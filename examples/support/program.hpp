@@ -18,7 +18,7 @@ int exit_code_of(std::string const& program, std::function<void()> const& body,
 /// Writes a file; a full disk is no fault of the arguments or the input, so that an Error there makes exit code 1.
 void store(std::function<void()> const& write_file);
 
-/// Reads the command line. False where it asked for help, which has then been printed.
+/// Reads the command line. False where it asked for help or the version, which has then been printed.
 /// @throws Error for a command line that can't be used
 [[nodiscard]] bool parse(CLI::App& app, int argc, char const* const* argv);
 
