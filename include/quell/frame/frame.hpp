@@ -28,8 +28,8 @@ template <class Storage, class... Cs> struct Views<Storage, Channels<Cs...>> : d
 ///     Frame frame{size, shadows, reflections};           // the union of what both read, in images that the frame owns
 ///     Frame frame{size, shadows, Borrowed<>{}};          // what `shadows` reads, in the host's memory
 ///
-/// `frame[depth]` is the image of a channel, `decltype(frame)::has<Depth>` says whether there is one. A copy has images of its own, except
-/// that Borrowed images of it still lie in the host's memory; a moved-from frame has none.
+/// `frame[depth]` is the image of a channel; the constant `has<Depth>` says whether there is one. A copy has images of its own, except that
+/// Borrowed images of it still lie in the host's memory; a moved-from frame has none.
 /// @tparam Set     Channels<...>
 /// @tparam Storage Planar, Interleaved, Borrowed, or the host's own ImageStorage
 template <class Set, ImageStorage Storage = Planar<>> struct Frame;
