@@ -4,7 +4,8 @@
 Pages: headings get the anchors that GitHub gives them, with the page's name before, and links are rewritten to match. Links to
 what isn't a page of the site become plain text.
 Headers: members that are the same in every policy get the sentence of CONTRACT where the header says nothing of them, as do the
-values of channels and deduction guides. Of variables that are declared together, each gets their comment.
+values of channels and deduction guides. Of variables that are declared together, each gets their comment. The inline namespace that
+is named for the instruction set is left out.
 No line is added or removed, so that warnings name the right line.
 """
 import os
@@ -28,6 +29,7 @@ CONTRACT = {
     "fetch": "Interpolates the history at the place that the motion source found (motion/history_fetch.hpp).",
     "blend": "Joins the present with the past (blend/blend_policy.hpp).",
 }
+INLINE_NAMESPACE = "::inline QUELL_INSTRUCTION_SET"  # users write quell::Frame
 TYPE_OR_CONSTANT = re.compile(r"(?:using|static constexpr (?:auto|bool)) (\w+) = ")
 FUNCTION = re.compile(r"(?:template <[^<>]*> )?(?:QUELL_KERNEL|constexpr) (?:[\w:]+(?: [\w:]+)*) (\w+)\(")
 CHANNEL = re.compile(r"inline constexpr ([A-Z]\w*)(?:<[^;]*>)? \w+;$")
@@ -60,6 +62,7 @@ def separate(code, comment):
 def header(lines):
     before, comment = "", ""
     for line in lines:
+        line = line.replace(INLINE_NAMESPACE, "")
         line = re.sub(r"(?<= \{ )(?=static constexpr auto name = )", f"/** {CONTRACT['name']} */ ", line)  # a struct in one line
         code = line.strip()
         indent = re.match(r"[ \t]*", line).group()

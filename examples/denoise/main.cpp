@@ -155,7 +155,7 @@ public:
         summary.milliseconds = denoiser->milliseconds();
         summary.bytes_per_pixel = denoiser->bytes_per_pixel();
         if (!denoiser->names()) return;
-        summary.renderer = denoiser->names()->renderer;
+        summary.renderer = map ? in.text() : denoiser->names()->renderer;
         summary.remarks.insert(summary.remarks.begin(), denoiser->names()->remarks.begin(), denoiser->names()->remarks.end());
         if (auto const changes = denoiser->canvas_changes(); changes > 0)
             summary.remarks.push_back("history started afresh " + std::to_string(changes) +
@@ -216,12 +216,18 @@ void denoise(DenoiseOptions const& options) {
 
 } // namespace
 
+#if defined(QUELL_DENOISE_ENTRY) // one of several instruction sets: dispatch.cpp.in calls it
+extern "C" int QUELL_DENOISE_ENTRY(int argc, char** argv);
+extern "C" int QUELL_DENOISE_ENTRY(int argc, char** argv) {
+#else
 int main(int argc, char** argv) {
-    return exit_code_of("quell-denoise", [&] {
+#endif
+    auto const body = [&] {
         auto const options = denoise_options(argc, argv);
         if (!options) return;
         if (options->plan) return print_plan(*options);
         if (!options->list) return denoise(*options);
         for (auto const& preset : presets()) std::cout << preset.name << '\n';
-    });
+    };
+    return exit_code_of("quell-denoise", body, "choose a --preset that takes less (--plan says how much), or give --extra-frames 0");
 }

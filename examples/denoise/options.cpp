@@ -5,13 +5,25 @@
 #include <support/program.hpp>
 
 #include <quell/core/error.hpp>
+#include <quell/core/instruction_set.hpp>
 #include <quell/core/real.hpp>
+#include <quell/version.hpp>
 
 #include <CLI/CLI.hpp>
 
 namespace quell::examples {
 
 namespace {
+
+// Which code of the program this is, and what code the program has.
+#if !defined(QUELL_ISA)
+#define QUELL_TEXT_OF(a) #a
+#define QUELL_TEXT(a) QUELL_TEXT_OF(a)
+#define QUELL_ISA QUELL_TEXT(QUELL_INSTRUCTION_SET)
+#endif
+#if !defined(QUELL_ISAS)
+#define QUELL_ISAS QUELL_ISA
+#endif
 
 /// What --map and exit codes mean.
 std::string footer() {
@@ -36,7 +48,7 @@ std::string preset_groups() {
 }
 
 void describe(CLI::App& app, DenoiseOptions& options) {
-    app.add_option("--in", options.in, "Noisy frames, e.g. 'dir/frame.%04d.exr'");
+    app.add_option("--in", options.in, "Noisy frames, e.g. 'dir/frame.%04d.exr' or 'dir/frame.####.exr'");
     app.add_option("--out", options.out, "Denoised frames, e.g. 'dir/out.%04d.exr': all of the input, with the picture denoised");
     app.add_option(
            "--layers", options.layers,
@@ -70,6 +82,11 @@ void describe(CLI::App& app, DenoiseOptions& options) {
                    "Write what happened in each pixel beside the output, as EXR and PNG: any of " + debug_view_names() +
                        " (clamp of presets that clamp only); slower, and on one thread")
         ->delimiter(',');
+    app.set_version_flag("--version", "quell-denoise " + std::string(version) + " for " QUELL_ISA,
+                         "Print the version and the instruction set that runs");
+    app.add_option("--isa", options.isa,
+                   "Instruction set to run, of those that this program is compiled for: " QUELL_ISAS
+                   " (default: the best that the machine has)");
     app.add_flag("--quiet", options.quiet, "Say nothing on stderr but errors");
     app.add_flag("--json", options.json, "Print a summary for scripts on stdout: one JSON object, with the rows of --reference in it");
     app.add_flag("--list", options.list, "Print the names of the presets");
@@ -95,6 +112,8 @@ void check_output(DenoiseOptions const& options) {
 }
 
 void check(DenoiseOptions const& options) {
+    if (!options.isa.empty() && options.isa != QUELL_ISA)
+        throw Error("--isa", "this program has no code for '" + options.isa + "'", "choose one of: " QUELL_ISAS);
     if (options.list) return;
     if (options.plan && options.in.empty() && options.preset.empty())
         throw Error("--plan", "neither --preset nor --in is there", "say of which preset, or which files it is to suit");

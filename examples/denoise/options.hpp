@@ -19,10 +19,11 @@ struct DenoiseOptions {
     int threads = 0;
     std::optional<float> shutter; ///< of all frames, whatever the map and the files say
     std::vector<std::string> debug_views;
+    std::string isa; ///< the instruction set to run; empty: the best that the machine has
     bool quiet = false, list = false, plan = false, diagnose = false, skip_existing = false, json = false;
 };
 
-/// Nothing where help was asked for, which has then been printed.
+/// Nothing where help or the version was asked for, which has then been printed.
 /// @throws Error for a command line that can't be used
 [[nodiscard]] std::optional<DenoiseOptions> denoise_options(int argc, char const* const* argv);
 

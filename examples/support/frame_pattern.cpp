@@ -11,10 +11,27 @@
 namespace quell::examples {
 
 namespace {
-/// How many characters of d, 01d, 02d to 09d stand at the beginning; 0 where it is none of them.
-std::size_t length_of_place(std::string const& text) {
-    if (text.starts_with('d')) return 1;
-    return text.size() >= 3 && text[0] == '0' && text[1] >= '1' && text[1] <= '9' && text[2] == 'd' ? 3 : 0;
+/// Where the number stands in a file name, and to how many digits it is padded.
+struct Place {
+    std::size_t begin, end, digits;
+};
+
+/// A place such as %d or %04d; nothing where there is none, or another % behind it.
+std::optional<Place> printf_place(std::string const& name, std::size_t begin) {
+    auto const text = name.substr(begin + 1);
+    if (text.find('%') != std::string::npos) return std::nullopt;
+    if (text.starts_with('d')) return Place{begin, begin + 2, 0};
+    bool const padded = text.size() >= 3 && text[0] == '0' && text[1] >= '1' && text[1] <= '9' && text[2] == 'd';
+    return padded ? std::optional(Place{begin, begin + 4, static_cast<std::size_t>(text[1] - '0')}) : std::nullopt;
+}
+
+/// In a name with a %, # stands for itself.
+std::optional<Place> place_in(std::string const& name) {
+    if (auto const percent = name.find('%'); percent != std::string::npos) return printf_place(name, percent);
+    auto const begin = name.find('#');
+    if (begin == std::string::npos) return std::nullopt;
+    auto const end = std::min(name.find_first_not_of('#', begin), name.size());
+    return name.find('#', end) == std::string::npos ? std::optional(Place{begin, end, end - begin}) : std::nullopt;
 }
 } // namespace
 
@@ -22,14 +39,12 @@ FramePattern::FramePattern(std::string const& pattern_) : pattern(pattern_) {
     std::filesystem::path const path(pattern);
     folder = path.parent_path();
     auto const name = path.filename().string();
-    before = name.substr(0, name.find('%'));
-    auto const rest = before == name ? std::string() : name.substr(before.size() + 1);
-    auto const length = length_of_place(rest);
-    if (length == 0 || rest.find('%') != std::string::npos)
+    auto const place = place_in(name);
+    if (!place)
         throw Error("'" + pattern + "'", "no place for the frame's number in the file name",
-                    "write %04d once where it stands, as in frame.%04d.exr");
-    after = rest.substr(length);
-    if (length > 1) digits = static_cast<std::size_t>(rest[1] - '0');
+                    "write %04d or #### once where it stands, as in frame.%04d.exr");
+    before = name.substr(0, place->begin), after = name.substr(place->end);
+    digits = place->digits;
 }
 
 std::filesystem::path FramePattern::path(long long number) const {
@@ -70,7 +85,7 @@ std::string frame_file_name(std::string const& name, long long number, std::stri
 FrameRange range_of(FramePattern const& files, std::optional<long long> first, std::optional<long long> last) {
     auto const there = files.on_disk();
     if (there.empty())
-        throw Error(files.text(), "there is no such file for any number", "check the folder and the name before and after %d");
+        throw Error(files.text(), "there is no such file for any number", "check the folder and the name before and after the number");
     FrameRange const range{first.value_or(there.front()), last.value_or(there.back())};
     if (range.first <= range.last) return range;
     throw Error("frames", "the first is " + std::to_string(range.first) + " and the last is " + std::to_string(range.last),

@@ -7,7 +7,8 @@
 
 namespace quell::examples {
 
-/// The paths of a sequence's frames, as in `dir/frame.%04d.exr`: the number stands where `%d` or `%0Nd` is, padded with zeros to N digits.
+/// The paths of a sequence's frames, as in `dir/frame.%04d.exr` or `dir/frame.####.exr`: the number stands where `%d` or `%0Nd` is, padded
+/// with zeros to N digits, or where a run of `#` is, padded to as many digits. In a file name with a `%`, `#` stands for itself.
 class FramePattern {
 public:
     /// @throws Error where the file name doesn't have exactly one such place

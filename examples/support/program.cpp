@@ -21,7 +21,7 @@ int complain(std::string const& program, std::string message, int code) {
 }
 } // namespace
 
-int exit_code_of(std::string const& program, std::function<void()> const& body) {
+int exit_code_of(std::string const& program, std::function<void()> const& body, std::string const& to_save_memory) {
     try {
         body();
         if (!std::cout.flush()) return complain(program, "standard output: it can't be written; check where it leads", 1);
@@ -29,7 +29,7 @@ int exit_code_of(std::string const& program, std::function<void()> const& body) 
     } catch (Error const& error) {
         return complain(program, error.what(), 2);
     } catch (std::bad_alloc const&) {
-        return complain(program, "memory: there is not enough of it; give a smaller --size", 1);
+        return complain(program, "memory: there is not enough of it; " + to_save_memory, 1);
     } catch (std::exception const& error) {
         return complain(program, error.what(), 1);
     } catch (...) {
@@ -51,6 +51,9 @@ bool parse(CLI::App& app, int argc, char const* const* argv) {
         return true;
     } catch (CLI::CallForHelp const&) {
         std::cout << app.help();
+        return false;
+    } catch (CLI::CallForVersion const&) {
+        std::cout << app.version() << '\n';
         return false;
     } catch (CLI::ParseError const& error) {
         throw Error("command line", error.what(), "see --help");

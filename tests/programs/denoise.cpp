@@ -66,6 +66,9 @@ TEST_CASE("a sequence goes in, a clean one comes out") {
     CHECK(contains(ran.err, "6 frames of quell; 0 samples were missing"));
     for (int i = 3; i <= 8; ++i) CHECK(readable(folder / numbered("made/for/it.", i)));
     CHECK(noise_of(io::read_exr(folder / "made/for/it.0008.exr")) < 0.5 * noise_of(io::read_exr(folder / "frame.0008.exr")));
+    auto const hashes = "--in '" + (folder / "frame.####.exr").string() + "' --out '" + (folder / "hashes.###.exr").string() + "' ";
+    CHECK(denoise(hashes + "--preset svgf --first 3 --last 3").code == 0);
+    CHECK(bytes_of(folder / "hashes.003.exr") == bytes_of(folder / "made/for/it.0003.exr"));
     CHECK(denoise(input(folder) + output(folder, "made/for/it.") + "--quiet").err.empty());
 }
 
@@ -458,6 +461,7 @@ TEST_CASE("another renderer's files by a map are denoised as quell's own") {
                              (folder / "map.json").string() + "'");
     INFO(ran.err);
     CHECK(ran.code == 0);
+    CHECK(contains(ran.err, " of " + (folder / "other.%04d.exr").string() + "; 0 samples were missing"));
     auto const own = io::read_exr(folder / "own.0003.exr"), mapped = io::read_exr(folder / "mapped.0003.exr");
     double worst = 0;
     for (std::size_t i = 0; i < own.pixels(); ++i)

@@ -47,20 +47,25 @@ TEST_CASE("a frame's number stands where the pattern says") {
     CHECK(FramePattern("b%d").path(123) == "b123");
     CHECK(FramePattern("%03d.exr").path(12345) == "12345.exr");
     CHECK(FramePattern("f_%04d_x.exr").path(-5) == "f_-005_x.exr");
+    CHECK(FramePattern("a/b.####.exr").path(7) == "a/b.0007.exr");
+    CHECK(FramePattern("f_####_x.exr").path(-5) == "f_-005_x.exr");
+    CHECK(FramePattern("b#").path(123) == "b123");
+    CHECK(FramePattern("take #2.%03d.exr").path(7) == "take #2.007.exr");
+    CHECK(FramePattern("a#b/c.###").path(7) == "a#b/c.007");
 }
 
 TEST_CASE("patterns without one place for the number are refused") {
-    for (auto const* const pattern :
-         {"frame.exr", "a%d/frame.exr", "f.%d.%d.exr", "f.%s.exr", "f.%4d.exr", "f.%%04d.exr", "", "%", "f.%0d.exr"}) {
+    for (auto const* const pattern : {"frame.exr", "a%d/frame.exr", "f.%d.%d.exr", "f.%s.exr", "f.%4d.exr", "f.%%04d.exr", "", "%",
+                                      "f.%0d.exr", "a####/frame.exr", "f.##.##.exr", "f.%.####.exr"}) {
         INFO(pattern);
-        check_error([&] { FramePattern const p(pattern); }, {pattern, "write %04d once"});
+        check_error([&] { FramePattern const p(pattern); }, {pattern, "write %04d or #### once"});
     }
 }
 
 TEST_CASE("a pattern of any length has its place found") {
     std::string const many(100'000, 'f');
     CHECK(FramePattern(many + "%03d" + many).path(5) == many + "005" + many);
-    check_error([&] { FramePattern const p(many); }, {"write %04d once"});
+    check_error([&] { FramePattern const p(many); }, {"write %04d or #### once"});
 }
 
 TEST_CASE("results that would take the place of another pattern's files are refused") {
@@ -91,6 +96,7 @@ TEST_CASE("the frames on disk are those that the pattern itself would name") {
                                    "g.0004.exr", "f.x.exr", "f..exr", "f.-001.exr"})
         write_bytes(folder / name, "x");
     CHECK(FramePattern((folder / "f.%04d.exr").string()).on_disk() == std::vector<long long>{-1, 1, 3, 12345});
+    CHECK(FramePattern((folder / "f.####.exr").string()).on_disk() == std::vector<long long>{-1, 1, 3, 12345});
     CHECK(FramePattern((folder / "h.%04d.exr").string()).on_disk().empty());
     CHECK(FramePattern((folder / "nowhere/h.%04d.exr").string()).on_disk().empty());
 }
@@ -121,6 +127,12 @@ TEST_CASE("memory that runs out is told in words") {
     CHECK(contains(said, "test: memory: "));
     CHECK(contains(said, "smaller --size"));
     CHECK(!contains(said, "bad_alloc"));
+    auto const advised = said_by([&] {
+        code = exit_code_of(
+            "test", [] { throw std::bad_alloc(); }, "take a smaller file");
+    });
+    CHECK(contains(advised, "not enough of it; take a smaller file"));
+    CHECK(!contains(advised, "--size"));
 }
 
 TEST_CASE("a size is two numbers, of no more pixels than memory may have") {

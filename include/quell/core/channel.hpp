@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <string_view>
 #include <type_traits>
 
@@ -50,6 +51,14 @@ template <class... As, class... Bs> constexpr auto operator|(Channels<As...> set
 template <class... Sets> using union_of = decltype((Channels<>{} | ... | Sets{}));
 
 namespace detail {
+/// A message that compilers print with the template arguments of a deleted function.
+template <std::size_t size> struct Sentence {
+    char text[size]{};
+    constexpr Sentence(char const (&from)[size]) {
+        for (std::size_t i = 0; i < size; ++i) text[i] = from[i];
+    }
+};
+
 template <bool wanted, class... As, class... Bs> constexpr auto filtered(Channels<As...>, Channels<Bs...>) {
     return union_of<std::conditional_t<Channels<Bs...>::template has<As> == wanted, Channels<As>, Channels<>>...>{};
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <quell/core/instruction_set.hpp>
+
 #if defined(min) || defined(max)
 #error "quell and the standard library call min and max: define NOMINMAX before windows.h"
 #endif

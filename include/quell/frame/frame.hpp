@@ -28,7 +28,8 @@ template <class Storage, class... Cs> struct Views<Storage, Channels<Cs...>> : d
 ///     Frame frame{size, shadows, reflections};           // the union of what both read, in images that the frame owns
 ///     Frame frame{size, shadows, Borrowed<>{}};          // what `shadows` reads, in the host's memory
 ///
-/// `frame[depth]` is the image of a channel.
+/// `frame[depth]` is the image of a channel; the constant `has<Depth>` says whether there is one. A copy has images of its own, except that
+/// Borrowed images of it still lie in the host's memory; a moved-from frame has none.
 /// @tparam Set     Channels<...>
 /// @tparam Storage Planar, Interleaved, Borrowed, or the host's own ImageStorage
 template <class Set, ImageStorage Storage = Planar<>> struct Frame;
@@ -37,6 +38,8 @@ template <class Set, ImageStorage Storage = Planar<>> struct Frame;
 template <class... Cs, class Storage> struct Frame<Channels<Cs...>, Storage> : detail::Slot<Cs, ImageOf<Storage, Cs>>... {
     using channels = Channels<Cs...>; ///< those that it has
     using storage = Storage;          ///< of its images
+    /// Whether it has a channel of that type.
+    template <class C> static constexpr bool has = channels::template has<C>;
 
     Extent size;   ///< pixels
     Camera camera; ///< needed where the pipeline `needs_camera`
@@ -52,16 +55,20 @@ template <class... Cs, class Storage> struct Frame<Channels<Cs...>, Storage> : d
     explicit Frame(Extent size_, Ps const&...)
         : detail::Slot<Cs, ImageOf<Storage, Cs>>{ImageOf<Storage, Cs>(divided(checked(size_), Cs::fraction))}..., size(size_) {}
 
-    /// The image of a channel. A channel that no pipeline reads does not compile.
-    template <ChannelTag C> auto& operator[](C) {
-        static_assert(channels::template has<C>, "this frame has no such channel: construct it with a pipeline that reads the channel");
-        return detail::slot<C>(*this);
-    }
+    /// The image of a channel. One that the frame lacks does not compile, and makes a requires-expression false.
+    template <ChannelTag C>
+        requires has<C>
+    auto& operator[](C) { return detail::slot<C>(*this); }
     /// The image of a channel, to read.
-    template <ChannelTag C> auto const& operator[](C) const {
-        static_assert(channels::template has<C>, "this frame has no such channel: construct it with a pipeline that reads the channel");
-        return detail::slot<C>(*this);
-    }
+    template <ChannelTag C>
+        requires has<C>
+    auto const& operator[](C) const { return detail::slot<C>(*this); }
+    /// @cond
+    // g++ prints the sentence with the template's arguments, clang++ the line of the declaration.
+    template <ChannelTag C, detail::Sentence = "this frame has no such channel: construct it with a pipeline that reads the channel">
+        requires(!has<C>)
+    void operator[](C) const = delete; // this frame has no such channel: construct it with a pipeline that reads the channel
+    /// @endcond
 
     /// Views of some of its channels.
     template <class... Ds> [[nodiscard]] auto views(Channels<Ds...>) const {

@@ -4,6 +4,7 @@
 #include <quell/image/format.hpp>
 #include <quell/image/image_storage.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <new>
 
@@ -86,7 +87,8 @@ private:
     QUELL_KERNEL Element* at(int c, int x, int y) const { return data + (c * component_stride() + y * row_stride() + x * pixel_step); }
 };
 
-/// An image that owns zero-initialised memory, aligned to 64 bytes. Packs gather by 32-bit offsets, which limits the size.
+/// An image that owns zero-initialised memory, aligned to 64 bytes. Packs gather by 32-bit offsets, which limits the size. Copies have
+/// memory of their own.
 template <class Format, int N, bool interleaved> class StridedImage {
     using Element = typename Format::Element;
     struct Free {
@@ -105,9 +107,24 @@ public:
         if (size.height > 0 && View{nullptr, size}.row_stride() > std::numeric_limits<std::int32_t>::max() / size.height)
             raise_error("image size", to_string(size) + " pixels, " + std::to_string(step) + " floats apart",
                         step > 1 ? "use Planar storage or smaller images" : "use smaller images");
-        memory.reset(static_cast<Element*>(::operator new[](bytes(), std::align_val_t{64})));
+        allocate();
         std::uninitialized_value_construct_n(memory.get(), elements());
     }
+    StridedImage(StridedImage&&) noexcept = default;
+    StridedImage& operator=(StridedImage&&) noexcept = default;
+    StridedImage(StridedImage const& other) : extent(other.extent) {
+        if (!other.memory) return; // moved from
+        allocate();
+        std::uninitialized_copy_n(other.memory.get(), elements(), memory.get());
+    }
+    /// Allocates nothing where the two are of one size.
+    StridedImage& operator=(StridedImage const& other) {
+        if (!memory || !other.memory || !(extent == other.extent)) return *this = StridedImage(other);
+        std::copy_n(other.memory.get(), elements(), memory.get());
+        return *this;
+    }
+    ~StridedImage() = default;
+
     [[nodiscard]] View view() const { return {memory.get() + padding * step, extent}; }
     [[nodiscard]] Extent size() const { return extent; }
     [[nodiscard]] std::size_t bytes() const { return elements() * sizeof(Element); }
@@ -116,6 +133,7 @@ public:
     void set(int x, int y, Value<N, float> const& value) { view().template store<float>(x, y, value); }
 
 private:
+    void allocate() { memory.reset(static_cast<Element*>(::operator new[](bytes(), std::align_val_t{64}))); }
     [[nodiscard]] std::size_t elements() const { return static_cast<std::size_t>(View{nullptr, extent}.elements()); }
 };
 

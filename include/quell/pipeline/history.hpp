@@ -73,11 +73,16 @@ public:
     /// The same per pixel of the frame.
     [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(size.pixels()); }
 
-    /// View of a channel that a policy keeps (history_length, luminance_variance, ...). Valid after the first frame.
-    template <ChannelTag C> [[nodiscard]] auto operator[](C) const {
-        static_assert(P::keeps::template has<C>, "history[channel]: no policy of this pipeline keeps that channel");
-        if constexpr (P::keeps::template has<C>) return then.kept.views(Channels<C>{}).view(C{});
-    }
+    /// View of a channel that a policy keeps (history_length, luminance_variance, ...). Valid after the first frame. One that none keeps
+    /// does not compile, and makes a requires-expression false.
+    template <ChannelTag C>
+        requires(P::keeps::template has<C>)
+    [[nodiscard]] auto operator[](C) const { return then.kept.views(Channels<C>{}).view(C{}); }
+    /// @cond
+    template <ChannelTag C, detail::Sentence = "history[channel]: no policy of this pipeline keeps that channel">
+        requires(!P::keeps::template has<C>)
+    void operator[](C) const = delete; // history[channel]: no policy of this pipeline keeps that channel
+    /// @endcond
 
 private:
     template <class, class, class, class, class> friend class detail::Run;

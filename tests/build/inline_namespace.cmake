@@ -1,0 +1,16 @@
+# Everything of quell's is in the inline namespace that is named for the instruction set, or else two files of one program could not be
+# compiled for two.
+file(GLOB_RECURSE headers ${ROOT}/quell/*.hpp ${ROOT}/quell/*.cuh)
+set(count 0)
+foreach(header IN LISTS headers)
+    file(STRINGS ${header} opened REGEX "^namespace quell")
+    foreach(line IN LISTS opened)
+        math(EXPR count "${count} + 1")
+        if(NOT line MATCHES "^namespace quell::inline QUELL_INSTRUCTION_SET(::[a-z:]+)? ")
+            message(SEND_ERROR "${header}: write `namespace quell::inline QUELL_INSTRUCTION_SET`, not: ${line}")
+        endif()
+    endforeach()
+endforeach()
+if(count LESS 100)
+    message(FATAL_ERROR "only ${count} namespaces in ${ROOT}: is it the folder of quell's headers?")
+endif()
