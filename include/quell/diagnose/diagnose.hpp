@@ -23,7 +23,7 @@
 #include <quell/diagnose/not_checked.hpp>
 #include <quell/pipeline/execution/check_frame.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 /// A moving camera tells best what motion must be. Exact causes come first, since one mistake has many symptoms.
@@ -158,4 +158,4 @@ template <class P, class Set, class FrameStorage, class Storage>
 #endif
 }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <quell/core/instruction_set.hpp>
+
 #include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Mistakes of hosts that show in a frame and its past. The last is none: it says what could not be checked. name_of() says each in words.
 enum class Mistake {
@@ -139,4 +141,4 @@ struct Finding {
     return names + ": " + finding.evidence + "; " + finding.remedy;
 }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

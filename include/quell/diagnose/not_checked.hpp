@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Says once, as soon as there is a past, what the frame gives too little to check.
 inline void say_what_is_not_checked(Observation const& seen, std::vector<Finding>& findings) {
@@ -27,4 +27,4 @@ inline void say_what_is_not_checked(Observation const& seen, std::vector<Finding
              "only perspective cameras are checked"});
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

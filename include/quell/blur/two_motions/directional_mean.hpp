@@ -2,7 +2,7 @@
 
 #include <quell/blur/two_motions/pair_gather.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Mean of each layer along its own motion, over the gaps that PairGather leaves. Where a sweep is longer than PairGather has samples for,
 /// pixels next to each other along the motion gather other samples: their mean has the noise of them all. A blurred layer changes slowly
@@ -81,4 +81,4 @@ private:
 template <class S, class Trajectories, class Footprint, class... Fields>
 DirectionalMean(PairGather<S, Trajectories, Footprint>, Fields...) -> DirectionalMean<S, Trajectories, Footprint>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -8,7 +8,7 @@
 #include <quell/blur/two_motions/standard_error.hpp>
 #include <quell/blur/two_motions/stratified_mean.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Gathers the samples that pass each pixel while the shutter is open into a foreground and a background layer. The foreground's coverage
 /// is the share of all samples along its velocity that show it, and the background is averaged over the rest of the time. Each sample is
@@ -246,4 +246,4 @@ private:
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -2,7 +2,7 @@
 
 #include <quell/blur/two_motions/pair_guide.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Tiles of a row whose pixels look along the same lines, so that a pack loads neighbours. A pack may span several tiles.
 struct RowTiles {
@@ -31,4 +31,4 @@ struct RowTiles {
 /// A vector of one lane.
 template <class Real> QUELL_KERNEL glm::vec2 in_lane(vec2<Real> const& v, int k) { return {lane(v.x, k), lane(v.y, k)}; }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -2,7 +2,7 @@
 
 #include <quell/core/value.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 inline constexpr int max_strata = 8;
 /// A number for each stratum.
@@ -159,4 +159,4 @@ private:
     }
 };
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -14,7 +14,7 @@
 
 #include <cstring>
 
-namespace quell::io {
+namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
 /// Numbers for one channel of a copy.
 struct NewNumbers {
@@ -206,4 +206,4 @@ inline void CopiedPart::write(ExrOriginal const& original, Imf::MultiPartInputFi
 
 } // namespace detail
 
-} // namespace quell::io
+} // namespace quell::inline QUELL_INSTRUCTION_SET::io

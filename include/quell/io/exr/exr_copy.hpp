@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace quell::io {
+namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
 /// What a copy of an EXR file has in place of, or beside, what the file has.
 struct ExrChanges {
@@ -84,4 +84,4 @@ inline std::vector<std::string> write_copy(std::filesystem::path const& path, Ex
     return lossless;
 }
 
-} // namespace quell::io
+} // namespace quell::inline QUELL_INSTRUCTION_SET::io

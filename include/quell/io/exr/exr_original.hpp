@@ -2,7 +2,7 @@
 
 #include <quell/io/exr_file.hpp>
 
-namespace quell::io {
+namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
 /// An EXR file of which write_copy() makes another. Unlike ExrFile it also reads what lies outside of the display window. Pixels are
 /// counted from the display window's top left corner, so that overscan has negative numbers.
@@ -143,4 +143,4 @@ inline void ExrOriginal::read_part(int part, std::vector<ExrChannel const*> cons
     for (auto& each : incoming) image.planes.push_back(detail::placed(std::move(each), window, canvas));
 }
 
-} // namespace quell::io
+} // namespace quell::inline QUELL_INSTRUCTION_SET::io

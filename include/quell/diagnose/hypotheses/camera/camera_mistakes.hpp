@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// A mistake of the geometry, and what the geometry is without it.
 struct GeometryMistake {
@@ -101,4 +101,4 @@ inline GeometryMistake mistake_of_projection(Geometry const& own, glm::vec2 by) 
             without};
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <optional>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// How depth, normals and the cameras of two frames hang together, if the host made a certain mistake or none.
 struct Geometry {
@@ -80,4 +80,4 @@ private:
     }
 };
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -2,7 +2,7 @@
 
 #include <quell/diagnose/hypotheses/camera/camera_mistakes.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Every `every`-th place with a surface.
 void for_each_some(Observation const& seen, int every, auto&& f) {
@@ -103,4 +103,4 @@ inline std::vector<std::pair<GeometryContest, GeometryMistake>> winners_of(Obser
     return winners;
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

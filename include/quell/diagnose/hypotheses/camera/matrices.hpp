@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 // The last row tells the kind of a matrix: (0, 0, -1, 0) perspective projection, (0, 0, 1, 0) one that looks down +z, (0, 0, 0, 1) view.
 // m[0..3] are columns.
@@ -95,4 +95,4 @@ inline bool find_projection_jitter(Observation const& seen, std::vector<Finding>
     return true;
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

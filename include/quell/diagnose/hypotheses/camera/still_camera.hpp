@@ -2,7 +2,7 @@
 
 #include <quell/diagnose/hypotheses/motion/motion_hypotheses.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// The camera never changes, although all surfaces move. Returns whether that is so.
 inline bool find_still_camera(Observation const& seen, std::vector<Finding>& findings) {
@@ -21,4 +21,4 @@ inline bool find_still_camera(Observation const& seen, std::vector<Finding>& fin
     return true;
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// What is known of the geometry after all mistakes were tried.
 enum class GeometryIs {
@@ -63,4 +63,4 @@ inline GeometryIs find_wrong_geometry(Observation const& seen, std::vector<Findi
     return GeometryIs::wrong;
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 inline bool is_unit(glm::vec3 n) { return std::abs(glm::length(n) - 1.f) < 0.02f; }
 
@@ -28,4 +28,4 @@ inline bool find_normal_length(Observation const& seen, std::vector<Finding>& fi
     return true;
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Surface pixels in which a position is exactly the world's origin: memory that nobody filled.
 inline Tally zeros_of(Observation const& seen, Lookup const& image) {
@@ -43,4 +43,4 @@ inline void find_zero_hits(Observation const& seen, std::vector<Finding>& findin
     }
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

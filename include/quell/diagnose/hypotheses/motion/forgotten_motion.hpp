@@ -2,7 +2,7 @@
 
 #include <quell/diagnose/hypotheses/motion/motion_hypotheses.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Whether all around a place the last frame saw farther than this depth.
 inline bool saw_farther(Observation const& seen, glm::vec2 place, float depth) {
@@ -45,4 +45,4 @@ inline void find_forgotten_motion(Observation const& seen, Camera const& now, Ca
                         "edge of which thing that is, debug_images(debug_rejection, history) shows"});
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

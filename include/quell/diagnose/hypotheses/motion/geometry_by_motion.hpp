@@ -3,7 +3,7 @@
 #include <quell/diagnose/hypotheses/camera/geometry_contest.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_hypotheses.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Mistakes of the camera that depth and normals leave open, by motion: without the mistake static surfaces would move as expected. It
 /// must explain more than any motion convention does, too: a camera that only translates looks like motion of the wrong sign, the commoner
@@ -31,4 +31,4 @@ inline bool find_geometry_by_motion(Observation const& seen, ComparedMotions con
     return true;
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// A motion vector of the host, and the one of a static surface there.
 struct ComparedMotion {
@@ -105,4 +105,4 @@ inline void find_zero_motion(ComparedMotions const& pairs, std::vector<Finding>&
                         "compute motion with the previous frame's matrices, which must not be those of this frame, and fill the channel"});
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Median offset of motion vectors from those of static surfaces, and the share of pixels that have it.
 struct CommonOffset {
@@ -83,4 +83,4 @@ inline bool find_motion_offset(Observation const& seen, ComparedMotions const& p
     return true;
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

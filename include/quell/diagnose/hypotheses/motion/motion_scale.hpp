@@ -2,7 +2,7 @@
 
 #include <quell/diagnose/hypotheses/motion/motion_hypotheses.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Motion along the expected one, but longer or shorter by the same factor everywhere.
 struct CommonFactor {
@@ -36,4 +36,4 @@ inline void find_motion_scale(ComparedMotions const& pairs, std::vector<Finding>
                             ": it is in pixels of this picture, from this frame to the one before it"});
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <optional>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Which signal is held against which albedo.
 enum class Pairing {
@@ -116,4 +116,4 @@ inline void add_edges(Observation const& seen, SignalSeen const& signal) {
     notes.patches = std::move(patches);
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

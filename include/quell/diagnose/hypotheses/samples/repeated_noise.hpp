@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Where a pixel stands out from its neighbours of the same surface: 1 brighter, -1 darker, 0 neither. Divided by albedo where the pipeline
 /// does so. Edges of things stand out too, and stay where things are thin and many.
@@ -65,4 +65,4 @@ inline void find_repeated_noise(Observation const& seen, SignalSeen const& signa
                         "give the random numbers a new seed in every frame: noise that stays does not average out"});
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

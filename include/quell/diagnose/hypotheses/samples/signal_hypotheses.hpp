@@ -2,7 +2,7 @@
 
 #include <quell/diagnose/hypotheses/samples/albedo_edges.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 inline std::string text_of(Exponent const& e) { return number(e.value) + " +- " + number(e.error); }
 
@@ -84,4 +84,4 @@ inline void find_signal_mistakes(Observation const& seen, SignalSeen const& sign
     if (notes.other_power_in_a_row >= 2) findings.push_back(std::move(*finding));
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail
