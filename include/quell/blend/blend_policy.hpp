@@ -2,7 +2,7 @@
 
 #include <quell/motion/history_fetch.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Blends a pixel's new sample with its history. A policy has one function:
 ///
@@ -27,4 +27,4 @@ template <class Px, class P> QUELL_KERNEL auto accumulate(Px const& px, P const&
     return Result<typename Px::Signal>{select(fresh, now, mix(past.signal, now, alpha)), alpha, {}};
 }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

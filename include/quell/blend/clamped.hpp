@@ -3,7 +3,7 @@
 #include <quell/blend/blend_policy.hpp>
 #include <quell/frame/cursor/taps.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 // Ranges that a history can be clamped to.
 
@@ -129,4 +129,4 @@ template <class Inner> Clamped(Inner, MeanDeviation) -> Clamped<Inner>;
 template <class Inner, class Range> Clamped(Inner, Range) -> Clamped<Inner, Range>;
 template <class Inner, class Range, class Axes> Clamped(Inner, Range, Axes) -> Clamped<Inner, Range, Axes>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -2,7 +2,7 @@
 
 #include <quell/blend/blend_policy.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Exponential moving average with a fixed alpha (TRMV eq. 2). The first sample has weight 1, so its noise lasts for about 1 / alpha
 /// frames. RunningMean avoids this, for one more number per pixel.
@@ -13,4 +13,4 @@ struct Exponential {
     QUELL_KERNEL auto blend(auto px, auto past) const { return accumulate(px, past, 1.f - past.validity * (1.f - alpha)); }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

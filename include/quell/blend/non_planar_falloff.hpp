@@ -3,7 +3,7 @@
 #include <quell/blend/part_of_past.hpp>
 #include <quell/motion/tangent_plane.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Reduces the weight of a history that was found off this pixel's tangent plane (TRMV eq. 4): alpha becomes 1 - G(theta - pi / 2) (1 -
 /// alpha). theta is the angle between the normal and the direction to the surface that the previous frame shows at the place of the
@@ -43,4 +43,4 @@ template <class Inner> struct NonPlanarFalloff {
 };
 template <class Inner> NonPlanarFalloff(Inner) -> NonPlanarFalloff<Inner>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -2,7 +2,7 @@
 
 #include <quell/blend/blend_policy.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Blends with `part` of the history's usual weight: alpha becomes 1 - part (1 - alpha).
 /// @param part 0 to 1
@@ -19,4 +19,4 @@ QUELL_KERNEL auto blend_part_of_past(Inner const& inner, Px const& px, P past, t
     return inner.blend(px, past);
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

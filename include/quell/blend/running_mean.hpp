@@ -2,7 +2,7 @@
 
 #include <quell/blend/blend_policy.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Exact mean of a pixel's samples until there are `cap` of them, then an exponential average with alpha = 1 / cap. So there is no bias at
 /// the start, and old light fades.
@@ -35,4 +35,4 @@ struct Adaptive {
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -2,7 +2,7 @@
 
 #include <quell/blend/blend_policy.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Emits the deviation in pixels for a CleanUp filter: min((alpha - usual_alpha)^2 + clamped, widest) (TRMV eqs. 7 and 8). It is large
 /// where little history was used, or where a clamp moved it; so a clamp goes outside. Does not change the inner policy's result.
@@ -28,4 +28,4 @@ template <class Inner> struct WithCleanUp {
 };
 template <class Inner> WithCleanUp(Inner) -> WithCleanUp<Inner>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -2,7 +2,7 @@
 
 #include <quell/blend/variance_over_time.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Also keeps mean and variance over time of the samples' luminance, updated with the inner policy's alpha. For VarianceGuidedAtrous.
 /// @tparam Inner a BlendPolicy
@@ -25,4 +25,4 @@ template <class Inner> struct WithMoments {
 };
 template <class Inner> WithMoments(Inner) -> WithMoments<Inner>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -2,7 +2,7 @@
 
 #include <quell/blend/variance_over_time.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Like WithMoments, but takes the mean from the history of the signal itself, which saves one number per pixel. Only right where that is
 /// the mean of the samples seen: not with a clamp, and not with a filter that feeds back.
@@ -22,4 +22,4 @@ template <class Inner> struct WithVariance {
 };
 template <class Inner> WithVariance(Inner) -> WithVariance<Inner>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

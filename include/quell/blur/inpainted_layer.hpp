@@ -3,7 +3,7 @@
 #include <quell/blur/layers.hpp>
 #include <quell/frame/cursor/taps.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Fills in an unknown background layer: the mean of the 5x5 neighbours that show it, with the weight `certainty`; 0 where none does.
 /// @param counts whether a neighbour shows the background. Not inlined: few pixels are covered.
@@ -19,4 +19,4 @@ template <class Px, class Counts> [[gnu::noinline]] constexpr auto inpainted_lay
     return layer_of(scale(sum, 1.f / max(weights, Real(1.f))), masked(weights > Real(0.f), Real(certainty)));
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

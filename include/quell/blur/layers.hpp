@@ -20,7 +20,7 @@
 ///     blurred signal
 ///
 /// Post-process blurs (post_process/) are baselines without layers: they blur a sharp picture.
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Moving layer (MB section 3): the signal times its coverage, then the coverage: the share of the open shutter in which a moving surface
 /// covers the pixel, in [0, 1].
@@ -88,4 +88,4 @@ template <class L, class V> QUELL_KERNEL V layers_together(L const& moving, L co
 }
 } // namespace detail
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

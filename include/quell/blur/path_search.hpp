@@ -3,7 +3,7 @@
 #include <quell/blur/layers.hpp>
 #include <quell/motion/motion_source.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 /// A place in the previous frame. Its taps must have a sweep like the one here.
@@ -87,4 +87,4 @@ using PathSearch = PathSearchOf<MeanSweep>;
 
 static_assert(MotionSource<PathSearch>);
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

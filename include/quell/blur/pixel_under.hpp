@@ -2,7 +2,7 @@
 
 #include <quell/frame/cursor/pixel.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// The pixel that contains a point of the image plane. The point may lie outside the image.
 /// @tparam Px the cursor that looks there
@@ -27,4 +27,4 @@ private:
     QUELL_KERNEL static Real height(Px const& px) { return Real(static_cast<float>(px.size().height)); }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <quell/core/instruction_set.hpp>
+
 #include <concepts>
 #include <cstddef>
 #include <string_view>
 #include <type_traits>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// A named image of a frame. A channel is an empty type with a `name`, which messages and EXR layers use. Code indexes with a variable of
 /// the type: `frame[quell::normal]`, `px[quell::normal]`.
@@ -75,4 +77,4 @@ template <class Part, class Whole> inline constexpr bool contained_in = std::is_
 /// Calls `f(channel)` for every channel of the set, in order.
 template <class... Cs, class F> constexpr void for_each_channel(Channels<Cs...>, F&& f) { (f(Cs{}), ...); }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <quell/core/instruction_set.hpp>
+
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
@@ -7,7 +9,7 @@
 #include <string>
 #include <utility>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// What is wrong with input that quell cannot use. what() is "subject: found; remedy". raise_error() throws it, or hands it to the
 /// ErrorHandler.
@@ -57,4 +59,4 @@ inline ErrorHandler set_error_handler(ErrorHandler handler) { return detail::err
 #endif
 }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

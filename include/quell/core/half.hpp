@@ -6,7 +6,7 @@
 #include <immintrin.h>
 #endif
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Converts IEEE 754 binary16 bits to float, exactly. Infinity and NaN keep their meaning.
 QUELL_KERNEL float float_from_half(std::uint16_t half) {
@@ -87,4 +87,4 @@ template <class Real> QUELL_KERNEL void store_half(std::uint16_t* p, Real a) {
     }
 }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

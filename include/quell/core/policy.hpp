@@ -2,7 +2,7 @@
 
 #include <quell/core/channel.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// The policies that a policy is made of: `using parts = Parts<Inner>`. Declarations of the parts (`reads`, `keeps`, ...) count as
 /// declarations of the whole, which lists only what it adds.
@@ -74,4 +74,4 @@ template <class P>
 inline constexpr int fraction_of<P> = P::fraction;
 /// @endcond
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -2,7 +2,7 @@
 
 #include <quell/core/real.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 /// a * b modulo 2^32.
@@ -59,4 +59,4 @@ template <class Real> QUELL_KERNEL std::pair<Real, Real> uniform_pair(Real colum
     return {detail::uniform_from_bits<Real>(first), detail::uniform_from_bits<Real>(second)};
 }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -27,7 +27,7 @@
 template <class A> struct std::numeric_limits<xsimd::batch<float, A>> : std::numeric_limits<float> {};
 #endif
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 // A Real is a float (Serial, a GPU thread) or a pack of floats (neighbouring pixels of a row). Kernels are written once for both. Here is
 // what GLM cannot do on packs. Comparisons give a Mask: a bool, or one bit per lane.
@@ -231,4 +231,4 @@ template <class Real> QUELL_KERNEL Real approximate_reciprocal(Real a) {
 /// same bits on every machine.
 template <class Real> QUELL_KERNEL Real approximate_inverse_sqrt(Real a) { return from_bits(Index<Real>(0x5f37642f) - (bits(a) >> 1)); }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

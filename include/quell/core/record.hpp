@@ -2,7 +2,7 @@
 
 #include <quell/core/value.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 template <class C, class T> struct Slot { T held; };
@@ -92,4 +92,4 @@ template <class F> QUELL_KERNEL auto result_of(F&& make) {
         return detail::as_result(make());
 }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Two components: pixel coordinates, velocities.
 template <class Real> using vec2 = glm::vec<2, Real>;
@@ -137,4 +137,4 @@ template <class V> QUELL_KERNEL auto luminance_plus(V const& v, real_of<V> more)
 /// Rec. 709 luminance of three components. For other shapes, the mean of the components.
 template <class V> QUELL_KERNEL auto luminance(V const& v) { return luminance_plus(v, real_of<V>(0.f)); }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

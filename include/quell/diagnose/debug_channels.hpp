@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 // What a Temporal stage does, as images: watched() pipelines make them, debug_images() returns them.
 
@@ -56,4 +56,4 @@ struct DebugImage {
     std::vector<float> values; ///< row by row from the top
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

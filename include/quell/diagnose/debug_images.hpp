@@ -3,7 +3,7 @@
 #include <quell/diagnose/inspect.hpp>
 #include <quell/diagnose/watched.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Images of a channel that pipelines keep in this history: DebugChannels where the pipeline is watched() (DebugClamp only with a clamp),
 /// and what policies keep themselves, such as history_length. One image per pipeline that keeps the channel; empty before the first run.
@@ -27,4 +27,4 @@ template <ChannelTag C, class P, class Storage>
     return images;
 }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

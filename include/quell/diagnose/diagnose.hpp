@@ -14,7 +14,7 @@
 #include <quell/diagnose/inspect.hpp>
 #include <quell/pipeline/execution/check_frame.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 /// A moving camera tells best what motion must be. Exact causes come first, since one mistake has many symptoms.
@@ -95,4 +95,4 @@ template <class P, class Set, class FrameStorage, class Storage>
     return detail::findings_of(seen);
 }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

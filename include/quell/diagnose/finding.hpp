@@ -1,9 +1,11 @@
 #pragma once
 
+#include <quell/core/instruction_set.hpp>
+
 #include <string>
 #include <string_view>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Mistakes of hosts that show in a frame and its past. name_of() says each in words.
 enum class Mistake {
@@ -88,4 +90,4 @@ struct Finding {
     return std::string(name_of(finding.mistake)) + ": " + finding.evidence + "; " + finding.remedy;
 }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Access to the state of a history between runs.
 struct Inspect {
@@ -110,4 +110,4 @@ template <class P, class Set, class FrameStorage, class H> Observation observe(F
     return seen;
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Whether the signal is noisy in this frame. Of the pixels that differ from their four neighbours, noise makes many stand out from all
 /// four; edges and textures differ on two or three sides. In the built-in scenes the share is 5% or more with noise and up to 3% without,
@@ -27,4 +27,4 @@ inline bool looks_noisy(Observation const& seen, SignalSeen const& signal) {
     return standing_out.yes >= 20 && standing_out.share() > 0.04;
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

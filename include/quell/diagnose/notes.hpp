@@ -1,11 +1,13 @@
 #pragma once
 
+#include <quell/core/instruction_set.hpp>
+
 #include <glm/vec2.hpp>
 
 #include <optional>
 #include <vector>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Counts of a comparison of two motion conventions: pixels where only the first, or only the second, leads to the surface seen in the
 /// pixel; and pixels where they lead to different places.
@@ -30,4 +32,4 @@ struct DiagnosisNotes {
     glm::vec2 shift{};                     ///< movement of the projection's centre, in pixels
 };
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Component c of an image at (x, y), for any storage; empty where the pipeline does not read the channel. Hypotheses use it, so that they
 /// are compiled once and not per pipeline.
@@ -79,4 +79,4 @@ void for_each_hit(Observation const& seen, auto&& f) {
     });
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <quell/core/instruction_set.hpp>
+
 #include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Share of "yes" among the cases that were asked.
 struct Tally {
@@ -36,4 +38,4 @@ inline std::string number(double value) {
 }
 inline std::string pair(double x, double y) { return "(" + number(x) + ", " + number(y) + ")"; }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -10,7 +10,7 @@
 #include <quell/pipeline/composite.hpp>
 #include <quell/radiance/with_cones.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 template <class Real> QUELL_KERNEL Real code_of(Rejection rejection) { return Real(static_cast<float>(rejection)); }
@@ -164,4 +164,4 @@ template <class... Ps> constexpr auto watched(Composite<Ps...> const& composite)
     return std::apply([](auto const&... pipelines) { return Composite{watched(pipelines)...}; }, composite.pipelines);
 }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

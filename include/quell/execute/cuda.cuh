@@ -5,7 +5,7 @@
 
 #include <type_traits>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 /// One CUDA thread for each pixel of the region.
@@ -46,4 +46,4 @@ private:
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

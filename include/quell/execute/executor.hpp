@@ -3,7 +3,7 @@
 #include <quell/core/real.hpp>
 #include <quell/image/extent.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// A tag that tells a job how many pixels to compute at once: `job(at_once<Pack>, x, y, count)`.
 template <class Real> struct AtOnce {
@@ -78,4 +78,4 @@ using Simd = SimdOf<>;
 using Simd = Serial;
 #endif
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

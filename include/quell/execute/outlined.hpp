@@ -2,7 +2,7 @@
 
 #include <quell/execute/executor.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Runs another executor in a function that is not inlined. Executors that share an Outlined, such as Outlined<> and Threads<Outlined<>>,
 /// share the code of each job: it is compiled once, and they run the very same instructions.
@@ -14,4 +14,4 @@ template <class Each = Simd> struct Outlined {
     [[gnu::noinline]] void for_each_pixel(Region region, auto const& job) const { each.for_each_pixel(region, job); }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Runs tiles of the image on several threads (oneTBB). The result depends neither on the number of threads nor on the tile size. With
 /// `count` 0 it uses the threads of the task arena that it is called in.
@@ -50,4 +50,4 @@ private:
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

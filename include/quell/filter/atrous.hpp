@@ -4,7 +4,7 @@
 
 #include <iterator>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// 5x5 taps of a wavelet: a B3 spline (Dammertz 2010).
 struct CubicSpline {
@@ -89,4 +89,4 @@ template <class Edge = Product<DepthEdge, NormalEdge>, class Spline = CubicSplin
 };
 template <class... Fields> Atrous(Fields...) -> Atrous<typename detail::EdgeAmong<Product<DepthEdge, NormalEdge>, Fields...>::type>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -2,7 +2,7 @@
 
 #include <quell/filter/atrous.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// An EdgeWeight of 1 everywhere.
 struct NoEdge {
@@ -142,4 +142,4 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct CleanUp {
 };
 template <class Edge> CleanUp(Edge) -> CleanUp<Edge>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -2,7 +2,7 @@
 
 #include <quell/filter/atrous.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 /// The variance of each pixel's mean: over time where the history is long, over 5x5 pixels where it is short, and mixed in between.
@@ -166,4 +166,4 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConservingAtrous {
 template <class... Fields>
 ConservingAtrous(Fields...) -> ConservingAtrous<typename detail::EdgeAmong<Product<DepthEdge, NormalEdge>, Fields...>::type>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

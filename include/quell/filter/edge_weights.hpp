@@ -3,7 +3,7 @@
 #include <quell/filter/filter_kernel.hpp>
 #include <quell/frame/cursor/depth_slope.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Neighbours off the surface's slope in depth weigh less: exp(-|dz| / (sigma |grad z . dp| + relative_floor z)) (w_z of Schied et al.
 /// 2017). A miss has no neighbours.
@@ -131,4 +131,4 @@ template <class... Edges> struct Product : Edges... {
 };
 template <class... Edges> Product(Edges...) -> Product<Edges...>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

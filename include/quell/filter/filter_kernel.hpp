@@ -3,7 +3,7 @@
 #include <quell/frame/cursor/probe.hpp>
 #include <quell/frame/cursor/taps.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 /// Accepts any pass. nvcc takes no lambda inside a concept.
@@ -128,4 +128,4 @@ QUELL_KERNEL void for_each_edge_tap(Px const& px, int step, Around const& around
 }
 } // namespace detail
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -2,7 +2,7 @@
 
 #include <quell/frame/cursor/taps.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Weighted least-squares fit of a constant and five slopes. The result is the constant: the value where all regressors are 0.
 template <class V> struct LeastSquares {
@@ -63,4 +63,4 @@ template <class V> struct LeastSquares {
     }
 };
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -3,7 +3,7 @@
 #include <quell/filter/edge_weights.hpp>
 #include <quell/motion/tangent_plane.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// For glossy reflections: neighbours count as far as the reflection itself is blurred, exp(-(dx^2 + dy^2) / (2 w^2)). w is the width of
 /// the GGX lobe at the hit, seen from the camera, in pixels. Mirrors and reflections of what touches the surface stay sharp.
@@ -37,4 +37,4 @@ struct LobeEdge {
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -3,7 +3,7 @@
 #include <quell/filter/conserving_atrous.hpp>
 #include <quell/filter/least_squares.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// The accumulated light after `level` levels of the pilot; 0: before the pilot.
 /// @tparam n the signal's components
@@ -228,4 +228,4 @@ template <class Edge = Product<DepthEdge, NormalEdge>, int n = 3> struct LocalRe
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -4,7 +4,7 @@
 #include <quell/motion/catmull_rom.hpp>
 #include <quell/motion/shadow_motion.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Motion and penumbra of the shadow around a pixel. x, y: motion to the previous frame, in pixels. z: width of the penumbra, in pixels. w:
 /// total weight of the pixels that know; 0: no shadow near. x, y and z are means with these weights.
@@ -180,4 +180,4 @@ struct ShadowOrSurfaceMotion {
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -2,7 +2,7 @@
 
 #include <quell/filter/atrous.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 /// The variance that the wavelet starts from: that of the accumulated mean. (The samples' own variance would blur every penumbra as far as
@@ -84,4 +84,4 @@ template <class Edge = Product<DepthEdge, NormalEdge>, class Spline = CubicSplin
 template <class... Fields>
 VarianceGuidedAtrous(Fields...) -> VarianceGuidedAtrous<typename detail::EdgeAmong<Product<DepthEdge, NormalEdge>, Fields...>::type>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -6,7 +6,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// A host's perspective camera. Column-major GLM matrices, column vectors: clip = projection * view * world.
 /// View space looks down -z. Normalised device coordinates are in [-1, 1] with y up: image row 0 is y = +1.
@@ -22,4 +22,4 @@ struct Camera {
     friend bool operator==(Camera const&, Camera const&) = default;
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

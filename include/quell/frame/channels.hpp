@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 // The channels that a renderer can supply. A pipeline needs only those that its policies read. The names are those of layers in EXR files.
 
@@ -209,4 +209,4 @@ using AllChannels =
     Channels<Radiance, Albedo, Normal, Depth, Position, Instance, Roughness, Motion, Direct, Visibility, Light, LightPrevious, Blocker,
              BlockerPrevious, ReceiverPrevious, Glossy, GlossyHit, GlossyHitPrevious, Indirect, IndirectDirection, Sweep, Time>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// One image view for each channel of a set, which kernels take by value.
 /// @tparam Storage an ImageStorage
@@ -94,4 +94,4 @@ template <ImageStorage P, class... Ps> struct FrameStorage<P, Ps...> { using typ
 /// The channels and the storage follow from the arguments.
 template <class... Ps> Frame(Extent, Ps const&...) -> Frame<detail::frame_channels<Ps...>, typename detail::FrameStorage<Ps...>::type>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

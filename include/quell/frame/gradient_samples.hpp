@@ -5,7 +5,7 @@
 
 #include <glm/vec2.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Chooses the pixels that a host shades twice for GradientOf<Signal> (A-SVGF, Schied et al. 2018): one of each 3x3 stratum, another one in
 /// each frame.
@@ -36,4 +36,4 @@ struct GradientSamples {
     [[nodiscard]] static glm::vec2 gradient(float now, float before) { return {now - before, now > before ? now : before}; }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -2,7 +2,7 @@
 
 #include <quell/core/value.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 // Channels that policies make. Kept channels live from frame to frame, emitted channels until the end of the frame.
 
@@ -38,4 +38,4 @@ inline constexpr Variance variance;
 inline constexpr CleanUpDeviation clean_up_deviation;
 /// @endcond
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

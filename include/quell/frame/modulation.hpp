@@ -2,7 +2,7 @@
 
 #include <quell/frame/cursor/pixel.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Converts the signal before denoising and back after it. A modulation has
 ///
@@ -63,4 +63,4 @@ struct NoModulation {
 
 static_assert(Modulation<Demodulate> && Modulation<NoModulation>);
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

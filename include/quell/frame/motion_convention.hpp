@@ -3,7 +3,7 @@
 #include <quell/core/value.hpp>
 #include <quell/image/extent.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// The meaning of a host's motion vectors. The default is quell's own convention: previous = current + motion, in pixels, y down, without
 /// jitter.
@@ -83,4 +83,4 @@ template <> struct VectorConversion<MotionConvention{}> {
 };
 } // namespace detail
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

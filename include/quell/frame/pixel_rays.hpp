@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Converts pixel coordinates and linear depth to world space, for perspective cameras:
 /// position = eye + depth * (forward + where.x * right + where.y * down).
@@ -47,4 +47,4 @@ struct PixelRays {
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

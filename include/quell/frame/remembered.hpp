@@ -3,7 +3,7 @@
 #include <quell/core/value.hpp>
 #include <quell/frame/channels.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// The form in which history stores a channel of the previous frame: unchanged, unless specialised.
 template <ChannelTag C> struct Remembered {
@@ -49,4 +49,4 @@ private:
     template <class Real> QUELL_KERNEL static Real restore(Index<Real> a) { return to_real(a) * (1.f / 32767.f) - 1.f; }
 };
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

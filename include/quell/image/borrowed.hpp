@@ -4,7 +4,7 @@
 #include <quell/image/format.hpp>
 #include <quell/image/image_storage.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Image storage that reads the host's own memory, without a copy. For each channel the host sets a pointer, the size and the strides
 /// before the frame runs.
@@ -76,4 +76,4 @@ template <class Format = Float32> struct Borrowed {
     };
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

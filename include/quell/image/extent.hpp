@@ -1,8 +1,10 @@
 #pragma once
 
+#include <quell/core/instruction_set.hpp>
+
 #include <string>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// An image size in pixels.
 struct Extent {
@@ -25,4 +27,4 @@ constexpr Extent divided(Extent size, int fraction) {
 /// Text for messages, such as "1920x1080".
 inline std::string to_string(Extent size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

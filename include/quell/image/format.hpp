@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// A Real whose lane i is f(i).
 template <class Real, class F> QUELL_KERNEL Real generate(F&& f) {
@@ -112,4 +112,4 @@ private:
     /// @endcond
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

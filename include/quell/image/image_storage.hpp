@@ -6,7 +6,7 @@
 #include <concepts>
 #include <type_traits>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// A view of an image, which kernels take by value. Required:
 ///
@@ -144,4 +144,4 @@ QUELL_KERNEL void store_pixels(View const& view, int x, int y, Value<View::compo
 }
 } // namespace detail
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -2,7 +2,7 @@
 
 #include <quell/image/strided.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Image storage with a pixel's components side by side (RGBRGB...), as in most hosts. Slower than Planar on a CPU, since packs are
 /// gathered.
@@ -17,4 +17,4 @@ template <class Format = Float32> struct Interleaved {
     template <int N> using Image = detail::StridedImage<Format, N, true>;
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

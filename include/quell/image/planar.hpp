@@ -2,7 +2,7 @@
 
 #include <quell/image/strided.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Image storage of one plane per component. The fastest on a CPU: a pack of pixels is one load per component.
 /// @tparam Format Float32 or Float16; channels with `full_precision` use Float32 anyway
@@ -16,4 +16,4 @@ template <class Format = Float32> struct Planar {
     template <int N> using Image = detail::StridedImage<Format, N, false>;
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -8,7 +8,7 @@
 #include <memory>
 #include <new>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Padding of a row, in pixels; a power of two. Packs may start up to a pack before a row and end up to a pack after it, so inner loops
 /// need no test. The padding after a row is also the padding before the next. It is zero and stays zero.
@@ -137,4 +137,4 @@ private:
     [[nodiscard]] std::size_t elements() const { return static_cast<std::size_t>(View{nullptr, extent}.elements()); }
 };
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace quell::io {
+namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
 /// Camera from an image's attributes `quell:view`, `quell:projection` and `quell:jitter`, with an optional suffix: "_previous" is the last
 /// frame's camera. Empty if a matrix is missing.
@@ -23,4 +23,4 @@ inline void put_camera(ExrImage& image, Camera const& camera, std::string const&
     image.attributes["quell:jitter" + suffix] = camera.jitter;
 }
 
-} // namespace quell::io
+} // namespace quell::inline QUELL_INSTRUCTION_SET::io

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace quell::io {
+namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
 /// Source of a channel's component: `scale` times the sum of planes of a file. Without planes, the constant `scale`.
 struct Source {
@@ -83,4 +83,4 @@ template <class... Cs> [[nodiscard]] std::vector<std::string> planes_of(Channels
     return planes;
 }
 
-} // namespace quell::io
+} // namespace quell::inline QUELL_INSTRUCTION_SET::io

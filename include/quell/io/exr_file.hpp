@@ -15,7 +15,7 @@
 #include <memory>
 #include <span>
 
-namespace quell::io {
+namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
 /// A channel listed in a file's header.
 struct ExrChannel {
@@ -232,4 +232,4 @@ inline void ExrFile::read_part(int part, std::vector<ExrChannel const*> const& w
     for (auto& each : incoming) image.planes.push_back(detail::placed(std::move(each), window, display));
 }
 
-} // namespace quell::io
+} // namespace quell::inline QUELL_INSTRUCTION_SET::io

@@ -15,7 +15,7 @@
 #include <variant>
 #include <vector>
 
-namespace quell::io {
+namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
 /// Number format in a file: 16-bit float, 32-bit float, or 32-bit unsigned integer.
 enum class SampleType { half, float32, uint32 };
@@ -86,4 +86,4 @@ inline Plane const& ExrImage::operator[](std::string_view plane) const {
     detail::throw_missing(name, plane, planes);
 }
 
-} // namespace quell::io
+} // namespace quell::inline QUELL_INSTRUCTION_SET::io

@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace quell::io {
+namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
 namespace detail {
 
@@ -160,4 +160,4 @@ template <class Set, class Storage> [[nodiscard]] ExrImage image_of(Frame<Set, S
     return image;
 }
 
-} // namespace quell::io
+} // namespace quell::inline QUELL_INSTRUCTION_SET::io

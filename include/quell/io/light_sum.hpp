@@ -3,7 +3,7 @@
 #include <quell/core/real.hpp>
 #include <quell/io/frame_image.hpp>
 
-namespace quell::io {
+namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
 /// Sum of the light in three components over all pixels, each times its factor if there are factors. Values that are not finite count as 0.
 [[nodiscard]] inline double light_sum(ExrImage const& image, std::vector<Source> const& light, std::vector<Source> const& factor = {}) {
@@ -17,4 +17,4 @@ namespace quell::io {
     return sum;
 }
 
-} // namespace quell::io
+} // namespace quell::inline QUELL_INSTRUCTION_SET::io

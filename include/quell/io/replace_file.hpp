@@ -10,7 +10,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace quell::io {
+namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
 /// Replaces a file atomically: writes the bytes beside it, under a name that no other process takes, and renames. At every moment the file
 /// is the old one or the new one.
@@ -33,4 +33,4 @@ inline void replace_file(std::filesystem::path const& path, std::string_view byt
     throw Error(path.string(), "it can't be written: " + why.message(), "check that its folder exists, may be written to, and has room");
 }
 
-} // namespace quell::io
+} // namespace quell::inline QUELL_INSTRUCTION_SET::io

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace quell::io {
+namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
 /// A signal that is denoised by itself: sources of the frame's channels, and the factor of the denoised signal in the image.
 struct SignalNames {
@@ -169,4 +169,4 @@ inline bool make_up_combined(SequenceNames const& names, ViewLayer const& layer,
                 "name them with a channel map; it has: " + detail::list_of_names(file.channels));
 }
 
-} // namespace quell::io
+} // namespace quell::inline QUELL_INSTRUCTION_SET::io

@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <deque>
 
-namespace quell::io {
+namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
 namespace detail {
 
@@ -118,4 +118,4 @@ inline void write_exr(std::filesystem::path const& path, ExrImage const& image) 
     replace_file(path, stream.contents());
 }
 
-} // namespace quell::io
+} // namespace quell::inline QUELL_INSTRUCTION_SET::io

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace quell::metrics {
+namespace quell::inline QUELL_INSTRUCTION_SET::metrics {
 
 /// Colour of an error in [0, 1], from dark to bright: the magma map (Smith and van der Walt 2015, CC0) that FLIP's authors use, linear
 /// between nine of its colours; no component differs by more than 0.04. Displayed, in [0, 1].
@@ -30,4 +30,4 @@ namespace quell::metrics {
     return result;
 }
 
-} // namespace quell::metrics
+} // namespace quell::inline QUELL_INSTRUCTION_SET::metrics

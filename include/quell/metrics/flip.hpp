@@ -7,7 +7,7 @@
 
 #include <numbers>
 
-namespace quell::metrics {
+namespace quell::inline QUELL_INSTRUCTION_SET::metrics {
 
 /// FLIP error per pixel: the difference that a viewer sees when the pictures alternate, from 0 (none) to 1.
 struct Flip {
@@ -221,4 +221,4 @@ inline float feature_error(Features const& a, Features const& b, std::size_t i) 
     return result;
 }
 
-} // namespace quell::metrics
+} // namespace quell::inline QUELL_INSTRUCTION_SET::metrics

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace quell::metrics {
+namespace quell::inline QUELL_INSTRUCTION_SET::metrics {
 
 /// A picture of three components per pixel, row by row from the top-left. Metrics compare *displayed* pictures: sRGB-encoded, each
 /// component in [0, 1].
@@ -213,4 +213,4 @@ template <class Number> Plane<Number> along_columns(Plane<Number> const& in, Tap
     return result;
 }
 
-} // namespace quell::metrics
+} // namespace quell::inline QUELL_INSTRUCTION_SET::metrics

@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace quell::metrics {
+namespace quell::inline QUELL_INSTRUCTION_SET::metrics {
 
 /// Root of the mean squared difference over the selected pixels and their three components: 0 if equal, at most 1.
 /// @throws Error where sizes differ, a component is outside [0, 1], or the mask does not fit or selects nothing
@@ -16,4 +16,4 @@ namespace quell::metrics {
     }));
 }
 
-} // namespace quell::metrics
+} // namespace quell::inline QUELL_INSTRUCTION_SET::metrics

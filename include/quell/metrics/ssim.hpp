@@ -6,7 +6,7 @@
 
 #include <functional>
 
-namespace quell::metrics {
+namespace quell::inline QUELL_INSTRUCTION_SET::metrics {
 
 namespace detail {
 
@@ -54,4 +54,4 @@ inline double similarity(double mean_a, double mean_b, double variance_a, double
     });
 }
 
-} // namespace quell::metrics
+} // namespace quell::inline QUELL_INSTRUCTION_SET::metrics

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-namespace quell::metrics {
+namespace quell::inline QUELL_INSTRUCTION_SET::metrics {
 
 /// Flicker of a sequence: the mean over pixels of the temporal standard deviation of (output - reference). Motion in the reference and
 /// constant errors do not count. Frames are added one by one and not kept.
@@ -106,4 +106,4 @@ inline void check_event(std::span<double const> errors, std::size_t event) {
     return lag(errors, event, settled_error(errors, event));
 }
 
-} // namespace quell::metrics
+} // namespace quell::inline QUELL_INSTRUCTION_SET::metrics

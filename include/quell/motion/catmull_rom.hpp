@@ -2,7 +2,7 @@
 
 #include <quell/motion/history_fetch.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// History fetch by a Catmull-Rom spline over 4x4 pixels, sharper than Bilinear. Taps that are not accepted are replaced by the bilinear
 /// mean, so outlines stay sharp too. Kept channels (history length, moments) are interpolated bilinearly: negative lobes have no meaning
@@ -54,4 +54,4 @@ private:
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Accepts a past pixel of a similar depth. It separates foreground from background and nothing else.
 struct SimilarDepth {
@@ -75,4 +75,4 @@ private:
 };
 template <class Test> DualMotion(Test) -> DualMotion<Test>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -2,7 +2,7 @@
 
 #include <quell/motion/motion_source.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 template <class Real, class A, class B> struct FirstFound {
@@ -51,4 +51,4 @@ template <class Last> struct FirstValid<Last> : Last {
 /// @endcond
 template <class... Sources> FirstValid(Sources...) -> FirstValid<Sources...>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

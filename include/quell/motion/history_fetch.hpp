@@ -2,7 +2,7 @@
 
 #include <quell/motion/first_valid.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// The history of a pixel, as a fetch returns it. A history fetch has `fetch(px, found)` with what a motion source found. Models: Bilinear,
 /// CatmullRom, Nearest.
@@ -185,4 +185,4 @@ struct Nearest {
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <vector>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 /// Splats the inverted motion of every pixel of the next frame to those pixels within `reach` (pixels, in x and y) of its previous position
@@ -75,4 +75,4 @@ void invert_motion(To const& to, NextMotion const& next_motion, NextDepth const&
     for (float const reach : {0.5f, 0.99f}) detail::splat_motion(to, next_motion, next_depth, reach, taken);
 }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -4,7 +4,7 @@
 
 #include <concepts>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// What a motion source found: a position in the previous frame, and how far it can be trusted.
 /// A source may return a struct of its own that has these two members and also
@@ -43,4 +43,4 @@ concept MotionSource = std::is_trivially_copyable_v<M> && requires(M const m, de
     detail::accepts(m.previous(px), then, 0.f, 0.f);
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

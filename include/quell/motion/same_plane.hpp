@@ -2,7 +2,7 @@
 
 #include <quell/motion/tangent_plane.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// A test for sources that follow a shadow or a reflection. A past pixel is accepted if it shows the same plane, anywhere on it. The tests
 /// of surface_test.hpp demand the same point.
@@ -34,4 +34,4 @@ struct SamePlane {
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

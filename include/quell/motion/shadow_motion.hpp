@@ -2,7 +2,7 @@
 
 #include <quell/motion/tangent_plane.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Follows the shadow instead of the receiver (TRMV eq. 3). The line through the previous positions of the light sample and the blocker is
 /// intersected with the previous tangent plane of the receiver: the same shadow fell there. Receiver, blocker and light may each move.
@@ -32,4 +32,4 @@ struct ShadowMotion {
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

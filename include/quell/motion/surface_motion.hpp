@@ -2,7 +2,7 @@
 
 #include <quell/motion/surface_test.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Follows the surface by the host's Motion channel (TRMV eq. 1). Validity is 1.
 /// @tparam Test SameDepth, SameNormal, SameInstance, AllOf several, or the host's own
@@ -49,4 +49,4 @@ struct StillMotion {
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

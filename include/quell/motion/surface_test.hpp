@@ -3,7 +3,7 @@
 #include <quell/frame/cursor/depth_slope.hpp>
 #include <quell/motion/motion_source.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 // Tests of whether a past pixel shows the same surface as this pixel. `around(px)` prepares what does not depend on the tap. Its result has
 // `accepts(then, dx, dy)`, which tests one tap, (dx, dy) pixels from the reprojected position. A test may also have `around(px,
@@ -112,4 +112,4 @@ template <class... Tests> struct AllOf : Tests... {
 };
 template <class... Tests> AllOf(Tests...) -> AllOf<Tests...>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

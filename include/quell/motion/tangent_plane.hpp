@@ -2,7 +2,7 @@
 
 #include <quell/motion/motion_source.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// A plane through a point, with a unit normal.
 template <class Real> struct Plane { vec3<Real> point, normal; };
@@ -52,4 +52,4 @@ template <class Px> QUELL_KERNEL auto tangent_plane_then(Px const& px) {
     return Plane<Real>{then, n};
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -3,7 +3,7 @@
 #include <quell/pipeline/ingest.hpp>
 #include <quell/pipeline/run.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 /// What a denoised signal is multiplied by in the picture, if anything.
@@ -201,4 +201,4 @@ void run_into(Target const& target, Composite<Ps...> const& composite, Frame<Set
     detail::CompositeRun::into(target, composite, frame, history, executor);
 }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

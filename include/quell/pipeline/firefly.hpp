@@ -2,7 +2,7 @@
 
 #include <quell/frame/cursor/taps.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Dims samples that outshine all their neighbours, before they enter the history and glow for many frames. Limits a sample's luminance to
 /// `limit` times that of the brightest usable neighbour in the 3x3 around. Statistics::suppressed sums up the light taken away.
@@ -30,4 +30,4 @@ struct SuppressFireflies {
 /// Leaves all samples as they are.
 struct NoSuppression {};
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

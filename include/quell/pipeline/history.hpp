@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Counts of the runs with one history.
 struct Statistics {
@@ -120,4 +120,4 @@ private:
 template <class P> History(Extent, P const&) -> History<P>;
 template <class P, class Storage> History(Extent, P const&, Storage const&) -> History<P, Storage>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

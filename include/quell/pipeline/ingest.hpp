@@ -4,7 +4,7 @@
 #include <quell/frame/modulation.hpp>
 #include <quell/pipeline/firefly.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Largest sample that counts as light: sums of its square stay finite.
 inline constexpr float brightest_sample = 1e16f;
@@ -95,4 +95,4 @@ private:
     }
 };
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

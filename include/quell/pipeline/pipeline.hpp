@@ -5,7 +5,7 @@
 
 #include <tuple>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 template <class T> inline constexpr bool is_stage = is_temporal<T> || is_spatial<T>;
@@ -119,4 +119,4 @@ template <ChannelTag S, class... Parts> struct Pipeline {
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

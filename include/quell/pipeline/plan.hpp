@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// One pass over the image, as run() executes it. Channels appear by name. "signal" is what is denoised; "output" is what the host gets.
 struct PlannedPass {
@@ -121,4 +121,4 @@ inline std::string to_string(Plan const& plan) {
     return text + "History and scratch: " + std::to_string(static_cast<long>(plan.bytes_per_pixel + 0.5)) + " bytes a pixel.\n";
 }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

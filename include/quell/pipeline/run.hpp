@@ -2,7 +2,7 @@
 
 #include <quell/pipeline/execution/frame_run.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Denoises one frame. Returns a view of the output, valid until the next run with this history.
 ///
@@ -47,4 +47,4 @@ void run_into(Target const& target, P const& pipeline, Frame<Set, FrameStorage> 
     detail::Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, Target>(pipeline, frame, history, executor, target).all();
 }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

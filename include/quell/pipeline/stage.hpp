@@ -4,7 +4,7 @@
 #include <quell/filter/filter_kernel.hpp>
 #include <quell/motion/history_fetch.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// The temporal stage: a motion source finds the history, a fetch interpolates it, a blend policy blends it with the new sample.
 ///
@@ -104,4 +104,4 @@ template <class Stage, class Visit> constexpr void for_each_pass(Stage const& st
 
 } // namespace detail
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

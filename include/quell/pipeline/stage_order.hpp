@@ -2,7 +2,7 @@
 
 #include <quell/pipeline/pipeline.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// What follows from the order of a pipeline's stages.
 template <class P> class StageOrder {
@@ -46,4 +46,4 @@ public:
     static constexpr bool may_end_without_signal = last_may_leave_signal();
 };
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

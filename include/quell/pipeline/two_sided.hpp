@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// The channels that frames of a two-sided run need beside the pipeline's.
 ///
@@ -144,4 +144,4 @@ auto run_two_sided(P const& pipeline, Window& window, TwoSidedHistory<P, Storage
     return run_two_sided(pipeline, pipeline, window, history, executor);
 }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -6,7 +6,7 @@
 
 /// Presets for motion blur from one sample per pixel at a random time of the open shutter. They read the velocity of each sample (sweep)
 /// and its time. How long the shutter is open is frame.shutter.
-namespace quell::presets {
+namespace quell::inline QUELL_INSTRUCTION_SET::presets {
 
 /// Motion blur from one sample per pixel at a random time (after Oberberger et al. 2022). Samples are gathered along the two motions that
 /// meet around a pixel, and each is tested by its own trajectory. Foreground and background layer are accumulated separately.
@@ -32,4 +32,4 @@ template <class = void> constexpr auto blur_split(PathSearch search = {}) {
                      blur<StraightTrajectories>(indirect, search), blur<StraightTrajectories>(albedo, search)};
 }
 
-} // namespace quell::presets
+} // namespace quell::inline QUELL_INSTRUCTION_SET::presets

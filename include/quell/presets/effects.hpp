@@ -22,7 +22,7 @@
 
 /// Presets for moving shadows, reflections and indirect light. Each effect has motion vectors of its own (Zeng et al. 2021), and reads what
 /// these are computed from: blockers, lights, hits and directions.
-namespace quell::presets {
+namespace quell::inline QUELL_INSTRUCTION_SET::presets {
 
 /// Shadows with motion vectors of their own (TRMV section 4.1). Visibility is filtered by the width of its penumbra, then accumulated.
 /// Compared with shadow_paper: a narrower filter, a shorter history, a tighter clamp, history that is forgotten where the light changes,
@@ -72,4 +72,4 @@ template <class... Parts> constexpr auto trmv(Parts... parts) {
     return Composite{shadow(visibility, parts...), glossy(quell::glossy, parts...), dual_cone(indirect, parts...)};
 }
 
-} // namespace quell::presets
+} // namespace quell::inline QUELL_INSTRUCTION_SET::presets

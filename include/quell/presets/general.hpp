@@ -15,7 +15,7 @@
 
 /// Ready pipelines for any signal: `presets::general(radiance, Demodulate{})`. Further parts go before the stages. The presets of this file
 /// read the signal and guides (albedo, normal, depth, motion).
-namespace quell::presets {
+namespace quell::inline QUELL_INSTRUCTION_SET::presets {
 
 /// The input as it is.
 constexpr auto none(ChannelTag auto signal, auto... parts) { return Pipeline{signal, parts...}; }
@@ -81,4 +81,4 @@ template <ChannelTag S> constexpr auto final_frame_joining(S signal, auto... par
     return general_with(joined_history, final_frame_filter<S>, signal, parts...);
 }
 
-} // namespace quell::presets
+} // namespace quell::inline QUELL_INSTRUCTION_SET::presets

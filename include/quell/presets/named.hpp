@@ -8,7 +8,7 @@
 #include <utility>
 
 /// All presets by name, as one typed list: what programs, tests, fuzzers and charts go through.
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// The signal of a preset that denoises any.
 struct AnySignal {};
@@ -124,4 +124,4 @@ inline constexpr BlurInput blur_input = P::reads::template has<Time>    ? BlurIn
                                         : P::reads::template has<Sweep> ? BlurInput::picture
                                                                         : BlurInput::none;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <quell/core/instruction_set.hpp>
+
 #include <cstddef>
 #include <string_view>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// A preset's file in quell/presets/, and its group where programs list it.
 enum class PresetGroup { general, effects, blur, published };
@@ -14,4 +16,4 @@ constexpr std::string_view to_string(PresetGroup group) {
     return names[static_cast<std::size_t>(group)];
 }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

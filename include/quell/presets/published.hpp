@@ -15,7 +15,7 @@
 #include <quell/radiance/cone_atrous.hpp>
 
 /// Published methods for comparison: the papers' own versions of quell's presets, and baselines.
-namespace quell::presets {
+namespace quell::inline QUELL_INSTRUCTION_SET::presets {
 
 /// svgf() whose history shortens where the host's temporal gradients show that the light has changed (Schied et al. 2018).
 template <ChannelTag S> constexpr auto asvgf(S signal, auto... parts) {
@@ -114,4 +114,4 @@ template <class... Parts> constexpr auto trmv_paper(Parts... parts) {
     return Composite{shadow_paper(visibility, parts...), glossy_paper(quell::glossy, parts...), dual_cone_paper(indirect, parts...)};
 }
 
-} // namespace quell::presets
+} // namespace quell::inline QUELL_INSTRUCTION_SET::presets

@@ -3,7 +3,7 @@
 #include <quell/filter/atrous.hpp>
 #include <quell/radiance/cones.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 /// One level of ConeAtrous. Cones pass one to one where normals agree, else by the overlap of all pairs.
@@ -104,4 +104,4 @@ template <class Edge = DepthEdge> struct ConeAtrous {
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -4,7 +4,7 @@
 #include <quell/motion/surface_test.hpp>
 #include <quell/radiance/cones.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// A history fetch for Cones and WithCones: history from a surface with another normal moves to this pixel's cones, by their overlap.
 ///
@@ -63,4 +63,4 @@ private:
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

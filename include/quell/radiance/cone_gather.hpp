@@ -3,7 +3,7 @@
 #include <quell/filter/atrous.hpp>
 #include <quell/radiance/cones.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Shades each pixel by the sum of the cones of the 3x3 around it. A disoccluded pixel has samples in few of its cones; its neighbours fill
 /// the others. Goes after a Temporal{motion, WithCones{...}, ConeFetch{}} and before a filter of colours.
@@ -65,4 +65,4 @@ private:
 };
 template <class Edge> ConeGather(Edge) -> ConeGather<Edge>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -36,7 +36,7 @@
 ///     ConeGather    cone_radiance of 3x3 pixels                signal: the colour that their sum shades to
 ///     filter        signal                                     signal: a filtered colour
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Incident radiance in six cones. Component 4 k + c is the sum of cone k's samples in colour c; component 4 k + 3 is their number. Sums
 /// can be filtered linearly; the radiance of a cone is their quotient, taken at the end. Axes are in world space (cone::Axes).
@@ -180,4 +180,4 @@ struct Cones {
 
 static_assert(Modulation<Cones>);
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

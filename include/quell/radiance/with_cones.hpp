@@ -3,7 +3,7 @@
 #include <quell/blend/blend_policy.hpp>
 #include <quell/radiance/cones.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Keeps the history as incident radiance in six cones (TRMV section 4.3), blended with the inner policy's alpha, and returns the colour
 /// that they shade to. So history can pass between surfaces with different normals, and later filters cost no more than for any colour. For
@@ -51,4 +51,4 @@ private:
 };
 template <class Inner> WithCones(Inner) -> WithCones<Inner>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -4,7 +4,7 @@
 #include <quell/blur/pixel_under.hpp>
 #include <quell/blur/trajectory/path_weight.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 /// One level of the wavelet.
@@ -100,4 +100,4 @@ private:
     constexpr float fixed(int level) const { return fixed_step * static_cast<float>(1 << level); }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -4,7 +4,7 @@
 #include <quell/blur/layers.hpp>
 #include <quell/motion/catmull_rom.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// History fetch for two layers: the moving one from where the motion source says, the static one from the same pixel.
 /// @tparam S the pipeline's signal
@@ -55,4 +55,4 @@ template <ChannelTag S> struct LayerBlend {
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

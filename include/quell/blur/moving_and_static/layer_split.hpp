@@ -4,7 +4,7 @@
 #include <quell/blur/trajectory/path_weight.hpp>
 #include <quell/frame/cursor/taps.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Splits the picture into a moving and a static layer: the mean of each over the 5x5 neighbours, moving samples weighted by their closest
 /// approach (MB section 4.3, first stage). The coverage is the share of moving samples in the MotionGuide's window. Where nothing moves, a
@@ -67,4 +67,4 @@ private:
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -18,7 +18,7 @@
 ///       |
 ///       v   DirectionalAtrous (optional)   smooths the moving layer along the motion     (MB section 4.3)
 ///     signal
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Mean sweep of the moving samples around a pixel, in pixels: opposite directions cancel. 0 where nothing moves.
 struct GuideSweep : InternalChannel<2> {
@@ -183,4 +183,4 @@ template <class Trajectories = StraightTrajectories> struct MotionGuide {
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -4,7 +4,7 @@
 #include <quell/blur/pixel_under.hpp>
 #include <quell/blur/trajectory/path_weight.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Places to look for samples that may pass a pixel: stratified along the mean trajectory, over its whole length to both sides.
 /// @tparam Trajectories StraightTrajectories or BentTrajectories
@@ -181,4 +181,4 @@ private:
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

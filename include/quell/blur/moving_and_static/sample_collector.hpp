@@ -4,7 +4,7 @@
 #include <quell/blur/trajectory/trajectory.hpp>
 #include <quell/filter/filter_kernel.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Pre-filter: averages a moving pixel with samples from far along its trajectory that pass it as well, up to 18 of them: two random places
 /// on the trajectories of each of the 3x3 pixels around (MB section 4.2). Static and slow pixels keep their value.
@@ -58,4 +58,4 @@ private:
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

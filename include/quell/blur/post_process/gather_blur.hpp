@@ -14,7 +14,7 @@
 ///                      v   LongestSweep along x, then y: log(tile) passes -> DominantSweep
 ///                      v   TileMaxGather: signal, Sweep, Depth
 ///                    signal
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Motion blur of a sharp picture: the mean of the pixels along each pixel's own sweep, half of it to either side (GPU Gems 3, ch. 27). A
 /// moving surface does not spread beyond its outline, since the pixels there are static themselves. Needs the signal at the middle of the
@@ -46,4 +46,4 @@ struct GatherBlur {
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

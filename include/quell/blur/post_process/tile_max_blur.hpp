@@ -4,7 +4,7 @@
 #include <quell/blur/trajectory/trajectory.hpp>
 #include <quell/filter/filter_kernel.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Longest sweep that may reach a pixel, in pixels; 0 where none does.
 struct DominantSweep : InternalChannel<2> {
@@ -154,4 +154,4 @@ private:
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

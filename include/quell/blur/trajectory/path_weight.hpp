@@ -2,7 +2,7 @@
 
 #include <quell/blur/moving_and_static/motion_guide.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Weight of a sample by its closest approach (MB section 4.3): 1 on its trajectory, falling linearly to 0 at a reach of 1 pixel, or up to
 /// 4 where the velocities around vary; 0 where it passes while the shutter is closed.
@@ -27,4 +27,4 @@ struct PathWeight {
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -4,7 +4,7 @@
 #include <quell/filter/filter_kernel.hpp>
 #include <quell/frame/cursor/taps.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Arcs whose bend a RotationGuide measures from Sweep, Time and Depth.
 struct RotatingTrajectories {
@@ -140,4 +140,4 @@ template <> struct PathGuide<RotatingTrajectories> {
 /// The guide of RotatingTrajectories.
 using RotationGuide = PathGuide<RotatingTrajectories>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

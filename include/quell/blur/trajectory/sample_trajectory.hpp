@@ -2,7 +2,7 @@
 
 #include <quell/blur/trajectory/trajectory.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Trajectory of each pixel's sample, made safe to use. Components: sweep x and y (pixels; 0 if static); sample time in [0, 1]; inverse
 /// depth; time to cross a pixel, as a fraction of the open shutter (0 for a missing sample, 2 if static). With bends also the relative
@@ -159,4 +159,4 @@ template <class Trajectories> struct PathGuide {
     constexpr void for_each_pass(auto&& pass) const { pass(detail::SampleTrajectoryOf<Trajectories>{}); }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -14,7 +14,7 @@
 ///                                         -> RotationSums -> SampleTrajectory<RotatingTrajectories>)
 ///
 /// moving_and_static/ asks StraightTrajectories and BentTrajectories directly, by here() and there().
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Linear trajectory of a sample: constant velocity through the pixel's centre at the sample's time. Bad input is repaired: a sweep that is
 /// not finite becomes 0, its components are clamped to +-`longest`, a time that is not finite becomes 0.5, others are clamped to [0, 1].
@@ -125,4 +125,4 @@ struct BentTrajectories {
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -1,6 +1,8 @@
 #pragma once
 
-namespace quell {
+#include <quell/core/instruction_set.hpp>
+
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 // How far from a pixel's trajectories PairGather looks for samples.
 
@@ -14,4 +16,4 @@ struct AdaptiveFootprint {
     float allowed_error = 0.2f;          ///< relative standard error of the mean from which on it is uncertain
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

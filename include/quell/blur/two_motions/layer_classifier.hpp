@@ -2,7 +2,7 @@
 
 #include <quell/blur/two_motions/pair_guide.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Assigns a sample to the foreground or the background of a LayerMotions.
 template <class Trajectories, class Real> struct LayerClassifier {
@@ -33,4 +33,4 @@ private:
     Real middle, per_gap;
 };
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

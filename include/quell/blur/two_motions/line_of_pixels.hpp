@@ -3,7 +3,7 @@
 #include <quell/core/real.hpp>
 #include <quell/core/value.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// The pixels along a line through a pixel, to both sides: all of them, or a subset within the budget. Beside a slanted line both nearest
 /// pixels are visited.
@@ -59,4 +59,4 @@ private:
     }
 };
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -7,7 +7,7 @@
 #include <quell/blur/two_motions/standard_error.hpp>
 #include <quell/blur/two_motions/stratified_mean.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Gathers the samples that pass each pixel while the shutter is open into a foreground and a background layer. The foreground's coverage
 /// is the share of all samples along its velocity that show it. Each sample is tested by its own trajectory and weighted by the time it
@@ -246,4 +246,4 @@ private:
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -19,7 +19,7 @@
 ///
 /// PairGuide is the first three passes, with PathGuide before them. LineOfPixels and AdaptiveFootprint say where PairGather looks,
 /// StratifiedMean averages by time strata, LayerClassifier assigns a sample to a layer.
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// The two motions around a pixel, foreground first: each has its velocity (pixels per open shutter), inverse depth, and relative sagitta
 /// with bends. A rotating surface has the velocity that it would have at the pixel. Where there is only one motion it is the background's,
@@ -218,4 +218,4 @@ template <class Trajectories = StraightTrajectories> struct PairGuide {
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -5,7 +5,7 @@
 #include <quell/blur/two_motions/pair_gather.hpp>
 #include <quell/motion/catmull_rom.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// History fetch for a foreground and a background layer: the background's from where the motion source says, the foreground's from where
 /// `front` says. Layers of many samples are smooth and hardly need a past: bilinear interpolation does for them.
@@ -110,4 +110,4 @@ private:
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

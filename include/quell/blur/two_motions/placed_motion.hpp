@@ -2,7 +2,7 @@
 
 #include <quell/blur/trajectory/sample_trajectory.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// A motion; with bends also its pixel coordinates, since a rotating surface has other velocities elsewhere.
 template <class Trajectories, class Real> using PlacedMotion = Value<Trajectories::bent ? 6 : 3, Real>;
@@ -28,4 +28,4 @@ QUELL_KERNEL ScreenMotion<Trajectories, Real> mover_at(PlacedMotion<Trajectories
         return placed;
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -2,7 +2,7 @@
 
 #include <quell/core/real.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Standard error of a weighted mean.
 template <class Real> struct StandardError {
@@ -19,4 +19,4 @@ template <class Real> struct StandardError {
     }
 };
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -2,7 +2,7 @@
 
 #include <quell/core/value.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Stratified mean over the open shutter: samples are averaged within equal time strata, then the strata are averaged. An empty stratum
 /// takes the nearest one's mean. Random times cluster, so this has much less noise than the mean of all samples. Samples are kept until the
@@ -88,4 +88,4 @@ private:
     }
 };
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -3,7 +3,7 @@
 #include <quell/diagnose/observation.hpp>
 #include <quell/diagnose/statistics.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 inline void find_albedo_range(Observation const& seen, std::vector<Finding>& findings) {
     Tally above, black;
@@ -24,4 +24,4 @@ inline void find_albedo_range(Observation const& seen, std::vector<Finding>& fin
                             "fill the channel with the diffuse reflectance that the signal was multiplied by, or leave Demodulate{} out"});
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

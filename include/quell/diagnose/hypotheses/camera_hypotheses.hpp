@@ -2,7 +2,7 @@
 
 #include <quell/diagnose/hypotheses/motion_hypotheses.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 // The last row tells the kind of a matrix: (0, 0, -1, 0) perspective projection, (0, 0, 1, 0) one that looks down +z, (0, 0, 0, 1) view.
 // m[0..3] are columns.
@@ -141,4 +141,4 @@ inline void find_still_camera(Observation const& seen, ComparedMotions const& pa
                         "set frame.camera in every frame; where it is right, motion of what stands still must be 0"});
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

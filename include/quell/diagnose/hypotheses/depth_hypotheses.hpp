@@ -10,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 inline bool is_miss(float depth) { return bits(depth) == bits(std::numeric_limits<float>::infinity()); }
 
@@ -137,4 +137,4 @@ inline bool find_wrong_depth(Observation const& seen, std::vector<Finding>& find
     return says_nothing || find_depth_not_positive(seen, findings) || find_depth_not_linear(seen, findings);
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 inline std::string why_afresh(Observation const& seen, SignalSeen const& signal) {
     if (!(seen.size == signal.size_then)) return "its size went from " + to_string(signal.size_then) + " to " + to_string(seen.size);
@@ -30,4 +30,4 @@ inline void find_resets(Observation const& seen, std::vector<Finding>& findings)
          "cuts only"});
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Relative difference between a pixel's depth and the depth that a vector leads to; empty where unknown.
 using Mismatch = std::optional<float>;
@@ -118,4 +118,4 @@ inline void find_motion_convention_by_history(Observation const& seen, std::vect
                       findings);
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// The mistakes in taking vectors of one convention for those of another.
 inline std::vector<Mistake> mistakes_of(MotionConvention convention, MotionConvention taken_for) {
@@ -48,4 +48,4 @@ inline std::string code_of(MotionConvention convention) {
     return "MotionConvention{" + text + "}";
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -2,7 +2,7 @@
 
 #include <quell/diagnose/hypotheses/motion_by_history.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Compares where motion leads with where the cameras say that a static surface was. A moving object is found by its motion only.
 inline Comparison comparison_with_cameras(Observation const& seen) {
@@ -38,4 +38,4 @@ inline void find_disagreement(Observation const& seen, ComparedMotions const& pa
                         "pixels, x first, y down, with the matrices of camera.view and camera.projection in both frames"});
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// A motion vector of the host, and the one of a static surface there.
 struct ComparedMotion {
@@ -158,4 +158,4 @@ inline bool find_motion_jitter(Observation const& seen, ComparedMotions const& p
     return true;
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 inline bool is_unit(glm::vec3 n) { return std::abs(glm::length(n) - 1.f) < 0.02f; }
 
@@ -99,4 +99,4 @@ inline bool find_normal_space(Observation const& seen, std::vector<Finding>& fin
     return is_inverted;
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

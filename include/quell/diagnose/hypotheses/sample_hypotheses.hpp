@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// In every pixel: a single one shows a mistake in shading.
 inline void find_bad_samples(Observation const& seen, SignalSeen const& signal, std::vector<Finding>& findings) {
@@ -114,4 +114,4 @@ inline void find_output_mistakes(Observation const& seen, std::vector<Finding>& 
     }
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <optional>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Finite, and has an inverse.
 inline bool invertible(glm::mat4 const& m) {
@@ -57,4 +57,4 @@ private:
     [[nodiscard]] glm::dvec2 place_of(int x, int y) const { return glm::dvec2(x + 0.5, y + 0.5) + jitter; }
 };
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Sweeps of static surfaces under a moving camera, as fractions of their motion per frame.
 struct SweptParts {
@@ -50,4 +50,4 @@ inline void find_wrong_sweeps(Observation const& seen, std::vector<Finding>& fin
                             "set frame.shutter to " + number(part) + ", or give sweeps in pixels of that part of the frame time"});
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -3,7 +3,7 @@
 #include <quell/blend/variance_over_time.hpp>
 #include <quell/filter/change/light_change.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Squared bias of the history over the variance of one sample; 0 without evidence.
 struct HistoryBias : InternalChannel<1> {
@@ -202,4 +202,4 @@ template <class Inner> struct ForgetBiased {
 };
 template <class Inner> ForgetBiased(Inner) -> ForgetBiased<Inner>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

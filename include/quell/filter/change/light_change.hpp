@@ -4,7 +4,7 @@
 #include <quell/filter/filter_kernel.hpp>
 #include <quell/motion/surface_motion.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Difference of luminance between new samples and history, over a window of n pixels. x: sum / sqrt(n). y: root of the sum of squares,
 /// over sqrt(n). x / y is Student's statistic, and both fit in half precision.
@@ -117,4 +117,4 @@ template <class Inner> struct ForgetChanged {
 };
 template <class Inner> ForgetChanged(Inner) -> ForgetChanged<Inner>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -3,7 +3,7 @@
 #include <quell/blend/part_of_past.hpp>
 #include <quell/filter/edge_weights.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Temporal gradient at a pixel, as means over its surroundings. x: luminance now minus luminance in the previous frame. y: the larger of
 /// the two.
@@ -80,4 +80,4 @@ template <class Inner> struct Antilag {
 };
 template <class Inner> Antilag(Inner) -> Antilag<Inner>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -2,7 +2,7 @@
 
 #include <quell/frame/cursor/pixel.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Depth difference per pixel along (dx, dy): the smaller in magnitude of the two one-sided differences. At a silhouette the larger one
 /// crosses the edge. 0 where neither neighbour is a surface inside the image.
@@ -17,4 +17,4 @@ template <class Px> QUELL_KERNEL auto depth_slope(Px const& px, int dx, int dy) 
     return masked(min(behind, ahead) < none, select(behind < ahead, back, forth));
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

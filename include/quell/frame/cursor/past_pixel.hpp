@@ -2,7 +2,7 @@
 
 #include <quell/frame/cursor/scope.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Whole-numbered pixel coordinates in the previous frame, one pixel for each lane, at most one pixel outside the image. With a still or
 /// panning camera most packs land on adjacent pixels of one row. One load per component then replaces a gather.
@@ -79,4 +79,4 @@ private:
     QUELL_KERNEL auto fetch(auto const& view) const { return detail::fetch<Real>(view, scope.size, place, dx, dy); }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

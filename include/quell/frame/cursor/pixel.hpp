@@ -4,7 +4,7 @@
 #include <quell/frame/cursor/past_pixel.hpp>
 #include <quell/frame/kept_channels.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// The cursor that policies use: one pixel of the current frame, or neighbouring pixels of a row where Real is a pack.
 /// @tparam R float or a pack
@@ -246,4 +246,4 @@ private:
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

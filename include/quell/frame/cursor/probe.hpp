@@ -2,7 +2,7 @@
 
 #include <quell/frame/cursor/pixel.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 /// The signal that a policy is made for, if it names one; else Radiance.
@@ -21,4 +21,4 @@ template <class P> using Probe = Pixel<float, ProbeScope<P>>;
 template <class P> using PastProbe = PastPixel<float, ProbeScope<P>>;
 } // namespace detail
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

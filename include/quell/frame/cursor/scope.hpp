@@ -7,7 +7,7 @@
 
 #include <glm/mat4x4.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 template <class Storage, class Set> struct RememberedViewsOf;
@@ -65,4 +65,4 @@ struct Scope {
     [[no_unique_address]] Vectors vectors{}; ///< converts motion vectors
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

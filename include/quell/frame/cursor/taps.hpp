@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 /// Calls f(0) to f(n - 1). Up to 5 calls are unrolled, so addresses become constants; a loop of more compiles faster.
@@ -120,4 +120,4 @@ template <int radius, class Px, class Body> QUELL_KERNEL void for_each_neighbour
     for_each_neighbour<radius>(px, 1, body);
 }
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

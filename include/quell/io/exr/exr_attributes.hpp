@@ -15,7 +15,7 @@
 
 #include <optional>
 
-namespace quell::io::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::io::detail {
 
 template <class Matrix> glm::mat4 matrix_from(Matrix const& m) {
     glm::mat4 result;
@@ -55,4 +55,4 @@ inline void insert_attribute(Imf::Header& header, std::string const& name, Attri
     if (auto const* const m = std::get_if<glm::mat4>(&value)) header.insert(name, Imf::M44fAttribute(matrix_for_file(*m)));
 }
 
-} // namespace quell::io::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::io::detail

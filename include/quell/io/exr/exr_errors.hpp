@@ -9,7 +9,7 @@
 #include <new>
 #include <system_error>
 
-namespace quell::io::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::io::detail {
 
 /// First line of a library's message.
 inline std::string first_line(std::string const& text) { return text.substr(0, text.find('\n')); }
@@ -40,4 +40,4 @@ inline void check_is_exr(std::filesystem::path const& path) {
     if (!HeaderCheck(path).passes()) throw Error(path.string(), "its header is truncated or damaged", "render or copy it again");
 }
 
-} // namespace quell::io::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::io::detail

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace quell::io::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::io::detail {
 
 /// Walks over the attributes of a file's headers without reading them. The OpenEXR library allocates an attribute's length before it checks
 /// it: four damaged bytes can ask for 2 GB.
@@ -54,4 +54,4 @@ private:
     }
 };
 
-} // namespace quell::io::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::io::detail

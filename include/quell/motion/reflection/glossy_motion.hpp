@@ -2,7 +2,7 @@
 
 #include <quell/motion/reflection/mirror_motion.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Follows a glossy reflection (TRMV eq. 5). A rough surface shows the hit in all pixels within the lobe around the mirror position; one of
 /// them is drawn at random from a screen-space Gaussian. Its axes are the projected axes of the ellipse in which the lobe around the ray
@@ -59,4 +59,4 @@ private:
 };
 template <class Mirror> GlossyMotion(Mirror) -> GlossyMotion<Mirror>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -3,7 +3,7 @@
 #include <quell/frame/cursor/taps.hpp>
 #include <quell/motion/same_plane.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// The virtual image in a flat mirror: the point reflected at the tangent plane.
 struct FlatMirror {
@@ -96,4 +96,4 @@ private:
 };
 template <class Mirror> ImageMotion(Mirror) -> ImageMotion<Mirror>;
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

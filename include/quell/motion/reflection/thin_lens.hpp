@@ -2,7 +2,7 @@
 
 #include <quell/motion/tangent_plane.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// The virtual image in a curved mirror, for MirrorMotion, ImageMotion and GlossyMotion (TRMV section 7; Hirvonen et al. 2019). It applies
 /// the thin-lens equation, 1 / image distance = 1 / object distance + 2 / radius, in two directions of the surface. Curvatures come from
@@ -47,4 +47,4 @@ private:
     }
 };
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -4,7 +4,7 @@
 
 #include <glm/matrix.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Stands for a target where the output goes to the history's own image.
 struct NoTarget {};
@@ -54,4 +54,4 @@ template <class P, class Set, class Storage> void check_frame(Frame<Set, Storage
     }
 }
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -4,7 +4,7 @@
 
 #include <atomic>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Atomic addition. A template: other constexpr functions cannot call one that is not constexpr.
 template <class Whole> QUELL_KERNEL void add_together(std::atomic<Whole>& sum, Whole more) {
@@ -41,4 +41,4 @@ struct Counts {
     EnergySum suppressed;
 };
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

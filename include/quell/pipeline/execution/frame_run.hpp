@@ -7,7 +7,7 @@
 #include <quell/pipeline/history.hpp>
 #include <quell/pipeline/stage_order.hpp>
 
-namespace quell {
+namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 /// Runs one frame through a pipeline: the ingest, then each pass, with views of exactly the channels that it declares.
@@ -246,4 +246,4 @@ private:
 };
 } // namespace detail
 
-} // namespace quell
+} // namespace quell::inline QUELL_INSTRUCTION_SET

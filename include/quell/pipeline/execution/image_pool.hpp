@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Images of the frame's size, or fractions of it, that passes take and give back. An image without handles is free for the next pass.
 /// After the first frame nothing is allocated. What one frame leaves for the next is held apart from it, in FrameState.
@@ -65,4 +65,4 @@ private:
     }
 };
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -4,7 +4,7 @@
 #include <quell/pipeline/execution/counts.hpp>
 #include <quell/pipeline/ingest.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// End of the last pass: demodulates, stores the output, and copies the guides that the history remembers.
 template <class Form, class Scope, class Output, class RememberedViews> struct Finish {
@@ -117,4 +117,4 @@ struct PassThrough {
     QUELL_KERNEL auto filter(auto px) const { return px.signal(); }
 };
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

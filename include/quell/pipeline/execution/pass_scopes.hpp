@@ -3,7 +3,7 @@
 #include <quell/frame/cursor/scope.hpp>
 #include <quell/pipeline/pipeline.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// What the passes of a pipeline see: views of exactly the channels that each declares.
 /// @tparam Set, FrameStorage the frame's channels and their storage
@@ -23,4 +23,4 @@ template <class P, class Set, class FrameStorage, class Storage> struct PassScop
                          SignalView, SignalView, Views<Storage, Channels<>>, RememberedViewsOf<Storage, Channels<>>, PassTraits{}, Vectors>;
 };
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

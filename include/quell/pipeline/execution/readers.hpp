@@ -3,7 +3,7 @@
 #include <quell/core/policy.hpp>
 #include <quell/core/record.hpp>
 
-namespace quell::detail {
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Counts, for each channel that passes make, the passes that still have to read it. At 0 its image is free.
 template <class Made> class Readers;
@@ -21,4 +21,4 @@ public:
     template <class C> [[nodiscard]] bool any(C) const { return slot<C>(*this) > 0; }
 };
 
-} // namespace quell::detail
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail
