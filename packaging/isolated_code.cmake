@@ -5,9 +5,13 @@
 # linked into one object, of which one function alone can be seen from outside.
 
 # GNU ld takes functions out of their groups, by which the linker would find those of one name; objcopy hides names.
+# With clang++, CMake's own choice are LLVM's programs, which lack the first.
+find_program(QUELL_GNU_LD NAMES ld.bfd ld)
+find_program(QUELL_GNU_OBJCOPY objcopy)
+mark_as_advanced(QUELL_GNU_LD QUELL_GNU_OBJCOPY)
 set(QUELL_CAN_ISOLATE OFF)
-if(CMAKE_SYSTEM_NAME STREQUAL Linux AND CMAKE_SYSTEM_PROCESSOR STREQUAL x86_64 AND CMAKE_LINKER AND CMAKE_OBJCOPY)
-    execute_process(COMMAND ${CMAKE_LINKER} --help OUTPUT_VARIABLE help ERROR_QUIET)
+if(CMAKE_SYSTEM_NAME STREQUAL Linux AND CMAKE_SYSTEM_PROCESSOR STREQUAL x86_64 AND QUELL_GNU_LD AND QUELL_GNU_OBJCOPY)
+    execute_process(COMMAND ${QUELL_GNU_LD} --help OUTPUT_VARIABLE help ERROR_QUIET)
     if(help MATCHES "--force-group-allocation")
         set(QUELL_CAN_ISOLATE ON)
     endif()
@@ -21,8 +25,8 @@ function(quell_isolated_code variable code entry)
     # objcopy 2.40 does not hide what g++ makes unique in the whole program.
     target_compile_options(${code} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
     add_custom_command(OUTPUT ${object}
-        COMMAND ${CMAKE_LINKER} -r --force-group-allocation -o ${object}.all $<TARGET_OBJECTS:${code}>
-        COMMAND ${CMAKE_OBJCOPY} --keep-global-symbol=${entry} ${object}.all ${object}
+        COMMAND ${QUELL_GNU_LD} -r --force-group-allocation -o ${object}.all $<TARGET_OBJECTS:${code}>
+        COMMAND ${QUELL_GNU_OBJCOPY} --keep-global-symbol=${entry} ${object}.all ${object}
         COMMAND ${CMAKE_COMMAND} -E rm ${object}.all
         DEPENDS ${code} $<TARGET_OBJECTS:${code}> VERBATIM COMMAND_EXPAND_LISTS)
     set_source_files_properties(${object} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)

@@ -12,7 +12,7 @@ all_steps=(gcc clang asan fuzz tsan)
 only=()
 # What each of the other builds compiles and runs, as far as it exists: the library, and no slow programs. The clang build, at -O2, has
 # whole pipelines and what the sanitizers' builds, which are clang's too, leave out.
-clang_tests=(blur radiance pipeline execute two_units fast_math no_exceptions)
+clang_tests=(blur radiance pipeline execute two_units fast_math same_bits no_exceptions)
 # Kernels of the slow presets meet the sanitizers in the fuzz step.
 asan_tests=(core image frame motion blend filter pipeline io metrics report)
 tsan_tests=(races)

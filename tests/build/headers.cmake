@@ -56,6 +56,13 @@ foreach(target test_headers_with_xsimd test_headers_without_xsimd)
 endforeach()
 
 quell_test(two_units two_units.cpp other_unit.cpp)
+# And a third for an older instruction set.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+    target_sources(test_two_units PRIVATE older_unit.cpp)
+    target_compile_definitions(test_two_units PRIVATE QUELL_TEST_OLDER_UNIT)
+    set_source_files_properties(older_unit.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
+        COMPILE_OPTIONS $<IF:$<BOOL:${QUELL_NATIVE}>,-march=x86-64,-msse4.2>)
+endif()
 target_include_directories(test_two_units PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
 foreach(target test_headers_with_xsimd test_headers_without_xsimd test_two_units)
     foreach(optional quell_threads quell_exr)

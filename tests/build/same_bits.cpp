@@ -9,7 +9,6 @@ constexpr auto pipelines = std::tuple{
     presets::svgf(radiance, Demodulate{}, SuppressFireflies{}),
     Pipeline{visibility, Temporal{FirstValid{SurfaceMotion{}, StillMotion{}}, Clamped{WithCleanUp{Adaptive{}}}, CatmullRom{}},
              Spatial{Bilateral<>{.radius = 7}}},
-    presets::dual_cone(indirect),
 };
 } // namespace
 

@@ -6,9 +6,11 @@
 struct Seen {
     void const *channel, *table;
     float pixel;
+    int width = 9;
 };
 
 Seen seen_by_other_unit();
+Seen seen_by_older_unit(); ///< where there is one
 
 /// Static on purpose: each unit has its own copy that uses its own view of the headers.
 static Seen seen_here() {
