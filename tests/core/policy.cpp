@@ -31,3 +31,15 @@ static_assert(std::is_same_v<emits_of<Wrapper<KeepsLength>>, Channels<Variance>>
 static_assert(needs_camera_of<Wrapper<UsesCamera>> && !needs_camera_of<Wrapper<KeepsLength>>);
 static_assert(needs_camera_of<AllOf<UsesCamera, UsesCameraToo>> && !needs_camera_of<AllOf<SameDepth, SameNormal>>);
 static_assert(reads_of<Parts<>>::size == 0 && reads_of<>::size == 0);
+
+// Members of a policy may have any names, those of declarations too.
+namespace {
+struct NumberNamedFraction {
+    float fraction = 0.5f;
+};
+struct Quarter {
+    static constexpr int fraction = 4;
+};
+} // namespace
+static_assert(fraction_of<NumberNamedFraction> == 1);
+static_assert(fraction_of<Quarter> == 4);

@@ -2,6 +2,8 @@
 
 #include <quell/core/channel.hpp>
 
+#include <type_traits>
+
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// The policies that a policy is made of: `using parts = Parts<Inner>`. Declarations of the parts (`reads`, `keeps`, ...) count as
@@ -69,8 +71,9 @@ template <class P> inline constexpr bool needs_camera_of = detail::needs_camera<
 /// The divisor of the frame's width and height at which a pass runs: its `static constexpr int fraction`, or 1.
 template <class P> inline constexpr int fraction_of = 1;
 /// @cond
+// A data member of that name is something else.
 template <class P>
-    requires requires { P::fraction; }
+    requires std::is_same_v<decltype(&P::fraction), int const*>
 inline constexpr int fraction_of<P> = P::fraction;
 /// @endcond
 

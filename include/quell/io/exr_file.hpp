@@ -56,7 +56,6 @@ private:
 
     void read_header();
     void list_part(int part);
-    void read_part(int part, std::vector<ExrChannel const*> const& wanted, ExrImage& image) const;
 };
 
 /// Reads a whole file.
@@ -152,6 +151,30 @@ inline void check_memory(std::string const& file, std::size_t channels, Imath::B
 
 } // namespace detail
 
+namespace detail {
+/// Adds channels of a part to an image of a canvas: what of the part's data window lies in it.
+inline void read_part(Imf::MultiPartInputFile& file, std::string const& name, int part, std::vector<ExrChannel const*> const& wanted,
+                      Imath::Box2i const& canvas, ExrImage& image) {
+    auto const window = file.header(part).dataWindow();
+    check_memory(name, wanted.size(), window, 1e8);
+    check_memory(name, wanted.size(), canvas, 1e9); // most of it lies outside a region that was rendered alone
+    auto const [width, height] = extent_of(window);
+    std::vector<Incoming> incoming;
+    naming_file(name, "its pixels can't be read, it is truncated or damaged", [&, w = width, h = height] {
+        Imf::FrameBuffer buffer;
+        incoming.reserve(wanted.size());
+        for (auto const* const channel : wanted) {
+            incoming.emplace_back(*channel, static_cast<std::size_t>(w * h));
+            buffer.insert(channel->in_part, incoming.back().slice(window));
+        }
+        Imf::InputPart input(file, part);
+        input.setFrameBuffer(buffer);
+        input.readPixels(window.min.y, window.max.y);
+    });
+    for (auto& each : incoming) image.planes.push_back(placed(std::move(each), window, canvas));
+}
+} // namespace detail
+
 inline ExrFile::ExrFile(std::filesystem::path const& path) : name(path.string()) {
     detail::check_is_exr(path);
     detail::naming_file(name, "its header can't be read", [&] {
@@ -202,7 +225,7 @@ inline ExrImage ExrFile::read(std::span<std::string const> names) const {
         if (std::ranges::find(of_part, channel) == of_part.end()) of_part.push_back(channel);
     }
     ExrImage image{name, size, {}, attributes};
-    for (auto const& [part, of_part] : wanted) read_part(part, of_part, image);
+    for (auto const& [part, of_part] : wanted) detail::read_part(*file, name, part, of_part, display, image);
     return image;
 }
 
@@ -210,26 +233,6 @@ inline ExrImage ExrFile::read() const {
     std::vector<std::string> names;
     for (auto const& channel : channels) names.push_back(channel.name);
     return read(names);
-}
-
-inline void ExrFile::read_part(int part, std::vector<ExrChannel const*> const& wanted, ExrImage& image) const {
-    auto const window = file->header(part).dataWindow();
-    detail::check_memory(name, wanted.size(), window, 1e8);
-    detail::check_memory(name, wanted.size(), display, 1e9); // most of it lies outside a region that was rendered alone
-    auto const [width, height] = detail::extent_of(window);
-    std::vector<detail::Incoming> incoming;
-    detail::naming_file(name, "its pixels can't be read, it is truncated or damaged", [&, w = width, h = height] {
-        Imf::FrameBuffer buffer;
-        incoming.reserve(wanted.size());
-        for (auto const* const channel : wanted) {
-            incoming.emplace_back(*channel, static_cast<std::size_t>(w * h));
-            buffer.insert(channel->in_part, incoming.back().slice(window));
-        }
-        Imf::InputPart input(*file, part);
-        input.setFrameBuffer(buffer);
-        input.readPixels(window.min.y, window.max.y);
-    });
-    for (auto& each : incoming) image.planes.push_back(detail::placed(std::move(each), window, display));
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::io

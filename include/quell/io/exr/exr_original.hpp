@@ -36,7 +36,6 @@ public:
 
 private:
     [[nodiscard]] Region relative(Imath::Box2i const& box) const;
-    void read_part(int part, std::vector<ExrChannel const*> const& wanted, Imath::Box2i const& canvas, ExrImage& image) const;
 };
 
 namespace detail {
@@ -118,29 +117,8 @@ inline ExrImage ExrOriginal::read(std::span<std::string const> names, Region con
     ExrImage image{listed.name, detail::size_of(canvas), {}, listed.attributes};
     Imath::V2i const corner = display.min;
     Imath::Box2i const box{corner + Imath::V2i(canvas.x0, canvas.y0), corner + Imath::V2i(canvas.x1 - 1, canvas.y1 - 1)};
-    for (auto const& [part, of_part] : wanted) read_part(part, of_part, box, image);
+    for (auto const& [part, of_part] : wanted) detail::read_part(*file, listed.name, part, of_part, box, image);
     return image;
-}
-
-inline void ExrOriginal::read_part(int part, std::vector<ExrChannel const*> const& wanted, Imath::Box2i const& canvas,
-                                   ExrImage& image) const {
-    auto const window = header(part).dataWindow();
-    detail::check_memory(listed.name, wanted.size(), window, 1e8);
-    detail::check_memory(listed.name, wanted.size(), canvas, 1e9); // most of it lies outside a region that was rendered alone
-    auto const [width, height] = detail::extent_of(window);
-    std::vector<detail::Incoming> incoming;
-    detail::naming_file(listed.name, "its pixels can't be read, it is truncated or damaged", [&, w = width, h = height] {
-        Imf::FrameBuffer buffer;
-        incoming.reserve(wanted.size());
-        for (auto const* const channel : wanted) {
-            incoming.emplace_back(*channel, static_cast<std::size_t>(w * h));
-            buffer.insert(channel->in_part, incoming.back().slice(window));
-        }
-        Imf::InputPart input(*file, part);
-        input.setFrameBuffer(buffer);
-        input.readPixels(window.min.y, window.max.y);
-    });
-    for (auto& each : incoming) image.planes.push_back(detail::placed(std::move(each), window, canvas));
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::io
