@@ -81,8 +81,8 @@ inline std::vector<GeometryMistake> mistakes_of_projection(Observation const& se
     for (bool const both : {true, false}) {
         auto const factors = [=](float f) { return glm::vec2(f, both ? f : 1.f); };
         auto const make = [&](float f) { return changed(own, [&](Camera& c) { scale_projection(c, factors(f)); }); };
-        float const near = best_factor(seen, make, 0.4f, 2.5f, 40);
-        float const factor = best_factor(seen, make, near / 1.05f, near * 1.05f, 20);
+        float const roughly = best_factor(seen, make, 0.4f, 2.5f, 40);
+        float const factor = best_factor(seen, make, roughly / 1.05f, roughly * 1.05f, 20);
         if (std::abs(std::log(factor)) > 0.03f) all.push_back(mistake_of_projection(own, factors(factor)));
     }
     return all;

@@ -143,9 +143,9 @@ inline std::optional<float> find_finite_sky(Observation const& seen, std::vector
     glm::vec3 sum{};
     float lengths = 0.f;
     for_each_hit(seen, [&](int x, int y) {
-        bool const far = bits(seen.depth(0, x, y)) == bits(farthest);
-        there.add(far);
-        if (!far || !seen.normal) return;
+        bool const is_farthest = bits(seen.depth(0, x, y)) == bits(farthest);
+        there.add(is_farthest);
+        if (!is_farthest || !seen.normal) return;
         sum += vec3_at(seen.normal, x, y), lengths += glm::length(vec3_at(seen.normal, x, y));
     });
     auto const before = std::exchange(seen.notes().farthest, farthest);
