@@ -48,14 +48,14 @@ template <ChannelTag S, class Trajectories, class Footprint> struct DirectionalM
 private:
     /// Replaces the layer of a tile by its mean along the velocity `speed`. Number of samples stays: history weighs by it.
     template <class Px, class Layer, class SweepChannel, class Mask, class V>
-    QUELL_KERNEL void average(Px const& px, Layer layer, SweepChannel sweep, glm::vec2 speed, int shares, Mask tile, V& value) const {
+    QUELL_KERNEL void average(Px const& px, Layer layer, SweepChannel of_layer, glm::vec2 speed, int shares, Mask tile, V& value) const {
         using Real = typename Px::Real;
         auto const line = gather.line(speed, {}, shares);
         float const length = min(line.step * gaps, line.whole * max_part);
         float const spacing = max(length / static_cast<float>(2 * taps + 1), 1.f);
         int const each_side = static_cast<int>(min(static_cast<float>(taps), floor(0.5f * length / spacing)));
         if (each_side <= 0) return;
-        auto const own = px[sweep];
+        auto const own = px[of_layer];
         auto const likeness = 1.f / fma(sqrt(fma(own.x, own.x, own.y * own.y)), Real(tolerance), Real(0.5f));
         auto const samples = samples_of(layer, value);
         auto sum = scale(value, samples);
@@ -65,7 +65,7 @@ private:
             auto const there = px.at(offset.x, offset.y);
             if (i == 0 || !there.row_inside) continue;
             auto const its = there[layer];
-            auto const x = there[sweep].x - own.x, y = there[sweep].y - own.y;
+            auto const x = there[of_layer].x - own.x, y = there[of_layer].y - own.y;
             auto const alike = clamp(fma(sqrt(fma(x, x, y * y)) * likeness, Real(-2.f), Real(2.f)), Real(0.f), Real(1.f));
             auto const w = masked(there.inside(), alike * samples_of(layer, its));
             sum = add_scaled(sum, its, w);
