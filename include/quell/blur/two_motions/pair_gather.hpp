@@ -75,18 +75,20 @@ private:
         detail::StratifiedMean<Colour, max_samples + 1> behind;
         /// Weighted mean of sweeps, in pixels; 0 where no sample counted.
         struct Swept {
+            /// @cond
             vec2<Real> sum{Real(0.f), Real(0.f)};
             Real weight = Real(0.f);
             QUELL_KERNEL void add(vec2<Real> const& of_sample, Real w) { sum = add_scaled(sum, of_sample, w), weight = weight + w; }
             QUELL_KERNEL auto known() const { return weight > Real(0.f); }
             QUELL_KERNEL auto mean() const { return scale(sum, 1.f / max(weight, Real(1e-12f))); }
+            /// @endcond
         } front_swept, back_swept;
         Real samples = Real(0.f);
 
         QUELL_KERNEL Work(PairGather const& g, Px const& px)
             : settings(g), own(detail::usable_sample<Trajectories>(px)),
               of(px.elsewhere(g.tiles().shared(px), LayerMotions<Trajectories>{})), own_in_front(of.is_front(own.screen_motion())),
-              own_still(own_speed() <= Real(detail::still_squared)),
+              own_still(detail::squared_speed(own.screen_motion()) <= Real(detail::still_squared)),
               back_moves(detail::squared_speed(of.back) > Real(detail::still_squared)),
               front_per_length(1.f / max(speed(of.front), Real(Trajectory<float>::min_length))), front_width{per_width(of.front)},
               back_width{per_width(of.back)}, in_front(speed(of.front)), behind(speed(of.back)) {}
@@ -191,7 +193,6 @@ private:
         template <class Sample> QUELL_KERNEL Sample like_front(Sample const& sample, vec2<Real> const& away) const {
             return Sample::at_speed(of.front, front_per_length, sample, away);
         }
-        QUELL_KERNEL Real own_speed() const { return detail::squared_speed(own.screen_motion()); }
         QUELL_KERNEL static Real speed(ScreenMotion const& screen_motion) { return sqrt(detail::squared_speed(screen_motion)); }
 
         /// The background's mean over the time in which the foreground does not cover the pixel: what shows of it. Only where both layers

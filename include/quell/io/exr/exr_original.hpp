@@ -27,8 +27,8 @@ public:
     /// though its header is whole.
     [[nodiscard]] bool is_whole() const;
 
-    [[nodiscard]] int parts() const { return file->parts(); }
-    [[nodiscard]] Imf::Header const& header(int part) const { return file->header(part); }
+    [[nodiscard]] int parts() const { return file->parts(); }                              ///< how many parts there are
+    [[nodiscard]] Imf::Header const& header(int part) const { return file->header(part); } ///< of a part, from 0
     /// The parts' pixels by the library's own interface: by Imf::InputPart and no other kind of part, which the library would confuse.
     [[nodiscard]] Imf::MultiPartInputFile& library_file() const { return *file; }
     /// A part's data window.
