@@ -61,7 +61,9 @@ void check_summary(std::string const& preset) {
         if (preset.empty() || family.preset == preset) return;
         if (names.empty() || names.back() != family.preset) names.push_back(family.preset);
     }
-    throw quell::Error("--summary", "there is no preset '" + preset + "'", fmt::format("choose one of: {}", fmt::join(names, ", ")));
+    throw quell::Error(
+        "--summary", "there is no preset '" + preset + "'",
+        fmt::format("choose one of: {} (those of QUELL_BENCH_PRESETS, where it was built with that)", fmt::join(names, ", ")));
 }
 
 } // namespace

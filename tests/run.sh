@@ -42,9 +42,10 @@ build_and_test() {
 }
 
 step_gcc() {
-    # One storage is enough to see that the benchmarks run. The compiler goes by CXX, which a folder that the demo has configured already
-    # ignores: CMake would start such a folder afresh for another CMAKE_CXX_COMPILER, and forget all that stands on this line.
-    CXX=g++ cmake --preset release -D "QUELL_BENCH_STORAGES=Planar<>"
+    # One storage and a preset of each kind are enough to see that the benchmarks run. The compiler goes by CXX, which a folder that the
+    # demo has configured already ignores: CMake would start such a folder afresh for another CMAKE_CXX_COMPILER, and forget all that
+    # stands on this line.
+    CXX=g++ cmake --preset release -D "QUELL_BENCH_STORAGES=Planar<>" -D "QUELL_BENCH_PRESETS=svgf;trmv;blur"
     if [ ${#only[@]} -gt 0 ]; then
         build_and_test build/release "${only[@]}"
         return
