@@ -68,7 +68,7 @@ TEST_CASE("a lone sample spreads along its path and nowhere else") {
     for (int y = 0; y < 48; ++y)
         for (int x = 0; x < 64; ++x) {
             float const a = world.at(out, x, y);
-            // It passes when the shutter is open, give or take the half of a pixel that it stands for and the pixel of the directional mean.
+            // It passes when the shutter is open, give or take half a pixel that it stands for and one of the directional mean.
             float const pixels = seen_at * 16 + static_cast<float>(x - 32);
             if (std::abs(y - 24) > 2 || pixels < -1.51f || pixels > 17.51f) REQUIRE(a == 0.f);
         }
