@@ -1,5 +1,6 @@
 #include "model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -129,10 +130,36 @@ std::vector<unsigned> Model::indices(int accessor) const {
     return result;
 }
 
+namespace {
+/// Whether the chunks of a PNG lie within its bytes. The library that decodes it makes room for as many as a chunk claims, up to 2 GB.
+bool has_whole_chunks(unsigned char const* bytes, std::size_t size) {
+    constexpr std::size_t signature = 8, around = 12; // length, type and checksum of a chunk
+    for (std::size_t at = signature; at + around <= size;) {
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < 4; ++i) length = length << 8 | bytes[at + i];
+        if (length > size - at - around) return false;
+        at += around + length;
+    }
+    return true;
+}
+bool load_image(tinygltf::Image* image, int number, std::string* errors, std::string* warnings, int width, int height,
+                unsigned char const* bytes, int size, void*) {
+    auto const count = static_cast<std::size_t>(std::max(size, 0));
+    bool const is_png = count >= 8 && std::equal(bytes, bytes + 8, "\x89PNG\r\n\x1a\n",
+                                                 [](unsigned char a, char b) { return a == static_cast<unsigned char>(b); });
+    if (is_png && !has_whole_chunks(bytes, count)) {
+        *errors += "image " + std::to_string(number) + " is a PNG that is truncated or damaged";
+        return false;
+    }
+    return tinygltf::LoadImageData(image, number, errors, warnings, width, height, bytes, size, nullptr);
+}
+} // namespace
+
 Model load_model(std::filesystem::path const& path) {
     Model model{path, {}};
     if (!std::filesystem::is_regular_file(path)) throw model.error("there is no such file", "check the path");
     tinygltf::TinyGLTF loader;
+    loader.SetImageLoader(load_image, nullptr);
     std::string errors, warnings;
     bool const loaded = is_binary(path) ? loader.LoadBinaryFromFile(&model.content, &errors, &warnings, path.string())
                                         : loader.LoadASCIIFromFile(&model.content, &errors, &warnings, path.string());
