@@ -73,6 +73,7 @@ struct Preset {
     bool is_part = false;             ///< whether what comes out is one effect's part of the picture
     bool wants_sharp_picture = false; ///< whether it blurs a picture of one instant
     PresetGroup group = PresetGroup::general;
+    int warm_up = 0; ///< how many frames before the first make a frame what it is in the whole sequence
 
     static constexpr int usual_later_frames = 2; ///< of those that it looks ahead at
 };

@@ -3,7 +3,6 @@
 #include <denoise/map_file.hpp>
 #include <denoise/options.hpp>
 #include <denoise/output.hpp>
-#include <denoise/preset_memory.hpp>
 #include <denoise/presets.hpp>
 #include <denoise/scores.hpp>
 #include <denoise/sequence_denoiser.hpp>
@@ -132,7 +131,7 @@ public:
 
     void run() {
         if (wanted.empty()) return;
-        WarmUp const warm_up{options.warmup ? *options.warmup : usual_warm_up(choice.preset->name), !options.warmup};
+        WarmUp const warm_up{options.warmup ? *options.warmup : choice.preset->warm_up, !options.warmup};
         auto const steps = steps_for(wanted, warm_up, in.on_disk());
         Progress progress(choice.preset->name, static_cast<long long>(steps.size()), !options.quiet);
         for (long long done = 0; auto const& step : steps) {

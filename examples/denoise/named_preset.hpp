@@ -3,6 +3,7 @@
 #include <denoise/presets.hpp>
 #include <denoise/two_sided_denoiser.hpp>
 
+#include <quell/pipeline/warm_up.hpp>
 #include <quell/presets/named.hpp>
 
 namespace quell::examples {
@@ -39,6 +40,8 @@ template <class Named> Preset made_preset(Named const& named) {
             return preset(std::move(name), MakePipeline<Named>{});
     }();
     made.group = named.group;
+    constexpr auto pipeline = Named::usual();
+    made.warm_up = warm_up_frames(pipeline); // joining both sides begins anew in each frame
     made.is_part = is_effect<typename Named::signal_type>;
     made.wants_sharp_picture = blur_input<P> == BlurInput::picture;
     return made;

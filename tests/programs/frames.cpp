@@ -1,7 +1,6 @@
 #include "programs.hpp"
 
 #include <denoise/frame_list.hpp>
-#include <denoise/preset_memory.hpp>
 #include <denoise/presets.hpp>
 
 #include <quell/metrics/flip.hpp>
@@ -107,12 +106,12 @@ TEST_CASE("frames warm up before the first and before gaps, as far as there are 
 }
 
 TEST_CASE("the warm-up of a preset follows from its history") {
-    for (auto const* const name : {"none", "atrous", "gather-blur"}) CHECK(examples::usual_warm_up(name) == 0);
-    CHECK(examples::usual_warm_up("final-frame") == 48); // twice its cap of 24
-    CHECK(examples::usual_warm_up("svgf") == 45);
-    CHECK(examples::usual_warm_up("surface-clamp") == 40);
-    CHECK(examples::usual_warm_up("trmv") == 216); // the longest of its parts
-    for (auto const& preset : examples::presets()) CHECK(examples::usual_warm_up(preset.name) <= 288);
+    for (auto const* const name : {"none", "atrous", "gather-blur"}) CHECK(examples::preset_of(name).warm_up == 0);
+    CHECK(examples::preset_of("final-frame").warm_up == 48); // twice its cap of 24
+    CHECK(examples::preset_of("svgf").warm_up == 45);
+    CHECK(examples::preset_of("surface-clamp").warm_up == 40);
+    CHECK(examples::preset_of("trmv").warm_up == 216); // the longest of its parts
+    for (auto const& preset : examples::presets()) CHECK(preset.warm_up <= 288);
 }
 
 TEST_CASE("chunks without --warmup make the frames of the whole run, to 0.1 % of FLIP") {

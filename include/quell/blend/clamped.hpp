@@ -101,6 +101,9 @@ template <class Inner, class Range = MeanDeviation, class Axes = Rgb, int radius
     Range range{}; ///< how wide the box is
     Axes axes{};   ///< the space in which it is a box
 
+    /// The inner policy's: what a clamp has narrowed is hidden sooner.
+    [[nodiscard]] constexpr BlendMemory memory() const { return memory_of(inner).hidden_after(4.f); }
+
     /// The inner policy's result for the clamped history. Missing neighbours do not count.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using V = typename decltype(px)::Signal;

@@ -9,6 +9,9 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 struct Exponential {
     float alpha = 0.1f; ///< weight of the newest frame, in (0, 1]
 
+    /// 1 / alpha frames.
+    [[nodiscard]] constexpr BlendMemory memory() const { return {.frames = 1.f / alpha}; }
+
     /// Blends with 1 - validity (1 - alpha).
     QUELL_KERNEL auto blend(auto px, auto past) const { return accumulate(px, past, 1.f - past.validity * (1.f - alpha)); }
 };

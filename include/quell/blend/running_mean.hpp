@@ -10,6 +10,9 @@ struct RunningMean {
     using keeps = Channels<HistoryLength>;
     float cap = 32.f; ///< in frames, at least 1; in samples where the host says how many a pixel has (KnownSamples{})
 
+    /// `cap` frames.
+    [[nodiscard]] constexpr BlendMemory memory() const { return {.frames = cap}; }
+
     /// alpha = samples now / samples in the new mean.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;
@@ -25,6 +28,9 @@ struct Adaptive {
     using keeps = Channels<HistoryLength>;
     float cap = 32.f;         ///< in frames, at least 1
     float sensitivity = 0.5f; ///< share of the clamp's relative change that is added to alpha
+
+    /// `cap` frames.
+    [[nodiscard]] constexpr BlendMemory memory() const { return {.frames = cap}; }
 
     /// alpha = min(1 / n + sensitivity * clamped, 1); the history length becomes 1 / alpha.
     QUELL_KERNEL auto blend(auto px, auto past) const {

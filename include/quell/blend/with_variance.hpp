@@ -13,6 +13,9 @@ template <class Inner> struct WithVariance {
     using keeps = Channels<LuminanceVariance>;
     Inner inner{}; ///< blends, and says alpha
 
+    /// The inner policy's: what is left of it is hidden sooner, by the filter as wide as the remaining noise that follows.
+    [[nodiscard]] constexpr BlendMemory memory() const { return memory_of(inner).hidden_after(2.f); }
+
     /// The inner result, with luminance_variance.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         auto const result = result_of([&]() QUELL_INLINED { return inner.blend(px, past); });

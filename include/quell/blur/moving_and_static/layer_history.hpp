@@ -38,6 +38,9 @@ template <ChannelTag S> struct LayerBlend {
     using keeps = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep, HistoryLength>;
     float cap = 8.f; ///< frames that the moving layer averages at most; at least 1
 
+    /// Of the moving layer. Once over, since layers leave the image.
+    [[nodiscard]] constexpr BlendMemory memory() const { return {.frames = cap, .times = 1.f}; }
+
     template <class Px, class P> QUELL_KERNEL auto blend(Px const& px, P const& past) const {
         using Real = typename Px::Real;
         constexpr MovingLayer<Signal> moving;

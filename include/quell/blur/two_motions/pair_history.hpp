@@ -73,6 +73,9 @@ template <ChannelTag S> struct PairBlend {
     /// Pixels, above 0: shorter sweeps lower both limits in proportion. They have less noise, and interpolation softens them as often.
     float slow = 2.5f;
 
+    /// Of the background. Once over, since layers leave the image.
+    [[nodiscard]] constexpr BlendMemory memory() const { return {.frames = cap, .times = 1.f}; }
+
     template <class Px, class P> QUELL_KERNEL auto blend(Px const& px, P const& past) const {
         using Real = typename Px::Real;
         constexpr ForegroundLayer<Signal> front;

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <quell/core/instruction_set.hpp>
+
+#include <algorithm>
+#include <type_traits>
+
+namespace quell::inline QUELL_INSTRUCTION_SET {
+
+/// How far back a blend policy remembers. A policy declares it with `constexpr BlendMemory memory() const`.
+struct BlendMemory {
+    /// After so many frames an old frame has 1/e of its first weight: the cap of a running mean, 1 / alpha of an exponential average.
+    float frames = 32.f;
+    /// After so many times `frames`, what was before is no longer seen. 9: its noise has to fade. Less where something else hides it.
+    float times = 9.f;
+
+    /// The same memory, of which what is hidden sooner is no longer seen: after at most so many times `frames`.
+    [[nodiscard]] constexpr BlendMemory hidden_after(float most) const { return {frames, std::min(times, most)}; }
+};
+
+/// What is supposed of a blend policy that doesn't declare its memory: as long as any built-in preset's.
+inline constexpr BlendMemory undeclared_memory{};
+
+/// How far back a blend policy remembers: what it declares, or undeclared_memory. Decorators ask it of their inner policy.
+template <class B> [[nodiscard]] constexpr BlendMemory memory_of(B const& blend) {
+    if constexpr (requires { blend.memory(); }) {
+        static_assert(std::is_same_v<decltype(blend.memory()), BlendMemory>,
+                      "memory() of a blend policy must be `constexpr BlendMemory memory() const`, see quell/blend/memory.hpp");
+        return blend.memory();
+    } else
+        return undeclared_memory;
+}
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET

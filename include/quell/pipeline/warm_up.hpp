@@ -1,0 +1,33 @@
+#pragma once
+
+#include <quell/pipeline/composite.hpp>
+
+namespace quell::inline QUELL_INSTRUCTION_SET {
+
+namespace detail {
+template <class Stage> constexpr float frames_seen_of(Stage const&) { return 0.f; }
+template <class M, class B, class F> constexpr float frames_seen_of(Temporal<M, B, F> const& stage) {
+    auto const memory = memory_of(stage.blending);
+    return memory.frames * memory.times;
+}
+} // namespace detail
+
+/// How many frames before the first make a frame what it is in the whole sequence, to less than 0.1 % of FLIP: as far back as the blend
+/// policies of the pipeline say that they remember. 0 where there is no history.
+///
+///     static_assert(warm_up_frames(presets::general(radiance)) == 48);
+template <ChannelTag S, class... Parts> [[nodiscard]] constexpr int warm_up_frames(Pipeline<S, Parts...> const& pipeline) {
+    float const frames = std::apply(
+        [](auto const&... stage) {
+            return std::max({0.f, detail::frames_seen_of(stage)...});
+        },
+        pipeline.stages);
+    auto const whole = static_cast<int>(frames);
+    return whole + (static_cast<float>(whole) < frames ? 1 : 0);
+}
+/// The longest of its parts.
+template <class... Ps> [[nodiscard]] constexpr int warm_up_frames(Composite<Ps...> const& composite) {
+    return std::apply([](auto const&... pipeline) { return std::max({0, warm_up_frames(pipeline)...}); }, composite.pipelines);
+}
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET
