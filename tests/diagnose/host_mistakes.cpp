@@ -137,14 +137,11 @@ std::vector<HostMistake> mistakes_of_guides() {
 
 std::vector<HostMistake> mistakes_of_samples() {
     return {
-        {"signal divided by albedo",
-         {M::signal_demodulated},
-         [](GoodFrame& frame, Take const&, std::size_t) {
-             fill(frame[radiance], [&](int x, int y) {
-                 auto const a = frame[albedo].get(x, y), r = frame[radiance].get(x, y);
-                 return glm::vec3(a.x > 0 ? r.x / a.x : 0.f, a.y > 0 ? r.y / a.y : 0.f, a.z > 0 ? r.z / a.z : 0.f);
-             });
-         }},
+        {"signal divided by albedo", {M::signal_demodulated}, [](GoodFrame& frame, Take const&, std::size_t) { divide_by_albedo(frame); }},
+        {"signal not divided by albedo, output multiplied by it",
+         {M::signal_not_demodulated},
+         [](GoodFrame& frame, Take const& take, std::size_t i) { copy_channel(take.good[i], frame, radiance); },
+         true},
         {"signal in sRGB", {M::signal_encoded}, in(radiance, [](glm::vec3 r) { return glm::min(to_srgb(r), glm::vec3(1.f)); })},
         {"signal bottom-up, guides top-down",
          {M::signal_upside_down},
@@ -161,6 +158,13 @@ std::vector<HostMistake> mistakes_of_samples() {
 }
 
 } // namespace
+
+void divide_by_albedo(GoodFrame& frame) {
+    fill(frame[radiance], [&](int x, int y) {
+        auto const a = frame[albedo].get(x, y), r = frame[radiance].get(x, y);
+        return glm::vec3(a.x > 0 ? r.x / a.x : 0.f, a.y > 0 ? r.y / a.y : 0.f, a.z > 0 ? r.z / a.z : 0.f);
+    });
+}
 
 std::vector<HostMistake> host_mistakes() {
     std::vector<HostMistake> all;

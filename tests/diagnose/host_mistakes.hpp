@@ -23,7 +23,11 @@ struct HostMistake {
     std::string name;
     std::set<Mistake> right; ///< what may be said of it
     std::function<void(GoodFrame& frame, Take const& take, std::size_t i)> make;
+    bool divides = false; ///< whether the host divides the signal by albedo itself, and multiplies the output by it
 };
+
+/// Divides the signal by albedo.
+void divide_by_albedo(GoodFrame& frame);
 
 /// All mistakes of the table, in its order.
 std::vector<HostMistake> host_mistakes();

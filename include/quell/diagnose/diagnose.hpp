@@ -132,10 +132,13 @@ inline std::vector<Finding> findings_of(Observation const& seen) {
 /// @param history the history that run() gets next; it also keeps the notes
 /// @param converted_from for hosts that convert motion vectors before they write them: the convention from which, so that the finding names
 /// the mistake in its terms. Not needed with Supplied<>.
+/// @param factor for hosts that divide the signal by albedo themselves and multiply the output by it: that albedo, of which it returns
+/// component c at pixel (x, y)
 /// No exception leaves it: a frame that run() would refuse is a finding. Where exceptions are off, the ErrorHandler is called as by run().
 template <class P, class Set, class FrameStorage, class Storage>
 [[nodiscard]] std::vector<Finding> diagnose(Frame<Set, FrameStorage> const& frame, History<P, Storage>& history,
-                                            std::optional<MotionConvention> converted_from = {}) {
+                                            std::optional<MotionConvention> converted_from = {},
+                                            std::function<float(int c, int x, int y)> factor = {}) {
     static_assert(
         contained_in<typename P::reads, Set>,
         "diagnose(frame, history): the frame lacks a channel that the history's pipeline reads; construct the frame with this pipeline");
@@ -143,6 +146,7 @@ template <class P, class Set, class FrameStorage, class Storage>
         detail::check_frame<P>(frame);
         auto seen = detail::observe<P>(frame, history);
         if (converted_from) seen.convention = *converted_from;
+        seen.factor = std::move(factor);
         return detail::findings_of(seen);
     };
 #if defined(__cpp_exceptions)

@@ -51,6 +51,7 @@ struct Observation {
     Extent size;
     std::optional<long long> number;
     Lookup depth{}, normal{}, albedo{};
+    Lookup factor{};               ///< that the host multiplies the output by: the albedo of signals that it has divided by it; or empty
     Lookup motion{};               ///< in quell's convention, by the pipeline's Supplied
     Lookup sweep{};                ///< of the surface, in pixels
     float shutter = 0.f;           ///< fraction of the frame time

@@ -87,7 +87,8 @@ inline bool one_surface(Observation const& seen, int x, int y, int i, int j) {
 }
 
 /// Adds this frame's edges to all sums, and keeps its patches for the next one.
-inline void add_edges(Observation const& seen, SignalSeen const& signal) {
+/// @param albedo what the signal is held against
+inline void add_edges(Observation const& seen, SignalSeen const& signal, Lookup const& albedo) {
     auto& notes = *signal.notes;
     std::vector<Patch> patches;
     auto const edges = [&](Pairing pairing) -> EdgeSums& { return notes.edges[static_cast<std::size_t>(pairing)]; };
@@ -95,7 +96,7 @@ inline void add_edges(Observation const& seen, SignalSeen const& signal) {
     int const height = seen.size.height;
     for_each_place(seen.size, [&](int x, int y) {
         if (x + 1 >= seen.size.width || y + 1 >= height) return;
-        auto const now = patch_at(signal.input, seen.albedo, x, y, 1), turned = patch_at(signal.input, seen.albedo, x, height - 1 - y, -1);
+        auto const now = patch_at(signal.input, albedo, x, y, 1), turned = patch_at(signal.input, albedo, x, height - 1 - y, -1);
         auto const count = patches.size();
         patches.push_back(now);
         auto const* const then = has_then && count < notes.patches.size() ? &notes.patches[count] : nullptr;
@@ -103,8 +104,8 @@ inline void add_edges(Observation const& seen, SignalSeen const& signal) {
         for (std::size_t const i : {std::size_t{1}, std::size_t{2}}) {
             if (!one_surface(seen, x, y, x + (i == 1), y + (i == 2))) continue;
             for (int c = 0; c < 3; ++c) {
-                auto const add = [&](Pairing pairing, Patch const& albedo, Patch const& other, Patch const& of) {
-                    add_edge(edges(pairing), group, albedo.albedo[0][c], albedo.albedo[i][c], other.albedo[0][c], other.albedo[i][c],
+                auto const add = [&](Pairing pairing, Patch const& by, Patch const& other, Patch const& of) {
+                    add_edge(edges(pairing), group, by.albedo[0][c], by.albedo[i][c], other.albedo[0][c], other.albedo[i][c],
                              of.signal[0][c], of.signal[i][c]);
                 };
                 Patch const none{};

@@ -66,20 +66,29 @@ inline std::optional<Finding> other_power_of(SignalSeen const& signal, Exponent 
     return std::nullopt;
 }
 
-/// What the edges of albedo say of the signal, in two frames.
+/// Whether a signal that is multiplied by albedo at the end has it in it already.
+inline std::optional<Finding> albedo_left_in(SignalSeen const& signal, Exponent const& own) {
+    if (!(own.error < 0.1 && own.value > 0.65 && own.value < 1.5)) return std::nullopt;
+    return Finding{Mistake::signal_not_demodulated, signal_evidence(signal, own) + ", and not of 0",
+                   "divide the signal by albedo, or let Demodulate{} do that and leave the output as it is"};
+}
+
+/// What the edges of albedo say of the signal, in two frames. The host has divided the signal by it where it multiplies the output by it.
 inline void find_signal_mistakes(Observation const& seen, SignalSeen const& signal, std::vector<Finding>& findings) {
-    if (!signal.demodulated || !seen.albedo) return;
+    bool const divided = static_cast<bool>(seen.factor);
+    if (divided ? signal.components != 3 || !signal.input : !signal.demodulated || !seen.albedo) return;
     auto& notes = *signal.notes;
-    add_edges(seen, signal);
+    add_edges(seen, signal, divided ? seen.factor : seen.albedo);
     for (auto const& patch : notes.patches)
         for (auto const& value : patch.signal)
             for (int c = 0; c < 3; ++c)
                 if (is_finite(value[c])) notes.brightest = std::max(notes.brightest, value[c]);
     auto const own = exponent_of(notes.edges[0]);
     std::optional<Finding> finding;
-    if (own && own->error < 0.1) finding = other_albedo_of(signal, *own);
+    if (own && divided) finding = albedo_left_in(signal, *own);
+    if (own && !divided && own->error < 0.1) finding = other_albedo_of(signal, *own);
     bool const open = is_open(signal, Pairing::turned) || is_open(signal, Pairing::behind) || is_open(signal, Pairing::ahead);
-    if (own && !finding && !open) finding = other_power_of(signal, *own);
+    if (own && !divided && !finding && !open) finding = other_power_of(signal, *own);
     notes.other_power_in_a_row = finding ? notes.other_power_in_a_row + 1 : 0;
     if (notes.other_power_in_a_row >= 2) findings.push_back(std::move(*finding));
 }
