@@ -42,6 +42,24 @@ std::vector<std::string> picture_planes(io::SequenceNames const& names) {
     return planes;
 }
 
+/// The names that a converged frame goes by.
+io::SequenceNames names_of_reference(io::ExrFile const& file, ReferenceNames const& names) {
+    for (auto const& choice : names.any_of)
+        if (has_all(file, picture_planes(choice))) return choice;
+    if (names.or_recognised) return io::recognise(file);
+    return names.any_of.at(0); // reading it says what it lacks
+}
+
+metrics::Picture picture_in(std::filesystem::path const& path, ReferenceNames const& any) {
+    io::ExrFile const file(path);
+    auto const names = names_of_reference(file, any);
+    auto const image = file.read(picture_planes(names));
+    long long ignored = 0;
+    return composite(
+        image, names, [&](std::size_t s) { return picture_of(image, io::sources_of(names.of_signals[s].channels, radiance), 0.f); },
+        ignored);
+}
+
 } // namespace
 
 metrics::Picture composite(io::ExrImage const& image, io::SequenceNames const& names,
@@ -79,20 +97,18 @@ std::vector<std::string> composite_planes(io::SequenceNames const& names) {
 }
 
 metrics::Picture read_reference(std::filesystem::path const& path, std::optional<io::SequenceNames> const& map) {
-    io::ExrFile const file(path);
-    auto const names = map && has_all(file, picture_planes(*map)) ? *map : io::recognise(file);
-    auto const image = file.read(picture_planes(names));
-    long long ignored = 0;
-    return composite(
-        image, names, [&](std::size_t s) { return picture_of(image, io::sources_of(names.of_signals[s].channels, radiance), 0.f); },
-        ignored);
+    return picture_in(path, {map ? std::vector{*map} : std::vector<io::SequenceNames>{}});
 }
 
-metrics::Picture read_reference(std::filesystem::path const& path, std::optional<io::SequenceNames> const& map, Extent size) {
-    auto reference = read_reference(path, map);
+metrics::Picture read_reference(std::filesystem::path const& path, ReferenceNames const& names, Extent size) {
+    auto reference = picture_in(path, names);
     if (reference.size == size) return reference;
     throw Error(path.string(), "it is " + to_string(reference.size) + " but the frame is " + to_string(size),
                 "compare pictures of one size");
+}
+
+metrics::Picture read_reference(std::filesystem::path const& path, std::optional<io::SequenceNames> const& map, Extent size) {
+    return read_reference(path, ReferenceNames{map ? std::vector{*map} : std::vector<io::SequenceNames>{}}, size);
 }
 
 std::vector<long long> numbers_of_references(FramePattern const& references, FrameRange const& frames) {

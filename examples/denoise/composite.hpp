@@ -23,6 +23,14 @@ namespace quell::examples {
 /// The planes that this takes, beside those of the signals.
 [[nodiscard]] std::vector<std::string> composite_planes(io::SequenceNames const& names);
 
+/// How a converged frame's file may hold the picture.
+struct ReferenceNames {
+    std::vector<io::SequenceNames> any_of = {}; ///< the first whose planes it has
+    bool or_recognised = true;                  ///< otherwise as quell recognises it
+};
+/// A converged frame as a linear picture. @throws Error where it is of another size, or has no picture of these names
+[[nodiscard]] metrics::Picture read_reference(std::filesystem::path const& path, ReferenceNames const& names, Extent size);
+
 /// A converged frame as a linear picture. Its file may follow the map, where there is one, or a naming that quell recognises.
 [[nodiscard]] metrics::Picture read_reference(std::filesystem::path const& path, std::optional<io::SequenceNames> const& map);
 /// The same for frames of that size. @throws Error for another one

@@ -8,6 +8,7 @@
 #include <quell/presets/preset_group.hpp>
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -41,7 +42,8 @@ public:
     /// Shows it a frame that comes after those that it has seen, and will be denoised later. Most presets make no use of it.
     virtual void look_ahead(io::ExrImage const&, io::ChannelNames const&, long long /*number*/) {}
     /// From now on each frame is looked at for what its renderer got wrong.
-    virtual void diagnose() = 0;
+    /// @param by what the denoised signal is multiplied by at the end, where that is the albedo it was divided by; one source per component
+    void diagnose(std::vector<io::Source> by = {}) { looks = true, factor = std::move(by); }
     /// What was found in the last frame.
     [[nodiscard]] virtual std::vector<Finding> const& findings() const = 0;
     /// Whether it makes a channel of DebugChannels, by its name.
@@ -60,7 +62,18 @@ public:
     [[nodiscard]] double milliseconds() const { return taken; }
 
 protected:
-    double taken = 0; ///< milliseconds
+    double taken = 0;               ///< milliseconds
+    bool looks = false;             ///< whether frames are looked at
+    std::vector<io::Source> factor; ///< what diagnose() was told
+
+    /// Component c at (x, y) of the factor, as quell::diagnose() wants it; nothing where there is none.
+    [[nodiscard]] std::function<float(int c, int x, int y)> factor_in(io::ExrImage const& image) const;
+};
+
+/// A channel that a preset denoises.
+struct SignalOfPreset {
+    std::string name;
+    int components;
 };
 
 /// A pipeline by its name, for a size and a number of threads (0: all that there are).
@@ -73,7 +86,8 @@ struct Preset {
     bool is_part = false;             ///< whether what comes out is one effect's part of the picture
     bool wants_sharp_picture = false; ///< whether it blurs a picture of one instant
     PresetGroup group = PresetGroup::general;
-    int warm_up = 0; ///< how many frames before the first make a frame what it is in the whole sequence
+    std::vector<SignalOfPreset> of_signals = {}; ///< what it denoises: several where it puts a picture together
+    int warm_up = 0;                             ///< how many frames before the first make a frame what it is in the whole sequence
 
     static constexpr int usual_later_frames = 2; ///< of those that it looks ahead at
 };

@@ -21,7 +21,6 @@ template <class P, class E = Threads<>, ImageStorage Storage = Planar<>> class D
     Frame<typename P::reads> frame;
     History<P, Storage> history;
     E executor;
-    bool looks = false;
     std::vector<Finding> found;
 
 public:
@@ -36,7 +35,7 @@ public:
         if (!(frame.size == image.size)) frame = Frame<typename P::reads>(image.size);
         io::load(frame, image, names);
         frame.number = number;
-        if (looks) found = quell::diagnose(frame, history, names.motion);
+        if (looks) found = quell::diagnose(frame, history, names.motion, factor_in(image));
         auto const view = [&] {
             Timer const timer(taken);
             return quell::run(pipeline, frame, history, executor);
@@ -44,7 +43,6 @@ public:
         return metrics::picture_of(view);
     }
     bool needs_camera() const override { return P::needs_camera; }
-    void diagnose() override { looks = true; }
     std::vector<Finding> const& findings() const override { return found; }
     bool has_debug_view(std::string const& view) const override {
         bool has = false;

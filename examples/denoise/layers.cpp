@@ -40,31 +40,6 @@ ChannelTriple in_layer(std::string const& layer) {
     return names;
 }
 
-/// The signal's own channels, where these are the picture as they are.
-std::optional<ChannelTriple> only_signal(io::SequenceNames const& names) {
-    if (names.of_signals.size() != 1 || !names.of_signals[0].factor.empty() || !names.added.empty()) return std::nullopt;
-    auto const sources = io::sources_of(names.of_signals[0].channels, radiance);
-    ChannelTriple channels;
-    for (std::size_t c = 0; c < 3; ++c) {
-        if (sources[c].sum.size() != 1 || sources[c].scale != 1.f) return std::nullopt;
-        channels[c] = sources[c].sum[0];
-    }
-    return channels;
-}
-
-/// The view layer's name with a dot, of files that Blender wrote.
-std::string view_layer(io::ExrFile const& file, io::SequenceNames const& names) {
-    return names.renderer == "Blender Cycles" ? io::detail::view_layer_prefix(file.channels).value_or("") : "";
-}
-
-/// A name for a layer: dots would part it.
-std::string word_of(std::string name) {
-    for (auto& c : name)
-        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
-    while (name.ends_with('_')) name.pop_back();
-    return name;
-}
-
 float rounded(float value, io::SampleType type) {
     return type == io::SampleType::half ? float_from_half(io::detail::stored_half(value)) : value;
 }
@@ -111,6 +86,28 @@ void LayerChoice::check(io::ExrFile const& file) const {
             throw Error("--layers", "there is no layer '" + name + "' in " + file.name,
                         "choose any of: all, picture, signals" + list_of_layers(file));
     }
+}
+
+std::optional<ChannelTriple> only_signal(io::SequenceNames const& names) {
+    if (names.of_signals.size() != 1 || !names.of_signals[0].factor.empty() || !names.added.empty()) return std::nullopt;
+    auto const sources = io::sources_of(names.of_signals[0].channels, radiance);
+    ChannelTriple channels;
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (sources[c].sum.size() != 1 || sources[c].scale != 1.f) return std::nullopt;
+        channels[c] = sources[c].sum[0];
+    }
+    return channels;
+}
+
+std::string view_layer(io::ExrFile const& file, io::SequenceNames const& names) {
+    return names.renderer == "Blender Cycles" ? io::detail::view_layer_prefix(file.channels).value_or("") : "";
+}
+
+std::string word_of(std::string name) {
+    for (auto& c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
+    while (name.ends_with('_')) name.pop_back();
+    return name;
 }
 
 ChannelTriple picture_channels(io::ExrFile const& file, io::SequenceNames const& names, std::optional<std::string> const& said) {
@@ -174,7 +171,8 @@ io::ExrChanges changes_for(DenoisedFrame& frame, io::ExrFile const& file, io::Se
     std::vector<Place> places;
     for (auto const& name : picture) places.push_back(place_of(name, file, names, io::SampleType::half));
     add_up_exactly(frame, {places[0].type, places[1].type, places[2].type});
-    for (std::size_t c = 0; c < 3; ++c)
+    std::size_t const components = picture[0] == picture[1] ? 1 : 3;
+    for (std::size_t c = 0; c < components; ++c)
         if (layers.has_picture() || layers.keeps("", places[c].name)) put(places[c], frame.picture, c);
     auto const signals = signal_channels(file, names);
     for (std::size_t s = 0; s < signals.size() && layers.has_signals(); ++s)

@@ -34,6 +34,13 @@ private:
 /// The names of three channels.
 using ChannelTriple = std::array<std::string, 3>;
 
+/// The only signal's own channels, where these are the picture as they are; all three the same where it has one component.
+[[nodiscard]] std::optional<ChannelTriple> only_signal(io::SequenceNames const& names);
+/// The view layer's name with a dot, of files that Blender wrote.
+[[nodiscard]] std::string view_layer(io::ExrFile const& file, io::SequenceNames const& names);
+/// A name for a layer: dots would part it.
+[[nodiscard]] std::string word_of(std::string name);
+
 /// Where the denoised picture goes: the place of the noisy one. That is the layer that the map names, else the only signal where that is
 /// the picture, else Combined of Blender's view layer, else R, G, B.
 /// @param layer what the map says

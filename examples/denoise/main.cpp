@@ -6,6 +6,7 @@
 #include <denoise/presets.hpp>
 #include <denoise/scores.hpp>
 #include <denoise/sequence_denoiser.hpp>
+#include <denoise/signal_choice.hpp>
 #include <denoise/summary.hpp>
 #include <support/frame_pattern.hpp>
 #include <support/program.hpp>
@@ -38,19 +39,40 @@ public:
         scores.emplace(options.json ? static_cast<std::ostream&>(nowhere) : std::cout);
     }
 
-    void add(long long number, metrics::Picture const& picture, std::optional<io::SequenceNames> const& map, Summary& summary) {
+    void add(long long number, metrics::Picture const& picture, ReferenceNames const& names, Summary& summary) {
         if (!pattern || !std::filesystem::exists(pattern->path(number))) return;
-        summary.scores.emplace_back(number, scores->add(number, read_reference(pattern->path(number), map, picture.size), picture));
+        summary.scores.emplace_back(number, scores->add(number, read_reference(pattern->path(number), names, picture.size), picture));
     }
     void finish() const {
         if (scores) scores->finish();
     }
 };
 
-/// What suits the files, where no preset was asked for.
-PresetChoice suitable_preset(std::filesystem::path const& first, std::optional<io::SequenceNames> const& map) {
+/// The signal that is asked for.
+std::optional<SignalChoice> signal_in(std::filesystem::path const& first, std::optional<io::SequenceNames> const& names,
+                                      std::string const& word) {
+    if (word.empty()) return std::nullopt;
     io::ExrFile const file(first);
-    return preset_for(file, map ? *map : io::recognise(file));
+    return choose_signal(word, file, names ? *names : io::recognise(file));
+}
+
+/// What suits the files, where no preset was asked for.
+PresetChoice suitable_preset(std::filesystem::path const& first, std::optional<io::SequenceNames> const& map,
+                             std::optional<SignalChoice> const& signal) {
+    io::ExrFile const file(first);
+    return signal ? preset_for(file, *signal) : preset_for(file, map ? *map : io::recognise(file));
+}
+
+/// How references hold what is denoised: the signal; or the effect's part of the picture, where the preset makes that; or the picture.
+ReferenceNames reference_names(Preset const& preset, std::optional<io::SequenceNames> const& map, bool one_signal) {
+    if (one_signal) return {{*map}, false};
+    ReferenceNames names;
+    if (map) names.any_of.push_back(*map);
+    auto const picture = map ? *map : io::own_sequence();
+    auto const effects = names_of_effects(preset, picture);
+    if (!effects) return names;
+    if (preset.is_part) return {{*effects, picture}, true};
+    return {{picture, *effects}, true};
 }
 
 int later_frames(DenoiseOptions const& options, Preset const& preset) {
@@ -87,7 +109,8 @@ void print_plan(DenoiseOptions const& options) {
         FramePattern const in(options.in);
         std::optional<io::SequenceNames> map;
         if (!options.map.empty()) map = read_map(options.map);
-        return suitable_preset(in.path(range_of(in, options.first, options.last).first), map).preset;
+        auto const first = in.path(range_of(in, options.first, options.last).first);
+        return suitable_preset(first, map, signal_in(first, map, options.signal)).preset;
     };
     auto const& preset = *choose();
     std::cout << preset.name << "\n\n" << preset.make({1, 1}, 1)->plan();
@@ -99,6 +122,7 @@ class Job {
     FramePattern const in;
     std::vector<long long> frames;
     std::optional<io::SequenceNames> map, names; ///< that the user gave; that the files are read by, where these are known already
+    ReferenceNames references;
     PresetChoice choice;
     Summary& summary;
     std::optional<Output> output;
@@ -116,8 +140,11 @@ public:
         output.emplace(options, in, frames);
         for (auto const number : frames) (options.skip_existing && output->has(number) ? summary.skipped : wanted).push_back(number);
         if (wanted.empty()) return;
-        if (!choice.preset) choice = suitable_preset(in.path(wanted.front()), names);
-        summary.preset = choice.preset->name, summary.preset_reason = choice.reason;
+        auto const signal = signal_in(in.path(wanted.front()), names, options.signal);
+        if (!choice.preset) choice = suitable_preset(in.path(wanted.front()), names, signal);
+        if (signal) names = names_for(*choice.preset, *signal);
+        references = reference_names(*choice.preset, signal ? names : map, signal.has_value());
+        summary.preset = choice.preset->name, summary.preset_reason = choice.reason, summary.signal = options.signal;
         if (!options.layers.empty()) output->check(wanted.front());
         comparison.emplace(options, wanted);
         denoiser.emplace(SequenceSettings{.preset = *choice.preset,
@@ -187,7 +214,7 @@ private:
         output->write(number, frame, *denoiser->names());
         for (auto const& view : options.debug_views) output->write_views(number, view, denoiser->debug_images(view));
         summary.written.push_back(number);
-        comparison->add(number, shown, map, summary);
+        comparison->add(number, shown, references, summary);
     }
 };
 

@@ -28,6 +28,14 @@ template <class Named> struct MakeJoining {
     constexpr auto operator()(auto... parts) const { return Named::usual_joining(parts...); }
 };
 
+/// What a pipeline denoises, or the pipelines of a composite.
+template <ChannelTag S, class... Parts> std::vector<SignalOfPreset> signals_of(Pipeline<S, Parts...> const&) {
+    return {{std::string(S::name), S::components}};
+}
+template <class... Ps> std::vector<SignalOfPreset> signals_of(Composite<Ps...> const&) {
+    return {{std::string(Ps::Output::name), Ps::Output::components}...};
+}
+
 template <class Named> Preset made_preset(Named const& named) {
     using P = decltype(Named::usual());
     std::string name(named.name);
@@ -41,6 +49,7 @@ template <class Named> Preset made_preset(Named const& named) {
     }();
     made.group = named.group;
     constexpr auto pipeline = Named::usual();
+    made.of_signals = signals_of(pipeline);
     made.warm_up = warm_up_frames(pipeline); // joining both sides begins anew in each frame
     made.is_part = is_effect<typename Named::signal_type>;
     made.wants_sharp_picture = blur_input<P> == BlurInput::picture;

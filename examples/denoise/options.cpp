@@ -58,6 +58,9 @@ void describe(CLI::App& app, DenoiseOptions& options) {
     app.add_option("--preset", options.preset,
                    "How to denoise; --list names them (default: what suits the files' channels: blur where they have "
                    "sweeps and times, trmv where they have what shadows and reflections move by, else final-frame)");
+    app.add_option("--signal", options.signal,
+                   "Denoise one signal of the files by itself: one of a map's or of Blender's (diffuse), a channel of quell's "
+                   "(visibility, glossy, indirect, direct) or a layer; it takes its own place in the output (default: the picture)");
     app.add_option("--first", options.first, "Number of the first frame (default: the first that there is)");
     app.add_option("--last", options.last, "Number of the last frame (default: the last that there is)");
     app.add_option("--frames", options.frames, "The frames in place of --first and --last: numbers and ranges, as in 1-48,60 or 1-99x2");

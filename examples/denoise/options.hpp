@@ -10,6 +10,7 @@ namespace quell::examples {
 struct DenoiseOptions {
     std::string in, out, reference, map;
     std::string preset; ///< empty: what suits the files
+    std::string signal; ///< that is denoised by itself; empty: the picture
     std::optional<long long> first, last;
     std::string frames;              ///< a list; empty: from first to last
     std::string chunk;               ///< a part of them, as 2/6; empty: all

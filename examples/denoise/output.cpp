@@ -1,13 +1,14 @@
 #include <denoise/debug_view.hpp>
 #include <denoise/map_file.hpp>
 #include <denoise/output.hpp>
+#include <denoise/signal_choice.hpp>
 #include <support/output_folder.hpp>
 #include <support/program.hpp>
 
 namespace quell::examples {
 
 Output::Output(DenoiseOptions const& options, FramePattern const& input, std::vector<long long> const& numbers)
-    : in(input), layers(options.layers) {
+    : in(input), layers(options.layers), one_signal(!options.signal.empty()) {
     if (!options.map.empty()) picture_layer = read_picture_layer(options.map);
     if (options.out.empty()) return;
     pattern.emplace(options.out);
@@ -38,7 +39,8 @@ void Output::write(long long number, DenoisedFrame& frame, io::SequenceNames con
     if (!pattern) return;
     io::ExrOriginal const original(in.path(number));
     layers.check(original.listed);
-    auto const changes = changes_for(frame, original.listed, names, picture_layer, layers);
+    auto const layer = one_signal ? layer_of_signal(original.listed, names) : picture_layer;
+    auto const changes = changes_for(frame, original.listed, names, layer, layers);
     store([&] {
         for (auto const& part : io::write_copy(pattern->path(number), original, changes)) lossless.insert(part);
     });

@@ -17,6 +17,7 @@ class Output {
     std::optional<FramePattern> pattern;
     LayerChoice layers;
     std::optional<std::string> picture_layer; ///< that the map names
+    bool one_signal = false;                  ///< whether a signal is written in place of the picture
     std::set<std::string> lossless;           ///< parts that can't be packed as they were
 
 public:

@@ -22,6 +22,8 @@ std::string in_the_map(Mistake mistake) {
         return "; for files, set \"miss_from\" in --map";
     case Mistake::signal_demodulated:
         return "; for files, write \"irradiance\" in place of \"radiance\" in --map";
+    case Mistake::signal_not_demodulated:
+        return "; for files, write \"radiance\" in place of \"irradiance\" in --map";
     default:
         return {};
     }
@@ -92,8 +94,8 @@ void SequenceDenoiser::begin(io::ExrOriginal const& file) {
     auto const whole = io::detail::size_of(canvas);
     for (std::size_t s = 0; s < settings.map->of_signals.size(); ++s)
         denoisers.push_back(!settings.debug_views.empty() ? preset.make_watched(whole) : preset.make(whole, settings.threads));
-    for (auto const& denoiser : denoisers)
-        if (settings.diagnose) denoiser->diagnose();
+    for (std::size_t s = 0; s < denoisers.size(); ++s)
+        if (settings.diagnose) denoisers[s]->diagnose(on_canvas.of_signals[s].factor);
 }
 
 bool SequenceDenoiser::is_inside(Region const& other) const {

@@ -15,6 +15,7 @@ Json json_of(ImageErrors const& errors) { return {{"rmse", errors.rmse}, {"ssim"
 std::string json_of(Summary const& summary) {
     Json json{{"preset", summary.preset},
               {"preset_reason", summary.preset_reason},
+              {"signal", summary.signal},
               {"renderer", summary.renderer},
               {"written", summary.written},
               {"skipped", summary.skipped},

@@ -10,7 +10,7 @@ namespace quell::examples {
 
 /// What quell-denoise has done.
 struct Summary {
-    std::string preset, preset_reason, renderer;
+    std::string preset, preset_reason, signal, renderer;
     std::vector<long long> written, skipped; ///< numbers of frames; without --out, those that were denoised
     long long warm_up_frames = 0;            ///< denoised and not written
     long long missing_samples = 0;           ///< that were not finite, or negative

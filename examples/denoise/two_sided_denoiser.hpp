@@ -21,7 +21,6 @@ template <class P> class TwoSidedDenoiser final : public Denoiser {
     Threads<> executor;
     std::deque<OneFrame> window;
     bool last_knows_next = false; ///< whether the window's last frame has its motion to the next one
-    bool looks = false;
     std::vector<Finding> found;
 
 public:
@@ -50,7 +49,7 @@ public:
     metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number) override {
         while (!window.empty() && window.front().number != number) window.pop_front();
         if (window.empty()) look_ahead(image, names, number);
-        if (looks) found = quell::diagnose(window.front(), history.before, names.motion);
+        if (looks) found = quell::diagnose(window.front(), history.before, names.motion, factor_in(image));
         auto const view = [&] {
             Timer const timer(taken);
             return run_two_sided(pipeline, joining, window, history, executor);
@@ -58,7 +57,6 @@ public:
         return metrics::picture_of(view);
     }
     bool needs_camera() const override { return P::needs_camera; }
-    void diagnose() override { looks = true; }
     std::vector<Finding> const& findings() const override { return found; }
     bool has_debug_view(std::string const&) const override { return false; }
     std::vector<DebugImage> debug_images(std::string const&) override { return {}; }

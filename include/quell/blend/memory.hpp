@@ -18,7 +18,7 @@ struct BlendMemory {
     [[nodiscard]] constexpr BlendMemory hidden_after(float most) const { return {frames, std::min(times, most)}; }
 };
 
-/// What is supposed of a blend policy that doesn't declare its memory: as long as any built-in preset's.
+/// What is supposed of a blend policy that doesn't declare its memory: as long as the longest of the built-in presets.
 inline constexpr BlendMemory undeclared_memory{};
 
 /// How far back a blend policy remembers: what it declares, or undeclared_memory. Decorators ask it of their inner policy.

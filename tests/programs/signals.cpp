@@ -1,0 +1,214 @@
+#include "programs.hpp"
+
+#include "../shared_data.hpp"
+
+#include <support/image_errors.hpp>
+
+#include <bit>
+#include <set>
+
+using namespace quell;
+using namespace quell::tests;
+
+// quell-denoise on one signal of the files: --signal, and references of single effects.
+namespace {
+
+/// What quell-trace writes for some effects, with converged frames.
+struct Traced {
+    Folder folder;
+
+    explicit Traced(std::string const& scene, std::string const& effects, int frames = 6, std::string const& more = "--reference 256") {
+        auto const ran = trace("--scene " + scene + " --size 64x36 --frames " + std::to_string(frames) + " --quiet --effects " + effects +
+                               " " + more + " --out '" + folder.path.string() + "'");
+        INFO(ran.err);
+        CHECK(ran.code == 0);
+    }
+    [[nodiscard]] Ran denoise(std::string const& arguments) const { return tests::denoise(input(folder) + arguments); }
+    [[nodiscard]] std::string reference() const { return " --reference '" + (folder / "reference.%04d.exr").string() + "' "; }
+    /// RMSE of the last frame.
+    [[nodiscard]] double rmse(std::string const& arguments) const {
+        auto const ran = denoise("--quiet --extra-frames 0 " + arguments + reference());
+        INFO(arguments, ": ", ran.err);
+        CHECK(ran.code == 0);
+        auto const lines = ran.lines();
+        REQUIRE(lines.size() > 2);
+        auto const& row = lines[lines.size() - 2];
+        return std::stod(row.substr(row.find(',') + 1));
+    }
+};
+
+/// Names of planes that differ between two files; of a plane that one lacks too.
+std::set<std::string> changed(std::filesystem::path const& before, std::filesystem::path const& after) {
+    auto const a = io::read_exr(before), b = io::read_exr(after);
+    std::set<std::string> names;
+    auto const same = [](float x, float y) { return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y); }; // NaN too
+    for (auto const& plane : b.planes)
+        if (!a.find(plane.name) || !std::ranges::equal(a[plane.name].values, plane.values, same)) names.insert(plane.name);
+    for (auto const& plane : a.planes)
+        if (!b.find(plane.name)) names.insert(plane.name);
+    return names;
+}
+using Names = std::set<std::string>;
+
+void write_map(Folder const& folder, std::string const& text) { write_bytes(folder / "map.json", text); }
+std::string map(Folder const& folder) { return "--map '" + (folder / "map.json").string() + "' "; }
+
+} // namespace
+
+TEST_CASE("visibility alone is denoised by any preset of one signal, scored, and written in its place") {
+    Traced const shot("room", "shadow");
+    auto const noisy = shot.rmse("--signal visibility --preset none");
+    for (std::string const preset : {"svgf", "surface-clamp", "general", "final-frame", "shadow", "shadow-paper"}) {
+        INFO(preset);
+        CHECK(shot.rmse("--signal visibility --preset " + preset) < 0.8 * noisy);
+    }
+    for (std::string const preset : {"svgf", "shadow"}) {
+        CHECK(shot.denoise(output(shot.folder) + "--signal visibility --preset " + preset).code == 0);
+        CHECK(changed(shot.folder / "frame.0005.exr", shot.folder / "out.0005.exr") == Names{"visibility.V"});
+    }
+    // The table is of the signal itself.
+    CHECK(shot.denoise(output(shot.folder) + "--signal visibility --preset svgf").code == 0);
+    auto const out = io::read_exr(shot.folder / "out.0005.exr"), truth = io::read_exr(shot.folder / "reference.0005.exr");
+    metrics::Picture shown{out.size, {}}, expected{out.size, {}};
+    for (auto const v : out["visibility.V"].values) shown.pixels.emplace_back(v);
+    for (auto const v : truth["visibility.V"].values) expected.pixels.emplace_back(v);
+    auto const rmse = examples::image_errors(metrics::displayed(expected), metrics::displayed(shown)).rmse;
+    CHECK(shot.rmse("--signal visibility --preset svgf") == doctest::Approx(rmse).epsilon(0.001)); // halves in the file
+}
+
+TEST_CASE("without --signal an effect's preset is scored by its part of the picture") {
+    Traced const shadows("fence", "shadow"), reflections("temple", "glossy"), bounced("room", "indirect");
+    CHECK(shadows.rmse("--preset shadow") > 0);
+    CHECK(shadows.rmse("--preset shadow") < 0.7 * shadows.rmse("--signal visibility --preset none"));
+    auto const noisy = reflections.rmse("--signal glossy --preset none");
+    for (std::string const preset : {"glossy", "glossy-paper", "mirror-clamp"}) {
+        INFO(preset);
+        // Its part of the picture is the signal itself.
+        CHECK(reflections.rmse("--preset " + preset) == reflections.rmse("--preset " + preset + " --signal glossy"));
+        CHECK(reflections.rmse("--preset " + preset) < noisy);
+    }
+    CHECK(reflections.rmse("--signal glossy --preset svgf") < noisy);
+    CHECK(bounced.rmse("--signal indirect --preset dual-cone") < 0.5 * bounced.rmse("--signal indirect --preset none"));
+    CHECK(bounced.rmse("--preset dual-cone") < bounced.rmse("--signal indirect --preset none"));
+    Traced const all("room", "shadow,glossy,indirect", 3);
+    CHECK(all.rmse("--preset trmv") > 0);
+}
+
+TEST_CASE("without --preset a signal is denoised by what suits it") {
+    Traced const all("room", "composite,shadow,glossy,indirect", 1, "");
+    auto const preset = [&](std::string const& signal) { return all.denoise("--diagnose --signal " + signal).err; };
+    CHECK(contains(preset("visibility"), "preset shadow, since"));
+    CHECK(contains(preset("glossy"), "preset glossy, since"));
+    CHECK(contains(preset("indirect"), "preset dual-cone, since"));
+    CHECK(contains(preset("direct"), "preset final-frame, since"));
+    CHECK(contains(preset("radiance"), "preset final-frame, since"));
+    CHECK(contains(all.denoise("--plan --signal visibility").out, "shadow\n"));
+}
+
+TEST_CASE("the picture as a signal is what it is without --signal") {
+    Folder const folder;
+    write_sequence(folder, 0, 3);
+    CHECK(denoise(input(folder) + output(folder, "plain.") + "--preset svgf").code == 0);
+    CHECK(denoise(input(folder) + output(folder, "signal.") + "--preset svgf --signal radiance").code == 0);
+    CHECK(bytes_of(folder / "plain.0003.exr") == bytes_of(folder / "signal.0003.exr"));
+}
+
+TEST_CASE("post-processes of motion blur run on any signal, along its own sweeps where the file has them") {
+    Traced const shot("propeller", "blur,shadow", 2, "");
+    for (std::string const preset : {"gather-blur", "tilemax-blur", "blur"}) {
+        INFO(preset);
+        CHECK(shot.denoise(output(shot.folder) + "--quiet --signal visibility --preset " + preset).code == 0);
+        CHECK(changed(shot.folder / "frame.0001.exr", shot.folder / "out.0001.exr") == Names{"visibility.V"});
+        CHECK(shot.denoise(output(shot.folder) + "--quiet --preset " + preset).code == 0);
+        CHECK(changed(shot.folder / "frame.0001.exr", shot.folder / "out.0001.exr") == Names{"B", "G", "R"});
+    }
+}
+
+TEST_CASE("a signal of a map, or a layer, is denoised alone and its factor kept") {
+    Folder const folder;
+    for (int i = 0; i < 3; ++i) {
+        auto image = noisy_image({48, 32}, i);
+        for (std::string const letter : {"R", "G", "B"}) {
+            auto half = image[letter];
+            half.name = "fog." + letter;
+            image.planes.push_back(half);
+        }
+        io::write_exr(folder / numbered("frame.", i), image);
+    }
+    CHECK(denoise(input(folder) + output(folder) + "--preset svgf --signal fog").code == 0);
+    CHECK(changed(folder / "frame.0002.exr", folder / "out.0002.exr") == Names{"fog.B", "fog.G", "fog.R"});
+    write_map(folder, R"({"signals": [{"name": "base", "radiance": ""}, {"name": "haze", "irradiance": "fog", "albedo": "albedo"}]})");
+    CHECK(denoise(input(folder) + output(folder) + map(folder) + "--preset svgf --signal haze").code == 0);
+    CHECK(changed(folder / "frame.0002.exr", folder / "out.0002.exr") == Names{"denoised_haze.B", "denoised_haze.G", "denoised_haze.R"});
+    CHECK(denoise(input(folder) + output(folder) + map(folder) + "--preset none --signal haze").code == 0);
+    auto const out = io::read_exr(folder / "out.0002.exr");
+    CHECK(out["denoised_haze.G"].values[77] == doctest::Approx(out["fog.G"].values[77] * out["albedo.G"].values[77]).epsilon(0.001));
+}
+
+TEST_CASE("what a signal, a preset or a reference lacks is named") {
+    Traced const shot("fence", "shadow", 2);
+    auto const refused = [&](std::string const& arguments, std::initializer_list<std::string> parts) {
+        check_refused(shot.denoise("--quiet " + output(shot.folder) + arguments), parts);
+    };
+    refused("--signal smoke", {"--signal", "no signal 'smoke' in", "frame.0000.exr", "direct, visibility"});
+    refused("--signal glossy --preset svgf", {"--signal", "no signal 'glossy'"});
+    refused("--signal visibility --preset trmv", {"--preset", "'trmv'", "visibility, glossy, indirect", "final-frame"});
+    refused("--signal direct --preset shadow", {"--preset", "'shadow'", "one component", "'direct'"});
+    refused("--signal visibility --preset glossy", {"frame.0000.exr", "glossy_hit.X"});
+    refused("--signal visibility --preset gather-blur", {"frame.0000.exr", "sweep.X"});
+    refused("--signal visibility --preset asvgf", {"frame.0000.exr", "visibility_gradient.X"});
+    for (int i = 0; i < 2; ++i) {
+        auto image = io::read_exr(shot.folder / numbered("reference.", i));
+        std::erase_if(image.planes, [](auto const& plane) { return plane.name == "visibility.V"; });
+        io::write_exr(shot.folder / numbered("reference.", i), image);
+    }
+    refused("--signal visibility --preset svgf" + shot.reference(), {"reference.0000.exr", "visibility.V"});
+}
+
+TEST_CASE("a map that takes radiance for irradiance, or irradiance for radiance, is noticed") {
+    Folder const folder;
+    for (int i = 0; i < 6; ++i) {
+        auto image = noisy_image({96, 64}, i);
+        for (std::string const letter : {"R", "G", "B"}) {
+            auto divided = image[letter];
+            divided.name = "light." + letter;
+            for (std::size_t k = 0; k < divided.values.size(); ++k) divided.values[k] /= image["albedo." + letter].values[k];
+            image.planes.push_back(divided);
+        }
+        io::write_exr(folder / numbered("frame.", i), image);
+    }
+    auto const said = [&](std::string const& signal, std::string const& preset) {
+        write_map(folder, "{\"signals\": [" + signal + "]}");
+        auto const ran = denoise(input(folder) + map(folder) + "--diagnose --extra-frames 0 --preset " + preset);
+        CHECK(ran.code == 0);
+        return ran.err;
+    };
+    for (std::string const preset : {"svgf", "final-frame"}) {
+        CHECK(contains(said(R"({"radiance": "", "albedo": "albedo"})", preset), "found nothing wrong"));
+        CHECK(contains(said(R"({"irradiance": "light", "albedo": "albedo"})", preset), "found nothing wrong"));
+        CHECK(contains(said(R"({"radiance": "light", "albedo": "albedo"})", preset), R"(write "irradiance" in place of "radiance")"));
+        CHECK(contains(said(R"({"irradiance": "", "albedo": "albedo"})", preset), R"(write "radiance" in place of "irradiance")"));
+    }
+}
+
+TEST_CASE("of good files nothing is said, whichever signal is denoised") {
+    Traced const all("room", "composite,shadow,glossy,indirect", 5, "");
+    for (std::string const signal : {"visibility", "glossy", "indirect", "direct", "radiance"}) {
+        INFO(signal);
+        auto const ran = all.denoise("--diagnose --preset svgf --signal " + signal);
+        INFO(ran.err);
+        CHECK(contains(ran.err, "found nothing wrong"));
+    }
+}
+
+TEST_CASE("of Cycles' sequences nothing is said, and a signal of theirs is denoised alone" * doctest::test_suite("shared data")) {
+    auto const folder = shared("data/sequences/cycles_occlusion");
+    if (folder.empty()) return;
+    Folder const out;
+    auto const in = "--in '" + (folder / "frame_%04d.exr").string() + "' --first 33 --last 40 ";
+    auto const ran = denoise(in + "--diagnose --preset svgf");
+    INFO(ran.err);
+    CHECK(contains(ran.err, "found nothing wrong"));
+    CHECK(denoise(in + output(out) + "--preset svgf --signal diffuse").code == 0);
+    for (auto const& name : changed(folder / "frame_0040.exr", out / "out.0040.exr")) CHECK(contains(name, "ViewLayer.denoised_diffuse"));
+}
