@@ -51,9 +51,12 @@ std::vector<io::Source> layer_named(std::string const& word, io::ExrFile const& 
     std::vector<io::Source> colour;
     for (auto const* const letter : {".R", ".G", ".B"}) colour.push_back({{word + letter}});
     if (has_all(file, colour)) return colour;
-    for (auto const* const ending : {"", ".V", ".Y", ".X", ".R", ".Z"})
-        if (file.find(word + ending)) return {{{word + ending}}};
-    return {};
+    if (file.find(word)) return {{{word}}};
+    std::vector<io::Source> components;
+    for (auto const& channel : file.channels)
+        if (channel.name.starts_with(word + ".") && channel.name.find('.', word.size() + 1) == std::string::npos)
+            components.push_back({{channel.name}});
+    return components.size() == 1 ? components : std::vector<io::Source>();
 }
 
 template <class F> void for_each_own_signal(io::ExrFile const& file, io::SequenceNames const& names, F&& f) {

@@ -114,7 +114,7 @@ TEST_CASE("the picture as a signal is what it is without --signal") {
 }
 
 TEST_CASE("post-processes of motion blur run on any signal, along its own sweeps where the file has them") {
-    Traced const shot("propeller", "blur,shadow", 2, "");
+    Traced const shot("flyby", "blur,shadow", 2, "");
     for (std::string const preset : {"gather-blur", "tilemax-blur", "blur"}) {
         INFO(preset);
         CHECK(shot.denoise(output(shot.folder) + "--quiet --signal visibility --preset " + preset).code == 0);
@@ -151,6 +151,7 @@ TEST_CASE("what a signal, a preset or a reference lacks is named") {
         check_refused(shot.denoise("--quiet " + output(shot.folder) + arguments), parts);
     };
     refused("--signal smoke", {"--signal", "no signal 'smoke' in", "frame.0000.exr", "direct, visibility"});
+    refused("--signal blocker --preset svgf", {"--signal", "no signal 'blocker'"}); // three components that are no colour
     refused("--signal glossy --preset svgf", {"--signal", "no signal 'glossy'"});
     refused("--signal visibility --preset trmv", {"--preset", "'trmv'", "visibility, glossy, indirect", "final-frame"});
     refused("--signal direct --preset shadow", {"--preset", "'shadow'", "one component", "'direct'"});

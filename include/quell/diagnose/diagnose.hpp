@@ -14,6 +14,7 @@
 #include <quell/diagnose/hypotheses/motion/motion_disagreement.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_offsets.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_scale.hpp>
+#include <quell/diagnose/hypotheses/motion/scale_by_history.hpp>
 #include <quell/diagnose/hypotheses/motion/sweep_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/samples/history_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/samples/repeated_noise.hpp>
@@ -51,6 +52,8 @@ inline void find_motion_mistakes(Observation const& seen, GeometryIs geometry, b
     else if (seen.depth_then)
         find_motion_convention_by_history(seen, findings);
     if (findings.size() > before || !seen.depth_then) return;
+    if (cameras && !moves) find_scale_by_history(seen, findings);
+    if (findings.size() > before) return;
     if (cameras) find_forgotten_motion(seen, seen.camera, seen.camera_then, findings);
 }
 

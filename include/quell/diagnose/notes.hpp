@@ -49,6 +49,8 @@ struct DiagnosisNotes {
     int offset_in_a_row = 0;               ///< consecutive frames in which it was the same
     std::vector<Comparison> comparisons{}; ///< each convention against each, over all frames
     long long absent = 0;                  ///< how many such pixels in these frames
+    std::array<long long, 3> absences{};   ///< pixels whose motion, half and twice that, lead to what is farther away, over all frames
+    long long moving = 0;                  ///< of so many pixels that move
     int absent_in_a_row = 0;               ///< consecutive frames with static surfaces that the last frame did not have
     int disagreed_in_a_row = 0;            ///< consecutive frames whose cameras find the past where motion does not
     int swept_wrongly_in_a_row = 0;        ///< consecutive frames whose sweeps contradict the cameras
