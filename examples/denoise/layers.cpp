@@ -171,8 +171,8 @@ io::ExrChanges changes_for(DenoisedFrame& frame, io::ExrFile const& file, io::Se
     std::vector<Place> places;
     for (auto const& name : picture) places.push_back(place_of(name, file, names, io::SampleType::half));
     add_up_exactly(frame, {places[0].type, places[1].type, places[2].type});
-    std::size_t const components = picture[0] == picture[1] ? 1 : 3;
-    for (std::size_t c = 0; c < components; ++c)
+    std::size_t const different = picture[0] == picture[1] ? 1 : 3;
+    for (std::size_t c = 0; c < different; ++c)
         if (layers.has_picture() || layers.keeps("", places[c].name)) put(places[c], frame.picture, c);
     auto const signals = signal_channels(file, names);
     for (std::size_t s = 0; s < signals.size() && layers.has_signals(); ++s)

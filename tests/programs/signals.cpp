@@ -129,9 +129,9 @@ TEST_CASE("a signal of a map, or a layer, is denoised alone and its factor kept"
     for (int i = 0; i < 3; ++i) {
         auto image = noisy_image({48, 32}, i);
         for (std::string const letter : {"R", "G", "B"}) {
-            auto half = image[letter];
-            half.name = "fog." + letter;
-            image.planes.push_back(half);
+            auto fog = image[letter];
+            fog.name = "fog." + letter;
+            image.planes.push_back(fog);
         }
         io::write_exr(folder / numbered("frame.", i), image);
     }
