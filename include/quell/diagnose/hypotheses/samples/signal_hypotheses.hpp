@@ -66,9 +66,23 @@ inline std::optional<Finding> other_power_of(SignalSeen const& signal, Exponent 
     return std::nullopt;
 }
 
+/// What is wrong with a signal that is to follow albedo.
+inline std::optional<Finding> of_light_with_albedo(SignalSeen const& signal, Exponent const& own) {
+    auto finding = own.error < 0.1 ? other_albedo_of(signal, own) : std::nullopt;
+    bool const open = is_open(signal, Pairing::turned) || is_open(signal, Pairing::behind) || is_open(signal, Pairing::ahead);
+    return finding || open ? finding : other_power_of(signal, own);
+}
+
+/// Whether a signal that a composite multiplies by albedo follows it already.
+inline std::optional<Finding> albedo_left_in(SignalSeen const& signal, Exponent const& own) {
+    if (own.error > 0.12 || own.value < 0.65 || own.value > 1.5) return std::nullopt;
+    return Finding{Mistake::signal_has_albedo, signal_evidence(signal, own) + ", and not of 0",
+                   "divide it by albedo, 0 where that is 0: the composite multiplies '" + signal.name + "' by it"};
+}
+
 /// What the edges of albedo say of the signal, in two frames.
 inline void find_signal_mistakes(Observation const& seen, SignalSeen const& signal, std::vector<Finding>& findings) {
-    if (!signal.demodulated || !seen.albedo) return;
+    if (!(signal.demodulated || signal.times_albedo) || !seen.albedo) return;
     auto& notes = *signal.notes;
     add_edges(seen, signal);
     for (auto const& patch : notes.patches)
@@ -77,9 +91,7 @@ inline void find_signal_mistakes(Observation const& seen, SignalSeen const& sign
                 if (is_finite(value[c])) notes.brightest = std::max(notes.brightest, value[c]);
     auto const own = exponent_of(notes.edges[0]);
     std::optional<Finding> finding;
-    if (own && own->error < 0.1) finding = other_albedo_of(signal, *own);
-    bool const open = is_open(signal, Pairing::turned) || is_open(signal, Pairing::behind) || is_open(signal, Pairing::ahead);
-    if (own && !finding && !open) finding = other_power_of(signal, *own);
+    if (own) finding = signal.demodulated ? of_light_with_albedo(signal, *own) : albedo_left_in(signal, *own);
     notes.other_power_in_a_row = finding ? notes.other_power_in_a_row + 1 : 0;
     if (notes.other_power_in_a_row >= 2) findings.push_back(std::move(*finding));
 }
