@@ -4,6 +4,7 @@
 #include "traced_sequence.hpp"
 
 #include <quell/pipeline/plan.hpp>
+#include <support/name_list.hpp>
 
 #include <algorithm>
 
@@ -65,23 +66,12 @@ template <class Storage, class Preset> Family make_family(Preset const& preset, 
 /// Whether there are frames for a pipeline.
 template <class P> inline constexpr bool is_measured = QUELL_BENCH_TRACES || reads_input<P>;
 
-/// Whether a preset is among QUELL_BENCH_PRESETS, names between commas; of none, all are.
-constexpr bool is_compiled(std::string_view name) {
-    std::string_view rest = QUELL_BENCH_PRESETS;
-    if (rest.empty()) return true;
-    for (;;) {
-        auto const comma = rest.find(',');
-        if (rest.substr(0, comma) == name) return true;
-        if (comma == std::string_view::npos) return false;
-        rest.remove_prefix(comma + 1);
-    }
-}
-
 template <class Storage, std::size_t unit, std::size_t units> std::vector<Family> families_of_unit() {
     std::vector<Family> made;
     for_each_preset_index<unit, units>([&](auto i) {
         constexpr auto const& preset = std::get<i>(named_presets);
-        if constexpr (is_compiled(preset.name) && is_measured<decltype(preset.usual())>) made.push_back(make_family<Storage>(preset, i));
+        if constexpr (examples::is_chosen(QUELL_BENCH_PRESETS, preset.name) && is_measured<decltype(preset.usual())>)
+            made.push_back(make_family<Storage>(preset, i));
     });
     return made;
 }

@@ -35,14 +35,25 @@ class Problem(Exception):
     """What the user has to know, in a sentence."""
 
 
+def presets_that_fit(settings, context, typed):
+    """Names of presets that have what was typed in them; none where the program is not there yet."""
+    try:
+        listed = subprocess.run([program_of(context), "--list"], capture_output=True, text=True, timeout=5, check=True).stdout
+    except (Problem, OSError, subprocess.SubprocessError):
+        return []
+    return [name for name in listed.split() if typed.lower() in name]
+
+
 class QuellSettings(bpy.types.PropertyGroup):
     noisy: bpy.props.StringProperty(
-        name="Noisy", description="Folder of the rendered frames", subtype="DIR_PATH", default="//noisy/"
+        name="Noisy Frames", description="Folder of the rendered frames", subtype="DIR_PATH", default="//noisy/"
     )
     clean: bpy.props.StringProperty(
-        name="Clean", description="Folder of the denoised frames", subtype="DIR_PATH", default="//clean/"
+        name="Clean Frames", description="Folder of the denoised frames", subtype="DIR_PATH", default="//clean/"
     )
-    preset: bpy.props.StringProperty(name="Preset", description="Empty: what suits the passes", default="")
+    preset: bpy.props.StringProperty(
+        name="Preset", description="Method of quell-denoise. Empty: the one that suits the passes", search=presets_that_fit
+    )
     to_compositor: bpy.props.BoolProperty(name="Compositor", description="Add the clean frames as an image node", default=True)
     to_sequencer: bpy.props.BoolProperty(name="Sequencer", description="Add the clean frames as a strip", default=True)
 
@@ -76,6 +87,17 @@ def clean_files(scene, name="clean"):
     return [pattern(scene.quell.clean, name) % number for number in frames_of(scene)]
 
 
+def noisy_files(scene):
+    return [pattern(scene.quell.noisy, "noisy") % number for number in frames_of(scene)]
+
+
+def check_noisy_files(scene):
+    files = noisy_files(scene)
+    missing = [file for file in files if not os.path.exists(file)]
+    if missing:
+        raise Problem(f"{len(missing)} of {len(files)} frames are missing, the first is {missing[0]}: render first, or name their folder")
+
+
 def check_folders(scene):
     for folder in (scene.quell.noisy, scene.quell.clean):
         if folder.startswith("//") and not bpy.data.filepath:
@@ -96,18 +118,42 @@ def switch_on_passes(scene):
             setattr(layer.cycles, "use_pass_" + name, True)
 
 
-def render(scene):
-    """Renders the animation as multilayer files into the folder of noisy frames, and leaves the output settings as they were."""
-    image, output = scene.render.image_settings, scene.render
-    keep = (output.filepath, image.file_format, image.color_depth, output.use_compositing, output.use_sequencer)
-    output.filepath = os.path.join(bpy.path.abspath(scene.quell.noisy), "noisy.####.exr")
-    image.file_format = "OPEN_EXR_MULTILAYER"
-    # Nodes and strips may show the last clean frames.
-    output.use_compositing = output.use_sequencer = False
-    try:
-        bpy.ops.render.render(animation=True, scene=scene.name)
-    finally:
-        output.filepath, image.file_format, image.color_depth, output.use_compositing, output.use_sequencer = keep
+def times_of(files):
+    return [os.path.getmtime(file) if os.path.exists(file) else 0 for file in files]
+
+
+class Rendering:
+    """Renders the animation as multilayer files into the folder of noisy frames."""
+
+    def __init__(self, scene, context="EXEC_DEFAULT"):
+        self.scene, image, output = scene, scene.render.image_settings, scene.render
+        # What is there and stays, where Overwrite is off, counts as rendered.
+        self.before = [time if output.use_overwrite or not time else -1 for time in times_of(noisy_files(scene))]
+        self.kept = (output.filepath, image.file_format, image.color_depth, output.use_compositing, output.use_sequencer)
+        output.filepath = os.path.join(bpy.path.abspath(scene.quell.noisy), "noisy.####.exr")
+        image.file_format = "OPEN_EXR_MULTILAYER"
+        # Nodes and strips may show the last clean frames.
+        output.use_compositing = output.use_sequencer = False
+        try:
+            bpy.ops.render.render(context, animation=True, scene=scene.name)
+        except RuntimeError:
+            self.restore()
+            raise
+
+    def restore(self):
+        """Leaves the output settings as they were."""
+        image, output = self.scene.render.image_settings, self.scene.render
+        output.filepath, image.file_format, image.color_depth, output.use_compositing, output.use_sequencer = self.kept
+
+    def done(self):
+        """How many frames are."""
+        return sum(now != before for now, before in zip(times_of(noisy_files(self.scene)), self.before))
+
+    def end(self):
+        """Raises Problem where it was stopped."""
+        self.restore()
+        if self.done() < len(self.before):
+            raise Problem(f"Rendering stopped: {self.done()} of {len(self.before)} frames are rendered, none was denoised")
 
 
 def frame_list(scene):
@@ -135,8 +181,11 @@ def image_node(tree, image):
         if node.type == "IMAGE" and node.label == "quell":
             break
     else:
+        places = [other.location for other in tree.nodes]
         node = tree.nodes.new("CompositorNodeImage")
         node.label = "quell"
+        if places:  # beside what is there
+            node.location = (min(place.x for place in places) - 300, max(place.y for place in places))
     node.image = image
     return node
 
@@ -203,23 +252,36 @@ class QUELL_OT_passes(bpy.types.Operator):
 
 
 class QUELL_OT_denoise(bpy.types.Operator):
-    """Denoise the animation. Escape stops it; frames that are done are kept"""
+    """Denoise the animation. Esc stops it; frames that are done are kept"""
 
     bl_idname = "quell.denoise"
     bl_label = "Denoise"
 
     with_render: bpy.props.BoolProperty(name="Render", description="Render the animation first", default=False)
 
-    def start(self, context):
-        """Begins what takes long. Raises Problem."""
-        scene = context.scene
-        check_folders(scene)
-        program = program_of(context)
+    doing = ""  # what is at work in a window, for the panel
+
+    @classmethod
+    def poll(cls, context):
+        if cls.doing:
+            cls.poll_message_set("quell is at work: Esc stops it")
+        return not cls.doing
+
+    def prepare(self, context):
+        """Raises Problem."""
+        self.scene, self.rendering = context.scene, None
+        check_folders(self.scene)
+        self.program = program_of(context)
         if self.with_render:
-            switch_on_passes(scene)
-            render(scene)
-        self.scene, self.files = scene, clean_files(scene)
-        self.begun = [os.path.getmtime(file) if os.path.exists(file) else 0 for file in self.files]
+            switch_on_passes(self.scene)
+        return True
+
+    def start(self):
+        """Begins to denoise. Raises Problem."""
+        scene, program = self.scene, self.program
+        check_noisy_files(scene)
+        self.files = clean_files(scene)
+        self.begun = times_of(self.files)
         self.folder = tempfile.TemporaryDirectory()
         self.runs = [[program, *arguments_of(scene)]]
         if scene.quell.to_sequencer:
@@ -245,7 +307,7 @@ class QUELL_OT_denoise(bpy.types.Operator):
 
     def done(self):
         """How many frames are."""
-        return sum(os.path.exists(file) and os.path.getmtime(file) != time for file, time in zip(self.files, self.begun))
+        return sum(now != begun for now, begun in zip(times_of(self.files), self.begun))
 
     def text_of(self, file):
         file.seek(0)
@@ -274,45 +336,79 @@ class QUELL_OT_denoise(bpy.types.Operator):
             self.report({"ERROR"}, str(problem))
             return None
 
+    def render(self):
+        Rendering(self.scene).end()
+        return True
+
     def execute(self, context):
-        more = self.attempt(self.start, context)
+        more = self.attempt(self.prepare, context) and (not self.with_render or self.attempt(self.render)) and self.attempt(self.start)
         while more:
             self.process.wait()
             more = self.attempt(self.step)
         return {"CANCELLED"} if more is None else {"FINISHED"}
 
+    def start_in_window(self, context):
+        """Rendering shows itself, as if Blender's own menu had begun it. Raises Problem."""
+        self.prepare(context)
+        if self.with_render:
+            self.rendering = Rendering(self.scene, "INVOKE_DEFAULT")
+        else:
+            self.start()
+        return True
+
     def invoke(self, context, event):
-        if not self.attempt(self.start, context):
+        if not self.attempt(self.start_in_window, context):
             return {"CANCELLED"}
         manager = context.window_manager
         self.timer = manager.event_timer_add(0.2, window=context.window)
-        manager.progress_begin(0, len(self.files))
+        manager.progress_begin(0, len(noisy_files(self.scene)))
         manager.modal_handler_add(self)
+        self.show(context)
         return {"RUNNING_MODAL"}
 
     def modal(self, context, event):
-        if event.type == "ESC":
+        if event.type == "ESC" and not self.rendering:
             self.process.terminate()
             self.process.wait()
             self.finish(context)
             self.report({"WARNING"}, f"Stopped: {self.done()} of {len(self.files)} frames are denoised")
-            return {"CANCELLED"}
+            return {"FINISHED"}  # of what is cancelled, Blender shows errors alone
         if event.type != "TIMER":
             return {"PASS_THROUGH"}
-        context.window_manager.progress_update(self.done())
-        context.workspace.status_text_set(f"quell: {self.done()} of {len(self.files)} frames, Esc stops")
-        if self.process.poll() is None:
-            return {"RUNNING_MODAL"}
-        more = self.attempt(self.step)
+        self.show(context)
+        if bpy.app.is_job_running("RENDER") if self.rendering else self.process.poll() is None:
+            return {"PASS_THROUGH"}
+        more = self.attempt(self.after_rendering if self.rendering else self.step)
         if more:
             return {"RUNNING_MODAL"}
         self.finish(context)
         return {"CANCELLED"} if more is None else {"FINISHED"}
 
+    def after_rendering(self):
+        """Raises Problem."""
+        rendering, self.rendering = self.rendering, None
+        rendering.end()
+        return self.start()
+
+    def show(self, context):
+        done = self.rendering.done() if self.rendering else self.done()
+        doing = f"{done} of {len(noisy_files(self.scene))} frames {'rendered' if self.rendering else 'denoised'}, Esc stops"
+        context.window_manager.progress_update(done)
+        self.say(context, doing)
+
+    def say(self, context, doing):
+        """In the status bar and in the panel; nothing where `doing` is empty."""
+        QUELL_OT_denoise.doing = doing
+        context.workspace.status_text_set(f"quell: {doing}" if doing else None)
+        for window in context.window_manager.windows:
+            for area in window.screen.areas:
+                if area.type == "PROPERTIES":
+                    area.tag_redraw()
+
     def finish(self, context):
         context.window_manager.event_timer_remove(self.timer)
         context.window_manager.progress_end()
-        context.workspace.status_text_set(None)
+        self.say(context, "")
 
 
 class QUELL_PT_panel(bpy.types.Panel):
@@ -323,12 +419,17 @@ class QUELL_PT_panel(bpy.types.Panel):
 
     def draw(self, context):
         layout, settings = self.layout, context.scene.quell
-        layout.use_property_split = True
-        for name in ("noisy", "clean", "preset", "to_compositor", "to_sequencer"):
+        layout.use_property_split, layout.use_property_decorate = True, False
+        for name in ("noisy", "clean", "preset"):
             layout.prop(settings, name)
+        column = layout.column(heading="Add to")
+        column.prop(settings, "to_compositor")
+        column.prop(settings, "to_sequencer")
         layout.operator("quell.passes")
         layout.operator("quell.denoise", text="Render and denoise").with_render = True
         layout.operator("quell.denoise", text="Denoise what was rendered").with_render = False
+        if QUELL_OT_denoise.doing:
+            layout.label(text=QUELL_OT_denoise.doing, icon="TIME")
 
 
 CLASSES = (QuellSettings, QuellPreferences, QUELL_OT_passes, QUELL_OT_denoise, QUELL_PT_panel)

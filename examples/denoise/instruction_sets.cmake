@@ -43,7 +43,7 @@ foreach(level IN LISTS levels)
     target_link_libraries(${entry} PRIVATE quell_denoise_uses)
     target_compile_options(${entry} PRIVATE -march=${level})
     target_compile_definitions(${entry} PRIVATE QUELL_DENOISE_ENTRY=${entry} QUELL_ISA="${level}" "QUELL_ISAS=\"${all}\""
-        QUELL_PRESET_UNITS=${preset_units})
+        ${preset_definitions})
     quell_isolated_code(object ${entry} ${entry})
     list(APPEND objects ${object})
     list(APPEND entries ${entry})

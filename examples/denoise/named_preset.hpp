@@ -2,6 +2,7 @@
 
 #include <denoise/presets.hpp>
 #include <denoise/two_sided_denoiser.hpp>
+#include <support/name_list.hpp>
 
 #include <quell/pipeline/warm_up.hpp>
 #include <quell/presets/named.hpp>
@@ -56,9 +57,23 @@ template <class Named> Preset made_preset(Named const& named) {
     return made;
 }
 
+constexpr bool is_preset(std::string_view name) {
+    bool found = false;
+    for_each_preset([&](auto const& named) { found = found || named.name == name; });
+    return found;
+}
+static_assert(!any_name(QUELL_DENOISE_PRESETS, [](auto name) { return !is_preset(name); }),
+              "QUELL_DENOISE_PRESETS names a preset that there is not: docs/presets.md lists them");
+
 template <std::size_t unit, std::size_t units> std::vector<Preset> presets_of_unit() {
     std::vector<Preset> made;
-    for_each_preset<unit, units>([&](auto const& named) { made.push_back(made_preset(named)); });
+    for_each_preset_index<unit, units>([&](auto i) {
+        constexpr auto const& named = std::get<i>(named_presets);
+        if constexpr (is_chosen(QUELL_DENOISE_PRESETS, named.name))
+            made.push_back(made_preset(named));
+        else
+            made.emplace_back();
+    });
     return made;
 }
 

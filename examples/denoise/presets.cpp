@@ -21,7 +21,13 @@ std::vector<Preset> all_units() {
     (std::make_index_sequence<units>{});
     std::vector<Preset> list;
     for (std::size_t i = 0; i / units < made[i % units].size(); ++i) list.push_back(made[i % units][i / units]);
+    std::erase_if(list, [](Preset const& preset) { return preset.name.empty(); });
     return list;
+}
+
+Preset const* find_preset(std::string const& name) {
+    auto const found = std::ranges::find(presets(), name, &Preset::name);
+    return found != presets().end() ? &*found : nullptr;
 }
 
 } // namespace
@@ -32,10 +38,10 @@ std::vector<Preset> const& presets() {
 }
 
 Preset const& preset_of(std::string const& name) {
-    auto const found = std::ranges::find(presets(), name, &Preset::name);
-    if (found != presets().end()) return *found;
+    if (auto const* const found = find_preset(name)) return *found;
     throw Error("--preset", "there is no preset '" + name + "'",
-                fmt::format("choose one of: {}", fmt::join(presets() | std::views::transform(&Preset::name), ", ")));
+                fmt::format("choose one of: {}{}", fmt::join(presets() | std::views::transform(&Preset::name), ", "),
+                            std::string_view(QUELL_DENOISE_PRESETS).empty() ? "" : " (those of QUELL_DENOISE_PRESETS)"));
 }
 
 bool applies(Preset const& preset, io::ExrFile const& file, io::SequenceNames const& names) {
@@ -47,9 +53,10 @@ bool applies(Preset const& preset, io::ExrFile const& file, io::SequenceNames co
 }
 
 PresetChoice preset_for(io::ExrFile const& file, io::SequenceNames const& names) {
-    if (auto const& blur = preset_of("blur"); applies(blur, file, names)) return {&blur, "the files have sweeps and times of samples"};
-    if (auto const& trmv = preset_of("trmv"); applies(trmv, file, names))
-        return {&trmv, "the files have blockers, hits and directions, by which shadows, reflections and indirect light are followed"};
+    if (auto const* const blur = find_preset("blur"); blur && applies(*blur, file, names))
+        return {blur, "the files have sweeps and times of samples"};
+    if (auto const* const trmv = find_preset("trmv"); trmv && applies(*trmv, file, names))
+        return {trmv, "the files have blockers, hits and directions, by which shadows, reflections and indirect light are followed"};
     return {&preset_of("final-frame"), "the files have colour and guides"};
 }
 

@@ -6,7 +6,7 @@
 
 namespace quell::examples {
 
-/// All presets, in the order of quell::named_presets.
+/// All presets that are compiled, in the order of quell::named_presets.
 [[nodiscard]] std::vector<Preset> const& presets();
 /// @throws Error, listing the names, where there is no such preset
 [[nodiscard]] Preset const& preset_of(std::string const& name);
@@ -23,7 +23,8 @@ struct PresetChoice {
 /// final-frame.
 [[nodiscard]] PresetChoice preset_for(io::ExrFile const& file, io::SequenceNames const& names);
 
-/// Every `units`-th preset from number `unit` on. Generated files instantiate it: all presets take minutes to compile.
+/// Every `units`-th preset from number `unit` on, without a name where it is not among QUELL_DENOISE_PRESETS. Generated files instantiate
+/// it: all presets take minutes to compile.
 template <std::size_t unit, std::size_t units> [[nodiscard]] std::vector<Preset> presets_of_unit();
 
 } // namespace quell::examples

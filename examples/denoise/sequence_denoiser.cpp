@@ -22,7 +22,7 @@ std::string in_the_map(Mistake mistake) {
         return "; for files, set \"miss_from\" in --map";
     case Mistake::signal_demodulated:
         return "; for files, write \"irradiance\" in place of \"radiance\" in --map";
-    case Mistake::signal_not_demodulated:
+    case Mistake::signal_has_albedo:
         return "; for files, write \"radiance\" in place of \"irradiance\" in --map";
     default:
         return {};
@@ -30,6 +30,8 @@ std::string in_the_map(Mistake mistake) {
 }
 std::string remedy_for_files(Finding const& finding) {
     auto text = in_the_map(finding.mistake);
+    if (finding.evidence.starts_with("frame.camera is not set"))
+        text += "; files have it in the attributes quell:view and quell:projection";
     for (auto const mistake : finding.also) text += in_the_map(mistake);
     return text;
 }

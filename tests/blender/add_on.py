@@ -58,7 +58,8 @@ with tempfile.TemporaryDirectory() as folder:
     preferences.program = "no-such-program"
     assert "no-such-program" in refusal(bpy.ops.quell.denoise)
     preferences.program = denoise
-    assert "there is no such file" in refusal(bpy.ops.quell.denoise)  # nothing was rendered yet
+    assert "render first" in refusal(bpy.ops.quell.denoise)
+    assert {"general", "svgf"} <= set(sys.modules["quell_denoise"].presets_that_fit(None, bpy.context, "g"))
     before = (scene.render.filepath, scene.render.image_settings.file_format)
 
     assert bpy.ops.quell.denoise(with_render=True) == {"FINISHED"}
@@ -93,6 +94,11 @@ with tempfile.TemporaryDirectory() as folder:
     truth, noisy, clean = rendered("truth", False, 256), rendered("noisy", False, 1), rendered("clean", True, 1)
     assert difference(clean, truth) < 0.5 * difference(noisy, truth), (difference(clean, truth), difference(noisy, truth))
     scene.use_nodes, scene.render.use_sequencer = True, True
+
+    # A frame that is lacking is named.
+    os.rename(os.path.join(settings.noisy, "noisy.0005.exr"), os.path.join(folder, "away.exr"))
+    assert "noisy.0005.exr" in refusal(bpy.ops.quell.denoise)
+    os.rename(os.path.join(folder, "away.exr"), os.path.join(settings.noisy, "noisy.0005.exr"))
 
     # A second time takes the place of the first.
     assert bpy.ops.quell.denoise() == {"FINISHED"}

@@ -139,7 +139,7 @@ std::vector<HostMistake> mistakes_of_samples() {
     return {
         {"signal divided by albedo", {M::signal_demodulated}, [](GoodFrame& frame, Take const&, std::size_t) { divide_by_albedo(frame); }},
         {"signal not divided by albedo, output multiplied by it",
-         {M::signal_not_demodulated},
+         {M::signal_has_albedo},
          [](GoodFrame& frame, Take const& take, std::size_t i) { copy_channel(take.good[i], frame, radiance); },
          true},
         {"signal in sRGB", {M::signal_encoded}, in(radiance, [](glm::vec3 r) { return glm::min(to_srgb(r), glm::vec3(1.f)); })},

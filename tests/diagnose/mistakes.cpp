@@ -208,6 +208,18 @@ TEST_CASE("a sky at the far plane is named, and not its normals of 0") {
     check_named({Mistake::normal_not_unit}, [](GoodFrame& frame, int) { each(frame, normal, [](glm::vec3) { return glm::vec3(0.f); }); });
 }
 
+TEST_CASE("where depth is named, the sky's normals of 0 are no second mistake") {
+    auto const without_sky = [](auto&& depth_of) {
+        return [=](GoodFrame& frame, int) {
+            fill(frame[normal], [&](int x, int y) { return is_finite(frame[depth].get(x, y)) ? frame[normal].get(x, y) : glm::vec3(0.f); });
+            each(frame, depth, depth_of);
+        };
+    };
+    Shot const yard{.place = Place::yard};
+    check_named({Mistake::depth_not_positive}, without_sky([](float z) { return is_finite(z) ? z : 0.f; }), yard);
+    check_named({Mistake::depth_not_linear}, without_sky([](float z) { return 0.1f / z; }), yard);
+}
+
 TEST_CASE("albedo above 1 and black albedo are named") {
     check_named({Mistake::albedo_above_one}, [](GoodFrame& frame, int) { each(frame, albedo, [](glm::vec3 a) { return a * 255.f; }); });
     check_named({Mistake::albedo_black}, [](GoodFrame& frame, int) { each(frame, albedo, [](glm::vec3) { return glm::vec3(0.f); }); });
@@ -242,6 +254,16 @@ TEST_CASE("a signal that is the same in every frame is named, but not one withou
         fill(frame[radiance], [&](int x, int y) { return frame[albedo].get(x, y) / (1.f + frame[depth].get(x, y)); });
     };
     check_named({}, shaded, {.moves = false, .jitters = false});
+}
+
+TEST_CASE("a texture that is divided by another row's albedo is not taken for noise of one seed") {
+    // Dots without noise. What stays on the screen is what the wrong division makes of them.
+    check_named({Mistake::signal_upside_down}, [](GoodFrame& frame, int) {
+        auto const last = frame.size.height - 1;
+        auto const dots = [&](int x, int y) { return glm::vec3((x / 2 + 3 * (y / 2)) % 4 == 0 && (y < 60 || x % 2) ? 0.3f : 0.8f); };
+        fill(frame[albedo], dots);
+        fill(frame[radiance], [&](int x, int y) { return 0.7f * dots(x, last - y); });
+    });
 }
 
 TEST_CASE("a history that never lasts is named, with the reason") {

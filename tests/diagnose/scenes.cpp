@@ -124,6 +124,22 @@ TEST_CASE("sweeps that lead backwards or last another time than the shutter is o
     }
 }
 
+TEST_CASE("sweeps whose y points up are named where the camera moves along more than one axis") {
+    check_named_when_blurred("roll", {Mistake::sweep_y},
+                             [](auto& frame) { each(frame, sweep, [](glm::vec2 v) { return glm::vec2(v.x, -v.y); }); });
+    check_named_when_blurred("roll", {Mistake::sweep_y, Mistake::sweep_sign},
+                             [](auto& frame) { each(frame, sweep, [](glm::vec2 v) { return glm::vec2(-v.x, v.y); }); });
+}
+
+TEST_CASE("indirect light that has the albedo in it already is named: a composite multiplies it once more") {
+    constexpr auto composite = Composite{presets::surface(indirect)};
+    for (bool const wrong : {false, true})
+        check_named("boxes", composite, {96, 54}, 20, 5, 0.f, wrong ? std::set{Mistake::signal_has_albedo} : std::set<Mistake>{},
+                    [&](auto& frame) {
+                        if (wrong) fill(frame[indirect], [&](int x, int y) { return frame[indirect].get(x, y) * frame[albedo].get(x, y); });
+                    });
+}
+
 TEST_CASE("shadows of one seed are named, though they are noisy in penumbrae alone") {
     constexpr auto shadows = presets::surface(visibility);
     tracer::PreparedScene prepared(tracer::built_in_scene("fence"));

@@ -75,7 +75,7 @@ inline void find_guide_mistakes(Observation seen, std::vector<Finding>& findings
     bool const depth_is_wrong = seen.depth && find_wrong_depth(seen, findings);
     if (seen.depth && !depth_is_wrong)
         if (auto const sky = find_finite_sky(seen, findings)) seen = without_sky(std::move(seen), *sky);
-    bool const length_is_wrong = seen.normal && find_normal_length(seen, findings);
+    bool const length_is_wrong = seen.normal && find_normal_length(seen, depth_is_wrong, findings);
     if (!seen.depth || depth_is_wrong) return;
     auto with_good_normals = seen;
     if (length_is_wrong) with_good_normals.normal = {};
@@ -93,8 +93,10 @@ inline void find_signal_mistakes(Observation const& seen, std::vector<Finding>& 
     bool const guides_are_wrong = said(Mistake::albedo_black, Mistake::albedo_above_one, Mistake::guides_behind, Mistake::normal_packed,
                                        Mistake::normal_not_unit, Mistake::depth_not_positive, Mistake::depth_not_linear);
     for (auto const& signal : seen.of_signals) {
-        if (!same) find_repeated_noise(seen, signal, findings);
         if (!guides_are_wrong) find_signal_mistakes(seen, signal, findings);
+        // What a wrong albedo leaves of a texture looks like noise, which may stay on the screen.
+        bool const misplaced = said(Mistake::signal_upside_down, Mistake::signal_behind, Mistake::guides_behind);
+        if (!same && !misplaced) find_repeated_noise(seen, signal, findings);
     }
 }
 

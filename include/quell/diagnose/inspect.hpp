@@ -116,6 +116,7 @@ template <class P, class Set, class FrameStorage, class H> Observation observe(F
     seen.convention = P::motion_convention;
     for_each_history(history, [&]<class Part>(std::type_identity<Part> part, auto& of_part) {
         seen.of_signals.push_back(signal_seen<Part>(frame, of_part));
+        seen.of_signals.back().times_albedo = !std::is_same_v<P, Part> && Share<typename Part::Output>::factor::template has<Albedo>;
         see_past(seen, part, of_part);
     });
     seen.motion = understood(seen.motion, seen.convention, seen.size, seen.camera_then.jitter - seen.camera.jitter);

@@ -26,10 +26,11 @@ inline glm::vec3 vec3_at(Lookup const& image, int x, int y) { return {image(0, x
 struct SignalSeen {
     std::string name;
     int components = 1;
-    bool has_past = false;    ///< whether the pipeline has a history
-    bool has_stages = false;  ///< whether the pipeline has stages
-    bool demodulated = false; ///< whether the pipeline divides it by albedo
-    bool blurs = false;       ///< whether it blurs along sweeps: its static pixels come out as they went in
+    bool has_past = false;     ///< whether the pipeline has a history
+    bool has_stages = false;   ///< whether the pipeline has stages
+    bool demodulated = false;  ///< whether the pipeline divides it by albedo
+    bool times_albedo = false; ///< whether the composite multiplies it by albedo
+    bool blurs = false;        ///< whether it blurs along sweeps: its static pixels come out as they went in
     Lookup input{};
     Lookup output_then{}; ///< of the last run; empty without one, or if the host owns it (run_into)
     long long frames = 0, resets = 0;

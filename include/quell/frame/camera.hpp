@@ -22,4 +22,14 @@ struct Camera {
     friend bool operator==(Camera const&, Camera const&) = default;
 };
 
+/// The camera of a host whose view space looks along +z, as those of Direct3D do. World space may be left-handed or right-handed.
+/// @param view world space to view space, x to the right, y up, z forward
+/// @param projection that view space to clip space, without jitter
+/// @param jitter as Camera::jitter
+[[nodiscard]] inline Camera camera_looking_along_z(glm::mat4 view, glm::mat4 projection, glm::vec2 jitter = {}) {
+    for (int column = 0; column < 4; ++column) view[column][2] = -view[column][2];
+    projection[2] = -projection[2];
+    return {.view = view, .projection = projection, .jitter = jitter};
+}
+
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -66,29 +66,34 @@ inline std::optional<Finding> other_power_of(SignalSeen const& signal, Exponent 
     return std::nullopt;
 }
 
-/// Whether a signal that is multiplied by albedo at the end has it in it already.
-inline std::optional<Finding> albedo_left_in(SignalSeen const& signal, Exponent const& own) {
-    if (!(own.error < 0.1 && own.value > 0.65 && own.value < 1.5)) return std::nullopt;
-    return Finding{Mistake::signal_not_demodulated, signal_evidence(signal, own) + ", and not of 0",
-                   "divide the signal by albedo, or let Demodulate{} do that and leave the output as it is"};
+/// What is wrong with a signal that is to follow albedo.
+inline std::optional<Finding> of_light_with_albedo(SignalSeen const& signal, Exponent const& own) {
+    auto finding = own.error < 0.1 ? other_albedo_of(signal, own) : std::nullopt;
+    bool const open = is_open(signal, Pairing::turned) || is_open(signal, Pairing::behind) || is_open(signal, Pairing::ahead);
+    return finding || open ? finding : other_power_of(signal, own);
 }
 
-/// What the edges of albedo say of the signal, in two frames. The host has divided the signal by it where it multiplies the output by it.
+/// Whether a signal that the composite, or the host, multiplies by albedo follows it already.
+inline std::optional<Finding> albedo_left_in(SignalSeen const& signal, Exponent const& own) {
+    if (own.error > 0.12 || own.value < 0.65 || own.value > 1.5) return std::nullopt;
+    return Finding{Mistake::signal_has_albedo, signal_evidence(signal, own) + ", and not of 0",
+                   "divide '" + signal.name + "' by albedo, 0 where that is 0: the output is multiplied by it"};
+}
+
+/// What the edges of albedo say of the signal, in two frames.
 inline void find_signal_mistakes(Observation const& seen, SignalSeen const& signal, std::vector<Finding>& findings) {
-    bool const divided = static_cast<bool>(seen.factor);
-    if (divided ? signal.components != 3 || !signal.input : !signal.demodulated || !seen.albedo) return;
+    bool const multiplied = seen.factor ? signal.components == 3 && signal.input : signal.times_albedo;
+    auto const& albedo = seen.factor ? seen.factor : seen.albedo;
+    if (!(multiplied || (signal.demodulated && !seen.factor)) || !albedo) return;
     auto& notes = *signal.notes;
-    add_edges(seen, signal, divided ? seen.factor : seen.albedo);
+    add_edges(seen, signal, albedo);
     for (auto const& patch : notes.patches)
         for (auto const& value : patch.signal)
             for (int c = 0; c < 3; ++c)
                 if (is_finite(value[c])) notes.brightest = std::max(notes.brightest, value[c]);
     auto const own = exponent_of(notes.edges[0]);
     std::optional<Finding> finding;
-    if (own && divided) finding = albedo_left_in(signal, *own);
-    if (own && !divided && own->error < 0.1) finding = other_albedo_of(signal, *own);
-    bool const open = is_open(signal, Pairing::turned) || is_open(signal, Pairing::behind) || is_open(signal, Pairing::ahead);
-    if (own && !divided && !finding && !open) finding = other_power_of(signal, *own);
+    if (own) finding = multiplied ? albedo_left_in(signal, *own) : of_light_with_albedo(signal, *own);
     notes.other_power_in_a_row = finding ? notes.other_power_in_a_row + 1 : 0;
     if (notes.other_power_in_a_row >= 2) findings.push_back(std::move(*finding));
 }
