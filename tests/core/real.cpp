@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #if defined(__SSE3__)
 #include <pmmintrin.h>
@@ -39,6 +40,53 @@ TEST_CASE("a pack computes what a float computes") {
     same_in_every_lane([](auto a, auto b) { return with_sign_bit(a) + without_sign_bit(b); });
     same_in_every_lane(
         [](auto a, auto b) { return quell::fma(quell::min(a, decltype(a)(1e9f)), decltype(a)(0.3f), quell::min(b, decltype(a)(1e9f))); });
+}
+
+TEST_CASE("min and max give the second number where one is NaN, and clamp the lower bound") {
+    constexpr float inf = std::numeric_limits<float>::infinity();
+    float const signalling = std::bit_cast<float>(0x7f800001u);
+    for (float const nan : {not_a_number, -not_a_number, signalling}) {
+        for (float const a : {1.f, -0.f, inf}) {
+            CHECK(bits(quell::min(nan, a)) == bits(a));
+            CHECK(bits(quell::max(nan, a)) == bits(a));
+            for (int i = 0; i < width_of<Pack>; ++i) {
+                CHECK(bits(lane(quell::min(Pack(nan), Pack(a)), i)) == bits(a));
+                CHECK(bits(lane(quell::max(Pack(nan), Pack(a)), i)) == bits(a));
+                CHECK_FALSE(is_finite(lane(quell::min(Pack(a), Pack(nan)), i)));
+                CHECK_FALSE(is_finite(lane(quell::max(Pack(a), Pack(nan)), i)));
+            }
+        }
+        CHECK(quell::clamp(nan, -2.f, 3.f) == -2.f);
+        CHECK(lane(quell::clamp(Pack(nan), Pack(-2.f), Pack(3.f)), 0) == -2.f);
+    }
+    CHECK(bits(lane(quell::min(Pack(0.f), Pack(-0.f)), 0)) == bits(quell::min(0.f, -0.f)));
+    CHECK(bits(lane(quell::max(Pack(-0.f), Pack(0.f)), 0)) == bits(quell::max(-0.f, 0.f)));
+}
+
+TEST_CASE("square roots are rounded once and floors are exact, in packs too") {
+    std::mt19937 random(7);
+    for (int i = 0; i < 2000; ++i) {
+        float const a = std::bit_cast<float>(static_cast<std::uint32_t>(random() % 0x7f800000u));
+        CHECK(bits(lane(quell::sqrt(Pack(a)), 1)) == bits(std::sqrt(a)));
+        float const b = std::ldexp(1.f - 2.f * static_cast<float>(random() % 1000u) / 999.f, static_cast<int>(random() % 40u));
+        CHECK(lane(quell::floor(Pack(b)), 1) == std::floor(b));
+    }
+    for (float const a : {0.f, infinity, 0x1p-149f, 3.4e38f}) CHECK(lane(quell::sqrt(Pack(a)), 0) == std::sqrt(a));
+}
+
+TEST_CASE("fma rounds once where the instruction set has it, for floats and packs alike") {
+#if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
+    constexpr bool fused = true;
+#else
+    constexpr bool fused = false;
+#endif
+    float volatile const a = 1.f + 0x1p-12f, one = 1.f;
+    float const square = a * a; // rounded: 2^-24 is lost
+    // Fused, 2^-24 remains of a * a - square.
+    float const single = quell::fma(float(a), float(a), -square);
+    CHECK((single == 0x1p-24f) == fused);
+    CHECK((lane(quell::fma(Pack(a), Pack(a), Pack(-square)), 1) == 0x1p-24f) == fused);
+    CHECK(quell::fma(float(a), float(one), 2.f) == 3.f + 0x1p-12f);
 }
 
 TEST_CASE("what no integer holds truncates to the least one") {
