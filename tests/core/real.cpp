@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 #include <quell/core/half.hpp>
 #include <quell/core/value.hpp>
-#include <quell/version.hpp>
 
 #include <bit>
 #include <cmath>
@@ -93,7 +92,9 @@ TEST_CASE("fma rounds once where the instruction set has it, for floats and pack
 }
 
 TEST_CASE("the inline namespace is named for the instruction set") {
-    [[maybe_unused]] std::string_view const name = QUELL_TEXT(QUELL_INSTRUCTION_SET);
+#define text(name) text_of(name)
+#define text_of(name) #name
+    [[maybe_unused]] std::string_view const name = text(QUELL_INSTRUCTION_SET);
 #if defined(__ARM_FEATURE_SVE)
     CHECK(name.starts_with("sve"));
 #elif defined(__aarch64__)
