@@ -78,6 +78,23 @@ wish_for_slurm() {
         echo "apt could not install slurm-wlm: the test of Slurm's job is skipped." >&2
 }
 
+# wish_for_aarch64, wish_for_mingw: what compiles for another machine, and what runs its programs here. Status 1, after one line, where
+# that can't be had.
+wish_for_aarch64() { wish_for_target aarch64-linux-gnu-g++ qemu-aarch64 g++-aarch64-linux-gnu qemu-user; }
+wish_for_mingw() { wish_for_target x86_64-w64-mingw32-g++-posix wine g++-mingw-w64-x86-64-posix wine wine64; }
+
+# wish_for_target compiler emulator package...
+wish_for_target() {
+    local compiler=$1 emulator=$2
+    shift 2
+    has_target() { command -v "$compiler" >/dev/null && command -v "$emulator" >/dev/null; }
+    has_target && return
+    [ -n "${QUELL_PACKAGES_INSTALLED:-}" ] || (without_recommended=1 install_packages "$@" 2>/dev/null) || true
+    has_target && return
+    echo "skipped: there is no $compiler or no $emulator, and apt could not install $*" >&2
+    return 1
+}
+
 install_packages() {
     local as_root=()
     if [ "$(id -u)" -ne 0 ]; then

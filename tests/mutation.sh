@@ -14,7 +14,7 @@ copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 cp -r include tests "$copy"
 cp -r include "$copy/unbroken" # so that this tree may be worked in meanwhile
-compiler=("${CXX:-g++}" -std=c++20 -O1 -march=native -w "-I$copy/include")
+compiler=("${CXX:-g++}" -std=c++20 -O1 -march=native -w -D QUELL_TEST_THREADS "-I$copy/include")
 [ -n "$lines_only" ] || "${compiler[@]}" -c "$copy/tests/main.cpp" -o "$copy/main.o"
 
 mutants=0 survivors=0

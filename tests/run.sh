@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 source .ci/packages.sh
 
-all_steps=(gcc clang asan fuzz tsan)
+all_steps=(gcc clang asan fuzz tsan aarch64 mingw)
 # The folders of tests to run, where some are named: then nothing else is built.
 only=()
 # What each of the other builds compiles and runs, as far as it exists: the library, and no slow programs. The clang build, at -O2, has
@@ -16,6 +16,8 @@ clang_tests=(blur radiance pipeline execute two_units fast_math same_bits no_exc
 # Kernels of the slow presets meet the sanitizers in the fuzz step.
 asan_tests=(core image frame motion blend filter pipeline io metrics report)
 tsan_tests=(races)
+# Without the preset pipelines of test "presets", which take as long to compile as all of these.
+cross_tests=(core image blend filter pipeline execute)
 
 jobs=$(nproc)
 [ "$jobs" -gt 2 ] || jobs=2
@@ -72,6 +74,24 @@ step_tsan() {
     cmake --preset tsan -D CMAKE_CXX_COMPILER=clang++
     build_and_test build/tsan "${tsan_tests[@]}"
 }
+# 64-bit Arm in qemu-user, by Debian's cross compiler.
+step_aarch64() {
+    wish_for_aarch64 || return 0
+    cmake --preset aarch64
+    build_and_test build/aarch64 "${cross_tests[@]}"
+}
+# 64-bit Windows in wine, with SSE2 and with AVX2.
+step_mingw() {
+    wish_for_mingw || return 0
+    cmake --preset mingw
+    build_and_test build/mingw "${cross_tests[@]}"
+    if ! grep -qw avx2 /proc/cpuinfo; then
+        echo "skipped: Windows with AVX2, which this machine lacks" >&2
+        return
+    fi
+    cmake --preset mingw-avx2
+    build_and_test build/mingw-avx2 "${cross_tests[@]}"
+}
 
 need_packages "${build_packages[@]}" "${library_packages[@]}" "${program_packages[@]}" "${test_packages[@]}"
 wish_for_browser
@@ -88,7 +108,7 @@ for word in "$@"; do
     fi
 done
 if [ ${#only[@]} -gt 0 ]; then
-    clang_tests=("${only[@]}") asan_tests=("${only[@]}") tsan_tests=("${only[@]}")
+    clang_tests=("${only[@]}") asan_tests=("${only[@]}") tsan_tests=("${only[@]}") cross_tests=("${only[@]}")
     [ ${#steps[@]} -gt 0 ] || steps=(gcc)
 fi
 [ ${#steps[@]} -gt 0 ] || steps=("${all_steps[@]}")
@@ -97,7 +117,7 @@ for step in "${steps[@]}"; do
     echo "== $step"
     started=$SECONDS
     "step_$step"
-    times+="$(printf '%-6s %4d s' "$step" $((SECONDS - started)))"$'\n'
+    times+="$(printf '%-7s %4d s' "$step" $((SECONDS - started)))"$'\n'
 done
 
 echo "== all steps passed"

@@ -5,6 +5,9 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <string_view>
+#include <vector>
 
 #if defined(__SSE3__)
 #include <pmmintrin.h>
@@ -39,6 +42,70 @@ TEST_CASE("a pack computes what a float computes") {
     same_in_every_lane([](auto a, auto b) { return with_sign_bit(a) + without_sign_bit(b); });
     same_in_every_lane(
         [](auto a, auto b) { return quell::fma(quell::min(a, decltype(a)(1e9f)), decltype(a)(0.3f), quell::min(b, decltype(a)(1e9f))); });
+}
+
+TEST_CASE("min and max give the second number where one is NaN, and clamp the lower bound") {
+    constexpr float inf = std::numeric_limits<float>::infinity();
+    float const signalling = std::bit_cast<float>(0x7f800001u);
+    for (float const nan : {not_a_number, -not_a_number, signalling}) {
+        for (float const a : {1.f, -0.f, inf}) {
+            CHECK(bits(quell::min(nan, a)) == bits(a));
+            CHECK(bits(quell::max(nan, a)) == bits(a));
+            for (int i = 0; i < width_of<Pack>; ++i) {
+                CHECK(bits(lane(quell::min(Pack(nan), Pack(a)), i)) == bits(a));
+                CHECK(bits(lane(quell::max(Pack(nan), Pack(a)), i)) == bits(a));
+                CHECK_FALSE(is_finite(lane(quell::min(Pack(a), Pack(nan)), i)));
+                CHECK_FALSE(is_finite(lane(quell::max(Pack(a), Pack(nan)), i)));
+            }
+        }
+        CHECK(quell::clamp(nan, -2.f, 3.f) == -2.f);
+        CHECK(lane(quell::clamp(Pack(nan), Pack(-2.f), Pack(3.f)), 0) == -2.f);
+    }
+    CHECK(bits(lane(quell::min(Pack(0.f), Pack(-0.f)), 0)) == bits(quell::min(0.f, -0.f)));
+    CHECK(bits(lane(quell::max(Pack(-0.f), Pack(0.f)), 0)) == bits(quell::max(-0.f, 0.f)));
+}
+
+TEST_CASE("square roots are rounded once and floors are exact, in packs too") {
+    std::mt19937 random(7);
+    for (int i = 0; i < 2000; ++i) {
+        float const a = std::bit_cast<float>(static_cast<std::uint32_t>(random() % 0x7f800000u));
+        CHECK(bits(lane(quell::sqrt(Pack(a)), 1)) == bits(std::sqrt(a)));
+        float const b = std::ldexp(1.f - 2.f * static_cast<float>(random() % 1000u) / 999.f, static_cast<int>(random() % 40u));
+        CHECK(lane(quell::floor(Pack(b)), 1) == std::floor(b));
+    }
+    for (float const a : {0.f, infinity, 0x1p-149f, 3.4e38f}) CHECK(lane(quell::sqrt(Pack(a)), 0) == std::sqrt(a));
+}
+
+TEST_CASE("fma rounds once where the instruction set has it, for floats and packs alike") {
+#if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
+    constexpr bool fused = true;
+#else
+    constexpr bool fused = false;
+#endif
+    float const volatile a = 1.f + 0x1p-12f, one = 1.f;
+    float const square = a * a; // rounded: 2^-24 is lost
+    // Fused, 2^-24 remains of a * a - square.
+    float const single = quell::fma(float(a), float(a), -square);
+    CHECK((single == 0x1p-24f) == fused);
+    CHECK((lane(quell::fma(Pack(a), Pack(a), Pack(-square)), 1) == 0x1p-24f) == fused);
+    CHECK(quell::fma(float(a), float(one), 2.f) == 3.f + 0x1p-12f);
+}
+
+TEST_CASE("the inline namespace is named for the instruction set") {
+#define text(name) text_of(name)
+#define text_of(name) #name
+    [[maybe_unused]] std::string_view const name = text(QUELL_INSTRUCTION_SET);
+#if defined(__ARM_FEATURE_SVE)
+    CHECK(name.starts_with("sve"));
+#elif defined(__aarch64__)
+    CHECK(name.starts_with("neon64"));
+#elif defined(__AVX512F__)
+    CHECK((name.starts_with("x86_64_v4") || name.starts_with("avx512")));
+#elif defined(__AVX2__)
+    CHECK((name.starts_with("x86_64_v3") || name.starts_with("avx2")));
+#elif defined(__SSE2__) && !defined(__SSE3__)
+    CHECK(name.starts_with("sse2"));
+#endif
 }
 
 TEST_CASE("what no integer holds truncates to the least one") {
@@ -97,17 +164,46 @@ TEST_CASE("half precision: every bit pattern survives the way to float and back"
     CHECK(float_from_half(0x7bff) == 65504.f);
 }
 
+#if defined(__SSE3__) || defined(__aarch64__)
+namespace {
+/// While it lives, its thread takes subnormal floats for zero.
+class SubnormalsAreZero {
 #if defined(__SSE3__)
-TEST_CASE("halves keep their smallest values on threads that take subnormal floats for zero") {
-    auto const before = _mm_getcsr();
-    _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-    _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
-    std::uint16_t wrong = 0;
-    for (std::uint16_t half = 0; half < 0x400; ++half) {
-        auto const value = static_cast<float>(half) * 0x1p-24f;
-        wrong = static_cast<std::uint16_t>(wrong + (float_from_half(half) != value) + (half_from_float(value) != half));
+    unsigned before = _mm_getcsr();
+
+public:
+    SubnormalsAreZero() {
+        _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
+        _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
     }
-    _mm_setcsr(before);
+    ~SubnormalsAreZero() { _mm_setcsr(before); }
+#else
+    std::uint64_t before = 0;
+
+public:
+    SubnormalsAreZero() {
+        // FZ, and FZ16 for halves.
+        asm volatile("mrs %0, fpcr" : "=r"(before));
+        asm volatile("msr fpcr, %0" ::"r"(before | 1u << 24 | 1u << 19));
+    }
+    ~SubnormalsAreZero() { asm volatile("msr fpcr, %0" ::"r"(before)); }
+#endif
+};
+} // namespace
+
+TEST_CASE("halves keep their smallest values on threads that take subnormal floats for zero") {
+    int wrong = 0;
+    {
+        SubnormalsAreZero const zero;
+        for (std::uint16_t half = 0; half < 0x400; ++half) {
+            auto const value = static_cast<float>(half) * 0x1p-24f;
+            std::vector<std::uint16_t> const halves(width_of<Pack>, half);
+            std::vector<std::uint16_t> stored(width_of<Pack>);
+            store_half(stored.data(), Pack(value));
+            wrong += (float_from_half(half) != value) + (half_from_float(value) != half);
+            wrong += (lane(load_half<Pack>(halves.data()), 1) != value) + (stored != halves);
+        }
+    }
     CHECK(wrong == 0);
 }
 #endif

@@ -1,6 +1,5 @@
 #include "../frames.hpp"
-
-#include <quell/execute/threads.hpp>
+#include "../threads.hpp"
 
 #include <array>
 #include <new>
@@ -210,12 +209,14 @@ TEST_CASE("that sum is what the picture lacks, and the same to the last digit fo
     CHECK(none == 0);
     CHECK(rest < 0.9 * whole);
     CHECK(once == doctest::Approx(whole - rest).epsilon(1e-5));
+#if defined(QUELL_TEST_THREADS)
     for (Extent const tile : {Extent{256, 32}, Extent{5, 3}, Extent{16, 1}})
         for (int const count : {1, 2, 3}) {
             double again = 0;
             sum_of(with, Threads<>{.count = count, .tile = tile}, again);
             CHECK(again == once);
         }
+#endif
     double serial = 0;
     sum_of(with, Serial{}, serial);
     CHECK(serial == doctest::Approx(once).epsilon(1e-5));

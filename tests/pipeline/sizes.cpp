@@ -1,6 +1,6 @@
 #include "../frames.hpp"
+#include "../threads.hpp"
 
-#include <quell/execute/threads.hpp>
 #include <quell/pipeline/plan.hpp>
 
 #include <limits>
@@ -92,9 +92,12 @@ template <class P, class F> void check(P const& pipeline, Extent size, F&& wante
         History history{size, pipeline};
         return tests::copy_of(run(pipeline, frame, history));
     }();
-    History serial{size, pipeline}, threads{size, pipeline};
+    History serial{size, pipeline};
     auto const one_by_one = tests::copy_of(run(pipeline, frame, serial, Serial{}));
+#if defined(QUELL_TEST_THREADS)
+    History threads{size, pipeline};
     CHECK(in_packs == tests::copy_of(run(pipeline, frame, threads, Threads<>{.count = 2, .tile = {16, 2}})));
+#endif
     double worst = 0, apart = 0;
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)

@@ -1,7 +1,6 @@
 #include "../frames.hpp"
+#include "../threads.hpp"
 #include "../views.hpp"
-
-#include <quell/execute/threads.hpp>
 
 using namespace quell;
 
@@ -102,7 +101,9 @@ TEST_CASE("a filter sees what the previous frame was, wherever it stands") {
     };
     CHECK(wrong(Pipeline{radiance, Spatial{DepthBefore{}}, only_now}, Simd{}) == 0);
     CHECK(wrong(Pipeline{radiance, only_now, Spatial{DepthBefore{}}}, Serial{}) == 0);
+#if defined(QUELL_TEST_THREADS)
     CHECK(wrong(Pipeline{radiance, only_now, Spatial{DepthBefore{}}}, Threads<>{.count = 2}) == 0);
+#endif
     CHECK(wrong(Pipeline{radiance, only_now, Spatial{Gaussian{.radius = 0}}, Spatial{DepthBefore{}}}, Simd{}) == 0);
 }
 

@@ -1,6 +1,6 @@
 #include "../frames.hpp"
+#include "../threads.hpp"
 
-#include <quell/execute/threads.hpp>
 #include <quell/pipeline/two_sided.hpp>
 
 #include <deque>
@@ -113,7 +113,9 @@ TEST_CASE("frames are left as they were, and threads compute the same") {
     keep(after);
     CHECK(before == after);
     CHECK(window[1].number == 1);
+#if defined(QUELL_TEST_THREADS)
     CHECK(made(2, 2, moving) == made(2, 2, moving, Threads<>{.count = 3, .tile = {7, 5}}, [](auto&) {}));
+#endif
 }
 
 TEST_CASE("motion that is not finite towards the next frame, all-zero samples and bad values harm nothing") {

@@ -7,7 +7,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Fills in an unknown background layer: the mean of the 5x5 neighbours that show it, with the weight `certainty`; 0 where none does.
 /// @param counts whether a neighbour shows the background. Not inlined: few pixels are covered.
-template <class Px, class Counts> [[gnu::noinline]] constexpr auto inpainted_layer(Px const& px, float certainty, Counts const& counts) {
+template <class Px, class Counts> QUELL_OUTLINED constexpr auto inpainted_layer(Px const& px, float certainty, Counts const& counts) {
     using Real = typename Px::Real;
     auto sum = zero<typename Px::Signal>();
     Real weights(0.f);

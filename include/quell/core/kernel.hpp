@@ -9,10 +9,11 @@
 #error "quell is written for g++ and clang++; on Windows, compile with clang-cl"
 #endif
 
+// All that is written differently for each compiler. docs/packaging.md lists what cl.exe would have in these places.
+
 /// Marks a function that runs inside a kernel.
 /// It forces inlining: one remaining call spills every SIMD register (5.5 times slower with clang). `constexpr` lets nvcc compile the same
-/// function for the device (`--expt-relaxed-constexpr`). Large code that few pixels need is marked [[gnu::noinline]] constexpr instead, so
-/// that it costs the common case nothing.
+/// function for the device (`--expt-relaxed-constexpr`).
 #if defined(__CUDACC__)
 #define QUELL_KERNEL constexpr
 #else
@@ -21,6 +22,21 @@
 
 /// The same for a lambda inside a kernel. It stands after the parameters: [&](auto a) QUELL_INLINED { ... }.
 #define QUELL_INLINED __attribute__((always_inline))
+
+/// Marks large code that few pixels need, in place of QUELL_KERNEL: `QUELL_OUTLINED constexpr`. It is never inlined, so that it costs the
+/// common case nothing.
+#define QUELL_OUTLINED [[gnu::noinline]]
+
+/// Before a data member: one without data takes no space. In the ABI of cl.exe and clang-cl the standard attribute means nothing.
+#if defined(_MSC_VER) && !defined(__CUDACC__)
+#if __has_cpp_attribute(msvc::no_unique_address)
+#define QUELL_NO_UNIQUE_ADDRESS [[msvc::no_unique_address]]
+#else
+#define QUELL_NO_UNIQUE_ADDRESS
+#endif
+#else
+#define QUELL_NO_UNIQUE_ADDRESS [[no_unique_address]]
+#endif
 
 /// Unrolls the loop that follows, of at most 8 turns. The addresses of its taps become constants.
 #if defined(__CUDACC__)

@@ -74,7 +74,7 @@ template <std::same_as<float> F> QUELL_KERNEL float floor(F a) { return ::floorf
 /// a * b + c, rounded once where the instruction set has FMA. Kernels call it explicitly: compilers contract a * b + c differently in each
 /// inlined copy, so results would depend on where a kernel is used.
 template <std::same_as<float> F> QUELL_KERNEL float fma(F a, F b, F c) {
-#if defined(__FMA__) && !defined(__CUDACC__)
+#if (defined(__FMA__) || defined(__ARM_FEATURE_FMA)) && !defined(__CUDACC__)
     return __builtin_fmaf(a, b, c);
 #else
     return a * b + c;
@@ -103,13 +103,23 @@ template <class T, class A> using CastTo = T;
 
 // The same functions for packs.
 /// @cond
+#if defined(__SSE2__)
 template <class A> QUELL_KERNEL auto min(xsimd::batch<float, A> a, xsimd::batch<float, A> b) { return xsimd::min(a, b); }
 template <class A> QUELL_KERNEL auto max(xsimd::batch<float, A> a, xsimd::batch<float, A> b) { return xsimd::max(a, b); }
-template <class A> QUELL_KERNEL auto min(xsimd::batch<float, A> a, float b) { return xsimd::min(a, detail::PackOf<A>(b)); }
-template <class A> QUELL_KERNEL auto max(xsimd::batch<float, A> a, float b) { return xsimd::max(a, detail::PackOf<A>(b)); }
+#else // Arm's instructions give NaN if either is
+template <class A> QUELL_KERNEL auto min(xsimd::batch<float, A> a, xsimd::batch<float, A> b) { return xsimd::select(a < b, a, b); }
+template <class A> QUELL_KERNEL auto max(xsimd::batch<float, A> a, xsimd::batch<float, A> b) { return xsimd::select(a > b, a, b); }
+#endif
+template <class A> QUELL_KERNEL auto min(xsimd::batch<float, A> a, float b) { return min(a, detail::PackOf<A>(b)); }
+template <class A> QUELL_KERNEL auto max(xsimd::batch<float, A> a, float b) { return max(a, detail::PackOf<A>(b)); }
 template <class A> QUELL_KERNEL auto abs(xsimd::batch<float, A> a) { return xsimd::abs(a); }
+#if defined(__aarch64__) // xsimd 8 estimates roots, and floors by way of integers
+template <class A> QUELL_KERNEL auto sqrt(xsimd::batch<float, A> a) { return xsimd::batch<float, A>(vsqrtq_f32(a)); }
+template <class A> QUELL_KERNEL auto floor(xsimd::batch<float, A> a) { return xsimd::batch<float, A>(vrndmq_f32(a)); }
+#else
 template <class A> QUELL_KERNEL auto sqrt(xsimd::batch<float, A> a) { return xsimd::sqrt(a); }
 template <class A> QUELL_KERNEL auto floor(xsimd::batch<float, A> a) { return xsimd::floor(a); }
+#endif
 template <class A> QUELL_KERNEL auto select(xsimd::batch_bool<float, A> m, xsimd::batch<float, A> a, xsimd::batch<float, A> b) {
     return xsimd::select(m, a, b);
 }

@@ -39,7 +39,7 @@ private:
 
     /// Half the mean square difference of neighbours, in the direction with the least: row, column or diagonal. Along a shadow's edge there
     /// is only noise; the variance of the whole neighbourhood would include the edge. Not inlined: few histories are short.
-    template <class Px> [[gnu::noinline]] constexpr auto spatial_variance(Px const& px, typename Px::Real otherwise) const {
+    template <class Px> QUELL_OUTLINED constexpr auto spatial_variance(Px const& px, typename Px::Real otherwise) const {
         using Real = typename Px::Real;
         auto const window = window_around(px);
         constexpr int right[] = {1, 0, 1, -1}, down[] = {0, 1, 1, 1}, directions = 4;

@@ -31,7 +31,7 @@ private:
 
     /// Variance of all samples around: the pixels' own, plus that of their means. Differences from the centre do not cancel. Not inlined:
     /// few histories are short.
-    template <class Px> [[gnu::noinline]] constexpr auto spatial_variance(Px const& px) const {
+    template <class Px> QUELL_OUTLINED constexpr auto spatial_variance(Px const& px) const {
         using Real = typename Px::Real;
         constexpr float box[4] = {1.f, 1.f, 1.f, 1.f};
         auto const around = edge.around(px);

@@ -122,7 +122,7 @@ template <class Real, ImageView View> QUELL_KERNEL auto gather_pixels(View const
 
 /// Stores the first `count` lanes one by one. Not inlined: it runs at the end of a row only and would be half of a kernel's code.
 template <class Real, ImageView View>
-[[gnu::noinline]] constexpr void store_lanes(View const& view, int x, int y, Value<View::components, Real> const& value, int count) {
+QUELL_OUTLINED constexpr void store_lanes(View const& view, int x, int y, Value<View::components, Real> const& value, int count) {
     alignas(64) float stored[View::components][width_of<Real>];
     [&]<int... c>(std::integer_sequence<int, c...>) { (component<c>(value).store_aligned(stored[c]), ...); }
     (std::make_integer_sequence<int, View::components>{});

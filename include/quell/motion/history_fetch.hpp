@@ -94,7 +94,7 @@ template <class Px, class FoundPlace> QUELL_KERNEL auto sane(Px const& px, Found
 
 /// For lanes without enough accepted weight: the mean of the accepted pixels in the 3x3 around the position.
 template <class Px, class FoundPlace, class Mask>
-[[gnu::noinline]] constexpr PastSum<Px> rescued(Px const& px, FoundPlace const& found, PastSum<Px> const& sum, Mask enough) {
+QUELL_OUTLINED constexpr PastSum<Px> rescued(Px const& px, FoundPlace const& found, PastSum<Px> const& sum, Mask enough) {
     using Real = typename Px::Real;
     auto wider = sum;
     wider.keep_only(enough);

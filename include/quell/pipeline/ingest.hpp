@@ -81,7 +81,7 @@ private:
         return {select(usable, value, zero<typename Px::Signal>()), usable, luminance(given)};
     }
     /// Mean of the usable samples of the 3x3 around. Not inlined: few samples are missing.
-    template <class Px> [[gnu::noinline]] constexpr typename Px::Signal around(Px const& px) const {
+    template <class Px> QUELL_OUTLINED constexpr typename Px::Signal around(Px const& px) const {
         using Real = typename Px::Real;
         auto sum = zero<typename Px::Signal>();
         Real weights(0.f);

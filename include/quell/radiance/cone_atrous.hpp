@@ -71,8 +71,8 @@ private:
         value.at[4 * k] = red, value.at[4 * k + 1] = green, value.at[4 * k + 2] = blue, value.at[4 * k + 3] = samples;
     }
     template <class Px, class Real>
-    [[gnu::noinline]] constexpr void add_turned(Px const& px, vec3<Real> const& n, Real const (&weights)[25], Components<24, Real>& value,
-                                                Real& sum_of_weights) const {
+    QUELL_OUTLINED constexpr void add_turned(Px const& px, vec3<Real> const& n, Real const (&weights)[25], Components<24, Real>& value,
+                                             Real& sum_of_weights) const {
         for (int t = 0; t < 25; ++t) {
             auto const counts = weights[t] > Real(0.f);
             if (!any(counts)) continue;

@@ -44,7 +44,7 @@ struct ConeFetch {
 private:
     /// Normal of the nearest past pixel that the surface test accepts: it weighs most in the interpolation.
     template <class Px, class FoundPlace>
-    [[gnu::noinline]] static constexpr vec3<typename Px::Real> nearest_accepted(Px const& px, FoundPlace const& found) {
+    QUELL_OUTLINED static constexpr vec3<typename Px::Real> nearest_accepted(Px const& px, FoundPlace const& found) {
         using Real = typename Px::Real;
         auto const place = nearest_place(px, found.where);
         vec3<Real> n{Real(0.f), Real(0.f), Real(0.f)};

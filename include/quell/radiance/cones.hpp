@@ -95,8 +95,8 @@ template <class Real> QUELL_KERNEL Real overlap(Real cosine_between) {
 /// Moves radiance to the cones of another normal: each takes from all that it overlaps (36 pairs). Not inlined: it is large, and few pixels
 /// need it.
 template <class Real>
-[[gnu::noinline]] constexpr Components<24, Real> transferred(Components<24, Real> const& from, vec3<Real> const& normal_from,
-                                                             vec3<Real> const& normal_to) {
+QUELL_OUTLINED constexpr Components<24, Real> transferred(Components<24, Real> const& from, vec3<Real> const& normal_from,
+                                                          vec3<Real> const& normal_to) {
     Axes<Real> const source(normal_from), target(normal_to);
     Components<24, Real> result{};
     for (int j = 0; j < count; ++j) {

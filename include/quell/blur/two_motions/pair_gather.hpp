@@ -38,7 +38,7 @@ template <ChannelTag S, class Trajectories = StraightTrajectories, class Footpri
     /// Pixels of a row, at least 1, that share their lines: neighbours' samples are then neighbours in memory. See max_lanes for wider
     /// packs.
     int tile_width = 8;
-    [[no_unique_address]] Footprint footprint{}; ///< how far to look
+    QUELL_NO_UNIQUE_ADDRESS Footprint footprint{}; ///< how far to look
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         Work<Px> work(*this, px);

@@ -209,7 +209,7 @@ template <class Trajectories = StraightTrajectories> struct PairGuide {
     /// differ by more than `unlike` times the faster speed plus `unlike_minimum`.
     float depth_gap = 0.05f, unlike = 0.5f, unlike_minimum = 2.f;
     float likeness = 0.5f; ///< match radius to either motion of a neighbour's pair, relative to the difference between these
-    [[no_unique_address]] PathGuide<Trajectories> paths{}; ///< makes SampleTrajectory
+    QUELL_NO_UNIQUE_ADDRESS PathGuide<Trajectories> paths{}; ///< makes SampleTrajectory
 
     constexpr void for_each_pass(auto&& pass) const {
         paths.for_each_pass(pass);

@@ -45,24 +45,24 @@ struct Scope {
     static constexpr int fraction = traits.fraction;            ///< see PassTraits
     static constexpr int components = SignalView::components;   ///< of the signal
 
-    Extent size;                             ///< of the pass, in pixels
-    FrameViews frame;                        ///< the host's channels
-    MadeViews made{};                        ///< made by earlier passes
-    SignalView signal{};                     ///< being denoised
-    PastSignalView signal_then{};            ///< in the history
-    KeptViews kept_then{};                   ///< kept in the previous frame
-    typename Then::type remembered{};        ///< channels of the previous frame
-    glm::mat4 clip_from_world{1.f},          ///< world space to clip space, without jitter
-        clip_from_world_then{1.f};           ///< in the previous frame
-    PixelRays rays{},                        ///< of this frame
-        rays_then{};                         ///< of the previous frame
-    glm::vec2 jitter{0.f},                   ///< of this frame, in pixels
-        jitter_then{0.f};                    ///< of the previous frame
-    float shutter = 0.f,                     ///< of this frame, as a part of the time between frames
-        shutter_then = 0.f;                  ///< of the previous frame
-    std::int32_t frame_index = 0;            ///< seed of random numbers
-    bool has_past = false;                   ///< false in the first frame after a reset
-    [[no_unique_address]] Vectors vectors{}; ///< converts motion vectors
+    Extent size;                               ///< of the pass, in pixels
+    FrameViews frame;                          ///< the host's channels
+    MadeViews made{};                          ///< made by earlier passes
+    SignalView signal{};                       ///< being denoised
+    PastSignalView signal_then{};              ///< in the history
+    KeptViews kept_then{};                     ///< kept in the previous frame
+    typename Then::type remembered{};          ///< channels of the previous frame
+    glm::mat4 clip_from_world{1.f},            ///< world space to clip space, without jitter
+        clip_from_world_then{1.f};             ///< in the previous frame
+    PixelRays rays{},                          ///< of this frame
+        rays_then{};                           ///< of the previous frame
+    glm::vec2 jitter{0.f},                     ///< of this frame, in pixels
+        jitter_then{0.f};                      ///< of the previous frame
+    float shutter = 0.f,                       ///< of this frame, as a part of the time between frames
+        shutter_then = 0.f;                    ///< of the previous frame
+    std::int32_t frame_index = 0;              ///< seed of random numbers
+    bool has_past = false;                     ///< false in the first frame after a reset
+    QUELL_NO_UNIQUE_ADDRESS Vectors vectors{}; ///< converts motion vectors
 };
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -1,0 +1,16 @@
+# For cross builds: GLM, xsimd and doctest are headers alone, and those of this machine will do. Each gets a folder of links, since
+# /usr/include has the C library of this machine too, and a package that find_package finds.
+set(folder ${CMAKE_BINARY_DIR}/headers)
+foreach(line "glm glm/glm.hpp glm::glm" "xsimd xsimd/xsimd.hpp xsimd" "doctest doctest/doctest.h doctest::doctest")
+    separate_arguments(line)
+    list(GET line 0 package)
+    list(GET line 1 header)
+    list(GET line 2 target)
+    find_path(QUELL_${package}_HEADERS ${header} REQUIRED NO_CMAKE_FIND_ROOT_PATH)
+    file(MAKE_DIRECTORY ${folder}/${package}/include)
+    file(CREATE_LINK ${QUELL_${package}_HEADERS}/${package} ${folder}/${package}/include/${package} SYMBOLIC)
+    file(CONFIGURE OUTPUT ${folder}/${package}/${package}Config.cmake CONTENT "add_library(${target} INTERFACE IMPORTED)
+target_include_directories(${target} INTERFACE ${folder}/${package}/include)
+")
+    set(${package}_DIR ${folder}/${package})
+endforeach()
