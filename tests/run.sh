@@ -16,8 +16,8 @@ clang_tests=(blur radiance pipeline execute two_units fast_math same_bits no_exc
 # Kernels of the slow presets meet the sanitizers in the fuzz step.
 asan_tests=(core image frame motion blend filter pipeline io metrics report)
 tsan_tests=(races)
-# Without the preset pipelines of test "presets", which take as long to compile as all of these.
-cross_tests=(core image blend filter pipeline execute)
+# Without the preset pipelines of test "presets", which take as long to compile as all of these: "cross" has two of them.
+cross_tests=(core image blend filter pipeline execute cross)
 
 jobs=$(nproc)
 [ "$jobs" -gt 2 ] || jobs=2
