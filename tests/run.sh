@@ -87,6 +87,8 @@ step_mingw() {
     WINEPREFIX=$(mktemp -d)
     export WINEPREFIX
     trap 'wineserver -k 2>/dev/null || true; wineserver -w 2>/dev/null || true; rm -rf "$WINEPREFIX"' EXIT
+    # Made before tests run side by side, which would each start to make it.
+    WINEDEBUG=-all WINEDLLOVERRIDES="mscoree,mshtml=" wine wineboot --init
     cmake --preset mingw
     build_and_test build/mingw "${cross_tests[@]}"
     if ! grep -qw avx2 /proc/cpuinfo; then
