@@ -65,8 +65,14 @@ TEST_CASE("min and max give the second number where one is NaN, and clamp the lo
     CHECK(bits(lane(quell::max(Pack(-0.f), Pack(0.f)), 0)) == bits(quell::max(-0.f, 0.f)));
 }
 
-TEST_CASE("square roots are rounded once and floors are exact, in packs too") {
+TEST_CASE("square roots and quotients are rounded once and floors are exact, in packs too") {
     std::mt19937 random(7);
+    for (float const a : {1.f, 3.f, 0x1p127f, 1e-30f})
+        for (int i = 0; i < 500; ++i) {
+            float const b = a * (1.f - static_cast<float>(random() % 1000u) / 1001.f);
+            CHECK(bits(lane(Pack(a) / Pack(b), 1)) == bits(a / b));
+            CHECK(bits(lane(b / Pack(a), 0)) == bits(b / a));
+        }
     for (int i = 0; i < 2000; ++i) {
         float const a = std::bit_cast<float>(static_cast<std::uint32_t>(random() % 0x7f800000u));
         CHECK(bits(lane(quell::sqrt(Pack(a)), 1)) == bits(std::sqrt(a)));
