@@ -54,11 +54,11 @@ inline void find_backwards_projection(Camera const& camera, std::vector<Finding>
     bool const transposed = projection_is_transposed(camera.projection);
     auto const projection = transposed ? glm::transpose(camera.projection) : camera.projection;
     if (!faces_backwards(projection)) return;
-    findings.push_back(
-        {Mistake::camera_faces_backwards,
-         (transposed ? "transposed, its last row is " : "its last row is ") + text_of(last_row(projection)),
-         std::string(transposed ? "after that, " : "") + "set frame.camera to camera_looking_along_z(view, projection), which negates the "
-                                                         "view's third row and the projection's third column: quell's view looks down -z"});
+    findings.push_back({Mistake::camera_faces_backwards,
+                        (transposed ? "transposed, its last row is " : "its last row is ") + text_of(last_row(projection)),
+                        std::string(transposed ? "after that, " : "") +
+                            "set frame.camera to camera_looking_along_z(view, projection), which negates the "
+                            "view's third row and the projection's third column: quell's view looks down -z"});
 }
 
 /// What the matrices show by themselves. Returns whether the camera is unusable.
