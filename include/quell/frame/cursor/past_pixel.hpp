@@ -38,10 +38,17 @@ template <class Real> struct PixelCoordinates {
     QUELL_KERNEL Real in_window() const { return column - static_cast<float>(x); }
 };
 
+namespace detail {
+/// The pixel at a whole-numbered column and row; outside an image of `size` the nearest one.
+template <class Real> QUELL_KERNEL PixelCoordinates<Real> nearest_inside(Extent size, vec2<Real> const& at) {
+    return {clamp(at.x, Real(0.f), Real(static_cast<float>(size.width - 1))),
+            clamp(at.y, Real(0.f), Real(static_cast<float>(size.height - 1)))};
+}
+} // namespace detail
+
 /// The pixel that contains `where` (pixel coordinates); outside the image the nearest one.
 template <class Px, class Real> QUELL_KERNEL PixelCoordinates<Real> nearest_place(Px const& px, vec2<Real> const& where) {
-    Real const last_column(static_cast<float>(px.size().width - 1)), last_row(static_cast<float>(px.size().height - 1));
-    return {clamp(floor(where.x), Real(0.f), last_column), clamp(floor(where.y), Real(0.f), last_row)};
+    return detail::nearest_inside(px.size(), vec2<Real>{floor(where.x), floor(where.y)});
 }
 
 namespace detail {
@@ -76,6 +83,10 @@ template <class Real, class View> QUELL_KERNEL auto fetch(View view, Extent size
     Real const last_column(static_cast<float>(size.width - 1)), last_row(static_cast<float>(size.height - 1));
     return gather_pixels<Real>(view, truncate(clamp(place.column + static_cast<float>(dx), Real(0.f), last_column)),
                                truncate(clamp(place.row + static_cast<float>(dy), Real(0.f), last_row)));
+}
+/// Pixels of a view at whole-numbered columns and rows. Outside the image the border repeats.
+template <class Real, class View> QUELL_KERNEL auto fetch_repeated(View const& view, vec2<Real> const& at) {
+    return fetch<Real>(view, view.size, nearest_inside(view.size, at), 0, 0);
 }
 } // namespace detail
 

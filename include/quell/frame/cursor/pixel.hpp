@@ -38,25 +38,25 @@ template <class R, class S> struct Pixel {
         constexpr int ratio = S::fraction / C::fraction;
         static_assert(ratio > 1 && ratio * C::fraction == S::fraction,
                       "px.finer(channel, i, j): the pass's fraction must be a multiple of the channel's");
-        return at_place(c, under(ratio, i, j));
+        return at_repeated(c, under(ratio, i, j));
     }
     /// The signal at fine pixel (i, j), as finer(). Finite and not negative.
     QUELL_KERNEL Signal finer_signal(int i, int j) const {
         static_assert(S::fraction > 1, "px.finer_signal(i, j): the pass is of the frame's size: use px.signal()");
-        return without_mark(detail::fetch<Real>(scope.signal, scope.signal.size, under(S::fraction, i, j), 0, 0));
+        return without_mark(detail::fetch_repeated(scope.signal, under(S::fraction, i, j)));
     }
     /// A channel of a coarser resolution at the coarse pixel that contains this pixel, plus (dx, dy) coarse pixels. Outside the image the
     /// border repeats.
     template <ChannelTag C> QUELL_KERNEL auto coarser(C c, int dx = 0, int dy = 0) const {
         auto const where = over<C>();
-        return at_place(c, PixelCoordinates<Real>(floor(where.x) + static_cast<float>(dx), floor(where.y) + static_cast<float>(dy)));
+        return at_repeated(c, {floor(where.x) + static_cast<float>(dx), floor(where.y) + static_cast<float>(dy)});
     }
     /// A coarser channel, interpolated bilinearly at this pixel's centre.
     template <ChannelTag C> QUELL_KERNEL auto coarser_interpolated(C c) const {
         auto const where = over<C>();
         auto const column = floor(where.x - 0.5f), row = floor(where.y - 0.5f);
         auto const u = where.x - 0.5f - column, v = where.y - 0.5f - row;
-        auto const tap = [&](float i, float j) QUELL_INLINED { return at_place(c, PixelCoordinates<Real>(column + i, row + j)); };
+        auto const tap = [&](float i, float j) QUELL_INLINED { return at_repeated(c, {column + i, row + j}); };
         return mix(mix(tap(0.f, 0.f), tap(1.f, 0.f), u), mix(tap(0.f, 1.f), tap(1.f, 1.f), u), v);
     }
     /// The signal being denoised. Finite and not negative; a missing sample holds the mean of its usable neighbours.
@@ -138,7 +138,7 @@ template <class R, class S> struct Pixel {
     /// A channel of this frame at any place. Outside the image it holds finite values without meaning.
     template <ChannelTag C> QUELL_KERNEL auto elsewhere(PixelCoordinates<Real> const& place, C c) const {
         require_same_size<C>();
-        return at_place(c, place);
+        return read(c, [&](auto const& view) QUELL_INLINED { return detail::fetch<Real>(view, scope.size, place, 0, 0); });
     }
     /// The signal at any place, and whether the host's sample is missing there.
     QUELL_KERNEL auto signal_elsewhere(PixelCoordinates<Real> const& place) const {
@@ -175,8 +175,8 @@ private:
                       "a policy looks at a channel of another size than the pass: read a finer one by px.finer(channel, i, j), a coarser "
                       "one by px.coarser(channel)");
     }
-    /// The place of fine pixel (i, j) in an image of `ratio` times the resolution.
-    QUELL_KERNEL PixelCoordinates<Real> under(int ratio, int i, int j) const {
+    /// Column and row of fine pixel (i, j) in an image of `ratio` times the resolution.
+    QUELL_KERNEL vec2<Real> under(int ratio, int i, int j) const {
         return {(Real(static_cast<float>(x)) + lanes<Real>()) * static_cast<float>(ratio) + static_cast<float>(i),
                 Real(static_cast<float>(y * ratio + j))};
     }
@@ -188,9 +188,9 @@ private:
         auto const p = position();
         return {p.x * (1.f / ratio), p.y * (1.f / ratio)};
     }
-    /// A channel of any resolution, at a place in its own pixels.
-    template <ChannelTag C> QUELL_KERNEL auto at_place(C c, PixelCoordinates<Real> const& place) const {
-        return read(c, [&](auto const& view) QUELL_INLINED { return detail::fetch<Real>(view, view.size, place, 0, 0); });
+    /// A channel of any resolution, at a whole-numbered column and row of it. Outside the image the border repeats.
+    template <ChannelTag C> QUELL_KERNEL auto at_repeated(C c, vec2<Real> const& where) const {
+        return read(c, [&](auto const& view) QUELL_INLINED { return detail::fetch_repeated(view, where); });
     }
     /// What `load_from` makes of a channel's view, with motion in quell's convention.
     template <ChannelTag C> QUELL_KERNEL auto read(C c, auto&& load_from) const {
