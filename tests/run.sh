@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 source .ci/packages.sh
 
-all_steps=(gcc clang asan fuzz tsan)
+all_steps=(gcc clang asan fuzz tsan aarch64 mingw)
 # The folders of tests to run, where some are named: then nothing else is built.
 only=()
 # What each of the other builds compiles and runs, as far as it exists: the library, and no slow programs. The clang build, at -O2, has

@@ -63,7 +63,7 @@ private:
         has_camera = io::camera_of(file.read({})).has_value();
         for_each_channel(FitFrame::channels{}, [&]<class C>(C channel) {
             auto const wanted = io::planes_of(Channels<C>{}, names);
-            bool const there = std::ranges::all_of(wanted, [&](auto const& plane) { return file.find(plane) != nullptr; });
+            bool const there = file.has_all(wanted);
             if (!there && !std::is_same_v<C, Radiance>) return;
             channels.insert(channel.name);
             if (!std::is_same_v<C, Radiance>) planes.insert(planes.end(), wanted.begin(), wanted.end());

@@ -28,10 +28,6 @@ void drop_non_finite(metrics::Picture& picture, long long& missing) {
     }
 }
 
-bool has_all(io::ExrFile const& file, std::vector<std::string> const& planes) {
-    return std::ranges::all_of(planes, [&](auto const& plane) { return file.find(plane) != nullptr; });
-}
-
 /// All planes of the picture itself, without guides.
 std::vector<std::string> picture_planes(io::SequenceNames const& names) {
     auto planes = composite_planes(names);
@@ -45,19 +41,9 @@ std::vector<std::string> picture_planes(io::SequenceNames const& names) {
 /// The names that a converged frame goes by.
 io::SequenceNames names_of_reference(io::ExrFile const& file, ReferenceNames const& names) {
     for (auto const& choice : names.any_of)
-        if (has_all(file, picture_planes(choice))) return choice;
+        if (file.has_all(picture_planes(choice))) return choice;
     if (names.or_recognised) return io::recognise(file);
     return names.any_of.at(0); // reading it says what it lacks
-}
-
-metrics::Picture picture_in(std::filesystem::path const& path, ReferenceNames const& any) {
-    io::ExrFile const file(path);
-    auto const names = names_of_reference(file, any);
-    auto const image = file.read(picture_planes(names));
-    long long ignored = 0;
-    return composite(
-        image, names, [&](std::size_t s) { return picture_of(image, io::sources_of(names.of_signals[s].channels, radiance), 0.f); },
-        ignored);
 }
 
 } // namespace
@@ -96,19 +82,21 @@ std::vector<std::string> composite_planes(io::SequenceNames const& names) {
     return planes;
 }
 
-metrics::Picture read_reference(std::filesystem::path const& path, std::optional<io::SequenceNames> const& map) {
-    return picture_in(path, {map ? std::vector{*map} : std::vector<io::SequenceNames>{}});
+metrics::Picture read_reference(std::filesystem::path const& path, ReferenceNames const& any) {
+    io::ExrFile const file(path);
+    auto const names = names_of_reference(file, any);
+    auto const image = file.read(picture_planes(names));
+    long long ignored = 0;
+    return composite(
+        image, names, [&](std::size_t s) { return picture_of(image, io::sources_of(names.of_signals[s].channels, radiance), 0.f); },
+        ignored);
 }
 
 metrics::Picture read_reference(std::filesystem::path const& path, ReferenceNames const& names, Extent size) {
-    auto reference = picture_in(path, names);
+    auto reference = read_reference(path, names);
     if (reference.size == size) return reference;
     throw Error(path.string(), "it is " + to_string(reference.size) + " but the frame is " + to_string(size),
                 "compare pictures of one size");
-}
-
-metrics::Picture read_reference(std::filesystem::path const& path, std::optional<io::SequenceNames> const& map, Extent size) {
-    return read_reference(path, ReferenceNames{map ? std::vector{*map} : std::vector<io::SequenceNames>{}}, size);
 }
 
 std::vector<long long> numbers_of_references(FramePattern const& references, FrameRange const& frames) {

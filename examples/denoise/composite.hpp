@@ -25,16 +25,20 @@ namespace quell::examples {
 
 /// How a converged frame's file may hold the picture.
 struct ReferenceNames {
-    std::vector<io::SequenceNames> any_of = {}; ///< the first whose planes it has
-    bool or_recognised = true;                  ///< otherwise as quell recognises it
-};
-/// A converged frame as a linear picture. @throws Error where it is of another size, or has no picture of these names
-[[nodiscard]] metrics::Picture read_reference(std::filesystem::path const& path, ReferenceNames const& names, Extent size);
+    std::vector<io::SequenceNames> any_of; ///< the first whose planes it has
+    bool or_recognised = true;             ///< otherwise as quell recognises it
 
-/// A converged frame as a linear picture. Its file may follow the map, where there is one, or a naming that quell recognises.
-[[nodiscard]] metrics::Picture read_reference(std::filesystem::path const& path, std::optional<io::SequenceNames> const& map);
+    ReferenceNames() = default;
+    ReferenceNames(std::vector<io::SequenceNames> some, bool recognised) : any_of(std::move(some)), or_recognised(recognised) {}
+    /// As a map says, where there is one, else as quell recognises it.
+    ReferenceNames(std::optional<io::SequenceNames> const& map) { // a map is a choice of names: no one has to say so
+        if (map) any_of.push_back(*map);
+    }
+};
+/// A converged frame as a linear picture. @throws Error where it has none of these names
+[[nodiscard]] metrics::Picture read_reference(std::filesystem::path const& path, ReferenceNames const& names);
 /// The same for frames of that size. @throws Error for another one
-[[nodiscard]] metrics::Picture read_reference(std::filesystem::path const& path, std::optional<io::SequenceNames> const& map, Extent size);
+[[nodiscard]] metrics::Picture read_reference(std::filesystem::path const& path, ReferenceNames const& names, Extent size);
 /// The frames that have one. @throws Error where none has
 [[nodiscard]] std::vector<long long> numbers_of_references(FramePattern const& references, FrameRange const& frames);
 

@@ -63,14 +63,11 @@ PresetChoice suitable_preset(std::filesystem::path const& first, std::optional<i
     return signal ? preset_for(file, *signal) : preset_for(file, map ? *map : io::recognise(file));
 }
 
-/// How references hold what is denoised: the signal; or the effect's part of the picture, where the preset makes that; or the picture.
-ReferenceNames reference_names(Preset const& preset, std::optional<io::SequenceNames> const& map, bool one_signal) {
-    if (one_signal) return {{*map}, false};
-    ReferenceNames names;
-    if (map) names.any_of.push_back(*map);
+/// How references hold what a preset makes: the effect's part of the picture, or the picture.
+ReferenceNames reference_names(Preset const& preset, std::optional<io::SequenceNames> const& map) {
     auto const picture = map ? *map : io::own_sequence();
     auto const effects = names_of_effects(preset, picture);
-    if (!effects) return names;
+    if (!effects) return map;
     if (preset.is_part) return {{*effects, picture}, true};
     return {{picture, *effects}, true};
 }
@@ -143,7 +140,7 @@ public:
         auto const signal = signal_in(in.path(wanted.front()), names, options.signal);
         if (!choice.preset) choice = suitable_preset(in.path(wanted.front()), names, signal);
         if (signal) names = names_for(*choice.preset, *signal);
-        references = reference_names(*choice.preset, signal ? names : map, signal.has_value());
+        references = signal ? ReferenceNames{{*names}, false} : reference_names(*choice.preset, map);
         summary.preset = choice.preset->name, summary.preset_reason = choice.reason, summary.signal = options.signal;
         if (!options.layers.empty()) output->check(wanted.front());
         comparison.emplace(options, wanted);

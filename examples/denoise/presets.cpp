@@ -25,16 +25,16 @@ std::vector<Preset> all_units() {
     return list;
 }
 
-Preset const* find_preset(std::string const& name) {
-    auto const found = std::ranges::find(presets(), name, &Preset::name);
-    return found != presets().end() ? &*found : nullptr;
-}
-
 } // namespace
 
 std::vector<Preset> const& presets() {
     static std::vector<Preset> const all = all_units();
     return all;
+}
+
+Preset const* find_preset(std::string const& name) {
+    auto const found = std::ranges::find(presets(), name, &Preset::name);
+    return found != presets().end() ? &*found : nullptr;
 }
 
 Preset const& preset_of(std::string const& name) {
@@ -47,9 +47,7 @@ Preset const& preset_of(std::string const& name) {
 bool applies(Preset const& preset, io::ExrFile const& file, io::SequenceNames const& names) {
     auto const denoiser = preset.make({1, 1}, 1);
     if (denoiser->needs_camera() && !(file.attributes.contains("quell:view") && file.attributes.contains("quell:projection"))) return false;
-    return std::ranges::all_of(names.of_signals, [&](auto const& signal) {
-        return std::ranges::all_of(denoiser->planes(signal.channels), [&](auto const& plane) { return file.find(plane) != nullptr; });
-    });
+    return std::ranges::all_of(names.of_signals, [&](auto const& signal) { return file.has_all(denoiser->planes(signal.channels)); });
 }
 
 PresetChoice preset_for(io::ExrFile const& file, io::SequenceNames const& names) {

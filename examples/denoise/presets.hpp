@@ -8,6 +8,8 @@ namespace quell::examples {
 
 /// All presets that are compiled, in the order of quell::named_presets.
 [[nodiscard]] std::vector<Preset> const& presets();
+/// Null where there is no such preset, or it is not compiled.
+[[nodiscard]] Preset const* find_preset(std::string const& name);
 /// @throws Error, listing the names, where there is no such preset
 [[nodiscard]] Preset const& preset_of(std::string const& name);
 

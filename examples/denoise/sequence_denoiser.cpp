@@ -30,7 +30,7 @@ std::string in_the_map(Mistake mistake) {
 }
 std::string remedy_for_files(Finding const& finding) {
     auto text = in_the_map(finding.mistake);
-    if (finding.evidence.starts_with("frame.camera is not set"))
+    if (finding.evidence.starts_with(detail::camera_is_not_set))
         text += "; files have it in the attributes quell:view and quell:projection";
     for (auto const mistake : finding.also) text += in_the_map(mistake);
     return text;

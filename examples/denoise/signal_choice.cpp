@@ -13,9 +13,7 @@ namespace {
 using OwnSignals = Channels<Radiance, Direct, Visibility, Glossy, Indirect>;
 bool has_albedo_in_it(std::string_view signal) { return signal == radiance.name || signal == direct.name; }
 
-bool has_all(io::ExrFile const& file, std::vector<io::Source> const& sources) {
-    return std::ranges::all_of(io::planes_of(sources), [&](auto const& plane) { return file.find(plane) != nullptr; });
-}
+bool has_all(io::ExrFile const& file, std::vector<io::Source> const& sources) { return file.has_all(io::planes_of(sources)); }
 
 std::vector<io::Source> ones() { return std::vector<io::Source>(3, io::Source{{}, 1.f}); }
 
@@ -74,9 +72,10 @@ std::string signals_in(io::ExrFile const& file, io::SequenceNames const& names) 
     for (auto const& signal : names.of_signals)
         if (has_all(file, io::sources_of(signal.channels, radiance))) add(signal.name);
     for_each_own_signal(file, names, [&](auto const& name, auto const&) { add(name); });
-    for (auto const& channel : file.channels)
-        if (channel.name.ends_with(".R") && layer_named(channel.name.substr(0, channel.name.size() - 2), file).size() == 3)
-            add(channel.name.substr(0, channel.name.size() - 2));
+    for (auto const& channel : file.channels) {
+        auto const layer = channel.name.substr(0, channel.name.rfind('.'));
+        if (channel.name.ends_with(".R") && layer_named(layer, file).size() == 3) add(layer);
+    }
     return fmt::format("{}", fmt::join(all, ", "));
 }
 
@@ -122,11 +121,11 @@ io::SequenceNames names_for(Preset const& preset, SignalChoice const& signal) {
 
 PresetChoice preset_for(io::ExrFile const& file, SignalChoice const& signal) {
     for (auto const* const name : {"blur", "shadow", "glossy", "dual-cone"}) {
-        auto const& preset = preset_of(name);
-        if (preset.is_part && preset.of_signals[0].name != signal.word) continue;
-        if (can_denoise(preset, signal) && applies(preset, file, names_for(preset, signal)))
-            return {&preset,
-                    preset.is_part ? "the files have what " + signal.word + " moves by" : "the files have sweeps and times of samples"};
+        auto const* const preset = find_preset(name);
+        if (!preset || (preset->is_part && preset->of_signals[0].name != signal.word)) continue;
+        if (can_denoise(*preset, signal) && applies(*preset, file, names_for(*preset, signal)))
+            return {preset,
+                    preset->is_part ? "the files have what " + signal.word + " moves by" : "the files have sweeps and times of samples"};
     }
     return {&preset_of("final-frame"), "the files have " + signal.word + " and guides"};
 }

@@ -21,6 +21,12 @@ struct Short { // one that remembers two frames, of which nothing is seen after 
     QUELL_KERNEL auto blend(auto px, auto past) const { return accumulate(px, past, 1.f - past.validity * 0.5f); }
 };
 
+template <class Inner> struct Decorated { // a decorator that declares nothing
+    using parts = Parts<Inner>;
+    Inner inner{};
+    QUELL_KERNEL auto blend(auto px, auto past) const { return inner.blend(px, past); }
+};
+
 constexpr auto with(auto blend) { return Pipeline{radiance, Temporal{SurfaceMotion{}, blend}}; }
 
 /// Weight of a first frame of brightness 1 in the mean, `after` black frames later.
@@ -61,6 +67,7 @@ TEST_CASE("decorators remember as their inner policy does, and say what hides it
     CHECK(warm_up_frames(with(WithVariance{mean})) == 48);
     CHECK(warm_up_frames(with(Clamped{WithVariance{mean}})) == 48);
     CHECK(warm_up_frames(with(Clamped{Short{}})) == 4);
+    CHECK(warm_up_frames(with(Decorated<Short>{})) == 4);
     CHECK(warm_up_frames(watched(with(Clamped{mean}))) == 96);
 }
 
@@ -73,6 +80,7 @@ TEST_CASE("what isn't declared is taken for as long a memory as any preset has")
 TEST_CASE("a pipeline remembers as its longest stage does, a composite as its longest part, and without a history nothing is") {
     CHECK(warm_up_frames(Pipeline{radiance, Spatial{Atrous{Product{DepthEdge{}, NormalEdge{}}}}}) == 0);
     CHECK(warm_up_frames(presets::surface(radiance)) == 90);
+    CHECK(warm_up_frames(presets::general(radiance)) == 48);
     CHECK(warm_up_frames(presets::blur(radiance)) == 6);
     CHECK(warm_up_frames(presets::trmv()) == 216); // of its indirect light
 }

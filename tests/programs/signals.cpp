@@ -50,6 +50,16 @@ std::set<std::string> changed(std::filesystem::path const& before, std::filesyst
 }
 using Names = std::set<std::string>;
 
+/// Adds a layer of what `value` says of each component of the picture: value(letter, pixel).
+void add_layer(io::ExrImage& image, std::string const& name, auto&& value) {
+    for (std::string const letter : {"R", "G", "B"}) {
+        auto plane = image[letter];
+        plane.name = name + "." + letter;
+        for (std::size_t k = 0; k < plane.values.size(); ++k) plane.values[k] = value(letter, k);
+        image.planes.push_back(plane);
+    }
+}
+
 void write_map(Folder const& folder, std::string const& text) { write_bytes(folder / "map.json", text); }
 std::string map(Folder const& folder) { return "--map '" + (folder / "map.json").string() + "' "; }
 
@@ -128,11 +138,7 @@ TEST_CASE("a signal of a map, or a layer, is denoised alone and its factor kept"
     Folder const folder;
     for (int i = 0; i < 3; ++i) {
         auto image = noisy_image({48, 32}, i);
-        for (std::string const letter : {"R", "G", "B"}) {
-            auto fog = image[letter];
-            fog.name = "fog." + letter;
-            image.planes.push_back(fog);
-        }
+        add_layer(image, "fog", [&](auto const& letter, auto k) { return image[letter].values[k]; });
         io::write_exr(folder / numbered("frame.", i), image);
     }
     CHECK(denoise(input(folder) + output(folder) + "--preset svgf --signal fog").code == 0);
@@ -170,12 +176,8 @@ TEST_CASE("a map that takes radiance for irradiance, or irradiance for radiance,
     Folder const folder;
     for (int i = 0; i < 6; ++i) {
         auto image = noisy_image({96, 64}, i);
-        for (std::string const letter : {"R", "G", "B"}) {
-            auto divided = image[letter];
-            divided.name = "light." + letter;
-            for (std::size_t k = 0; k < divided.values.size(); ++k) divided.values[k] /= image["albedo." + letter].values[k];
-            image.planes.push_back(divided);
-        }
+        add_layer(image, "light",
+                  [&](auto const& letter, auto k) { return image[letter].values[k] / image["albedo." + letter].values[k]; });
         io::write_exr(folder / numbered("frame.", i), image);
     }
     auto const said = [&](std::string const& signal, std::string const& preset) {

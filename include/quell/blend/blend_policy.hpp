@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/blend/memory.hpp>
+#include <quell/blend/blend_memory.hpp>
 #include <quell/motion/history_fetch.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -12,7 +12,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// `px.signal()` is the new sample. `past` is a HistorySample: its signal, its validity (0: no history), and `past[channel]` for what the
 /// policy `keeps`, which is 0 without history. A missing sample changes nothing: Temporal then keeps the history, whatever the policy
 /// returns. A decorator adds a channel to what another policy returns, a value or a Result, by `Result{inner.blend(px, past)}.with(channel,
-/// value)`. A policy may declare how far back it remembers, by `constexpr BlendMemory memory() const`: see quell/blend/memory.hpp.
+/// value)`. A policy may declare how far back it remembers, by `constexpr BlendMemory memory() const`: see quell/blend/blend_memory.hpp.
 template <class B>
 concept BlendPolicy = std::is_trivially_copyable_v<B> &&
     requires(B const b, detail::Probe<B> px, detail::HistorySampleOf<detail::Probe<B>> past) {

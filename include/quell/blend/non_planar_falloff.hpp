@@ -21,9 +21,6 @@ template <class Inner> struct NonPlanarFalloff {
     Inner inner{};          ///< blends with the reduced weight
     float deviation = 0.1f; ///< of G, in radians
 
-    /// How far back the inner policy remembers.
-    [[nodiscard]] constexpr BlendMemory memory() const { return memory_of(inner); }
-
     /// The inner policy's result with the reduced weight; as it is where there is no history.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;

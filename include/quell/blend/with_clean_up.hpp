@@ -18,9 +18,6 @@ template <class Inner> struct WithCleanUp {
     float usual_alpha = 0.1f; ///< up to this alpha no clean-up is needed
     float widest = 5.f;       ///< pixels
 
-    /// How far back the inner policy remembers.
-    [[nodiscard]] constexpr BlendMemory memory() const { return memory_of(inner); }
-
     /// The inner result, with clean_up_deviation.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;

@@ -12,9 +12,6 @@ template <class Inner> struct WithMoments {
     using keeps = Channels<LuminanceMean, LuminanceVariance>;
     Inner inner{}; ///< blends, and says alpha
 
-    /// How far back the inner policy remembers.
-    [[nodiscard]] constexpr BlendMemory memory() const { return memory_of(inner); }
-
     /// The inner result, with luminance_mean and luminance_variance.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         auto const result = result_of([&]() QUELL_INLINED { return inner.blend(px, past); });

@@ -26,7 +26,7 @@
 /// GLM needs this for vectors of packs: glm::vec<3, Pack> then has arithmetic and dot.
 template <class A> struct std::numeric_limits<xsimd::batch<float, A>> : std::numeric_limits<float> {};
 #if defined(__aarch64__) // xsimd 8 divides by an estimate, off in the last bits: a pack would decide otherwise than a float
-template <> [[gnu::always_inline]] inline auto xsimd::batch<float, xsimd::neon64>::operator/=(batch const& b) noexcept -> batch& {
+template <> inline auto xsimd::batch<float, xsimd::neon64>::operator/=(batch const& b) noexcept -> batch& {
     return *this = batch(vdivq_f32(*this, b));
 }
 #endif

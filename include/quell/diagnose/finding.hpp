@@ -66,6 +66,8 @@ enum class Mistake {
 };
 
 namespace detail {
+/// Begins the evidence of what is not checked where the frame has no camera.
+inline constexpr std::string_view camera_is_not_set = "frame.camera is not set";
 /// In the order of Mistake.
 inline constexpr std::string_view mistake_names[] = {
     "motion points the wrong way",

@@ -18,7 +18,7 @@ inline void say_what_is_not_checked(Observation const& seen, std::vector<Finding
         findings.push_back({Mistake::not_checked, "the pipeline reads no depth: motion, normals and frame.camera were not compared with it",
                             "a pipeline that reads depth finds more"});
     else if (seen.camera == Camera{})
-        findings.push_back({Mistake::not_checked, "frame.camera is not set: motion, depth and normals were not compared with it",
+        findings.push_back({Mistake::not_checked, std::string(camera_is_not_set) + ": motion, depth and normals were not compared with it",
                             "set it, also for a pipeline that needs none"});
     else if (!known(seen.camera))
         findings.push_back(

@@ -89,9 +89,6 @@ template <class Inner> struct WatchedClamp {
     using keeps = Channels<DebugClamp>;
     Inner inner{}; ///< the wrapped blend policy
 
-    /// How far back the inner policy remembers.
-    [[nodiscard]] constexpr BlendMemory memory() const { return memory_of(inner); }
-
     QUELL_KERNEL auto blend(auto px, auto past) const {
         auto const result = result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
         return result.with(debug_clamp, select(past.validity > decltype(past.validity)(0.f), past.clamped, decltype(past.clamped)(0.f)));
@@ -108,9 +105,6 @@ template <class M, class Inner, class Fetch> struct Watched {
     M motion{};    ///< the stage's motion source
     Inner inner{}; ///< the wrapped blend policy
     Fetch fetch{}; ///< the stage's history fetch
-
-    /// How far back the inner policy remembers.
-    [[nodiscard]] constexpr BlendMemory memory() const { return memory_of(inner); }
 
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;

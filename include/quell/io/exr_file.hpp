@@ -43,6 +43,10 @@ public:
 
     /// The channel of that name, with or without its part's name; null if there is none.
     [[nodiscard]] ExrChannel const* find(std::string_view channel) const;
+    /// Whether all of these channels are there.
+    [[nodiscard]] bool has_all(std::vector<std::string> const& names) const {
+        return std::ranges::all_of(names, [&](auto const& name) { return find(name) != nullptr; });
+    }
     /// Reads these channels, each once.
     /// @throws Error naming the file and the channel
     [[nodiscard]] ExrImage read(std::span<std::string const> names) const;

@@ -20,9 +20,6 @@ template <class Inner> struct WithCones {
     using keeps = Channels<ConeRadiance>;
     Inner inner{}; ///< says alpha
 
-    /// How far back the inner policy remembers.
-    [[nodiscard]] constexpr BlendMemory memory() const { return memory_of(inner); }
-
     /// The shaded colour, with cone_radiance.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         auto result = result_of([&]() QUELL_INLINED { return inner.blend(px, past); });

@@ -188,9 +188,6 @@ template <class Inner> struct ForgetBiased {
     float gain = 100.f;           ///< by how much later filters reduce the variance
     float firefly_share = 0.125f; ///< in (0, 1]; 1: no history is forgotten as a firefly
 
-    /// How far back the inner policy remembers.
-    [[nodiscard]] constexpr BlendMemory memory() const { return memory_of(inner); }
-
     /// The inner policy's result with the reduced validity.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;

@@ -105,9 +105,6 @@ template <class Inner> struct ForgetChanged {
     float noise_threshold = 16.f; ///< values of the statistic up to this are noise
     float sharpness = 400.f;      ///< validity is divided by 1 + sharpness * (statistic - noise_threshold); longer histories need more
 
-    /// How far back the inner policy remembers.
-    [[nodiscard]] constexpr BlendMemory memory() const { return memory_of(inner); }
-
     /// The inner policy's result with the reduced validity.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;

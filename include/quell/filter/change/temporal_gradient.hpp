@@ -70,9 +70,6 @@ template <class Inner> struct Antilag {
     using reads = Channels<FilteredGradient>;
     Inner inner{}; ///< says alpha_0
 
-    /// How far back the inner policy remembers.
-    [[nodiscard]] constexpr BlendMemory memory() const { return memory_of(inner); }
-
     /// The inner policy's result with alpha.
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;

@@ -83,8 +83,9 @@ inline std::optional<Finding> albedo_left_in(SignalSeen const& signal, Exponent 
 /// What the edges of albedo say of the signal, in two frames.
 inline void find_signal_mistakes(Observation const& seen, SignalSeen const& signal, std::vector<Finding>& findings) {
     bool const multiplied = seen.factor ? signal.components == 3 && signal.input : signal.times_albedo;
+    bool const follows_albedo = signal.demodulated && !seen.factor;
     auto const& albedo = seen.factor ? seen.factor : seen.albedo;
-    if (!(multiplied || (signal.demodulated && !seen.factor)) || !albedo) return;
+    if (!albedo || !(multiplied || follows_albedo)) return;
     auto& notes = *signal.notes;
     add_edges(seen, signal, albedo);
     for (auto const& patch : notes.patches)

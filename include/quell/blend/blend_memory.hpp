@@ -21,13 +21,16 @@ struct BlendMemory {
 /// What is supposed of a blend policy that doesn't declare its memory: as long as the longest of the built-in presets.
 inline constexpr BlendMemory undeclared_memory{};
 
-/// How far back a blend policy remembers: what it declares, or undeclared_memory. Decorators ask it of their inner policy.
+/// How far back a blend policy remembers: what it declares; else what its member `inner` does, if it is a decorator and has one; else
+/// undeclared_memory.
 template <class B> [[nodiscard]] constexpr BlendMemory memory_of(B const& blend) {
     if constexpr (requires { blend.memory(); }) {
         static_assert(std::is_same_v<decltype(blend.memory()), BlendMemory>,
-                      "memory() of a blend policy must be `constexpr BlendMemory memory() const`, see quell/blend/memory.hpp");
+                      "memory() of a blend policy must be `constexpr BlendMemory memory() const`, see quell/blend/blend_memory.hpp");
         return blend.memory();
-    } else
+    } else if constexpr (requires { blend.inner; })
+        return memory_of(blend.inner);
+    else
         return undeclared_memory;
 }
 
