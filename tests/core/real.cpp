@@ -45,18 +45,18 @@ TEST_CASE("a pack computes what a float computes") {
         [](auto a, auto b) { return quell::fma(quell::min(a, decltype(a)(1e9f)), decltype(a)(0.3f), quell::min(b, decltype(a)(1e9f))); });
 }
 
+#if defined(__AVX2__)
 TEST_CASE("a permutation takes any lanes of two packs") {
-    if constexpr (detail::permutes<Pack>) {
-        constexpr int width = width_of<Pack>;
-        auto const numbers = lanes<Pack>();
-        for (int step = 0; step < 2 * width; ++step) {
-            auto const at = truncate(numbers * static_cast<float>(step));
-            auto const wrapped = at & (2 * width - 1);
-            auto const chosen = detail::permuted(numbers, numbers + static_cast<float>(width), wrapped);
-            for (int i = 0; i < width; ++i) CHECK(lane(chosen, i) == static_cast<float>(i * step % (2 * width)));
-        }
+    constexpr int width = width_of<Pack>;
+    static_assert(detail::permutes<Pack>);
+    auto const numbers = lanes<Pack>();
+    for (int step = 0; step < 2 * width; ++step) {
+        auto const at = truncate(numbers * static_cast<float>(step)) & (2 * width - 1);
+        auto const chosen = detail::permuted(numbers, numbers + static_cast<float>(width), at);
+        for (int i = 0; i < width; ++i) CHECK(lane(chosen, i) == static_cast<float>(i * step % (2 * width)));
     }
 }
+#endif
 
 TEST_CASE("min and max give the second number where one is NaN, and clamp the lower bound") {
     constexpr float inf = std::numeric_limits<float>::infinity();

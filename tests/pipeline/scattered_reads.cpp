@@ -41,7 +41,8 @@ template <class Make> void same_in_packs(Make&& make) {
                 CAPTURE(angle);
                 CAPTURE(scale);
                 auto const pipeline = make(Moved{scale * std::cos(angle), scale * std::sin(angle), angle > 1.f ? 100.3f : -3.3f, 2.2f});
-                CHECK(tests::difference(tests::sequence(pipeline, size, Serial{}), tests::sequence(pipeline, size, Simd{})) < 1e-5);
+                // Places are rounded, by 1e-5 of a pixel. Another pixel is .1 off.
+                CHECK(tests::difference(tests::sequence(pipeline, size, Serial{}), tests::sequence(pipeline, size, Simd{})) < 1e-3);
             }
 }
 } // namespace

@@ -32,7 +32,7 @@ template <ChannelTag S, class Trajectories = StraightTrajectories, class Footpri
     static constexpr int max_lanes = 8; ///< largest useful SIMD width: a tile's
     int count = 64;      ///< samples per pixel, up to `max_samples`; with two velocities, half along each. AdaptiveFootprint adds others.
     float reach = 0.65f; ///< how far to look along a sweep, as a fraction of it: samples farther away rarely pass in time
-    float width = 1.f;   ///< pixels, above 0; distance of closest approach at which a sample's weight reaches 0
+    float width = 1.f;   ///< pixels, above 0; distance of closest approach at which a sample's weight reaches 0; less for sweeps under 2
     float bend_influence = 0.1f;   ///< increase of `width` per pixel of bend, up to twice: bends are known less exactly
     float depth_tolerance = 0.02f; ///< relative difference of depth from which on a surface is behind another
     /// Pixels of a row, at least 1, that share their lines: neighbours' samples are then neighbours in memory. See max_lanes for wider
@@ -159,7 +159,8 @@ private:
         /// what they show.
         template <class Sample>
         QUELL_KERNEL void add_front(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask shows_front, Mask counts) {
-            auto const looked_at = Sample{select(shows_front, sample.at, like_front(sample, away).at)};
+            auto const like_front = Sample::at_speed(of.front, front_per_length, sample, away);
+            auto const looked_at = Sample{select(shows_front, sample.at, like_front.at)};
             auto const passing = looked_at.passing(away);
             auto const close = weight(counts, passing, looked_at, front_width.per_pixel);
             auto const w = close * looked_at.time_per_pixel();
@@ -188,10 +189,9 @@ private:
         QUELL_KERNEL Real per_width(ScreenMotion const& screen_motion) const {
             auto const bend = detail::bend_of(screen_motion);
             auto const bent = sqrt(fma(bend.x, bend.x, bend.y * bend.y));
-            return 1.f / (settings.width * fma(min(bent * settings.bend_influence, Real(1.f)), Real(1.f), Real(1.f)));
-        }
-        template <class Sample> QUELL_KERNEL Sample like_front(Sample const& sample, vec2<Real> const& away) const {
-            return Sample::at_speed(of.front, front_per_length, sample, away);
+            // A sweep of less than two pixels needs no more than the samples that it passes; others soften it.
+            auto const pixels = settings.width * clamp(speed(screen_motion) * 0.5f, Real(0.25f), Real(1.f));
+            return 1.f / fma(pixels, min(bent * settings.bend_influence, Real(1.f)), pixels);
         }
         QUELL_KERNEL static Real speed(ScreenMotion const& screen_motion) { return sqrt(detail::squared_speed(screen_motion)); }
 

@@ -72,6 +72,9 @@ template <ChannelTag S> struct PairBlend {
     float front_cap = 4.f;
     /// Pixels, above 0: shorter sweeps lower both limits in proportion. They have less noise, and interpolation softens them as often.
     float slow = 2.5f;
+    /// Shutter, above 0: a shorter one lowers the foreground's limit in proportion. The less of its path a sweep shows, the less it tells
+    /// where the foreground was a frame ago.
+    float short_shutter = 0.25f;
 
     /// Of the background. Once over, since layers leave the image.
     [[nodiscard]] constexpr BlendMemory memory() const { return {.frames = cap, .times = 1.f}; }
@@ -88,7 +91,8 @@ template <ChannelTag S> struct PairBlend {
         auto const behind = joined(past[back], px[back], share, select(still, max(samples, known), samples + counted));
 
         auto const front_samples = detail::weight_of(px[front]),
-                   front_counted = min(detail::weight_of(past[front]), at_most(front_cap, px[foreground_sweep]));
+                   front_counted = min(detail::weight_of(past[front]),
+                                       at_most(front_cap * min(px.shutter_now() / short_shutter, 1.f), px[foreground_sweep]));
         auto const in_front = joined(past[front], px[front], share_of(front_samples, front_counted), front_samples + front_counted);
         auto const covering = detail::covering(detail::signal_of(in_front));
         return Result{detail::layers_together(covering, behind, px.signal()), share}
