@@ -110,7 +110,7 @@ mutant "blur: what is guessed behind what moves" blur/two_motions blur/two_motio
 mutant "blur: what an empty part counts for" blur/part_means blur/two_motions/stratified_mean.hpp 'fma(after[i], Real(-0.5f), Real(1.f))' 'fma(after[i], Real(-0.4f), Real(1.f))'
 mutant "blur: what shows of the background" blur/two_motions blur/two_motions/pair_gather.hpp 'return behind.mean(exposed);' 'return behind.mean();'
 mutant "blur: how like a neighbour's sweep is" blur/layers blur/two_motions/directional_mean.hpp 'Real(-2.f), Real(2.f))' 'Real(0.f), Real(2.f))'
-mutant "blur: the past of what is in front" blur/two_motions blur/two_motions/pair_history.hpp 'at_most(front_cap, px[foreground_sweep])' 'Real(0.f)'
+mutant "blur: the past of what is in front" blur/two_motions blur/two_motions/pair_history.hpp 'at_most(front_cap * min(px.shutter_now() / short_shutter, 1.f), px[foreground_sweep])' 'Real(0.f)'
 mutant "blur: what of the past moves otherwise" blur/two_motions blur/path_search.hpp '- length) <= length_tolerance' '- length) >= Real(0.f)'
 mutant "blur: where the past is looked for" blur/layers blur/path_search.hpp '{{p.x - v.x, p.y - v.y}' '{{p.x + v.x, p.y - v.y}'
 

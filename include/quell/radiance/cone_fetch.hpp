@@ -30,9 +30,8 @@ struct ConeFetch {
         }
         auto const differs = both(valid, detail::is_direction(now), invert(cone::same_axes(now, then)));
         if (any(differs)) {
-            if constexpr (Px::Scope::kept_channels::template has<ConeRadiance>) {
-                auto const before = past[cone_radiance];
-                past.kept.set(cone_radiance, select(differs, cone::transferred(before, then, now), before));
+            if constexpr (Px::Scope::kept_channels::template has<ConeLuminance>) {
+                turn(past, then, now, differs);
             } else {
                 auto const before = past.signal;
                 past.signal = select(differs, cone::transferred(before, then, now), before);
@@ -42,6 +41,16 @@ struct ConeFetch {
     }
 
 private:
+    /// Moves the light to the cones of another normal. The past then counts for as many samples as the cones overlap.
+    template <class Past, class Real, class Mask>
+    QUELL_OUTLINED static constexpr void turn(Past& past, vec3<Real> const& then, vec3<Real> const& now, Mask differs) {
+        auto const before = past[cone_luminance], after = cone::transferred(before, then, now);
+        auto const samples = cone::samples(after), was = cone::mean(before), is = cone::mean(after);
+        auto const known = both(differs, samples > Real(1e-3f));
+        past.kept.set(cone_luminance, select(known, scale(after, 1.f / max(samples, Real(1e-3f))), before));
+        past.signal = scale(past.signal, select(both(known, was > Real(0.f)), is / max(was, Real(1e-30f)), Real(1.f)));
+        past.validity = past.validity * select(differs, min(samples, Real(1.f)), Real(1.f));
+    }
     /// Normal of the nearest past pixel that the surface test accepts: it weighs most in the interpolation.
     template <class Px, class FoundPlace>
     QUELL_OUTLINED static constexpr vec3<typename Px::Real> nearest_accepted(Px const& px, FoundPlace const& found) {

@@ -5,8 +5,9 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
-/// Shades each pixel by the sum of the cones of the 3x3 around it. A disoccluded pixel has samples in few of its cones; its neighbours fill
-/// the others. Goes after a Temporal{motion, WithCones{...}, ConeFetch{}} and before a filter of colours.
+/// Shades each pixel by the sum of the cones of the 3x3 around it: their mean colour, as bright as their cones shade to. A disoccluded
+/// pixel has samples in few of its cones; its neighbours fill the others. Goes after a Temporal{motion, WithCones{...}, ConeFetch{}} and
+/// before a filter of colours.
 ///
 ///     Spatial{ConeGather{}}, Spatial{VarianceGuidedAtrous{}}
 ///
@@ -15,7 +16,7 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
     static_assert(EdgeWeight<Edge>, "ConeGather{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
     static constexpr auto name = "cone gather";
     using parts = Parts<Edge>;
-    using reads = Channels<ConeRadiance>;
+    using reads = Channels<ConeLuminance>;
     Edge edge{}; ///< which neighbours count
 
     /// The shaded colour; the signal as it is where there are no samples.
@@ -33,11 +34,18 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
                                       taps.add(one, edge_weight(toward.distance(one, start), bits + row));
                                       taps.add(other, edge_weight(toward.distance(other, its_start), bits + its_row));
                                   });
-        Components<24, Real> sum;
-        detail::repeat<3>([&](auto i) QUELL_INLINED { add_two_cones<2 * i>(px, taps, sum); });
-        auto const shaded = cone::shade(sum);
-        // With no samples in reach there is nothing to shade.
-        return select(both(cone::samples(sum) > Real(1e-6f), all_finite(shaded)), shaded, px.signal());
+        auto colour = zero<typename Px::Signal>();
+        Real weight(0.f);
+        for (int t = 0; t < taps.count; ++t) {
+            colour = add_scaled(colour, taps.at(px, t).signal(), taps.weight[t]);
+            weight = weight + taps.weight[t];
+        }
+        Components<12, Real> sum;
+        detail::repeat<2>([&](auto i) QUELL_INLINED { add_three_cones<3 * i>(px, taps, sum); });
+        auto const mean = cone::mean(sum);
+        auto const shaded = scale(colour, cone::shade(sum) / (max(mean, Real(1e-30f)) * weight));
+        // With no samples in reach there is nothing to shade; without light no ratio.
+        return select(both(cone::samples(sum) > Real(1e-6f), mean > Real(0.f), all_finite(shaded)), shaded, px.signal());
     }
 
 private:
@@ -48,19 +56,20 @@ private:
         typename Px::Real weight[9];
         int count = 0;
         QUELL_KERNEL void add(Px const& tap, typename Px::Real w) { column[count] = tap.x, row[count] = tap.y, weight[count++] = w; }
+        QUELL_KERNEL Px at(Px const& px, int t) const { return {px.scope, column[t], row[t]}; }
     };
-    /// Two cones at a time: as many sums as fit in registers.
+    /// Three cones at a time: as many sums as fit in registers.
     template <int k, class Px, class Real>
-    QUELL_KERNEL static void add_two_cones(Px const& px, Taps<Px> const& taps, Components<24, Real>& sum) {
+    QUELL_KERNEL static void add_three_cones(Px const& px, Taps<Px> const& taps, Components<12, Real>& sum) {
         [&]<int... c>(std::integer_sequence<int, c...>) QUELL_INLINED {
             Real part[] = {((void)c, Real(0.f))...};
             for (int t = 0; t < 9; ++t) {
-                Px const tap{px.scope, taps.column[t], taps.row[t]};
-                ((part[c] = fma(tap.template channel_component<4 * k + c>(cone_radiance), taps.weight[t], part[c])), ...);
+                auto const tap = taps.at(px, t);
+                ((part[c] = fma(tap.template channel_component<2 * k + c>(cone_luminance), taps.weight[t], part[c])), ...);
             }
-            ((sum.at[4 * k + c] = part[c]), ...);
+            ((sum.at[2 * k + c] = part[c]), ...);
         }
-        (std::make_integer_sequence<int, 8>{});
+        (std::make_integer_sequence<int, 6>{});
     }
 };
 template <class Edge> ConeGather(Edge) -> ConeGather<Edge>;

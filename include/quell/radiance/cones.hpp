@@ -18,7 +18,8 @@
 ///               \ | /                                   5
 ///     ------------+------------  surface
 ///
-/// A pixel has 24 numbers: in each cone the sums of red, green and blue, and the number of samples. There are two ways to use them.
+/// There are two ways to use them. The paper's has 24 numbers in a pixel: in each cone the sums of red, green and blue, and the number of
+/// samples. The other one has 12: luminance in place of colour.
 ///
 /// Cones in every pass: `Cones{}, Temporal{motion, blend, ConeFetch{}}, Spatial{ConeAtrous{}}`
 ///
@@ -28,12 +29,13 @@
 ///     ConeAtrous    signal, normal                             signal: cones of 5x5 pixels, per level
 ///     last pass     signal                                     output: a colour                          (Cones::outward)
 ///
-/// Cones in the history only, which is faster: `Temporal{motion, WithCones{blend}, ConeFetch{}}, Spatial{ConeGather{}}, Spatial{filter}`
+/// Cones beside the signal, in the history only, which is faster: `Temporal{motion, WithCones{blend}, ConeFetch{}}, Spatial{ConeGather{}},
+/// Spatial{filter}`
 ///
 ///     pass          reads                                      writes
-///     Temporal      sample, indirect_direction, normal;        signal: the colour that the cones shade to;
-///                   cone_radiance of the last frame            cone_radiance, which the history keeps    (ConeFetch, WithCones)
-///     ConeGather    cone_radiance of 3x3 pixels                signal: the colour that their sum shades to
+///     Temporal      sample, indirect_direction, normal;        signal: the mean colour of the samples;
+///                   cone_luminance of the last frame           cone_luminance, which the history keeps   (ConeFetch, WithCones)
+///     ConeGather    signal, cone_luminance of 3x3 pixels       signal: their mean, as bright as the sum of their cones shades to
 ///     filter        signal                                     signal: a filtered colour
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -44,6 +46,13 @@ struct ConeRadiance : InternalChannel<24> {
     static constexpr auto name = "cone_radiance";
 };
 inline constexpr ConeRadiance cone_radiance;
+
+/// Incident luminance in six cones, beside a signal that has the colour. Component 2 k is the sum of cone k's samples, component 2 k + 1
+/// their number.
+struct ConeLuminance : InternalChannel<12> {
+    static constexpr auto name = "cone_luminance";
+};
+inline constexpr ConeLuminance cone_luminance;
 
 /// Geometry of the six cones. Directions are unit vectors in world space.
 namespace cone {
@@ -94,18 +103,21 @@ template <class Real> QUELL_KERNEL Real overlap(Real cosine_between) {
 
 /// Moves radiance to the cones of another normal: each takes from all that it overlaps (36 pairs). Not inlined: it is large, and few pixels
 /// need it.
-template <class Real>
-QUELL_OUTLINED constexpr Components<24, Real> transferred(Components<24, Real> const& from, vec3<Real> const& normal_from,
-                                                          vec3<Real> const& normal_to) {
+/// @tparam n components: of ConeRadiance or of ConeLuminance
+template <int n, class Real>
+QUELL_OUTLINED constexpr Components<n, Real> transferred(Components<n, Real> const& from, vec3<Real> const& normal_from,
+                                                         vec3<Real> const& normal_to) {
+    constexpr int each = n / count;
     Axes<Real> const source(normal_from), target(normal_to);
-    Components<24, Real> result{};
+    Components<n, Real> result{};
     for (int j = 0; j < count; ++j) {
-        Real sum[4] = {Real(0.f), Real(0.f), Real(0.f), Real(0.f)};
+        Real sum[each];
+        for (int c = 0; c < each; ++c) sum[c] = Real(0.f);
         for (int k = 0; k < count; ++k) {
             auto const common = overlap(dot(source.at[k], target.at[j]));
-            for (int c = 0; c < 4; ++c) sum[c] = fma(from.at[4 * k + c], common, sum[c]);
+            for (int c = 0; c < each; ++c) sum[c] = fma(from.at[each * k + c], common, sum[c]);
         }
-        for (int c = 0; c < 4; ++c) result.at[4 * j + c] = sum[c];
+        for (int c = 0; c < each; ++c) result.at[each * j + c] = sum[c];
     }
     return result;
 }
@@ -113,9 +125,10 @@ QUELL_OUTLINED constexpr Components<24, Real> transferred(Components<24, Real> c
 /// Whether two normals differ by less than 6 degrees. Then radiance passes from cone to cone: their apex angles are 67 degrees.
 template <class Real> QUELL_KERNEL auto same_axes(vec3<Real> const& a, vec3<Real> const& b) { return dot(a, b) > Real(0.995f); }
 
-/// One sample of radiance from `direction`, in the nearest cone.
-template <class Real>
-QUELL_KERNEL Components<24, Real> deposit(vec3<Real> const& radiance, vec3<Real> const& direction, vec3<Real> const& normal) {
+/// One sample from `direction`, in the nearest cone.
+/// @tparam V a colour, which makes ConeRadiance, or a luminance, which makes ConeLuminance
+template <class V, class Real> QUELL_KERNEL auto deposit(V const& sample, vec3<Real> const& direction, vec3<Real> const& normal) {
+    constexpr int each = components_of<V> + 1;
     Axes<Real> const axes(normal);
     Real best(-2.f), nearest(0.f);
     for (int k = 0; k < count; ++k) {
@@ -124,37 +137,46 @@ QUELL_KERNEL Components<24, Real> deposit(vec3<Real> const& radiance, vec3<Real>
         best = select(nearer, closeness, best);
         nearest = select(nearer, Real(static_cast<float>(k)), nearest);
     }
-    return make_value<24, Real>([&](auto i) QUELL_INLINED {
-        auto const here = nearest == Real(static_cast<float>(i / 4));
-        if constexpr (i % 4 == 3)
+    return make_value<each * count, Real>([&](auto i) QUELL_INLINED {
+        auto const here = nearest == Real(static_cast<float>(i / each));
+        if constexpr (i % each == each - 1)
             return masked(here, Real(1.f));
         else
-            return masked(here, component<i % 4>(radiance));
+            return masked(here, component<i % each>(sample));
     });
 }
 
 /// Number of samples in all cones together.
-template <class Real> QUELL_KERNEL Real samples(Components<24, Real> const& value) {
+template <int n, class Real> QUELL_KERNEL Real samples(Components<n, Real> const& value) {
+    constexpr int each = n / count;
     Real sum(0.f);
-    for (int k = 0; k < count; ++k) sum = sum + value.at[4 * k + 3];
+    for (int k = 1; k <= count; ++k) sum = sum + value.at[each * k - 1];
     return sum;
 }
 
-/// Mean incident radiance weighted by the cosine: what a white diffuse surface reflects (TRMV eq. 11). Weights are cosine integrals, so
-/// that constant light is preserved. A cone with hardly any samples takes the mean of all.
-template <class Real> QUELL_KERNEL vec3<Real> shade(Components<24, Real> const& value) {
-    vec3<Real> all{Real(0.f), Real(0.f), Real(0.f)};
-    for (int k = 0; k < count; ++k) all = vec3<Real>{all.x + value.at[4 * k], all.y + value.at[4 * k + 1], all.z + value.at[4 * k + 2]};
-    auto const there_are = samples(value);
-    auto const mean = scale(all, 1.f / max(there_are, Real(1e-12f)));
+/// The mean of all samples, whatever their cones: a colour or a luminance. 0 without samples.
+template <int n, class Real> QUELL_KERNEL auto mean(Components<n, Real> const& value) {
+    constexpr int each = n / count;
+    auto const inverse = 1.f / max(samples(value), Real(1e-12f));
+    return make_value<each - 1, Real>([&](auto c) QUELL_INLINED {
+        Real all(0.f);
+        for (int k = 0; k < count; ++k) all = all + value.at[each * k + c];
+        return all * inverse;
+    });
+}
+
+/// Mean incident radiance, or luminance, weighted by the cosine: what a white diffuse surface reflects (TRMV eq. 11). Weights are cosine
+/// integrals, so that constant light is preserved. A cone with hardly any samples takes the mean of all.
+template <int n, class Real> QUELL_KERNEL auto shade(Components<n, Real> const& value) {
+    constexpr int each = n / count;
+    auto const of_all = mean(value);
     // Each cone borrows 1/1000 of all samples: little beside samples of its own.
-    auto const lent = max(there_are * 1e-3f, Real(1e-12f));
-    vec3<Real> sum{Real(0.f), Real(0.f), Real(0.f)};
+    auto const lent = max(samples(value) * 1e-3f, Real(1e-12f));
+    auto sum = zero<Value<each - 1, Real>>();
     for (int k = 0; k < count; ++k) {
-        auto const inverse = part(k) / (value.at[4 * k + 3] + lent);
-        sum =
-            vec3<Real>{fma(fma(mean.x, lent, value.at[4 * k]), inverse, sum.x), fma(fma(mean.y, lent, value.at[4 * k + 1]), inverse, sum.y),
-                       fma(fma(mean.z, lent, value.at[4 * k + 2]), inverse, sum.z)};
+        auto const inverse = part(k) / (value.at[each * k + each - 1] + lent);
+        sum = make_value<each - 1, Real>(
+            [&](auto c) QUELL_INLINED { return fma(fma(component<c>(of_all), lent, value.at[each * k + c]), inverse, component<c>(sum)); });
     }
     return sum;
 }

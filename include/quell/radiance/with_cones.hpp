@@ -5,47 +5,43 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
-/// Keeps the history as incident radiance in six cones (TRMV section 4.3), blended with the inner policy's alpha, and returns the colour
-/// that they shade to. So history can pass between surfaces with different normals, and later filters cost no more than for any colour. For
-/// a signal that is one cosine-distributed sample of incident radiance per pixel, such as Indirect. A clamp goes outside:
-/// `Clamped{WithCones{RunningMean{}}}`.
+/// Keeps beside the history how its light is spread over six cones of directions (TRMV section 4.3), blended with the inner policy's alpha.
+/// So history can pass between surfaces with different normals: ConeFetch makes it as bright as the other normal is lit. The signal is the
+/// mean of the samples; ConeGather shades it by the cones. Cones hold luminance: colour is the signal's, as for light of one colour it
+/// would be in cones too. For a signal that is one cosine-distributed sample of incident radiance per pixel, such as Indirect. A clamp goes
+/// outside: `Clamped{WithCones{RunningMean{}}}`.
 ///
-///     Pipeline{indirect, Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, WithCones{RunningMean{}}, ConeFetch{}}, Spatial{Atrous{}}}
+///     Pipeline{indirect, Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, WithCones{RunningMean{}}, ConeFetch{}},
+///              Spatial{ConeGather{}}, Spatial{Atrous{}}}
 ///
 /// @tparam Inner a BlendPolicy
 template <class Inner> struct WithCones {
     static_assert(BlendPolicy<Inner>, "WithCones{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
     using parts = Parts<Inner>;
     using reads = Channels<Normal, IndirectDirection>;
-    using keeps = Channels<ConeRadiance>;
+    using keeps = Channels<ConeLuminance>;
     Inner inner{}; ///< says alpha
 
-    /// The shaded colour, with cone_radiance.
+    /// The inner policy's mean, with cone_luminance.
     QUELL_KERNEL auto blend(auto px, auto past) const {
-        auto result = result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
-        auto const sample = cone::deposit(px.signal(), px[indirect_direction], px[normal]);
-        auto before = past[cone_radiance];
+        auto const result = result_of([&]() QUELL_INLINED { return inner.blend(px, past); });
+        auto const sample = cone::deposit(luminance(px.signal()), px[indirect_direction], px[normal]);
+        auto before = past[cone_luminance];
         auto const clamped = past.clamped > typename decltype(px)::Real(0.f);
-        if (any(clamped)) before = select(clamped, shaded_as(past.signal, before), before);
-        auto const cones = mix(before, sample, result.alpha);
-        result.value = cone::shade(cones);
-        return result.with(cone_radiance, cones);
+        if (any(clamped)) before = select(clamped, as_bright_as(luminance(past.signal), before), before);
+        return result.with(cone_luminance, mix(before, sample, result.alpha));
     }
 
 private:
-    /// Cones that shade to a clamped colour. Colours that the clamp has darkened are scaled; to others the same light is added in all
-    /// cones.
-    template <class V, class Real> QUELL_KERNEL static Components<24, Real> shaded_as(V const& colour, Components<24, Real> const& cones) {
-        auto const shaded = cone::shade(cones);
-        auto const factor =
-            map([](auto to, auto from) QUELL_INLINED { return min(to / max(from, Real(1e-30f)), Real(1.f)); }, colour, shaded);
-        auto const added = map([](auto to, auto from) QUELL_INLINED { return max(to - from, Real(0.f)); }, colour, shaded);
-        return make_value<24, Real>([&](auto i) QUELL_INLINED {
-            constexpr int k = i / 4, c = i % 4;
-            if constexpr (c == 3)
+    /// Cones of a mean that a clamp has changed. Those that it has darkened are scaled; to others the same light is added in all cones.
+    template <class Real> QUELL_KERNEL static Components<12, Real> as_bright_as(Real wanted, Components<12, Real> const& cones) {
+        auto const mean = cone::mean(cones);
+        auto const factor = min(wanted / max(mean, Real(1e-30f)), Real(1.f)), added = max(wanted - mean, Real(0.f));
+        return make_value<12, Real>([&](auto i) QUELL_INLINED {
+            if constexpr (i % 2 == 1)
                 return cones.at[i];
             else
-                return fma(cones.at[i], component<c>(factor), component<c>(added) * cones.at[4 * k + 3]);
+                return fma(cones.at[i], factor, added * cones.at[i + 1]);
         });
     }
 };
