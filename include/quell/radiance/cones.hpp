@@ -111,7 +111,7 @@ QUELL_OUTLINED constexpr Components<n, Real> transferred(Components<n, Real> con
     Axes<Real> const source(normal_from), target(normal_to);
     Components<n, Real> result{};
     for (int j = 0; j < count; ++j) {
-        Real sum[each];
+        Real sum[std::size_t{each}];
         for (int c = 0; c < each; ++c) sum[c] = Real(0.f);
         for (int k = 0; k < count; ++k) {
             auto const common = overlap(dot(source.at[k], target.at[j]));
