@@ -31,7 +31,7 @@ struct ReferenceNames {
     ReferenceNames() = default;
     ReferenceNames(std::vector<io::SequenceNames> some, bool recognised) : any_of(std::move(some)), or_recognised(recognised) {}
     /// As a map says, where there is one, else as quell recognises it.
-    ReferenceNames(std::optional<io::SequenceNames> const& map) { // a map is a choice of names: no one has to say so
+    ReferenceNames(std::optional<io::SequenceNames> const& map) { // not explicit: callers hand over their map as it is
         if (map) any_of.push_back(*map);
     }
 };

@@ -37,7 +37,6 @@ float longest_bend(auto&& seen_at) {
     for (auto const& each : measured(seen_at)) most = std::max(most, glm::length(each.bend));
     return most;
 }
-glm::vec2 at(int x, int y) { return {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}; }
 } // namespace
 
 TEST_CASE("of what turns, the bend is measured that a host would supply") {
@@ -57,11 +56,7 @@ TEST_CASE("of what turns, the bend is measured that a host would supply") {
 TEST_CASE("a camera that rolls bends all paths by its own turn") {
     constexpr float turn = 0.1f;
     for (auto const &each : measured([](int x, int y, int, float t) {
-             auto const from = at(x, y) - glm::vec2(40, 150);
-             auto const placed = [&](float when) {
-                 float const a = turn * (when - t);
-                 return glm::vec2(from.x * std::cos(a) - from.y * std::sin(a), from.x * std::sin(a) + from.y * std::cos(a));
-             };
+             auto const placed = [&](float when) { return tests::turned(centre_of(x, y), {40, 150}, turn * (when - t)); };
              return Seen{0.5f, placed(1) - placed(0), 4.f, placed(0.5f) - (placed(0) + placed(1)) * 0.5f};
          }))
         REQUIRE(glm::distance(each.bend, each.seen.bend) < 0.06f); // 0.05 are taken for straight
@@ -69,7 +64,7 @@ TEST_CASE("a camera that rolls bends all paths by its own turn") {
 
 TEST_CASE("what moves in straight lines is not bent, however fast its parts are") {
     auto const still = [](auto&& sweep_of) {
-        return longest_bend([&](int x, int y, int, float) { return Seen{0.5f, sweep_of(at(x, y))}; });
+        return longest_bend([&](int x, int y, int, float) { return Seen{0.5f, sweep_of(centre_of(x, y))}; });
     };
     CHECK(still([](glm::vec2) { return glm::vec2(9, -7); }) == 0.f);
     // The floor and a slanted wall, past which a camera goes sideways.
@@ -81,7 +76,7 @@ TEST_CASE("what moves in straight lines is not bent, however fast its parts are"
           }) == 0.f);
     // A camera that goes forward: paths are radial. Sweeps end where the point is when the shutter closes.
     CHECK(longest_bend([](int x, int y, int, float t) {
-              auto const from = at(x, y) - glm::vec2(64, 64);
+              auto const from = centre_of(x, y) - glm::vec2(64, 64);
               return Seen{0.5f, from * (1 / (1 - 0.2f * (1 - t)) - 1 / (1 + 0.2f * t))};
           }) < 0.3f);
     // Sweeps in half precision.

@@ -179,22 +179,17 @@ TEST_CASE("a picture of short sweeps gets no worse, though what moves goes far a
         CAPTURE(shutter);
         World const world{.size = {128, 128}, .frames = 6, .shutter = shutter};
         // An ellipse that turns around the middle.
-        auto const turned = [](glm::vec2 p, float angle) {
-            glm::vec2 const middle(64, 64), from = p - middle;
-            float const cosine = std::cos(angle), sine = std::sin(angle);
-            return middle + glm::vec2(from.x * cosine - from.y * sine, from.x * sine + from.y * cosine);
-        };
-        auto const place = [](int x, int y) { return glm::vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f); };
         constexpr float a_frame = 0.7f;
+        constexpr glm::vec2 middle(64, 64);
         auto const covers = [&](glm::vec2 p, int frame, float t) {
-            auto const at = turned(p, -a_frame * (static_cast<float>(frame) + shutter * t)) - glm::vec2(64, 64);
+            auto const at = tests::turned(p, middle, -a_frame * (static_cast<float>(frame) + shutter * t)) - middle;
             return glm::length(glm::vec2(at.x / 55, at.y / 25)) < 1;
         };
         double noisy = 0, denoised = 0;
         std::vector<float> wanted;
         auto const out = world.last(denoise, [&](int x, int y, int frame, float t) {
-            auto const p = place(x, y);
-            auto const sweep = turned(p, a_frame * shutter * (1 - t)) - turned(p, -a_frame * shutter * t);
+            auto const p = tests::centre_of(x, y);
+            auto const sweep = tests::turned(p, middle, a_frame * shutter * (1 - t)) - tests::turned(p, middle, -a_frame * shutter * t);
             auto const seen = covers(p, frame, t) ? Seen{1.f, sweep, 4.f} : Seen{0.1f, {0, 0}, 9.f};
             if (frame == world.frames - 1) {
                 float mean = 0;

@@ -47,6 +47,15 @@ struct World {
     }
 };
 
+/// A point turned around another one by an angle in radians, clockwise in the image.
+inline glm::vec2 turned(glm::vec2 p, glm::vec2 middle, float angle) {
+    glm::vec2 const from = p - middle;
+    float const cosine = std::cos(angle), sine = std::sin(angle);
+    return middle + glm::vec2(from.x * cosine - from.y * sine, from.x * sine + from.y * cosine);
+}
+/// A pixel's centre.
+inline glm::vec2 centre_of(int x, int y) { return {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}; }
+
 /// A bar that is 20 pixels wide and slides by 24 in a frame, by 12 while the shutter is open.
 inline bool in_sliding_bar(int x, int frame, float t) {
     float const left = 20.f + 24.f * static_cast<float>(frame) + 12.f * t, centre = static_cast<float>(x) + 0.5f;
@@ -61,12 +70,9 @@ struct TurningSector {
         return radius > 10 && radius < 60 && angle >= 0 && angle < width;
     }
     static Seen seen(int x, int y, int, float t) {
-        glm::vec2 const p(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f), centre(64, 64), from = p - centre;
+        auto const p = centre_of(x, y);
         if (!covers(p, t)) return {0.2f, {0, 0}, 8.f};
-        auto const at = [&](float when) {
-            float const a = turn * (when - t);
-            return centre + glm::vec2(from.x * std::cos(a) - from.y * std::sin(a), from.x * std::sin(a) + from.y * std::cos(a));
-        };
+        auto const at = [&](float when) { return turned(p, {64, 64}, turn * (when - t)); };
         return {1.f, at(1) - at(0), 4.f, at(0.5f) - (at(0) + at(1)) * 0.5f};
     }
     static float blurred(int x, int y) {

@@ -41,7 +41,8 @@ struct ConeFetch {
     }
 
 private:
-    /// Moves the light to the cones of another normal. The past then counts for as many samples as the cones overlap.
+    /// Moves the light to the cones of another normal. The past then counts for as many samples as the cones overlap. Not inlined: few
+    /// pixels need it, and it would take registers from all.
     template <class Past, class Real, class Mask>
     QUELL_OUTLINED static constexpr void turn(Past& past, vec3<Real> const& then, vec3<Real> const& now, Mask differs) {
         auto const before = past[cone_luminance], after = cone::transferred(before, then, now);
