@@ -17,12 +17,14 @@ template <class P> std::vector<float> seen_by_moving_camera(P const& denoise, Ex
 
 template <class Preset> void check_same_everywhere(Preset const& preset) {
     CAPTURE(preset.name);
+    // Their cones are in half: what differs in the last bit of a float may be rounded to another half.
+    double const allowed = preset.name == "dual-cone" || preset.name == "trmv" ? 2e-4 : 2e-5;
     auto const denoise = Preset::usual();
     for (Extent const size : {Extent{61, 24}, Extent{16, 5}, Extent{3, 7}}) {
         CAPTURE(to_string(size));
         auto const serial = seen_by_moving_camera(denoise, size, Serial{}), simd = seen_by_moving_camera(denoise, size, Outlined<>{});
         CHECK(all_finite(serial));
-        CHECK(difference(serial, simd) < 2e-5);
+        CHECK(difference(serial, simd) < allowed);
 #if defined(QUELL_TEST_THREADS)
         CHECK(seen_by_moving_camera(denoise, size, Threads<Outlined<>>{.count = 3, .tile = {5, 3}}) == simd);
         CHECK(seen_by_moving_camera(denoise, size, Threads<Outlined<>>{.count = 2, .tile = {256, 32}}) == simd);

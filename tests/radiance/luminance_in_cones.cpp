@@ -58,3 +58,15 @@ TEST_CASE("constant light stays constant, to whatever the surface is turned, and
             for (int c = 0; c < 3; ++c) CHECK(seen[c] == doctest::Approx(colour[c]).epsilon(1e-5));
         }
 }
+
+TEST_CASE("light may have any unit, though cones are stored in half") {
+    static_assert(sizeof(*std::declval<ViewOf<Planar<>, ConeLuminance>>().data) == 2);
+    auto const light = [](glm::vec3 from) { return glm::vec3(0.1f + std::max(from.x, 0.f) + from.z * from.z); };
+    for (auto const& turn : turns)
+        for (float const unit : {1e-7f, 1e9f}) {
+            CAPTURE(unit);
+            auto const wanted = after_turn(of_luminance, up, turn, light);
+            auto const seen = after_turn(of_luminance, up, turn, [&](glm::vec3 from) { return unit * light(from); });
+            CHECK(seen.x / unit == doctest::Approx(wanted.x).epsilon(1e-3));
+        }
+}

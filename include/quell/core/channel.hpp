@@ -22,6 +22,7 @@ template <int Components> struct Channel {
 template <int Components> struct InternalChannel : Channel<Components> {
     static constexpr bool made_by_stages = true; ///< marks it for Pipeline
     static constexpr bool squared = false;       ///< true: a variance. Half stores its square root, since half ends at 65504.
+    static constexpr bool always_half = false;   ///< true: always stored in half, for values of about 1
 };
 
 /// An empty type with `components` and `name`.

@@ -31,7 +31,8 @@ concept ImageView = std::is_trivially_copyable_v<V> && requires(V const v, int i
 };
 
 /// Who owns the memory of images and how pixels are laid out: `Storage::Image<N>(size).view()` is an ImageView of N components.
-/// `Storage::Exact` is the storage for channels with `full_precision`; a storage of 32-bit floats names itself.
+/// `Storage::Exact` is the storage for channels with `full_precision`; a storage of 32-bit floats names itself. `Storage::Half`, if it has
+/// one, is the storage for channels with `always_half`.
 /// Models: Planar, Interleaved, Borrowed.
 template <class S>
 concept ImageStorage = requires(Extent size) {
@@ -64,6 +65,19 @@ inline constexpr bool stored_exactly = C::full_precision ||
                                        (is_squared<C>() &&
                                         !ViewsSquares<decltype(std::declval<typename S::template Image<C::components> const&>().view())>);
 
+/// The storage in which S keeps a channel.
+template <ImageStorage S, ChannelTag C> constexpr auto storage_of() {
+    if constexpr (requires {
+                      requires C::always_half;
+                      typename S::Half;
+                  })
+        return std::type_identity<typename S::Half>{};
+    else if constexpr (stored_exactly<S, C>)
+        return std::type_identity<typename S::Exact>{};
+    else
+        return std::type_identity<S>{};
+}
+
 /// The view of a channel's image: for a `squared` channel, in the format of squares if there is one.
 template <ChannelTag C, class Image> auto view_of(Image const& image) {
     auto const view = image.view();
@@ -76,8 +90,7 @@ template <ChannelTag C, class Image> auto view_of(Image const& image) {
 
 /// The image type in which a storage keeps a channel.
 template <class Storage, ChannelTag C>
-using ImageOf =
-    typename std::conditional_t<detail::stored_exactly<Storage, C>, typename Storage::Exact, Storage>::template Image<C::components>;
+using ImageOf = typename decltype(detail::storage_of<Storage, C>())::type::template Image<C::components>;
 /// The view of that image.
 template <class Storage, ChannelTag C> using ViewOf = decltype(detail::view_of<C>(std::declval<ImageOf<Storage, C> const&>()));
 

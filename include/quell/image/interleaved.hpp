@@ -10,6 +10,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 template <class Format = Float32> struct Interleaved {
     static_assert(ComponentFormat<Format>,
                   "Interleaved<Format>: `Format` must be Float32, Float16 or another format, see quell/image/format.hpp");
+    using Half = Interleaved<Float16>;          ///< storage of channels with `always_half`
     using Exact = Interleaved<Float32>;         ///< storage of channels that need 32 bits
     static constexpr auto name = "interleaved"; ///< for messages
     using format = Format;                      ///< how a component is stored

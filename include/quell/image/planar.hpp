@@ -9,6 +9,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 template <class Format = Float32> struct Planar {
     static_assert(ComponentFormat<Format>,
                   "Planar<Format>: `Format` must be Float32, Float16 or another format, see quell/image/format.hpp");
+    using Half = Planar<Float16>;          ///< storage of channels with `always_half`
     using Exact = Planar<Float32>;         ///< storage of channels that need 32 bits
     static constexpr auto name = "planar"; ///< for messages
     using format = Format;                 ///< how a component is stored

@@ -46,11 +46,18 @@ template <class Px> struct PastSum {
     HistorySampleOf<Px> sum = no_past<Px>();
     Real weight = Real(0.f);
 
+    /// A kept channel's value, or what it says that has to be interpolated.
+    QUELL_KERNEL static auto interpolated(auto c, auto const& then) {
+        if constexpr (requires { c.interpolated(then[c], then.signal()); })
+            return c.interpolated(then[c], then.signal());
+        else
+            return then[c];
+    }
     QUELL_KERNEL void add(auto const& then, Real w) {
         weight = weight + w;
         sum.signal = add_scaled(sum.signal, then.signal(), w);
         sum.kept = make_record<Real>(typename Px::Scope::kept_channels{},
-                                     [&](auto c) QUELL_INLINED { return add_scaled(sum.kept[c], then[c], w); });
+                                     [&](auto c) QUELL_INLINED { return add_scaled(sum.kept[c], interpolated(c, then), w); });
     }
     /// Resets the other lanes to an empty sum.
     QUELL_KERNEL void keep_only(auto enough) {

@@ -37,7 +37,9 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
         auto colour = zero<typename Px::Signal>();
         Real weight(0.f);
         for (int t = 0; t < taps.count; ++t) {
-            colour = add_scaled(colour, taps.at(px, t).signal(), taps.weight[t]);
+            auto const signal = taps.at(px, t).signal();
+            taps.light[t] = luminance(signal) * taps.weight[t];
+            colour = add_scaled(colour, signal, taps.weight[t]);
             weight = weight + taps.weight[t];
         }
         Components<12, Real> sum;
@@ -53,7 +55,7 @@ private:
 
     template <class Px> struct Taps {
         int column[9], row[9];
-        typename Px::Real weight[9];
+        typename Px::Real weight[9], light[9]; // of the samples' numbers, of luminance
         int count = 0;
         QUELL_KERNEL void add(Px const& tap, typename Px::Real w) { column[count] = tap.x, row[count] = tap.y, weight[count++] = w; }
         QUELL_KERNEL Px at(Px const& px, int t) const { return {px.scope, column[t], row[t]}; }
@@ -62,14 +64,19 @@ private:
     template <int k, class Px, class Real>
     QUELL_KERNEL static void add_three_cones(Px const& px, Taps<Px> const& taps, Components<12, Real>& sum) {
         [&]<int... c>(std::integer_sequence<int, c...>) QUELL_INLINED {
-            Real part[] = {((void)c, Real(0.f))...};
+            Real light[] = {((void)c, Real(0.f))...}, number[] = {((void)c, Real(0.f))...};
             for (int t = 0; t < 9; ++t) {
                 auto const tap = taps.at(px, t);
-                ((part[c] = fma(tap.template channel_component<2 * k + c>(cone_luminance), taps.weight[t], part[c])), ...);
+                auto const add = [&](auto i, Real& its_light, Real& its_number) QUELL_INLINED {
+                    auto const count = tap.template channel_component<i + 1>(cone_luminance);
+                    its_light = fma(tap.template channel_component<i>(cone_luminance), count * taps.light[t], its_light);
+                    its_number = fma(count, taps.weight[t], its_number);
+                };
+                (add(std::integral_constant<int, 2 * (k + c)>{}, light[c], number[c]), ...);
             }
-            ((sum.at[2 * k + c] = part[c]), ...);
+            ((sum.at[2 * (k + c)] = light[c], sum.at[2 * (k + c) + 1] = number[c]), ...);
         }
-        (std::make_integer_sequence<int, 6>{});
+        (std::make_integer_sequence<int, 3>{});
     }
 };
 template <class Edge> ConeGather(Edge) -> ConeGather<Edge>;

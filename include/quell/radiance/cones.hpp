@@ -48,9 +48,30 @@ struct ConeRadiance : InternalChannel<24> {
 inline constexpr ConeRadiance cone_radiance;
 
 /// Incident luminance in six cones, beside a signal that has the colour. Component 2 k is the sum of cone k's samples, component 2 k + 1
-/// their number.
+/// their number; the numbers add up to 1. Memory holds, in half, the mean of a cone's samples over that of all in place of their sum: about
+/// 1, whatever the signal's unit.
 struct ConeLuminance : InternalChannel<12> {
     static constexpr auto name = "cone_luminance";
+    static constexpr bool always_half = true;
+
+    /// What a history fetch interpolates: the sums, in the units of the signal of the same pixel.
+    template <class V> QUELL_KERNEL static V interpolated(V in_memory, auto const& signal) {
+        auto const mean = luminance(signal);
+        for (int i = 0; i < components; i += 2) in_memory.at[i] = in_memory.at[i] * (in_memory.at[i + 1] * mean);
+        return in_memory;
+    }
+    /// What memory holds. A cone without light or without samples has the mean of all.
+    template <class V> QUELL_KERNEL static V in_memory(V cones) {
+        auto light = cones.at[0], number = cones.at[1];
+        for (int i = 2; i < components; i += 2) light = light + cones.at[i], number = number + cones.at[i + 1];
+        using Real = decltype(light);
+        auto const scale_by = masked(light > Real(1e-30f), number / light);
+        for (int i = 0; i < components; i += 2) {
+            auto const relative = min(cones.at[i] * scale_by / max(cones.at[i + 1], Real(1e-6f)), Real(60000.f));
+            cones.at[i] = select(both(scale_by > Real(0.f), cones.at[i + 1] > Real(1e-6f)), relative, Real(1.f));
+        }
+        return cones;
+    }
 };
 inline constexpr ConeLuminance cone_luminance;
 
