@@ -118,6 +118,29 @@ TEST_CASE("a pipeline without history has none that starts afresh, and one witho
     check_found(findings_of(space, frame, second, [](GoodFrame&) {}), {});
 }
 
+TEST_CASE("of pictures without noise nothing is said: they come out as they went in, and tiles repeat") {
+    constexpr auto denoise = Pipeline{radiance, Temporal{SurfaceMotion{}, RunningMean{}}};
+    auto const waves = [](int x, int y) { return 0.5f + 0.4f * std::sin(static_cast<float>(x) / 6) * std::cos(static_cast<float>(y) / 5); };
+    auto const tiles = [](int x, int y) { return 0.1f + 0.2f * static_cast<float>((99 + x) / 4 % 5 + y / 4 % 3); };
+    auto const check = [&](auto const& picture) {
+        Frame frame{size, denoise};
+        History history{size, denoise};
+        std::vector<Finding> all;
+        for (int i = 0; i < 6; ++i) {
+            frame.number = i;
+            fill(frame[depth], [](int, int) { return 5.f; });
+            fill(frame[normal], [](int, int) { return glm::vec3(0, 0, 1); });
+            fill(frame[motion], [](int, int) { return glm::vec2(-3, 0); });
+            fill(frame[radiance], [&](int x, int y) { return glm::vec3(picture(x - 3 * i, y)); });
+            std::ranges::move(diagnose(frame, history), std::back_inserter(all));
+            run(denoise, frame, history, Serial{});
+        }
+        check_found(all, {});
+    };
+    check(waves);
+    check(tiles);
+}
+
 TEST_CASE("vectors of a convention that the pipeline declares are no mistake; others are, pixels too") {
     using C = MotionConvention;
     constexpr C declared{.points = C::Points::from_previous, .unit = C::Unit::uv, .y = C::Y::up, .jitter = C::Jitter::left_in};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/diagnose/hypotheses/samples/albedo_edges.hpp>
+#include <quell/diagnose/noise.hpp>
 
 #include <cmath>
 
@@ -54,7 +55,8 @@ inline void find_repeated_noise(Observation const& seen, SignalSeen const& signa
         if (one != 0 && other != 0 && seen.hit(x, y) && all_finite(moved) && glm::length(moved) > 0.75f) agreement.add(one, other);
     });
     auto const& same = agreement.same;
-    bool const repeats = same.asked >= 150 && agreement.beyond_chance() > 0.3;
+    // Tiles that move on by a tile look the same as well; they do not look like noise.
+    bool const repeats = same.asked >= 150 && agreement.beyond_chance() > 0.3 && looks_noisy(seen, signal);
     notes.repeats_in_a_row = repeats ? notes.repeats_in_a_row + 1 : 0;
     if (notes.repeats_in_a_row < 3) return;
     findings.push_back({Mistake::seed_repeats,

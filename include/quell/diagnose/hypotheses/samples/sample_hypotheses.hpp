@@ -84,7 +84,9 @@ inline void find_output_is_input(Observation const& seen, SignalSeen const& sign
                                  std::vector<Finding>& findings) {
     auto const same = unchanged_by_run(seen, signal, now);
     // If few values change, they are moving edges, and disoccluded pixels have no past.
-    bool const idle = same.asked >= 100 && 5 * same.asked >= static_cast<long long>(now.size()) && same.share() >= 0.95;
+    // Without noise there is nothing to remove.
+    bool const idle =
+        looks_noisy(seen, signal) && same.asked >= 100 && 5 * same.asked >= static_cast<long long>(now.size()) && same.share() >= 0.95;
     auto& in_a_row = signal.notes->idle_in_a_row;
     in_a_row = idle ? in_a_row + 1 : 0;
     if (in_a_row < 3) return;
