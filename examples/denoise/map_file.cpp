@@ -120,10 +120,22 @@ MotionConvention motion_in(Member const& object) {
             choice_in(object, "jitter", own.jitter, {{"left_out", C::Jitter::left_out}, {"left_in", C::Jitter::left_in}})};
 }
 
+io::DepthConvention depth_in(Member const& object) {
+    using C = io::DepthConvention;
+    check_keys(object, {"along", "vertical_field_of_view"});
+    C depth{.along = choice_in(object, "along", C::Along::view_axis, {{"view_axis", C::Along::view_axis}, {"ray", C::Along::ray}})};
+    if (!object.has("vertical_field_of_view")) return depth;
+    auto const angle = object.at("vertical_field_of_view");
+    depth.vertical_field_of_view = angle.number();
+    if (!(depth.vertical_field_of_view > 0.f && depth.vertical_field_of_view < 180.f)) angle.fail("write degrees between 0 and 180");
+    return depth;
+}
+
 /// What all signals have in common.
 io::ChannelNames guides_in(Member const& map) {
     io::ChannelNames names;
     if (map.has("motion")) names.motion = motion_in(map.at("motion"));
+    if (map.has("depth")) names.depth = depth_in(map.at("depth"));
     if (map.has("miss_from")) names.miss_from = map.at("miss_from").number();
     if (map.has("shutter")) names.shutter = map.at("shutter").number();
     if (!map.has("channels")) return names;
@@ -178,7 +190,7 @@ std::string text_of(std::filesystem::path const& path) {
 io::SequenceNames parse_map(std::string const& text, std::string const& name) {
     auto const json = json_in(text, name);
     Member const map{name, "", json};
-    check_keys(map, {"channels", "motion", "miss_from", "shutter", "signals", "added", "picture"});
+    check_keys(map, {"channels", "motion", "depth", "miss_from", "shutter", "signals", "added", "picture"});
     if (map.has("picture")) static_cast<void>(map.at("picture").text(name_a_layer));
     auto const guides = guides_in(map);
     io::SequenceNames names{name};

@@ -13,6 +13,7 @@ namespace quell::examples {
 inline constexpr std::string_view map_example =
     R"({"channels":  {"depth": "Z", "normal": "N", "motion": ["speed.x", {"from": "speed.y", "scale": -1}]},
  "motion":    {"points": "to_previous", "unit": "pixel", "y": "down", "jitter": "left_out"},
+ "depth":     {"along": "view_axis"},
  "miss_from": 1e9,
  "shutter":   0.5,
  "signals":   [{"radiance": "beauty", "albedo": "base_color"},

@@ -18,6 +18,8 @@ std::string in_the_map(Mistake mistake) {
         return "; for files, set \"unit\" of \"motion\" in --map";
     case Mistake::motion_y:
         return "; for files, set \"y\" of \"motion\" in --map";
+    case Mistake::depth_is_ray_length:
+        return "; for files, set \"along\" of \"depth\" to \"ray\" in --map";
     case Mistake::depth_of_misses:
         return "; for files, set \"miss_from\" in --map";
     case Mistake::signal_demodulated:
@@ -64,6 +66,15 @@ io::SequenceNames names_on_canvas(io::SequenceNames names, Extent size, Region c
     return names;
 }
 
+/// A field of view is that of the display window.
+void check_field_of_view(io::ExrFile const& file, io::SequenceNames const& map, Region const& canvas) {
+    if (io::detail::size_of(canvas) == file.size || file.attributes.contains("quell:projection")) return;
+    for (auto const& signal : map.of_signals)
+        if (signal.channels.depth.along == io::DepthConvention::Along::ray)
+            throw Error(file.name, "its data window is not its display window, and only the map says what the camera sees",
+                        "write the attributes quell:view and quell:projection, or leave out what lies outside of the display window");
+}
+
 /// Cameras are of the display window. This changes their projections so that the canvas is what they show.
 void put_cameras_on_canvas(io::ExrImage& image, Extent size, Region const& canvas) {
     auto const part = [](int of, int whole) { return static_cast<float>(of) / static_cast<float>(whole); };
@@ -91,6 +102,7 @@ void SequenceDenoiser::begin(io::ExrOriginal const& file) {
     size = file.listed.size;
     canvas = {std::min(canvas.x0, others.x0), std::min(canvas.y0, others.y0), std::max(canvas.x1, others.x1),
               std::max(canvas.y1, others.y1)};
+    check_field_of_view(file.listed, *settings.map, canvas);
     on_canvas = names_on_canvas(*settings.map, size, canvas);
     auto const& preset = settings.preset;
     auto const whole = io::detail::size_of(canvas);

@@ -1,4 +1,5 @@
 #include "../frames.hpp"
+#include "../views.hpp"
 #include "files.hpp"
 
 using namespace quell;
@@ -126,6 +127,60 @@ TEST_CASE("motion of every convention becomes quell's own") {
     io::put_camera(image, {glm::mat4(1.f), glm::mat4(1.f), {0.25f, 0.f}});
     io::put_camera(image, {glm::mat4(1.f), glm::mat4(1.f), {-0.25f, 0.5f}}, "_previous");
     CHECK(near(loaded({-3.5f, 2.5f}, {.jitter = C::Jitter::left_in}), {-4.f, 3.f}));
+}
+
+TEST_CASE("depth along rays becomes depth along the view axis") {
+    tests::View const view({1, 2, 9}, {0, 1, -3}, {40, 24});
+    glm::vec2 const jitter(0.25f, -0.5f);
+    // Things at 3 to 5 along the view axis.
+    auto const wanted = [](int x, int y) { return 3.f + 0.1f * static_cast<float>(x % 7 + 2 * (y % 7)); };
+    io::ExrImage image{.name = "f.exr", .size = view.size};
+    image.planes = {plane("depth.Z", view.size, [&](int x, int y) {
+        auto const direction = view.direction(tests::centre(x, y) + glm::dvec2(jitter));
+        return static_cast<float>(wanted(x, y) / view.depth(view.eye + direction));
+    })};
+    Frame<Channels<Depth>> frame(view.size);
+    auto const check = [&](io::DepthConvention convention) {
+        io::load(frame, image, io::ChannelNames{.depth = convention});
+        for (int y = 0; y < view.size.height; ++y)
+            for (int x = 0; x < view.size.width; ++x) CHECK(frame[depth].get(x, y) == doctest::Approx(wanted(x, y)).epsilon(1e-5));
+    };
+    io::DepthConvention const along_rays{.along = io::DepthConvention::Along::ray};
+    check_error([&] { check(along_rays); }, {"f.exr", "no camera", "vertical_field_of_view"});
+    auto camera = view.camera();
+    camera.jitter = jitter;
+    io::put_camera(image, camera);
+    check(along_rays);
+    // A lens that is shifted to the side sees the right half: its picture is the right half of this one.
+    auto half = image;
+    half.size.width /= 2;
+    half.planes = {plane("depth.Z", half.size, [&](int x, int y) {
+        return image.planes[0].values[static_cast<std::size_t>(y * view.size.width + x + half.size.width)];
+    })};
+    glm::mat4 to_half(1.f);
+    to_half[0][0] = 2.f, to_half[3][0] = -1.f;
+    camera.projection = to_half * camera.projection;
+    io::put_camera(half, camera);
+    Frame<Channels<Depth>> right(half.size);
+    io::load(right, half, io::ChannelNames{.depth = along_rays});
+    CHECK(right[depth].get(3, 5) == doctest::Approx(wanted(3 + half.size.width, 5)).epsilon(1e-5));
+}
+
+TEST_CASE("depth along rays needs no camera where the field of view is said") {
+    io::ExrImage image{.size = {4, 2}};
+    // 90 degrees: the middle of the upper row's last pixel lies 1.5 to the right and 0.5 up of a point at 1.
+    image.planes = {plane("depth.Z", image.size, [&](int, int) { return 7.f; })};
+    Frame<Channels<Depth>> frame(image.size);
+    io::ChannelNames names{.depth = {io::DepthConvention::Along::ray, 90.f}, .miss_from = 8.f};
+    io::load(frame, image, names);
+    CHECK(frame[depth].get(3, 0) == doctest::Approx(7. / std::sqrt(1 + 1.5 * 1.5 + 0.5 * 0.5)));
+    names.miss_from = 7.f;
+    io::load(frame, image, names);
+    CHECK(frame[depth].get(3, 0) == std::numeric_limits<float>::infinity());
+    io::put_camera(image, {glm::mat4(1.f), glm::ortho(-1.f, 1.f, -1.f, 1.f, 0.1f, 9.f), {}});
+    names.miss_from = 8.f;
+    io::load(frame, image, names);
+    CHECK(frame[depth].get(3, 0) == 7.f);
 }
 
 TEST_CASE("jitter that is left in motion is refused where a file doesn't say how much it is") {

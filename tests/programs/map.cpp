@@ -57,6 +57,13 @@ TEST_CASE("motion in another convention") {
     CHECK(map(R"({"motion": {}})").of_signals[0].channels.motion == C{});
 }
 
+TEST_CASE("depth along rays") {
+    auto const depth = map(R"({"depth": {"along": "ray", "vertical_field_of_view": 40}})").of_signals[0].channels.depth;
+    CHECK(depth.along == io::DepthConvention::Along::ray);
+    CHECK(depth.vertical_field_of_view == 40.f);
+    CHECK(map("{}").of_signals[0].channels.depth.along == io::DepthConvention::Along::view_axis);
+}
+
 TEST_CASE("signals with and without their albedo, and what is added") {
     auto const names = map(R"({
         "channels": {"depth": "Z"},
@@ -86,7 +93,7 @@ TEST_CASE("mistakes are named with their place and what to write") {
     check("{\"channels\": ", {"map.json", "isn't JSON"});
     check("[1]", {"map.json", "it is [1]", "write an object"});
     check(R"({"chanels": {}})",
-          {"map.json", "chanels is {}", "no member of that name", "channels, motion, miss_from, shutter, signals, added"});
+          {"map.json", "chanels is {}", "no member of that name", "channels, motion, depth, miss_from, shutter, signals, added"});
     check(R"({"channels": {"dept": "Z"}})", {"channels.dept is \"Z\"", "no such channel"});
     check(R"({"channels": 3})", {"channels is 3", "write an object"});
     check(R"({"channels": {"normal": ["a", "b"]}})", {"channels.normal is [\"a\",\"b\"]", "a list of 3"});
@@ -98,6 +105,8 @@ TEST_CASE("mistakes are named with their place and what to write") {
     check(R"({"channels": {"depth": {"from": "Z", "scale": "x"}}})", {"channels.depth.scale is \"x\"", "write a number"});
     check(R"({"motion": {"y": "left"}})", {"motion.y is \"left\"", "write down or up"});
     check(R"({"motion": {"unit": 1}})", {"motion.unit is 1", "pixel or uv or ndc"});
+    check(R"({"depth": {"along": "axis"}})", {"depth.along is \"axis\"", "view_axis or ray"});
+    check(R"({"depth": {"vertical_field_of_view": 180}})", {"depth.vertical_field_of_view is 180", "between 0 and 180"});
     check(R"({"signals": []})", {"signals is []", "at least one signal"});
     check(R"({"signals": ["beauty"]})", {"signals[0] is \"beauty\"", "\"radiance\" or \"irradiance\""});
     check(R"({"signals": [{"radiance": "a", "irradiance": "b"}]})", {"signals[0]", "not both"});

@@ -19,6 +19,15 @@ struct Source {
     float scale = 1.f;            ///< factor or constant
 };
 
+/// What the depth of a file measures.
+struct DepthConvention {
+    /// The direction in which distance is measured.
+    enum class Along { view_axis, ray };
+    Along along = Along::view_axis; ///< ray: distance from the camera to the surface
+    /// Degrees, above 0 and below 180, for `ray` in files without a camera; 0: not known.
+    float vertical_field_of_view = 0.f;
+};
+
 /// Names and conventions of another renderer's files. By default quell's own: `R`, `albedo.R`, `normal.X`, `depth.Z`. For a depth called Z
 /// and motion with y up:
 ///
@@ -26,6 +35,7 @@ struct Source {
 struct ChannelNames {
     std::map<std::string, std::vector<Source>, std::less<>> sources = {}; ///< by quell's name of the channel: one source per component
     MotionConvention motion = {};                                         ///< of motion and motion_next
+    DepthConvention depth = {};                                           ///< of depth
     float miss_from = std::numeric_limits<float>::infinity();             ///< a depth of at least this is a miss
     std::optional<float> shutter = {};                                    ///< in place of the files' shutter: fraction of the frame time
 };

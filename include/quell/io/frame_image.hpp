@@ -5,6 +5,7 @@
 #include <quell/io/channel_names.hpp>
 #include <quell/io/exr_image.hpp>
 
+#include <cmath>
 #include <limits>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::io {
@@ -56,6 +57,34 @@ inline void mark_misses(std::vector<float>& depth, ExrImage const& image, Source
     }
 }
 
+/// Turns distances along rays into distances along the view axis. Rays go through the samples' places.
+/// @throws Error naming the file where neither it nor the convention says what the camera sees
+inline void to_view_axis(std::vector<float>& depth, ExrImage const& image, DepthConvention from) {
+    if (from.along == DepthConvention::Along::view_axis) return;
+    auto const camera = camera_of(image);
+    if (!camera && from.vertical_field_of_view == 0.f)
+        throw Error(image.name, "it has no camera, and its depth is said to be the length of rays",
+                    "write the attributes quell:view and quell:projection, or say vertical_field_of_view");
+    // Of a point at distance 1 along the view axis: its places to the right and up.
+    auto const width = static_cast<float>(image.size.width), height = static_cast<float>(image.size.height);
+    float const up = std::tan(glm::radians(from.vertical_field_of_view) / 2.f);
+    glm::vec2 reach(up * width / height, up), shift(0.f), jitter(0.f);
+    if (camera) {
+        auto const& to_clip = camera->projection;
+        if (to_clip[3][3] != 0.f) return; // orthographic: rays go along the view axis
+        reach = {1.f / to_clip[0][0], 1.f / to_clip[1][1]};
+        shift = {to_clip[2][0], to_clip[2][1]};
+        jitter = camera->jitter;
+    }
+    auto z = depth.begin();
+    for (int y = 0; y < image.size.height; ++y)
+        for (int x = 0; x < image.size.width; ++x, ++z) {
+            glm::vec2 const screen(2.f * (static_cast<float>(x) + 0.5f + jitter.x) / width - 1.f,
+                                   1.f - 2.f * (static_cast<float>(y) + 0.5f + jitter.y) / height);
+            *z /= glm::length(glm::vec3((screen + shift) * reach, 1.f));
+        }
+}
+
 /// Jitter of this or the last frame, in pixels. It is required: a wrong 0 would leave the jitter in the vectors.
 /// @throws Error naming the file and the attribute
 inline glm::vec2 jitter_in(ExrImage const& image, std::string const& attribute) {
@@ -91,7 +120,8 @@ template <ChannelTag C> void load_channel(C channel, ImageView auto const& view,
     for (int c = 0; c < C::components; ++c) {
         auto const& source = sources[static_cast<std::size_t>(c)];
         auto values = component_of(image, source, std::is_same_v<C, Instance>);
-        if constexpr (std::is_same_v<C, Depth>) mark_misses(values, image, source, names.miss_from);
+        if constexpr (std::is_same_v<C, Depth>)
+            mark_misses(values, image, source, names.miss_from), to_view_axis(values, image, names.depth);
         if constexpr (std::is_same_v<C, Motion>) to_own_motion(values, c, image, names.motion);
         if constexpr (std::is_same_v<C, MotionNext>) to_own_motion(values, c, image, next_convention(names.motion));
         auto value = values.begin();
