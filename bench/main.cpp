@@ -22,10 +22,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace {
 
@@ -70,6 +72,10 @@ void check_summary(std::string const& preset) {
 
 int main(int count, char** arguments) {
     using namespace quell::bench;
+    if (std::any_of(arguments + 1, arguments + count, [](char const* word) { return std::string_view(word) == "--help"; }))
+        std::puts("quell-bench [--summary[=PRESET]]   tables that compare executors in turn, in place of single benchmarks\n"
+                  "            [--rounds=N]           how often they measure (5)\n"
+                  "Names of benchmarks are PRESET/SIZE/STORAGE/EXECUTOR. All other flags are Google Benchmark's:\n");
     auto const summary = take_flag(count, arguments, "--summary");
     auto const rounds = take_flag(count, arguments, "--rounds");
     benchmark::Initialize(&count, arguments);

@@ -26,6 +26,7 @@ export async function with_pages(check) {
     let chromium = null;
     try {
         mkdirSync(pages);
+        if (screenshots) mkdirSync(screenshots, {recursive: true});
         execFileSync(program, [pages]);
         chromium = new Chromium(chromium_program, join(folder, "profile"));
         await check(async (name, options) => {

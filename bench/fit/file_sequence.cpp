@@ -50,7 +50,8 @@ private:
 
     void check_numbers() const {
         if (numbers.size() < min_frames)
-            throw Error("--in", std::to_string(numbers.size()) + " frames " + files.text(), "give at least " + std::to_string(min_frames));
+            throw Error("--in", std::to_string(numbers.size()) + " frames in " + files.text(),
+                        "give at least " + std::to_string(min_frames));
         if (static_cast<std::size_t>(numbers.back() - numbers.front()) + 1 == numbers.size()) return;
         throw Error("--in", "frames are missing between " + std::to_string(numbers.front()) + " and " + std::to_string(numbers.back()),
                     "give all of them");

@@ -22,6 +22,7 @@ public:
 
     [[nodiscard]] bool has_picture() const { return has("picture"); }
     [[nodiscard]] bool has_signals() const { return has("signals"); }
+    [[nodiscard]] bool is_signals_only() const { return names == std::vector<std::string>{"signals"}; }
     /// Whether a channel of the input goes on into the output.
     [[nodiscard]] bool keeps(std::string const& part, std::string const& channel) const;
     /// @throws Error naming a layer that the file has not

@@ -142,7 +142,7 @@ public:
         if (signal) names = names_for(*choice.preset, *signal);
         references = signal ? ReferenceNames{{*names}, false} : reference_names(*choice.preset, map);
         summary.preset = choice.preset->name, summary.preset_reason = choice.reason, summary.signal = options.signal;
-        if (!options.layers.empty()) output->check(wanted.front());
+        if (!options.layers.empty()) output->check(wanted.front(), names);
         comparison.emplace(options, wanted);
         denoiser.emplace(SequenceSettings{.preset = *choice.preset,
                                           .threads = options.threads,

@@ -137,7 +137,10 @@ io::ChannelNames guides_in(Member const& map) {
     if (map.has("motion")) names.motion = motion_in(map.at("motion"));
     if (map.has("depth")) names.depth = depth_in(map.at("depth"));
     if (map.has("miss_from")) names.miss_from = map.at("miss_from").number();
-    if (map.has("shutter")) names.shutter = map.at("shutter").number();
+    if (map.has("shutter")) {
+        names.shutter = map.at("shutter").number();
+        if (!(*names.shutter >= 0.f)) map.at("shutter").fail("write a part of the frame time, 0 or more");
+    }
     if (!map.has("channels")) return names;
     auto const channels = map.at("channels");
     if (!channels.value.is_object()) channels.fail("write an object of quell's channel names");

@@ -31,8 +31,13 @@ bool Output::has(long long number) const {
     }
 }
 
-void Output::check(long long first) const {
-    if (pattern) layers.check(io::ExrFile(in.path(first)));
+void Output::check(long long first, std::optional<io::SequenceNames> const& names) const {
+    if (!pattern) return;
+    io::ExrFile const file(in.path(first));
+    layers.check(file);
+    if (layers.is_signals_only() && names && signal_channels(file, *names).empty())
+        throw Error("--layers", "'signals' alone: there is but one signal in " + file.name + ", and it is the picture",
+                    "write picture in its place");
 }
 
 void Output::write(long long number, DenoisedFrame& frame, io::SequenceNames const& names) {

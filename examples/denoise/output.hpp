@@ -27,8 +27,10 @@ public:
 
     /// Whether the output of a frame is there, and whole.
     [[nodiscard]] bool has(long long number) const;
-    /// Makes sure that a frame has the layers to write. @throws Error naming the one that it has not
-    void check(long long first) const;
+    /// Makes sure that there are the layers to write. @throws Error naming the one that there is not
+    /// @param first number of a frame
+    /// @param names by which files are read, where they are known
+    void check(long long first, std::optional<io::SequenceNames> const& names) const;
     /// Writes the input's file again, with what was denoised in its place.
     void write(long long number, DenoisedFrame& frame, io::SequenceNames const& names);
     void write_views(long long number, std::string const& view, std::vector<std::pair<std::string, DebugImage>> const& images) const;

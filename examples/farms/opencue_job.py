@@ -58,9 +58,12 @@ def parsed(words=None):
 
 
 def main():
-    import outline.cuerun
-
-    outline.cuerun.launch(job_for(parsed()), use_pycuerun=False)
+    options = parsed()
+    try:
+        import outline.cuerun
+    except ImportError as why:
+        raise SystemExit(f"opencue_job.py: OpenCue's Python library can't be imported ({why}); pip install opencue-pyoutline")
+    outline.cuerun.launch(job_for(options), use_pycuerun=False)
 
 
 if __name__ == "__main__":

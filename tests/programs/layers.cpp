@@ -267,6 +267,8 @@ TEST_CASE("--layers chooses what is written") {
     check_refused(
         denoise(input(folder) + output(folder) + "--quiet --layers picture,shadow"),
         {"--layers", "no layer 'shadow' in", "frame.0001.exr", "choose any of: all, picture, signals, A, B, G, R, albedo, crypto00"});
+    check_refused(denoise(input(folder) + output(folder) + "--quiet --preset svgf --layers signals"),
+                  {"--layers", "but one signal in", "frame.0001.exr", "write picture"});
     check_refused(denoise(input(folder) + "--diagnose --quiet --layers picture"), {"--layers", "--out is missing"});
     CHECK(folder.files() == files);
 }

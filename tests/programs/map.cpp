@@ -107,6 +107,7 @@ TEST_CASE("mistakes are named with their place and what to write") {
     check(R"({"motion": {"unit": 1}})", {"motion.unit is 1", "pixel or uv or ndc"});
     check(R"({"depth": {"along": "axis"}})", {"depth.along is \"axis\"", "view_axis or ray"});
     check(R"({"depth": {"vertical_field_of_view": 180}})", {"depth.vertical_field_of_view is 180", "between 0 and 180"});
+    check(R"({"shutter": -1})", {"map.json", "shutter is -1", "0 or more"});
     check(R"({"signals": []})", {"signals is []", "at least one signal"});
     check(R"({"signals": ["beauty"]})", {"signals[0] is \"beauty\"", "\"radiance\" or \"irradiance\""});
     check(R"({"signals": [{"radiance": "a", "irradiance": "b"}]})", {"signals[0]", "not both"});
