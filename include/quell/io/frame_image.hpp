@@ -5,6 +5,9 @@
 #include <quell/io/channel_names.hpp>
 #include <quell/io/exr_image.hpp>
 
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
 #include <cmath>
 #include <limits>
 
