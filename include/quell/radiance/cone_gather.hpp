@@ -64,17 +64,17 @@ private:
     template <int k, class Px, class Real>
     QUELL_KERNEL static void add_three_cones(Px const& px, Taps<Px> const& taps, Components<12, Real>& sum) {
         [&]<int... c>(std::integer_sequence<int, c...>) QUELL_INLINED {
-            Real light[] = {((void)c, Real(0.f))...}, number[] = {((void)c, Real(0.f))...};
+            Real sums[] = {((void)c, Real(0.f))...}, numbers[] = {((void)c, Real(0.f))...};
             for (int t = 0; t < 9; ++t) {
                 auto const tap = taps.at(px, t);
-                auto const add = [&](auto i, Real& its_light, Real& its_number) QUELL_INLINED {
+                auto const add = [&](auto i, Real& its_sum, Real& its_number) QUELL_INLINED {
                     auto const count = tap.template channel_component<i + 1>(cone_luminance);
-                    its_light = fma(tap.template channel_component<i>(cone_luminance), count * taps.light[t], its_light);
+                    its_sum = fma(tap.template channel_component<i>(cone_luminance), count * taps.light[t], its_sum);
                     its_number = fma(count, taps.weight[t], its_number);
                 };
-                (add(std::integral_constant<int, 2 * (k + c)>{}, light[c], number[c]), ...);
+                (add(std::integral_constant<int, 2 * (k + c)>{}, sums[c], numbers[c]), ...);
             }
-            ((sum.at[2 * (k + c)] = light[c], sum.at[2 * (k + c) + 1] = number[c]), ...);
+            ((sum.at[2 * (k + c)] = sums[c], sum.at[2 * (k + c) + 1] = numbers[c]), ...);
         }
         (std::make_integer_sequence<int, 3>{});
     }

@@ -62,10 +62,10 @@ struct ConeLuminance : InternalChannel<12> {
     }
     /// What memory holds. A cone without light or without samples has the mean of all.
     template <class V> QUELL_KERNEL static V in_memory(V cones) {
-        auto light = cones.at[0], number = cones.at[1];
-        for (int i = 2; i < components; i += 2) light = light + cones.at[i], number = number + cones.at[i + 1];
-        using Real = decltype(light);
-        auto const scale_by = masked(light > Real(1e-30f), number / light);
+        auto sum = cones.at[0], number = cones.at[1];
+        for (int i = 2; i < components; i += 2) sum = sum + cones.at[i], number = number + cones.at[i + 1];
+        using Real = decltype(sum);
+        auto const scale_by = masked(sum > Real(1e-30f), number / sum);
         for (int i = 0; i < components; i += 2) {
             auto const relative = min(cones.at[i] * scale_by / max(cones.at[i + 1], Real(1e-6f)), Real(60000.f));
             cones.at[i] = select(both(scale_by > Real(0.f), cones.at[i + 1] > Real(1e-6f)), relative, Real(1.f));
