@@ -1,12 +1,13 @@
 #pragma once
 
-#include <quell/core/real.hpp>
+#include <quell/core/two_rows.hpp>
 #include <quell/image/extent.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// A tag that tells a job how many pixels to compute at once: `job(at_once<Pack>, x, y, count)`.
-template <class Real> struct AtOnce {
+/// @tparam rows 1, or 2 where each half of the pack is pixels of a row of its own
+template <class Real, int rows = 1> struct AtOnce {
     using real = Real; ///< float or a pack
 };
 /// The value of the tag.
@@ -32,7 +33,8 @@ struct AnyJob {
 ///     void for_each_pixel(Region region, auto const& job) const
 ///
 /// job(at_once<Real>, x, y, count) computes the `count` pixels from (x, y) to the right and writes no others; count <= width_of<Real>.
-/// `job.name` is the name of the pass. `job.max_lanes`, if there is one, is the largest useful SIMD width.
+/// `job.name` is the name of the pass. `job.max_lanes`, if there is one, is the largest useful SIMD width. Where `job.two_rows` is true,
+/// job(AtOnce<Real, 2>{}, x, y, count) computes those of an even row y and of the next one, in the halves of packs that are twice as wide.
 /// Models: Serial, SimdOf, Threads, Cuda.
 template <class E>
 concept Executor = requires(E const e, Region region, detail::AnyJob job) {
@@ -57,6 +59,11 @@ template <class P, class Job>
 struct PackFor<P, Job> {
     using type = xsimd::make_sized_batch_t<float, std::size_t{Job::max_lanes}>;
 };
+/// Whether a job takes an even row and the next one at once: its packs are half as wide as P.
+template <class P, class Job> inline constexpr bool pairs_rows = false;
+template <class P, class Job>
+    requires(Job::two_rows&& HalfPack<P>::joins&& std::is_same_v<typename PackFor<P, Job>::type, typename HalfPack<P>::type>)
+inline constexpr bool pairs_rows<P, Job> = true;
 } // namespace detail
 
 /// Runs one pack of pixels at a time on the calling thread.
@@ -67,8 +74,15 @@ template <class P = Pack> struct SimdOf {
     template <class Job> void for_each_pixel(Region r, Job const& job) const {
         using Real = typename detail::PackFor<P, Job>::type;
         constexpr int width = width_of<Real>;
-        for (int y = r.y0; y < r.y1; ++y)
+        for (int y = r.y0; y < r.y1; ++y) {
+            if constexpr (detail::pairs_rows<P, Job>)
+                if (y % 2 == 0 && y + 1 < r.y1) {
+                    for (int x = r.x0; x < r.x1; x += width) job(AtOnce<P, 2>{}, x, y, r.x1 - x < width ? r.x1 - x : width);
+                    ++y;
+                    continue;
+                }
             for (int x = r.x0; x < r.x1; x += width) job(at_once<Real>, x, y, r.x1 - x < width ? r.x1 - x : width);
+        }
     }
 };
 /// Packs of the instruction set that the translation unit is compiled for.

@@ -17,6 +17,7 @@ template <ChannelTag S, class Trajectories, class Footprint> struct DirectionalM
     static constexpr auto name = "directional mean";
     static constexpr bool leaves_signal = true;
     static constexpr int max_lanes = Gather::max_lanes; ///< largest useful SIMD width: a tile's
+    static constexpr bool two_rows = Gather::two_rows;  ///< as there
     using reads = Channels<LayerMotions<Trajectories>, ForegroundLayer<Signal>, ForegroundSweep, BackgroundLayer<Signal>, MeanSweep>;
     using emits = Channels<ForegroundLayer<Signal>, BackgroundLayer<Signal>>;
     Gather gather{};        ///< whose gaps it fills
@@ -63,7 +64,7 @@ private:
         for (int i = -each_side; i <= each_side; ++i) {
             auto const offset = line.nearest(static_cast<float>(i) * spacing);
             auto const there = px.at(offset.x, offset.y);
-            if (i == 0 || !there.row_inside) continue;
+            if (i == 0 || !there.any_row_inside()) continue;
             auto const its = there[layer];
             auto const x = there[of_layer].x - own.x, y = there[of_layer].y - own.y;
             auto const alike = clamp(fma(sqrt(fma(x, x, y * y)) * likeness, Real(-2.f), Real(2.f)), Real(0.f), Real(1.f));

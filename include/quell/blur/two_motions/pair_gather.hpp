@@ -27,9 +27,9 @@ template <ChannelTag S, class Trajectories = StraightTrajectories, class Footpri
     static constexpr bool leaves_signal = true;
     using reads = Channels<LayerMotions<Trajectories>, SampleTrajectory<Trajectories>>;
     using emits = Channels<ForegroundLayer<Signal>, ForegroundSweep, BackgroundLayer<Signal>, MeanSweep>;
-    /// Largest useful `count`.
-    static constexpr int max_samples = detail::LineOfPixels::max_steps;
-    static constexpr int max_lanes = 8; ///< largest useful SIMD width: a tile's
+    static constexpr int max_samples = detail::LineOfPixels::max_steps; ///< largest useful `count`
+    static constexpr int max_lanes = 8;                                 ///< largest useful SIMD width: a tile's
+    static constexpr bool two_rows = true;                              ///< rows that share a pair look along the same lines
     int count = 64;      ///< samples per pixel, up to `max_samples`; with two velocities, half along each. AdaptiveFootprint adds others.
     float reach = 0.65f; ///< how far to look along a sweep, as a fraction of it: samples farther away rarely pass in time
     float width = 1.f;   ///< pixels, above 0; distance of closest approach at which a sample's weight reaches 0; less for sweeps under 2
@@ -142,7 +142,7 @@ private:
         /// Adds the sample at an offset to its layer.
         template <class As, class What> QUELL_KERNEL void add(What, Px const& px, int dx, int dy, Mask wanted) {
             auto const there = px.at(dx, dy);
-            if (!there.row_inside) return;
+            if (!there.any_row_inside()) return;
             auto const sample = detail::usable_sample<Trajectories>(there).template as<As>();
             auto const usable = both(wanted, there.inside(), sample.known());
             vec2<Real> const away{Real(static_cast<float>(-dx)), Real(static_cast<float>(-dy))};

@@ -19,8 +19,8 @@ struct RowTiles {
     /// Calls visit(pixels, k) for each tile of a pack: the mask of its pixels, and the first one's lane.
     template <class Px, class Visit> QUELL_KERNEL void for_each(Px const& px, Visit&& visit) const {
         using Real = typename Px::Real;
-        auto const column = Real(static_cast<float>(px.x)) + lanes<Real>();
-        for (int first = px.x; first < px.x + width_of<Real>;) {
+        auto const column = px.columns();
+        for (int first = px.x; first < px.x + Px::pack_width;) {
             int const next = (first / width + 1) * width;
             visit(both(column >= Real(static_cast<float>(first)), column < Real(static_cast<float>(next))), first - px.x);
             first = next;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/core/random.hpp>
+#include <quell/frame/cursor/pack_rows.hpp>
 #include <quell/frame/cursor/past_pixel.hpp>
 #include <quell/frame/kept_channels.hpp>
 
@@ -9,7 +10,8 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// The cursor that policies use: one pixel of the current frame, or neighbouring pixels of a row where Real is a pack.
 /// @tparam R float or a pack
 /// @tparam S the Scope of the pass
-template <class R, class S> struct Pixel {
+/// @tparam rows 1; in passes of `two_rows` also 2: the second half of a pack is then the pixels below the first half
+template <class R, class S, int rows = 1> struct Pixel {
     using Real = R;                         ///< float or a pack
     using Scope = S;                        ///< of the pass
     using Signal = Value<S::components, R>; ///< a value of the signal
@@ -18,6 +20,10 @@ template <class R, class S> struct Pixel {
     int x,                  ///< column of the first lane
         y;                  ///< row
     bool row_inside = true; ///< false where at() left the image vertically; y is then the border's row
+    /// @cond
+    QUELL_NO_UNIQUE_ADDRESS detail::SecondRow<rows> second = detail::SecondRow<rows>(y + 1);
+    static constexpr int pack_width = width_of<R> / rows; // columns of a pack
+    /// @endcond
 
     /// The value of a channel of this frame: supplied by the host or made by an earlier pass.
     template <ChannelTag C> QUELL_KERNEL auto operator[](C c) const {
@@ -43,7 +49,7 @@ template <class R, class S> struct Pixel {
     /// The signal at fine pixel (i, j), as finer(). Finite and not negative.
     QUELL_KERNEL Signal finer_signal(int i, int j) const {
         static_assert(S::fraction > 1, "px.finer_signal(i, j): the pass is of the frame's size: use px.signal()");
-        return without_mark(detail::fetch_repeated(scope.signal, under(S::fraction, i, j)));
+        return detail::without_mark<S::marks_missing>(detail::fetch_repeated(scope.signal, under(S::fraction, i, j)));
     }
     /// A channel of a coarser resolution at the coarse pixel that contains this pixel, plus (dx, dy) coarse pixels. Outside the image the
     /// border repeats.
@@ -62,7 +68,7 @@ template <class R, class S> struct Pixel {
     /// The signal being denoised. Finite and not negative; a missing sample holds the mean of its usable neighbours.
     QUELL_KERNEL Signal signal() const {
         static_assert(S::fraction == 1, "a pass of a fraction of the frame's size looks at the signal: use px.finer_signal(i, j)");
-        return without_mark(load(scope.signal));
+        return detail::without_mark<S::marks_missing>(load(scope.signal));
     }
     /// One component of the signal.
     template <int c> QUELL_KERNEL Real signal_component() const {
@@ -103,18 +109,25 @@ template <class R, class S> struct Pixel {
     /// or use for_each_tap.
     QUELL_KERNEL Pixel at(int dx, int dy) const {
         int const row = y + dy, last = scope.size.height - 1;
-        return {scope, column(x + dx), detail::clamp_to(row, last), row_inside && row >= 0 && row <= last};
+        return {scope, column(x + dx), detail::clamp_to(row, last), row_inside && row >= 0 && row <= last, second.at(dy, last)};
     }
     /// True where this pixel lies inside the image.
     QUELL_KERNEL auto inside() const {
-        auto const column = Real(static_cast<float>(x)) + lanes<Real>();
-        auto const width = Real(row_inside ? static_cast<float>(scope.size.width) : 0.f);
+        auto const column = columns();
+        auto const whole = static_cast<float>(scope.size.width);
+        auto const width = detail::by_rows<Real, rows>(row_inside ? whole : 0.f, second.inside ? whole : 0.f);
         return both(column >= Real(0.f), column < width);
     }
-    /// Pixel coordinates of the centre: (column + 0.5, row + 0.5). The point in the world is px[quell::position], or rays().position().
-    QUELL_KERNEL vec2<Real> position() const {
-        return {Real(static_cast<float>(x)) + lanes<Real>() + 0.5f, Real(static_cast<float>(y) + 0.5f)};
+    /// Whether any lane's row lies inside the image.
+    QUELL_KERNEL bool any_row_inside() const { return row_inside || second.inside; }
+    /// Column of each lane.
+    QUELL_KERNEL Real columns() const {
+        return Real(static_cast<float>(x)) + lanes<Real>() - detail::by_rows<Real, rows>(0.f, static_cast<float>(pack_width));
     }
+    /// Row of each lane.
+    QUELL_KERNEL Real row_of_lanes() const { return detail::by_rows<Real, rows>(static_cast<float>(y), static_cast<float>(second.y)); }
+    /// Pixel coordinates of the centre: (column + 0.5, row + 0.5). The point in the world is px[quell::position], or rays().position().
+    QUELL_KERNEL vec2<Real> position() const { return {columns() + 0.5f, row_of_lanes() + 0.5f}; }
     /// The size of the pass, in pixels.
     QUELL_KERNEL Extent size() const { return scope.size; }
     /// Offset of this frame's samples from the pixels' centres, in pixels, y down.
@@ -145,7 +158,7 @@ template <class R, class S> struct Pixel {
         require_frame_size();
         auto const v = detail::fetch<Real>(scope.signal, scope.size, place, 0, 0);
         if constexpr (S::marks_missing)
-            return std::pair{without_mark(v), sign_bit(component<0>(v))};
+            return std::pair{detail::without_mark<S::marks_missing>(v), sign_bit(component<0>(v))};
         else
             return std::pair{v, Real(0.f) != Real(0.f)};
     }
@@ -154,13 +167,11 @@ template <class R, class S> struct Pixel {
     /// The same for the previous frame.
     QUELL_KERNEL PixelRays const& rays_then() const { return require_camera(), scope.rays_then; }
     /// Two approximately normal random numbers, mean 0 and standard deviation 1. They depend on the pixel and the frame's number only.
-    QUELL_KERNEL std::pair<Real, Real> random_normals() const {
-        return normal_pair(Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)), scope.frame_index);
-    }
+    QUELL_KERNEL std::pair<Real, Real> random_normals() const { return normal_pair(columns(), row_of_lanes(), scope.frame_index); }
     /// Two uniform random numbers in [0, 1), likewise.
     /// @param which selects one of 16 pairs, 0 to 15
     QUELL_KERNEL std::pair<Real, Real> random_uniforms(int which = 0) const {
-        return uniform_pair(Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)), scope.frame_index ^ (which << 26));
+        return uniform_pair(columns(), row_of_lanes(), scope.frame_index ^ (which << 26));
     }
     /// Projects a world-space point to the previous frame: pixel coordinates (x, y) minus this frame's jitter, and linear depth (z; <= 0 is
     /// behind the camera). The sample that saw the point was off the pixel's centre by the jitter; history belongs to pixels' centres. The
@@ -177,8 +188,8 @@ private:
     }
     /// Column and row of fine pixel (i, j) in an image of `ratio` times the resolution.
     QUELL_KERNEL vec2<Real> under(int ratio, int i, int j) const {
-        return {(Real(static_cast<float>(x)) + lanes<Real>()) * static_cast<float>(ratio) + static_cast<float>(i),
-                Real(static_cast<float>(y * ratio + j))};
+        auto const times = static_cast<float>(ratio);
+        return {columns() * times + static_cast<float>(i), row_of_lanes() * times + static_cast<float>(j)};
     }
     /// This pixel's centre in pixel coordinates of a coarser channel.
     template <class C> QUELL_KERNEL vec2<Real> over() const {
@@ -222,27 +233,17 @@ private:
     /// All images of a pass have its size. Setting it here lets the compiler compute one address for all of them.
     QUELL_KERNEL auto load(auto view) const {
         view.size = scope.size;
-        return detail::load_pixels<R>(view, x, y);
+        return detail::load_rows<R, rows>(view, x, y, second);
     }
     template <int c> QUELL_KERNEL Real load_one(auto view) const {
+        static_assert(rows == 1, "a pass of `two_rows` looks at a component by itself: take it from px[channel]");
         view.size = scope.size;
         return detail::load_one<R, c>(view, x, y);
     }
     /// Limits a column to where a pack may start. Beyond that no lane is inside, so the values do not matter.
     QUELL_KERNEL int column(int i) const {
-        int const low = -width_of<Real>, high = scope.size.width;
+        int const low = -pack_width, high = scope.size.width;
         return i < low ? low : i > high ? high : i;
-    }
-    QUELL_KERNEL static Signal without_mark(Signal const& v) {
-        if constexpr (!S::marks_missing)
-            return v;
-        else
-            return make_value<S::components, R>([&](auto c) QUELL_INLINED {
-                if constexpr (c == 0)
-                    return without_sign_bit(component<c>(v));
-                else
-                    return component<c>(v);
-            });
     }
 };
 

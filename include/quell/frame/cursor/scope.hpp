@@ -24,6 +24,19 @@ struct PassTraits {
     int fraction = 1;           ///< size of the pass = frame size / fraction, rounded up
 };
 
+namespace detail {
+/// A value of the signal, without the mark of a missing sample in its first component.
+/// @tparam marks whether there may be one
+template <bool marks, class V> QUELL_KERNEL V without_mark(V const& v) {
+    return make_value<components_of<V>, real_of<V>>([&](auto c) QUELL_INLINED {
+        if constexpr (marks && c == 0)
+            return without_sign_bit(component<c>(v));
+        else
+            return component<c>(v);
+    });
+}
+} // namespace detail
+
 /// Everything that the kernels of one pass can read. `_then` means of the previous frame.
 /// @tparam FrameViews     views of the host's channels
 /// @tparam MadeViews      views of channels that earlier passes of this frame keep or emit

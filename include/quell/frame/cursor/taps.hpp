@@ -25,6 +25,15 @@ template <int radius, class Px, class Body>
 QUELL_KERNEL void for_each_tap(Px const& px, int step, float const (&profile)[std::size_t{radius + 1}], Body&& body) {
     using Real = typename Px::Real;
     constexpr int side = 2 * radius + 1;
+    if constexpr (Px::pack_width < width_of<Real>) { // rows differ in what is inside
+        for (int j = -radius; j <= radius; ++j)
+            for (int i = -radius; i <= radius; ++i) {
+                auto const near_by = px.at(i * step, j * step);
+                if (near_by.any_row_inside())
+                    body(near_by, masked(near_by.inside(), Real(profile[i < 0 ? -i : i] * profile[j < 0 ? -j : j])), i * step, j * step);
+            }
+        return;
+    }
     // What depends on the column only is computed once.
     Real across[std::size_t{side}];
     int column[std::size_t{side}];
@@ -47,6 +56,7 @@ QUELL_KERNEL void for_each_tap(Px const& px, int step, float const (&profile)[st
 /// distance only is computed once for two taps. Rows outside have weight 0. It is unrolled: use small radii.
 template <int radius, class Px, class Body>
 QUELL_KERNEL void for_each_tap_pair(Px const& px, int step, float const (&profile)[std::size_t{radius + 1}], Body&& body) {
+    static_assert(Px::pack_width == width_of<typename Px::Real>, "a pass of `two_rows` takes taps by for_each_tap");
     using Real = typename Px::Real;
     constexpr int side = 2 * radius + 1, pairs = side * side / 2;
     Real across[std::size_t{side}];
@@ -88,6 +98,7 @@ inline constexpr float too_far = 1e9f, ///< a distance that gives it
 /// the image. Add `row` to the weight's bits: it is 0, or too_little in rows outside. Borders then need no test.
 /// @tparam radius in taps
 template <int radius, class Px, class Body> QUELL_KERNEL void for_each_opposite_taps(Px const& px, int step, float base, Body&& body) {
+    static_assert(Px::pack_width == width_of<typename Px::Real>, "a pass of `two_rows` takes taps by for_each_tap");
     using Real = typename Px::Real;
     constexpr int side = 2 * radius + 1;
     Real start[std::size_t{side}];

@@ -30,6 +30,14 @@ template <class Pass> constexpr int max_lanes_of() {
         return std::numeric_limits<int>::max();
 }
 
+/// Whether a pass takes an even row and the next one at once, where its packs are half as wide as those of the instruction set.
+template <class Pass> constexpr bool takes_two_rows() {
+    if constexpr (requires { Pass::two_rows; })
+        return Pass::two_rows;
+    else
+        return false;
+}
+
 /// Whether a pass makes a new signal: it has no emit_channels(px).
 template <class Pass, class Scope> inline constexpr bool makes_signal_of = !requires(Pass const p, Pixel<float, Scope> px) {
     p.emit_channels(px);
@@ -51,6 +59,8 @@ template <class Pass, class Scope, class SignalView, class MadeViews, class Fini
     static constexpr auto name = name_of<Pass>();
     static constexpr bool makes_signal = makes_signal_of<Pass, Scope>;
     static constexpr int max_lanes = max_lanes_of<Pass>();
+    static constexpr bool two_rows = takes_two_rows<Pass>();
+    static_assert(!two_rows || !makes_signal, "a pass of `two_rows` makes the signal: give it emit_channels(px)");
     static_assert(Scope::fraction == 1 || !makes_signal,
                   "a pass of a fraction of the frame's size makes the signal, which is of the frame's size: give it emit_channels(px)");
     static_assert(all_of_fraction<Scope::fraction>(typename MadeViews::channels{}),
@@ -64,8 +74,8 @@ template <class Pass, class Scope, class SignalView, class MadeViews, class Fini
     bool store_signal, store_output, store_remembered;
     Counts* counts = nullptr; ///< of the ingest; else null
 
-    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
-        auto const result = result_of([&]() QUELL_INLINED { return evaluate(Pixel<Real, Scope>{scope, x, y}); });
+    template <class Real, int rows> QUELL_KERNEL void operator()(AtOnce<Real, rows>, int x, int y, int count) const {
+        auto const result = result_of([&]() QUELL_INLINED { return evaluate(Pixel<Real, Scope, rows>{scope, x, y}); });
         static_assert(
             contained_in<typename decltype(result.more)::channels, decltype(typename MadeViews::channels{} | Channels<Suppressed>{})>,
             "a policy returns a channel that it does not list: add the channel to its `emits` or `keeps`");
@@ -78,9 +88,10 @@ template <class Pass, class Scope, class SignalView, class MadeViews, class Fini
         for_each_channel(typename MadeViews::channels{}, [&](auto c) QUELL_INLINED {
             static_assert(decltype(result.more)::channels::template has<decltype(c)>,
                           "a policy does not return a channel that it `keeps` or `emits`: add .with(channel, value) to its result");
-            store_pixels<Real>(made.view(c), x, y, result.more[c], count);
+            store_rows<Real, rows>(made.view(c), x, y, result.more[c], count);
         });
-        if (store_remembered) finish.template remember<Real>(x, y, count, RememberedSet{});
+        if constexpr (rows == 1) // else it is not the last pass
+            if (store_remembered) finish.template remember<Real>(x, y, count, RememberedSet{});
     }
 
 private:
