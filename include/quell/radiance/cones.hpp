@@ -52,7 +52,7 @@ inline constexpr ConeRadiance cone_radiance;
 /// 1, whatever the signal's unit.
 struct ConeLuminance : InternalChannel<12> {
     static constexpr auto name = "cone_luminance";
-    static constexpr bool always_half = true;
+    static constexpr bool always_half = true; ///< memory holds numbers of about 1
 
     /// What a history fetch interpolates: the sums, in the units of the signal of the same pixel.
     template <class V> QUELL_KERNEL static V interpolated(V in_memory, auto const& signal) {
@@ -60,7 +60,7 @@ struct ConeLuminance : InternalChannel<12> {
         for (int i = 0; i < components; i += 2) in_memory.at[i] = in_memory.at[i] * (in_memory.at[i + 1] * mean);
         return in_memory;
     }
-    /// What memory holds. A cone without light or without samples has the mean of all.
+    /// What memory holds of what a policy returns. A cone without light or without samples has the mean of all.
     template <class V> QUELL_KERNEL static V in_memory(V cones) {
         auto sum = cones.at[0], number = cones.at[1];
         for (int i = 2; i < components; i += 2) sum = sum + cones.at[i], number = number + cones.at[i + 1];

@@ -29,7 +29,7 @@ template <class Inner> struct WithCones {
         auto before = past[cone_luminance];
         auto const clamped = past.clamped > typename decltype(px)::Real(0.f);
         if (any(clamped)) before = select(clamped, as_bright_as(luminance(past.signal), before), before);
-        return result.with(cone_luminance, ConeLuminance::in_memory(mix(before, sample, result.alpha)));
+        return result.with(cone_luminance, mix(before, sample, result.alpha));
     }
 
 private:

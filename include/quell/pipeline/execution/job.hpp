@@ -88,13 +88,20 @@ template <class Pass, class Scope, class SignalView, class MadeViews, class Fini
         for_each_channel(typename MadeViews::channels{}, [&](auto c) QUELL_INLINED {
             static_assert(decltype(result.more)::channels::template has<decltype(c)>,
                           "a policy does not return a channel that it `keeps` or `emits`: add .with(channel, value) to its result");
-            store_rows<Real, rows>(made.view(c), x, y, result.more[c], count);
+            store_rows<Real, rows>(made.view(c), x, y, in_memory(c, result.more[c]), count);
         });
         if constexpr (rows == 1) // else it is not the last pass
             if (store_remembered) finish.template remember<Real>(x, y, count, RememberedSet{});
     }
 
 private:
+    /// A channel's value, or what it says that memory holds of it.
+    QUELL_KERNEL static auto in_memory(auto c, auto const& value) {
+        if constexpr (requires { c.in_memory(value); })
+            return c.in_memory(value);
+        else
+            return value;
+    }
     template <class Px, class V> QUELL_KERNEL static V marked(Px const& px, V const& value) {
         if constexpr (!keeps_marks)
             return value;
