@@ -68,7 +68,8 @@ io::SequenceNames names_on_canvas(io::SequenceNames names, Extent size, Region c
 
 /// A field of view is that of the display window.
 void check_field_of_view(io::ExrFile const& file, io::SequenceNames const& map, Region const& canvas) {
-    if (io::detail::size_of(canvas) == file.size || file.attributes.contains("quell:projection")) return;
+    bool const has_camera = file.attributes.contains("quell:view") && file.attributes.contains("quell:projection");
+    if (io::detail::size_of(canvas) == file.size || has_camera) return;
     for (auto const& signal : map.of_signals)
         if (signal.channels.depth.along == io::DepthConvention::Along::ray)
             throw Error(file.name, "its data window is not its display window, and only the map says what the camera sees",

@@ -151,6 +151,9 @@ TEST_CASE("depth along rays becomes depth along the view axis") {
     camera.jitter = jitter;
     io::put_camera(image, camera);
     check(along_rays);
+    auto without = image;
+    io::put_camera(without, {camera.view, glm::mat4(0.f), jitter});
+    check_error([&] { io::load(frame, without, io::ChannelNames{.depth = along_rays}); }, {"f.exr", "no ray can be made"});
     // A lens that is shifted to the side sees the right half: its picture is the right half of this one.
     auto half = image;
     half.size.width /= 2;

@@ -18,7 +18,9 @@ template <int Components> struct Channel {
     static constexpr int fraction = 1;            ///< image size = frame size / fraction, rounded up. 2: half resolution.
 };
 
-/// A channel that stages make and no host supplies. A pipeline that reads it without a stage that makes it does not compile.
+/// A channel that stages make and no host supplies. A pipeline that reads it without a stage that makes it does not compile. Memory may
+/// hold another form of it than policies return, as of ConeLuminance: static functions `in_memory(value)` and `interpolated(in memory,
+/// signal)`, which history fetches call, convert.
 template <int Components> struct InternalChannel : Channel<Components> {
     static constexpr bool made_by_stages = true; ///< marks it for Pipeline
     static constexpr bool squared = false;       ///< true: a variance. Half stores its square root, since half ends at 65504.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/core/two_rows.hpp>
+#include <quell/core/half_pack.hpp>
 #include <quell/image/extent.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -74,15 +74,17 @@ template <class P = Pack> struct SimdOf {
     template <class Job> void for_each_pixel(Region r, Job const& job) const {
         using Real = typename detail::PackFor<P, Job>::type;
         constexpr int width = width_of<Real>;
-        for (int y = r.y0; y < r.y1; ++y) {
-            if constexpr (detail::pairs_rows<P, Job>)
-                if (y % 2 == 0 && y + 1 < r.y1) {
-                    for (int x = r.x0; x < r.x1; x += width) job(AtOnce<P, 2>{}, x, y, r.x1 - x < width ? r.x1 - x : width);
-                    ++y;
-                    continue;
-                }
-            for (int x = r.x0; x < r.x1; x += width) job(at_once<Real>, x, y, r.x1 - x < width ? r.x1 - x : width);
-        }
+        auto const along_row = [&](auto pack, int y) QUELL_INLINED {
+            for (int x = r.x0; x < r.x1; x += width) job(pack, x, y, r.x1 - x < width ? r.x1 - x : width);
+        };
+        for (int y = r.y0; y < r.y1; ++y)
+            if constexpr (detail::pairs_rows<P, Job>) {
+                if (y % 2 == 0 && y + 1 < r.y1)
+                    along_row(AtOnce<P, 2>{}, y++);
+                else
+                    along_row(at_once<Real>, y);
+            } else
+                along_row(at_once<Real>, y);
     }
 };
 /// Packs of the instruction set that the translation unit is compiled for.

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <quell/frame/frame.hpp>
+#include <quell/frame/pixel_rays.hpp>
 #include <quell/io/camera_attributes.hpp>
 #include <quell/io/channel_names.hpp>
 #include <quell/io/exr_image.hpp>
 
-#include <glm/geometric.hpp>
+#include <glm/ext/matrix_clip_space.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <cmath>
@@ -64,27 +65,25 @@ inline void mark_misses(std::vector<float>& depth, ExrImage const& image, Source
 /// @throws Error naming the file where neither it nor the convention says what the camera sees
 inline void to_view_axis(std::vector<float>& depth, ExrImage const& image, DepthConvention from) {
     if (from.along == DepthConvention::Along::view_axis) return;
-    auto const camera = camera_of(image);
+    auto camera = camera_of(image);
     if (!camera && from.vertical_field_of_view == 0.f)
         throw Error(image.name, "it has no camera, and its depth is said to be the length of rays",
                     "write the attributes quell:view and quell:projection, or say vertical_field_of_view");
-    // Of a point at distance 1 along the view axis: its places to the right and up.
-    auto const width = static_cast<float>(image.size.width), height = static_cast<float>(image.size.height);
-    float const up = std::tan(glm::radians(from.vertical_field_of_view) / 2.f);
-    glm::vec2 reach(up * width / height, up), shift(0.f), jitter(0.f);
-    if (camera) {
-        auto const& to_clip = camera->projection;
-        if (to_clip[3][3] != 0.f) return; // orthographic: rays go along the view axis
-        reach = {1.f / to_clip[0][0], 1.f / to_clip[1][1]};
-        shift = {to_clip[2][0], to_clip[2][1]};
-        jitter = camera->jitter;
+    if (!camera) {
+        float const aspect = static_cast<float>(image.size.width) / static_cast<float>(image.size.height);
+        camera = Camera{.projection = glm::perspective(glm::radians(from.vertical_field_of_view), aspect, 1.f, 2.f)};
     }
+    if (camera->projection[3][3] != 0.f) return; // orthographic: rays go along the view axis
+    PixelRays const rays(*camera, image.size);
+    if (!is_finite(rays.pixel_size))
+        throw Error(image.name, "no ray can be made of its camera, and its depth is said to be the length of rays",
+                    "write the attributes quell:view and quell:projection of a perspective camera");
     auto z = depth.begin();
     for (int y = 0; y < image.size.height; ++y)
-        for (int x = 0; x < image.size.width; ++x, ++z) {
-            glm::vec2 const screen(2.f * (static_cast<float>(x) + 0.5f + jitter.x) / width - 1.f,
-                                   1.f - 2.f * (static_cast<float>(y) + 0.5f + jitter.y) / height);
-            *z /= glm::length(glm::vec3((screen + shift) * reach, 1.f));
+        for (int x = 0; x < image.size.width; ++x) {
+            auto const to_depth_1 = rays.direction(
+                vec2<float>{static_cast<float>(x) + 0.5f + camera->jitter.x, static_cast<float>(y) + 0.5f + camera->jitter.y});
+            *z++ /= std::sqrt(dot(to_depth_1, to_depth_1));
         }
 }
 
@@ -123,8 +122,10 @@ template <ChannelTag C> void load_channel(C channel, ImageView auto const& view,
     for (int c = 0; c < C::components; ++c) {
         auto const& source = sources[static_cast<std::size_t>(c)];
         auto values = component_of(image, source, std::is_same_v<C, Instance>);
-        if constexpr (std::is_same_v<C, Depth>)
-            mark_misses(values, image, source, names.miss_from), to_view_axis(values, image, names.depth);
+        if constexpr (std::is_same_v<C, Depth>) {
+            mark_misses(values, image, source, names.miss_from);
+            to_view_axis(values, image, names.depth);
+        }
         if constexpr (std::is_same_v<C, Motion>) to_own_motion(values, c, image, names.motion);
         if constexpr (std::is_same_v<C, MotionNext>) to_own_motion(values, c, image, next_convention(names.motion));
         auto value = values.begin();

@@ -55,7 +55,7 @@ private:
 
     template <class Px> struct Taps {
         int column[9], row[9];
-        typename Px::Real weight[9], light[9]; // of the samples' numbers, of luminance
+        typename Px::Real weight[9], light[9]; // of a neighbour, and that times its luminance
         int count = 0;
         QUELL_KERNEL void add(Px const& tap, typename Px::Real w) { column[count] = tap.x, row[count] = tap.y, weight[count++] = w; }
         QUELL_KERNEL Px at(Px const& px, int t) const { return {px.scope, column[t], row[t]}; }

@@ -55,10 +55,10 @@ struct ConeLuminance : InternalChannel<12> {
     static constexpr bool always_half = true; ///< memory holds numbers of about 1
 
     /// What a history fetch interpolates: the sums, in the units of the signal of the same pixel.
-    template <class V> QUELL_KERNEL static V interpolated(V in_memory, auto const& signal) {
+    template <class V> QUELL_KERNEL static V interpolated(V stored, auto const& signal) {
         auto const mean = luminance(signal);
-        for (int i = 0; i < components; i += 2) in_memory.at[i] = in_memory.at[i] * (in_memory.at[i + 1] * mean);
-        return in_memory;
+        for (int i = 0; i < components; i += 2) stored.at[i] = stored.at[i] * (stored.at[i + 1] * mean);
+        return stored;
     }
     /// What memory holds of what a policy returns. A cone without light or without samples has the mean of all.
     template <class V> QUELL_KERNEL static V in_memory(V cones) {
@@ -67,6 +67,7 @@ struct ConeLuminance : InternalChannel<12> {
         using Real = decltype(sum);
         auto const scale_by = masked(sum > Real(1e-30f), number / sum);
         for (int i = 0; i < components; i += 2) {
+            // Half ends at 65504.
             auto const relative = min(cones.at[i] * scale_by / max(cones.at[i + 1], Real(1e-6f)), Real(60000.f));
             cones.at[i] = select(both(scale_by > Real(0.f), cones.at[i + 1] > Real(1e-6f)), relative, Real(1.f));
         }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/core/two_rows.hpp>
+#include <quell/core/half_pack.hpp>
 #include <quell/image/image_storage.hpp>
 
 /// @file

@@ -86,7 +86,7 @@ inline void find_output_is_input(Observation const& seen, SignalSeen const& sign
     // If few values change, they are moving edges, and disoccluded pixels have no past.
     // Without noise there is nothing to remove.
     bool const idle =
-        looks_noisy(seen, signal) && same.asked >= 100 && 5 * same.asked >= static_cast<long long>(now.size()) && same.share() >= 0.95;
+        same.asked >= 100 && 5 * same.asked >= static_cast<long long>(now.size()) && same.share() >= 0.95 && looks_noisy(seen, signal);
     auto& in_a_row = signal.notes->idle_in_a_row;
     in_a_row = idle ? in_a_row + 1 : 0;
     if (in_a_row < 3) return;

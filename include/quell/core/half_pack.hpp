@@ -4,7 +4,8 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
-/// The pack of half the width, and whether packs can be put together from two of it.
+/// The pack of half the width, and whether packs can be put together from two of it. Only AVX-512 needs that: elsewhere no pass has packs
+/// that are narrower than those of the instruction set.
 template <class Real> struct HalfPack {
     using type = Real;
     static constexpr bool joins = false;
