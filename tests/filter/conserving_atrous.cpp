@@ -57,7 +57,7 @@ TEST_CASE("pixels exchange light: of one frame, what one loses others gain") {
     // Dark at the borders: what a border pixel gives is weighed by fewer neighbours.
     double before = 0, after = 0;
     tests::fill(frame[radiance], [&](int x, int y) {
-        bool const inside = x >= 12 && y >= 12 && x < size.width - 12 && y < size.height - 12;
+        bool const inside = x >= 14 && y >= 14 && x < size.width - 14 && y < size.height - 14;
         float const a = inside ? light(random) : 0.f;
         before += a;
         return glm::vec3(a);

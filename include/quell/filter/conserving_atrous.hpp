@@ -5,7 +5,7 @@
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
-/// The variance of each pixel's mean: over time where the history is long, over 5x5 pixels where it is short, and mixed in between.
+/// The variance of each pixel's mean: over time where the history is long, over 3x3 pixels where it is short, and mixed in between.
 template <class Edge> struct VarianceOfMean {
     static constexpr auto name = "variance of mean";
     using parts = Parts<Edge>;
@@ -27,9 +27,9 @@ template <class Edge> struct VarianceOfMean {
     }
 
 private:
-    static constexpr int radius = 2, side = 2 * radius + 1;
+    static constexpr int radius = 1, side = 2 * radius + 1;
     /// The minimum of four noisy estimates is too small; this makes up for it.
-    static constexpr float minimum_correction = 1.5f;
+    static constexpr float minimum_correction = 2.f;
 
     /// What spatial_variance() compares.
     template <class Real> struct Window {
@@ -88,6 +88,13 @@ private:
     }
 };
 
+/// Weights of 3x3 taps: of the centre, and the bits (weight_bits) of the others.
+struct ExchangeTaps {
+    float centre, beside, at_corner;
+};
+inline constexpr ExchangeTaps linear_taps{0.25f, weight_bits(0.125f), weight_bits(0.0625f)},
+    box_taps{1.f / 9.f, weight_bits(1.f / 9.f), weight_bits(1.f / 9.f)}; // steps may grow by more than 2 from level to level
+
 /// One level of ConservingAtrous.
 template <class Edge> struct ExchangeLevel {
     static constexpr auto name = "conserving a-trous";
@@ -97,12 +104,11 @@ template <class Edge> struct ExchangeLevel {
     Edge edge;
     int step;
     float sigma_luminance;
-    float exchange;
+    ExchangeTaps taps;
 
     QUELL_KERNEL auto filter(auto px) const {
         using Px = decltype(px);
         using Real = typename Px::Real;
-        constexpr float centre = LinearSpline::weights[0] * LinearSpline::weights[0];
         auto const around = edge.around(px);
         auto const here = px.signal();
         auto const noise_here = px[variance];
@@ -113,7 +119,7 @@ template <class Edge> struct ExchangeLevel {
         auto const tolerated = max(noise_here, light * light * rounding) * sigma_squared;
         // Only weights of geometry are normalised. Normalising those of luminance would lose light.
         auto sum = zero<typename Px::Signal>();
-        Real weights(centre), taken(0.f), noise(0.f);
+        Real weights(taps.centre), taken(0.f), noise(0.f);
         auto const give_and_take = [&](auto const& neighbour, auto distance, float bits) QUELL_INLINED {
             weights = weights + edge_weight(distance, bits);
             auto const there = neighbour.signal();
@@ -127,8 +133,9 @@ template <class Edge> struct ExchangeLevel {
             noise = fma(its_noise, w * w, noise);
         };
         for_each_edge_distance<true, 1>(
-            px, step, around, [](int i, int j) QUELL_INLINED { return spline_bits<LinearSpline>.at[i][j]; }, give_and_take);
-        auto const part = exchange / weights;
+            px, step, around, [&](int i, int j) QUELL_INLINED { return i != 0 && j != 0 ? taps.at_corner : taps.beside; }, give_and_take);
+        // Among equal pixels, a pixel gives all of itself away.
+        auto const part = 1.f / (weights * (1.f - taps.centre));
         auto const kept = 1.f - taken * part;
         auto const value = map([&](auto a, auto s) QUELL_INLINED { return max(fma(s, part, a * kept), Real(0.f)); }, here, sum);
         return Result{finite_or(value, here)}.with(variance, finite_or(fma(noise, part * part, noise_here * (kept * kept)), noise_here));
@@ -142,7 +149,8 @@ template <class Edge> struct ExchangeLevel {
 /// The usual filter averages the neighbours that look alike. With the skewed noise of path tracing, most pixels are darker than the mean
 /// and find each other, so light is lost. Here pixels exchange light in pairs: out(p) = in(p) + sum of w(p, q) (in(q) - in(p)). w is the
 /// same from both sides, since differences are measured against the noise of both pixels, so what one loses the other gains. Exact inside a
-/// surface; at edges of geometry the weights are normalised per pixel. Taps are 3x3.
+/// surface; at edges of geometry the weights are normalised per pixel. Taps are 3x3: a linear spline in the first level, a box in the
+/// others, which reaches as far with one level less.
 /// @tparam Edge an EdgeWeight for geometry; the one for luminance is built in
 template <class Edge = Product<DepthEdge, NormalEdge>> struct ConservingAtrous {
     static_assert(EdgeWeight<Edge>, "ConservingAtrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
@@ -151,16 +159,16 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConservingAtrous {
     using parts = Parts<detail::VarianceOfMean<Edge>, Level>;
     /// @endcond
     Edge edge{};                 ///< which neighbours belong to the same surface
-    int levels = 5;              ///< passes, with taps 1, 2, 4, ... pixels apart
+    int levels = 4;              ///< passes, with taps 1, 2, 5, 12, 30, ... pixels apart
     float sigma_luminance = 4.f; ///< difference with weight 1/e, in standard deviations of the noise of both pixels
     float sigma_first = 6.f;     ///< the same for the first level, whose input is noisier
-    float exchange = 1.2f;       ///< among equal pixels, a pixel keeps 1 - 0.75 exchange of itself; 0 to 1.33
     float enough = 4.f;          ///< history length from which the variance over time is trusted; 0 with KnownSamples{}
 
     /// The variance, then one pass per level.
     constexpr void for_each_pass(auto&& pass) const {
         pass(detail::VarianceOfMean<Edge>{edge, enough});
-        for (int i = 0; i < levels; ++i) pass(Level{edge, 1 << i, i == 0 ? sigma_first : sigma_luminance, exchange});
+        for (int i = 0, step = 1; i < levels; ++i, step = step * 5 / 2)
+            pass(Level{edge, step, i == 0 ? sigma_first : sigma_luminance, i == 0 ? detail::linear_taps : detail::box_taps});
     }
 };
 template <class... Fields>
