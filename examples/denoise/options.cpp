@@ -11,6 +11,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
+
 namespace quell::examples {
 
 namespace {
@@ -107,7 +109,17 @@ void check_debug_views(DenoiseOptions const& options) {
         throw Error("--debug-view", "--out is missing", "say where the result goes: views are written beside it");
 }
 
+/// A file that is named as another format than it has misleads every program that opens it.
+void check_format(std::string const& out) {
+    auto ending = std::filesystem::path(out).extension().string();
+    for (auto& letter : ending)
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    for (auto const* other : {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".hdr", ".tga", ".bmp", ".webp"})
+        if (ending == other) throw Error("--out", "'" + out + "' is named as another format than EXR", "end the name with .exr");
+}
+
 void check_output(DenoiseOptions const& options) {
+    check_format(options.out);
     if (!options.frames.empty() && (options.first || options.last))
         throw Error("--frames", "--first or --last is there too", "leave one or the other out");
     for (auto const& [name, is_there] : {std::pair{"--skip-existing", options.skip_existing}, {"--layers", !options.layers.empty()}})

@@ -48,6 +48,7 @@ TEST_CASE("quell-denoise refuses what it can't use in one line") {
     std::filesystem::remove(folder / "ref.2.exr");
     check_refused(denoise(in + "--out '" + (folder / "frame.000%d.exr").string() + "'"), {"--out", "frame.0001.exr"});
     check_refused(denoise(in + "--out '/proc/quell/f.%d.exr'"), {"/proc/quell", "can't be made"});
+    check_refused(denoise(in + "--out '" + (folder / "f.%d.PNG").string() + "'"), {"--out", "another format than EXR", ".exr"});
     check_refused(denoise(in + "--out '/proc/f.%d.exr'"), {"/proc", "no file can be written there"});
     check_refused(denoise(both + "--reference '" + (folder / "ref.%d.exr").string() + "'"), {"ref.%d.exr", "none for frames 1 to 3"});
     check_refused(denoise(both + "--map '" + (folder / "map.json").string() + "'"), {"map.json", "can't be read"});

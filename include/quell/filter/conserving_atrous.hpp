@@ -150,7 +150,7 @@ template <class Edge> struct ExchangeLevel {
 /// and find each other, so light is lost. Here pixels exchange light in pairs: out(p) = in(p) + sum of w(p, q) (in(q) - in(p)). w is the
 /// same from both sides, since differences are measured against the noise of both pixels, so what one loses the other gains. Exact inside a
 /// surface; at edges of geometry the weights are normalised per pixel. Taps are 3x3: a linear spline in the first level, a box in the
-/// others, which reaches as far with one level less.
+/// others, whose steps can grow faster without gaps.
 /// @tparam Edge an EdgeWeight for geometry; the one for luminance is built in
 template <class Edge = Product<DepthEdge, NormalEdge>> struct ConservingAtrous {
     static_assert(EdgeWeight<Edge>, "ConservingAtrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
