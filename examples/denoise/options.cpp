@@ -111,9 +111,7 @@ void check_debug_views(DenoiseOptions const& options) {
 
 /// A file that is named as another format than it has misleads every program that opens it.
 void check_format(std::string const& out) {
-    auto ending = std::filesystem::path(out).extension().string();
-    for (auto& letter : ending)
-        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    auto const ending = CLI::detail::to_lower(std::filesystem::path(out).extension().string());
     for (auto const* other : {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".hdr", ".tga", ".bmp", ".webp"})
         if (ending == other) throw Error("--out", "'" + out + "' is named as another format than EXR", "end the name with .exr");
 }

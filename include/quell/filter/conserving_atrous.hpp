@@ -88,12 +88,17 @@ private:
     }
 };
 
-/// Weights of 3x3 taps: of the centre, and the bits (weight_bits) of the others.
+/// 3x3 equal taps: of all weights over 3x3 they leave least noise, and their steps may grow by more than 2 from level to level.
+struct BoxSpline {
+    static constexpr float weights[] = {1.f / 3.f, 1.f / 3.f};
+};
+/// Weights of 3x3 taps: of the centre, and the bits (weight_bits) of the others. A value, so that levels of different taps are one kernel.
 struct ExchangeTaps {
     float centre, beside, at_corner;
 };
-inline constexpr ExchangeTaps linear_taps{0.25f, weight_bits(0.125f), weight_bits(0.0625f)},
-    box_taps{1.f / 9.f, weight_bits(1.f / 9.f), weight_bits(1.f / 9.f)}; // steps may grow by more than 2 from level to level
+template <class Spline>
+inline constexpr ExchangeTaps exchange_taps{Spline::weights[0] * Spline::weights[0], spline_bits<Spline>.at[1][0],
+                                            spline_bits<Spline>.at[1][1]};
 
 /// One level of ConservingAtrous.
 template <class Edge> struct ExchangeLevel {
@@ -158,17 +163,18 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConservingAtrous {
     using Level = detail::ExchangeLevel<Edge>;
     using parts = Parts<detail::VarianceOfMean<Edge>, Level>;
     /// @endcond
-    Edge edge{};                 ///< which neighbours belong to the same surface
-    int levels = 4;              ///< passes, with taps 1, 2, 5, 12, 30, ... pixels apart
-    float sigma_luminance = 4.f; ///< difference with weight 1/e, in standard deviations of the noise of both pixels
-    float sigma_first = 6.f;     ///< the same for the first level, whose input is noisier
-    float enough = 4.f;          ///< history length from which the variance over time is trusted; 0 with KnownSamples{}
+    Edge edge{};                  ///< which neighbours belong to the same surface
+    int levels = 4;               ///< passes, with taps 1, 2, 5, 12, 30, ... pixels apart
+    float sigma_luminance = 3.2f; ///< difference with weight 1/e, in standard deviations of the noise of both pixels
+    float sigma_first = 6.f;      ///< the same for the first level, whose input is noisier
+    float enough = 4.f;           ///< history length from which the variance over time is trusted; 0 with KnownSamples{}
 
     /// The variance, then one pass per level.
     constexpr void for_each_pass(auto&& pass) const {
         pass(detail::VarianceOfMean<Edge>{edge, enough});
         for (int i = 0, step = 1; i < levels; ++i, step = step * 5 / 2)
-            pass(Level{edge, step, i == 0 ? sigma_first : sigma_luminance, i == 0 ? detail::linear_taps : detail::box_taps});
+            pass(i == 0 ? Level{edge, step, sigma_first, detail::exchange_taps<LinearSpline>}
+                        : Level{edge, step, sigma_luminance, detail::exchange_taps<detail::BoxSpline>});
     }
 };
 template <class... Fields>
