@@ -110,15 +110,17 @@ TEST_CASE("flips and transposes of the input flip and transpose the output") {
         kernels);
 }
 
-TEST_CASE("a wavelet of 3x3 taps spreads an impulse by 1/4, 1/2, 1/4 along each axis, and its second level twice as far") {
+TEST_CASE(
+    "a wavelet of 3x3 taps spreads an impulse by 1/4, 1/2, 1/4 along each axis; its second level reaches twice as far, by thirds if it "
+    "is a box") {
     Extent const size{19, 11};
     auto const impulse = [](auto& frame) {
         tests::fill(frame[radiance], [](int x, int y) { return x == 9 && y == 5 ? glm::vec3(1, 2, 4) : glm::vec3(0); });
         tests::fill(frame[depth], [](int, int) { return 2.f; });
         tests::fill(frame[normal], [](int, int) { return glm::vec3(0.f, 0.f, 1.f); });
     };
-    auto const check = [&](int levels, std::vector<float> const& axis) {
-        Atrous<Product<DepthEdge, NormalEdge>, LinearSpline> const wavelet{.levels = levels};
+    auto const check = [&]<class Spline>(Spline, int levels, std::vector<float> const& axis) {
+        Atrous<Product<DepthEdge, NormalEdge>, Spline> const wavelet{.levels = levels};
         auto const out = filtered(Pipeline{radiance, Spatial{wavelet}}, size, impulse);
         int const reach = static_cast<int>(axis.size() / 2);
         for (int y = 0; y < size.height; ++y)
@@ -131,8 +133,11 @@ TEST_CASE("a wavelet of 3x3 taps spreads an impulse by 1/4, 1/2, 1/4 along each 
                           doctest::Approx(wanted * static_cast<float>(1 << c)).epsilon(1e-5));
             }
     };
-    check(1, {0.25f, 0.5f, 0.25f});
-    check(2, {0.0625f, 0.125f, 0.1875f, 0.25f, 0.1875f, 0.125f, 0.0625f});
+    check(LinearSpline{}, 1, {0.25f, 0.5f, 0.25f});
+    check(LinearSpline{}, 2, {0.0625f, 0.125f, 0.1875f, 0.25f, 0.1875f, 0.125f, 0.0625f});
+    check(LinearThenBox{}, 1, {0.25f, 0.5f, 0.25f});
+    float const t = 1.f / 12.f;
+    check(LinearThenBox{}, 2, {t, 2 * t, 2 * t, 2 * t, 2 * t, 2 * t, t});
 }
 
 namespace {

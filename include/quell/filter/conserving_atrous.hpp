@@ -88,18 +88,6 @@ private:
     }
 };
 
-/// 3x3 equal taps: of all weights over 3x3 they leave least noise, and their steps may grow by more than 2 from level to level.
-struct BoxSpline {
-    static constexpr float weights[] = {1.f / 3.f, 1.f / 3.f};
-};
-/// Weights of 3x3 taps: of the centre, and the bits (weight_bits) of the others. A value, so that levels of different taps are one kernel.
-struct ExchangeTaps {
-    float centre, beside, at_corner;
-};
-template <class Spline>
-inline constexpr ExchangeTaps exchange_taps{Spline::weights[0] * Spline::weights[0], spline_bits<Spline>.at[1][0],
-                                            spline_bits<Spline>.at[1][1]};
-
 /// One level of ConservingAtrous.
 template <class Edge> struct ExchangeLevel {
     static constexpr auto name = "conserving a-trous";
@@ -109,7 +97,7 @@ template <class Edge> struct ExchangeLevel {
     Edge edge;
     int step;
     float sigma_luminance;
-    ExchangeTaps taps;
+    NearestTaps taps;
 
     QUELL_KERNEL auto filter(auto px) const {
         using Px = decltype(px);
@@ -138,7 +126,7 @@ template <class Edge> struct ExchangeLevel {
             noise = fma(its_noise, w * w, noise);
         };
         for_each_edge_distance<true, 1>(
-            px, step, around, [&](int i, int j) QUELL_INLINED { return i != 0 && j != 0 ? taps.at_corner : taps.beside; }, give_and_take);
+            px, step, around, [&](int i, int j) QUELL_INLINED { return taps.at(i, j); }, give_and_take);
         // Among equal pixels, a pixel gives all of itself away.
         auto const part = 1.f / (weights * (1.f - taps.centre));
         auto const kept = 1.f - taken * part;
@@ -154,8 +142,7 @@ template <class Edge> struct ExchangeLevel {
 /// The usual filter averages the neighbours that look alike. With the skewed noise of path tracing, most pixels are darker than the mean
 /// and find each other, so light is lost. Here pixels exchange light in pairs: out(p) = in(p) + sum of w(p, q) (in(q) - in(p)). w is the
 /// same from both sides, since differences are measured against the noise of both pixels, so what one loses the other gains. Exact inside a
-/// surface; at edges of geometry the weights are normalised per pixel. Taps are 3x3: a linear spline in the first level, a box in the
-/// others, whose steps can grow faster without gaps.
+/// surface; at edges of geometry the weights are normalised per pixel. Taps are those of LinearThenBox.
 /// @tparam Edge an EdgeWeight for geometry; the one for luminance is built in
 template <class Edge = Product<DepthEdge, NormalEdge>> struct ConservingAtrous {
     static_assert(EdgeWeight<Edge>, "ConservingAtrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
@@ -172,9 +159,9 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConservingAtrous {
     /// The variance, then one pass per level.
     constexpr void for_each_pass(auto&& pass) const {
         pass(detail::VarianceOfMean<Edge>{edge, enough});
-        for (int i = 0, step = 1; i < levels; ++i, step = step * 5 / 2)
-            pass(i == 0 ? Level{edge, step, sigma_first, detail::exchange_taps<LinearSpline>}
-                        : Level{edge, step, sigma_luminance, detail::exchange_taps<detail::BoxSpline>});
+        detail::for_each_level<LinearThenBox>(levels, 1, [&](int i, int step, auto taps) {
+            pass(Level{edge, step, i == 0 ? sigma_first : sigma_luminance, taps});
+        });
     }
 };
 template <class... Fields>

@@ -60,16 +60,16 @@ private:
 /// runs an a-trous wavelet that tells noise from edges by it. Goes after a Temporal{motion, WithMoments{...}} whose policy keeps the
 /// history length.
 /// @tparam Edge   an EdgeWeight for geometry; the one for luminance is built in
-/// @tparam Spline CubicSpline, or LinearSpline for 3x3
+/// @tparam Spline the taps: CubicSpline, LinearSpline or LinearThenBox
 template <class Edge = Product<DepthEdge, NormalEdge>, class Spline = CubicSpline> struct VarianceGuidedAtrous {
     static_assert(EdgeWeight<Edge>, "VarianceGuidedAtrous{edge}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
     /// @cond
     using Guided = Product<Edge, VarianceGuidedEdge>;
-    using Level = detail::AtrousLevel<Guided, true, Spline>;
+    using Level = detail::AtrousLevel<Guided, true, detail::TapsOf<Spline>>;
     using parts = Parts<detail::VarianceEstimate<Edge>, Level>;
     /// @endcond
     Edge edge{};                 ///< which neighbours belong to the same surface
-    int levels = 5;              ///< passes, with taps first_step * 1, 2, 4, ... pixels apart
+    int levels = 5;              ///< passes, whose taps are further apart from one to the next
     float sigma_luminance = 3.f; ///< difference with weight 1/e, in standard deviations of the accumulated mean (w_l)
     bool feedback = true;        ///< the first level's output goes into the history
     int first_step = 1;          ///< pixels between the taps of the first level; 2 after a filter of the 3x3 around, such as ConeGather
@@ -77,8 +77,9 @@ template <class Edge = Product<DepthEdge, NormalEdge>, class Spline = CubicSplin
     /// The variance, then one pass per level.
     constexpr void for_each_pass(auto&& pass) const {
         pass(detail::VarianceEstimate<Edge>{edge});
-        for (int i = 0; i < levels; ++i)
-            pass(Level{Guided{edge, VarianceGuidedEdge{sigma_luminance}}, first_step << i, feedback && i == 0});
+        detail::for_each_level<Spline>(levels, first_step, [&](int i, int step, auto taps) {
+            pass(Level{Guided{edge, VarianceGuidedEdge{sigma_luminance}}, step, taps, feedback && i == 0});
+        });
     }
 };
 template <class... Fields>

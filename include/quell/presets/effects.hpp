@@ -47,16 +47,16 @@ template <class Mirror = ThinLens> constexpr auto glossy(ChannelTag auto signal,
     constexpr ForgetChanged<RunningMean> accumulated{.inner = {.cap = 4.f}, .noise_threshold = 2.f, .sharpness = 0.3f};
     return Pipeline{signal, parts..., Spatial{ChangeDetector<>{.levels = 1}},
                     Temporal{FirstValid{ImageMotion{Mirror{}}, SurfaceMotion{}}, WithMoments{accumulated}},
-                    Spatial{VarianceGuidedAtrous<Product<DepthEdge, NormalEdge, LobeEdge>, LinearSpline>{
-                        .levels = 4, .sigma_luminance = 5.f, .feedback = false}}};
+                    Spatial{VarianceGuidedAtrous<Product<DepthEdge, NormalEdge, LobeEdge>, LinearThenBox>{
+                        .levels = 3, .sigma_luminance = 4.f, .feedback = false}}};
 }
 
 /// Diffuse indirect light whose history is incident radiance in six cones (TRMV section 4.3), so that history of a surface with another
 /// normal serves too. Cones are added over the 3x3 around; the colour that they shade to is then filtered. This is as good as filtering
 /// cones in every pass, as dual_cone_paper does, and several times as fast. The history is forgotten where the light changes.
 constexpr auto dual_cone(ChannelTag auto signal, auto... parts) {
-    constexpr VarianceGuidedAtrous<Product<DepthEdge, NormalEdge>, LinearSpline> filter{
-        .edge = {DepthEdge{}, NormalEdge{.sharpness = 32.f}}, .levels = 4, .sigma_luminance = 4.f, .feedback = false, .first_step = 2};
+    constexpr VarianceGuidedAtrous<Product<DepthEdge, NormalEdge>, LinearThenBox> filter{
+        .edge = {DepthEdge{}, NormalEdge{.sharpness = 32.f}}, .levels = 3, .sigma_luminance = 2.f, .feedback = false, .first_step = 2};
     return Pipeline{signal,
                     parts...,
                     Spatial{ChangeDetector<>{}},
