@@ -58,7 +58,7 @@ table() {
     printf '\n'
     cells 'BEGIN { count = split("'"$*"'", columns, " ") }
         height != 270 || of("effect") !~ /^('"$effects"')$/ { next }
-        of("'"$value"'") == 0 { next } # an empty mask
+        of("'"$value"'") == "" { next } # nothing in the mask
         !(key in seen) { seen[key] = 1; keys[++rows] = key }
         { found[key, method] = sprintf("%.4f", of("'"$value"'")) }
         END { for (r = 1; r <= rows; ++r) {
