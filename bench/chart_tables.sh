@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The chart's tables of docs/figures.md, all of one run: times, bytes and errors of every preset at 480x270 and 1920x1080, errors inside the
-# effects, and motion blur. What the folder has already is not charted again. It takes 45 minutes on 2 cores if the references are cached,
-# and half an hour more if not:
+# effects, and motion blur. What the folder has already is not charted again. It took 45 minutes on 2 cores of a Zen 4 where the references of
+# 480x270 were cached:
 #   bench/chart_tables.sh [folder for the charts] [folder of the built programs] [threads]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 work=${1:-out/chart_tables}
 chart=${2:-build/release}/bench/chart/quell-chart
 threads=${3:-0}
-# Scene, effect, and the tolerance of its reference at 1920x1080, where one as good as at 480x270 would take an hour.
+# Scene, effect, and the tolerance of its reference at 1920x1080, where those of 480x270 would take far more samples than are needed.
 cases=("fence shadow 0.02" "temple glossy 0.02" "restaurant glossy 0.02" "boxes indirect 0.04" "room composite 0.04" "mixed blur 0.01"
     "spheres blur 0.01")
 [ -x "$chart" ] || { echo "There is no $chart. Build it: cmake --build --preset release --target quell-chart" >&2; exit 2; }

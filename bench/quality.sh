@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The figures of quality in docs/figures.md: RMSE, SSIM and FLIP of the presets on `room` (frame 32, 480x270, against a converged reference, which takes
-# long the first time and is kept in ~/.cache/quell), svgf with its history in float and in half, and the Cycles sequence where it is there:
+# Figures of quality in docs/figures.md that no chart has: svgf with its history in float and in half, on `room` (frame 32, 480x270, against a
+# converged reference, which takes long the first time and is kept in ~/.cache/quell), and presets on the Cycles sequence where it is there:
 #   bench/quality.sh [folder of the built programs] [folder of the Cycles sequence]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -24,11 +24,6 @@ row() {
 
 "$trace" --quiet --scene room --size 480x270 --frames 33 --out "$work/room"
 "$trace" --scene room --size 480x270 --first 32 --frames 1 --reference 65536 --out "$work/reference"
-echo "room, frame 32:  RMSE SSIM FLIP"
-for preset in "${presets[@]}"; do
-    row "$preset" --preset "$preset" --in "$work/room/frame.%04d.exr" --reference "$work/reference/reference.%04d.exr"
-done
-
 echo "svgf, history in float and in half"
 cmake --build "$build" --target quell-half-history
 "$build/bench/quell-half-history" "$work/room/frame.%04d.exr" 32 "$work/reference/reference.0032.exr"

@@ -242,6 +242,18 @@ TEST_CASE("a wavelet lessens the variance by the squares of its weights") {
     CHECK(rest_of_variance(1) == doctest::Approx(axis * axis / 6).epsilon(1e-3));
 }
 
+TEST_CASE("first_tolerance multiplies sigma_luminance in the first level only") {
+    Extent const size{33, 21};
+    auto const out = [&](int levels, float sigma, float first) {
+        VarianceGuidedAtrous<> const wavelet{.levels = levels, .sigma_luminance = sigma, .first_tolerance = first};
+        return filtered(Pipeline{radiance, Temporal{StillMotion{}, WithMoments{RunningMean{}}}, Spatial{wavelet}}, size,
+                        [](auto& frame) { tests::fill_randomly(frame, 5); });
+    };
+    CHECK(out(1, 1.f, 4.f) == out(1, 4.f, 1.f));
+    CHECK(out(1, 1.f, 4.f) != out(1, 1.f, 1.f));
+    CHECK(out(2, 1.f, 4.f) != out(2, 4.f, 1.f));
+}
+
 TEST_CASE("edge weights: 1 at no distance, falling, never negative, close to the exponential") {
     CHECK(edge_weight(0.f) == 1.f);
     float last = 1.f;

@@ -45,7 +45,7 @@ template <class Edge, bool guided, class Taps> struct AtrousLevel {
 };
 } // namespace detail
 
-/// The edge-avoiding a-trous wavelet (Dammertz 2010): `levels` passes whose taps are 1, 2, 4, ... pixels apart.
+/// The edge-avoiding a-trous wavelet (Dammertz 2010): `levels` passes, whose taps are further and further apart.
 ///
 ///     Atrous<>{.levels = 4}
 ///     Atrous{Product{NormalEdge{}, LuminanceEdge{}}, 4}

@@ -69,16 +69,18 @@ template <class Edge = Product<DepthEdge, NormalEdge>, class Spline = CubicSplin
     using parts = Parts<detail::VarianceEstimate<Edge>, Level>;
     /// @endcond
     Edge edge{};                 ///< which neighbours belong to the same surface
-    int levels = 5;              ///< passes, whose taps are further apart from one to the next
+    int levels = 5;              ///< passes; the Spline says how far apart their taps are, as multiples of first_step
     float sigma_luminance = 3.f; ///< difference with weight 1/e, in standard deviations of the accumulated mean (w_l)
     bool feedback = true;        ///< the first level's output goes into the history
     int first_step = 1;          ///< pixels between the taps of the first level; 2 after a filter of the 3x3 around, such as ConeGather
+    float first_tolerance = 1.f; ///< multiple of sigma_luminance in the first level, above 0: more where the variance is often too small
 
     /// The variance, then one pass per level.
     constexpr void for_each_pass(auto&& pass) const {
         pass(detail::VarianceEstimate<Edge>{edge});
         detail::for_each_level<Spline>(levels, first_step, [&](int i, int step, auto taps) {
-            pass(Level{Guided{edge, VarianceGuidedEdge{sigma_luminance}}, step, taps, feedback && i == 0});
+            float const sigma = i == 0 ? sigma_luminance * first_tolerance : sigma_luminance;
+            pass(Level{Guided{edge, VarianceGuidedEdge{sigma}}, step, taps, feedback && i == 0});
         });
     }
 };

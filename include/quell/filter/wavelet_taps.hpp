@@ -20,11 +20,11 @@ struct LinearSpline {
     static constexpr float weights[] = {0.5f, 0.25f}; ///< along one axis, from the centre outwards
 };
 /// 3x3 taps of a wavelet: a linear spline in the first level, equal weights in the others. Of all weights over 3x3, equal ones leave the
-/// least noise, so that taps can be 1, 2, 5, 12, ... pixels apart: a level less than LinearSpline reaches further.
+/// least noise, so that fewer levels do, whose taps are further apart: 1, 2, 5, 12, ... pixels.
 struct LinearThenBox {};
 
 namespace detail {
-/// The weight of 3x3 equal taps.
+/// 3x3 equal taps.
 struct BoxSpline {
     static constexpr float weights[] = {1.f / 3.f, 1.f / 3.f};
 };
@@ -58,7 +58,7 @@ inline constexpr NearestTaps nearest_taps{SplineTaps<Spline>::centre, SplineTaps
 
 template <class Spline> using TapsOf = std::conditional_t<std::is_same_v<Spline, LinearThenBox>, NearestTaps, SplineTaps<Spline>>;
 
-/// Calls level(number, step, taps) for each level of a wavelet; its taps are `step` pixels apart.
+/// Calls level(number, step, taps) for each level of a wavelet: its number from 0, and how many pixels its taps are apart.
 template <class Spline> constexpr void for_each_level(int levels, int first_step, auto const& level) {
     constexpr bool box = std::is_same_v<Spline, LinearThenBox>;
     for (int i = 0, step = first_step; i < levels; ++i, step = box ? step * 5 / 2 : step * 2)

@@ -52,11 +52,17 @@ template <class Mirror = ThinLens> constexpr auto glossy(ChannelTag auto signal,
 }
 
 /// Diffuse indirect light whose history is incident radiance in six cones (TRMV section 4.3), so that history of a surface with another
-/// normal serves too. Cones are added over the 3x3 around; the colour that they shade to is then filtered. This is as good as filtering
-/// cones in every pass, as dual_cone_paper does, and several times as fast. The history is forgotten where the light changes.
+/// normal serves too, and is forgotten where the light changes. Cones are added over the 3x3 around. The colour that they shade to is
+/// filtered, which costs less than filtering cones (dual_cone_paper). The first level tolerates most: the variance of short histories is
+/// often too small.
 constexpr auto dual_cone(ChannelTag auto signal, auto... parts) {
     constexpr VarianceGuidedAtrous<Product<DepthEdge, NormalEdge>, LinearThenBox> filter{
-        .edge = {DepthEdge{}, NormalEdge{.sharpness = 32.f}}, .levels = 3, .sigma_luminance = 2.f, .feedback = false, .first_step = 2};
+        .edge = {DepthEdge{}, NormalEdge{.sharpness = 32.f}},
+        .levels = 3,
+        .sigma_luminance = 2.f,
+        .feedback = false,
+        .first_step = 2,
+        .first_tolerance = 4.f};
     return Pipeline{signal,
                     parts...,
                     Spatial{ChangeDetector<>{}},
