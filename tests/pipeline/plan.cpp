@@ -62,7 +62,8 @@ TEST_CASE("a plan's memory is what a run takes, and what nothing reads any more 
     check(presets::none(radiance));
     check(presets::svgf(radiance, Demodulate{}));
     check(presets::general(radiance, Demodulate{}));
-    CHECK(bytes_of(presets::general(radiance, Demodulate{})) <= 96);
+    CHECK(bytes_of(presets::general(radiance, Demodulate{})) <= 80);
+    CHECK(plan_of(presets::blur(radiance)).bytes_per_pixel <= 200);
     CHECK(plan_of(presets::svgf(radiance), Planar<Float16>{}).bytes_per_pixel < 0.6 * plan_of(presets::svgf(radiance)).bytes_per_pixel);
 }
 

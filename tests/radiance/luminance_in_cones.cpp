@@ -60,7 +60,7 @@ TEST_CASE("constant light stays constant, to whatever the surface is turned, and
 }
 
 TEST_CASE("light may have any unit, though cones are stored in half") {
-    static_assert(sizeof(*std::declval<ViewOf<Planar<>, ConeLuminance>>().data) == 2);
+    static_assert(sizeof(ViewOf<Planar<>, ConeLuminance>::Element) == 2);
     auto const light = [](glm::vec3 from) { return glm::vec3(0.1f + std::max(from.x, 0.f) + from.z * from.z); };
     for (auto const& turn : turns)
         for (float const unit : {1e-7f, 1e9f}) {

@@ -39,7 +39,7 @@ inline Lookup lookup(ImageView auto const& view) {
     return [view](int c, int x, int y) { return view.get(c, x, y); };
 }
 /// Empty for an empty handle.
-template <class Image> Lookup lookup_in(std::shared_ptr<Image> const& image) { return image ? lookup(image->view()) : Lookup{}; }
+template <class Image> Lookup lookup_in(PooledImage<Image> const& image) { return image ? lookup(image.view()) : Lookup{}; }
 
 /// Empty if the frame lacks the channel or the pipeline does not read it.
 template <class P, ChannelTag C, class Set, class Storage> Lookup lookup_of(Frame<Set, Storage> const& frame, C channel) {

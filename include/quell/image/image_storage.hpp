@@ -32,7 +32,8 @@ concept ImageView = std::is_trivially_copyable_v<V> && requires(V const v, int i
 
 /// Who owns the memory of images and how pixels are laid out: `Storage::Image<N>(size).view()` is an ImageView of N components.
 /// `Storage::Exact` is the storage for channels with `full_precision`; a storage of 32-bit floats names itself. `Storage::Half`, if it has
-/// one, is the storage for channels with `always_half`.
+/// one, is the storage for channels with `always_half`. If its views have `View::Plane`, the type of an image of one component, and
+/// `View::of(std::array<std::shared_ptr<Plane>, N>)`, a history puts images together from such planes, which takes less memory.
 /// Models: Planar, Interleaved, Borrowed.
 template <class S>
 concept ImageStorage = requires(Extent size) {
@@ -82,7 +83,7 @@ template <ImageStorage S, ChannelTag C> constexpr auto storage_of() {
 template <ChannelTag C, class Image> auto view_of(Image const& image) {
     auto const view = image.view();
     if constexpr (is_squared<C>() && ViewsSquares<decltype(image.view())>)
-        return typename decltype(image.view())::Squares{view.data, view.size};
+        return view.squares();
     else
         return view;
 }

@@ -69,7 +69,7 @@ public:
         sum.suppressed = std::apply([](auto const&... h) { return (h.statistics().suppressed + ...); }, parts);
         return sum;
     }
-    /// Memory of history, scratch and picture, in bytes. Complete after the first frame.
+    /// Memory of history, scratch and picture, in bytes. Complete after the second frame.
     [[nodiscard]] std::size_t bytes() const { return picture.bytes() + pool->bytes(); }
     /// The same per pixel of the frame.
     [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(picture.size().pixels()); }

@@ -29,15 +29,15 @@ struct DiagnosisNotes;
 template <class P, class Storage> struct FrameState {
     using Guides = typename StoredChannels<typename P::remembers>::type; ///< as the history stores them
 
-    std::shared_ptr<ImageOf<Storage, typename P::Signal>> signal; ///< accumulated
-    Handles<Storage, typename P::keeps> kept;                     ///< made by policies
-    Handles<Storage, Guides> guides;                              ///< copies of the host's channels that policies remember
+    PooledImage<ImageOf<Storage, typename P::Signal>> signal; ///< accumulated
+    Handles<Storage, typename P::keeps> kept;                 ///< made by policies
+    Handles<Storage, Guides> guides;                          ///< copies of the host's channels that policies remember
     Camera camera;
     float shutter = 0;
     std::optional<long long> number;
 
     void drop_images() {
-        signal.reset();
+        signal = {};
         kept.drop_all();
         guides.drop_all();
     }
@@ -68,7 +68,7 @@ public:
 
     /// Counts so far.
     [[nodiscard]] Statistics const& statistics() const { return counted; }
-    /// Memory of history and scratch, in bytes. Complete after the first frame.
+    /// Memory of history and scratch, in bytes. Complete after the second frame.
     [[nodiscard]] std::size_t bytes() const { return pool->bytes(); }
     /// The same per pixel of the frame.
     [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(size.pixels()); }
@@ -94,8 +94,8 @@ private:
     Extent size;
     State then; ///< of the last frame: passes read it. Images that no later pass reads go back to the pool, or to `now`.
     State now;  ///< of the running frame: passes write it. advance() makes it `then`.
-    std::shared_ptr<ImageOf<Storage, typename P::Output>> output; ///< for the host; may be the signal's image
-    bool empty = true;                                            ///< whether `then` is no past of the next frame
+    detail::PooledImage<ImageOf<Storage, typename P::Output>> output; ///< for the host; may be the signal's image
+    bool empty = true;                                                ///< whether `then` is no past of the next frame
     Statistics counted;
     std::shared_ptr<detail::DiagnosisNotes> notes; ///< of quell::diagnose
 
@@ -111,7 +111,7 @@ private:
     void restart(Extent new_size) {
         then.drop_images();
         now = {};
-        output.reset();
+        output = {};
         pool->resize(new_size);
         size = new_size;
         empty = true;

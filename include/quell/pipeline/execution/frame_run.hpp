@@ -34,7 +34,7 @@ class Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, Into> {
     E const& executor;
     Into const& into;
 
-    std::shared_ptr<SignalImage> current;
+    PooledImage<SignalImage> current;
     Handles<Storage, typename P::made> made;
     Readers<typename P::made> readers; ///< passes that still have to read each channel that passes make
     int passes_left = 0;
@@ -71,7 +71,7 @@ private:
         stages(all_of_them);
         if (!ends_with_signal) pass_through();
         end();
-        return history.output ? history.output->view() : OutputView{};
+        return history.output ? history.output.view() : OutputView{};
     }
     template <std::size_t... i> void for_each_pass(std::index_sequence<i...>, auto&& visit) const {
         (detail::for_each_pass(std::get<i>(pipeline.stages), visit), ...);
@@ -99,7 +99,7 @@ private:
         if (!past) history.then.drop_images(), ++history.counted.resets, history.counted.frames = 0;
         // History counts as empty until the frame is complete: an exception must not leave half of one.
         history.empty = true;
-        history.output.reset();
+        history.output = {};
         if constexpr (P::needs_camera) {
             rays = PixelRays(frame.camera, frame.size);
             rays_then = PixelRays(past ? history.then.camera : frame.camera, frame.size);
@@ -139,7 +139,7 @@ private:
         });
     }
     void drop_past() {
-        history.then.signal.reset();
+        history.then.signal = {};
         history.then.kept.drop_all();
     }
 
@@ -157,14 +157,14 @@ private:
         Handles<Storage, Made> next_made;
         next_made.take_all(*history.pool);
         auto next = current;
-        if (makes_signal<Pass>) next = goes_on ? history.pool->template take<SignalImage>() : nullptr;
+        if (makes_signal<Pass>) next = goes_on ? history.pool->template take<SignalImage>() : PooledImage<SignalImage>{};
         auto const seen = scope<S, Pass>();
         if (last) prepare_end(remembers_of<Pass>::size > 0, next);
 
         auto job = Job<Pass, S, SignalView, decltype(next_made.views(Made{})), decltype(finish()), Remembers, keeps_marks>{
             .pass = kernel,
             .scope = seen,
-            .signal = next ? next->view() : SignalView{},
+            .signal = next ? next.view() : SignalView{},
             .made = next_made.views(Made{}),
             .finish = finish(),
             .store_signal = goes_on && makes_signal<Pass>,
@@ -176,7 +176,7 @@ private:
         for_each_channel(Made{}, [&](auto c) { made[c] = next_made[c]; });
         readers.template done<Pass>();
         for_each_channel(without<typename P::made, typename P::keeps>{}, [&](auto c) {
-            if (!readers.any(c)) made[c].reset();
+            if (!readers.any(c)) made[c] = {};
         });
     }
 
@@ -189,7 +189,7 @@ private:
 
     /// The last pass also writes the guides for the next frame, and the output, unless that is the signal's image. Guides of the last frame
     /// that it doesn't read are overwritten in place.
-    void prepare_end(bool reads_guides, std::shared_ptr<SignalImage> const& next) {
+    void prepare_end(bool reads_guides, PooledImage<SignalImage> const& next) {
         if (past && !reads_guides)
             history.now.guides = std::exchange(history.then.guides, {});
         else
@@ -201,11 +201,11 @@ private:
     }
     static constexpr bool remodulates = !std::is_same_v<typename P::Form, NoModulation>;
 
-    bool stores_output(std::shared_ptr<SignalImage> const& next) const {
+    bool stores_output(PooledImage<SignalImage> const& next) const {
         if constexpr (remodulates || !std::is_same_v<Into, NoTarget>)
             return true;
         else
-            return history.output != next;
+            return !(history.output == next);
     }
 
     template <class S, class Pass> S scope() const {
@@ -213,8 +213,8 @@ private:
         return {.size = divided(frame.size, S::fraction),
                 .frame = frame.views(typename S::frame_channels{}),
                 .made = made.views(typename S::made_channels{}),
-                .signal = current ? current->view() : SignalView{},
-                .signal_then = then.signal ? then.signal->view() : SignalView{},
+                .signal = current ? current.view() : SignalView{},
+                .signal_then = then.signal ? then.signal.view() : SignalView{},
                 .kept_then = then.kept.views(typename S::kept_channels{}),
                 .remembered = then.guides.views(typename StoredChannels<remembers_of<Pass>>::type{}),
                 .clip_from_world = frame.camera.clip_from_world(),
@@ -226,7 +226,7 @@ private:
                 .shutter = frame.shutter,
                 .shutter_then = then.shutter,
                 .frame_index = frame_index,
-                .has_past = past && then.signal != nullptr,
+                .has_past = past && then.signal,
                 .vectors = vectors()};
     }
     Vectors vectors() const { return {frame.size, frame.camera.jitter, history.then.camera.jitter}; }
@@ -239,7 +239,7 @@ private:
                 .modulation = pipeline.ingest.modulation, .scope = scope, .output = target, .remembered = guides};
         };
         if constexpr (std::is_same_v<Into, NoTarget>)
-            return ending(history.output ? history.output->view() : OutputView{});
+            return ending(history.output ? history.output.view() : OutputView{});
         else
             return ending(into);
     }

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <quell/core/error.hpp>
+#include <quell/image/format.hpp>
+#include <quell/image/image_storage.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <new>
+
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
+
+/// Padding of a row, in pixels; a power of two. Packs may start up to a pack before a row and end up to a pack after it, so inner loops
+/// need no test. The padding after a row is also the padding before the next. It is zero and stays zero.
+inline constexpr int padding = 16;
+#if !defined(__CUDACC__)
+static_assert(width_of<Pack> <= padding, "quell: packs of more than 16 floats are wider than the rows' padding");
+#endif
+
+/// Distance from a pixel to the one below, in pixels. It follows from the size: a kernel that reads many images of one size computes each
+/// address once (see Pixel::load).
+QUELL_KERNEL std::ptrdiff_t padded_width(Extent size) {
+    // Rounds up by a bit mask. With a division, compilers would compute the address of each component anew.
+    return ((static_cast<std::ptrdiff_t>(size.width) + padding - 1) & -padding) + padding;
+}
+
+/// An image with padded rows that owns zero-initialised memory, aligned to 64 bytes. Packs gather by 32-bit offsets, which limits the size.
+/// Copies have memory of their own.
+/// @tparam ViewT PlanarView or InterleavedView
+template <class ViewT> class PaddedImage {
+    using Element = typename ViewT::Element;
+    struct Free {
+        void operator()(Element* p) const { ::operator delete[](p, std::align_val_t{64}); }
+    };
+    std::unique_ptr<Element[], Free> memory;
+    Extent extent;
+
+public:
+    using View = ViewT;
+    static constexpr int components = View::components;
+
+    /// @throws Error where offsets within a component exceed 31 bits
+    explicit PaddedImage(Extent size = {}) : extent(size) {
+        if (size.height > 0 && View::row_stride(size) > std::numeric_limits<std::int32_t>::max() / size.height)
+            raise_error("image size", to_string(size) + " pixels, " + std::to_string(View::pixel_step) + " floats apart",
+                        View::pixel_step > 1 ? "use Planar storage or smaller images" : "use smaller images");
+        allocate();
+        std::uninitialized_value_construct_n(memory.get(), elements());
+    }
+    PaddedImage(PaddedImage&&) noexcept = default;
+    PaddedImage& operator=(PaddedImage&&) noexcept = default;
+    PaddedImage(PaddedImage const& other) : extent(other.extent) {
+        if (!other.memory) return; // moved from
+        allocate();
+        std::uninitialized_copy_n(other.memory.get(), elements(), memory.get());
+    }
+    /// Allocates nothing where the two are of one size.
+    PaddedImage& operator=(PaddedImage const& other) {
+        if (!memory || !other.memory || !(extent == other.extent)) return *this = PaddedImage(other);
+        std::copy_n(other.memory.get(), elements(), memory.get());
+        return *this;
+    }
+    ~PaddedImage() = default;
+
+    [[nodiscard]] View view() const { return View::of(memory.get(), extent); }
+    [[nodiscard]] Extent size() const { return extent; }
+    [[nodiscard]] std::size_t bytes() const { return elements() * sizeof(Element); }
+
+    [[nodiscard]] Value<components, float> get(int x, int y) const { return view().template load<float>(x, y); }
+    void set(int x, int y, Value<components, float> const& value) { view().template store<float>(x, y, value); }
+
+private:
+    void allocate() { memory.reset(static_cast<Element*>(::operator new[](bytes(), std::align_val_t{64}))); }
+    [[nodiscard]] std::size_t elements() const { return static_cast<std::size_t>(View::elements(extent)); }
+};
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

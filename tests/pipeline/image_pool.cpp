@@ -1,0 +1,52 @@
+#include "../frames.hpp"
+
+#include <quell/pipeline/execution/image_pool.hpp>
+
+using namespace quell;
+using detail::ImagePool;
+
+namespace {
+constexpr Extent size{5, 3};
+template <int N> using Floats = Planar<>::Image<N>;
+
+void fill(auto const& view, float value) {
+    for (int c = 0; c < view.components; ++c)
+        for (int y = 0; y < view.size.height; ++y)
+            for (int x = 0; x < view.size.width; ++x) view.set(c, x, y, value);
+}
+bool all(auto const& view, float value) {
+    auto const pixels = tests::copy_of(view);
+    return std::ranges::all_of(pixels, [&](float p) { return p == value; });
+}
+} // namespace
+
+TEST_CASE("planes without a handle serve any image of their size and format, and others keep what they hold") {
+    auto const plane = Floats<1>(size).bytes(), half_plane = Planar<Float16>::Image<1>(size).bytes();
+    ImagePool pool(size);
+    auto three = pool.take<Floats<3>>();
+    auto const two = pool.take<Floats<2>>();
+    CHECK(pool.bytes() == 5 * plane);
+    fill(two.view(), 2.f);
+    three = {};
+    auto const four = pool.take<Floats<4>>();
+    CHECK(pool.bytes() == 6 * plane);
+    fill(four.view(), 4.f);
+    CHECK((all(two.view(), 2.f) && all(four.view(), 4.f)));
+    auto const same = four;
+    CHECK((same == four && !(pool.take<Floats<4>>() == four)));
+    CHECK(pool.bytes() == 10 * plane);
+    (void)pool.take<Planar<Float16>::Image<3>>();
+    CHECK(pool.bytes() == 10 * plane + 3 * half_plane);
+    (void)pool.take<Floats<4>>(2);
+    CHECK(pool.bytes() == 10 * plane + 3 * half_plane + 4 * Floats<1>(divided(size, 2)).bytes());
+}
+
+TEST_CASE("images whose components lie side by side stay in one piece") {
+    using Image = Interleaved<>::Image<3>;
+    ImagePool pool(size);
+    (void)pool.take<Image>();
+    (void)pool.take<Image>();
+    CHECK(pool.bytes() == Image(size).bytes());
+    (void)pool.take<Interleaved<>::Image<2>>();
+    CHECK(pool.bytes() == Image(size).bytes() + Interleaved<>::Image<2>(size).bytes());
+}
