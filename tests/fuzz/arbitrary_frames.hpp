@@ -68,9 +68,9 @@ void check_finite(std::string const& preset, std::string_view channel, int frame
 }
 
 template <class P> void check_history(std::string const& preset, int frame, std::type_identity<P>, auto const& history) {
-    if (auto const& signal = detail::Inspect::signal(history)) check_finite(preset, "history", frame, signal->view());
+    if (auto const& signal = detail::Inspect::signal(history)) check_finite(preset, "history", frame, signal.view());
     for_each_channel(typename P::keeps{}, [&](auto c) {
-        if (auto const& kept = detail::Inspect::kept(history, c)) check_finite(preset, c.name, frame, kept->view());
+        if (auto const& kept = detail::Inspect::kept(history, c)) check_finite(preset, c.name, frame, kept.view());
     });
 }
 
