@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The chart's tables of docs/figures.md, all of one run: times, bytes and errors of every preset at 480x270 and 1920x1080, errors inside the
-# effects, and motion blur. What the folder has already is not charted again. It took 45 minutes on 2 cores of a Zen 4 where the references of
-# 480x270 were cached:
+# effects, and motion blur. What the folder has already is not charted again. It took 27 minutes on 2 cores of a Zen 4 where all
+# references were cached:
 #   bench/chart_tables.sh [folder for the charts] [folder of the built programs] [threads]
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -57,8 +57,8 @@ template <class C> constexpr bool is_squared() {
         return false;
 }
 template <class View>
-concept ViewsSquares = requires {
-    typename View::Squares;
+concept ViewsSquares = requires(View const& view) {
+    view.squares();
 };
 /// Whether a channel goes to S::Exact: it needs full precision, or it is squared and S has no format for squares.
 template <ImageStorage S, ChannelTag C>

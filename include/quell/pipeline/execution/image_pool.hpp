@@ -8,10 +8,12 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
+template <class Image> using ViewIn = decltype(std::declval<Image const&>().view());
+template <class View> using PlanesOf = std::array<std::shared_ptr<typename View::Plane>, std::size_t{View::components}>;
 /// Whether the components of an image may lie apart, each in an image of one component.
 template <class Image>
-concept HasPlanes = requires {
-    typename Image::View::Plane;
+concept HasPlanes = requires(PlanesOf<ViewIn<Image>> const& planes) {
+    { ViewIn<Image>::of(planes) } -> std::same_as<ViewIn<Image>>;
 };
 
 /// A handle to an image of the pool, or empty.
@@ -24,11 +26,11 @@ template <class Image> struct PooledImage {
 };
 /// One to an image of planes, each of which may later be part of another image.
 template <HasPlanes Image> struct PooledImage<Image> {
-    std::array<std::shared_ptr<typename Image::View::Plane>, std::size_t{Image::components}> planes;
+    PlanesOf<ViewIn<Image>> planes;
 
     explicit operator bool() const { return planes[0] != nullptr; }
     bool operator==(PooledImage const&) const = default;
-    [[nodiscard]] auto view() const { return Image::View::of(planes); }
+    [[nodiscard]] auto view() const { return ViewIn<Image>::of(planes); }
 };
 
 /// Images of the frame's size, or fractions of it, that passes take and give back. An image without handles is free for the next pass.
@@ -53,7 +55,7 @@ public:
     template <class Image> [[nodiscard]] PooledImage<Image> take(int fraction = 1) {
         if constexpr (HasPlanes<Image>) {
             PooledImage<Image> taken;
-            for (auto& plane : taken.planes) plane = free_or_new<typename Image::View::Plane>(divided(extent, fraction));
+            for (auto& plane : taken.planes) plane = free_or_new<typename ViewIn<Image>::Plane>(divided(extent, fraction));
             return taken;
         } else
             return {free_or_new<Image>(divided(extent, fraction))};
