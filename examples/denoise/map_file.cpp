@@ -194,9 +194,12 @@ io::SequenceNames parse_map(std::string const& text, std::string const& name) {
     auto const json = json_in(text, name);
     Member const map{name, "", json};
     check_keys(map, {"channels", "motion", "depth", "miss_from", "shutter", "signals", "added", "picture"});
-    if (map.has("picture")) static_cast<void>(map.at("picture").text(name_a_layer));
     auto const guides = guides_in(map);
     io::SequenceNames names{name};
+    if (map.has("picture")) {
+        auto const layer = map.at("picture").text(name_a_layer);
+        for (auto const* const component : {"R", "G", "B"}) names.picture.push_back({{layer + (layer.empty() ? "" : ".") + component}});
+    }
     if (map.has("added")) names.added = sources_in(map.at("added"), "radiance", 3);
     if (!map.has("signals")) {
         names.of_signals.push_back({"radiance", guides});
