@@ -9,7 +9,6 @@ namespace quell::examples {
 
 Output::Output(DenoiseOptions const& options, FramePattern const& input, std::vector<long long> const& numbers)
     : in(input), layers(options.layers), one_signal(!options.signal.empty()) {
-    if (!options.map.empty()) picture_layer = read_picture_layer(options.map);
     if (options.out.empty()) return;
     pattern.emplace(options.out);
     std::vector<long long> there;
@@ -44,7 +43,7 @@ void Output::write(long long number, DenoisedFrame& frame, io::SequenceNames con
     if (!pattern) return;
     io::ExrOriginal const original(in.path(number));
     layers.check(original.listed);
-    auto const layer = one_signal ? layer_of_signal(original.listed, names) : picture_layer;
+    auto const layer = one_signal ? layer_of_signal(original.listed, names) : std::nullopt;
     auto const changes = changes_for(frame, original.listed, names, layer, layers);
     store([&] {
         for (auto const& part : io::write_copy(pattern->path(number), original, changes)) lossless.insert(part);
