@@ -71,7 +71,7 @@ FileSequence file_sequence(ChartOptions const& options, Files const& files, std:
     return {scene,      in,
             reference,  map,
             range,      examples::numbers_of_references(reference, range),
-            first.size, methods_for(first, map ? *map : io::recognise(first))};
+            first.size, methods_for(first, map ? *map : examples::recognised(first))};
 }
 
 std::vector<Wanted> wanted_of(FileSequence const& sequence) {
