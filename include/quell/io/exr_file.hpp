@@ -125,7 +125,11 @@ inline Region inside(Imath::Box2i const& data, Imath::Box2i const& display) {
 
 /// Copies what was read to its place in the display window.
 inline Plane placed(Incoming&& in, Imath::Box2i const& data, Imath::Box2i const& display) {
-    Plane plane{.name = in.channel->name, .type = in.channel->type, .values = {}, .exact = in.as_floats()};
+    Plane plane{.name = in.channel->name,
+                .type = in.channel->type,
+                .values = {},
+                .exact = in.as_floats(),
+                .with_part = in.channel->part_name + "." + in.channel->in_part};
     if (data == display) {
         plane.values = std::move(in.numbers);
         return plane;

@@ -34,14 +34,20 @@ public:
         return of_views == 1 ? of_view : nullptr;
     }
 
-    /// Names the channels so that no others have these names.
+    /// Whether the file gives another channel by that name.
+    [[nodiscard]] bool is_other(std::string const& name) const {
+        auto const* const channel = find(name);
+        return channel && channel != file.find(name);
+    }
+
+    /// Writes the part's name before names by which the file would give other channels.
     /// @throws Error naming the parts where it is not known which one a name stands for
     void resolve(std::vector<Source>& sources) const {
         for (auto& source : sources)
             for (auto& name : source.sum)
-                if (auto const* const channel = find(name))
-                    name = channel->name;
-                else if (called(name).size() > 1)
+                if (is_other(name))
+                    name = find(name)->part_name + "." + name;
+                else if (!find(name) && called(name).size() > 1)
                     fail(name);
     }
 
@@ -76,7 +82,7 @@ private:
         parts.resolve(signal.factor);
         for_each_channel(AllChannels{}, [&](auto channel) { // also those that go by quell's own names
             auto const own = sources_of(signal.channels, channel);
-            if (std::ranges::any_of(planes_of(own), [&](auto const& name) { return parts.find(name) && parts.find(name)->name != name; }))
+            if (std::ranges::any_of(planes_of(own), [&](auto const& name) { return parts.is_other(name); }))
                 signal.channels.sources.insert_or_assign(channel.name, own);
         });
         for (auto& [channel, sources] : signal.channels.sources) parts.resolve(sources);
