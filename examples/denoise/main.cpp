@@ -4,6 +4,7 @@
 #include <denoise/options.hpp>
 #include <denoise/output.hpp>
 #include <denoise/presets.hpp>
+#include <denoise/renderer_maps.hpp>
 #include <denoise/scores.hpp>
 #include <denoise/sequence_denoiser.hpp>
 #include <denoise/signal_choice.hpp>
@@ -180,7 +181,7 @@ public:
         summary.milliseconds = denoiser->milliseconds();
         summary.bytes_per_pixel = denoiser->bytes_per_pixel();
         if (!denoiser->names()) return;
-        summary.renderer = map && map->renderer == options.map ? in.text() : denoiser->names()->renderer;
+        summary.renderer = map && map->renderer == options.map && !find_renderer_map(options.map) ? in.text() : denoiser->names()->renderer;
         summary.remarks.insert(summary.remarks.begin(), denoiser->names()->remarks.begin(), denoiser->names()->remarks.end());
         if (auto const changes = denoiser->canvas_changes(); changes > 0)
             summary.remarks.push_back("history started afresh " + std::to_string(changes) +
