@@ -52,6 +52,12 @@ public:
     [[nodiscard]] virtual std::vector<DebugImage> debug_images(std::string const& view) = 0;
     /// The next frame, denoised: linear, row by row. Where its size is another one, history starts afresh.
     [[nodiscard]] virtual metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number) = 0;
+    /// A number for each component and pixel.
+    using Factor = std::function<float(int c, int x, int y)>;
+    /// Multiplies what it remembers.
+    virtual void scale_history(Factor const&) {}
+    /// Adds what another one of the same preset remembers, times a factor.
+    virtual void add_history(Denoiser const&, Factor const&) {}
     /// How many samples of the last frame were not finite, or negative.
     [[nodiscard]] virtual long long missing_samples() const = 0;
     /// Its passes in order, what each reads and writes, and memory: a table in Markdown.
@@ -87,6 +93,7 @@ struct Preset {
     bool wants_sharp_picture = false; ///< whether it blurs a picture of one instant
     PresetGroup group = PresetGroup::general;
     std::vector<SignalOfPreset> of_signals = {}; ///< what it denoises: several where it puts a picture together
+    bool by_albedo = false;                      ///< whether it divides the picture by its albedo before it denoises it
     int warm_up = 0;                             ///< how many frames before the first make a frame what it is in the whole sequence
 
     static constexpr int usual_later_frames = 2; ///< of those that it looks ahead at

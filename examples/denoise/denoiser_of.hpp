@@ -6,6 +6,7 @@
 #include <quell/diagnose/diagnose.hpp>
 #include <quell/execute/threads.hpp>
 #include <quell/io/frame_image.hpp>
+#include <quell/pipeline/history_transfer.hpp>
 #include <quell/pipeline/plan.hpp>
 #include <quell/quell.hpp>
 
@@ -14,6 +15,10 @@ namespace quell::examples {
 /// The channels that a pipeline keeps, or that all pipelines of a composite keep.
 template <class P> struct KeptChannels { using type = typename P::keeps; };
 template <class... Ps> struct KeptChannels<Composite<Ps...>> { using type = union_of<typename Ps::keeps...>; };
+
+/// Whether it is a pipeline, with a history, and no composite.
+template <class P> inline constexpr bool has_one_history = false;
+template <ChannelTag S, class... Parts> inline constexpr bool has_one_history<Pipeline<S, Parts...>> = Pipeline<S, Parts...>::has_past;
 
 /// @tparam Storage of the history
 template <class P, class E = Threads<>, ImageStorage Storage = Planar<>> class DenoiserOf final : public Denoiser {
@@ -56,6 +61,14 @@ public:
             if (view == channel.name) images = quell::debug_images(channel, history);
         });
         return images;
+    }
+    void scale_history(Factor const& factor) override {
+        if constexpr (has_one_history<P>) quell::scale_history(history, factor);
+    }
+    void add_history(Denoiser const& from, Factor const& factor) override {
+        auto const* const other = dynamic_cast<DenoiserOf const*>(&from);
+        if constexpr (has_one_history<P>)
+            if (other) quell::add_history(history, other->history, factor);
     }
     long long missing_samples() const override { return history.statistics().missing_samples; }
     std::string plan() const override { return to_string(plan_of(pipeline, Storage{})); }

@@ -121,13 +121,15 @@ ChannelTriple picture_channels(io::ExrFile const& file, io::SequenceNames const&
 }
 
 std::vector<ChannelTriple> signal_channels(io::ExrFile const& file, io::SequenceNames const& names) {
-    if (names.of_signals.size() == 1 && names.added.empty()) return {};
+    if (!has_several_signals(names)) return {};
     std::vector<ChannelTriple> channels;
-    for (auto const& signal : names.of_signals) {
-        channels.push_back(in_layer(view_layer(file, names) + "denoised_" + word_of(signal.name)));
+    auto const add = [&](std::string const& name) {
+        channels.push_back(in_layer(view_layer(file, names) + "denoised_" + word_of(name)));
         if (std::ranges::count(channels, channels.back()) > 1)
-            throw Error(names.renderer, "two signals have the name '" + signal.name + "'", "give each a name of its own");
-    }
+            throw Error(names.renderer, "two signals have the name '" + name + "'", "give each a name of its own");
+    };
+    for (auto const& signal : names.of_signals) add(signal.name);
+    add(rest_name);
     return channels;
 }
 

@@ -295,9 +295,12 @@ io::SequenceNames parse_map(std::string const& text, std::string const& name, io
     Member const map{name, "", json, frame};
     check_keys(map, {"channels", "motion", "depth", "miss_from", "miss_to", "shutter", "signals", "added", "picture", "renderer", "source",
                      "recognised_by", "lacks", "remark"});
-    if (map.has("picture")) static_cast<void>(map.at("picture").text(name_a_layer));
     auto const guides = guides_in(map);
     io::SequenceNames names{map.has("renderer") ? map.at("renderer").text("write its name") : name};
+    if (map.has("picture")) {
+        auto const layer = map.at("picture").text(name_a_layer);
+        for (auto const* const component : {"R", "G", "B"}) names.picture.push_back({{layer + (layer.empty() ? "" : ".") + component}});
+    }
     if (map.has("added")) names.added = sources_in(map.at("added"), "radiance", 3);
     if (map.has("signals")) {
         auto const signals = map.at("signals");

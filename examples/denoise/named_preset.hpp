@@ -53,6 +53,7 @@ template <class Named> Preset made_preset(Named const& named) {
     made.of_signals = signals_of(pipeline);
     made.warm_up = warm_up_frames(pipeline); // joining both sides begins anew in each frame
     made.is_part = is_effect<typename Named::signal_type>;
+    made.by_albedo = std::is_same_v<typename Named::signal_type, AnySignal> && P::reads::template has<Albedo>;
     made.wants_sharp_picture = blur_input<P> == BlurInput::picture;
     return made;
 }

@@ -52,6 +52,9 @@ void check_debug_views(Preset const& preset, std::vector<std::string> const& vie
                         "leave it out, or choose a preset that clamps, such as surface-clamp");
 }
 
+/// Whether the light of a file goes through it as one picture or as its signals, not as parts that it knows by name.
+bool denoises_picture(Preset const& preset) { return preset.of_signals.size() == 1 && preset.of_signals[0].name == radiance.name; }
+
 /// Vectors in parts of the display window's size are other parts of a canvas that is larger.
 io::SequenceNames names_on_canvas(io::SequenceNames names, Extent size, Region const& canvas) {
     auto const whole = io::detail::size_of(canvas);
@@ -98,6 +101,7 @@ SequenceDenoiser::SequenceDenoiser(SequenceSettings settings_) : settings(std::m
 
 void SequenceDenoiser::begin(io::ExrOriginal const& file) {
     settings.map = settings.map ? io::names_in_parts(*settings.map, file.listed) : recognised(file.listed);
+    if (!denoises_picture(settings.preset)) settings.map->picture.clear();
     if (settings.field_of_view)
         for (auto& signal : settings.map->of_signals) signal.channels.depth.vertical_field_of_view = *settings.field_of_view;
     if (settings.shutter)
@@ -109,12 +113,19 @@ void SequenceDenoiser::begin(io::ExrOriginal const& file) {
               std::max(canvas.y1, others.y1)};
     check_field_of_view(file.listed, *settings.map, canvas);
     on_canvas = names_on_canvas(*settings.map, size, canvas);
-    auto const& preset = settings.preset;
+    any = settings.preset.make({1, 1}, 1);
+    denoisers.resize(on_canvas.of_signals.size() + 1);
+    were_active.assign(denoisers.size(), false);
+}
+
+Denoiser& SequenceDenoiser::denoiser(std::size_t signal) {
+    auto& made = denoisers[signal];
+    if (made) return *made;
     auto const whole = io::detail::size_of(canvas);
-    for (std::size_t s = 0; s < settings.map->of_signals.size(); ++s)
-        denoisers.push_back(!settings.debug_views.empty() ? preset.make_watched(whole) : preset.make(whole, settings.threads));
-    for (std::size_t s = 0; s < denoisers.size(); ++s)
-        if (settings.diagnose) denoisers[s]->diagnose(on_canvas.of_signals[s].factor);
+    made = !settings.debug_views.empty() ? settings.preset.make_watched(whole) : settings.preset.make(whole, settings.threads);
+    if (settings.diagnose)
+        made->diagnose(signal < on_canvas.of_signals.size() ? on_canvas.of_signals[signal].factor : std::vector<io::Source>());
+    return *made;
 }
 
 bool SequenceDenoiser::is_inside(Region const& other) const {
@@ -125,6 +136,7 @@ void SequenceDenoiser::forget() {
     earlier_milliseconds = milliseconds();
     denoisers.clear();
     window.clear();
+    last.reset();
 }
 
 /// Each mistake once: it is most often in every frame, and guides are the same for all signals.
@@ -135,12 +147,11 @@ void SequenceDenoiser::collect(std::vector<Finding> const& findings) {
 }
 
 std::vector<std::string> SequenceDenoiser::planes(io::ExrFile const& file) const {
-    auto planes = composite_planes(on_canvas);
-    for (std::size_t s = 0; s < denoisers.size(); ++s) {
-        auto const& channels = on_canvas.of_signals[s].channels;
-        auto const more = denoisers[s]->planes(channels);
+    auto planes = split_planes(file, on_canvas);
+    for (auto const& signal : on_canvas.of_signals) {
+        auto const more = any->planes(signal.channels);
         planes.insert(planes.end(), more.begin(), more.end());
-        for (auto const& plane : denoisers[s]->optional_planes(channels))
+        for (auto const& plane : any->optional_planes(signal.channels))
             if (file.find(plane)) planes.push_back(plane);
     }
     return planes;
@@ -148,9 +159,11 @@ std::vector<std::string> SequenceDenoiser::planes(io::ExrFile const& file) const
 
 std::vector<std::pair<std::string, DebugImage>> SequenceDenoiser::debug_images(std::string const& view) {
     std::vector<std::pair<std::string, DebugImage>> all;
-    for (std::size_t s = 0; s < denoisers.size(); ++s) {
+    auto const& split = window.front().split;
+    for (std::size_t s = 0; s < split.signals.size(); ++s) {
+        if (!split.active[s]) continue;
         auto images = denoisers[s]->debug_images(view);
-        auto const signal = denoisers.size() > 1 ? settings.map->of_signals[s].name + "." : std::string();
+        auto const signal = has_several_signals(on_canvas) ? split.signals[s].name + "." : std::string();
         for (auto& image : images) {
             auto const part = images.size() > 1 ? image.signal + "." : std::string();
             all.emplace_back(signal + part + view, std::move(image));
@@ -161,13 +174,15 @@ std::vector<std::pair<std::string, DebugImage>> SequenceDenoiser::debug_images(s
 
 double SequenceDenoiser::milliseconds() const {
     double sum = earlier_milliseconds;
-    for (auto const& denoiser : denoisers) sum += denoiser->milliseconds();
+    for (auto const& denoiser : denoisers)
+        if (denoiser) sum += denoiser->milliseconds();
     return sum;
 }
 
 double SequenceDenoiser::bytes_per_pixel() const {
     double sum = 0;
-    for (auto const& denoiser : denoisers) sum += denoiser->bytes_per_pixel();
+    for (auto const& denoiser : denoisers)
+        if (denoiser) sum += denoiser->bytes_per_pixel();
     return sum;
 }
 
@@ -184,10 +199,46 @@ void SequenceDenoiser::read(FramePattern const& in, long long number) {
         begin(file);
         ++changes;
     }
-    auto image = file.read(planes(file.listed), canvas);
-    put_cameras_on_canvas(image, size, canvas);
-    for (std::size_t s = 0; s < denoisers.size(); ++s) denoisers[s]->look_ahead(image, on_canvas.of_signals[s].channels, number);
-    window.push_back({number, std::move(image)});
+    window.push_back(seen(file, number));
+    auto const& [_, image, split] = window.back();
+    for (std::size_t s = 0; s < split.signals.size(); ++s)
+        if (split.active[s]) denoiser(s).look_ahead(image, split.signals[s].channels, number);
+}
+
+SequenceDenoiser::Seen SequenceDenoiser::seen(io::ExrOriginal const& file, long long number) const {
+    Seen frame{number, file.read(planes(file.listed), canvas), {}};
+    put_cameras_on_canvas(frame.image, size, canvas);
+    frame.split = split_light(frame.image, on_canvas, rule());
+    return frame;
+}
+
+/// Where a signal that was denoised by itself goes to the rest from this frame on, or the other way round, its history goes with it.
+void SequenceDenoiser::hand_over(FramePattern const& in, Seen const& to) {
+    auto const signals = on_canvas.of_signals.size();
+    auto const changed = [&](std::size_t s) { return to.split.active[s] != were_active[s]; };
+    bool any_changed = false;
+    for (std::size_t s = 0; s < signals; ++s) any_changed = any_changed || changed(s);
+    if (!any_changed || !std::filesystem::exists(in.path(*last))) return;
+    auto const before = seen(io::ExrOriginal(in.path(*last)), *last);
+    auto const shares = rest_shares(before.image, before.split, on_canvas, rule());
+    auto const at = [&](metrics::Picture const& picture) {
+        return [&picture, width = static_cast<std::size_t>(picture.size.width)](int c, int x, int y) {
+            return picture.pixels[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)][c];
+        };
+    };
+    auto& rest = denoiser(signals);
+    for (std::size_t s = 0; s < signals; ++s) {
+        if (!changed(s)) continue;
+        auto const colour = at(shares.colours[s]);
+        if (were_active[s]) {
+            rest.add_history(*denoisers[s], colour);
+            continue;
+        }
+        auto const share = at(shares.shares[s]);
+        constexpr float darkest = 0.02f; // of a colour that light is divided by
+        denoiser(s).add_history(rest, [&](int c, int x, int y) { return share(c, x, y) / std::max(colour(c, x, y), darkest); });
+        rest.scale_history([&](int c, int x, int y) { return 1.f - share(c, x, y); });
+    }
 }
 
 /// A frame that is missing, broken or larger ends the window, and is dealt with when it is its turn: those before it are written whole.
@@ -207,22 +258,23 @@ DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long num
     while (!window.empty() && window.front().number != number) window.pop_front();
     if (window.empty()) read(in, number);
     read_ahead(in, number);
-    auto const& image = window.front().image;
+    auto const& [_, image, split] = window.front();
+    if (last && *last + 1 == number) hand_over(in, window.front());
     found.clear();
     DenoisedFrame frame;
     frame.canvas = canvas;
     auto const denoised = [&](std::size_t s) {
-        auto result = denoisers[s]->denoise(image, on_canvas.of_signals[s].channels, number);
-        missing += denoisers[s]->missing_samples();
-        collect(denoisers[s]->findings());
+        auto result = denoiser(s).denoise(image, split.signals[s].channels, number);
+        missing += denoiser(s).missing_samples();
+        collect(denoiser(s).findings());
         return result;
     };
-    frame.picture = composite(image, on_canvas, denoised, missing, frame.signals);
-    if (frame.signals.size() == 1 && on_canvas.added.empty()) frame.signals.clear(); // it is the picture
-    for (std::size_t c = 0; c < on_canvas.added.size(); ++c)
-        for (auto const& plane : on_canvas.added[c].sum) // the offset is added once
-            frame.added[c].push_back(
-                {&image[plane].values, on_canvas.added[c].scale, frame.added[c].empty() ? on_canvas.added[c].offset : 0.f});
+    frame.picture = composite(image, split, denoised, missing, frame.signals);
+    if (!has_several_signals(on_canvas)) frame.signals.clear(); // it is the picture
+    for (std::size_t c = 0; c < split.added.size(); ++c)
+        for (auto const& plane : split.added[c].sum) // the offset is added once
+            frame.added[c].push_back({&image[plane].values, split.added[c].scale, frame.added[c].empty() ? split.added[c].offset : 0.f});
+    were_active = split.active, last = number;
     return frame;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <denoise/denoiser.hpp>
+#include <denoise/light_split.hpp>
 #include <support/frame_pattern.hpp>
 
 #include <quell/io/exr/exr_original.hpp>
@@ -86,7 +87,10 @@ private:
     io::SequenceNames on_canvas; ///< the names for images of the canvas
     int changes = 0;
     double earlier_milliseconds = 0;                  ///< of denoisers that are gone
-    std::vector<std::unique_ptr<Denoiser>> denoisers; ///< one per signal
+    std::unique_ptr<Denoiser> any;                    ///< says what each of them wants
+    std::vector<std::unique_ptr<Denoiser>> denoisers; ///< one per signal, and one of the rest; null before there was light for it
+    std::vector<bool> were_active;                    ///< those that had light in the last frame
+    std::optional<long long> last;                    ///< number of the frame that was denoised last
     long long missing = 0;
     std::set<Mistake> known; ///< those that were found already
     std::vector<Finding> found;
@@ -95,10 +99,15 @@ private:
     struct Seen {
         long long number;
         io::ExrImage image;
+        LightSplit split;
     };
     std::deque<Seen> window;
 
     void begin(io::ExrOriginal const& file);
+    [[nodiscard]] SplitRule rule() const { return {.by_albedo = settings.preset.by_albedo}; }
+    [[nodiscard]] Denoiser& denoiser(std::size_t signal);
+    [[nodiscard]] Seen seen(io::ExrOriginal const& file, long long number) const;
+    void hand_over(FramePattern const& in, Seen const& to);
     [[nodiscard]] bool is_inside(Region const& other) const;
     void read(FramePattern const& in, long long number);
     void read_ahead(FramePattern const& in, long long number);

@@ -25,7 +25,7 @@ std::vector<io::Source> as_three(std::vector<io::Source> sources) {
 
 SignalChoice choice_of(std::string const& word, std::vector<io::Source> const& sources, io::SignalNames const& of,
                        io::SequenceNames const& names) {
-    SignalChoice choice{word, {names.renderer, {of}, {}, names.remarks}, static_cast<int>(sources.size())};
+    SignalChoice choice{word, {names.renderer, {of}, {}, {}, names.remarks}, static_cast<int>(sources.size())};
     choice.names.of_signals[0].name = word;
     choice.names.of_signals[0].channels.sources["radiance"] = as_three(sources);
     return choice;

@@ -60,6 +60,11 @@ public:
     std::vector<Finding> const& findings() const override { return found; }
     bool has_debug_view(std::string const&) const override { return false; }
     std::vector<DebugImage> debug_images(std::string const&) override { return {}; }
+    void scale_history(Factor const& factor) override { quell::scale_history(history.before, factor); }
+    void add_history(Denoiser const& from, Factor const& factor) override {
+        if (auto const* const other = dynamic_cast<TwoSidedDenoiser const*>(&from))
+            quell::add_history(history.before, other->history.before, factor);
+    }
     long long missing_samples() const override { return history.statistics().missing_samples; }
     std::string plan() const override { return to_string(plan_of(pipeline)); }
     double bytes_per_pixel() const override { return history.before.bytes_per_pixel() + history.after.bytes_per_pixel(); }

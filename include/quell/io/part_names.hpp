@@ -87,8 +87,8 @@ private:
         });
         for (auto& [channel, sources] : signal.channels.sources) parts.resolve(sources);
     }
-    detail::NamesInParts(file, names.of_signals.empty() ? std::vector<std::string>() : light(names.of_signals.front()))
-        .resolve(names.added);
+    detail::NamesInParts const parts(file, names.of_signals.empty() ? std::vector<std::string>() : light(names.of_signals.front()));
+    parts.resolve(names.added), parts.resolve(names.picture);
     return names;
 }
 

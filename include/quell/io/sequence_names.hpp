@@ -2,10 +2,8 @@
 
 #include <quell/io/channel_names.hpp>
 #include <quell/io/exr_file.hpp>
-#include <quell/io/light_sum.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
@@ -21,6 +19,7 @@ struct SequenceNames {
     std::string renderer;                     ///< for messages
     std::vector<SignalNames> of_signals = {}; ///< at least one
     std::vector<Source> added = {};           ///< one source per component; empty: nothing is added
+    std::vector<Source> picture = {};         ///< the image as the renderer has put it together, per component; empty: not known
     std::vector<std::string> remarks = {};    ///< for the user: what these files lack, and what is used instead
 };
 
@@ -47,13 +46,6 @@ struct ViewLayer {
             if (!source.sum.empty()) sources.push_back(source);
         }
         return sources.size() == 3 ? sources : std::vector<Source>();
-    }
-    /// Those of these passes that do not exist.
-    [[nodiscard]] std::string missing(std::vector<std::string> const& passes) const {
-        std::string list;
-        for (auto const& pass : passes)
-            if (!has(pass, "R")) list += (list.empty() ? "" : ", ") + pass;
-        return list;
     }
     [[nodiscard]] std::vector<Source> components_of(std::string const& pass, std::string const& letters) const {
         std::vector<Source> sources;
@@ -121,39 +113,19 @@ inline SequenceNames cycles_passes(ViewLayer const& layer) {
     SequenceNames names{"Blender Cycles", cycles_signals(layer)};
     if (names.of_signals.empty()) return cycles_combined(layer, "no light passes (DiffDir, DiffInd, DiffCol, ...)");
     names.added = layer.sum_of({"Emit", "Env"});
+    names.picture = layer.sum_of({"Combined"});
     return names;
-}
-
-/// Whether these names sum up to the file's combined image, within 1% of its light.
-inline bool make_up_combined(SequenceNames const& names, ViewLayer const& layer, ExrFile const& file) {
-    auto const combined = layer.sum_of({"Combined"});
-    if (combined.empty()) return true; // no evidence against it
-    auto planes = planes_of(combined);
-    auto const want = [&](std::vector<Source> const& sources) {
-        auto const more = planes_of(sources);
-        planes.insert(planes.end(), more.begin(), more.end());
-    };
-    want(names.added);
-    for (auto const& signal : names.of_signals) want(signal.channels.sources.at("radiance")), want(signal.factor);
-    auto const image = file.read(planes);
-    double light = light_sum(image, names.added);
-    for (auto const& signal : names.of_signals) light += light_sum(image, signal.channels.sources.at("radiance"), signal.factor);
-    auto const whole = light_sum(image, combined);
-    return std::abs(light - whole) <= 0.01 * std::abs(whole);
 }
 } // namespace detail
 
-/// Names of Blender Cycles' files: every light pass of the first view layer is a signal; emission and environment are added. Where light
-/// passes are missing, or do not sum up to the combined image, that image is the only signal. Empty if the names are not Blender's.
+/// Names of Blender Cycles' files: every light pass of the first view layer is a signal; emission and environment are added. What they
+/// leave over of the combined image is found per frame. Without light passes that image is the only signal. Empty if the names are not
+/// Blender's.
 [[nodiscard]] inline std::optional<SequenceNames> cycles_sequence(ExrFile const& file) {
     auto const prefix = detail::view_layer_prefix(file.channels);
     if (!prefix) return std::nullopt;
     detail::ViewLayer const layer{file.channels, *prefix};
     auto names = detail::cycles_passes(layer);
-    auto const missing = layer.missing({"DiffDir", "DiffInd", "DiffCol", "GlossDir", "GlossInd", "GlossCol", "TransDir", "TransInd",
-                                        "TransCol", "VolumeDir", "VolumeInd", "Emit", "Env"});
-    if (!missing.empty() && !detail::make_up_combined(names, layer, file))
-        names = detail::cycles_combined(layer, "the light passes don't add up to Combined, for want of some of " + missing);
     if (!layer.has("Normal", "X")) names.remarks.push_back("no Normal pass: surfaces are told apart by depth alone");
     return names;
 }

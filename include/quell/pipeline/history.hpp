@@ -23,6 +23,7 @@ template <class Set> struct StoredChannels;
 template <class... Cs> struct StoredChannels<Channels<Cs...>> { using type = Channels<typename Remembered<Cs>::Stored...>; };
 template <class P, class FrameT, class H, class E, class Into> class Run;
 struct Inspect;
+struct HistoryTransfer;
 struct DiagnosisNotes;
 
 /// What one frame leaves for the next. A history has two, a double buffer: `then` and `now`.
@@ -87,6 +88,7 @@ public:
 private:
     template <class, class, class, class, class> friend class detail::Run;
     friend struct detail::Inspect;
+    friend struct detail::HistoryTransfer;
     template <class, ImageStorage> friend class History;
     using State = detail::FrameState<P, Storage>;
 
