@@ -23,7 +23,7 @@ public:
         name = std::filesystem::path(options.in).filename().string();
         numbers = files.on_disk();
         check_numbers();
-        if (!options.map.empty()) map = examples::read_map(options.map);
+        if (!options.map.empty()) map = examples::read_map(options.map, {files.path(numbers.front())});
         look_at(io::ExrFile(files.path(numbers.front())));
         read_references(examples::FramePattern(options.reference));
     }
@@ -60,7 +60,7 @@ private:
     /// Finds out which channels the files have.
     void look_at(io::ExrFile const& file) {
         size = file.size;
-        names = (map ? *map : io::recognise(file)).of_signals.front().channels;
+        names = (map ? *map : examples::recognised(file)).of_signals.front().channels;
         has_camera = io::camera_of(file.read({})).has_value();
         for_each_channel(FitFrame::channels{}, [&]<class C>(C channel) {
             auto const wanted = io::planes_of(Channels<C>{}, names);

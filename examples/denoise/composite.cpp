@@ -1,7 +1,9 @@
 #include <denoise/composite.hpp>
+#include <denoise/map_file.hpp>
 
 #include <quell/core/real.hpp>
 #include <quell/io/frame_image.hpp>
+#include <quell/io/part_names.hpp>
 
 #include <algorithm>
 #include <array>
@@ -32,7 +34,7 @@ std::vector<std::string> picture_planes(io::ExrFile const& file, io::SequenceNam
 io::SequenceNames names_of_reference(io::ExrFile const& file, ReferenceNames const& names) {
     for (auto const& choice : names.any_of)
         if (file.has_all(picture_planes(file, choice))) return choice;
-    if (names.or_recognised) return io::recognise(file);
+    if (names.or_recognised) return recognised(file);
     return names.any_of.at(0); // reading it says what it lacks
 }
 
@@ -59,7 +61,7 @@ metrics::Picture composite(io::ExrImage const& image, LightSplit const& split, s
 
 metrics::Picture read_reference(std::filesystem::path const& path, ReferenceNames const& any) {
     io::ExrFile const file(path);
-    auto const names = names_of_reference(file, any);
+    auto const names = io::names_in_parts(names_of_reference(file, any), file);
     auto image = file.read(picture_planes(file, names));
     auto const split = split_light(image, names, {}, false);
     long long ignored = 0;

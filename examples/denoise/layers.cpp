@@ -65,8 +65,11 @@ struct Place {
     io::SampleType type;
 };
 Place place_of(std::string const& name, io::ExrFile const& file, io::SequenceNames const& names, io::SampleType otherwise) {
+    auto const home = home_part(file, names);
+    for (auto const& channel : file.channels) // other parts may have that name too
+        if (channel.part == home && channel.in_part == name) return {home, name, channel.type};
     if (auto const* const channel = file.find(name)) return {channel->part, channel->in_part, channel->type};
-    return {home_part(file, names), name, otherwise};
+    return {home, name, otherwise};
 }
 
 } // namespace
@@ -93,7 +96,7 @@ std::optional<ChannelTriple> only_signal(io::SequenceNames const& names) {
     auto const sources = io::sources_of(names.of_signals[0].channels, radiance);
     ChannelTriple channels;
     for (std::size_t c = 0; c < 3; ++c) {
-        if (sources[c].sum.size() != 1 || sources[c].scale != 1.f) return std::nullopt;
+        if (sources[c].sum.size() != 1 || sources[c].scale != 1.f || sources[c].offset != 0.f) return std::nullopt;
         channels[c] = sources[c].sum[0];
     }
     return channels;
@@ -168,6 +171,21 @@ void add_up_exactly(DenoisedFrame& frame, std::array<io::SampleType, 3> const& t
             for (int tries = 0; tries < 8 && sum() != whole; ++tries)
                 *strongest = std::nextafter(*strongest, sum() < whole ? INFINITY : -INFINITY);
         }
+}
+
+void check_levels(io::ExrOriginal const& original, io::SequenceNames const& names, std::optional<std::string> const& picture_layer,
+                  LayerChoice const& layers) {
+    auto const& file = original.listed;
+    auto triples = signal_channels(file, names);
+    triples.push_back(picture_channels(file, names, picture_layer));
+    std::set<int> touched;
+    for (auto const& triple : triples)
+        for (auto const& name : triple) touched.insert(place_of(name, file, names, io::SampleType::half).part);
+    for (auto const& channel : file.channels)
+        if (!layers.keeps(channel.part_name, channel.in_part)) touched.insert(channel.part);
+    for (auto const part : touched)
+        if (original.has_levels(part))
+            throw Error(file.name, "its tiles have several levels (a mip map or rip map)", "write frames with one level");
 }
 
 io::ExrChanges changes_for(DenoisedFrame& frame, io::ExrFile const& file, io::SequenceNames const& names,

@@ -60,6 +60,11 @@ using ChannelTriple = std::array<std::string, 3>;
 /// @param type the picture's format in the file
 void add_up_exactly(DenoisedFrame& frame, std::array<io::SampleType, 3> const& type);
 
+/// Makes sure that the output's numbers can be written into the file's parts.
+/// @throws Error where the tiles of one of them have several levels
+void check_levels(io::ExrOriginal const& original, io::SequenceNames const& names, std::optional<std::string> const& picture_layer,
+                  LayerChoice const& layers);
+
 /// What the output of a frame has in place of the input's channels, or beside them.
 /// @param layers must outlive the result
 [[nodiscard]] io::ExrChanges changes_for(DenoisedFrame& frame, io::ExrFile const& file, io::SequenceNames const& names,

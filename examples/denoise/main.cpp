@@ -4,6 +4,7 @@
 #include <denoise/options.hpp>
 #include <denoise/output.hpp>
 #include <denoise/presets.hpp>
+#include <denoise/renderer_maps.hpp>
 #include <denoise/scores.hpp>
 #include <denoise/sequence_denoiser.hpp>
 #include <denoise/signal_choice.hpp>
@@ -53,14 +54,14 @@ std::optional<SignalChoice> signal_in(std::filesystem::path const& first, std::o
                                       std::string const& word) {
     if (word.empty()) return std::nullopt;
     io::ExrFile const file(first);
-    return choose_signal(word, file, names ? *names : io::recognise(file));
+    return choose_signal(word, file, names ? *names : recognised(file));
 }
 
 /// What suits the files, where no preset was asked for.
 PresetChoice suitable_preset(std::filesystem::path const& first, std::optional<io::SequenceNames> const& map,
                              std::optional<SignalChoice> const& signal) {
     io::ExrFile const file(first);
-    return signal ? preset_for(file, *signal) : preset_for(file, map ? *map : io::recognise(file));
+    return signal ? preset_for(file, *signal) : preset_for(file, map ? *map : recognised(file));
 }
 
 /// How references hold what a preset makes: the effect's part of the picture, or the picture.
@@ -94,7 +95,7 @@ std::vector<long long> all_frames(DenoiseOptions const& options, FramePattern co
 std::optional<io::SequenceNames> names_in(std::filesystem::path const& first) {
     if (!std::filesystem::exists(first)) return std::nullopt;
     try {
-        return io::recognise(io::ExrFile(first));
+        return recognised(io::ExrFile(first));
     } catch (Error const&) {
         return std::nullopt; // another chunk complains of it
     }
@@ -105,8 +106,8 @@ void print_plan(DenoiseOptions const& options) {
         if (!options.preset.empty()) return &preset_of(options.preset);
         FramePattern const in(options.in);
         std::optional<io::SequenceNames> map;
-        if (!options.map.empty()) map = read_map(options.map);
         auto const first = in.path(range_of(in, options.first, options.last).first);
+        if (!options.map.empty()) map = read_map(options.map, {first});
         return suitable_preset(first, map, signal_in(first, map, options.signal)).preset;
     };
     auto const& preset = *choose();
@@ -131,7 +132,7 @@ public:
     Job(DenoiseOptions const& o, Summary& s) : options(o), in(o.in), frames(all_frames(o, in)), summary(s) {
         auto const first = in.path(frames.front());
         if (!options.chunk.empty()) frames = part_of(frames, chunk_in(options.chunk));
-        if (!options.map.empty()) map = read_map(options.map);
+        if (!options.map.empty()) map = read_map(options.map, {first, frames.empty() ? first : in.path(frames.front())});
         names = map ? map : names_in(first);
         if (!options.preset.empty()) choice.preset = &preset_of(options.preset);
         output.emplace(options, in, frames);
@@ -143,11 +144,13 @@ public:
         references = signal ? ReferenceNames{{*names}, false} : reference_names(*choice.preset, map);
         summary.preset = choice.preset->name, summary.preset_reason = choice.reason, summary.signal = options.signal;
         if (!options.layers.empty()) output->check(wanted.front(), names);
+        if (names) output->check_levels(wanted.front(), *names);
         comparison.emplace(options, wanted);
         denoiser.emplace(SequenceSettings{.preset = *choice.preset,
                                           .threads = options.threads,
                                           .map = names,
                                           .shutter = options.shutter,
+                                          .field_of_view = options.field_of_view,
                                           .later_frames = later_frames(options, *choice.preset),
                                           .keeps_alpha = options.keep_alpha,
                                           .diagnose = options.diagnose,
@@ -179,7 +182,7 @@ public:
         summary.milliseconds = denoiser->milliseconds();
         summary.bytes_per_pixel = denoiser->bytes_per_pixel();
         if (!denoiser->names()) return;
-        summary.renderer = map ? in.text() : denoiser->names()->renderer;
+        summary.renderer = map && map->renderer == options.map && !find_renderer_map(options.map) ? in.text() : denoiser->names()->renderer;
         summary.remarks.insert(summary.remarks.begin(), denoiser->names()->remarks.begin(), denoiser->names()->remarks.end());
         if (denoiser->left_alpha())
             summary.remarks.push_back("alpha is as in the files: preset " + choice.preset->name +
@@ -209,6 +212,7 @@ private:
         report_findings(number, progress);
     }
     void write(long long number, Progress& progress) {
+        if (names) output->check_levels(number, *names);
         auto frame = denoiser->next_whole(in, number);
         report_findings(number, progress);
         auto const shown = denoiser->displayed(frame.picture);

@@ -3,7 +3,6 @@
 #include <denoise/output.hpp>
 #include <denoise/signal_choice.hpp>
 #include <support/output_folder.hpp>
-#include <support/program.hpp>
 
 namespace quell::examples {
 
@@ -39,19 +38,26 @@ void Output::check(long long first, std::optional<io::SequenceNames> const& name
                     "write picture in its place");
 }
 
+std::optional<std::string> Output::layer_for(io::ExrFile const& file, io::SequenceNames const& names) const {
+    return one_signal ? layer_of_signal(file, names) : std::nullopt;
+}
+
+void Output::check_levels(long long number, io::SequenceNames const& names) const {
+    if (!pattern || !std::filesystem::exists(in.path(number))) return;
+    io::ExrOriginal const original(in.path(number));
+    examples::check_levels(original, names, layer_for(original.listed, names), layers);
+}
+
 void Output::write(long long number, DenoisedFrame& frame, io::SequenceNames const& names) {
     if (!pattern) return;
     io::ExrOriginal const original(in.path(number));
     layers.check(original.listed);
-    auto const layer = one_signal ? layer_of_signal(original.listed, names) : std::nullopt;
-    auto const changes = changes_for(frame, original.listed, names, layer, layers);
-    store([&] {
-        for (auto const& part : io::write_copy(pattern->path(number), original, changes)) lossless.insert(part);
-    });
+    auto const changes = changes_for(frame, original.listed, names, layer_for(original.listed, names), layers);
+    for (auto const& part : io::write_copy(pattern->path(number), original, changes)) lossless.insert(part);
 }
 
 void Output::write_views(long long number, std::string const& view, std::vector<std::pair<std::string, DebugImage>> const& images) const {
-    for (auto const& each : images) store([&] { write_debug_view(pattern->path(number), view, each.first, each.second); });
+    for (auto const& each : images) write_debug_view(pattern->path(number), view, each.first, each.second);
 }
 
 std::vector<std::string> Output::remarks() const {

@@ -30,11 +30,17 @@ public:
     /// @param first number of a frame
     /// @param names by which files are read, where they are known
     void check(long long first, std::optional<io::SequenceNames> const& names) const;
+    /// Makes sure that a frame's output can be written. @throws Error where its tiles have several levels
+    /// @param names by which files are read
+    void check_levels(long long number, io::SequenceNames const& names) const;
     /// Writes the input's file again, with what was denoised in its place.
     void write(long long number, DenoisedFrame& frame, io::SequenceNames const& names);
     void write_views(long long number, std::string const& view, std::vector<std::pair<std::string, DebugImage>> const& images) const;
     /// What the user should know, a line each.
     [[nodiscard]] std::vector<std::string> remarks() const;
+
+private:
+    [[nodiscard]] std::optional<std::string> layer_for(io::ExrFile const& file, io::SequenceNames const& names) const;
 };
 
 } // namespace quell::examples

@@ -1,10 +1,12 @@
 #include <denoise/composite.hpp>
 #include <denoise/converted_history.hpp>
 #include <denoise/layers.hpp>
+#include <denoise/map_file.hpp>
 #include <denoise/sequence_denoiser.hpp>
 
 #include <quell/core/real.hpp>
 #include <quell/io/frame_image.hpp>
+#include <quell/io/part_names.hpp>
 
 #include <algorithm>
 
@@ -63,7 +65,7 @@ io::SequenceNames names_on_canvas(io::SequenceNames names, Extent size, Region c
                            static_cast<float>(size.height) / static_cast<float>(whole.height)};
     auto const scale = [&](auto channel, io::ChannelNames& channels) {
         auto sources = io::sources_of(channels, channel);
-        for (std::size_t c = 0; c < 2; ++c) sources[c].scale *= parts[c];
+        for (std::size_t c = 0; c < 2; ++c) sources[c].scale *= parts[c], sources[c].offset *= parts[c];
         channels.sources.insert_or_assign(channel.name, sources);
     };
     for (auto& signal : names.of_signals)
@@ -101,7 +103,9 @@ SequenceDenoiser::SequenceDenoiser(SequenceSettings settings_) : settings(std::m
 }
 
 void SequenceDenoiser::begin(io::ExrOriginal const& file) {
-    if (!settings.map) settings.map = io::recognise(file.listed);
+    settings.map = settings.map ? io::names_in_parts(*settings.map, file.listed) : recognised(file.listed);
+    if (settings.field_of_view)
+        for (auto& signal : settings.map->of_signals) signal.channels.depth.vertical_field_of_view = *settings.field_of_view;
     if (settings.shutter)
         for (auto& signal : settings.map->of_signals) signal.channels.shutter = settings.shutter;
     auto const others = file.canvas();
@@ -277,7 +281,8 @@ DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long num
     if (!has_several_signals(on_canvas)) frame.signals.clear(); // it is the picture
     if (!alpha.empty()) denoise_alpha(frame, front, split);
     for (std::size_t c = 0; c < split.added.size(); ++c)
-        for (auto const& plane : split.added[c].sum) frame.added[c].push_back({&image[plane].values, split.added[c].scale});
+        for (auto const& plane : split.added[c].sum) // the offset is added once
+            frame.added[c].push_back({&image[plane].values, split.added[c].scale, frame.added[c].empty() ? split.added[c].offset : 0.f});
     was_as_one = as_one, last = number;
     return frame;
 }
@@ -329,7 +334,7 @@ void DenoisedFrame::added_at(std::size_t pixel, int component, std::vector<float
     for (auto const& planes : added)
         for (auto const& plane : planes) finite = finite && is_finite((*plane.values)[pixel]);
     for (auto const& plane : added[static_cast<std::size_t>(component)])
-        if (finite) values.push_back((*plane.values)[pixel] * plane.scale);
+        if (finite) values.push_back((*plane.values)[pixel] * plane.scale + plane.offset);
 }
 
 } // namespace quell::examples

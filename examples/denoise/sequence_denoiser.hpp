@@ -22,6 +22,7 @@ struct SequenceSettings {
     int threads = 0;                      ///< 0: all that there are
     std::optional<io::SequenceNames> map; ///< how the files name their channels; without one, that is recognised from the first file
     std::optional<float> shutter;         ///< how long it is open, whatever the files or the map say
+    std::optional<float> field_of_view{}; ///< vertical, degrees: of files whose depth is the length of rays, where they have no camera
     int later_frames = 0;                 ///< that each frame is denoised with, where the preset makes use of them and the files are there
     bool keeps_alpha = false;             ///< leave alpha as the files have it
     bool diagnose = false;                ///< look at each frame for what its renderer got wrong
@@ -42,7 +43,7 @@ struct DenoisedFrame {
     /// A plane of the file that is added, and what it is multiplied by.
     struct Added {
         std::vector<float> const* values; ///< the file's, as long as the SequenceDenoiser has this frame
-        float scale;
+        float scale, offset;
     };
     std::array<std::vector<Added>, 3> added; ///< by component
 };

@@ -27,6 +27,7 @@ struct WholePart {
     std::vector<WholeChannel> channels;
     bool tiled = false;
     Imf::Compression compression = Imf::ZIP_COMPRESSION;
+    std::string view = {};
 };
 
 /// Attributes of several types, one of which no library knows.
@@ -46,6 +47,7 @@ inline Imf::Header header_of(Imath::Box2i const& display, WholePart const& part)
     header.compression() = part.compression;
     header.lineOrder() = Imf::INCREASING_Y;
     if (!part.name.empty()) header.setName(part.name);
+    if (!part.view.empty()) header.setView(part.view);
     header.setType(part.tiled ? Imf::TILEDIMAGE : Imf::SCANLINEIMAGE);
     if (part.tiled) header.setTileDescription({16, 16, Imf::ONE_LEVEL});
     for (auto const& channel : part.channels) header.channels().insert(channel.name, Imf::Channel(channel.type));

@@ -78,7 +78,7 @@ template <class... Cs, class Storage> struct Frame<Channels<Cs...>, Storage> : d
 private:
     static Extent checked(Extent size) {
         if (size.width > 0 && size.height > 0) return size;
-        raise_error("frame size", to_string(size), "give a width and a height of at least one pixel");
+        raise_error<Failure>("frame size", to_string(size), "give a width and a height of at least one pixel");
     }
 };
 

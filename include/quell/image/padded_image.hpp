@@ -42,8 +42,8 @@ public:
     /// @throws Error where offsets within a component exceed 31 bits
     explicit PaddedImage(Extent size = {}) : extent(size) {
         if (size.height > 0 && View::row_stride(size) > std::numeric_limits<std::int32_t>::max() / size.height)
-            raise_error("image size", to_string(size) + " pixels, " + std::to_string(View::pixel_step) + " floats apart",
-                        View::pixel_step > 1 ? "use Planar storage or smaller images" : "use smaller images");
+            raise_error<Failure>("image size", to_string(size) + " pixels, " + std::to_string(View::pixel_step) + " floats apart",
+                                 View::pixel_step > 1 ? "use Planar storage or smaller images" : "use smaller images");
         allocate();
         std::uninitialized_value_construct_n(memory.get(), elements());
     }

@@ -13,10 +13,12 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
-/// Source of a channel's component: `scale` times the sum of planes of a file. Without planes, the constant `scale`.
+/// Source of a channel's component: `scale` times the sum of planes of a file, plus `offset`. Without planes, the constant `scale`. Normals
+/// that a file holds as n * .5 + .5 have the scale 2 and the offset -1.
 struct Source {
     std::vector<std::string> sum; ///< names of planes
     float scale = 1.f;            ///< factor or constant
+    float offset = 0.f;           ///< in the channel's own unit
 };
 
 /// What the depth of a file measures.
@@ -37,6 +39,7 @@ struct ChannelNames {
     MotionConvention motion = {};                                         ///< of motion and motion_next
     DepthConvention depth = {};                                           ///< of depth
     float miss_from = std::numeric_limits<float>::infinity();             ///< a depth of at least this is a miss
+    float miss_to = -std::numeric_limits<float>::infinity();              ///< and so is one of at most this
     std::optional<float> shutter = {};                                    ///< in place of the files' shutter: fraction of the frame time
 };
 

@@ -26,6 +26,7 @@ struct ExrChannel {
     std::string part_name = {};         ///< may be empty
     /// Subsampling: the file stores every n-th column and row.
     int x_sampling = 1, y_sampling = 1;
+    std::string view = {}; ///< of its part, such as left; may be empty
 };
 
 /// An EXR file whose header has been read; its channels are read on demand. Supports single and multiple parts, scan lines and tiles (the
@@ -124,7 +125,11 @@ inline Region inside(Imath::Box2i const& data, Imath::Box2i const& display) {
 
 /// Copies what was read to its place in the display window.
 inline Plane placed(Incoming&& in, Imath::Box2i const& data, Imath::Box2i const& display) {
-    Plane plane{.name = in.channel->name, .type = in.channel->type, .values = {}, .exact = in.as_floats()};
+    Plane plane{.name = in.channel->name,
+                .type = in.channel->type,
+                .values = {},
+                .exact = in.as_floats(),
+                .with_part = in.channel->part_name + "." + in.channel->in_part};
     if (data == display) {
         plane.values = std::move(in.numbers);
         return plane;
@@ -205,7 +210,7 @@ inline void ExrFile::list_part(int part) {
     for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
         bool const taken = std::ranges::any_of(channels, [&](auto const& c) { return c.name == i.name(); });
         channels.push_back({taken ? part_name + "." + i.name() : i.name(), i.name(), detail::sample_type(i.channel().type), part, part_name,
-                            i.channel().xSampling, i.channel().ySampling});
+                            i.channel().xSampling, i.channel().ySampling, header.hasView() ? header.view() : std::string()});
     }
 }
 

@@ -47,7 +47,7 @@ template <class P, class Storage> struct FrameState {
 /// Checks the size of a history.
 inline Extent checked(Extent size) {
     if (size.width > 0 && size.height > 0) return size;
-    raise_error("history size", to_string(size), "give a width and a height of at least one pixel");
+    raise_error<Failure>("history size", to_string(size), "give a width and a height of at least one pixel");
 }
 } // namespace detail
 

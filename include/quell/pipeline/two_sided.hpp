@@ -111,7 +111,8 @@ auto run_two_sided(P const& pipeline, P const& joining, Window& window, TwoSided
     static_assert(F::channels::template has<MotionNext>,
                   "run_two_sided(pipeline, window, ...): the frames have no motion_next; construct them with two_sided");
     static_assert(owns_memory<FrameStorage>(), "run_two_sided(pipeline, window, ...): the frames must own their memory (Planar<>)");
-    if (std::size(window) == 0) raise_error("run_two_sided: the window", "no frames", "give the frame to denoise and those after it");
+    if (std::size(window) == 0)
+        raise_error<Failure>("run_two_sided: the window", "no frames", "give the frame to denoise and those after it");
     std::size_t last = 0;
     auto const follows = [&](std::size_t i) {
         return window[i].size == window[0].size &&

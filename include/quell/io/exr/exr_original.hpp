@@ -27,6 +27,9 @@ public:
     /// though its header is whole.
     [[nodiscard]] bool is_whole() const;
 
+    /// Whether a part's tiles have several levels (a mip map or rip map), so that no other numbers can be written into it.
+    [[nodiscard]] bool has_levels(int part) const;
+
     [[nodiscard]] int parts() const { return file->parts(); }                              ///< how many parts there are
     [[nodiscard]] Imf::Header const& header(int part) const { return file->header(part); } ///< of a part, from 0
     /// The parts' pixels by the library's own interface: by Imf::InputPart and no other kind of part, which the library would confuse.
@@ -71,6 +74,10 @@ inline Region ExrOriginal::relative(Imath::Box2i const& box) const {
     auto const from = [&](int a, int b) { return detail::difference(listed.name, a, b); };
     return {from(box.min.x, display.min.x), from(box.min.y, display.min.y), from(box.max.x, display.min.x) + 1,
             from(box.max.y, display.min.y) + 1};
+}
+
+inline bool ExrOriginal::has_levels(int part) const {
+    return header(part).hasTileDescription() && header(part).tileDescription().mode != Imf::ONE_LEVEL;
 }
 
 inline Region ExrOriginal::canvas() const {
