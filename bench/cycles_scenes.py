@@ -300,9 +300,10 @@ else: sys.exit('cycles_scenes.py: no scene ' + name)
 
 def out_of_gamut(file):     # takes the linear colours for Rec.2020 and writes them as Rec.709, where pure ones have components below 0
     import numpy, OpenImageIO as oiio
-    matrix = numpy.array([[1.6605, -.5876, -.0728], [-.1246, 1.1329, -.0083], [-.0182, -.1006, 1.1187]], numpy.float32)
-    image = oiio.ImageBuf(file)
-    spec, pixels = image.spec(), image.get_pixels(oiio.FLOAT)
+    matrix = numpy.array([[1.660491, -.587641, -.07285], [-.12455, 1.1329, -.00835], [-.018151, -.100579, 1.11873]], numpy.float32)
+    image = oiio.ImageInput.open(file)
+    spec, pixels = image.spec(), image.read_image(oiio.FLOAT)
+    image.close()
     at = {c: i for i, c in enumerate(spec.channelnames)}
     for c in at:
         if c.endswith('.R'):
