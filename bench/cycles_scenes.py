@@ -282,7 +282,7 @@ elif name == 'tiles':   # indoors: fine textures everywhere, a moving lamp, and 
     move(lamp, 'location', [(1, (-1.2, -1, 2.4)), (24, (1.2, -.6, 2.2)), (48, (-1.2, -1, 2.4))])
     light('AREA', (1, -1, 2.9), 50, 1.5, color=(.8, .9, 1))
     eye, _ = camera((0, -4.4, 1.6), (0, .4, .8), 28)
-    move(eye, 'location', [(1, (-.4, -4.4, 1.6)), (48, (1.2, -4, 1.7))])
+    move(eye, 'location', [(1, (-.8, -4.4, 1.6)), (48, (2.2, -4, 1.7))])
 elif name == 'gamut':   # grey textures, and one red ball, under lamps of pure colours; see out_of_gamut
     sky(.01, .02, .06)
     add(P.primitive_plane_add, material('floor', (.7, .7, .7), .6, checker=14), (0, 0, 0), (6, 6, 1))
