@@ -1,12 +1,20 @@
-# Compiles SOURCE, which must not compile; the first error must contain the sentence after "// error: " in its first line. What lies
-# between #ifdef CORRECT and #else must compile, so that it is the misuse that fails and nothing else.
+# Compiles SOURCE, which must not compile. Its first lines are "// error: <sentence that the compiler prints>". With one of them, the
+# compiler's first error must contain that sentence. With several, each must be printed, and there must be as many errors as sentences: so
+# one file can ask for what many misuses give, each with one sentence and nothing else. What lies between #ifdef CORRECT and #else must
+# compile, so that it is the misuse that fails and nothing else.
 file(READ ${SOURCE} text)
-if(NOT text MATCHES "^// error: ([^\n]+)\n")
+string(REPLACE ";" "<semicolon>" text "${text}")
+string(REGEX MATCH "^(// error: [^\n]+\n)+" header "${text}")
+string(REGEX MATCHALL "// error: [^\n]+" sentences "${header}")
+list(LENGTH sentences count)
+if(count EQUAL 0)
     message(FATAL_ERROR "${SOURCE}: the first line must be '// error: <sentence that the compiler prints>'")
 endif()
-set(sentence "${CMAKE_MATCH_1}")
 
-set(command ${COMPILER} -std=c++20 -fsyntax-only -Wfatal-errors)
+set(command ${COMPILER} -std=c++20 -fsyntax-only)
+if(count EQUAL 1)
+    list(APPEND command -Wfatal-errors)
+endif()
 foreach(include ${INCLUDES})
     if(include AND NOT include MATCHES "NOTFOUND|^/usr/include$")
         list(APPEND command -I${include})
@@ -14,12 +22,21 @@ foreach(include ${INCLUDES})
 endforeach()
 
 execute_process(COMMAND ${command} ${SOURCE} RESULT_VARIABLE failed ERROR_VARIABLE output)
+string(REPLACE ";" "<semicolon>" output "${output}")
 if(NOT failed)
-    message(FATAL_ERROR "${SOURCE} compiles, but should fail with: ${sentence}")
+    message(FATAL_ERROR "${SOURCE} compiles, but should fail with: ${sentences}")
 endif()
-string(FIND "${output}" "${sentence}" found)
-if(found EQUAL -1)
-    message(FATAL_ERROR "${SOURCE} should fail with: ${sentence}\nbut the compiler's first error is:\n${output}")
+foreach(sentence IN LISTS sentences)
+    string(REPLACE "// error: " "" sentence "${sentence}")
+    string(FIND "${output}" "${sentence}" found)
+    if(found EQUAL -1)
+        message(FATAL_ERROR "${SOURCE} should fail with: ${sentence}\nbut the compiler says:\n${output}")
+    endif()
+endforeach()
+string(REGEX MATCHALL " error: " errors "${output}")
+list(LENGTH errors printed)
+if(count GREATER 1 AND NOT printed EQUAL count)
+    message(FATAL_ERROR "${SOURCE} should give ${count} errors, but the compiler gives ${printed}:\n${output}")
 endif()
 
 execute_process(COMMAND ${command} -DCORRECT ${SOURCE} RESULT_VARIABLE failed ERROR_VARIABLE output)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/core/channel.hpp>
 #include <quell/core/value.hpp>
 #include <quell/image/extent.hpp>
 
@@ -43,10 +44,14 @@ concept ImageStorage = requires(Extent size) {
 
 /// Whether quell can allocate and write images of this storage: its `owns_memory`, or true.
 template <class Storage> constexpr bool owns_memory() {
-    if constexpr (requires { Storage::owns_memory; })
+    if constexpr (requires { requires detail::is_constant<decltype(&Storage::owns_memory), bool>; })
         return Storage::owns_memory;
-    else
+    else {
+        static_assert(
+            !requires(Storage const& storage) { storage.owns_memory; },
+            "`owns_memory` of a storage must be `static constexpr bool`; any other member needs another name");
         return true;
+    }
 }
 
 namespace detail {
@@ -58,7 +63,7 @@ template <class C> constexpr bool is_squared() {
 }
 template <class View>
 concept ViewsSquares = requires(View const& view) {
-    view.squares();
+    { view.squares() } -> ImageView;
 };
 /// Whether a channel goes to S::Exact: it needs full precision, or it is squared and S has no format for squares.
 template <ImageStorage S, ChannelTag C>
@@ -70,7 +75,7 @@ inline constexpr bool stored_exactly = C::full_precision ||
 template <ImageStorage S, ChannelTag C> constexpr auto storage_of() {
     if constexpr (requires {
                       requires C::always_half;
-                      typename S::Half;
+                      requires ImageStorage<typename S::Half>;
                   })
         return std::type_identity<typename S::Half>{};
     else if constexpr (stored_exactly<S, C>)

@@ -50,8 +50,11 @@ template <class Px> struct PastSum {
     QUELL_KERNEL static auto interpolated(auto c, auto const& then) {
         if constexpr (requires { c.interpolated(then[c], then.signal()); })
             return c.interpolated(then[c], then.signal());
-        else
+        else {
+            static_assert(!NamesInterpolated<decltype(c)>,
+                          "`interpolated` of a channel must be `static auto interpolated(auto const& stored, auto const& signal)`");
             return then[c];
+        }
     }
     QUELL_KERNEL void add(auto const& then, Real w) {
         weight = weight + w;

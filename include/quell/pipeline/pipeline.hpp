@@ -34,9 +34,11 @@ template <class First, class... Rest> constexpr auto modulation_of(First const& 
     else
         return modulation_of(rest...);
 }
-template <class... Cs> constexpr bool any_made_by_stages(Channels<Cs...>) {
-    return (requires { Cs::made_by_stages; } || ...);
-}
+template <class C> inline constexpr bool is_made_by_stages = false;
+template <class C>
+    requires is_constant<decltype(&C::made_by_stages), bool>
+inline constexpr bool is_made_by_stages<C> = C::made_by_stages;
+template <class... Cs> constexpr bool any_made_by_stages(Channels<Cs...>) { return (is_made_by_stages<Cs> || ...); }
 template <class... Cs> constexpr bool all_of_frame_size(Channels<Cs...>) { return ((Cs::fraction == 1) && ...); }
 /// Whether no stage reads what only a later one makes. A filter's own passes may read what earlier ones make.
 template <class Before, class All, class... Stages> inline constexpr bool in_order = true;
@@ -62,6 +64,7 @@ template <class Part> constexpr auto stage_or_nothing(Part const& part) {
 /// @tparam S     the channel of the signal
 /// @tparam Parts options and stages
 template <ChannelTag S, class... Parts> struct Pipeline {
+    static_assert((detail::check_hooks<Parts>() && ...));
     static_assert(((detail::is_stage<Parts> || detail::is_input_option<Parts>)&&...),
                   "Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{}, SuppressFireflies{}, "
                   "KnownSamples{} or Supplied<...>{}, see "
