@@ -80,6 +80,10 @@ concept MeasuresRange = requires(typename Range::template Gatherer<V> bounds, Ra
     bounds.finish(range);
     requires Clips<decltype(bounds), V> || HasBounds<decltype(bounds)>;
 };
+template <class Axes, class V = vec3<float>>
+concept IsAxes = requires(V const& v) {
+    { Axes::to(Axes::from(v)) } -> std::same_as<V>;
+};
 /// The past moved into what a Gatherer has measured.
 template <class G, class V> QUELL_KERNEL V clipped(G const& bounds, V const& past) {
     if constexpr (Clips<G, V>)
@@ -133,10 +137,11 @@ struct YCoCg {
 /// @tparam radius of the neighbourhood, in pixels: 1 is 3x3
 template <class Inner, class Range = MeanDeviation, class Axes = Rgb, int radius = 1> struct Clamped {
     static_assert(BlendPolicy<Inner>, "Clamped{inner, range}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
-    static_assert(std::is_class_v<Range> && std::is_trivially_copyable_v<Range>,
+    static_assert(std::is_trivially_copyable_v<Range>,
                   "Clamped{inner, range}: a policy must be trivially copyable, so that it can be sent to a device: plain numbers only");
     static_assert(detail::MeasuresRange<Range>, "Clamped{inner, range}: `range` must have a Gatherer with add(value, weight, dx, dy), "
                                                 "finish(range), and `low` and `high` or clip(past), see quell/blend/clamped.hpp");
+    static_assert(detail::IsAxes<Axes>, "Clamped{inner, range, axes}: `axes` must have from(value) and to(value), such as YCoCg{}");
     using parts = Parts<Inner>;
 
     Inner inner{}; ///< blends the clamped history

@@ -7,7 +7,11 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
+template <ChannelTag S, class... Parts> struct Pipeline;
+
 namespace detail {
+template <class T> inline constexpr bool begins_no_pipeline = !ChannelTag<T>;
+template <class S, class... Parts> inline constexpr bool begins_no_pipeline<Pipeline<S, Parts...>> = false;
 template <class T> inline constexpr bool is_stage = is_temporal<T> || is_spatial<T>;
 template <class T>
 inline constexpr bool is_input_option =
@@ -116,10 +120,23 @@ template <ChannelTag S, class... Parts> struct Pipeline {
         : ingest{detail::modulation_of(parts...), detail::option_of<SuppressFireflies, NoSuppression>(parts...)},
           stages(std::tuple_cat(detail::stage_or_nothing(parts)...)) {}
 
+    /// @cond
+    template <class First, class... Rest>
+        requires detail::begins_no_pipeline<First>
+    constexpr explicit Pipeline(First const&, Rest const&...) {
+        static_assert(sizeof(First) == 0, "Pipeline{channel, parts...}: the channel of the signal comes first, such as quell::radiance");
+    }
+    /// @endcond
+
     /// Calls `visit(pass)` for each pass after the ingest, in order.
     constexpr void for_each_pass(auto&& visit) const {
         std::apply([&](auto const&... stage) { (detail::for_each_pass(stage, visit), ...); }, stages);
     }
 };
+/// @cond
+template <class First, class... Rest>
+    requires detail::begins_no_pipeline<First> Pipeline(First const&, Rest const&...)
+->Pipeline<Radiance>;
+/// @endcond
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -6,6 +6,10 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
+namespace detail {
+struct Missing {}; ///< stands for a policy that was forgotten
+} // namespace detail
+
 /// The temporal stage: a motion source finds the history, a fetch interpolates it, a blend policy blends it with the new sample.
 ///
 ///     Temporal{SurfaceMotion{}, Clamped{RunningMean{.cap = 16}}}
@@ -66,6 +70,7 @@ private:
             return past[c];
     }
 };
+template <class M> Temporal(M) -> Temporal<M, detail::Missing>;
 template <class M, class B> Temporal(M, B) -> Temporal<M, B>;
 template <class M, class B, class F> Temporal(M, B, F) -> Temporal<M, B, F>;
 
@@ -85,6 +90,7 @@ template <class F> struct Spatial {
     F kernel{}; ///< the filter
 };
 template <class F> Spatial(F) -> Spatial<F>;
+Spatial()->Spatial<detail::Missing>;
 
 namespace detail {
 template <class T> inline constexpr bool is_temporal = false;

@@ -1,26 +1,11 @@
 #pragma once
 
-#include <quell/frame/frame.hpp>
 #include <quell/pipeline/history.hpp>
-#include <quell/pipeline/pipeline.hpp>
 
 // Calls of run() and its like that fit none of them. Compilers would list all candidates and why each fails; these give one sentence.
 namespace quell::inline QUELL_INSTRUCTION_SET {
-template <class... Ps> struct Composite;
-
 /// @cond
 namespace detail {
-template <class... Parts> std::true_type a_pipeline(Pipeline<Parts...> const*);
-template <class... Ps> std::true_type a_pipeline(Composite<Ps...> const*);
-std::false_type a_pipeline(void const*);
-template <class Set, class Storage> std::true_type a_frame(Frame<Set, Storage> const*);
-std::false_type a_frame(void const*);
-template <class P, class Storage> std::true_type a_history(History<P, Storage> const*);
-std::false_type a_history(void const*);
-template <class T> inline constexpr bool is_pipeline = decltype(a_pipeline(static_cast<T const*>(nullptr)))::value;
-template <class T> inline constexpr bool is_frame = decltype(a_frame(static_cast<T const*>(nullptr)))::value;
-template <class T> inline constexpr bool is_history = decltype(a_history(static_cast<T const*>(nullptr)))::value;
-
 /// Whether these are a pipeline, a frame, a history and what follows, in that order.
 template <class... Ts> inline constexpr bool in_order_of_run = false;
 template <class P, class F, class H, class... More>
