@@ -53,9 +53,11 @@ concept SaysRightly = requires {
 } // namespace detail
 
 /// A set of channels, in order of first mention. Sets are values: `a | b` is their union.
-template <ChannelTag... Cs> struct Channels {
+template <class... Cs> struct Channels {
+    static_assert((ChannelTag<Cs> && ...), "Channels<...>: each must be a channel: an empty struct that derives from Channel<N> and has a "
+                                           "`static constexpr auto name = \"text\"`");
     static_assert(
-        (detail::SaysRightly<Cs> && ...),
+        ((!ChannelTag<Cs> || detail::SaysRightly<Cs>)&&...),
         "a channel must derive from Channel<N> or InternalChannel<N>; `components` and `fraction` must be `static constexpr int`, "
         "`full_precision`, `made_by_stages`, `squared` and `always_half` `static constexpr bool`");
     /// Whether C is in the set.

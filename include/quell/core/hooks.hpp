@@ -88,7 +88,8 @@ template <class P> struct Hooks {
 template <class P> constexpr bool check_hooks() {
     using Right = Hooks<P>;
     static_assert(Right::reads, "`reads` of a policy must be `using reads = Channels<...>`; any other member needs another name");
-    static_assert(Right::remembers, "`remembers` of a policy must be `using remembers = Channels<...>`; any other member needs another name");
+    static_assert(Right::remembers,
+                  "`remembers` of a policy must be `using remembers = Channels<...>`; any other member needs another name");
     static_assert(Right::keeps, "`keeps` of a policy must be `using keeps = Channels<...>`; any other member needs another name");
     static_assert(Right::reads_kept,
                   "`reads_kept` of a policy must be `using reads_kept = Channels<...>`; any other member needs another name");
@@ -97,12 +98,14 @@ template <class P> constexpr bool check_hooks() {
     static_assert(Right::Signal, "`Signal` of a policy must be `using Signal = ` a channel; any other member needs another name");
     static_assert(Right::name, "`name` of a policy must be `static constexpr auto name = \"text\"`; any other member needs another name");
     static_assert(Right::needs_camera, "`needs_camera` of a policy must be a `static constexpr bool`; any other member needs another name");
-    static_assert(Right::leaves_signal, "`leaves_signal` of a policy must be a `static constexpr bool`; any other member needs another name");
+    static_assert(Right::leaves_signal,
+                  "`leaves_signal` of a policy must be a `static constexpr bool`; any other member needs another name");
     static_assert(Right::two_rows, "`two_rows` of a policy must be a `static constexpr bool`; any other member needs another name");
     static_assert(Right::max_lanes, "`max_lanes` of a policy must be a `static constexpr int`; any other member needs another name");
     static_assert(Right::fraction, "`fraction` of a policy must be a `static constexpr int`; any other member needs another name");
     static_assert(Right::feedback, "`feedback` of a policy must be `constexpr bool feedback() const`; any other member needs another name");
-    static_assert(Right::memory, "`memory` of a policy must be `constexpr BlendMemory memory() const`; any other member needs another name");
+    static_assert(Right::memory,
+                  "`memory` of a policy must be `constexpr BlendMemory memory() const`; any other member needs another name");
     return []<class... Ps>(Parts<Ps...>) { return (check_hooks<Ps>() && ...); }(typename PartsOf<P>::type{});
 }
 

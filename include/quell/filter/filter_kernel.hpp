@@ -103,6 +103,9 @@ namespace detail {
 /// @tparam skips_missing missing samples, where they are still marked, get weight 0
 template <bool skips_missing, int radius = 2, class Px, class Around, class Bits, class Visit>
 QUELL_KERNEL void for_each_edge_distance(Px const& px, int step, Around const& around, Bits&& bits_of, Visit&& visit) {
+    static_assert(
+        requires(typename Px::Real sum) { sum = edge_toward(around, 1, 1).distance(px, sum); },
+        "distance(near, sum) of an edge weight must take and return the cursor's Real: `typename decltype(px)::Real`");
     auto const usable = [](auto const& neighbour, auto start) QUELL_INLINED {
         if constexpr (skips_missing && Px::Scope::marks_missing)
             return select(neighbour.missing(), decltype(start)(too_far), start);

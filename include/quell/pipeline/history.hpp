@@ -78,7 +78,8 @@ template <class P, ImageStorage Storage = Planar<>> class History {
 
 public:
     /// @throws Error for a size without pixels
-    explicit History(Extent size_, P const&, Storage const& = {}) : History(std::make_shared<detail::ImagePool>(detail::checked(size_))) {}
+    explicit History(Extent size_, P const&, Storage const& = {}) requires detail::is_pipeline<P>
+        : History(std::make_shared<detail::ImagePool>(detail::checked(size_))) {}
 
     /// @cond
     template <class... Args>

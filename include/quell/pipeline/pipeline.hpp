@@ -87,7 +87,10 @@ template <ChannelTag S, class... Parts> struct Pipeline {
 
     using Output = S;                                                       ///< channel of the input and the output
     using Form = decltype(detail::modulation_of(std::declval<Parts>()...)); ///< the modulation, or NoModulation
-    using Signal = typename Form::template Signal<S>;                       ///< channel of the signal between modulation and demodulation
+    static_assert(
+        detail::Converts<Form>,
+        "Pipeline{channel, parts...}: a modulation must have inward(px, sample) and outward(px, value), see quell/frame/modulation.hpp");
+    using Signal = typename Form::template Signal<S>; ///< channel of the signal between modulation and demodulation
     using Suppression =
         decltype(detail::option_of<SuppressFireflies, NoSuppression>(std::declval<Parts>()...)); ///< SuppressFireflies or NoSuppression
     using keeps = keeps_of<Parts...>;                      ///< channels that policies make and keep for the next frame

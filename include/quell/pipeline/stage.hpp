@@ -50,8 +50,16 @@ private:
             auto const lost = past.validity <= decltype(past.validity)(0.f);
             if (any(lost)) past.replace(lost, find(px, source.rest));
             return past;
-        } else
-            return fetch.fetch(px, source.previous(px));
+        } else {
+            auto const found = source.previous(px);
+            if constexpr (requires { fetch.fetch(px, found); })
+                return fetch.fetch(px, found);
+            else {
+                static_assert(sizeof(found) == 0,
+                              "Temporal{motion, blend, fetch}: `fetch` must have fetch(px, found), see quell/motion/history_fetch.hpp");
+                return detail::no_past<std::remove_cvref_t<decltype(px)>>();
+            }
+        }
     }
     /// Missing samples: the history goes on, as far as it is valid. Without a history the neighbours' mean stands in, and what is kept
     /// becomes 0, so that the next sample counts fully. (Exponential keeps no length: it blends the next sample with alpha as ever.)

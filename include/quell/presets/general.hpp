@@ -59,21 +59,20 @@ inline constexpr ForgetBiased<RunningMean> joined_history{.inner = {.cap = 48.f}
 
 /// The preset to start with, for hosts with colour and guides: BiasEstimate, a RunningMean whose biased history is forgotten, and
 /// ConservingAtrous.
-constexpr auto general(auto signal, auto... parts) {
-    return general_with(general_history, ConservingAtrous<>{}, signal, parts...);
-}
+constexpr auto general(auto signal, auto... parts) { return general_with(general_history, ConservingAtrous<>{}, signal, parts...); }
 
 /// general() with joined_history: the second argument of run_two_sided().
-constexpr auto general_joining(auto signal, auto... parts) {
-    return general_with(joined_history, ConservingAtrous<>{}, signal, parts...);
-}
+constexpr auto general_joining(auto signal, auto... parts) { return general_with(joined_history, ConservingAtrous<>{}, signal, parts...); }
 
 /// The filter of final_frame().
 template <ChannelTag S> inline constexpr LocalRegression<Product<DepthEdge, NormalEdge>, S::components> final_frame_filter{};
 
 /// general() for final frames, with a regression on the guides after its filter (LocalRegression): better, and slower.
-template <ChannelTag S> constexpr auto final_frame(S signal, auto... parts) {
-    return general_with(general_history, final_frame_filter<S>, signal, parts...);
+template <class S> constexpr auto final_frame(S signal, auto... parts) {
+    if constexpr (ChannelTag<S>)
+        return general_with(general_history, final_frame_filter<S>, signal, parts...);
+    else
+        return Pipeline{signal, parts...}; // which says that it must be one
 }
 
 /// final_frame() with joined_history: the second argument of run_two_sided().
