@@ -60,6 +60,12 @@ template <class Size, class P, class... Rest>
 inline constexpr bool makes_no_history<Size, P, Rest...> =
     !(std::is_convertible_v<Size const&, Extent> && is_pipeline<P> && sizeof...(Rest) < 2 && (ImageStorage<Rest> && ...));
 
+template <class... Args> void refuse_history() {
+    static_assert(sizeof...(Args) > 99,
+                  "History{size, pipeline, storage}: it takes an Extent{width, height}, a pipeline, and maybe a storage "
+                  "as quell/image/image_storage.hpp describes it, in that order");
+}
+
 /// Checks the size of a history.
 inline Extent checked(Extent size) {
     if (size.width > 0 && size.height > 0) return size;
@@ -78,16 +84,12 @@ template <class P, ImageStorage Storage = Planar<>> class History {
 
 public:
     /// @throws Error for a size without pixels
-    explicit History(Extent size_, P const&, Storage const& = {}) requires detail::is_pipeline<P>
-        : History(std::make_shared<detail::ImagePool>(detail::checked(size_))) {}
+    explicit History(Extent size_, P const&, Storage const& = {}) : History(std::make_shared<detail::ImagePool>(detail::checked(size_))) {}
 
     /// @cond
     template <class... Args>
         requires detail::makes_no_history<Args...>
-    explicit History(Args const&...) {
-        static_assert(sizeof...(Args) > 99, "History{size, pipeline, storage}: it takes an Extent{width, height}, a pipeline, and maybe a "
-                                            "storage as quell/image/image_storage.hpp describes it, in that order");
-    }
+    explicit History(Args const&...) { detail::refuse_history<Args...>(); }
     /// @endcond
 
     /// Drops all history before the next frame: for scene cuts and teleports.
@@ -144,16 +146,19 @@ private:
         empty = true;
     }
 };
-template <class P>
-    requires detail::is_pipeline<P> History(Extent, P const&)
-->History<P>;
-template <class P, ImageStorage Storage>
-    requires detail::is_pipeline<P> History(Extent, P const&, Storage const&)
-->History<P, Storage>;
 /// @cond
+template <class P, ImageStorage Storage>
+    requires(!detail::is_pipeline<P>)
+class History<P, Storage> {
+public:
+    template <class... Args> explicit History(Args const&...) { detail::refuse_history<Args...>(); }
+};
 template <class... Args>
-    requires detail::makes_no_history<Args...> History(Args const&...)
+    requires(detail::makes_no_history<Args...>)
+History(Args const&...)
 ->History<Pipeline<Radiance>>;
 /// @endcond
+template <class P> History(Extent, P const&) -> History<P>;
+template <class P, ImageStorage Storage> History(Extent, P const&, Storage const&) -> History<P, Storage>;
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET
