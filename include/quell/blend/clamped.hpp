@@ -74,7 +74,10 @@ concept HasBounds = requires(G const& bounds) {
 };
 /// Whether a range has a Gatherer as Clamped uses it, of the values of a colour.
 template <class Range, class V = vec3<float>>
-concept MeasuresRange = requires(typename Range::template Gatherer<V> bounds, Range const& range, V const& value) {
+concept MeasuresRange = requires {
+    typename Range::template Gatherer<V>;
+}
+&&requires(typename Range::template Gatherer<V> bounds, Range const& range, V const& value) {
     requires std::is_constructible_v<decltype(bounds), V const&>;
     bounds.add(value, 1.f, 0, 0);
     bounds.finish(range);
