@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/execute/executor.hpp>
 #include <quell/pipeline/history.hpp>
 
 // Calls of run() and its like that fit none of them. Compilers would list all candidates and why each fails; these give one sentence.
