@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/core/instruction_set.hpp>
+#include <quell/core/kernel.hpp>
 
 #include <concepts>
 #include <cstddef>

@@ -71,7 +71,8 @@ public:
     [[nodiscard]] Extent size() const { return extent; }
     [[nodiscard]] std::size_t bytes() const { return elements() * sizeof(Element); }
 
-    [[nodiscard]] Value<components, float> get(int x, int y) const { return view().get(x, y); }
+    /// Const: an assignment to what it returns would do nothing.
+    [[nodiscard]] Value<components, float> const get(int x, int y) const { return view().get(x, y); }
     [[nodiscard]] float get(int c, int x, int y) const { return view().get(c, x, y); }
     void set(int x, int y, Value<components, float> const& value) { view().template store<float>(x, y, value); }
 

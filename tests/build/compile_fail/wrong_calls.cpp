@@ -14,7 +14,11 @@
 // error: Frame{size, pipelines..., storage}: what follows the size must be pipelines, and a storage
 // error: History{size, pipeline, storage}: it takes an Extent{width, height}, a pipeline, and maybe a storage
 // error: Pipeline{channel, parts...}: the channel of the signal comes first
+// error: run_two_sided(pipeline, window, history): `window` must be a range of frames with operator[]
+#include <quell/pipeline/two_sided.hpp>
 #include <quell/quell.hpp>
+
+#include <vector>
 using namespace quell;
 
 #ifdef CORRECT
@@ -70,6 +74,12 @@ void run_them(Frame<Channels<Radiance, Motion, Depth, Normal>>& frame, Planar<>:
     // These are right: a pixel and a component, of what run() returns and of images.
     static_cast<void>(run(denoise, frame, history).get(0, 0).x + run(denoise, frame, history).get(2, 0, 0));
     static_cast<void>(frame[radiance].get(0, 0).x + frame[radiance].get(2, 0, 0) + frame[depth].get(0, 0));
+}
+void run_with_later_frames() {
+    constexpr auto general = presets::general(radiance, KnownSamples{});
+    std::vector<decltype(Frame{size, general, two_sided})> window{Frame{size, general, two_sided}};
+    TwoSidedHistory history{size, general};
+    CALL(run_two_sided(general, window, history), run_two_sided(general, window[0], history));
 }
 void construct() {
     CALL((Frame{size, denoise}), Frame{denoise, size});
