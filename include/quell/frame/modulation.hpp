@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/frame/cursor/pixel.hpp>
+#include <quell/frame/cursor/probe.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
@@ -16,8 +16,16 @@ concept Modulation = std::is_trivially_copyable_v<M> && requires {
     typename M::template Signal<Radiance>;
 };
 
-/// Divides the signal's colour by the albedo before denoising and multiplies by the same divisor afterwards, so texture is not filtered. Black
-/// surfaces and invalid albedos (a component negative or not finite) have the divisor 1.
+namespace detail {
+/// Whether a modulation has both functions.
+template <class M>
+concept Converts = requires(M const& m, Probe<M> px, vec3<float> sample) {
+    m.outward(px, m.inward(px, sample));
+};
+} // namespace detail
+
+/// Divides the signal's colour by the albedo before denoising and multiplies by the same divisor afterwards, so texture is not filtered.
+/// Black surfaces and invalid albedos (a component negative or not finite) have the divisor 1.
 struct Demodulate {
     using reads = Channels<Albedo>;           ///< of this frame
     template <ChannelTag S> using Signal = S; ///< the same channel

@@ -43,6 +43,7 @@ template <class Format, int N> struct PlanarView {
     static std::ptrdiff_t elements(Extent size) { return plane_elements(size) * N + padding; }
 
     QUELL_KERNEL float get(int c, int x, int y) const { return Format::get(at(c, x, y)); }
+    QUELL_KERNEL Value<N, float> const get(int x, int y) const { return load<float>(x, y); }
     QUELL_KERNEL void set(int c, int x, int y, float a) const { Format::set(at(c, x, y), a); }
 
     template <class Real> QUELL_KERNEL Value<N, Real> load(int x, int y) const {

@@ -183,7 +183,10 @@ auto run(Composite<Ps...> const& composite, Frame<Set, FrameStorage> const& fram
     static_assert(
         contained_in<typename Composite<Ps...>::reads, Set>,
         "run(composite, frame, ...): the frame lacks a channel that the composite reads; construct the frame with this composite");
-    return detail::CompositeRun::all(composite, frame, history, executor);
+    if constexpr (!contained_in<typename Composite<Ps...>::reads, Set>)
+        return detail::NoOutput{};
+    else
+        return detail::CompositeRun::all(composite, frame, history, executor);
 }
 
 /// Like run(), but writes the picture through a view of the host's, as run_into() of a Pipeline does. The history keeps a picture of its

@@ -7,6 +7,8 @@
 #include <utility>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
+template <class... Ps> struct Composite;
+template <class P, ImageStorage Storage> class History;
 
 /// Counts of the runs with one history.
 struct Statistics {
@@ -44,6 +46,27 @@ template <class P, class Storage> struct FrameState {
     }
 };
 
+template <class... Parts> std::true_type a_pipeline(Pipeline<Parts...> const*);
+template <class... Ps> std::true_type a_pipeline(Composite<Ps...> const*);
+std::false_type a_pipeline(void const*);
+template <class P, class Storage> std::true_type a_history(History<P, Storage> const*);
+std::false_type a_history(void const*);
+template <class T> inline constexpr bool is_pipeline = decltype(a_pipeline(static_cast<T const*>(nullptr)))::value;
+template <class T> inline constexpr bool is_history = decltype(a_history(static_cast<T const*>(nullptr)))::value;
+
+/// Whether a history cannot be made of these.
+template <class... Ts> inline constexpr bool makes_no_history = true;
+template <class T> inline constexpr bool makes_no_history<T> = !is_history<T> && !std::is_same_v<T, std::shared_ptr<ImagePool>>;
+template <class Size, class P, class... Rest>
+inline constexpr bool makes_no_history<Size, P, Rest...> =
+    !(std::is_convertible_v<Size const&, Extent> && is_pipeline<P> && sizeof...(Rest) < 2 && (ImageStorage<Rest> && ...));
+
+template <class... Args> void refuse_history() {
+    static_assert(sizeof...(Args) > 99,
+                  "History{size, pipeline, storage}: it takes an Extent{width, height}, a pipeline, and maybe a storage "
+                  "as quell/image/image_storage.hpp describes it, in that order");
+}
+
 /// Checks the size of a history.
 inline Extent checked(Extent size) {
     if (size.width > 0 && size.height > 0) return size;
@@ -63,6 +86,12 @@ template <class P, ImageStorage Storage = Planar<>> class History {
 public:
     /// @throws Error for a size without pixels
     explicit History(Extent size_, P const&, Storage const& = {}) : History(std::make_shared<detail::ImagePool>(detail::checked(size_))) {}
+
+    /// @cond
+    template <class... Args>
+        requires detail::makes_no_history<Args...>
+    explicit History(Args const&...) { detail::refuse_history<Args...>(); }
+    /// @endcond
 
     /// Drops all history before the next frame: for scene cuts and teleports.
     void forget() { empty = true; }
@@ -119,7 +148,19 @@ private:
         empty = true;
     }
 };
+/// @cond
+template <class P, ImageStorage Storage>
+    requires(!detail::is_pipeline<P>)
+class History<P, Storage> {
+public:
+    template <class... Args> explicit History(Args const&...) { detail::refuse_history<Args...>(); }
+};
+template <class... Args>
+    requires(detail::makes_no_history<Args...>)
+History(Args const&...)
+->History<Pipeline<Radiance>>;
+/// @endcond
 template <class P> History(Extent, P const&) -> History<P>;
-template <class P, class Storage> History(Extent, P const&, Storage const&) -> History<P, Storage>;
+template <class P, ImageStorage Storage> History(Extent, P const&, Storage const&) -> History<P, Storage>;
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

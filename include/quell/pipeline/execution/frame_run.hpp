@@ -126,6 +126,8 @@ private:
     template <std::size_t... i> void stages(std::index_sequence<i...>) { (stage<i>(std::get<i>(pipeline.stages)), ...); }
     template <std::size_t i, class Stage> void stage(Stage const& s) {
         detail::for_each_pass(s, [&](auto const& kernel) {
+            static_assert(!leaves_signal<Stage> || !makes_signal<decltype(kernel)>,
+                          "Spatial{filter}: a pass of a filter that says `leaves_signal` makes the signal: give it emit_channels(px)");
             if constexpr (!Order::template may_be_marked<i>)
                 pass<false>(kernel);
             else if constexpr (P::has_past || leaves_signal<Stage>)
@@ -178,13 +180,6 @@ private:
         for_each_channel(without<typename P::made, typename P::keeps>{}, [&](auto c) {
             if (!readers.any(c)) made[c] = {};
         });
-    }
-
-    template <class Pass> static bool feeds_back(Pass const& kernel) {
-        if constexpr (requires { kernel.feedback; })
-            return kernel.feedback;
-        else
-            return false;
     }
 
     /// The last pass also writes the guides for the next frame, and the output, unless that is the signal's image. Guides of the last frame

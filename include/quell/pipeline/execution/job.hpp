@@ -22,44 +22,20 @@ template <class Form, class Scope, class Output, class RememberedViews> struct F
     }
 };
 
-/// Largest useful SIMD width of a pass: any, unless it says so.
-template <class Pass> constexpr int max_lanes_of() {
-    if constexpr (requires { Pass::max_lanes; })
-        return Pass::max_lanes;
-    else
-        return std::numeric_limits<int>::max();
-}
-
-/// Whether a pass takes an even row and the next one at once, where its packs are half as wide as those of the instruction set.
-template <class Pass> constexpr bool takes_two_rows() {
-    if constexpr (requires { Pass::two_rows; })
-        return Pass::two_rows;
-    else
-        return false;
-}
-
 /// Whether a pass makes a new signal: it has no emit_channels(px).
 template <class Pass, class Scope> inline constexpr bool makes_signal_of = !requires(Pass const p, Pixel<float, Scope> px) {
     p.emit_channels(px);
 };
-
-/// A pass's name for profilers and plans. Policies of the host may lack one.
-template <class Pass> constexpr auto name_of() {
-    if constexpr (requires { Pass::name; })
-        return Pass::name;
-    else
-        return "filter";
-}
 
 template <int fraction, class... Cs> constexpr bool all_of_fraction(Channels<Cs...>) { return ((Cs::fraction == fraction) && ...); }
 
 /// One pass over one region: what an executor runs. Trivially copyable, so that it can be copied to a device.
 /// @tparam keeps_marks whether the new signal keeps the marks of missing samples
 template <class Pass, class Scope, class SignalView, class MadeViews, class FinishWork, class RememberedSet, bool keeps_marks> struct Job {
-    static constexpr auto name = name_of<Pass>();
+    static constexpr auto name = name_of<Pass>;
     static constexpr bool makes_signal = makes_signal_of<Pass, Scope>;
-    static constexpr int max_lanes = max_lanes_of<Pass>();
-    static constexpr bool two_rows = takes_two_rows<Pass>();
+    static constexpr int max_lanes = max_lanes_of<Pass>;
+    static constexpr bool two_rows = takes_two_rows<Pass>;
     static_assert(!two_rows || !makes_signal, "a pass of `two_rows` makes the signal: give it emit_channels(px)");
     static_assert(Scope::fraction == 1 || !makes_signal,
                   "a pass of a fraction of the frame's size makes the signal, which is of the frame's size: give it emit_channels(px)");
@@ -99,8 +75,10 @@ private:
     QUELL_KERNEL static auto in_memory(auto c, auto const& value) {
         if constexpr (requires { c.in_memory(value); })
             return c.in_memory(value);
-        else
+        else {
+            static_assert(!NamesInMemory<decltype(c)>, "`in_memory` of a channel must be `static auto in_memory(auto const& value)`");
             return value;
+        }
     }
     template <class Px, class V> QUELL_KERNEL static V marked(Px const& px, V const& value) {
         if constexpr (!keeps_marks)
@@ -109,10 +87,10 @@ private:
             return with_marks(value, px.missing());
     }
     QUELL_KERNEL auto evaluate(auto px) const {
-        if constexpr (requires { pass(px); })
-            return pass(px);
-        else if constexpr (requires { pass.filter(px); })
+        if constexpr (requires { pass.filter(px); })
             return pass.filter(px);
+        else if constexpr (makes_signal)
+            return pass(px);
         else
             return pass.emit_channels(px);
     }
