@@ -28,9 +28,10 @@ struct EdgeSums {
     long long edges = 0;
 };
 
-/// A pixel with its neighbours to the right and below.
+/// A pixel with one to the right and one below, some pixels away.
 struct Patch {
     std::array<glm::vec3, 3> signal{}, albedo{};
+    std::array<bool, 3> plain{}; ///< whether albedo differs from the first one's, and is the same all around both
 };
 
 /// State of diagnose between calls. It lives in the history, from the first call on.
