@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/pipeline/execution/counts.hpp>
 #include <quell/pipeline/execution/image_pool.hpp>
 #include <quell/pipeline/pipeline.hpp>
 
@@ -112,6 +113,23 @@ private:
 
     explicit History(std::shared_ptr<detail::ImagePool> shared) : pool(std::move(shared)), size(pool->size()) {}
 
+    /// Starts a frame: drops what is no past of it, and returns whether there is one.
+    bool start(Extent frame_size, std::optional<long long> number) {
+        bool const follows = !number || !then.number || *number == *then.number + 1;
+        if (!(size == frame_size)) restart(frame_size);
+        if (!follows) empty = true;
+        now = {}; // half written, if an exception ended the last frame
+        if (empty) then.drop_images(), ++counted.resets, counted.frames = 0;
+        output = {};
+        // History counts as empty until the frame is complete: an exception must not leave half of one.
+        return !std::exchange(empty, true);
+    }
+    /// Takes note of what the first pass has counted.
+    void note(detail::GuideCounts const& guides, detail::Counts const& counts) {
+        counted.missing_samples = counts.missing;
+        counted.suppressed = counts.suppressed.total();
+        counted.repaired_guides = {guides.pixels, guides.of(albedo), guides.of(normal), guides.of(depth), guides.of(motion)};
+    }
     /// Ends a frame: what it has written is what the next one reads.
     void advance(auto const& frame) {
         now.camera = frame.camera, now.shutter = frame.shutter, now.number = frame.number;

@@ -14,7 +14,9 @@ template <class View> inline constexpr bool keeps_all_bits = requires { requires
 /// @tparam exact whether memory keeps floats as they are; else it must keep as much as half does
 template <bool exact> struct MissingMark {
     /// Whether the sample is missing.
-    template <class V> QUELL_KERNEL static auto of(V const& stored) {
+    /// @tparam marks whether there are marks; without them, no sample is
+    template <bool marks = true, class V> QUELL_KERNEL static auto of(V const& stored) {
+        if constexpr (!marks) return real_of<V>(0.f) != real_of<V>(0.f);
         auto all = bits(component<0>(stored));
         for_each_telling<V>([&](auto c) QUELL_INLINED { all = all & bits(component<c>(stored)); });
         return less_index(all, decltype(all)(0));
@@ -24,7 +26,8 @@ template <bool exact> struct MissingMark {
         return both(of(stored), abs(component<0>(stored)) > real_of<V>(hole_from));
     }
     /// The value without the mark; 0 for a hole.
-    template <class V> QUELL_KERNEL static V value(V const& stored) {
+    template <bool marks = true, class V> QUELL_KERNEL static V value(V const& stored) {
+        if constexpr (!marks) return stored;
         auto const missing = of(stored);
         return any(missing) ? select(missing, masked_out(hole(stored), decoded(stored)), stored) : stored;
     }

@@ -78,12 +78,11 @@ template <class R, class S, int rows = 1> struct Pixel {
         else
             return load_one<c>(scope.signal);
     }
-    /// True where the host's sample is unusable (not finite, a component beyond 1e16, negative luminance). It must have weight 0. Always
-    /// false after Temporal, or, without a Temporal, after the first stage that makes a new signal; and in a pass of a fraction of the
-    /// frame's size.
+    /// True where the host's sample is unusable (not finite, beyond 1e16, of negative luminance). It must have weight 0. Always false after
+    /// Temporal, or, without a Temporal, after the first stage that makes a new signal; and in a pass of a fraction of the frame's size.
     QUELL_KERNEL auto missing() const {
-        if constexpr (S::marks_missing && S::fraction == 1)
-            return S::mark::of(stored_signal());
+        if constexpr (S::fraction == 1)
+            return S::mark::template of<S::marks_missing>(stored_signal());
         else
             return Real(0.f) != Real(0.f);
     }
@@ -160,10 +159,7 @@ template <class R, class S, int rows = 1> struct Pixel {
     QUELL_KERNEL auto signal_elsewhere(PixelCoordinates<Real> const& place) const {
         require_frame_size();
         auto const v = detail::fetch<Real>(scope.signal, scope.size, place, 0, 0);
-        if constexpr (S::marks_missing)
-            return std::pair{without_mark(v), S::mark::of(v)};
-        else
-            return std::pair{v, Real(0.f) != Real(0.f)};
+        return std::pair{without_mark(v), S::mark::template of<S::marks_missing>(v)};
     }
     /// To world space: rays().position(position(), z) is the point at depth z. The policy must declare `needs_camera`.
     QUELL_KERNEL PixelRays const& rays() const { return require_camera(), scope.rays; }
@@ -184,12 +180,7 @@ template <class R, class S, int rows = 1> struct Pixel {
     QUELL_KERNEL vec3<Real> project(vec3<Real> const& p) const { return project(scope.clip_from_world, p); }
 
 private:
-    QUELL_KERNEL static Signal without_mark(Signal const& v) {
-        if constexpr (S::marks_missing)
-            return S::mark::value(v);
-        else
-            return v;
-    }
+    QUELL_KERNEL static Signal without_mark(Signal const& v) { return S::mark::template value<S::marks_missing>(v); }
     template <class C> QUELL_KERNEL static void require_same_size() {
         static_assert(C::fraction == S::fraction,
                       "a policy looks at a channel of another size than the pass: read a finer one by px.finer(channel, i, j), a coarser "

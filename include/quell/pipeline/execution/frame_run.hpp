@@ -95,15 +95,7 @@ private:
     }
 
     void begin() {
-        bool const follows = !frame.number || !history.then.number || *frame.number == *history.then.number + 1;
-        if (!(history.size == frame.size)) history.restart(frame.size);
-        if (!follows) history.empty = true;
-        past = !history.empty;
-        history.now = {}; // half written, if an exception ended the last frame
-        if (!past) history.then.drop_images(), ++history.counted.resets, history.counted.frames = 0;
-        // History counts as empty until the frame is complete: an exception must not leave half of one.
-        history.empty = true;
-        history.output = {};
+        past = history.start(frame.size, frame.number);
         if constexpr (P::needs_camera) {
             rays = PixelRays(frame.camera, frame.size);
             rays_then = PixelRays(past ? history.then.camera : frame.camera, frame.size);
@@ -122,19 +114,12 @@ private:
     void ingest() {
         Counts first, again;
         run_pass<false>(pipeline.ingest, false, &first);
-        auto const& bad = first.guides;
-        bool const repeat = given.template repair<typename P::reads, reads_of<typename P::Form>>(bad, *history.pool, executor);
+        bool const repeat = given.template repair<typename P::reads, reads_of<typename P::Form>>(first.guides, *history.pool, executor);
         if (repeat) run_pass<false>(pipeline.ingest, false, &again);
         auto& counts = repeat ? again : first;
-        history.counted.repaired_guides = {bad.pixels, bad.of(albedo), bad.of(normal), bad.of(depth), bad.of(motion)};
-        history.counted.missing_samples = counts.missing;
-        history.counted.suppressed = counts.suppressed.total();
+        history.note(first.guides, counts);
         nothing_seen = counts.missing == frame.size.pixels();
-        int const side = std::max(frame.size.width, frame.size.height);
-        for (int step = 2; counts.holes > 0 && !nothing_seen && step < 2 * side; step *= 2) {
-            counts.holes = 0;
-            run_pass<true>(FillHoles{step}, false, &counts);
-        }
+        for (int step = 2; counts.holes > 0 && !nothing_seen; step *= 2) counts.holes = 0, run_pass<true>(FillHoles{step}, false, &counts);
     }
 
     /// Passes see marks of missing samples until Temporal, which keeps the history there; without a Temporal, until one has made a new
