@@ -62,11 +62,16 @@ public:
     }
     /// History of pipeline i, in the composite's order.
     template <std::size_t i> [[nodiscard]] auto const& part() const { return std::get<i>(parts); }
-    /// Missing samples and suppressed energy are sums over all pipelines; frames and resets are those of the first.
+    /// Missing samples and suppressed energy are sums over all pipelines, repaired guides the most that one has; frames and resets are
+    /// those of the first.
     [[nodiscard]] Statistics statistics() const {
         Statistics sum = std::get<0>(parts).statistics();
         sum.missing_samples = std::apply([](auto const&... h) { return (h.statistics().missing_samples + ...); }, parts);
         sum.suppressed = std::apply([](auto const&... h) { return (h.statistics().suppressed + ...); }, parts);
+        for (auto const count :
+             {&RepairedGuides::pixels, &RepairedGuides::albedo, &RepairedGuides::normal, &RepairedGuides::depth, &RepairedGuides::motion})
+            sum.repaired_guides.*count =
+                std::apply([&](auto const&... h) { return std::max({h.statistics().repaired_guides.*count...}); }, parts);
         return sum;
     }
     /// Memory of history, scratch and picture, in bytes. Complete after the second frame.
@@ -118,7 +123,13 @@ private:
         if constexpr (which < static_cast<int>(sizeof...(Parts)))
             return load_pixels<Real>(std::get<which>(parts).view, x, y);
         else
-            return load_pixels<Real>(frame.view(C{}), x, y);
+            return of_frame<C>(load_pixels<Real>(frame.view(C{}), x, y));
+    }
+    template <class C, class V> QUELL_KERNEL static V of_frame(V const& value) {
+        if constexpr (std::is_same_v<C, Albedo>)
+            return Repair<Albedo>::repaired(value);
+        else
+            return value;
     }
     /// Index of the part that makes a channel; the number of parts if none does.
     template <class C> static constexpr int index_of() {

@@ -50,7 +50,7 @@ template <class Edge> struct ConeLevel {
         [&]<int... k>(std::integer_sequence<int, k...>) QUELL_INLINED { (add_cone<k>(px, column, row, same, value), ...); }
         (std::make_integer_sequence<int, cone::count>{});
         if (turned) add_turned(px, n, other, value, sum_of_weights);
-        auto const inverse = 1.f / max(sum_of_weights, Real(1e-12f));
+        auto const inverse = 1.f / max(sum_of_weights, Real(1e-30f));
         auto const result = scale(value, inverse);
         return select(both(all_finite(result), sum_of_weights > Real(0.f)), result, px.signal());
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/core/real.hpp>
+#include <quell/frame/repair.hpp>
 
 #include <atomic>
 
@@ -35,10 +35,37 @@ public:
     }
 };
 
+/// Pixels with impossible guides, by the guide.
+class GuideCounts {
+    std::atomic<long long> by_guide[CheckedGuides::size] = {};
+
+public:
+    std::atomic<long long> pixels = 0; ///< with one or more
+
+    /// Counts a pixel's ImpossibleGuides.
+    QUELL_KERNEL void add(float impossible) {
+        auto const all = static_cast<int>(impossible);
+        if (all == 0) return;
+        add_together(pixels, 1LL);
+        for (int i = 0; i < CheckedGuides::size; ++i)
+            if ((all >> i & 1) != 0) add_together(by_guide[i], 1LL);
+    }
+    template <ChannelTag C> [[nodiscard]] long long of(C) const {
+        int number = 0, found = 0;
+        for_each_channel(CheckedGuides{}, [&]<class D>(D) {
+            if (std::is_same_v<C, D>) found = number;
+            ++number;
+        });
+        return by_guide[found];
+    }
+};
+
 /// Counts of the ingest, from any number of threads.
 struct Counts {
     std::atomic<long long> missing = 0;
+    std::atomic<long long> holes = 0; ///< of the missing ones: those for which nothing stands in yet
     EnergySum suppressed;
+    GuideCounts guides;
 };
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::detail
