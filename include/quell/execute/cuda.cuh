@@ -7,9 +7,16 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
+// Kernels read their arguments where these are. Without it, each thread would make a copy of all of them in its local memory.
+#if defined(__CUDA_ARCH__) && __CUDA_ARCH__ < 700 // older devices do not have it
+#define QUELL_GRID_CONSTANT
+#else
+#define QUELL_GRID_CONSTANT __grid_constant__
+#endif
+
 namespace detail {
 /// One CUDA thread for each pixel of the region.
-template <class Job> __global__ void each_pixel(Region region, Job job) {
+template <class Job> __global__ void each_pixel(Region const region, QUELL_GRID_CONSTANT Job const job) {
     int const x = region.x0 + static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
     int const y = region.y0 + static_cast<int>(blockIdx.y * blockDim.y + threadIdx.y);
     if (x < region.x1 && y < region.y1) job(at_once<float>, x, y, 1);
@@ -20,8 +27,9 @@ template <class Job> __global__ void each_pixel(Region region, Job job) {
 ///
 ///     nvcc -std=c++20 --expt-relaxed-constexpr
 ///
-/// Returns when the pass is complete. The device must be able to read the memory of the frame, of the history and of the host's stack.
-/// Systems with shared page tables (HMM, Grace Hopper) can; elsewhere the storage must allocate managed memory.
+/// Returns when the pass is complete. Kernels read and write the images of the frame and of the history, the history's counts and, with
+/// run_into(), the host's target: all in memory of their storage, which the device must be able to reach. Managed<> (image/managed.cuh) is
+/// such a storage.
 struct Cuda {
     cudaStream_t stream = nullptr;          ///< passes are launched here
     int block_width = 32, block_height = 4; ///< threads; a warp is one row of 32 pixels, so its loads coalesce
@@ -35,7 +43,7 @@ struct Cuda {
             grid(blocks(r.x1 - r.x0, block_width), blocks(r.y1 - r.y0, block_height));
         detail::each_pixel<<<grid, block, 0, stream>>>(r, job);
         check(cudaGetLastError(), job.name, "compile for this device's architecture");
-        check(cudaStreamSynchronize(stream), job.name, "keep all images in memory that the device can reach");
+        check(cudaStreamSynchronize(stream), job.name, "keep frame, history and target in memory that the device can reach, such as Managed<>");
     }
 
 private:

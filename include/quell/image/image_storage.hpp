@@ -34,6 +34,7 @@ concept ImageView = std::is_trivially_copyable_v<V> && requires(V const v, int i
 /// `Storage::Exact` is the storage for channels with `full_precision`; a storage of 32-bit floats names itself. `Storage::Half`, if it has
 /// one, is the storage for channels with `always_half`. If its views have `View::Plane`, the type of an image of one component, and
 /// `View::of(std::array<std::shared_ptr<Plane>, N>)`, a history puts images together from such planes, which takes less memory.
+/// `Storage::Memory`, if it has one, is the ImageMemory in which a history keeps the counts that kernels write.
 /// Models: Planar, Interleaved, Borrowed.
 template <class S>
 concept ImageStorage = requires(Extent size) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <quell/image/memory.hpp>
+#include <quell/pipeline/execution/counts.hpp>
 #include <quell/pipeline/execution/image_pool.hpp>
 #include <quell/pipeline/pipeline.hpp>
 
@@ -91,6 +93,7 @@ private:
     using State = detail::FrameState<P, Storage>;
 
     std::shared_ptr<detail::ImagePool> pool; ///< this history's own, or shared by a composite
+    std::shared_ptr<detail::Counts> counts = detail::counts_in<MemoryOf<Storage>>(); ///< of the running frame
     Extent size;
     State then; ///< of the last frame: passes read it. Images that no later pass reads go back to the pool, or to `now`.
     State now;  ///< of the running frame: passes write it. advance() makes it `then`.

@@ -24,6 +24,7 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
         using Px = decltype(px);
         using Real = typename Px::Real;
         auto const around = edge.around(px);
+        constexpr float profile[] = {0.5f, 0.25f};
         Taps<Px> taps;
         taps.add(px, Real(profile[0] * profile[0]));
         for_each_opposite_taps<1>(px, 1, detail::edge_offset(around),
@@ -51,8 +52,6 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
     }
 
 private:
-    static constexpr float profile[2] = {0.5f, 0.25f};
-
     template <class Px> struct Taps {
         int column[9], row[9];
         typename Px::Real weight[9], light[9]; // of a neighbour, and that times its luminance

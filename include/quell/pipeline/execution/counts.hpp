@@ -3,6 +3,8 @@
 #include <quell/core/real.hpp>
 
 #include <atomic>
+#include <memory>
+#include <new>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
@@ -29,6 +31,7 @@ public:
         if (whole > 0) add_together(larges, whole);
         add_together(smalls, static_cast<long long>(rest / small_unit));
     }
+    void reset() { larges = 0, smalls = 0; }
     [[nodiscard]] double total() const {
         return static_cast<double>(larges) * static_cast<double>(large_unit) +
                static_cast<double>(smalls) * static_cast<double>(small_unit);
@@ -39,6 +42,13 @@ public:
 struct Counts {
     std::atomic<long long> missing = 0;
     EnergySum suppressed;
+
+    void reset() { missing = 0, suppressed.reset(); }
 };
+
+/// Counts that lie where kernels can write them.
+template <class Memory> std::shared_ptr<Counts> counts_in() {
+    return {new (Memory::allocate(sizeof(Counts))) Counts, [](Counts* counts) { Memory::release(counts); }};
+}
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -115,7 +115,8 @@ private:
     }
 
     void ingest() {
-        Counts counts;
+        auto& counts = *history.counts;
+        counts.reset();
         run_pass<false>(pipeline.ingest, false, &counts);
         history.counted.missing_samples = counts.missing;
         history.counted.suppressed = counts.suppressed.total();
