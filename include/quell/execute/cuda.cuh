@@ -37,13 +37,18 @@ struct Cuda {
     /// See Executor.
     /// @throws Error where the launch or the pass fails
     template <class Job> void for_each_pixel(Region r, Job const& job) const {
+        launch(r, job);
+        check(cudaStreamSynchronize(stream), job.name, "keep frame, history and target in memory that the device can reach: Managed<>");
+    }
+    /// The same without waiting for the end.
+    /// @throws Error where the launch fails
+    template <class Job> void launch(Region r, Job const& job) const {
         static_assert(std::is_trivially_copyable_v<Job>, "a job is copied to the device: policies and views must be trivially copyable");
         if (r.x1 <= r.x0 || r.y1 <= r.y0) return;
         dim3 const block(count(block_width), count(block_height)),
             grid(blocks(r.x1 - r.x0, block_width), blocks(r.y1 - r.y0, block_height));
         detail::each_pixel<<<grid, block, 0, stream>>>(r, job);
         check(cudaGetLastError(), job.name, "compile for this device's architecture");
-        check(cudaStreamSynchronize(stream), job.name, "keep frame, history and target in memory that the device can reach, such as Managed<>");
     }
 
 private:

@@ -81,7 +81,8 @@ template <class Format = Float32> struct Interleaved {
     using format = Format;                      ///< how a component is stored
     /// An image of N components. Of one component, it is a plane.
     template <int N>
-    using Image = detail::PaddedImage<std::conditional_t<N == 1, detail::PlanarView<Format, 1, HostMemory>, detail::InterleavedView<Format, N>>>;
+    using Image =
+        detail::PaddedImage<std::conditional_t<N == 1, detail::PlanarView<Format, 1, HostMemory>, detail::InterleavedView<Format, N>>>;
 };
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

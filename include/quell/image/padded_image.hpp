@@ -24,8 +24,8 @@ QUELL_KERNEL std::ptrdiff_t padded_width(Extent size) {
     return ((static_cast<std::ptrdiff_t>(size.width) + padding - 1) & -padding) + padding;
 }
 
-/// An image with padded rows that owns zero-initialised memory of ViewT::Memory, aligned to 64 bytes. Packs gather by 32-bit offsets, which limits the size.
-/// Copies have memory of their own.
+/// An image with padded rows that owns zero-initialised memory of ViewT::Memory, aligned to 64 bytes. Packs gather by 32-bit offsets, which
+/// limits the size. Copies have memory of their own.
 /// @tparam ViewT PlanarView or InterleavedView
 template <class ViewT> class PaddedImage {
     using Element = typename ViewT::Element;

@@ -88,7 +88,9 @@ namespace detail {
 template <class Numbers, class... Parts> struct CompositeParts;
 template <std::size_t... i, class... Parts>
 struct CompositeParts<std::index_sequence<i...>, Parts...> : Slot<std::integral_constant<std::size_t, i>, Parts>... {};
-template <std::size_t i, class T> QUELL_KERNEL T const& numbered(Slot<std::integral_constant<std::size_t, i>, T> const& s) { return s.held; }
+template <std::size_t i, class T> QUELL_KERNEL T const& numbered(Slot<std::integral_constant<std::size_t, i>, T> const& s) {
+    return s.held;
+}
 
 /// Adds up the denoised signals.
 template <class FrameViews, class OutputView, class... Parts> struct CompositeJob {

@@ -92,7 +92,7 @@ private:
     template <class, ImageStorage> friend class History;
     using State = detail::FrameState<P, Storage>;
 
-    std::shared_ptr<detail::ImagePool> pool; ///< this history's own, or shared by a composite
+    std::shared_ptr<detail::ImagePool> pool;                                         ///< this history's own, or shared by a composite
     std::shared_ptr<detail::Counts> counts = detail::counts_in<MemoryOf<Storage>>(); ///< of the running frame
     Extent size;
     State then; ///< of the last frame: passes read it. Images that no later pass reads go back to the pool, or to `now`.
