@@ -8,7 +8,7 @@ set -euo pipefail
 command=${1:-}
 folder=$(realpath -m "${2:-$(dirname "$0")/../build/cuda}")
 cd "$(dirname "$0")/.."
-units=4
+units=2
 # One PTX for all GPUs since Ampere, and machine code for Hopper. 20012: GLM marks defaulted functions for the device, which nvcc remarks
 # on and ignores.
 flags=(-std=c++20 --expt-relaxed-constexpr -diag-suppress 20012 -Werror all-warnings -O2 -Iinclude -Xptxas -v
@@ -32,7 +32,7 @@ compile() {
         cat "$object.log"
         return 1
     fi
-    cat "$object.parts"/*.ptx >"$object.ptx"
+    cat "$object.parts"/*.ptx >"${object%.o}.ptx" 2>/dev/null || rm "${object%.o}.ptx" # a .cpp has none
     rm -r "$object.parts"
 }
 
@@ -65,8 +65,8 @@ build() {
     {
         for ((unit = 0; unit < units; ++unit)); do echo "unit_$unit.o -DUNIT=$unit -DUNITS=$units bench/cuda/presets.cu"; done
         echo "example.o $folder/example.cu"
-        echo "main.o bench/cuda/main.cu"
-        echo "check_layouts.o bench/cuda/check_layouts.cu"
+        echo "main.o bench/cuda/main.cpp"
+        echo "check_layouts.o bench/cuda/check_layouts.cpp"
         echo "shifted.o tests/build/cuda/shifted.cu"
     } | QUELL_FLAGS="$(printf '%q ' "${flags[@]}")" xargs -P "$jobs" -L 1 bash -c \
         'eval "flags=($QUELL_FLAGS)"; object=$1; shift; compile "$folder/$object" "$@"' compile

@@ -11,14 +11,14 @@ namespace quell::bench {
 template <class T> struct AnyMember {
     template <class M>
         requires(!std::is_same_v<M, T> && !std::is_base_of_v<M, T>)
-    constexpr operator M() const;
+    operator M() const;
 };
 template <class T, std::size_t> using AnyOf = AnyMember<T>;
 /// Stands for any base class in T{...}.
 template <class T> struct AnyBase {
     template <class B>
         requires(!std::is_same_v<B, T> && std::is_base_of_v<B, T>)
-    constexpr operator B() const;
+    operator B() const;
 };
 template <class T>
 concept HasBases = requires {
@@ -45,26 +45,41 @@ template <class T, std::size_t n = 0> constexpr std::size_t value_count() {
     else
         return n;
 }
-/// How many values the member at place `at` takes: more than 1 for an array. Braces leave one value too few where they stand for an array.
-template <class T, std::size_t at, std::size_t count, std::size_t most = count - at> constexpr std::size_t values_of_member() {
-    if constexpr (most <= 1)
-        return 1;
-    else if constexpr (can_be_made_of<T, at, most, count - at - most> && !can_be_made_of<T, at, most, count - at - most + 1>)
-        return most;
+/// How many values braces take in place of a member.
+template <class T, std::size_t at, std::size_t n = 1> constexpr std::size_t values_in_braces() {
+    if constexpr (can_be_made_of<T, at, n + 1>)
+        return values_in_braces<T, at, n + 1>();
     else
-        return values_of_member<T, at, count, most - 1>();
+        return n;
 }
-/// How many members an aggregate without base classes has.
-template <class T, std::size_t at = 0, std::size_t count = value_count<T>()> constexpr std::size_t member_count() {
+/// How many of the values the member at place `at` takes: more than 1 for an array, which leaves fewer for those behind it.
+template <class T, std::size_t at, std::size_t count> constexpr std::size_t values_of_member() {
+    constexpr std::size_t n = values_in_braces<T, at>();
+    if constexpr (n > 1 && at + n <= count)
+        return can_be_made_of<T, at, n, count - at - n + 1> ? 1 : n;
+    else
+        return 1;
+}
+template <class T, std::size_t at = 0, std::size_t count = value_count<T>()> constexpr std::size_t count_members() {
     if constexpr (at >= count)
         return 0;
     else
-        return 1 + member_count<T, at + values_of_member<T, at, count>(), count>();
+        return 1 + count_members<T, at + values_of_member<T, at, count>(), count>();
 }
-
+/// How many members an aggregate without base classes has.
+template <class T> inline constexpr std::size_t member_count = count_members<T>();
+// The same, for what jobs are made of, without counting, which takes long to compile. Where a number is wrong, with_members() does not
+// compile.
+template <class P, class S, class V, class M, class F, class R, bool marks>
+inline constexpr std::size_t member_count<detail::Job<P, S, V, M, F, R, marks>> = 9;
+template <class F, class S, class O, class R> inline constexpr std::size_t member_count<detail::Finish<F, S, O, R>> = 4;
+template <class F, class M, class S, class P, class K, class T, PassTraits traits, class V>
+inline constexpr std::size_t member_count<Scope<F, M, S, P, K, T, traits, V>> = 18;
+template <class F, int N, class M> inline constexpr std::size_t member_count<detail::PlanarView<F, N, M>> = 2;
+template <class C, class T> inline constexpr std::size_t member_count<detail::Slot<C, T>> = 1;
 /// Calls each(members...) with all members of an aggregate without base classes.
 template <class T> constexpr void with_members(T const& of, auto&& each) {
-    constexpr std::size_t n = member_count<T>();
+    constexpr std::size_t n = member_count<T>;
     static_assert(n <= 24, "a class in a job has more members than with_members() goes through: write more of its lines");
     if constexpr (n == 1) {
         auto const& [m0] = of;

@@ -1,25 +1,11 @@
 #pragma once
 
 #include "job_parts.hpp"
-
-#include <string>
-#include <vector>
+#include "layouts.hpp"
 
 // How the host's compiler lays out what kernels are given, and a kernel that says how the device's does. That kernel never runs: its code
 // is a row of stores of constants, which check_layouts() reads in PTX.
 namespace quell::bench {
-
-/// A job's layout: a hash of its pass's name, its size and alignment, then place and size of each of its parts.
-using Layout = std::vector<unsigned>;
-struct KnownLayout {
-    std::string pass;
-    Layout layout;
-};
-/// Of all jobs for which there are kernels in the program.
-inline std::vector<KnownLayout>& known_layouts() {
-    static std::vector<KnownLayout> all;
-    return all;
-}
 
 /// Calls put(number) with the numbers of Job's layout.
 template <class Job> constexpr void for_each_number(Job const* job, auto&& put) {

@@ -1,28 +1,12 @@
 #pragma once
 
-#include "scene.hpp"
-
-#include <quell/image/managed.cuh>
-#include <quell/presets/named.hpp>
-
+#include <cstddef>
 #include <string>
 #include <vector>
 
-// What main.cu asks of each preset; presets.cu answers, in several files side by side.
+// What main.cpp asks of each preset; presets.cu answers, in files that are compiled side by side. Without headers of quell, which take long
+// to compile.
 namespace quell::bench {
-
-/// A preset that is run: all but the published ones.
-template <std::size_t i> inline constexpr bool is_run = std::get<i>(named_presets).group != PresetGroup::published;
-
-namespace detail {
-template <std::size_t i>
-using ReadsOfPreset =
-    std::conditional_t<is_run<i>, typename decltype(std::remove_cvref_t<decltype(std::get<i>(named_presets))>::usual())::reads, Channels<>>;
-template <std::size_t... i> union_of<ReadsOfPreset<i>...> all_reads(std::index_sequence<i...>);
-} // namespace detail
-
-/// A frame with all that these presets read.
-using Input = Frame<decltype(detail::all_reads(std::make_index_sequence<preset_count>{})), Managed<>>;
 
 /// How far Cuda's pictures are from those of Serial, over all frames.
 struct Agreement {
@@ -49,8 +33,8 @@ struct Cost {
 struct Measured {
     std::string name;
     std::size_t order; ///< among named_presets
-    Agreement (*agreement)(Input& frame, int frames);
-    Cost (*cost)(std::vector<Input> const& frames, int rounds);
+    Agreement (*agreement)(int width, int height, int frames);
+    Cost (*cost)(int width, int height, int frames);
 };
 /// Filled by the files of presets.cu before main().
 inline std::vector<Measured>& measured_presets() {

@@ -1,15 +1,17 @@
 #include "layout.cuh"
 #include "measured.hpp"
+#include "scene.hpp"
 
 #include <quell/execute/cuda.cuh>
+#include <quell/image/managed.cuh>
+#include <quell/presets/named.hpp>
 
 #include <chrono>
 
 // Compiled several times, with other UNITs of UNITS, so that presets are compiled side by side.
 namespace quell::bench {
-namespace {
 
-void check(cudaError_t status) {
+inline void check(cudaError_t status) {
     if (status != cudaSuccess) raise_error("quell-cuda", cudaGetErrorString(status), "see whether the driver is as new as CUDA");
 }
 
@@ -43,8 +45,19 @@ private:
     }
 };
 
-template <class Preset> Agreement agreement(Input& frame, int frames) {
+/// What all presets read. Made once for all: only the last size asked for is kept.
+using Input = Frame<Sample::channels, Managed<>>;
+inline std::vector<Input>& input(Extent size) {
+    static std::vector<Input> made;
+    if (!made.empty() && made[0].size == size) return made;
+    made.clear();
+    for (int i = 0; i < 2; ++i) fill_frame(made.emplace_back(size), i);
+    return made;
+}
+
+template <class Preset> Agreement agreement(int width, int height, int frames) {
     auto const denoise = Preset::usual();
+    Input frame({width, height});
     History by_host{frame.size, denoise, Managed<>{}}, by_device{frame.size, denoise, Managed<>{}};
     Agreement found;
     long long components = 0, apart = 0;
@@ -65,10 +78,11 @@ template <class Preset> Agreement agreement(Input& frame, int frames) {
     return found;
 }
 
-double now() { return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+inline double now() { return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// Of the frames after the first few, in which memory is allocated and comes to the device.
-template <class Preset> Cost cost(std::vector<Input> const& frames, int rounds) {
+template <class Preset> Cost cost(int width, int height, int rounds) {
+    auto const& frames = input({width, height});
     auto const denoise = Preset::usual();
     History history{frames[0].size, denoise, Managed<>{}};
     auto const run_frames = [&](int count, Chosen const& chosen) {
@@ -94,16 +108,15 @@ template <class Preset> Cost cost(std::vector<Input> const& frames, int rounds) 
     return found;
 }
 
-bool list_presets() {
+static bool list_presets() {
     for_each_preset_index<UNIT, UNITS>([](auto i) {
-        if constexpr (is_run<i>) {
+        if constexpr (std::get<i>(named_presets).group != PresetGroup::published) {
             using Preset = std::remove_cvref_t<decltype(std::get<i>(named_presets))>;
             measured_presets().push_back({std::string(std::get<i>(named_presets).name), i, agreement<Preset>, cost<Preset>});
         }
     });
     return true;
 }
-bool const listed = list_presets();
+static bool const listed = list_presets();
 
-} // namespace
 } // namespace quell::bench

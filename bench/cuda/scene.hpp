@@ -53,6 +53,9 @@ struct Eye {
 
 /// The values of all channels at a pixel.
 struct Sample {
+    using channels = Channels<Depth, Normal, Motion, Sweep, SweepOf<Visibility>, SweepOf<Glossy>, SweepBend, Time, Position,
+                              ReceiverPrevious, Roughness, Albedo, Radiance, Direct, Glossy, Indirect, Visibility, Light, LightPrevious,
+                              Blocker, BlockerPrevious, GlossyHit, GlossyHitPrevious, IndirectDirection>;
     Eye const& now;
     Eye const& then;
     int x, y, number;

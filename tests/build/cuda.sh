@@ -15,7 +15,7 @@ fail() { echo "FAILED: $1" >&2; exit 1; }
 "$folder/quell-cuda" --layouts "$folder"/unit_*.ptx || fail "a device would find arguments elsewhere than the host puts them"
 
 # The check itself must be able to fail.
-if "$folder/shifted" "$folder/shifted.o.ptx"; then fail "a job that is laid out in two ways was not found"; fi
+if "$folder/shifted" "$folder/shifted.ptx"; then fail "a job that is laid out in two ways was not found"; fi
 
 [ "$(du -m "$folder/quell-cuda" | cut -f1)" -lt 60 ] || fail "quell-cuda is larger than 60 MiB"
 # Programs end with a sentence, and status 1, where there is no GPU.

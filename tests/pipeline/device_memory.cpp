@@ -74,8 +74,8 @@ TEST_CASE("a class's members are found, arrays and base classes among them") {
         Product<DepthEdge, NormalEdge> edges;
         Views<Planar<>, Channels<Depth, Normal>> views;
     };
-    static_assert(bench::member_count<Whole>() == 6);
-    static_assert(bench::member_count<Part>() == 2);
+    static_assert(bench::member_count<Whole> == 6);
+    static_assert(bench::member_count<Part> == 2);
     int pointers = 0, floats = 0;
     Whole const whole{};
     bench::visit_parts(whole, [&](auto const& part) {

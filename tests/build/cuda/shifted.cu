@@ -1,15 +1,16 @@
-// A job that nvcc lays out in one way for the device and in another for the host: check_layouts() must say so. Its member without data
-// takes no space in an argument of the host's.
-#include "../../../bench/cuda/check_layouts.hpp"
+// A job that nvcc lays out in one way for the device and in another for the host: check_layouts() must say so. Scope was such a class.
 #include "../../../bench/cuda/layout.cuh"
 
 struct Nothing {};
-struct ShiftedJob {
-    static constexpr auto name = "shifted";
-    [[no_unique_address]] Nothing first;
+struct Inner {
+    float* first;
     float second;
     [[no_unique_address]] Nothing third;
-    float* fourth;
+};
+struct ShiftedJob {
+    static constexpr auto name = "shifted";
+    Inner inner;
+    float* behind;
 };
 
 int main(int count, char** arguments) {

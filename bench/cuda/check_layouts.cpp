@@ -1,6 +1,4 @@
-#include "check_layouts.hpp"
-
-#include "layout.cuh"
+#include "layouts.hpp"
 
 #include <cstdio>
 #include <fstream>
@@ -45,7 +43,7 @@ void read_ptx(std::string const& file, Device& device) {
         Layout layout;
         for (auto const& [place, number] : stored) layout.push_back(number);
         device.layouts.insert(layout);
-        registers.clear(), stored.clear();
+        registers.clear(), stored.clear(), inside = false;
     }
 }
 

@@ -1,9 +1,12 @@
-#include "check_layouts.hpp"
+#include "layouts.hpp"
 #include "measured.hpp"
+
+#include <cuda_runtime_api.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 
 // quell-cuda                       runs each preset by Cuda and by Serial, then measures it
 // quell-cuda --layouts FILE.ptx... compares how jobs are laid out by the host's and by the device's compiler; needs no GPU
@@ -29,16 +32,14 @@ void print_device() {
 }
 
 bool print_agreement() {
-    constexpr Extent size{256, 144};
-    constexpr int frames = 8;
-    std::printf("Cuda against Serial, %d frames of %s: greatest difference relative to max(1, value)\n", frames, to_string(size).c_str());
+    constexpr int width = 256, height = 144, frames = 8;
+    std::printf("Cuda against Serial, %d frames of %dx%d: greatest difference relative to max(1, value)\n", frames, width, height);
     std::printf(
         "| preset | greatest difference | components apart by more than %g | counts of missing samples |\n| --- | --- | --- | --- |\n",
         Agreement::allowed);
     bool good = true;
-    Input frame(size);
     for (auto const& preset : measured_presets()) {
-        auto const found = preset.agreement(frame, frames);
+        auto const found = preset.agreement(width, height, frames);
         good = good && found.good();
         std::printf("| %s | %.1e | %.4f %% | %s |%s\n", preset.name.c_str(), found.worst, 100. * found.apart,
                     found.counts_equal ? "equal" : "differ", found.good() ? "" : " NOT good");
@@ -53,20 +54,17 @@ double device_time(Cost const& cost) {
     return sum;
 }
 
-void print_times(Extent size, bool with_passes) {
-    std::vector<Input> frames;
-    for (int i = 0; i < 2; ++i) fill_frame(frames.emplace_back(size), i);
-    std::printf("\n%s, milliseconds a frame\n| preset | passes on the device | the host waits |\n| --- | --- | --- |\n",
-                to_string(size).c_str());
+void print_times(int width, int height, bool with_passes) {
+    std::printf("\n%dx%d, milliseconds a frame\n| preset | passes on the device | the host waits |\n| --- | --- | --- |\n", width, height);
     std::vector<Cost> costs;
     for (auto const& preset : measured_presets()) {
-        auto const& cost = costs.emplace_back(preset.cost(frames, 12));
+        auto const& cost = costs.emplace_back(preset.cost(width, height, 12));
         std::printf("| %s | %.2f | %.2f |\n", preset.name.c_str(), device_time(cost), cost.milliseconds);
         std::fflush(stdout);
     }
     if (!with_passes) return;
-    std::printf("\nPasses at %s\n| preset | pass | milliseconds | registers | local bytes |\n| --- | --- | --- | --- | --- |\n",
-                to_string(size).c_str());
+    std::printf("\nPasses at %dx%d\n| preset | pass | milliseconds | registers | local bytes |\n| --- | --- | --- | --- | --- |\n", width,
+                height);
     for (std::size_t i = 0; i < costs.size(); ++i)
         for (auto const& pass : costs[i].passes)
             std::printf("| %s | %s | %.3f | %d | %zu |\n", measured_presets()[i].name.c_str(), pass.name.c_str(), pass.milliseconds,
@@ -78,8 +76,8 @@ int run_all() {
     print_device();
     std::ranges::sort(measured_presets(), {}, &Measured::order);
     bool const good = print_agreement();
-    print_times({1920, 1080}, true);
-    print_times({3840, 2160}, false);
+    print_times(1920, 1080, true);
+    print_times(3840, 2160, false);
     if (!good) std::fprintf(stderr, "quell-cuda: Cuda and Serial do not agree; see the rows that say NOT good\n");
     return good ? 0 : 1;
 }
