@@ -5,6 +5,7 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <stdexcept>
 
 namespace quell::bench {
 namespace {
@@ -16,6 +17,7 @@ struct Device {
 };
 
 /// A register that is given a constant, and a store of a register: the lines that layout_for_device() is made of.
+/// @throws std::runtime_error for a store that it cannot read
 void read_line(std::string const& line, std::map<std::string, unsigned>& registers, std::map<unsigned, unsigned>& stored) {
     static std::regex const move(R"(\s*mov\.[bsu]32\s+(%r\d+), (-?\d+);)");
     static std::regex const store(R"(\s*st\.volatile\.(?:global\.)?[bsu]32\s+\[%rd\d+(?:\+(\d+))?\], (%r\d+|-?\d+);)");
@@ -25,6 +27,8 @@ void read_line(std::string const& line, std::map<std::string, unsigned>& registe
         registers[found[1]] = number(found[2]);
     else if (std::regex_match(line, found, store))
         stored[found[1].matched ? number(found[1]) / 4 : 0] = found.str(2)[0] == '%' ? registers.at(found[2]) : number(found[2]);
+    else if (line.find("\tst.") != std::string::npos)
+        throw std::runtime_error("a kernel of layout_for_device() has a line that is not understood: " + line);
 }
 
 void read_ptx(std::string const& file, Device& device) {

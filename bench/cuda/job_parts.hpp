@@ -171,7 +171,7 @@ template <class T> constexpr void visit_parts(T const& of, auto&& visit) {
     if constexpr (std::is_array_v<T>)
         for (auto const& element : of) visit_parts(element, visit);
     else if constexpr (!std::is_same_v<typename BasesOf<T>::type, Parts<>>)
-        [&]<class... Bases>(Parts<Bases...>) { (visit_parts(static_cast<Bases const&>(of), visit), ...); }(typename BasesOf<T>::type{});
+        [&]<class... Bases>(Parts<Bases...>) { (visit_parts<Bases>(of, visit), ...); }(typename BasesOf<T>::type{});
     else if constexpr (std::is_class_v<T> && std::is_aggregate_v<T> && !HasBases<T>)
         with_members(of, [&](auto const&... members) { (visit_parts(members, visit), ...); });
 }

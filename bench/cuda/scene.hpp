@@ -12,11 +12,12 @@
 #include <vector>
 
 // A made-up world that has every channel, so that no tracer is needed where a GPU is: a floor and a wall, posts before them, a light that
-// moves, and a camera that moves by a pixel or so. Noise is that of one sample per pixel, and some samples are missing.
+// moves, and a camera that moves. Noise is that of one sample per pixel, and some samples are missing.
 namespace quell::bench {
 
-/// Where the camera is in a frame. It goes to and fro, so that two frames can be run round and round.
-inline glm::vec3 eye_of(int number) { return {number % 2 == 0 ? 0.f : 0.004f, 2.f, 6.f}; }
+/// Where the camera is in a frame. It goes to and fro, so that two frames can be run round and round. Posts move by 8 pixels, the wall
+/// by 3.
+inline glm::vec3 eye_of(int number, Extent size) { return {number % 2 == 0 ? 0.f : 100.f / static_cast<float>(size.width), 2.f, 6.f}; }
 inline glm::vec3 light_of(int number) { return {2.f + (number % 2 == 0 ? 0.f : 0.01f), 5.f, 0.f}; }
 
 /// Equal numbers on every machine, in [0, 1).
@@ -34,9 +35,9 @@ struct Eye {
     Camera camera;
     Eye(Extent size_, int number)
         : size(size_),
-          at(eye_of(number)), camera{.view = glm::translate(glm::mat4(1.f), -at),
-                                     .projection = glm::perspective(0.9f, static_cast<float>(size.width) / static_cast<float>(size.height),
-                                                                    0.1f, 100.f)} {}
+          at(eye_of(number, size_)), camera{.view = glm::translate(glm::mat4(1.f), -at),
+                                            .projection = glm::perspective(
+                                                0.9f, static_cast<float>(size.width) / static_cast<float>(size.height), 0.1f, 100.f)} {}
 
     /// Along the ray of a pixel's centre; 1 long in depth.
     [[nodiscard]] glm::vec3 toward(int x, int y) const {

@@ -47,3 +47,11 @@
 #else
 #define QUELL_UNROLL _Pragma("GCC unroll 8")
 #endif
+
+/// Before a kernel's argument: threads read it where it lies. Without it, each would make a copy in its local memory. Devices before
+/// compute capability 7.0 do not have it.
+#if defined(__CUDA_ARCH__) && __CUDA_ARCH__ < 700
+#define QUELL_GRID_CONSTANT
+#elif defined(__CUDACC__)
+#define QUELL_GRID_CONSTANT __grid_constant__
+#endif

@@ -7,13 +7,6 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
-// Kernels read their arguments where these are. Without it, each thread would make a copy of all of them in its local memory.
-#if defined(__CUDA_ARCH__) && __CUDA_ARCH__ < 700 // older devices do not have it
-#define QUELL_GRID_CONSTANT
-#else
-#define QUELL_GRID_CONSTANT __grid_constant__
-#endif
-
 namespace detail {
 /// One CUDA thread for each pixel of the region.
 template <class Job> __global__ void each_pixel(Region const region, QUELL_GRID_CONSTANT Job const job) {
