@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/image/memory.hpp>
 #include <quell/pipeline/execution/counts.hpp>
 #include <quell/pipeline/execution/image_pool.hpp>
 #include <quell/pipeline/pipeline.hpp>
@@ -133,7 +134,9 @@ private:
     template <class, ImageStorage> friend class History;
     using State = detail::FrameState<P, Storage>;
 
-    std::shared_ptr<detail::ImagePool> pool; ///< this history's own, or shared by a composite
+    std::shared_ptr<detail::ImagePool> pool;                                               ///< this history's own, or shared by a composite
+    std::shared_ptr<detail::Counts> counts = detail::counts_in<MemoryOf<Storage>>();       ///< of the running frame
+    std::shared_ptr<detail::Counts> counts_again = detail::counts_in<MemoryOf<Storage>>(); ///< of its second ingest, with repaired guides
     Extent size;
     State then; ///< of the last frame: passes read it. Images that no later pass reads go back to the pool, or to `now`.
     State now;  ///< of the running frame: passes write it. advance() makes it `then`.

@@ -25,6 +25,7 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
         using Px = decltype(px);
         using Real = typename Px::Real;
         auto const around = edge.around(px);
+        constexpr float profile[] = {0.5f, 0.25f};
         Taps<Px> taps;
         taps.add(px, Real(profile[0] * profile[0]));
         for_each_opposite_taps<1>(px, 1, detail::edge_offset(around),
@@ -54,7 +55,6 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
     }
 
 private:
-    static constexpr float profile[2] = {0.5f, 0.25f};
     static constexpr float counts_from = 1e-6f; ///< weight: less is of another surface, or outside the image
 
     template <class Px> struct Taps {

@@ -3,6 +3,8 @@
 #include <quell/frame/repair.hpp>
 
 #include <atomic>
+#include <memory>
+#include <new>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
@@ -29,6 +31,7 @@ public:
         if (whole > 0) add_together(larges, whole);
         add_together(smalls, static_cast<long long>(rest / small_unit));
     }
+    void reset() { larges = 0, smalls = 0; }
     [[nodiscard]] double total() const {
         return static_cast<double>(larges) * static_cast<double>(large_unit) +
                static_cast<double>(smalls) * static_cast<double>(small_unit);
@@ -50,6 +53,10 @@ public:
         for (int i = 0; i < CheckedGuides::size; ++i)
             if ((all >> i & 1) != 0) add_together(by_guide[i], 1LL);
     }
+    void reset() {
+        pixels = 0;
+        for (auto& count : by_guide) count = 0;
+    }
     template <ChannelTag C> [[nodiscard]] long long of(C) const {
         int number = 0, found = 0;
         for_each_channel(CheckedGuides{}, [&]<class D>(D) {
@@ -66,6 +73,13 @@ struct Counts {
     std::atomic<long long> holes = 0; ///< of the missing ones: those for which nothing stands in yet
     EnergySum suppressed;
     GuideCounts guides;
+
+    void reset() { missing = 0, holes = 0, suppressed.reset(), guides.reset(); }
 };
+
+/// Counts that lie where kernels can write them.
+template <class Memory> std::shared_ptr<Counts> counts_in() {
+    return {new (Memory::allocate(sizeof(Counts))) Counts, [](Counts* counts) { Memory::release(counts); }};
+}
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::detail

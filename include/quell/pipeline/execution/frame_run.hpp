@@ -112,7 +112,8 @@ private:
     }
 
     void ingest() {
-        Counts first, again;
+        auto &first = *history.counts, &again = *history.counts_again;
+        first.reset(), again.reset();
         run_pass<false>(pipeline.ingest, false, &first);
         bool const repeat = given.template repair<typename P::reads, reads_of<typename P::Form>>(first.guides, *history.pool, executor);
         if (repeat) run_pass<false>(pipeline.ingest, false, &again);
