@@ -13,6 +13,8 @@
 #include <support/program.hpp>
 #include <support/progress.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
@@ -184,6 +186,11 @@ public:
         if (!denoiser->names()) return;
         summary.renderer = map && map->renderer == options.map && !find_renderer_map(options.map) ? in.text() : denoiser->names()->renderer;
         summary.remarks.insert(summary.remarks.begin(), denoiser->names()->remarks.begin(), denoiser->names()->remarks.end());
+        if (auto const& guides = denoiser->repaired_guides(); guides.pixels > 0)
+            summary.remarks.push_back(
+                fmt::format("{} pixels have guides that no scene has, which were repaired: normals not of length 1 in {}, "
+                            "albedo outside [0, 1] in {}, depth 0, negative or NaN in {}, motion not finite in {}",
+                            guides.pixels, guides.normal, guides.albedo, guides.depth, guides.motion));
         if (denoiser->left_alpha())
             summary.remarks.push_back("alpha is as in the files: preset " + choice.preset->name +
                                       " does not denoise it, general and final-frame do");

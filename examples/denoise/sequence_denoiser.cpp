@@ -127,6 +127,7 @@ Denoiser& SequenceDenoiser::denoiser(std::size_t signal) {
     auto const whole = io::detail::size_of(canvas);
     auto const make = !rule().alpha.empty() && has_alpha(signal) ? settings.preset.make_with_alpha : settings.preset.make;
     made = !settings.debug_views.empty() ? settings.preset.make_watched(whole) : make(whole, settings.threads);
+    if (!settings.diagnose && !checks) made->check_first_frames(), checks = true;
     if (settings.diagnose)
         made->diagnose(signal < on_canvas.of_signals.size() ? on_canvas.of_signals[signal].factor : std::vector<io::Source>());
     return *made;
@@ -273,7 +274,11 @@ DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long num
     frame.canvas = canvas;
     auto const denoised = [&](std::size_t s) {
         auto result = denoiser(s).denoise(image, split.signals[s].channels, number);
-        missing += denoiser(s).missing_samples();
+        auto const counted = denoiser(s).statistics();
+        missing += counted.missing_samples;
+        // Guides are the same for all signals.
+        if (std::ranges::find(split.active, true) - split.active.begin() == static_cast<std::ptrdiff_t>(s))
+            add_repaired(counted.repaired_guides);
         collect(denoiser(s).findings());
         return result;
     };
@@ -285,6 +290,12 @@ DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long num
             frame.added[c].push_back({&image[plane].values, split.added[c].scale, frame.added[c].empty() ? split.added[c].offset : 0.f});
     was_as_one = as_one, last = number;
     return frame;
+}
+
+void SequenceDenoiser::add_repaired(RepairedGuides const& of_frame) {
+    repaired.pixels += of_frame.pixels;
+    repaired.albedo += of_frame.albedo, repaired.normal += of_frame.normal;
+    repaired.depth += of_frame.depth, repaired.motion += of_frame.motion;
 }
 
 SplitRule SequenceDenoiser::rule() const {
