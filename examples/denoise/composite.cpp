@@ -63,7 +63,7 @@ metrics::Picture read_reference(std::filesystem::path const& path, ReferenceName
     io::ExrFile const file(path);
     auto const names = io::names_in_parts(names_of_reference(file, any), file);
     auto image = file.read(picture_planes(file, names));
-    auto const split = split_light(image, names, {.finds_noise = false});
+    auto const split = split_light(image, names, {}, false);
     long long ignored = 0;
     std::vector<metrics::Picture> parts;
     return composite(

@@ -5,6 +5,7 @@
 #include <quell/io/channel_names.hpp>
 #include <quell/io/exr_image.hpp>
 #include <quell/metrics/picture.hpp>
+#include <quell/pipeline/history_contents.hpp>
 #include <quell/presets/preset_group.hpp>
 
 #include <chrono>
@@ -41,6 +42,8 @@ public:
     [[nodiscard]] virtual bool needs_camera() const = 0;
     /// Shows it a frame that comes after those that it has seen, and will be denoised later. Most presets make no use of it.
     virtual void look_ahead(io::ExrImage const&, io::ChannelNames const&, long long /*number*/) {}
+    /// Drops the frames that it was shown and has not denoised.
+    virtual void drop_ahead() {}
     /// From now on each frame is looked at for what its renderer got wrong.
     /// @param by what the denoised signal is multiplied by at the end, where that is the albedo it was divided by; one source per component
     void diagnose(std::vector<io::Source> by = {}) { looks = true, factor = std::move(by); }
@@ -52,12 +55,12 @@ public:
     [[nodiscard]] virtual std::vector<DebugImage> debug_images(std::string const& view) = 0;
     /// The next frame, denoised: linear, row by row. Where its size is another one, history starts afresh.
     [[nodiscard]] virtual metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number) = 0;
-    /// A number for each component and pixel.
-    using Factor = std::function<float(int c, int x, int y)>;
-    /// Multiplies what it remembers.
-    virtual void scale_history(Factor const&) {}
-    /// Adds what another one of the same preset remembers, times a factor.
-    virtual void add_history(Denoiser const&, Factor const&) {}
+    /// What it remembers; nothing where that is nothing, or not of one signal.
+    [[nodiscard]] virtual std::optional<HistoryContents> remembered() const { return std::nullopt; }
+    /// Makes it remember what another one of the same preset did, of a picture with or without alpha.
+    virtual void remember(HistoryContents const&) {}
+    /// Alpha of the last frame, where the signal has it.
+    [[nodiscard]] std::vector<float> const& alpha() const { return denoised_alpha; }
     /// How many samples of the last frame were not finite, or negative.
     [[nodiscard]] virtual long long missing_samples() const = 0;
     /// Its passes in order, what each reads and writes, and memory: a table in Markdown.
@@ -71,6 +74,17 @@ protected:
     double taken = 0;               ///< milliseconds
     bool looks = false;             ///< whether frames are looked at
     std::vector<io::Source> factor; ///< what diagnose() was told
+    std::vector<float> denoised_alpha;
+
+    /// The picture, after its alpha was kept.
+    [[nodiscard]] metrics::Picture picture_and_alpha(ImageView auto const& view) {
+        if constexpr (std::remove_cvref_t<decltype(view)>::components == 4) {
+            denoised_alpha.clear();
+            for (int y = 0; y < view.size.height; ++y)
+                for (int x = 0; x < view.size.width; ++x) denoised_alpha.push_back(view.get(3, x, y));
+        }
+        return metrics::picture_of(view);
+    }
 
     /// Component c at (x, y) of the factor, as quell::diagnose() wants it; nothing where there is none.
     [[nodiscard]] std::function<float(int c, int x, int y)> factor_in(io::ExrImage const& image) const;
@@ -86,6 +100,8 @@ struct SignalOfPreset {
 struct Preset {
     std::string name;
     std::unique_ptr<Denoiser> (*make)(Extent size, int threads);
+    /// The same for a picture with alpha; null where alpha can't be denoised.
+    std::unique_ptr<Denoiser> (*make_with_alpha)(Extent size, int threads) = nullptr;
     /// The same with debug images, slower; null where there is none.
     std::unique_ptr<Denoiser> (*make_watched)(Extent size) = nullptr;
     bool looks_ahead = false;         ///< whether it makes use of frames that come later

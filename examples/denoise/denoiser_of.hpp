@@ -6,7 +6,6 @@
 #include <quell/diagnose/diagnose.hpp>
 #include <quell/execute/threads.hpp>
 #include <quell/io/frame_image.hpp>
-#include <quell/pipeline/history_transfer.hpp>
 #include <quell/pipeline/plan.hpp>
 #include <quell/quell.hpp>
 
@@ -45,7 +44,7 @@ public:
             Timer const timer(taken);
             return quell::run(pipeline, frame, history, executor);
         }();
-        return metrics::picture_of(view);
+        return picture_and_alpha(view);
     }
     bool needs_camera() const override { return P::needs_camera; }
     std::vector<Finding> const& findings() const override { return found; }
@@ -62,13 +61,14 @@ public:
         });
         return images;
     }
-    void scale_history(Factor const& factor) override {
-        if constexpr (has_one_history<P>) quell::scale_history(history, factor);
-    }
-    void add_history(Denoiser const& from, Factor const& factor) override {
-        auto const* const other = dynamic_cast<DenoiserOf const*>(&from);
+    std::optional<HistoryContents> remembered() const override {
         if constexpr (has_one_history<P>)
-            if (other) quell::add_history(history, other->history, factor);
+            return contents_of(history);
+        else
+            return std::nullopt;
+    }
+    void remember(HistoryContents const& contents) override {
+        if constexpr (has_one_history<P>) put_contents(history, contents);
     }
     long long missing_samples() const override { return history.statistics().missing_samples; }
     std::string plan() const override { return to_string(plan_of(pipeline, Storage{})); }

@@ -72,6 +72,29 @@ public:
     }
 };
 
+/// Whether depths of a window scatter: the mean square of second differences of inverse depth, in the direction in which it is least, over
+/// that of inverse depth. Floats round it to 1e-14; spheres of 50 pixels have 1e-7.
+bool is_scattered(std::vector<float> const& depth, Extent size, int x0, int y0) {
+    constexpr float smooth = 3e-7f;
+    auto const inverse = [&](int x, int y) {
+        float const z = depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x)];
+        return is_finite(z) && z > 0.f && z < 1e9f ? 1.f / z : 0.f;
+    };
+    float least = std::numeric_limits<float>::max(), all = 0, pixels = 0;
+    for (auto const& [dx, dy] : {std::pair{1, 0}, {0, 1}, {1, 1}, {-1, 1}}) {
+        float sum = 0, count = 0;
+        for (int y = std::max(y0, dy); y < std::min(y0 + window, size.height - dy); ++y)
+            for (int x = std::max(x0, 1); x < std::min(x0 + window, size.width - 1); ++x) {
+                float const off = inverse(x, y) - 0.5f * (inverse(x - dx, y - dy) + inverse(x + dx, y + dy));
+                sum += off * off, ++count;
+            }
+        if (count > 0.f) least = std::min(least, sum / count);
+    }
+    for (int y = y0; y < std::min(y0 + window, size.height); ++y)
+        for (int x = x0; x < std::min(x0 + window, size.width); ++x) all += inverse(x, y) * inverse(x, y), ++pixels;
+    return least > smooth * all / pixels;
+}
+
 /// Calls f(x, y) with the corners of windows all over the picture.
 template <class F> void for_each_window(Extent size, F&& f) {
     int step = window;
@@ -88,7 +111,8 @@ glm::vec3 light_of(glm::vec3 const& part, glm::vec3 const& colour) {
 
 } // namespace
 
-GuideErrors guide_errors(metrics::Picture const& guide, GuideKind kind, metrics::Picture const& part, metrics::Picture const& whole) {
+GuideErrors guide_errors(metrics::Picture const& guide, GuideKind kind, metrics::Picture const& part, metrics::Picture const& whole,
+                         std::vector<float> const& depth) {
     float usual = 0, count = 0;
     for_each_window(whole.size, [&](int x, int y) { usual += std::max(luminance(Window(whole, x, y).mean()), 0.f), ++count; });
     usual /= count;
@@ -101,7 +125,7 @@ GuideErrors guide_errors(metrics::Picture const& guide, GuideKind kind, metrics:
         // About as the square of a display's curve.
         float const bright = std::max(luminance(Window(whole, x, y).mean()), 0.f);
         float const visible = 1.f / ((bright + 0.1f * usual + std::numeric_limits<float>::min()) * count);
-        errors.noise += own * visible;
+        if (depth.empty() || is_scattered(depth, whole.size, x, y)) errors.noise += own * visible;
         if (structure + n > 0.f) errors.loss += structure * n / (structure + n) * visible;
     });
     return errors;

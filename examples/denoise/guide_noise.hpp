@@ -20,11 +20,14 @@ enum class GuideKind {
 };
 
 /// Estimates both errors from one frame, in windows of 5x5 pixels. In each, noise is the nugget of the variogram g, 2 g(1 pixel) -
-/// g(2 pixels), in the direction in which it is least: edges, lines and textures of more than two pixels have none along themselves.
+/// g(2 pixels), in the direction in which it is least: edges, lines and textures of more than two pixels have none along themselves. Finer
+/// textures are told from noise by the depth: what blurs a guide scatters depths too, while of a plane that is seen sharply the inverse
+/// depth is a linear function of the place.
 /// @param guide what is not filtered where it is taken as it is
+/// @param depth of the frame; empty: not known
 /// @param part  the light with the guide in it
 /// @param whole the whole picture: says how visible errors are
 [[nodiscard]] GuideErrors guide_errors(metrics::Picture const& guide, GuideKind kind, metrics::Picture const& part,
-                                       metrics::Picture const& whole);
+                                       metrics::Picture const& whole, std::vector<float> const& depth);
 
 } // namespace quell::examples

@@ -115,9 +115,20 @@ std::string word_of(std::string name) {
 
 ChannelTriple picture_channels(io::ExrFile const& file, io::SequenceNames const& names, std::optional<std::string> const& said) {
     if (said) return in_layer(*said);
+    if (names.picture.size() == 3) {
+        ChannelTriple channels;
+        for (std::size_t c = 0; c < 3; ++c) channels[c] = names.picture[c].sum.at(0);
+        return channels;
+    }
     if (auto const only = only_signal(names)) return *only;
     auto const layer = view_layer(file, names);
     return in_layer(layer.empty() ? layer : layer + "Combined");
+}
+
+std::optional<std::string> alpha_plane(io::ExrFile const& file, io::SequenceNames const& names, std::optional<std::string> const& layer) {
+    auto const beside = layer_of(picture_channels(file, names, layer)[0]);
+    auto const name = beside.empty() ? "A" : beside + ".A";
+    return file.find(name) ? std::optional(name) : std::nullopt;
 }
 
 std::vector<ChannelTriple> signal_channels(io::ExrFile const& file, io::SequenceNames const& names) {
@@ -180,8 +191,7 @@ void check_levels(io::ExrOriginal const& original, io::SequenceNames const& name
 io::ExrChanges changes_for(DenoisedFrame& frame, io::ExrFile const& file, io::SequenceNames const& names,
                            std::optional<std::string> const& picture_layer, LayerChoice const& layers) {
     auto const picture = picture_channels(file, names, picture_layer);
-    auto const layer = layer_of(picture[0]);
-    auto const alpha = layer.empty() ? "A" : layer + ".A"; // belongs to the picture
+    auto const alpha = alpha_plane(file, names, picture_layer).value_or(""); // belongs to the picture
     io::ExrChanges changes{.canvas = frame.canvas, .keeps = [=, &layers](auto const& part, auto const& channel) {
                                return layers.keeps(part, channel) || (layers.has_picture() && channel == alpha);
                            }};
@@ -194,6 +204,10 @@ io::ExrChanges changes_for(DenoisedFrame& frame, io::ExrFile const& file, io::Se
     std::size_t const different = picture[0] == picture[1] ? 1 : 3;
     for (std::size_t c = 0; c < different; ++c)
         if (layers.has_picture() || layers.keeps("", places[c].name)) put(places[c], frame.picture, c);
+    if (!frame.alpha.empty() && layers.has_picture()) {
+        auto const place = place_of(alpha, file, names, io::SampleType::half);
+        changes.numbers.push_back({place.part, place.name, place.type, frame.alpha});
+    }
     auto const signals = signal_channels(file, names);
     for (std::size_t s = 0; s < signals.size() && layers.has_signals(); ++s)
         for (std::size_t c = 0; c < 3; ++c) put(place_of(signals[s][c], file, names, io::SampleType::float32), frame.signals[s], c);

@@ -42,11 +42,14 @@ using ChannelTriple = std::array<std::string, 3>;
 /// A name for a layer: dots would part it.
 [[nodiscard]] std::string word_of(std::string name);
 
-/// Where the denoised picture goes: the place of the noisy one. That is the layer that the map names, else the only signal where that is
-/// the picture, else Combined of Blender's view layer, else R, G, B.
-/// @param layer what the map says
+/// Where the denoised picture goes: the place of the noisy one. That is the only signal where that is the picture, else what the names say,
+/// else R, G, B.
+/// @param layer that takes their place, where there is one
 [[nodiscard]] ChannelTriple picture_channels(io::ExrFile const& file, io::SequenceNames const& names,
-                                             std::optional<std::string> const& layer);
+                                             std::optional<std::string> const& layer = std::nullopt);
+/// Alpha of the picture, where the file has it.
+[[nodiscard]] std::optional<std::string> alpha_plane(io::ExrFile const& file, io::SequenceNames const& names,
+                                                     std::optional<std::string> const& layer = std::nullopt);
 /// Where each denoised signal goes, times its factor: layers denoised_NAME. None where there is but one signal and nothing is added to it,
 /// which is the picture.
 /// @throws Error for two signals of one name

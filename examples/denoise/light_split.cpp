@@ -15,10 +15,9 @@ namespace {
 
 using Pixels = std::vector<glm::vec3>;
 
-/// A noisy guide's error may be this part of what its structure would lose.
-constexpr float tolerated_noise = 0.245f;
-/// What loses less than this part of the guides' noise goes with them.
-constexpr float small_loss = 1.f;
+/// The noise of guides may be this part of what a filter would lose of their structure. Between 0.24, where renders with depth of field,
+/// fog, leaves and textures still had less error with guides as they are, and 0.26, where they had more (bench/cycles.sh).
+constexpr float tolerated_noise = 0.25f;
 
 std::vector<io::Source> ones() { return std::vector<io::Source>(3, io::Source{{}, 1.f}); }
 bool is_constant(std::vector<io::Source> const& sources) {
@@ -44,13 +43,15 @@ struct Rounding {
 /// A signal as a part of the picture: light times what it is multiplied by.
 struct Part {
     metrics::Picture light, factor, picture;
-    metrics::Picture colour; ///< that is taken as it is where the signal is denoised by itself; empty: none
-    Pixels rounding;         ///< of the picture
+    metrics::Picture colour;     ///< that is taken as it is where the signal is denoised by itself; empty: none
+    bool factor_is_none = false; ///< whether the light is all
+    Pixels rounding;             ///< of the picture
 };
 
 Part part_of(io::ExrImage const& image, io::SignalNames const& signal, bool by_albedo) {
     auto const light = io::sources_of(signal.channels, radiance), own = io::sources_of(signal.channels, albedo);
-    Part part{picture_of(image, light, 0.f), picture_of(image, signal.factor, 1.f), {image.size, {}}, {}, {}};
+    Part part{picture_of(image, light, 0.f), picture_of(image, signal.factor, 1.f), {image.size, {}}, {}, false, {}};
+    part.factor_is_none = signal.factor.empty();
     if (!signal.factor.empty())
         part.colour = part.factor;
     else if (by_albedo && !is_constant(own))
@@ -65,9 +66,30 @@ Part part_of(io::ExrImage const& image, io::SignalNames const& signal, bool by_a
     return part;
 }
 
+/// Mean over the (2 radius + 1)^2 pixels around each, as far as they are in the picture.
+metrics::Picture box_mean(metrics::Picture const& picture, int radius) {
+    auto const along = [radius](metrics::Picture const& from, bool rows) {
+        metrics::Picture to{from.size, Pixels(from.pixels.size())};
+        int const length = rows ? from.size.width : from.size.height, lines = rows ? from.size.height : from.size.width;
+        auto const index = [&](int line, int i) {
+            return rows ? static_cast<std::size_t>(line) * static_cast<std::size_t>(from.size.width) + static_cast<std::size_t>(i)
+                        : static_cast<std::size_t>(i) * static_cast<std::size_t>(from.size.width) + static_cast<std::size_t>(line);
+        };
+        for (int line = 0; line < lines; ++line)
+            for (int i = 0; i < length; ++i) {
+                glm::vec3 sum(0.f);
+                int const first = std::max(i - radius, 0), last = std::min(i + radius, length - 1);
+                for (int j = first; j <= last; ++j) sum += from.pixels[index(line, j)];
+                to.pixels[index(line, i)] = sum / static_cast<float>(last - first + 1);
+            }
+        return to;
+    };
+    return along(along(picture, true), false);
+}
+
 /// A frame while its light is divided.
 class Splitting {
-    io::ExrImage& image;
+    io::ExrImage const& image;
     io::SequenceNames const& names;
     SplitRule const& rule;
     std::vector<Part> parts;
@@ -76,7 +98,9 @@ class Splitting {
     Pixels rounding; ///< of the sum
 
 public:
-    Splitting(io::ExrImage& frame, io::SequenceNames const& n, SplitRule const& r)
+    std::vector<io::Plane> made; ///< of the split
+
+    Splitting(io::ExrImage const& frame, io::SequenceNames const& n, SplitRule const& r)
         : image(frame), names(n), rule(r),
           added(picture_of(frame, n.added, 0.f)), rest{frame.size, Pixels(frame.pixels(), glm::vec3(0.f))} {
         for (auto const& signal : names.of_signals) parts.push_back(part_of(image, signal, rule.by_albedo));
@@ -84,25 +108,54 @@ public:
         if (knows_picture()) compare(picture_of(image, names.picture, 0.f));
     }
 
-    LightSplit split() {
-        LightSplit result{names.of_signals, choose(), names.added};
-        bool const adds = result.active.back();
-        result.active.pop_back();
-        for (std::size_t s = 0; s < parts.size(); ++s)
-            if (!result.active[s])
-                give_to_rest(parts[s].picture);
-            else if (has_less_light)
+    LightSplit split(bool as_one) {
+        LightSplit result{names.of_signals, std::vector<bool>(parts.size(), !as_one), names.added, {}};
+        if (as_one) {
+            for (auto const& part : parts) give_to_rest(part.picture);
+            give_to_rest(added);
+            result.added.clear();
+        } else {
+            for (std::size_t s = 0; s < parts.size() && has_less_light; ++s)
                 result.signals[s].channels.sources["radiance"] = put("signal " + std::to_string(s), parts[s].light);
-        if (!adds)
-            give_to_rest(added), result.added.clear();
-        else if (has_less_added)
-            result.added = put("added", added);
+            if (has_less_added) result.added = put("added", added);
+        }
         auto last = names.of_signals[0];
         last.name = rest_name, last.factor.clear();
         last.channels.sources["albedo"] = ones();
-        if (has_rest) last.channels.sources["radiance"] = put("rest", rest);
+        if (has_rest) last.channels.sources["radiance"] = put(as_one ? "all" : "rest", rest);
         result.signals.push_back(std::move(last));
         result.active.push_back(has_rest);
+        if (!rule.alpha.empty()) divide_alpha(result, as_one ? "quell:all.A" : "quell:rest.A");
+        return result;
+    }
+
+    /// They have samples in common, so that what one of them loses another gains: one answer for all.
+    [[nodiscard]] bool is_better_as_one() const {
+        auto const source = io::sources_of(names.of_signals[0].channels, quell::depth)[0];
+        bool const knows_depth = std::ranges::all_of(source.sum, [&](auto const& plane) { return image.find(plane) != nullptr; });
+        auto const depth = knows_depth ? io::component_of(image, source) : std::vector<float>();
+        float noise = 0, loss = 0;
+        auto const count = [&](GuideErrors const& errors) { noise += errors.noise, loss += errors.loss; };
+        for (auto const& part : parts)
+            if (!part.colour.pixels.empty()) count(guide_errors(part.colour, GuideKind::factor, part.picture, whole, depth));
+        if (!names.added.empty()) count(guide_errors(added, GuideKind::added, whole, whole, depth));
+        return noise > tolerated_noise * loss;
+    }
+
+    [[nodiscard]] SignalShares shares() const {
+        constexpr int radius = 7, colour_radius = 2; // pixels: single samples don't say much of what the picture is made of
+        SignalShares result;
+        auto const all = box_mean(whole, radius);
+        metrics::Picture const none{image.size, Pixels(image.pixels(), glm::vec3(1.f))};
+        for (auto const& part : parts) {
+            result.colours.push_back(part.colour.pixels.empty() ? none : box_mean(part.colour, colour_radius));
+            auto& share = result.shares.emplace_back(box_mean(part.picture, radius));
+            for (std::size_t i = 0; i < share.pixels.size(); ++i)
+                for (int c = 0; c < 3; ++c)
+                    share.pixels[i][c] = all.pixels[i][c] > 0.f ? std::clamp(share.pixels[i][c] / all.pixels[i][c], 0.f, 1.f) : 0.f;
+        }
+        result.colours.push_back(none);
+        result.added = box_mean(added, colour_radius);
         return result;
     }
 
@@ -149,26 +202,33 @@ private:
         for (auto& part : parts) part.picture.pixels[i][c] *= share, part.light.pixels[i][c] *= share;
         if (left < 0.f) leave(i, c, left);
     }
+    /// Alpha goes where the light goes.
+    void divide_alpha(LightSplit& result, std::string const& name) {
+        auto const alpha = image[rule.alpha].values;
+        bool const is_only = !has_several_signals(names) && parts[0].factor_is_none && result.active[0];
+        auto const carrier = is_only ? 0 : parts.size();
+        if (!result.active[carrier]) {
+            result.kept_alpha = alpha;
+            return;
+        }
+        auto const& light = is_only ? parts[0].picture : rest;
+        bool const is_all = std::ranges::count(result.active, true) == 1 && result.added.empty();
+        std::vector<float> with_light;
+        for (std::size_t i = 0; i < alpha.size(); ++i) {
+            float const all = luminance(whole.pixels[i]);
+            float const share = is_all ? 1.f : all > 0.f ? std::clamp(luminance(light.pixels[i]) / all, 0.f, 1.f) : 0.f;
+            with_light.push_back(alpha[i] * share);
+            result.kept_alpha.push_back(is_finite(alpha[i]) ? alpha[i] * (1.f - share) : 0.f);
+        }
+        auto& sources = result.signals[carrier].channels.sources;
+        auto four = io::sources_of(result.signals[carrier].channels, radiance);
+        four.push_back({{name}});
+        sources[std::string(radiance_alpha.name)] = four;
+        made.push_back({.name = name, .values = std::move(with_light)});
+    }
     void give_to_rest(metrics::Picture const& part) {
         for (std::size_t i = 0; i < part.pixels.size(); ++i) rest.pixels[i] += part.pixels[i];
         has_rest = true;
-    }
-    /// Which of the signals, and last whether what is added, stays out of the rest.
-    [[nodiscard]] std::vector<bool> choose() const {
-        std::vector<bool> stays(parts.size() + 1, true);
-        if (!rule.finds_noise) return stays;
-        std::vector<GuideErrors> errors;
-        for (auto const& part : parts)
-            errors.push_back(part.colour.pixels.empty() ? GuideErrors{}
-                                                        : guide_errors(part.colour, GuideKind::factor, part.picture, whole));
-        errors.push_back(names.added.empty() ? GuideErrors{} : guide_errors(added, GuideKind::added, whole, whole));
-        float noise = 0;
-        for (std::size_t s = 0; s < errors.size(); ++s)
-            if (errors[s].noise > tolerated_noise * errors[s].loss) stays[s] = false, noise += errors[s].noise;
-        // What is a smaller part of the picture's error than that is filtered best together with it.
-        for (std::size_t s = 0; s < errors.size() && noise > 0.f; ++s)
-            if (errors[s].loss < small_loss * noise) stays[s] = false;
-        return stays;
     }
     std::vector<io::Source> put(std::string const& name, metrics::Picture const& picture) {
         std::vector<io::Source> sources;
@@ -176,36 +236,15 @@ private:
             io::Plane plane{.name = "quell:" + name + "." + "RGB"[c], .values = {}};
             for (auto const& pixel : picture.pixels) plane.values.push_back(pixel[c]);
             sources.push_back({{plane.name}});
-            image.planes.push_back(std::move(plane));
+            made.push_back(std::move(plane));
         }
         return sources;
     }
 };
 
-/// Mean over the (2 radius + 1)^2 pixels around each, as far as they are in the picture.
-metrics::Picture box_mean(metrics::Picture const& picture, int radius) {
-    auto const along = [radius](metrics::Picture const& from, bool rows) {
-        metrics::Picture to{from.size, Pixels(from.pixels.size())};
-        int const length = rows ? from.size.width : from.size.height, lines = rows ? from.size.height : from.size.width;
-        auto const index = [&](int line, int i) {
-            return rows ? static_cast<std::size_t>(line) * static_cast<std::size_t>(from.size.width) + static_cast<std::size_t>(i)
-                        : static_cast<std::size_t>(i) * static_cast<std::size_t>(from.size.width) + static_cast<std::size_t>(line);
-        };
-        for (int line = 0; line < lines; ++line)
-            for (int i = 0; i < length; ++i) {
-                glm::vec3 sum(0.f);
-                int const first = std::max(i - radius, 0), last = std::min(i + radius, length - 1);
-                for (int j = first; j <= last; ++j) sum += from.pixels[index(line, j)];
-                to.pixels[index(line, i)] = sum / static_cast<float>(last - first + 1);
-            }
-        return to;
-    };
-    return along(along(picture, true), false);
-}
-
 /// Whether there is one picture, which is not divided by anything and is all there is.
 bool is_simple(io::SequenceNames const& names, SplitRule const& rule) {
-    if (has_several_signals(names) || !names.picture.empty()) return false;
+    if (has_several_signals(names) || !names.picture.empty() || !rule.alpha.empty()) return false;
     auto const& only = names.of_signals[0];
     return only.factor.empty() && !(rule.by_albedo && !is_constant(io::sources_of(only.channels, albedo)));
 }
@@ -234,28 +273,20 @@ std::vector<std::string> split_planes(io::ExrFile const& file, io::SequenceNames
     return planes;
 }
 
-RestShares rest_shares(io::ExrImage const& image, LightSplit const& split, io::SequenceNames const& names, SplitRule const& rule) {
-    constexpr int radius = 7; // pixels: single samples of the rest don't say much of what it is made of
-    RestShares result;
-    auto const rest = split.active.back() ? io::sources_of(split.signals.back().channels, radiance) : std::vector<io::Source>();
-    auto const whole = box_mean(picture_of(image, rest, 0.f), radius);
-    for (std::size_t s = 0; s < names.of_signals.size(); ++s) {
-        auto const part = part_of(image, names.of_signals[s], rule.by_albedo);
-        auto const none = metrics::Picture{image.size, Pixels(image.pixels(), glm::vec3(1.f))};
-        result.colours.push_back(part.colour.pixels.empty() ? none : part.colour);
-        auto& shares = result.shares.emplace_back();
-        if (split.active[s]) continue;
-        shares = box_mean(part.picture, radius);
-        for (std::size_t i = 0; i < shares.pixels.size(); ++i)
-            for (int c = 0; c < 3; ++c)
-                shares.pixels[i][c] = whole.pixels[i][c] > 0.f ? std::clamp(shares.pixels[i][c] / whole.pixels[i][c], 0.f, 1.f) : 0.f;
-    }
-    return result;
+SignalShares signal_shares(io::ExrImage const& image, io::SequenceNames const& names, SplitRule const& rule) {
+    return Splitting(image, names, rule).shares();
 }
 
-LightSplit split_light(io::ExrImage& image, io::SequenceNames const& names, SplitRule const& rule) {
-    if (!is_simple(names, rule)) return Splitting(image, names, rule).split();
-    return {names.of_signals, std::vector<bool>(names.of_signals.size(), true), names.added};
+bool is_better_as_one(io::ExrImage const& image, io::SequenceNames const& names, SplitRule const& rule) {
+    return !is_simple(names, rule) && Splitting(image, names, rule).is_better_as_one();
+}
+
+LightSplit split_light(io::ExrImage& image, io::SequenceNames const& names, SplitRule const& rule, bool as_one) {
+    if (is_simple(names, rule)) return {names.of_signals, std::vector<bool>(names.of_signals.size(), true), names.added, {}};
+    Splitting splitting(image, names, rule);
+    auto split = splitting.split(as_one);
+    for (auto& plane : splitting.made) image.planes.push_back(std::move(plane));
+    return split;
 }
 
 } // namespace quell::examples

@@ -152,6 +152,7 @@ public:
                                           .shutter = options.shutter,
                                           .field_of_view = options.field_of_view,
                                           .later_frames = later_frames(options, *choice.preset),
+                                          .keeps_alpha = options.keep_alpha,
                                           .diagnose = options.diagnose,
                                           .debug_views = options.debug_views});
     }
@@ -183,6 +184,9 @@ public:
         if (!denoiser->names()) return;
         summary.renderer = map && map->renderer == options.map && !find_renderer_map(options.map) ? in.text() : denoiser->names()->renderer;
         summary.remarks.insert(summary.remarks.begin(), denoiser->names()->remarks.begin(), denoiser->names()->remarks.end());
+        if (denoiser->left_alpha())
+            summary.remarks.push_back("alpha is as in the files: preset " + choice.preset->name +
+                                      " does not denoise it, general and final-frame do");
         if (auto const changes = denoiser->canvas_changes(); changes > 0)
             summary.remarks.push_back("history started afresh " + std::to_string(changes) +
                                       " times, where data windows began to reach farther out of the display window");

@@ -321,13 +321,6 @@ io::SequenceNames read_map(std::string const& map, std::vector<std::filesystem::
     return read_map(map);
 }
 
-std::optional<std::string> read_picture_layer(std::string const& file) {
-    auto const json = json_in(text_of(file), file);
-    Member const map{file, "", json, nullptr};
-    if (!json.is_object() || !map.has("picture")) return std::nullopt;
-    return map.at("picture").text(name_a_layer);
-}
-
 io::SequenceNames recognised(io::ExrFile const& frame) {
     for (auto const& [name, text] : renderer_maps()) {
         auto const json = json_in(std::string(text), std::string(name));

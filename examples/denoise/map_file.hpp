@@ -35,10 +35,6 @@ inline constexpr std::string_view map_example =
 /// The same from text; `name` is what messages call it.
 [[nodiscard]] io::SequenceNames parse_map(std::string const& text, std::string const& name, io::ExrFile const* frame = nullptr);
 
-/// The layer that a map says the denoised picture goes to, where it says that.
-/// @throws Error as read_map does
-[[nodiscard]] std::optional<std::string> read_picture_layer(std::string const& map);
-
 /// Recognises a frame by its channels' names: as one of the renderers that there is a map of, where the names leave no doubt, else as
 /// quell's own or Blender's.
 /// @throws Error naming the file and its channels

@@ -87,6 +87,7 @@ void describe(CLI::App& app, DenoiseOptions& options) {
         "Later frames that each one is denoised with, 0 to 8 (default: 2 with the presets final-frame and general, the only ones that "
         "make use of them; 0 is what a host has in real time)");
     add_threads(app, options.threads);
+    app.add_flag("--keep-alpha", options.keep_alpha, "Leave the film's alpha as it is (default: denoised by the weights of the picture)");
     app.add_flag("--diagnose", options.diagnose,
                  "Say on stderr what the renderer seems to have got wrong (motion, cameras, depth, normals, albedo, samples) and in which "
                  "frame that first shows");

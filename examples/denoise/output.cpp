@@ -8,7 +8,6 @@ namespace quell::examples {
 
 Output::Output(DenoiseOptions const& options, FramePattern const& input, std::vector<long long> const& numbers)
     : in(input), layers(options.layers), one_signal(!options.signal.empty()) {
-    if (!options.map.empty()) picture_layer = read_picture_layer(options.map);
     if (options.out.empty()) return;
     pattern.emplace(options.out);
     std::vector<long long> there;
@@ -40,7 +39,7 @@ void Output::check(long long first, std::optional<io::SequenceNames> const& name
 }
 
 std::optional<std::string> Output::layer_for(io::ExrFile const& file, io::SequenceNames const& names) const {
-    return one_signal ? layer_of_signal(file, names) : picture_layer;
+    return one_signal ? layer_of_signal(file, names) : std::nullopt;
 }
 
 void Output::check_levels(long long number, io::SequenceNames const& names) const {

@@ -16,9 +16,8 @@ class Output {
     FramePattern in;
     std::optional<FramePattern> pattern;
     LayerChoice layers;
-    std::optional<std::string> picture_layer; ///< that the map names
-    bool one_signal = false;                  ///< whether a signal is written in place of the picture
-    std::set<std::string> lossless;           ///< parts that can't be packed as they were
+    bool one_signal = false;        ///< whether a signal is written in place of the picture
+    std::set<std::string> lossless; ///< parts that can't be packed as they were
 
 public:
     /// Makes the folder. @param numbers of the frames that may be written

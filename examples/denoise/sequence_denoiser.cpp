@@ -1,8 +1,11 @@
 #include <denoise/composite.hpp>
+#include <denoise/converted_history.hpp>
+#include <denoise/layers.hpp>
 #include <denoise/map_file.hpp>
 #include <denoise/sequence_denoiser.hpp>
 
 #include <quell/core/real.hpp>
+#include <quell/io/frame_image.hpp>
 #include <quell/io/part_names.hpp>
 
 #include <algorithm>
@@ -101,7 +104,6 @@ SequenceDenoiser::SequenceDenoiser(SequenceSettings settings_) : settings(std::m
 
 void SequenceDenoiser::begin(io::ExrOriginal const& file) {
     settings.map = settings.map ? io::names_in_parts(*settings.map, file.listed) : recognised(file.listed);
-    if (!denoises_picture(settings.preset)) settings.map->picture.clear();
     if (settings.field_of_view)
         for (auto& signal : settings.map->of_signals) signal.channels.depth.vertical_field_of_view = *settings.field_of_view;
     if (settings.shutter)
@@ -113,16 +115,18 @@ void SequenceDenoiser::begin(io::ExrOriginal const& file) {
               std::max(canvas.y1, others.y1)};
     check_field_of_view(file.listed, *settings.map, canvas);
     on_canvas = names_on_canvas(*settings.map, size, canvas);
+    if (!denoises_picture(settings.preset)) on_canvas.picture.clear();
+    alpha = denoises_picture(settings.preset) ? alpha_plane(file.listed, *settings.map).value_or("") : "";
     any = settings.preset.make({1, 1}, 1);
     denoisers.resize(on_canvas.of_signals.size() + 1);
-    were_active.assign(denoisers.size(), false);
 }
 
 Denoiser& SequenceDenoiser::denoiser(std::size_t signal) {
     auto& made = denoisers[signal];
     if (made) return *made;
     auto const whole = io::detail::size_of(canvas);
-    made = !settings.debug_views.empty() ? settings.preset.make_watched(whole) : settings.preset.make(whole, settings.threads);
+    auto const make = !rule().alpha.empty() && has_alpha(signal) ? settings.preset.make_with_alpha : settings.preset.make;
+    made = !settings.debug_views.empty() ? settings.preset.make_watched(whole) : make(whole, settings.threads);
     if (settings.diagnose)
         made->diagnose(signal < on_canvas.of_signals.size() ? on_canvas.of_signals[signal].factor : std::vector<io::Source>());
     return *made;
@@ -137,6 +141,7 @@ void SequenceDenoiser::forget() {
     denoisers.clear();
     window.clear();
     last.reset();
+    film.forget();
 }
 
 /// Each mistake once: it is most often in every frame, and guides are the same for all signals.
@@ -148,6 +153,7 @@ void SequenceDenoiser::collect(std::vector<Finding> const& findings) {
 
 std::vector<std::string> SequenceDenoiser::planes(io::ExrFile const& file) const {
     auto planes = split_planes(file, on_canvas);
+    if (!alpha.empty()) planes.push_back(alpha);
     for (auto const& signal : on_canvas.of_signals) {
         auto const more = any->planes(signal.channels);
         planes.insert(planes.end(), more.begin(), more.end());
@@ -159,7 +165,7 @@ std::vector<std::string> SequenceDenoiser::planes(io::ExrFile const& file) const
 
 std::vector<std::pair<std::string, DebugImage>> SequenceDenoiser::debug_images(std::string const& view) {
     std::vector<std::pair<std::string, DebugImage>> all;
-    auto const& split = window.front().split;
+    auto const& split = *window.front().ways[window.front().as_one ? 1 : 0];
     for (std::size_t s = 0; s < split.signals.size(); ++s) {
         if (!split.active[s]) continue;
         auto images = denoisers[s]->debug_images(view);
@@ -200,45 +206,40 @@ void SequenceDenoiser::read(FramePattern const& in, long long number) {
         ++changes;
     }
     window.push_back(seen(file, number));
-    auto const& [_, image, split] = window.back();
-    for (std::size_t s = 0; s < split.signals.size(); ++s)
-        if (split.active[s]) denoiser(s).look_ahead(image, split.signals[s].channels, number);
 }
 
 SequenceDenoiser::Seen SequenceDenoiser::seen(io::ExrOriginal const& file, long long number) const {
-    Seen frame{number, file.read(planes(file.listed), canvas), {}};
+    Seen frame{number, file.read(planes(file.listed), canvas), false, {}};
     put_cameras_on_canvas(frame.image, size, canvas);
-    frame.split = split_light(frame.image, on_canvas, rule());
+    frame.as_one = is_better_as_one(frame.image, on_canvas, rule());
     return frame;
 }
 
-/// Where a signal that was denoised by itself goes to the rest from this frame on, or the other way round, its history goes with it.
-void SequenceDenoiser::hand_over(FramePattern const& in, Seen const& to) {
+LightSplit const& SequenceDenoiser::split(Seen& seen, bool as_one) const {
+    auto& way = seen.ways[as_one ? 1 : 0];
+    if (!way) way = split_light(seen.image, on_canvas, rule(), as_one);
+    return *way;
+}
+
+/// Where the picture is filtered as one from this frame on, or by its signals, their histories become that of the picture, or the other way
+/// round.
+void SequenceDenoiser::hand_over(FramePattern const& in) {
+    for (auto const& each : denoisers)
+        if (each) each->drop_ahead();
+    if (!std::filesystem::exists(in.path(*last))) return;
+    auto const shares = signal_shares(seen(io::ExrOriginal(in.path(*last)), *last).image, on_canvas, rule());
     auto const signals = on_canvas.of_signals.size();
-    auto const changed = [&](std::size_t s) { return to.split.active[s] != were_active[s]; };
-    bool any_changed = false;
-    for (std::size_t s = 0; s < signals; ++s) any_changed = any_changed || changed(s);
-    if (!any_changed || !std::filesystem::exists(in.path(*last))) return;
-    auto const before = seen(io::ExrOriginal(in.path(*last)), *last);
-    auto const shares = rest_shares(before.image, before.split, on_canvas, rule());
-    auto const at = [&](metrics::Picture const& picture) {
-        return [&picture, width = static_cast<std::size_t>(picture.size.width)](int c, int x, int y) {
-            return picture.pixels[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)][c];
-        };
-    };
-    auto& rest = denoiser(signals);
-    for (std::size_t s = 0; s < signals; ++s) {
-        if (!changed(s)) continue;
-        auto const colour = at(shares.colours[s]);
-        if (were_active[s]) {
-            rest.add_history(*denoisers[s], colour);
-            continue;
-        }
-        auto const share = at(shares.shares[s]);
-        constexpr float darkest = 0.02f; // of a colour that light is divided by
-        denoiser(s).add_history(rest, [&](int c, int x, int y) { return share(c, x, y) / std::max(colour(c, x, y), darkest); });
-        rest.scale_history([&](int c, int x, int y) { return 1.f - share(c, x, y); });
+    if (was_as_one) {
+        auto const whole = denoiser(signals).remembered();
+        for (std::size_t s = 0; s < signals && whole; ++s) denoiser(s).remember(part_of_history(*whole, shares, s));
+        return;
     }
+    std::vector<std::optional<HistoryContents>> parts;
+    for (auto const& each : denoisers) {
+        parts.push_back(each ? each->remembered() : std::nullopt);
+        if (parts.back() && parts.back()->number != last) parts.back().reset(); // it had no light in the last frame
+    }
+    if (auto whole = whole_history(parts, shares)) denoiser(signals).remember(*whole);
 }
 
 /// A frame that is missing, broken or larger ends the window, and is dealt with when it is its turn: those before it are written whole.
@@ -258,8 +259,15 @@ DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long num
     while (!window.empty() && window.front().number != number) window.pop_front();
     if (window.empty()) read(in, number);
     read_ahead(in, number);
-    auto const& [_, image, split] = window.front();
-    if (last && *last + 1 == number) hand_over(in, window.front());
+    auto& front = window.front();
+    bool const as_one = front.as_one;
+    if (last && *last + 1 == number && as_one != was_as_one) hand_over(in);
+    for (auto& seen : window)
+        for (std::size_t s = 0; auto const& signal : split(seen, as_one).signals)
+            if (auto const signal_number = s++; split(seen, as_one).active[signal_number])
+                denoiser(signal_number).look_ahead(seen.image, signal.channels, seen.number);
+    auto const& image = front.image;
+    auto const& split = *front.ways[as_one ? 1 : 0];
     found.clear();
     DenoisedFrame frame;
     frame.canvas = canvas;
@@ -271,11 +279,41 @@ DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long num
     };
     frame.picture = composite(image, split, denoised, missing, frame.signals);
     if (!has_several_signals(on_canvas)) frame.signals.clear(); // it is the picture
+    if (!alpha.empty()) denoise_alpha(frame, front, split);
     for (std::size_t c = 0; c < split.added.size(); ++c)
         for (auto const& plane : split.added[c].sum) // the offset is added once
             frame.added[c].push_back({&image[plane].values, split.added[c].scale, frame.added[c].empty() ? split.added[c].offset : 0.f});
-    were_active = split.active, last = number;
+    was_as_one = as_one, last = number;
     return frame;
+}
+
+SplitRule SequenceDenoiser::rule() const {
+    bool const can = settings.preset.make_with_alpha && !settings.keeps_alpha && settings.debug_views.empty();
+    return {.by_albedo = settings.preset.by_albedo, .alpha = can ? alpha : ""};
+}
+
+/// The only signal, or else the rest.
+bool SequenceDenoiser::has_alpha(std::size_t signal) const {
+    return !has_several_signals(on_canvas) || signal == on_canvas.of_signals.size();
+}
+
+void SequenceDenoiser::denoise_alpha(DenoisedFrame& frame, Seen const& seen, LightSplit const& split) {
+    auto const& given = seen.image[alpha].values;
+    frame.alpha = rule().alpha.empty() ? given : split.kept_alpha;
+    for (std::size_t s = 0; s < split.signals.size(); ++s)
+        if (split.has_alpha(s))
+            for (std::size_t i = 0; i < frame.alpha.size(); ++i) frame.alpha[i] += denoiser(s).alpha()[i];
+    bool const is_opaque = std::ranges::all_of(given, [](float a) { return a == 1.f; });
+    alpha_stays = alpha_stays || (!is_opaque && rule().alpha.empty() && !settings.keeps_alpha);
+    auto const& channels = on_canvas.of_signals[0].channels;
+    auto const planes = io::planes_of(Channels<Motion>{}, channels);
+    Frame<Channels<Motion>> vectors(seen.image.size);
+    // A preset that reads no motion has no history.
+    if (std::ranges::all_of(planes, [&](auto const& plane) { return seen.image.find(plane) != nullptr; }))
+        io::load_channels(Channels<Motion>{}, vectors, seen.image, channels);
+    else
+        film.forget();
+    film.clear_empty(frame, given, vectors);
 }
 
 metrics::Picture SequenceDenoiser::next(FramePattern const& in, long long number) { return displayed(next_whole(in, number).picture); }

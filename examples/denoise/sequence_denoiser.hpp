@@ -1,6 +1,7 @@
 #pragma once
 
 #include <denoise/denoiser.hpp>
+#include <denoise/film_alpha.hpp>
 #include <denoise/light_split.hpp>
 #include <support/frame_pattern.hpp>
 
@@ -23,6 +24,7 @@ struct SequenceSettings {
     std::optional<float> shutter;         ///< how long it is open, whatever the files or the map say
     std::optional<float> field_of_view{}; ///< vertical, degrees: of files whose depth is the length of rays, where they have no camera
     int later_frames = 0;                 ///< that each frame is denoised with, where the preset makes use of them and the files are there
+    bool keeps_alpha = false;             ///< leave alpha as the files have it
     bool diagnose = false;                ///< look at each frame for what its renderer got wrong
     std::vector<std::string> debug_views{}; ///< names of DebugChannels that debug_images() will be asked for: slower, and on one thread
 };
@@ -32,6 +34,7 @@ struct DenoisedFrame {
     Region canvas;                         ///< what the pictures show, counted from the display window's corner
     metrics::Picture picture;              ///< linear
     std::vector<metrics::Picture> signals; ///< times their factors: what each adds to the picture
+    std::vector<float> alpha;              ///< of the film; empty where the files have none
 
     /// What is added to the signals at a pixel, in order; zeros where some of it is not finite.
     /// @param component from 0 to 2
@@ -77,6 +80,8 @@ public:
     [[nodiscard]] double bytes_per_pixel() const;
     /// How the files name their channels. Known once a frame was denoised.
     [[nodiscard]] std::optional<io::SequenceNames> const& names() const { return settings.map; }
+    /// Whether alpha was left as it is for want of a preset that denoises it.
+    [[nodiscard]] bool left_alpha() const { return alpha_stays; }
     /// How often frames began to reach farther out of their display window, so that history started afresh.
     [[nodiscard]] int canvas_changes() const { return changes; }
 
@@ -89,8 +94,11 @@ private:
     double earlier_milliseconds = 0;                  ///< of denoisers that are gone
     std::unique_ptr<Denoiser> any;                    ///< says what each of them wants
     std::vector<std::unique_ptr<Denoiser>> denoisers; ///< one per signal, and one of the rest; null before there was light for it
-    std::vector<bool> were_active;                    ///< those that had light in the last frame
+    bool was_as_one = false;                          ///< whether the last frame was filtered as one picture
     std::optional<long long> last;                    ///< number of the frame that was denoised last
+    std::string alpha;                                ///< the plane of the film's alpha; empty: none
+    FilmAlpha film;
+    bool alpha_stays = false; ///< whether some film was transparent whose alpha the preset can't denoise
     long long missing = 0;
     std::set<Mistake> known; ///< those that were found already
     std::vector<Finding> found;
@@ -99,15 +107,19 @@ private:
     struct Seen {
         long long number;
         io::ExrImage image;
-        LightSplit split;
+        bool as_one;                                   ///< whether it is better filtered as one picture
+        std::array<std::optional<LightSplit>, 2> ways; ///< its light by signals, and as one: where it was wanted
     };
+    [[nodiscard]] LightSplit const& split(Seen& seen, bool as_one) const;
     std::deque<Seen> window;
 
     void begin(io::ExrOriginal const& file);
-    [[nodiscard]] SplitRule rule() const { return {.by_albedo = settings.preset.by_albedo}; }
+    [[nodiscard]] SplitRule rule() const;
+    [[nodiscard]] bool has_alpha(std::size_t signal) const;
+    void denoise_alpha(DenoisedFrame& frame, Seen const& seen, LightSplit const& split);
     [[nodiscard]] Denoiser& denoiser(std::size_t signal);
     [[nodiscard]] Seen seen(io::ExrOriginal const& file, long long number) const;
-    void hand_over(FramePattern const& in, Seen const& to);
+    void hand_over(FramePattern const& in);
     [[nodiscard]] bool is_inside(Region const& other) const;
     void read(FramePattern const& in, long long number);
     void read_ahead(FramePattern const& in, long long number);

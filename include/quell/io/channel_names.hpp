@@ -46,7 +46,7 @@ struct ChannelNames {
 namespace detail {
 /// Names of a channel's components in quell's own files, for built-in channels and those of a host.
 inline std::vector<std::string> component_names(std::string_view channel, int components) {
-    static std::map<std::string, std::string, std::less<>> const letters{{"radiance", "RGB"}, {"albedo", "RGB"},   {"direct", "RGB"},
+    static std::map<std::string, std::string, std::less<>> const letters{{"radiance", "RGB"}, {"radiance_alpha", "RGBA"}, {"albedo", "RGB"},   {"direct", "RGB"},
                                                                          {"glossy", "RGB"},   {"indirect", "RGB"}, {"roughness", "R"},
                                                                          {"depth", "Z"},      {"visibility", "V"}, {"time", "T"}};
     if (channel == "instance") return {"ID"};
@@ -59,10 +59,10 @@ inline std::vector<std::string> component_names(std::string_view channel, int co
 }
 } // namespace detail
 
-/// Names of a channel's components in quell's own files. `radiance` has no layer: R, G, B.
+/// Names of a channel's components in quell's own files. The picture has no layer: R, G, B, A.
 template <ChannelTag C> [[nodiscard]] std::vector<std::string> own_names(C channel) {
     auto names = detail::component_names(channel.name, C::components);
-    if (std::string_view(channel.name) != radiance.name)
+    if (std::string_view(channel.name) != radiance.name && std::string_view(channel.name) != radiance_alpha.name)
         for (auto& each : names) each.insert(0, std::string(channel.name).append("."));
     return names;
 }

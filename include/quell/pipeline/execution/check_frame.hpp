@@ -31,11 +31,11 @@ template <class P, class Set, class Storage> void check_frame(Frame<Set, Storage
                                  c.fraction == 1 ? "give every channel the frame's size"
                                                  : "give it 1/" + std::to_string(c.fraction) +
                                                        " of the frame's width and height: " + to_string(wanted));
-        if constexpr (requires { view.data; })
+        if constexpr (requires { requires std::is_pointer_v<decltype(view.data)> && !owns_memory<Storage>(); })
             if (!view.data)
                 raise_error<Failure>("channel '" + std::string(c.name) + "'", "no memory",
                                      "point the channel at the host's image before run()");
-        if constexpr (requires { view.pixel_stride; })
+        if constexpr (requires { requires std::is_integral_v<decltype(view.pixel_stride + view.row_stride)>; })
             if (view.row_stride == 0 && view.pixel_stride != 0 && view.size.height > 1)
                 raise_error<Failure>("channel '" + std::string(c.name) + "'", "row_stride 0",
                                      "give the distance from a row to the next, in elements");
