@@ -193,7 +193,8 @@ io::ExrImage lit(auto const& colour, auto const& depth, unsigned seed, float noi
         colours(wide, [&](int x, int y) { return glm::vec3(smooth(x, y) * (1.f - noise_of_light + noise_of_light * random.light())); });
     auto picture = light;
     for (std::size_t i = 0; i < picture.size(); ++i) picture[i] *= of_colour[i];
-    add_pass(image, "diffuse", light, exact), add_pass(image, "diffuse_colour", of_colour, exact), add_pass(image, "beauty", picture, exact);
+    add_pass(image, "diffuse", light, exact), add_pass(image, "diffuse_colour", of_colour, exact),
+        add_pass(image, "beauty", picture, exact);
     add_guides(image, depth);
     return image;
 }
@@ -246,8 +247,9 @@ TEST_CASE("an environment that is noisy behind fog is filtered with the rest, an
     for (bool const is_noisy : {true, false}) {
         Random random(5);
         auto image = lit([](int, int) { return glm::vec3(0.5f); }, scattered(5), 5);
-        auto const sky =
-            colours(wide, [&](int x, int) { return glm::vec3(is_noisy ? (random.between(0.f, 1.f) < 0.3f ? 2.f : 0.f) : x < 40 ? 1.f : 0.f); });
+        auto const sky = colours(wide, [&](int x, int) {
+            return glm::vec3(is_noisy ? (random.between(0.f, 1.f) < 0.3f ? 2.f : 0.f) : x < 40 ? 1.f : 0.f);
+        });
         auto picture = pass(image, "beauty");
         for (std::size_t i = 0; i < picture.size(); ++i) picture[i] += sky[i];
         std::erase_if(image.planes, [](auto const& plane) { return plane.name.starts_with("beauty"); });
@@ -265,7 +267,7 @@ TEST_CASE("estimates of guides' errors: the noise of a guide is its variance, an
     auto const grey = picture_of([](int, int) { return glm::vec3(1.f); });
     auto const white = picture_of([&](int, int) { return glm::vec3(1.f + random.between(-amplitude, amplitude)); });
     auto const noise = guide_errors(white, GuideKind::added, white, grey, {}).noise * 1.1f; // of a display's weight, 1 / (1 + 0.1)
-    CHECK(noise > 0.3f * amplitude * amplitude / 3.f); // the least of four directions
+    CHECK(noise > 0.3f * amplitude * amplitude / 3.f);                                      // the least of four directions
     CHECK(noise < amplitude * amplitude / 3.f);
     auto const ramp = picture_of([](int x, int y) { return glm::vec3(0.02f * static_cast<float>(x + y)); });
     CHECK(guide_errors(ramp, GuideKind::added, ramp, grey, {}).noise < 1e-6f);

@@ -27,7 +27,7 @@ inline float as_stored(float value, io::SampleType type) {
 /// Adds a layer, rounded as the file would round it.
 inline void add_pass(io::ExrImage& image, std::string const& name, Colours const& values, io::SampleType type) {
     for (glm::length_t c = 0; c < 3; ++c) {
-        io::Plane plane{.name = name + "." + letters[static_cast<std::size_t>(c)], .type = type, .values = {}};
+        io::Plane plane{.name = (name.empty() ? "" : name + ".") + letters[static_cast<std::size_t>(c)], .type = type, .values = {}};
         for (auto const& value : values) plane.values.push_back(as_stored(value[c], type));
         image.planes.push_back(std::move(plane));
     }
