@@ -64,7 +64,8 @@ public:
     template <class F> void check(F const& frame, auto const& out, float rounding, float largest, auto&& fail) const {
         for (int c = 0; c < count; ++c) {
             bool const none = high[c] < low[c];
-            float const least = none ? 0.f : std::clamp(low[c], -largest, largest), most = none ? 0.f : std::clamp(high[c], -largest, largest);
+            float const least = none ? 0.f : std::clamp(low[c], -largest, largest),
+                        most = none ? 0.f : std::clamp(high[c], -largest, largest);
             float const slack = std::max(std::abs(least), std::abs(most)) * rounding + 1e-30f;
             for (int y = 0; y < frame.size.height; ++y)
                 for (int x = 0; x < frame.size.width; ++x) {
