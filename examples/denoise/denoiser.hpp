@@ -52,7 +52,7 @@ public:
     [[nodiscard]] virtual std::vector<DebugImage> debug_images(std::string const& view) = 0;
     /// The next frame, denoised: linear, row by row. Where its size is another one, history starts afresh.
     [[nodiscard]] virtual metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number) = 0;
-    /// How many samples of the last frame were not finite, or negative.
+    /// How many samples of the last frame were not finite, or of negative luminance.
     [[nodiscard]] virtual long long missing_samples() const = 0;
     /// Its passes in order, what each reads and writes, and memory: a table in Markdown.
     [[nodiscard]] virtual std::string plan() const = 0;
