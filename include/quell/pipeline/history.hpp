@@ -96,6 +96,18 @@ public:
     /// Drops all history before the next frame: for scene cuts and teleports.
     void forget() { empty = true; }
 
+    /// Gives scratch back, and what run() returned: for a host of several histories that run in turn. The next frame takes it again.
+    void release_scratch() {
+        output = {};
+        pool->release();
+    }
+    /// Forgets, and gives all memory back.
+    void release() {
+        forget();
+        then.drop_images();
+        release_scratch();
+    }
+
     /// Counts so far.
     [[nodiscard]] Statistics const& statistics() const { return counted; }
     /// Memory of history and scratch, in bytes. Complete after the second frame.
