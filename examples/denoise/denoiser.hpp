@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/diagnose/cheap_diagnosis.hpp>
 #include <quell/diagnose/debug_channels.hpp>
 #include <quell/diagnose/finding.hpp>
 #include <quell/io/channel_names.hpp>
@@ -47,6 +48,8 @@ public:
     /// From now on each frame is looked at for what its renderer got wrong.
     /// @param by what the denoised signal is multiplied by at the end, where that is the albedo it was divided by; one source per component
     void diagnose(std::vector<io::Source> by = {}) { looks = true, factor = std::move(by); }
+    /// Looks at the first frames for the mistakes that are told at little cost.
+    void check_first_frames() { to_check = first_frames; }
     /// What was found in the last frame.
     [[nodiscard]] virtual std::vector<Finding> const& findings() const = 0;
     /// Whether it makes a channel of DebugChannels, by its name.
@@ -63,8 +66,8 @@ public:
     virtual void release_scratch() = 0;
     /// Alpha of the last frame, where the signal has it.
     [[nodiscard]] std::vector<float> const& alpha() const { return denoised_alpha; }
-    /// How many samples of the last frame were not finite, or negative.
-    [[nodiscard]] virtual long long missing_samples() const = 0;
+    /// Counts of the last frame: missing samples, impossible guides.
+    [[nodiscard]] virtual Statistics statistics() const = 0;
     /// Its passes in order, what each reads and writes, and memory: a table in Markdown.
     [[nodiscard]] virtual std::string plan() const = 0;
     /// Memory of history and scratch. Complete once a frame was denoised.
@@ -73,10 +76,20 @@ public:
     [[nodiscard]] double milliseconds() const { return taken; }
 
 protected:
-    double taken = 0;               ///< milliseconds
-    bool looks = false;             ///< whether frames are looked at
+    double taken = 0;   ///< milliseconds
+    bool looks = false; ///< whether frames are looked at
+    static constexpr int first_frames = 10;
+    int to_check = 0; ///< frames that are still to be looked at at little cost
+    CheapDiagnosis check;
     std::vector<io::Source> factor; ///< what diagnose() was told
     std::vector<float> denoised_alpha;
+
+    /// What is found in one of the first frames.
+    template <class F> [[nodiscard]] std::vector<Finding> checked(F const& frame, MotionConvention const& converted_from) {
+        if (to_check == 0) return {};
+        --to_check;
+        return check(frame, converted_from);
+    }
 
     /// The picture, after its alpha was kept.
     [[nodiscard]] metrics::Picture picture_and_alpha(ImageView auto const& view) {

@@ -39,7 +39,7 @@ public:
         if (!(frame.size == image.size)) frame = Frame<typename P::reads>(image.size);
         io::load(frame, image, names);
         frame.number = number;
-        if (looks) found = quell::diagnose(frame, history, names.motion, factor_in(image));
+        found = looks ? quell::diagnose(frame, history, names.motion, factor_in(image)) : checked(frame, names.motion);
         auto const view = [&] {
             Timer const timer(taken);
             return quell::run(pipeline, frame, history, executor);
@@ -75,7 +75,7 @@ public:
         history.release_scratch();
         denoised_alpha = {};
     }
-    long long missing_samples() const override { return history.statistics().missing_samples; }
+    Statistics statistics() const override { return history.statistics(); }
     std::string plan() const override { return to_string(plan_of(pipeline, Storage{})); }
     double bytes_per_pixel() const override { return history.bytes_per_pixel(); }
 };

@@ -13,12 +13,13 @@ bool FilmAlpha::is_empty_around(std::vector<float> const& alpha, int x, int y) c
     return true;
 }
 
-/// The four pixels around a place, between which the history is interpolated.
+/// Those of the four pixels around a place that the history is interpolated from.
 bool FilmAlpha::was_empty(glm::vec2 const& place) const {
     if (past.empty() || !is_finite(place.x) || !is_finite(place.y)) return true;
     float const left = std::floor(place.x - 0.5f), top = std::floor(place.y - 0.5f);
-    for (float const y : {top, top + 1.f})
-        for (float const x : {left, left + 1.f}) {
+    float const right = place.x - 0.5f > left ? left + 1.f : left, bottom = place.y - 0.5f > top ? top + 1.f : top;
+    for (float const y : {top, bottom})
+        for (float const x : {left, right}) {
             bool const inside = x >= 0.f && y >= 0.f && x < static_cast<float>(size.width) && y < static_cast<float>(size.height);
             if (inside && past[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x)] != 0.f)
                 return false;

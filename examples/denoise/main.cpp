@@ -12,6 +12,8 @@
 #include <support/program.hpp>
 #include <support/progress.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <deque>
@@ -152,7 +154,9 @@ public:
         if (output)
             for (auto const& remark : output->remarks()) summary.remarks.push_back(remark);
         if (denoisers.empty()) return;
+        RepairedGuides guides;
         for (auto const& denoiser : denoisers) {
+            guides += denoiser.repaired_guides();
             summary.missing_samples += denoiser.missing_samples();
             summary.milliseconds += denoiser.milliseconds();
         }
@@ -167,6 +171,10 @@ public:
                 for (auto const& line : denoiser.names()->remarks) remark(line);
         if (auto const left = views->remark()) remark(*left);
         for (auto const& name : without_reference) remark("the references do not have view " + name);
+        if (guides.pixels > 0)
+            remark(fmt::format("{} pixels have guides that no scene has, which were repaired: normals not of length 1 in {}, "
+                               "albedo outside [0, 1] in {}, depth 0, negative or NaN in {}, motion not finite in {}",
+                               guides.pixels, guides.normal, guides.albedo, guides.depth, guides.motion));
         if (std::ranges::any_of(denoisers, &SequenceDenoiser::left_alpha))
             remark("alpha is as in the files: preset " + choice.preset->name + " does not denoise it, general and final-frame do");
         if (auto const changes = denoisers.front().canvas_changes(); changes > 0)

@@ -137,6 +137,7 @@ Denoiser& SequenceDenoiser::denoiser(std::size_t signal) {
     auto const whole = io::detail::size_of(canvas);
     auto const make = !rule().alpha.empty() && has_alpha(signal) ? settings.preset.make_with_alpha : settings.preset.make;
     made = !settings.debug_views.empty() ? settings.preset.make_watched(whole) : make(whole, settings.threads);
+    if (!settings.diagnose && !checks) made->check_first_frames(), checks = true;
     if (settings.diagnose)
         made->diagnose(signal < on_canvas.of_signals.size() ? on_canvas.of_signals[signal].factor : std::vector<io::Source>());
     return *made;
@@ -290,7 +291,11 @@ DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long num
     frame.canvas = canvas;
     auto const denoised = [&](std::size_t s) {
         auto result = denoiser(s).denoise(image, split.signals[s].channels, number);
-        missing += denoiser(s).missing_samples();
+        auto const counted = denoiser(s).statistics();
+        missing += counted.missing_samples;
+        // Guides are the same for all signals.
+        if (std::ranges::find(split.active, true) - split.active.begin() == static_cast<std::ptrdiff_t>(s))
+            repaired += counted.repaired_guides;
         collect(denoiser(s).findings());
         return result;
     };

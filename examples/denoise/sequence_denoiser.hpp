@@ -76,7 +76,8 @@ public:
     /// Forgets all frames so far, as before frames that don't follow them.
     void forget();
 
-    [[nodiscard]] long long missing_samples() const { return missing; } ///< of all frames so far
+    [[nodiscard]] long long missing_samples() const { return missing; }              ///< of all frames so far
+    [[nodiscard]] RepairedGuides const& repaired_guides() const { return repaired; } ///< of all frames so far
     /// Of all frames so far: how long denoising took, without reading and loading files.
     [[nodiscard]] double milliseconds() const;
     /// Memory of history and scratch of all signals. Complete once a frame was denoised.
@@ -103,6 +104,8 @@ private:
     FilmAlpha film;
     bool alpha_stays = false; ///< whether some film was transparent whose alpha the preset can't denoise
     long long missing = 0;
+    RepairedGuides repaired;
+    bool checks = false;     ///< whether one of the denoisers looks at the first frames
     std::set<Mistake> known; ///< those that were found already
     std::vector<Finding> found;
 

@@ -50,7 +50,8 @@ public:
     metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number) override {
         while (!window.empty() && window.front().number != number) window.pop_front();
         if (window.empty()) look_ahead(image, names, number);
-        if (looks) found = quell::diagnose(window.front(), history.before, names.motion, factor_in(image));
+        found =
+            looks ? quell::diagnose(window.front(), history.before, names.motion, factor_in(image)) : checked(window.front(), names.motion);
         auto const view = [&] {
             Timer const timer(taken);
             return run_two_sided(pipeline, joining, window, history, executor);
@@ -68,7 +69,7 @@ public:
         history.release_scratch();
         denoised_alpha = {};
     }
-    long long missing_samples() const override { return history.statistics().missing_samples; }
+    Statistics statistics() const override { return history.statistics(); }
     std::string plan() const override { return to_string(plan_of(pipeline)); }
     double bytes_per_pixel() const override { return history.before.bytes_per_pixel() + history.after.bytes_per_pixel(); }
 

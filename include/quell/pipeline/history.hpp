@@ -1,5 +1,7 @@
 #pragma once
 
+#include <quell/image/memory.hpp>
+#include <quell/pipeline/execution/counts.hpp>
 #include <quell/pipeline/execution/image_pool.hpp>
 #include <quell/pipeline/pipeline.hpp>
 
@@ -10,10 +12,27 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 template <class... Ps> struct Composite;
 template <class P, ImageStorage Storage> class History;
 
+/// Pixels of a frame with guides that no scene has, which are repaired (docs/channels.md, impossible guides). A pixel without a surface
+/// needs no normal.
+struct RepairedGuides {
+    long long pixels = 0; ///< with one or more
+    long long albedo = 0; ///< with a component outside [0, 1]
+    long long normal = 0; ///< of another length than 1 or 0
+    long long depth = 0;  ///< 0, negative or NaN
+    long long motion = 0; ///< not finite: such pixels have no history
+
+    /// Adds those of another frame.
+    RepairedGuides& operator+=(RepairedGuides const& other) {
+        pixels += other.pixels, albedo += other.albedo, normal += other.normal, depth += other.depth, motion += other.motion;
+        return *this;
+    }
+};
+
 /// Counts of the runs with one history.
 struct Statistics {
-    long long frames = 0;          ///< since the last reset
-    long long missing_samples = 0; ///< in the last frame: NaN, infinite, negative or above 1e16
+    long long frames = 0;           ///< since the last reset
+    long long missing_samples = 0;  ///< in the last frame: not finite, a component beyond 1e16, or negative luminance
+    RepairedGuides repaired_guides; ///< in the last frame
     /// Light that SuppressFireflies took away in the last frame: sum of luminance, in the units of the host's samples. The same for any
     /// number of threads.
     double suppressed = 0;
@@ -133,7 +152,9 @@ private:
     template <class, ImageStorage> friend class History;
     using State = detail::FrameState<P, Storage>;
 
-    std::shared_ptr<detail::ImagePool> pool; ///< this history's own, or shared by a composite
+    std::shared_ptr<detail::ImagePool> pool;                                               ///< this history's own, or shared by a composite
+    std::shared_ptr<detail::Counts> counts = detail::counts_in<MemoryOf<Storage>>();       ///< of the running frame
+    std::shared_ptr<detail::Counts> counts_again = detail::counts_in<MemoryOf<Storage>>(); ///< of its second ingest, with repaired guides
     Extent size;
     State then; ///< of the last frame: passes read it. Images that no later pass reads go back to the pool, or to `now`.
     State now;  ///< of the running frame: passes write it. advance() makes it `then`.
@@ -144,6 +165,23 @@ private:
 
     explicit History(std::shared_ptr<detail::ImagePool> shared) : pool(std::move(shared)), size(pool->size()) {}
 
+    /// Starts a frame: drops what is no past of it, and returns whether there is one.
+    bool start(Extent frame_size, std::optional<long long> number) {
+        bool const follows = !number || !then.number || *number == *then.number + 1;
+        if (!(size == frame_size)) restart(frame_size);
+        if (!follows) empty = true;
+        now = {}; // half written, if an exception ended the last frame
+        if (empty) then.drop_images(), ++counted.resets, counted.frames = 0;
+        output = {};
+        // History counts as empty until the frame is complete: an exception must not leave half of one.
+        return !std::exchange(empty, true);
+    }
+    /// Takes note of what the first pass has counted.
+    void note(detail::GuideCounts const& guides, detail::Counts const& counts) {
+        counted.missing_samples = counts.missing;
+        counted.suppressed = counts.suppressed.total();
+        counted.repaired_guides = {guides.pixels, guides.of(albedo), guides.of(normal), guides.of(depth), guides.of(motion)};
+    }
     /// Ends a frame: what it has written is what the next one reads.
     void advance(auto const& frame) {
         now.camera = frame.camera, now.shutter = frame.shutter, now.number = frame.number;

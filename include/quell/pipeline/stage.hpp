@@ -78,7 +78,9 @@ private:
             return past[c];
     }
 };
-template <class M> Temporal(M) -> Temporal<M, detail::Missing>;
+/// @cond
+template <class M> Temporal(M) -> Temporal<M, detail::Missing>; // which says what is missing
+/// @endcond
 template <class M, class B> Temporal(M, B) -> Temporal<M, B>;
 template <class M, class B, class F> Temporal(M, B, F) -> Temporal<M, B, F>;
 
@@ -98,7 +100,9 @@ template <class F> struct Spatial {
     F kernel{}; ///< the filter
 };
 template <class F> Spatial(F) -> Spatial<F>;
-Spatial()->Spatial<detail::Missing>;
+/// @cond
+Spatial()->Spatial<detail::Missing>; // which says what is missing
+/// @endcond
 
 namespace detail {
 template <class T> inline constexpr bool is_temporal = false;
