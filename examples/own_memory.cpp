@@ -15,7 +15,11 @@ void* operator new(std::size_t size, std::align_val_t align) {
     if (void* const memory = std::aligned_alloc(step, (size + step) / step * step)) return memory;
     throw std::bad_alloc();
 }
-void* operator new(std::size_t size) { return operator new (size, std::align_val_t{16}); }
+void* operator new(std::size_t size) {
+    ++calls;
+    if (void* const memory = std::malloc(size)) return memory;
+    throw std::bad_alloc();
+}
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
