@@ -85,6 +85,14 @@ TEST_CASE("a layer's name may begin as another's, and eyes have layers") {
           std::vector<std::string>{"left, FG", "left, FG.001", "right, FG", "right, FG.001"});
 }
 
+TEST_CASE("a picture without a layer goes before those of layers") {
+    auto const file = listing({"R", "Z", "ViewLayer.Combined.R", "ViewLayer.Depth.Z"});
+    auto const found = io::views_of(file, with_depth);
+    REQUIRE(found.views.size() == 1);
+    CHECK(found.views[0].listing.channels.size() == file.channels.size());
+    CHECK(found.left.empty());
+}
+
 TEST_CASE("a file's attribute names its eyes") {
     Folder const folder;
     auto const window = box(0, 0, 3, 2);

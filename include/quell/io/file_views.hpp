@@ -133,14 +133,18 @@ private:
                 if (channel.name.starts_with(prefix) && prefix.size() > longest.size()) longest = prefix;
             return longest;
         };
-        FileViews found;
-        std::string own_layer; // by recognition
-        for (auto const& prefix : prefixes) {
+        auto const only = [&](std::string const& prefix) {
             auto view = whole;
             view.listing =
                 some_of(whole.listing, [&](auto const& c) { return layer_of(c) == prefix ? std::optional(c.name) : std::nullopt; });
+            return leaf(view);
+        };
+        if (!only("").views.empty()) return leaf(whole); // a picture without a layer goes before those of layers
+        FileViews found;
+        std::string own_layer; // by recognition
+        for (auto const& prefix : prefixes) {
+            auto alone = only(prefix);
             auto const name = prefix.substr(0, prefix.size() - 1);
-            auto alone = leaf(view);
             for (auto& each : alone.views) own_layer = std::exchange(each.names.layer, prefix);
             add(found, alone, name, name);
         }
