@@ -17,7 +17,10 @@ namespace quell::bench {
 
 /// Where the camera is in a frame. It goes to and fro, so that two frames can be run round and round. Posts move by 8 pixels, the wall
 /// by 3.
-inline glm::vec3 eye_of(int number, Extent size) { return {number % 2 == 0 ? 0.f : 100.f / static_cast<float>(size.width), 2.f, 6.f}; }
+inline glm::vec3 eye_of(int number, Extent size) {
+    float const way = number % 2 == 0 ? 0.f : 100.f / static_cast<float>(size.width);
+    return {way, 2.f + 0.3f * way, 6.f - 0.2f * way};
+}
 inline glm::vec3 light_of(int number) { return {2.f + (number % 2 == 0 ? 0.f : 0.01f), 5.f, 0.f}; }
 
 /// Equal numbers on every machine, in [0, 1).
@@ -60,12 +63,13 @@ struct Sample {
     Eye const& now;
     Eye const& then;
     int x, y, number;
-    float depth = 20.f;
-    glm::vec3 normal{0.f, 0.f, 1.f}, along{}, place{};
+    float depth = 0.f;
+    glm::vec3 normal{-0.2425356f, 0.f, 0.9701425f}, along{}, place{}; // of the wall, which is aslant
     glm::vec2 moved{};
 
     Sample(Eye const& now_, Eye const& then_, int x_, int y_, int number_) : now(now_), then(then_), x(x_), y(y_), number(number_) {
         along = now.toward(x, y);
+        depth = (14.f + now.at.z - 0.25f * now.at.x) / (1.f + 0.25f * along.x);
         if (along.y < 0.f && now.at.y / -along.y < depth) depth = now.at.y / -along.y, normal = {0.f, 1.f, 0.f};
         float const beside = now.at.x + along.x * 7.f;
         if (std::abs(beside - std::round(beside)) < 0.06f && depth > 7.f) depth = 7.f, normal = {0.f, 0.f, 1.f};

@@ -21,7 +21,7 @@ void drop_non_finite(metrics::Picture& picture, long long& missing) {
 }
 
 /// All planes of the picture itself, without guides.
-std::vector<std::string> picture_planes(io::ExrFile const& file, io::SequenceNames const& names) {
+std::vector<std::string> picture_planes(io::ExrListing const& file, io::SequenceNames const& names) {
     auto planes = split_planes(file, names);
     for (auto const& signal : names.of_signals) {
         auto const more = io::planes_of(Channels<Radiance>{}, signal.channels);
@@ -31,7 +31,7 @@ std::vector<std::string> picture_planes(io::ExrFile const& file, io::SequenceNam
 }
 
 /// The names that a converged frame goes by.
-io::SequenceNames names_of_reference(io::ExrFile const& file, ReferenceNames const& names) {
+io::SequenceNames names_of_reference(io::ExrListing const& file, ReferenceNames const& names) {
     for (auto const& choice : names.any_of)
         if (file.has_all(picture_planes(file, choice))) return choice;
     if (names.or_recognised) return recognised(file);

@@ -62,6 +62,8 @@ public:
     [[nodiscard]] virtual std::optional<HistoryContents> remembered() const { return std::nullopt; }
     /// Makes it remember what another one of the same preset did, of a picture with or without alpha.
     virtual void remember(HistoryContents const&) {}
+    /// Gives back all memory but what it remembers.
+    virtual void release_scratch() = 0;
     /// Alpha of the last frame, where the signal has it.
     [[nodiscard]] std::vector<float> const& alpha() const { return denoised_alpha; }
     /// Counts of the last frame: missing samples, impossible guides.

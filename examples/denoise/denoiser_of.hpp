@@ -70,6 +70,11 @@ public:
     void remember(HistoryContents const& contents) override {
         if constexpr (has_one_history<P>) put_contents(history, contents);
     }
+    void release_scratch() override {
+        frame = Frame<typename P::reads>(Extent{1, 1});
+        history.release_scratch();
+        denoised_alpha = {};
+    }
     Statistics statistics() const override { return history.statistics(); }
     std::string plan() const override { return to_string(plan_of(pipeline, Storage{})); }
     double bytes_per_pixel() const override { return history.bytes_per_pixel(); }

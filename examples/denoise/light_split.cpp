@@ -262,7 +262,7 @@ metrics::Picture picture_of(io::ExrImage const& image, std::vector<io::Source> c
 
 bool has_several_signals(io::SequenceNames const& names) { return names.of_signals.size() > 1 || !names.added.empty(); }
 
-std::vector<std::string> split_planes(io::ExrFile const& file, io::SequenceNames const& names) {
+std::vector<std::string> split_planes(io::ExrListing const& file, io::SequenceNames const& names) {
     auto planes = io::planes_of(names.added);
     auto const want = [&](std::vector<io::Source> const& sources) {
         auto const more = io::planes_of(sources);

@@ -48,7 +48,7 @@ struct LightSplit {
 
 /// The planes that this takes of a file beside those of the signals: of factors, of what is added, and of the picture where the file has
 /// it.
-[[nodiscard]] std::vector<std::string> split_planes(io::ExrFile const& file, io::SequenceNames const& names);
+[[nodiscard]] std::vector<std::string> split_planes(io::ExrListing const& file, io::SequenceNames const& names);
 
 /// Of a frame: what turns the histories of its signals into that of the whole picture, and back. For frames in which that begins or ceases
 /// to be filtered as one.

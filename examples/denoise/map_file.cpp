@@ -23,7 +23,7 @@ using Json = nlohmann::json;
 struct Member {
     std::string file, path;
     Json const& value;
-    io::ExrFile const* frame; ///< that the names are for, which decides between several; may be null
+    io::ExrListing const* frame; ///< that the names are for, which decides between several; may be null
 
     [[noreturn]] void fail(std::string const& remedy) const {
         auto text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -47,7 +47,7 @@ void check_keys(Member const& object, std::initializer_list<char const*> known) 
 }
 
 /// A name that begins with "*." is of the file's view layer, as Blender writes them: whatever that is called.
-std::string in_view_layer(std::string const& name, io::ExrFile const* frame) {
+std::string in_view_layer(std::string const& name, io::ExrListing const* frame) {
     if (!name.starts_with("*.")) return name;
     return (frame ? io::detail::view_layer_prefix(frame->channels).value_or("") : "") + name.substr(2);
 }
@@ -78,7 +78,7 @@ struct Component {
 };
 
 /// The plane of a layer's component: by quell's own letter, or by another that the frame has.
-std::string plane_in(std::string layer, Component const& component, io::ExrFile const* frame) {
+std::string plane_in(std::string layer, Component const& component, io::ExrListing const* frame) {
     layer = in_view_layer(layer, frame);
     auto const with = [&](std::string const& letter) { return letter.empty() || layer.empty() ? layer + letter : layer + "." + letter; };
     auto const own = with(component.letter);
@@ -278,7 +278,7 @@ std::string remark_in(Member const& map, io::SequenceNames const& names) {
 }
 
 /// Whether a frame has all layers of one of several lists.
-bool is_recognised(Member const& lists, io::ExrFile const& frame) {
+bool is_recognised(Member const& lists, io::ExrListing const& frame) {
     auto const has = [&](std::string const& layer) {
         return std::ranges::any_of(std::array{0, 1, 2},
                                    [&](int c) { return frame.find(plane_in(layer, {static_cast<std::size_t>(c)}, &frame)) != nullptr; });
@@ -290,7 +290,7 @@ bool is_recognised(Member const& lists, io::ExrFile const& frame) {
 
 } // namespace
 
-io::SequenceNames parse_map(std::string const& text, std::string const& name, io::ExrFile const* frame) {
+io::SequenceNames parse_map(std::string const& text, std::string const& name, io::ExrListing const* frame) {
     auto const json = json_in(text, name);
     Member const map{name, "", json, frame};
     check_keys(map, {"channels", "motion", "depth", "miss_from", "miss_to", "shutter", "signals", "added", "picture", "renderer", "source",
@@ -313,7 +313,7 @@ io::SequenceNames parse_map(std::string const& text, std::string const& name, io
     return frame ? io::names_in_parts(names, *frame) : names;
 }
 
-io::SequenceNames read_map(std::string const& map, io::ExrFile const* frame) { return parse_map(text_of(map), map, frame); }
+io::SequenceNames read_map(std::string const& map, io::ExrListing const* frame) { return parse_map(text_of(map), map, frame); }
 
 io::SequenceNames read_map(std::string const& map, std::vector<std::filesystem::path> const& frames) {
     for (auto const& path : frames)
@@ -321,7 +321,9 @@ io::SequenceNames read_map(std::string const& map, std::vector<std::filesystem::
     return read_map(map);
 }
 
-io::SequenceNames recognised(io::ExrFile const& frame) {
+namespace {
+
+io::SequenceNames recognised_as_one(io::ExrListing const& frame) {
     for (auto const& [name, text] : renderer_maps()) {
         auto const json = json_in(std::string(text), std::string(name));
         Member const map{std::string(name), "", json, &frame};
@@ -329,6 +331,41 @@ io::SequenceNames recognised(io::ExrFile const& frame) {
             return parse_map(std::string(text), std::string(name), &frame);
     }
     return io::names_in_parts(io::recognise(frame), frame);
+}
+
+/// Whether a frame has light, depth and motion.
+bool is_view(io::ExrListing const& frame, io::SequenceNames const& names) {
+    auto const has = [&](auto channel, io::SignalNames const& signal) {
+        return frame.has_all(io::planes_of(io::sources_of(signal.channels, channel)));
+    };
+    bool has_light = std::ranges::all_of(names.of_signals, [&](auto const& signal) { return has(radiance, signal); });
+    if (names.of_signals.size() == 1) // a sequence traced for single effects has other light
+        for_each_channel(Channels<Direct, Visibility, Glossy, Indirect>{},
+                         [&](auto channel) { has_light = has_light || has(channel, names.of_signals[0]); });
+    return has_light && has(depth, names.of_signals[0]) && has(motion, names.of_signals[0]);
+}
+
+} // namespace
+
+io::FileViews views_in(io::ExrListing const& frame, std::string const& map) {
+    auto const text = map.empty() ? std::string() : text_of(map);
+    return io::views_of(frame, [&](io::ExrListing const& view) -> std::optional<io::SequenceNames> {
+        try {
+            auto const names = map.empty() ? recognised_as_one(view) : parse_map(text, map, &view);
+            return is_view(view, names) ? std::optional(names) : std::nullopt;
+        } catch (Error const&) {
+            return std::nullopt; // whoever takes the whole frame complains
+        }
+    });
+}
+
+io::SequenceNames names_in_file(io::FileView const& view, io::ExrListing const& frame) {
+    return io::names_in_file(view, frame, MappedChannels{});
+}
+
+io::SequenceNames recognised(io::ExrListing const& frame) {
+    auto const views = views_in(frame);
+    return views.views.empty() ? recognised_as_one(frame) : names_in_file(views.views[0], frame);
 }
 
 } // namespace quell::examples

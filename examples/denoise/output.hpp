@@ -33,14 +33,20 @@ public:
     /// Makes sure that a frame's output can be written. @throws Error where its tiles have several levels
     /// @param names by which files are read
     void check_levels(long long number, io::SequenceNames const& names) const;
+    /// Takes what was denoised of a view of a frame.
+    void add(long long number, DenoisedFrame& frame, io::SequenceNames const& names);
     /// Writes the input's file again, with what was denoised in its place.
-    void write(long long number, DenoisedFrame& frame, io::SequenceNames const& names);
-    void write_views(long long number, std::string const& view, std::vector<std::pair<std::string, DebugImage>> const& images) const;
+    void write(long long number);
+    /// @param prefix of the images' names
+    void write_views(long long number, std::string const& view, std::string const& prefix,
+                     std::vector<std::pair<std::string, DebugImage>> const& images) const;
     /// What the user should know, a line each.
     [[nodiscard]] std::vector<std::string> remarks() const;
 
 private:
-    [[nodiscard]] std::optional<std::string> layer_for(io::ExrFile const& file, io::SequenceNames const& names) const;
+    std::optional<io::ExrChanges> changes; ///< of the frame's views so far
+
+    [[nodiscard]] std::optional<std::string> layer_for(io::SequenceNames const& names) const;
 };
 
 } // namespace quell::examples

@@ -75,13 +75,23 @@ io::SequenceNames names_on_canvas(io::SequenceNames names, Extent size, Region c
 }
 
 /// A field of view is that of the display window.
-void check_field_of_view(io::ExrFile const& file, io::SequenceNames const& map, Region const& canvas) {
+void check_field_of_view(io::ExrListing const& file, io::SequenceNames const& map, Region const& canvas) {
     bool const has_camera = file.attributes.contains("quell:view") && file.attributes.contains("quell:projection");
     if (io::detail::size_of(canvas) == file.size || has_camera) return;
     for (auto const& signal : map.of_signals)
         if (signal.channels.depth.along == io::DepthConvention::Along::ray)
             throw Error(file.name, "its data window is not its display window, and only the map says what the camera sees",
                         "write the attributes quell:view and quell:projection, or leave out what lies outside of the display window");
+}
+
+/// Attributes of the view's own part. In a part that several stereo views share, the camera is that of the default one, if of any.
+std::map<std::string, io::Attribute, std::less<>> attributes_of_view(io::ExrOriginal const& file, io::SequenceNames const& names) {
+    auto attributes = file.attributes_of(home_part(file.listed, names));
+    auto const& eyes = file.listed.eyes;
+    if (!names.eye.empty() && (eyes.empty() || eyes[0] != names.eye))
+        for (auto const* const name : {"quell:view", "quell:projection", "quell:view_previous", "quell:projection_previous"})
+            attributes.erase(name);
+    return attributes;
 }
 
 /// Cameras are of the display window. This changes their projections so that the canvas is what they show.
@@ -137,6 +147,12 @@ bool SequenceDenoiser::is_inside(Region const& other) const {
     return other.x0 >= canvas.x0 && other.y0 >= canvas.y0 && other.x1 <= canvas.x1 && other.y1 <= canvas.y1;
 }
 
+void SequenceDenoiser::release_scratch() {
+    window.clear();
+    for (auto const& each : denoisers)
+        if (each) each->release_scratch();
+}
+
 void SequenceDenoiser::forget() {
     earlier_milliseconds = milliseconds();
     denoisers.clear();
@@ -152,7 +168,7 @@ void SequenceDenoiser::collect(std::vector<Finding> const& findings) {
             found.push_back({finding.mistake, finding.evidence, finding.remedy + remedy_for_files(finding), finding.also, finding.or_else});
 }
 
-std::vector<std::string> SequenceDenoiser::planes(io::ExrFile const& file) const {
+std::vector<std::string> SequenceDenoiser::planes(io::ExrListing const& file) const {
     auto planes = split_planes(file, on_canvas);
     if (!alpha.empty()) planes.push_back(alpha);
     for (auto const& signal : on_canvas.of_signals) {
@@ -211,6 +227,7 @@ void SequenceDenoiser::read(FramePattern const& in, long long number) {
 
 SequenceDenoiser::Seen SequenceDenoiser::seen(io::ExrOriginal const& file, long long number) const {
     Seen frame{number, file.read(planes(file.listed), canvas), false, {}};
+    if (!on_canvas.view.empty()) frame.image.attributes = attributes_of_view(file, on_canvas);
     put_cameras_on_canvas(frame.image, size, canvas);
     frame.as_one = is_better_as_one(frame.image, on_canvas, rule());
     return frame;
@@ -278,7 +295,7 @@ DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long num
         missing += counted.missing_samples;
         // Guides are the same for all signals.
         if (std::ranges::find(split.active, true) - split.active.begin() == static_cast<std::ptrdiff_t>(s))
-            add_repaired(counted.repaired_guides);
+            repaired += counted.repaired_guides;
         collect(denoiser(s).findings());
         return result;
     };
@@ -301,12 +318,6 @@ void SequenceDenoiser::add_as_in_file(DenoisedFrame& frame, io::ExrImage const& 
     auto& rest = frame.signals.back().pixels;
     for (std::size_t i = 0; i < rest.size(); ++i)
         if (auto const off = taken.pixels[i] - whole.pixels[i]; is_finite(off.x) && is_finite(off.y) && is_finite(off.z)) rest[i] += off;
-}
-
-void SequenceDenoiser::add_repaired(RepairedGuides const& of_frame) {
-    repaired.pixels += of_frame.pixels;
-    repaired.albedo += of_frame.albedo, repaired.normal += of_frame.normal;
-    repaired.depth += of_frame.depth, repaired.motion += of_frame.motion;
 }
 
 SplitRule SequenceDenoiser::rule() const {

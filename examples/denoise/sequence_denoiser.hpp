@@ -70,6 +70,9 @@ public:
     /// The part of a picture that the display window shows.
     [[nodiscard]] metrics::Picture displayed(metrics::Picture const& whole) const;
 
+    /// Gives back all memory but what is remembered: the frame that next_whole() gave ends too. Frames that were read ahead are read again.
+    void release_scratch();
+
     /// Forgets all frames so far, as before frames that don't follow them.
     void forget();
 
@@ -127,9 +130,8 @@ private:
     [[nodiscard]] bool is_inside(Region const& other) const;
     void read(FramePattern const& in, long long number);
     void read_ahead(FramePattern const& in, long long number);
-    void add_repaired(RepairedGuides const& of_frame);
     void collect(std::vector<Finding> const& findings);
-    [[nodiscard]] std::vector<std::string> planes(io::ExrFile const& file) const;
+    [[nodiscard]] std::vector<std::string> planes(io::ExrListing const& file) const;
 };
 
 } // namespace quell::examples

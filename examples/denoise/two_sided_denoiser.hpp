@@ -64,6 +64,11 @@ public:
     std::vector<DebugImage> debug_images(std::string const&) override { return {}; }
     std::optional<HistoryContents> remembered() const override { return contents_of(history.before); }
     void remember(HistoryContents const& contents) override { put_contents(history.before, contents); }
+    void release_scratch() override {
+        window.clear();
+        history.release_scratch();
+        denoised_alpha = {};
+    }
     Statistics statistics() const override { return history.statistics(); }
     std::string plan() const override { return to_string(plan_of(pipeline)); }
     double bytes_per_pixel() const override { return history.before.bytes_per_pixel() + history.after.bytes_per_pixel(); }

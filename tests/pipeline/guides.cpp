@@ -2,7 +2,6 @@
 
 #include <glm/ext/vector_float1.hpp>
 
-
 using namespace quell;
 
 namespace {

@@ -56,10 +56,10 @@ template <class F>
 inline constexpr bool says_leaves_signal<F> = F::leaves_signal;
 
 /// A pass's name for profilers and plans. Policies of the host may lack one.
-template <class Pass> inline constexpr auto name_of = "filter";
+template <class Pass> inline constexpr auto pass_name = "filter";
 template <class Pass>
     requires is_text<decltype(&Pass::name)>
-inline constexpr auto name_of<Pass> = Pass::name;
+inline constexpr auto pass_name<Pass> = Pass::name;
 
 /// Whether what a pass makes goes into the history.
 template <class Pass> constexpr bool feeds_back(Pass const& pass) {

@@ -7,7 +7,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// Converts the signal before denoising and back after it. A modulation has
 ///
 ///     template <ChannelTag S> using Signal = ...;                    // the channel that is denoised in place of S
-///     auto inward(auto px, auto const& sample) const;                // from the host's sample, finite and >= 0, to the signal
+///     auto inward(auto px, auto const& sample) const;                // from the host's sample, which is light, to the signal
 ///     auto outward(auto px, auto const& value) const;                // from the denoised signal to the host's output
 ///
 /// Models: Demodulate, Cones (quell/radiance/cones.hpp), NoModulation.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <quell/io/exr_file.hpp>
 #include <quell/io/sequence_names.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::io {
@@ -9,12 +8,12 @@ namespace detail {
 
 /// Finds the channels that names stand for in a file of several parts, which may hold the same names for other eyes or other things.
 class NamesInParts {
-    ExrFile const& file;
+    ExrListing const& file;
     ExrChannel const* home = nullptr; ///< a channel of the picture
 
 public:
     /// @param picture the planes of the picture: the first that the file has says which part it lies in
-    NamesInParts(ExrFile const& in, std::vector<std::string> const& picture) : file(in) {
+    NamesInParts(ExrListing const& in, std::vector<std::string> const& picture) : file(in) {
         for (auto const& name : picture)
             if (!home) home = file.find(name);
     }
@@ -74,7 +73,7 @@ private:
 /// The names by which a file of several parts holds what these names say. A name that several parts have is that of the part that the
 /// signal's light lies in, or of the part of the same view. Names that the file lacks stay as they are.
 /// @throws Error naming the parts where none of them is the picture's
-[[nodiscard]] inline SequenceNames names_in_parts(SequenceNames names, ExrFile const& file) {
+[[nodiscard]] inline SequenceNames names_in_parts(SequenceNames names, ExrListing const& file) {
     if (file.channels.empty() || file.channels.front().part == file.channels.back().part) return names;
     auto const light = [](SignalNames const& signal) { return planes_of(sources_of(signal.channels, radiance)); };
     for (auto& signal : names.of_signals) {

@@ -60,6 +60,10 @@ public:
     void forget() {
         std::apply([](auto&... h) { (h.forget(), ...); }, parts);
     }
+    /// Gives scratch back: for a host of several histories that run in turn. The next frame takes it again.
+    void release_scratch() {
+        std::apply([](auto&... h) { (h.release_scratch(), ...); }, parts);
+    }
     /// History of pipeline i, in the composite's order.
     template <std::size_t i> [[nodiscard]] auto const& part() const { return std::get<i>(parts); }
     /// Missing samples and suppressed energy are sums over all pipelines, repaired guides the most that one has; frames and resets are

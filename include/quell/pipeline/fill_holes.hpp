@@ -5,10 +5,11 @@
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Gives missing samples without a usable neighbour the mean of what stands around them, `step` pixels apart. Passes of 2, 4, 8, ... pixels
-/// after the ingest, which looks at the 3x3 around, reach all of the image. Frames without such holes have none of these passes.
+/// after the ingest, which looks at the 3x3 around, reach all of the image. Frames without such holes have none of these passes. Where a
+/// frame has no usable sample at all, what the history has in the same pixel stands in.
 struct FillHoles {
     static constexpr auto name = "fill holes";
-    int step;
+    int step; ///< 0: from the history
 
     QUELL_KERNEL auto operator()(auto px) const {
         using Px = decltype(px);
@@ -17,6 +18,10 @@ struct FillHoles {
         auto const stored = px.stored_signal();
         auto const hole = Mark::hole(stored);
         if (!any(hole)) return stored;
+        if (step == 0) {
+            PixelCoordinates<Real> const here(px.columns(), px.row_of_lanes());
+            return select(hole, Mark::marked(px.past(here).signal(), hole), stored);
+        }
         auto sum = zero<typename Px::Signal>();
         Real weights(0.f);
         for_each_neighbour<1>(px, step, [&](auto const& neighbour, auto inside, int, int) QUELL_INLINED {

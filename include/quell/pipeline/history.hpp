@@ -20,6 +20,12 @@ struct RepairedGuides {
     long long normal = 0; ///< of another length than 1 or 0
     long long depth = 0;  ///< 0, negative or NaN
     long long motion = 0; ///< not finite: such pixels have no history
+
+    /// Adds those of another frame.
+    RepairedGuides& operator+=(RepairedGuides const& other) {
+        pixels += other.pixels, albedo += other.albedo, normal += other.normal, depth += other.depth, motion += other.motion;
+        return *this;
+    }
 };
 
 /// Counts of the runs with one history.
@@ -108,6 +114,18 @@ public:
 
     /// Drops all history before the next frame: for scene cuts and teleports.
     void forget() { empty = true; }
+
+    /// Gives scratch back, and what run() returned: for a host of several histories that run in turn. The next frame takes it again.
+    void release_scratch() {
+        output = {};
+        pool->release();
+    }
+    /// Forgets, and gives all memory back.
+    void release() {
+        forget();
+        then.drop_images();
+        release_scratch();
+    }
 
     /// Counts so far.
     [[nodiscard]] Statistics const& statistics() const { return counted; }

@@ -32,6 +32,11 @@ public:
 
     /// Drops all history before the next frame.
     void forget() { before.forget(); }
+    /// Gives scratch back, what run_two_sided() returned, and the frames after. The next call takes it again.
+    void release_scratch() {
+        before.release_scratch();
+        after.release();
+    }
     /// Counts of the frames before.
     [[nodiscard]] Statistics const& statistics() const { return before.statistics(); }
     /// Memory of both histories, in bytes.

@@ -35,8 +35,10 @@ struct ConeFetch {
             if constexpr (Px::Scope::kept_channels::template has<ConeLuminance>) {
                 turn(px, past, then, now, differs);
             } else {
-                auto const before = past.signal;
-                past.signal = select(differs, cone::transferred(before, then, now), before);
+                auto const before = past.signal, after = cone::transferred(before, then, now);
+                past.signal = select(differs, after, before);
+                // Cones that don't overlap pass nothing on.
+                past.validity = masked(either(invert(differs), cone::samples(after) > Real(1e-6f)), past.validity);
             }
         }
         return past;

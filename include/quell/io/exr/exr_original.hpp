@@ -23,6 +23,9 @@ public:
     /// @throws Error naming the file and the channel
     [[nodiscard]] ExrImage read(std::span<std::string const> names, Region const& canvas) const;
 
+    /// The file's attributes, those of a part before the others.
+    [[nodiscard]] std::map<std::string, Attribute, std::less<>> attributes_of(int part) const;
+
     /// Whether the first and the last row of each flat part can be read. A file that was cut off, or not copied whole, lacks one of them,
     /// though its header is whole.
     [[nodiscard]] bool is_whole() const;
@@ -89,6 +92,13 @@ inline Region ExrOriginal::canvas() const {
     }
     detail::check_window(listed.name, "whole", {{all.x0, all.y0}, {all.x1 - 1, all.y1 - 1}});
     return all;
+}
+
+inline std::map<std::string, Attribute, std::less<>> ExrOriginal::attributes_of(int part) const {
+    std::map<std::string, Attribute, std::less<>> attributes;
+    detail::copy_attributes(header(part), attributes);
+    attributes.insert(listed.attributes.begin(), listed.attributes.end());
+    return attributes;
 }
 
 inline bool ExrOriginal::is_whole() const {

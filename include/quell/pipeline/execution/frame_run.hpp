@@ -120,6 +120,7 @@ private:
         auto& counts = repeat ? again : first;
         history.note(first.guides, counts);
         nothing_seen = counts.missing == frame.size.pixels();
+        if (nothing_seen && past) run_pass<true>(FillHoles{0}, false, nullptr);
         for (int step = 2; counts.holes > 0 && !nothing_seen; step *= 2) counts.holes = 0, run_pass<true>(FillHoles{step}, false, &counts);
     }
 
