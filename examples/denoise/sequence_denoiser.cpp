@@ -325,9 +325,10 @@ SplitRule SequenceDenoiser::rule() const {
     return {.by_albedo = settings.preset.by_albedo, .alpha = can ? alpha : ""};
 }
 
-/// The only signal, or else the rest.
+/// The only signal, where it has no factor, or else the rest: as split_light() gives it.
 bool SequenceDenoiser::has_alpha(std::size_t signal) const {
-    return !has_several_signals(on_canvas) || signal == on_canvas.of_signals.size();
+    bool const is_rest = signal == on_canvas.of_signals.size();
+    return is_rest || (!has_several_signals(on_canvas) && on_canvas.of_signals[signal].factor.empty());
 }
 
 void SequenceDenoiser::denoise_alpha(DenoisedFrame& frame, Seen const& seen, LightSplit const& split) {
