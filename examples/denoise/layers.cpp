@@ -212,7 +212,8 @@ io::ExrChanges changes_for(DenoisedFrame& frame, io::ExrListing const& file, io:
     std::size_t const different = picture[0] == picture[1] ? 1 : 3;
     for (std::size_t c = 0; c < different; ++c)
         if (layers.has_picture() || layers.keeps(name_of(places[c].part), places[c].name)) put(places[c], frame.picture, c);
-    if (!frame.alpha.empty() && layers.has_picture()) changes.numbers.push_back({alpha->part, alpha->name, alpha->type, frame.alpha});
+    if (alpha && !frame.alpha.empty() && layers.has_picture())
+        changes.numbers.push_back({alpha->part, alpha->name, alpha->type, frame.alpha});
     auto const signals = signal_channels(names);
     for (std::size_t s = 0; s < signals.size() && layers.has_signals(); ++s)
         for (std::size_t c = 0; c < 3; ++c) put(place_of(signals[s][c], file, names, io::SampleType::float32), frame.signals[s], c);

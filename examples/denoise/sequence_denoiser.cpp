@@ -302,11 +302,22 @@ DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long num
     frame.picture = composite(image, split, denoised, missing, frame.signals);
     if (!has_several_signals(on_canvas)) frame.signals.clear(); // it is the picture
     if (!alpha.empty()) denoise_alpha(frame, front, split);
-    for (std::size_t c = 0; c < split.added.size(); ++c)
-        for (auto const& plane : split.added[c].sum) // the offset is added once
-            frame.added[c].push_back({&image[plane].values, split.added[c].scale, frame.added[c].empty() ? split.added[c].offset : 0.f});
+    add_as_in_file(frame, image, split);
     was_as_one = as_one, last = number;
     return frame;
+}
+
+/// Layers are added up with what the file adds: of what a split takes of that, or scales down, the rest has the difference.
+void SequenceDenoiser::add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const {
+    auto const& added = on_canvas.added;
+    for (std::size_t c = 0; c < added.size(); ++c)
+        for (auto const& plane : added[c].sum) // the offset is added once
+            frame.added[c].push_back({&image[plane].values, added[c].scale, frame.added[c].empty() ? added[c].offset : 0.f});
+    if (added.empty() || io::planes_of(split.added) == io::planes_of(added)) return;
+    auto const taken = picture_of(image, split.added, 0.f), whole = picture_of(image, added, 0.f);
+    auto& rest = frame.signals.back().pixels;
+    for (std::size_t i = 0; i < rest.size(); ++i)
+        if (auto const off = taken.pixels[i] - whole.pixels[i]; is_finite(off.x) && is_finite(off.y) && is_finite(off.z)) rest[i] += off;
 }
 
 SplitRule SequenceDenoiser::rule() const {
@@ -314,9 +325,10 @@ SplitRule SequenceDenoiser::rule() const {
     return {.by_albedo = settings.preset.by_albedo, .alpha = can ? alpha : ""};
 }
 
-/// The only signal, or else the rest.
+/// The only signal, where it has no factor, or else the rest: as split_light() gives it.
 bool SequenceDenoiser::has_alpha(std::size_t signal) const {
-    return !has_several_signals(on_canvas) || signal == on_canvas.of_signals.size();
+    bool const is_rest = signal == on_canvas.of_signals.size();
+    return is_rest || (!has_several_signals(on_canvas) && on_canvas.of_signals[signal].factor.empty());
 }
 
 void SequenceDenoiser::denoise_alpha(DenoisedFrame& frame, Seen const& seen, LightSplit const& split) {

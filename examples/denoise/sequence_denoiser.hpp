@@ -123,6 +123,7 @@ private:
     [[nodiscard]] SplitRule rule() const;
     [[nodiscard]] bool has_alpha(std::size_t signal) const;
     void denoise_alpha(DenoisedFrame& frame, Seen const& seen, LightSplit const& split);
+    void add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const;
     [[nodiscard]] Denoiser& denoiser(std::size_t signal);
     [[nodiscard]] Seen seen(io::ExrOriginal const& file, long long number) const;
     void hand_over(FramePattern const& in);

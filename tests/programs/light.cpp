@@ -123,6 +123,37 @@ TEST_CASE("where colours become noisy or sharp in a sequence, the history goes w
     }
 }
 
+TEST_CASE("in each frame the layers add up to the picture, together with what the file adds") {
+    Folder const folder;
+    write_bytes(folder / "map.json", R"({"signals": [{"name": "diffuse", "irradiance": "diffuse", "albedo": "diffuse_colour"}],
+                                         "added": "sky", "picture": "beauty"})");
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> part(0.f, 1.f);
+    for (int i = 1; i <= 4; ++i) { // more than the picture, sharp; less; noisy
+        write_frame(folder, i, {.noisy = i == 4, .beside = i == 3 ? 0.3f : 0.f});
+        auto image = io::read_exr(folder / numbered("frame.", i));
+        add_pass(image, "sky", colours(size, [&](int x, int) { return glm::vec3(i == 4             ? part(random)
+                                                                                : i == 1 && x > 40 ? 0.7f
+                                                                                                   : 0.f); }),
+                 exact);
+        io::write_exr(folder / numbered("frame.", i), image);
+    }
+    auto const ran = denoise(input(folder) + output(folder) + "--quiet --preset svgf --map '" + (folder / "map.json").string() + "'");
+    INFO(ran.err);
+    REQUIRE(ran.code == 0);
+    for (int i = 1; i <= 4; ++i) {
+        INFO("frame ", i);
+        auto const image = io::read_exr(folder / numbered("out.", i));
+        auto const picture = pass(image, "beauty"), diffuse = pass(image, "denoised_diffuse"), rest = pass(image, "denoised_rest"),
+                   sky = pass(image, "sky");
+        int off = 0;
+        for (std::size_t k = 0; k < picture.size(); ++k) off += diffuse[k] + rest[k] + sky[k] != picture[k];
+        CHECK(off == 0);
+        double const error = error_of(folder, "out.", i, {.noisy = i == 4, .beside = i == 3 ? 0.3f : 0.f});
+        CHECK(error < 0.5 * error_of(folder, "frame.", i, {.noisy = i == 4, .beside = i == 3 ? 0.3f : 0.f}));
+    }
+}
+
 // Films that are transparent.
 namespace {
 

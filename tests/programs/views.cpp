@@ -132,7 +132,7 @@ std::size_t mentions(nlohmann::json const& summary, std::string const& word) {
     for (auto const& line : summary.at("remarks")) count += contains(line.get<std::string>(), word) ? 1 : 0;
     return count;
 }
-std::vector<WholePart> two_layers(int i, std::string const& first = "FG layer", std::string const& second = "FG layer.001") {
+std::vector<WholePart> two_layers(int i, std::string const& first = "FG layer.001", std::string const& second = "FG layer") {
     return {part("", joined(channels_of(passes_of(0, i), in_layer(first)), channels_of(passes_of(1, i), in_layer(second))))};
 }
 
@@ -141,7 +141,7 @@ std::vector<WholePart> two_layers(int i, std::string const& first = "FG layer", 
 TEST_CASE("each view layer comes out as if it were alone in the file") {
     Folder const folder;
     write(folder, [](int i) { return two_layers(i); });
-    std::array<std::string, 2> const layers{"FG layer", "FG layer.001"};
+    std::array<std::string, 2> const layers{"FG layer.001", "FG layer"};
     for (std::string const more : {"", "--extra-frames 0 --keep-alpha", "--signal diffuse", "--layers signals", "--layers picture"}) {
         INFO(more);
         auto const summary = run(folder, options + more);
@@ -336,7 +336,7 @@ TEST_CASE("references score the first view in the table, and all views in the su
     for (std::size_t which = 0; which < 2; ++which) {
         Folder const alone;
         write_alone(
-            alone, [&](int i) { return passes_of(static_cast<int>(which), i); }, in_layer(which == 0 ? "FG layer" : "FG layer.001"));
+            alone, [&](int i) { return passes_of(static_cast<int>(which), i); }, in_layer(which == 0 ? "FG layer.001" : "FG layer"));
         auto const one = run(alone, options + "--reference '" + (alone / "frame.%04d.exr").string() + "' ");
         CHECK(views[which].at("scores") == one.at("scores"));
         CHECK(views[which].at("mean") == one.at("mean"));

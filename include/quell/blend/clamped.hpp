@@ -1,8 +1,8 @@
 #pragma once
 
 #include <quell/blend/blend_policy.hpp>
-#include <quell/frame/hull.hpp>
 #include <quell/frame/cursor/taps.hpp>
+#include <quell/frame/hull.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 

@@ -134,7 +134,8 @@ template <class V> QUELL_KERNEL auto luminance_plus(V const& v, real_of<V> more)
         return fma(fold([](auto sofar, auto a) QUELL_INLINED { return sofar + a; }, Real(0.f), v), Real(1.f / components_of<V>), more);
 }
 
-/// Rec. 709 luminance of a colour: three components, or four with alpha, which does not count. For other shapes, the mean of the components.
+/// Rec. 709 luminance of a colour: three components, or four with alpha, which does not count. For other shapes, the mean of the
+/// components.
 template <class V> QUELL_KERNEL auto luminance(V const& v) { return luminance_plus(v, real_of<V>(0.f)); }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

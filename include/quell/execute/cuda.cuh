@@ -48,7 +48,8 @@ private:
     static unsigned count(int threads) { return static_cast<unsigned>(threads); }
     static unsigned blocks(int pixels, int threads) { return count((pixels + threads - 1) / threads); }
     static void check(cudaError_t status, char const* pass, char const* remedy) {
-        if (status != cudaSuccess) raise_error<Failure>("pass '" + std::string(pass) + "' on the device", cudaGetErrorString(status), remedy);
+        if (status != cudaSuccess)
+            raise_error<Failure>("pass '" + std::string(pass) + "' on the device", cudaGetErrorString(status), remedy);
     }
 };
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <quell/frame/hull.hpp>
 #include <quell/filter/conserving_atrous.hpp>
 #include <quell/filter/least_squares.hpp>
 #include <quell/filter/restore_light.hpp>
+#include <quell/frame/hull.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 

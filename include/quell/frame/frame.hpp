@@ -72,7 +72,7 @@ template <class... Cs, class Storage> struct Frame<Channels<Cs...>, Storage> : d
     }
     /// @cond
     template <class First, class... Rest>
-        requires detail::begins_no_frame<First>
+        requires(detail::begins_no_frame<First> && !(std::is_arithmetic_v<First> && sizeof...(Rest) < 2)) // Frame({width, height}) is one
     explicit Frame(First const&, Rest const&...) {
         static_assert(sizeof(First) == 0, "Frame{size, pipelines..., storage}: the size comes first, an Extent{width, height}");
     }

@@ -46,9 +46,9 @@ struct ChannelNames {
 namespace detail {
 /// Names of a channel's components in quell's own files, for built-in channels and those of a host.
 inline std::vector<std::string> component_names(std::string_view channel, int components) {
-    static std::map<std::string, std::string, std::less<>> const letters{{"radiance", "RGB"}, {"radiance_alpha", "RGBA"}, {"albedo", "RGB"},   {"direct", "RGB"},
-                                                                         {"glossy", "RGB"},   {"indirect", "RGB"}, {"roughness", "R"},
-                                                                         {"depth", "Z"},      {"visibility", "V"}, {"time", "T"}};
+    static std::map<std::string, std::string, std::less<>> const letters{
+        {"radiance", "RGB"}, {"radiance_alpha", "RGBA"}, {"albedo", "RGB"}, {"direct", "RGB"},   {"glossy", "RGB"},
+        {"indirect", "RGB"}, {"roughness", "R"},         {"depth", "Z"},    {"visibility", "V"}, {"time", "T"}};
     if (channel == "instance") return {"ID"};
     auto const found = letters.find(channel);
     std::string const all = found != letters.end() ? found->second : components == 1 ? "V" : "XYZW";

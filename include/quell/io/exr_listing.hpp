@@ -20,11 +20,11 @@ struct ExrChannel {
 
 /// What an EXR file's header lists, or a part of it.
 struct ExrListing {
-    std::string name;                                         ///< its path, for messages
-    Extent size;                                              ///< of the display window
-    std::vector<ExrChannel> channels;                         ///< of all parts, without deep ones
-    std::map<std::string, Attribute, std::less<>> attributes; ///< by name; the first part's where several have one
-    std::vector<std::string> eyes;                            ///< the attribute multiView: stereo views, the default one first
+    std::string name;                                              ///< its path, for messages
+    Extent size;                                                   ///< of the display window
+    std::vector<ExrChannel> channels = {};                         ///< of all parts, without deep ones
+    std::map<std::string, Attribute, std::less<>> attributes = {}; ///< by name; the first part's where several have one
+    std::vector<std::string> eyes = {};                            ///< the attribute multiView: stereo views, the default one first
 
     /// The channel of that name, with or without its part's name; null if there is none.
     [[nodiscard]] ExrChannel const* find(std::string_view channel) const {
