@@ -282,14 +282,14 @@ TEST_CASE("Blender's files keep all passes, Combined is denoised, and its layers
     REQUIRE(ran.code == 0);
     auto const before = whole_of(from / "frame_0040.exr"), after = whole_of(folder / "out.0040.exr");
     auto const changed = different(before, after);
-    CHECK(changed.size() == 3 + 6);
+    CHECK(changed.size() == 3 + 9);
     for (auto const& name : changed) CHECK((contains(name, " ViewLayer.Combined.") || contains(name, " ViewLayer.denoised_")));
     CHECK_FALSE(std::ranges::count(changed, "0 ViewLayer.Combined.A half"));
     CHECK(before.attributes == after.attributes);
     CHECK(off_by(io::read_exr(folder / "out.0040.exr"),
-                 {"ViewLayer.denoised_diffuse", "ViewLayer.denoised_glossy", "ViewLayer.Emit", "ViewLayer.Env"},
+                 {"ViewLayer.denoised_diffuse", "ViewLayer.denoised_glossy", "ViewLayer.denoised_rest", "ViewLayer.Emit", "ViewLayer.Env"},
                  "ViewLayer.Combined") == 0.f);
     CHECK(denoise("--in '" + (from / "frame_%04d.exr").string() + "' --frames 40 --quiet --layers picture,signals,Depth " + output(folder))
               .code == 0);
-    CHECK(io::ExrFile(folder / "out.0040.exr").channels.size() == 4 + 6 + 1);
+    CHECK(io::ExrFile(folder / "out.0040.exr").channels.size() == 4 + 9 + 1);
 }
