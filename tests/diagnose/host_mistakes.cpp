@@ -27,23 +27,17 @@ Made in_projection(float x, float y) {
 float to_srgb(float a) { return a <= 0.0031308f ? 12.92f * a : 1.055f * std::pow(a, 1.f / 2.4f) - 0.055f; }
 glm::vec3 to_srgb(glm::vec3 a) { return {to_srgb(a.x), to_srgb(a.y), to_srgb(a.z)}; }
 
-/// Length of a ray whose depth is 1.
-float stretch(GoodFrame const& frame, int x, int y) {
-    auto const& p = frame.camera.projection;
-    auto const place = (glm::vec2(x, y) + 0.5f + frame.camera.jitter) / glm::vec2(frame.size.width, frame.size.height) * 2.f - 1.f;
-    return glm::length(glm::vec3(place.x / p[0][0], place.y / p[1][1], 1.f));
-}
-
-void make_ray_length(GoodFrame& frame, Take const&, std::size_t) {
-    fill(frame[depth], [&](int x, int y) { return frame[depth].get(x, y) * stretch(frame, x, y); });
+void make_ray_length(GoodFrame& frame, Take const& take, std::size_t i) {
+    PixelRays const rays(frame.camera, frame.size);
+    fill(frame[depth], [&](int x, int y) { return frame[depth].get(x, y) * glm::length(rays.direction(take.place(i, x, y))); });
 }
 /// What the camera's movement alone makes of motion.
 void forget_objects(GoodFrame& frame, Take const& take, std::size_t i) {
-    detail::StaticMotion const still(frame.camera, take.good[i - 1].camera, frame.size);
+    PixelRays const rays(frame.camera, frame.size);
     fill(frame[motion], [&](int x, int y) {
         auto const z = frame[depth].get(x, y);
-        auto const m = is_finite(z) ? still.at(x, y, z) : std::nullopt;
-        return m ? *m : frame[motion].get(x, y);
+        auto const place = take.place(i, x, y);
+        return is_finite(z) ? projected(take.good[i - 1].camera, rays.position(place, z), frame.size) - place : frame[motion].get(x, y);
     });
 }
 void turn_all_rows(GoodFrame& frame, Take const&, std::size_t) {
@@ -75,6 +69,11 @@ std::vector<HostMistake> mistakes_of_motion() {
              auto const left_in = take.good[i - 1].camera.jitter - frame.camera.jitter;
              each(frame, motion, [&](glm::vec2 m) { return m + left_in; });
          }},
+        {"motion from samples to where their points were, with the centre as the start",
+         {M::motion_jitter},
+         [](GoodFrame& frame, Take const& take, std::size_t i) {
+             fill(frame[motion], [&](int x, int y) { return frame[motion].get(x, y) + take.jitter(i, x, y); });
+         }},
     };
 }
 
@@ -97,6 +96,8 @@ std::vector<HostMistake> mistakes_of_cameras() {
         {"aspect ratio forgotten",
          {M::field_of_view},
          [](GoodFrame& frame, Take const&, std::size_t) { frame.camera.projection[0][0] = frame.camera.projection[1][1]; }},
+        {"projection[1][1] too small", {M::field_of_view}, in_projection(1, 0.8f)},
+        {"projection[1][1] too large", {M::field_of_view}, in_projection(1, 1.25f)},
         {"the camera of the first frame",
          {M::camera_never_moves},
          [](GoodFrame& frame, Take const& take, std::size_t) { frame.camera = take.good[0].camera; }},
@@ -120,6 +121,7 @@ std::vector<HostMistake> mistakes_of_guides() {
          in(depth, [=](float z) { return is_finite(z) ? far * (1.f - close / z) / (far - close) : 1.f; })},
         {"depth of a reversed z-buffer", {M::depth_not_linear}, in(depth, [=](float z) { return is_finite(z) ? close / z : 0.f; })},
         {"depth is the ray's length", {M::depth_is_ray_length}, make_ray_length},
+        {"depth in centimetres, the camera in metres", {M::field_of_view}, in(depth, [](float z) { return 100.f * z; })},
         {"depth of the sky is the far plane's", {M::depth_of_misses}, in(depth, [=](float z) { return is_finite(z) ? z : far; })},
         {"normals packed into [0, 1]", {M::normal_packed}, in(normal, [](glm::vec3 n) { return 0.5f * n + 0.5f; })},
         {"normals in view space",
@@ -131,6 +133,11 @@ std::vector<HostMistake> mistakes_of_guides() {
         {"albedo black", {M::albedo_black}, in(albedo, [](glm::vec3) { return glm::vec3(0.f); })},
         {"albedo in sRGB", {M::albedo_encoded}, in(albedo, [](glm::vec3 a) { return to_srgb(a); })},
         {"albedo squared", {M::albedo_squared}, in(albedo, [](glm::vec3 a) { return a * a; })},
+        {"camera and motion one frame late",
+         {M::guides_behind},
+         [](GoodFrame& frame, Take const& take, std::size_t i) {
+             copy_channel(take.good[i - 1], frame, motion), frame.camera = take.good[i - 1].camera;
+         }},
         {"guides one frame behind", {M::guides_behind}, from_the_frame_before(depth, normal, albedo, motion)},
     };
 }
@@ -149,7 +156,9 @@ std::vector<HostMistake> mistakes_of_samples() {
         {"signal one frame behind", {M::signal_behind}, from_the_frame_before(radiance)},
         {"the same random numbers in every frame",
          {M::seed_repeats, M::identical_frames},
-         [](GoodFrame& frame, Take const& take, std::size_t i) { copy_channel(take.one_seed[i], frame, radiance); }},
+         [](GoodFrame& frame, Take const& take, std::size_t i) {
+             for_each_channel(GoodFrame::channels{}, [&](auto c) { copy_channel(take.one_seed[i], frame, c); });
+         }},
         {"NaN in the signal",
          {M::bad_samples},
          [](GoodFrame& frame, Take const&, std::size_t) { frame[radiance].set(3, 4, glm::vec3(std::nanf(""))); }},

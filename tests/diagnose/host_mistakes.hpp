@@ -9,13 +9,32 @@
 // Mistakes of a host, each on every scene: what the table in docs/host_mistakes.md is made from.
 namespace quell::tests {
 
+/// Where in the picture without jitter the samples of a frame lie, row by row.
+struct Places {
+    std::vector<glm::vec2> of_guides; ///< of depth and motion
+    std::vector<glm::vec2> of_signal;
+};
+
 /// Good frames of a scene, made once. The first is only the past of the second.
 struct Take {
     std::string scene;
     std::vector<GoodFrame> good;
-    std::vector<GoodFrame> one_seed; ///< the same with the same random numbers in every frame
+    std::vector<GoodFrame> one_seed;    ///< the same with the same random numbers in every frame
+    std::vector<Places> places{};       ///< of the good frames; where it is empty, all samples lie at centres with the camera's jitter
+    std::vector<GoodFrame> elsewhere{}; ///< good frames of another camera, where there is one
 
     [[nodiscard]] Extent size() const { return good.front().size; }
+    /// The pixel's place, which is that of its depth and motion.
+    [[nodiscard]] glm::vec2 place(std::size_t i, int x, int y) const {
+        auto const centre = glm::vec2(x, y) + 0.5f + good[i].camera.jitter;
+        return places.empty() ? centre : places[i].of_guides[static_cast<std::size_t>(y * size().width + x)];
+    }
+    /// How far the signal's sample lies from the pixel's centre.
+    [[nodiscard]] glm::vec2 jitter(std::size_t i, int x, int y) const {
+        auto const place = places.empty() ? good[i].camera.jitter + 0.5f + glm::vec2(x, y)
+                                          : places[i].of_signal[static_cast<std::size_t>(y * size().width + x)];
+        return place - glm::vec2(x, y) - 0.5f;
+    }
 };
 
 /// A mistake: what it does to frame i of a take.

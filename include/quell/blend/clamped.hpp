@@ -2,6 +2,7 @@
 
 #include <quell/blend/blend_policy.hpp>
 #include <quell/frame/cursor/taps.hpp>
+#include <quell/frame/hull.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
@@ -119,13 +120,12 @@ struct YCoCg {
         else
             return {v.x * 0.25f + v.y * 0.5f + v.z * 0.25f, (v.x - v.z) * 0.5f, v.y * 0.5f - (v.x + v.z) * 0.25f};
     }
-    /// YCoCg to RGB. Negative components become 0.
+    /// YCoCg to RGB.
     template <class V> QUELL_KERNEL static V to(V const& v) {
-        using Real = real_of<V>;
-        if constexpr (components_of<V> != 3) return v;
-        // A corner of the box may have a negative colour.
+        if constexpr (components_of<V> != 3)
+            return v;
         else
-            return {max(v.x + v.y - v.z, Real(0.f)), max(v.x + v.z, Real(0.f)), max(v.x - v.y - v.z, Real(0.f))};
+            return {v.x + v.y - v.z, v.x + v.z, v.x - v.y - v.z};
     }
 };
 
@@ -159,11 +159,16 @@ template <class Inner, class Range = MeanDeviation, class Axes = Rgb, int radius
         using V = typename decltype(px)::Signal;
         using Real = typename decltype(px)::Real;
         typename Range::template Gatherer<V> bounds(Axes::from(px.signal()));
+        detail::Hull<V> seen(past.signal);
         for_each_neighbour<radius>(px, [&](auto neighbour, auto weight, int dx, int dy) QUELL_INLINED {
-            bounds.add(Axes::from(neighbour.signal()), select(neighbour.missing(), Real(0.f), weight), dx, dy);
+            auto const counted = select(neighbour.missing(), Real(0.f), weight);
+            bounds.add(Axes::from(neighbour.signal()), counted, dx, dy);
+            if constexpr (!std::is_same_v<Axes, Rgb>) seen.add(neighbour.signal(), counted > Real(0.f));
         });
         bounds.finish(range);
-        auto const inside = Axes::to(detail::clipped(bounds, Axes::from(past.signal)));
+        auto inside = Axes::to(detail::clipped(bounds, Axes::from(past.signal)));
+        // A corner of a box in other axes may be a colour that nothing around has.
+        if constexpr (!std::is_same_v<Axes, Rgb>) inside = seen.limited(inside);
         past.clamped = past.clamped + relative_change(inside, past.signal);
         past.signal = inside;
         return inner.blend(px, past);
@@ -173,7 +178,7 @@ private:
     /// Change of luminance over luminance before: w_C of TRMV eq. 8.
     template <class V> QUELL_KERNEL static auto relative_change(V const& after, V const& before) {
         auto const change = map([](auto a, auto b) QUELL_INLINED { return abs(a - b); }, after, before);
-        return luminance(change) / (luminance(before) + 1e-3f);
+        return luminance(change) / (abs(luminance(before)) + 1e-3f);
     }
 };
 template <class Inner> Clamped(Inner) -> Clamped<Inner>;

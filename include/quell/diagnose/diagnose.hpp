@@ -10,6 +10,7 @@
 #include <quell/diagnose/hypotheses/guides/position_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/motion/forgotten_motion.hpp>
 #include <quell/diagnose/hypotheses/motion/geometry_by_motion.hpp>
+#include <quell/diagnose/hypotheses/motion/motion_by_blocks.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_by_history.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_disagreement.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_offsets.hpp>
@@ -41,16 +42,18 @@ inline void find_by_moving_camera(Observation const& seen, ComparedMotions const
 inline void find_motion_mistakes(Observation const& seen, GeometryIs geometry, bool cameras, bool shift_is_known,
                                  std::vector<Finding>& findings) {
     auto const before = findings.size();
+    std::vector<Finding> by_blocks;
+    if (!cameras) find_motion_by_blocks(seen, seen.notes().blocks, seen.has_then, by_blocks);
     auto const pairs = cameras ? motion_pairs(seen, seen.camera, seen.camera_then) : still_pairs(seen);
     auto const moved = cameras ? moving(pairs) : ComparedMotions{};
     bool const moves = moved.size() >= fewest_pairs;
     if (pairs.size() < fewest_pairs || (shift_is_known && find_motion_jitter(seen, pairs, findings))) return;
     if (geometry == GeometryIs::right && find_motion_offset(seen, pairs, moves, findings)) return;
     if (moves && geometry == GeometryIs::unknown && find_geometry_by_motion(seen, moved, findings)) return;
-    if (moves)
-        find_by_moving_camera(seen, moved, findings);
-    else if (seen.depth_then)
-        find_motion_convention_by_history(seen, findings);
+    if (moves) find_by_moving_camera(seen, moved, findings);
+    // Without cameras the guides tell.
+    for (auto& finding : by_blocks) findings.push_back(std::move(finding));
+    if (!moves && findings.size() == before && seen.depth_then) find_motion_convention_by_history(seen, findings);
     if (findings.size() > before || !seen.depth_then) return;
     if (cameras && !moves) find_scale_by_history(seen, findings);
     if (findings.size() > before) return;

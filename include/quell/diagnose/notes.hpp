@@ -28,9 +28,34 @@ struct EdgeSums {
     long long edges = 0;
 };
 
-/// A pixel with its neighbours to the right and below.
+/// A pixel with one to the right and one below, some pixels away.
 struct Patch {
     std::array<glm::vec3, 3> signal{}, albedo{};
+    std::array<bool, 3> plain{}; ///< whether albedo differs from the first one's, and is the same all around both
+};
+
+/// What the guides say of a pixel.
+struct Texel {
+    float depth = 1.f;
+    glm::vec3 normal{}, albedo{};
+};
+/// Some pixels around a place of an earlier frame.
+struct GuideBlock {
+    static constexpr int half = 4; ///< texels on each side of the middle
+    static constexpr std::size_t count = (2 * half + 1) * (2 * half + 1);
+    glm::ivec2 at{}; ///< the middle
+    std::array<Texel, count> texels{};
+    /// How far each texel went since, and in the last frame, by each reading of motion, in pixels. NaN where that is unknown.
+    std::vector<std::array<glm::vec2, count>> ways{}, steps{};
+};
+/// What the blocks of all frames said of motion.
+struct BlockNotes {
+    std::vector<GuideBlock> blocks{};
+    glm::vec2 jitter{};                       ///< of their frame's camera
+    int age = 0;                              ///< how many frames ago that was
+    long long resting_now = 0, moved_now = 0; ///< how many of them have vectors of 0, and how many of these moved
+    int moved_in_a_row = 0;                   ///< consecutive frames in which most of them did
+    std::vector<Comparison> comparisons{};    ///< each reading of motion against each, over all frames
 };
 
 /// State of diagnose between calls. It lives in the history, from the first call on.
@@ -62,6 +87,7 @@ struct DiagnosisNotes {
     int other_power_in_a_row = 0;          ///< consecutive frames in which the signal did not follow albedo as it should
     std::vector<int> noise{};              ///< which pixels stood out in the last call's frame
     int repeats_in_a_row = 0;              ///< consecutive frames whose noise is the last one's
+    BlockNotes blocks{};
     bool said_what_is_not_checked = false;
     glm::vec2 shift{}; ///< movement of the projection's centre, in pixels
 };

@@ -58,7 +58,11 @@ template <class Px, class Source> QUELL_KERNEL auto rejection_of(Px const& px, S
     auto const found = source.previous(px);
     auto const place = sane(px, found);
     auto reason = code_of<Real>(Rejection::other_test);
-    if constexpr (requires { requires is_part<Source, decltype(Source::test)>; }) reason = refusal(px, place.where, source.test);
+    if constexpr (requires {
+                      requires is_part<Source, decltype(Source::test)>;
+                      requires is_surface_test<std::remove_cvref_t<decltype(Source::test)>>;
+                  })
+        reason = refusal(px, place.where, source.test);
     auto const says = both(is_finite(found.where.x), is_finite(found.where.y), found.validity > Real(0.f));
     reason = select(place.validity > Real(0.f), reason, code_of<Real>(Rejection::outside));
     return select(says, reason, code_of<Real>(Rejection::no_motion));

@@ -72,7 +72,7 @@ template <class... Cs, class Storage> struct Frame<Channels<Cs...>, Storage> : d
     }
     /// @cond
     template <class First, class... Rest>
-        requires detail::begins_no_frame<First>
+        requires(detail::begins_no_frame<First> && !(std::is_arithmetic_v<First> && sizeof...(Rest) < 2)) // Frame({width, height}) is one
     explicit Frame(First const&, Rest const&...) {
         static_assert(sizeof(First) == 0, "Frame{size, pipelines..., storage}: the size comes first, an Extent{width, height}");
     }
@@ -101,7 +101,7 @@ template <class... Cs, class Storage> struct Frame<Channels<Cs...>, Storage> : d
 private:
     static Extent checked(Extent size) {
         if (size.width > 0 && size.height > 0) return size;
-        raise_error("frame size", to_string(size), "give a width and a height of at least one pixel");
+        raise_error<Failure>("frame size", to_string(size), "give a width and a height of at least one pixel");
     }
 };
 

@@ -2,7 +2,7 @@
 
 #include <quell/core/error.hpp>
 #include <quell/image/format.hpp>
-#include <quell/image/image_storage.hpp>
+#include <quell/image/interleaved.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
@@ -22,6 +22,7 @@ template <class Format = Float32> struct Borrowed {
     static_assert(ComponentFormat<Format>,
                   "Borrowed<Format>: `Format` must be Float32, Float16 or another format, see quell/image/format.hpp");
     using Exact = Borrowed<Float32>;           ///< storage of channels that need 32 bits
+    using Copy = Interleaved<Format>;          ///< where quell keeps a guide that it has to repair
     static constexpr bool owns_memory = false; ///< history cannot use it
     static constexpr auto name = "borrowed";   ///< for messages
     using format = Format;                     ///< how a component is stored
@@ -65,6 +66,12 @@ template <class Format = Float32> struct Borrowed {
             Extent size;
             std::ptrdiff_t pixel_stride, row_stride, component_stride;
 
+            static View of_copy(auto const& copy) {
+                if constexpr (N == 1)
+                    return {copy.planes[0], copy.size, 1, copy.row_stride(), 1};
+                else
+                    return {copy.data, copy.size, N, copy.row_stride(), 1};
+            }
             QUELL_KERNEL float get(int c, int x, int y) const { return Format::get(at(c, x, y)); }
             QUELL_KERNEL Value<N, float> const get(int x, int y) const { return load<float>(x, y); }
             QUELL_KERNEL void set(int, int, int, float) const {} // a host's input is never written

@@ -44,8 +44,10 @@ concept ImageView = std::is_trivially_copyable_v<V> && requires(V const v, int i
 /// `Storage::Exact` is the storage for channels with `full_precision`; a storage of 32-bit floats names itself. `Storage::Half`, if it has
 /// one, is the storage for channels with `always_half`. Variances (`squared`) go to Exact, unless the views have `squares()`: a view of the
 /// same memory, in a format that holds their roots. If its views have `View::Plane`, the type of an image of one component, and
-/// `View::of(std::array<std::shared_ptr<Plane>, N>)`, a history puts images together from such planes, which takes less memory.
-/// Models: Planar, Interleaved, Borrowed.
+/// `View::of(std::array<std::shared_ptr<Plane>, N>)`, a history puts images together from such planes, which takes less memory. One that
+/// does not own its memory may name a storage that does, `Copy`, and make a view of its image, `View::of_copy(view)`: guides that have to
+/// be repaired are copied there, and stay as they are otherwise. `Storage::Memory`, if it has one, is the ImageMemory in which a history
+/// keeps the counts that kernels write. Models: Planar, Interleaved, Borrowed.
 template <class S>
 concept ImageStorage = requires(Extent size) {
     { typename S::template Image<3>(size).view() } -> ImageView;

@@ -8,6 +8,7 @@ namespace detail {
 /// A view of an interleaved image.
 template <class Format, int N> struct InterleavedView {
     using Element = typename Format::Element;
+    using Memory = HostMemory;                                    ///< where images lie
     using Squares = InterleavedView<typename Format::Squares, N>; ///< a view of the same memory as variances
     static constexpr int components = N, pixel_step = N;
 
@@ -81,7 +82,8 @@ template <class Format = Float32> struct Interleaved {
     using format = Format;                      ///< how a component is stored
     /// An image of N components. Of one component, it is a plane.
     template <int N>
-    using Image = detail::PaddedImage<std::conditional_t<N == 1, detail::PlanarView<Format, 1>, detail::InterleavedView<Format, N>>>;
+    using Image =
+        detail::PaddedImage<std::conditional_t<N == 1, detail::PlanarView<Format, 1, HostMemory>, detail::InterleavedView<Format, N>>>;
 };
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

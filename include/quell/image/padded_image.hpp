@@ -3,10 +3,10 @@
 #include <quell/core/error.hpp>
 #include <quell/image/format.hpp>
 #include <quell/image/image_storage.hpp>
+#include <quell/image/memory.hpp>
 
 #include <algorithm>
 #include <memory>
-#include <new>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
@@ -29,13 +29,14 @@ template <class T, int components>
 inline constexpr bool is_value = std::is_convertible_v<T const&, Value<components, float>> &&
                                  (components_of<T> == 1 || components_of<T> == components);
 
-/// An image with padded rows that owns zero-initialised memory, aligned to 64 bytes. Packs gather by 32-bit offsets, which limits the size.
-/// Copies have memory of their own.
+/// An image with padded rows that owns zero-initialised memory of ViewT::Memory, aligned to 64 bytes. Packs gather by 32-bit offsets, which
+/// limits the size. Copies have memory of their own.
 /// @tparam ViewT PlanarView or InterleavedView
 template <class ViewT> class PaddedImage {
     using Element = typename ViewT::Element;
+    using Memory = typename ViewT::Memory;
     struct Free {
-        void operator()(Element* p) const { ::operator delete[](p, std::align_val_t{64}); }
+        void operator()(Element* p) const { Memory::release(p); }
     };
     std::unique_ptr<Element[], Free> memory;
     Extent extent;
@@ -47,8 +48,8 @@ public:
     /// @throws Error where offsets within a component exceed 31 bits
     explicit PaddedImage(Extent size = {}) : extent(size) {
         if (size.height > 0 && View::row_stride(size) > std::numeric_limits<std::int32_t>::max() / size.height)
-            raise_error("image size", to_string(size) + " pixels, " + std::to_string(View::pixel_step) + " floats apart",
-                        View::pixel_step > 1 ? "use Planar storage or smaller images" : "use smaller images");
+            raise_error<Failure>("image size", to_string(size) + " pixels, " + std::to_string(View::pixel_step) + " floats apart",
+                                 View::pixel_step > 1 ? "use Planar storage or smaller images" : "use smaller images");
         allocate();
         std::uninitialized_value_construct_n(memory.get(), elements());
     }
@@ -98,7 +99,7 @@ public:
     }
 
 private:
-    void allocate() { memory.reset(static_cast<Element*>(::operator new[](bytes(), std::align_val_t{64}))); }
+    void allocate() { memory.reset(static_cast<Element*>(Memory::allocate(bytes()))); }
     [[nodiscard]] std::size_t elements() const { return static_cast<std::size_t>(View::elements(extent)); }
 };
 

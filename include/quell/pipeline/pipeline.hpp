@@ -114,7 +114,8 @@ template <ChannelTag S, class... Parts> struct Pipeline {
     static constexpr bool has_past = (detail::is_temporal<Parts> || ...); ///< whether there is a Temporal
     static constexpr bool needs_camera = (needs_camera_of<Parts> || ...); ///< whether frame.camera must be set
 
-    detail::Ingest<S, Form, Suppression> ingest; ///< the first pass
+    /// The first pass.
+    detail::Ingest<S, Form, Suppression, common_to<without<detail::CheckedGuides, Channels<S>>, reads>> ingest;
     /// The stages, in order.
     decltype(std::tuple_cat(detail::stage_or_nothing(std::declval<Parts>())...)) stages;
 

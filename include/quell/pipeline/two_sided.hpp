@@ -32,6 +32,11 @@ public:
 
     /// Drops all history before the next frame.
     void forget() { before.forget(); }
+    /// Gives scratch back, what run_two_sided() returned, and the frames after. The next call takes it again.
+    void release_scratch() {
+        before.release_scratch();
+        after.release();
+    }
     /// Counts of the frames before.
     [[nodiscard]] Statistics const& statistics() const { return before.statistics(); }
     /// Memory of both histories, in bytes.
@@ -98,7 +103,8 @@ auto run_window(P const& pipeline, P const& joining, W& window, TwoSidedHistory<
     using F = std::remove_reference_t<decltype(window[0])>;
     using FrameStorage = typename F::storage;
     using Output = typename P::Output;
-    if (std::size(window) == 0) raise_error("run_two_sided: the window", "no frames", "give the frame to denoise and those after it");
+    if (std::size(window) == 0)
+        raise_error<Failure>("run_two_sided: the window", "no frames", "give the frame to denoise and those after it");
     std::size_t last = 0;
     auto const follows = [&](std::size_t i) {
         return window[i].size == window[0].size &&

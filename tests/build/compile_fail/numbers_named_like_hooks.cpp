@@ -5,7 +5,7 @@
 // error: `emits` of a policy must be `using emits = Channels<...>`
 // error: `parts` of a policy must be `using parts = Parts<...>`
 // error: `Signal` of a policy must be `using Signal = ` a channel
-// error: `name` of a policy must be `static constexpr auto name = 
+// error: `name` of a policy must be `static constexpr auto name =
 // error: `needs_camera` of a policy must be a `static constexpr bool`
 // error: `leaves_signal` of a policy must be a `static constexpr bool`
 // error: `two_rows` of a policy must be a `static constexpr bool`
@@ -26,7 +26,11 @@
         float NUMBER(hook) = 0.5f;                                                                                                         \
         QUELL_KERNEL auto filter(auto px) const { return quell::scale(px.signal(), NUMBER(hook)); }                                        \
     };                                                                                                                                     \
-    constexpr auto with_##hook = quell::Pipeline{quell::radiance, quell::Spatial{Filter_##hook{}}}
+    constexpr auto with_##hook = quell::Pipeline {                                                                                         \
+        quell::radiance, quell::Spatial {                                                                                                  \
+            Filter_##hook {}                                                                                                               \
+        }                                                                                                                                  \
+    }
 
 FILTER_WITH(reads);
 FILTER_WITH(remembers);

@@ -52,14 +52,16 @@ template <class Pass, class Scope, class SignalView, class MadeViews, class Fini
 
     template <class Real, int rows> QUELL_KERNEL void operator()(AtOnce<Real, rows>, int x, int y, int count) const {
         auto const result = result_of([&]() QUELL_INLINED { return evaluate(Pixel<Real, Scope, rows>{scope, x, y}); });
-        static_assert(
-            contained_in<typename decltype(result.more)::channels, decltype(typename MadeViews::channels{} | Channels<Suppressed>{})>,
-            "a policy returns a channel that it does not list: add the channel to its `emits` or `keeps`");
+        static_assert(contained_in<typename decltype(result.more)::channels,
+                                   decltype(typename MadeViews::channels{} | Channels<Suppressed, ImpossibleGuides>{})>,
+                      "a policy returns a channel that it does not list: add the channel to its `emits` or `keeps`");
         if constexpr (makes_signal) {
             if (store_signal) store_pixels<Real>(signal, x, y, marked(Pixel<Real, Scope>{scope, x, y}, result.value), count);
             if (store_output) finish.template store_output<Real>(x, y, count, result.value);
-            if (counts) count_missing(component<0>(result.value), count);
+            if (counts) count_missing<Real>(result.value, count);
             if constexpr (decltype(result.more)::channels::template has<Suppressed>) count_suppressed(result.more[Suppressed{}], count);
+            if constexpr (decltype(result.more)::channels::template has<ImpossibleGuides>)
+                count_guides(result.more[ImpossibleGuides{}], count);
         }
         for_each_channel(typename MadeViews::channels{}, [&](auto c) QUELL_INLINED {
             static_assert(decltype(result.more)::channels::template has<decltype(c)>,
@@ -84,7 +86,7 @@ private:
         if constexpr (!keeps_marks)
             return value;
         else
-            return with_marks(value, px.missing());
+            return Scope::mark::marked(value, px.missing());
     }
     QUELL_KERNEL auto evaluate(auto px) const {
         if constexpr (requires { pass.filter(px); })
@@ -94,11 +96,22 @@ private:
         else
             return pass.emit_channels(px);
     }
-    template <class Real> QUELL_KERNEL void count_missing(Real const& marked, int count) const {
-        if (!any(sign_bit(marked))) return;
+    template <class Real> QUELL_KERNEL void count_missing(auto const& marked, int count) const {
+        auto const missing = Scope::mark::of(marked);
+        if (!any(missing)) return;
+        add_together(counts->missing, count_of<Real>(missing, count));
+        add_together(counts->holes, count_of<Real>(Scope::mark::hole(marked), count));
+    }
+    /// How many of the first lanes of a mask are true.
+    template <class Real> QUELL_KERNEL static long long count_of(auto mask, int count) {
+        auto const ones = masked(mask, Real(1.f));
         long long n = 0;
-        for (int i = 0; i < count; ++i) n += bits(lane(marked, i)) < 0;
-        add_together(counts->missing, n);
+        for (int i = 0; i < count; ++i) n += lane(ones, i) > 0.f;
+        return n;
+    }
+    template <class Real> QUELL_KERNEL void count_guides(Real const& impossible, int count) const {
+        if (!any(impossible > Real(0.f))) return;
+        for (int i = 0; i < count; ++i) counts->guides.add(lane(impossible, i));
     }
     template <class Real> QUELL_KERNEL void count_suppressed(Real const& taken, int count) const {
         if (!any(taken > Real(0.f))) return;

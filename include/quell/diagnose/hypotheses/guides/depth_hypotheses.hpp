@@ -133,6 +133,12 @@ inline bool find_depth_not_linear(Observation const& seen, std::vector<Finding>&
     return true;
 }
 
+/// Whether depth is exactly this in a pixel, beside it and below it. The horizon of a floor is a row alone.
+inline bool is_area_of(Observation const& seen, float depth, int x, int y) {
+    auto const is = [&](int i, int j) { return i < seen.size.width && j < seen.size.height && bits(seen.depth(0, i, j)) == bits(depth); };
+    return is(x, y) && is(x + 1, y) && is(x, y + 1);
+}
+
 /// The depth of a sky that a host with a far plane gives: the largest of the picture, the same in many pixels, and not that of a wall.
 /// Returns it, if that is so.
 inline std::optional<float> find_finite_sky(Observation const& seen, std::vector<Finding>& findings) {
@@ -143,7 +149,7 @@ inline std::optional<float> find_finite_sky(Observation const& seen, std::vector
     glm::vec3 sum{};
     float lengths = 0.f;
     for_each_hit(seen, [&](int x, int y) {
-        bool const is_farthest = bits(seen.depth(0, x, y)) == bits(farthest);
+        bool const is_farthest = is_area_of(seen, farthest, x, y);
         there.add(is_farthest);
         if (!is_farthest || !seen.normal) return;
         sum += vec3_at(seen.normal, x, y), lengths += glm::length(vec3_at(seen.normal, x, y));

@@ -56,82 +56,34 @@ inline void add(Comparison& comparison, Trial const& a, Trial const& b) {
     }
 }
 
-/// A way to read the vectors: of another convention, or longer or shorter than they should be.
-struct Reading {
-    MotionConvention convention;
-    float scale = 1.f; ///< what they are multiplied by
-};
-inline std::vector<Reading> readings(MotionConvention taken_for) {
-    std::vector<Reading> all;
-    for (auto const each : motion_conventions(taken_for)) all.push_back({each});
-    all.push_back({taken_for, 0.5f}), all.push_back({taken_for, 2.f});
-    return all;
+/// The vectors of this frame, in each reading.
+inline std::vector<Trial> trials_of(Observation const& seen, std::vector<Reading> const& all) {
+    std::vector<Trial> trials(all.size());
+    for_each_hit(seen, [&](int x, int y) {
+        auto const found = vec2_at(seen.motion, x, y);
+        if (!all_finite(found) || found == glm::vec2(0.f)) return;
+        for (std::size_t i = 0; i < trials.size(); ++i)
+            trials[i].add(seen, x, y, found * all[i].scale * correction(all[i].convention, seen.convention, seen.size));
+    });
+    return trials;
 }
-
-/// Compares all readings pairwise on the vectors of all frames so far. The pipeline's is the first.
-class Tournament {
-    std::vector<Reading> all;
-    std::vector<Comparison>& comparisons;
-    std::size_t best = 0;
-
-public:
-    explicit Tournament(Observation const& seen) : all(readings(seen.convention)), comparisons(seen.notes().comparisons) {
-        comparisons.resize(all.size() * all.size());
-        auto const trials = trials_of(seen);
-        for (std::size_t a = 0; a < trials.size(); ++a)
-            for (std::size_t b = 0; b < a; ++b) add(comparisons[a * trials.size() + b], trials[a], trials[b]);
-        for (std::size_t i = 1; i < trials.size(); ++i)
-            if (won(i, best)) best = i;
-    }
-    [[nodiscard]] MotionConvention convention() const { return all[best].convention; }
-    /// The pipeline's convention against the best.
-    [[nodiscard]] Comparison comparison() const { return comparison(0, best); }
-    /// Whether the best beats the pipeline's convention, and all others that differ from that in as little.
-    [[nodiscard]] bool decided() const {
-        for (std::size_t i = 1; i < all.size(); ++i)
-            if (i != best && mistakes_in(i) <= mistakes_in(best) && comparison(best, i).apart >= 20 && !won(best, i)) return false;
-        // Shorter vectors lead to the same surface more often: that is no evidence.
-        bool const scaled = all[best].scale < 1.f || all[best].scale > 1.f;
-        return best > 0 && !scaled && won(best, 0) && comparison().second >= 20;
-    }
-
-private:
-    [[nodiscard]] std::size_t mistakes_in(std::size_t i) const {
-        auto const [convention, scale] = all[i];
-        return mistakes_of(convention, all[0].convention).size() + (scale < 1.f || scale > 1.f ? 1 : 0);
-    }
-    [[nodiscard]] Comparison comparison(std::size_t a, std::size_t b) const {
-        if (a > b) return comparisons[a * all.size() + b];
-        auto const turned = comparisons[b * all.size() + a];
-        return {turned.second, turned.first, turned.apart};
-    }
-    /// With a margin: disoccluded pixels match neither, or one by chance.
-    [[nodiscard]] bool won(std::size_t a, std::size_t b) const {
-        return comparison(a, b).first >= 8 && comparison(a, b).first > 4 * comparison(a, b).second;
-    }
-
-    [[nodiscard]] std::vector<Trial> trials_of(Observation const& seen) const {
-        std::vector<Trial> trials(all.size());
-        for_each_hit(seen, [&](int x, int y) {
-            auto const found = vec2_at(seen.motion, x, y);
-            if (!all_finite(found) || found == glm::vec2(0.f)) return;
-            for (std::size_t i = 0; i < trials.size(); ++i)
-                trials[i].add(seen, x, y, found * all[i].scale * correction(all[i].convention, seen.convention, seen.size));
-        });
-        return trials;
-    }
-};
 
 /// Sign, unit and direction of y, by moving objects, where the camera is unknown or static.
 inline void find_motion_convention_by_history(Observation const& seen, std::vector<Finding>& findings) {
-    Tournament const tournament(seen);
-    if (!tournament.decided()) return;
-    auto const factor = correction(tournament.convention(), seen.convention, seen.size);
-    report_convention(tournament.convention(), seen,
-                      std::to_string(tournament.comparison().first) +
+    ReadingContest contest(seen.convention, seen.notes().comparisons);
+    auto const trials = trials_of(seen, contest.entrants());
+    contest.for_each_pair([&](Comparison& comparison, std::size_t a, std::size_t b) { add(comparison, trials[a], trials[b]); });
+    auto const best = contest.best();
+    // Shorter vectors lead to the same surface more often: that is no evidence.
+    if (!contest.is_winner(best) || contest.is_scaled(best)) return;
+    auto const convention = contest.reading(best).convention;
+    auto const factor = correction(convention, seen.convention, seen.size);
+    auto const counts = contest.comparison(0, best);
+    report_convention(convention, seen,
+                      std::to_string(counts.first) +
                           " moving pixels find their surface in the last frame by motion as it is and not by motion times " +
-                          pair(static_cast<double>(factor.x), static_cast<double>(factor.y)) + ", " +
-                          std::to_string(tournament.comparison().second) + " the other way round, in all frames so far",
+                          pair(static_cast<double>(factor.x), static_cast<double>(factor.y)) + ", " + std::to_string(counts.second) +
+                          " the other way round, in all frames so far",
                       findings);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <quell/diagnose/hypotheses/camera/static_motion.hpp>
-#include <quell/diagnose/hypotheses/motion/motion_conventions.hpp>
+#include <quell/diagnose/hypotheses/motion/readings.hpp>
 #include <quell/diagnose/observation.hpp>
 #include <quell/diagnose/statistics.hpp>
 
@@ -65,19 +65,6 @@ struct BestConvention {
     }
     [[nodiscard]] bool clear() const { return best.share() > own.share() + clear_margin; }
 };
-
-inline void report_convention(MotionConvention convention, Observation const& seen, std::string const& evidence,
-                              std::vector<Finding>& findings) {
-    auto const factor = correction(convention, seen.convention, seen.size);
-    std::string swapped;
-    if (convention.points != seen.convention.points) swapped = ", or swap the current and the previous matrix where it is computed,";
-    auto const wrong = mistakes_of(convention, seen.convention);
-    findings.push_back({wrong.front(),
-                        evidence,
-                        "multiply motion by " + pair(static_cast<double>(factor.x), static_cast<double>(factor.y)) + swapped +
-                            " or give the pipeline Supplied<" + code_of(convention) + ">{}",
-                        {wrong.begin() + 1, wrong.end()}});
-}
 
 /// Sign, unit and direction of y, by a moving camera.
 inline void find_motion_convention(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {

@@ -74,12 +74,11 @@ inline bool find_motion_offset(Observation const& seen, ComparedMotions const& p
     notes.offset_in_a_row = !everywhere ? 0 : same ? notes.offset_in_a_row + 1 : 1;
     notes.constant_offset = common.offset;
     if (notes.offset_in_a_row < 2) return everywhere && notes.offset_in_a_row > 0 && !camera_moves;
-    findings.push_back(
-        {Mistake::motion_offset,
-         percent(common.sharing.share()) + " of " + std::to_string(pairs.size()) + " surface pixels have " +
-             pair(static_cast<double>(common.offset.x), static_cast<double>(common.offset.y)) +
-             " pixels too much in their motion, as in the last frame, and " + percent(common.without.share()) + " have none",
-         "subtract it: both ends of a motion vector are places of the same kind, both of pixels' centres or both of corners"});
+    report_offset(common.offset,
+                  percent(common.sharing.share()) + " of " + std::to_string(pairs.size()) +
+                      " surface pixels are beside the place where depth and cameras say, by the same as in the last frame, and " +
+                      percent(common.without.share()) + " are there",
+                  findings);
     return true;
 }
 

@@ -36,12 +36,12 @@ inline void find_scale_by_history(Observation const& seen, std::vector<Finding>&
     if (own < 40 || own * 500 < seen.notes().moving) return;
     for (std::size_t i : {std::size_t{1}, std::size_t{2}}) {
         if (absences[i] * 10 > own || absences[3 - i] * 2 < own) continue;
-        auto const factor = number(static_cast<double>(scales_of_motion[i]));
-        findings.push_back({Mistake::motion_scale,
-                            "at " + std::to_string(own) + " of " + std::to_string(seen.notes().moving) +
-                                " pixels that move, the last frame saw something farther away where motion leads, and at " +
-                                std::to_string(absences[i]) + " where " + factor + " times motion leads, in all frames so far",
-                            "multiply motion by " + factor + ": it is in pixels of this picture, from this frame to the one before it"});
+        report_scale(scales_of_motion[i],
+                     "at " + std::to_string(own) + " of " + std::to_string(seen.notes().moving) +
+                         " pixels that move, the last frame saw something farther away where motion leads, and at " +
+                         std::to_string(absences[i]) + " where " + number(static_cast<double>(scales_of_motion[i])) +
+                         " times motion leads, in all frames so far",
+                     findings);
         return;
     }
 }
