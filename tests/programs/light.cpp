@@ -158,6 +158,14 @@ TEST_CASE("in each frame the layers add up to the picture, together with what th
     }
 }
 
+TEST_CASE("--signal rest says where the rest is") {
+    Folder const folder;
+    write_frame(folder, 1, {});
+    write_maps(folder);
+    check_refused(denoise(input(folder) + output(folder) + "--signal rest --map '" + (folder / "passes.json").string() + "'"),
+                  {"--signal", "frame.0001.exr", "denoised_rest", "--layers signals"});
+}
+
 // Films that are transparent.
 namespace {
 
