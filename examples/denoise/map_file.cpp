@@ -246,15 +246,6 @@ std::string text_of(std::string const& map) {
     return text;
 }
 
-/// A frame, or null where it can't be read: whoever wants it complains.
-std::unique_ptr<io::ExrFile> readable(std::filesystem::path const& path) {
-    try {
-        return std::filesystem::exists(path) ? std::make_unique<io::ExrFile>(path) : nullptr;
-    } catch (Error const&) {
-        return nullptr;
-    }
-}
-
 /// What the user should know of a guide that there is none of.
 std::string without(std::string const& guide) {
     if (guide == motion.name)
@@ -314,12 +305,6 @@ io::SequenceNames parse_map(std::string const& text, std::string const& name, io
 }
 
 io::SequenceNames read_map(std::string const& map, io::ExrListing const* frame) { return parse_map(text_of(map), map, frame); }
-
-io::SequenceNames read_map(std::string const& map, std::vector<std::filesystem::path> const& frames) {
-    for (auto const& path : frames)
-        if (auto const frame = readable(path)) return read_map(map, frame.get());
-    return read_map(map);
-}
 
 namespace {
 

@@ -3,8 +3,6 @@
 #include <quell/io/exr_file.hpp>
 #include <quell/io/file_views.hpp>
 
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -30,8 +28,6 @@ inline constexpr std::string_view map_example =
 /// @param frame that the names are for: it decides between names that stand for each other, and which part's they are; null: the first
 /// @throws Error naming the file, the member, and what to write
 [[nodiscard]] io::SequenceNames read_map(std::string const& map, io::ExrListing const* frame = nullptr);
-/// The same for the first of these frames that can be read.
-[[nodiscard]] io::SequenceNames read_map(std::string const& map, std::vector<std::filesystem::path> const& frames);
 
 /// The same from text; `name` is what messages call it.
 [[nodiscard]] io::SequenceNames parse_map(std::string const& text, std::string const& name, io::ExrListing const* frame = nullptr);
