@@ -131,7 +131,7 @@ std::optional<std::string> alpha_plane(io::ExrListing const& file, io::SequenceN
     auto const beside = layer_of(red);
     auto const name = beside.empty() ? "A" : beside + ".A";
     auto const *const picture = file.find(red), *const alpha = file.find(name);
-    bool const is_others = picture && alpha && picture->part != alpha->part && !names.view.empty();
+    bool const is_others = picture && alpha && picture->part != alpha->part; // another part's alpha is another picture's
     return alpha && !is_others ? std::optional(name) : std::nullopt;
 }
 

@@ -55,7 +55,8 @@ using ChannelTriple = std::array<std::string, 3>;
 [[nodiscard]] std::vector<ChannelTriple> signal_channels(io::SequenceNames const& names);
 
 /// Rounds the picture to the format of the file's, and changes the strongest signal of each pixel, by no more than that rounding and that
-/// of sums, so that the signals in their order and then what is added in its order make up the picture: as floats, to the last bit.
+/// of sums, so that the signals in their order and then what is added in its order make up the picture: as floats, to the last bit, or to
+/// that of the largest of them where some cancel each other.
 /// @param type the picture's format in the file
 void add_up_exactly(DenoisedFrame& frame, std::array<io::SampleType, 3> const& type);
 

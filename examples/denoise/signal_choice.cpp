@@ -92,6 +92,9 @@ SignalChoice choose_signal(std::string const& word, io::ExrListing const& file, 
     });
     if (choice) return *choice;
     if (auto const sources = layer_named(word, file); !sources.empty()) return choice_of_part(word, sources, file, names);
+    if (word == rest_name)
+        throw Error("--signal", "the rest is what the signals leave over of each frame's picture, and not in " + file.name,
+                    "leave --signal out, and take the layer denoised_rest (--layers signals)");
     throw Error("--signal", "there is no signal '" + word + "' in " + file.name, "choose any of: " + signals_in(file, names));
 }
 

@@ -20,7 +20,7 @@ TEST_CASE("under -ffast-math, output and history of every preset are finite for 
     for (auto const& preset : quell::fuzz::cases()) {
         CAPTURE(preset.name);
         std::mt19937 random(7);
-        for (int i = 0; i < 60; ++i) {
+        for (int i = 0; i < 200; ++i) {
             std::vector<std::uint8_t> bytes(200);
             for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random());
             quell::fuzz::Bytes in(bytes);

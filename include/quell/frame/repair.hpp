@@ -71,6 +71,14 @@ template <> struct Repair<Motion> {
 struct ImpossibleGuides : Channel<1> {
     static constexpr auto name = "impossible guides";
 };
+/// Whether something is seen at the pixel of a cursor, as far as the pass reads the depth.
+template <class Guides, class Px> QUELL_KERNEL auto shows_surface(Px const& px) {
+    using Real = typename Px::Real;
+    if constexpr (Guides::template has<Depth>)
+        return is_finite(px[Depth{}]);
+    else
+        return Real(0.f) == Real(0.f);
+}
 /// ImpossibleGuides of the pixel at a cursor. Nothing needs a normal where nothing is seen.
 /// @tparam Guides of CheckedGuides, those that the pass reads
 template <class Guides, class Px> QUELL_KERNEL auto impossible_guides(Px const& px) {
@@ -80,7 +88,7 @@ template <class Guides, class Px> QUELL_KERNEL auto impossible_guides(Px const& 
     for_each_channel(CheckedGuides{}, [&]<class C>(C) QUELL_INLINED {
         if constexpr (Guides::template has<C>) {
             auto bad = invert(Repair<C>::possible(px[C{}]));
-            if constexpr (std::is_same_v<C, Normal> && Guides::template has<Depth>) bad = both(bad, is_finite(px[depth]));
+            if constexpr (std::is_same_v<C, Normal>) bad = both(bad, shows_surface<Guides>(px));
             sum = sum + masked(bad, Real(number));
         }
         number = number * 2.f;
