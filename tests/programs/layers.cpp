@@ -218,7 +218,8 @@ TEST_CASE("denoised signals are layers that add up to the picture exactly, which
     auto const map = "--map '" + (folder / "map.json").string() + "' ";
     denoised(folder, map);
     auto const out = io::read_exr(folder / "out.0002.exr");
-    CHECK(off_by(out, {"denoised_diffuse", "denoised_signals_1", "denoised_rest", "glow"}, "beauty") == 0.f);
+    // Some pixels of this beauty are far less than the glow that is added, whose rounding remains.
+    CHECK(off_by(out, {"denoised_diffuse", "denoised_signals_1", "denoised_rest", "glow"}, "beauty") <= 100.f * 0x1p-24f);
     CHECK(out["beauty.R"].type == io::SampleType::half);
     CHECK(different(whole_of(folder / "frame.0002.exr"), whole_of(folder / "out.0002.exr")).size() == 3 + 9);
     // Without a place in the map: R, G, B.

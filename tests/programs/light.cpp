@@ -147,13 +147,14 @@ TEST_CASE("in each frame the layers add up to the picture, together with what th
         auto const picture = pass(image, "beauty"), diffuse = pass(image, "denoised_diffuse"), rest = pass(image, "denoised_rest"),
                    sky = pass(image, "sky");
         int off = 0;
-        for (std::size_t k = 0; k < picture.size(); ++k)
-            for (glm::length_t c = 0; c < 3; ++c) {
-                // Where the file adds more than the picture takes of it, the rest is negative: floats then round to that of the largest.
-                auto const largest = std::max({std::abs(diffuse[k][c]), std::abs(rest[k][c]), std::abs(sky[k][c])});
-                auto const difference = std::abs(diffuse[k][c] + rest[k][c] + sky[k][c] - picture[k][c]);
-                off += difference > (i == 1 || i == 4 ? 0x1p-22f * largest : 0.f);
+        for (std::size_t k = 0; k < picture.size(); ++k) {
+            // Where the file adds more than the picture takes of it, the rest is negative: floats then round to that of the largest.
+            for (int c = 0; c < 3; ++c) {
+                float const a = diffuse[k][c], b = rest[k][c], sum = a + b + sky[k][c];
+                float const largest = std::max({std::abs(a), std::abs(b), std::abs(sky[k][c])});
+                off += std::abs(sum - picture[k][c]) > (i == 1 || i == 4 ? 0x1p-22f * largest : 0.f);
             }
+        }
         CHECK(off == 0);
         double const error = error_of(folder, "out.", i, {.noisy = i == 4, .beside = i == 3 ? 0.3f : 0.f});
         CHECK(error < 0.5 * error_of(folder, "frame.", i, {.noisy = i == 4, .beside = i == 3 ? 0.3f : 0.f}));

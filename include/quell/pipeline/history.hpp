@@ -177,9 +177,9 @@ private:
         return !std::exchange(empty, true);
     }
     /// Takes note of what the first pass has counted.
-    void note(detail::GuideCounts const& guides, detail::Counts const& counts) {
-        counted.missing_samples = counts.missing;
-        counted.suppressed = counts.suppressed.total();
+    void note(detail::GuideCounts const& guides, detail::Counts const& samples) {
+        counted.missing_samples = samples.missing;
+        counted.suppressed = samples.suppressed.total();
         counted.repaired_guides = {guides.pixels, guides.of(albedo), guides.of(normal), guides.of(depth), guides.of(motion)};
     }
     /// Ends a frame: what it has written is what the next one reads.

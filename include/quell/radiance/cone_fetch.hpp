@@ -60,7 +60,7 @@ private:
         auto const turned = scale(past.signal, select(both(known, was > Real(0.f)), is / max(was, Real(1e-30f)), Real(1.f)));
         auto const limited = seen.limited(turned);
         past.signal = select(differs, limited, past.signal);
-        auto const light = luminance(turned), part = select(light > Real(0.f), luminance(limited) / max(light, Real(1e-30f)), Real(1.f));
+        auto const shaded = luminance(turned), part = select(shaded > Real(0.f), luminance(limited) / max(shaded, Real(1e-30f)), Real(1.f));
         auto const per_sample = 1.f / max(samples, Real(1e-3f));
         auto const in_cones =
             make_value<12, Real>([&](auto i) QUELL_INLINED { return after.at[i] * (i % 2 == 0 ? per_sample * part : per_sample); });

@@ -66,23 +66,23 @@ private:
         });
     }
     template <class V> QUELL_KERNEL static V encoded(V const& v) {
-        using I = Index<real_of<V>>;
+        using Bits = Index<real_of<V>>;
         return each_telling(v, [](auto a) QUELL_INLINED {
             using Real = decltype(a);
             auto const given = without_sign_bit(a), size = min(given, Real(largest));
             auto const none = given >= Real(nothing);
             if constexpr (components_of<V> == 1) return with_sign_bit(select(none, given, size));
             // Rounds to where the last bit is free.
-            auto const rounded = (bits(size) + I(sign_here)) & I(-2 * sign_here);
-            auto const signed_size = from_bits(select_index(sign_bit(a), rounded | I(sign_here), rounded));
+            auto const rounded = (bits(size) + Bits(sign_here)) & Bits(-2 * sign_here);
+            auto const signed_size = from_bits(select_index(sign_bit(a), rounded | Bits(sign_here), rounded));
             return with_sign_bit(select(none, given, signed_size));
         });
     }
     template <class V> QUELL_KERNEL static V decoded(V const& v) {
-        using I = Index<real_of<V>>;
+        using Bits = Index<real_of<V>>;
         return each_telling(v, [](auto a) QUELL_INLINED {
             if constexpr (components_of<V> == 1) return without_sign_bit(a);
-            auto const size = bits(a) & I(magnitude - sign_here), sign = (bits(a) & I(sign_here)) << (31 - bit);
+            auto const size = bits(a) & Bits(magnitude - sign_here), sign = (bits(a) & Bits(sign_here)) << (31 - bit);
             return from_bits(size | sign);
         });
     }
