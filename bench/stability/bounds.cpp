@@ -16,12 +16,12 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// What stands in a broken pixel: numbers at which arithmetic changes its ways, any bits, or what was there, in another unit.
-float broken(float value, std::mt19937& random) {
-    constexpr std::array odd{
-        std::numeric_limits<float>::quiet_NaN(), infinity, -infinity, 3e38f, 1e-40f, 0.f, -0.f, -1.f, 1e16f, 65504.f, 1e-20f};
+float odd(float value, std::mt19937& random) {
+    constexpr std::array turning{
+        std::numeric_limits<float>::quiet_NaN(), infinity, -infinity, 3e38f, 0.f, -0.f, -1.f, 1e16f, 65504.f, 1e-20f};
     switch (random() % 4) {
     case 0:
-        return odd[random() % odd.size()];
+        return turning[random() % turning.size()];
     case 1:
         return std::bit_cast<float>(static_cast<std::uint32_t>(random()));
     case 2:
@@ -29,6 +29,11 @@ float broken(float value, std::mt19937& random) {
     default:
         return -value;
     }
+}
+/// The same without subnormal numbers, which threads may or may not count as 0.
+float broken(float value, std::mt19937& random) {
+    float const made = odd(value, random);
+    return std::abs(made) < std::numeric_limits<float>::min() ? 0.f : made;
 }
 
 /// The frame with other samples and motion, of which some planes are broken: in few pixels, many or all.

@@ -55,17 +55,14 @@ Range operator*(Range const& a, Range const& b) {
 Range operator+(Range const& a, Range const& b) { return {a.low + b.low, a.high + b.high, false}; }
 
 SampleRange::SampleRange(examples::Preset const& preset) {
-    // Of several signals, the picture is direct * visibility + glossy + albedo * indirect; a factor with a pipeline of its own is no term.
-    bool const several = preset.of_signals.size() > 1;
-    for (auto const& each : preset.of_signals) {
-        std::string const factor = !several ? "" : each.name == "visibility" ? "direct" : each.name == "indirect" ? "albedo" : "";
-        terms.push_back({each.name, factor});
-    }
+    // The picture is direct * visibility + glossy + albedo * indirect, or a part of that; a factor with a pipeline of its own is no term.
+    for (auto const& each : preset.of_signals)
+        terms.push_back({each.name, each.name == "visibility" ? "direct" : each.name == "indirect" ? "albedo" : ""});
     for (auto& term : terms)
         for (auto const& other : terms)
             if (term.factor == other.signal) term.of_factor = &other;
     auto const planes = preset.make({1, 1}, 1)->planes({});
-    divides = !several && terms[0].signal == "radiance" && std::ranges::find(planes, "albedo.R") != planes.end();
+    divides = terms[0].signal == "radiance" && std::ranges::find(planes, "albedo.R") != planes.end();
 }
 
 void SampleRange::start_over() {

@@ -104,7 +104,7 @@ template <class Executor, class Storage = Planar<>, class P> void run_frames(std
             auto& its = std::get<Bounds<Part>>(bounds.all);
             if (part.statistics().frames == 1) its.start_over();
             its.see(frame);
-            its.check(frame, detail::Inspect::output(part).view(), half ? 4e-3f : 1e-5f, half ? 65504.f : 1e30f,
+            its.check(frame, detail::Inspect::output(part).view(), half ? 4e-3f : 1e-5f, half ? 1e-7f : 1e-30f, half ? 65504.f : 1e30f,
                       [&](int x, int y, float value, float least, float most) {
                           std::fprintf(stderr, "%s's samples are %g to %g\n", preset.c_str(), static_cast<double>(least),
                                        static_cast<double>(most));

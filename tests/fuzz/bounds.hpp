@@ -60,17 +60,18 @@ public:
     }
     /// Calls fail(x, y, value, least, most) for each component outside the bounds. Where no sample was seen, only 0 is inside.
     /// @param rounding relative to the largest sample
-    /// @param largest  number that the history can hold
-    template <class F> void check(F const& frame, auto const& out, float rounding, float largest, auto&& fail) const {
+    /// @param smallest number above 0 that the history can hold
+    /// @param largest  one
+    template <class F> void check(F const& frame, auto const& out, float rounding, float smallest, float largest, auto&& fail) const {
         for (int c = 0; c < count; ++c) {
             bool const none = high[c] < low[c];
             float const least = none ? 0.f : std::clamp(low[c], -largest, largest),
                         most = none ? 0.f : std::clamp(high[c], -largest, largest);
-            float const slack = std::max(std::abs(least), std::abs(most)) * rounding + 1e-30f;
+            float const slack = std::max(std::abs(least), std::abs(most)) * rounding;
             for (int y = 0; y < frame.size.height; ++y)
                 for (int x = 0; x < frame.size.width; ++x) {
-                    float const d = part(frame, c, x, y), a = out.get(c, x, y) / d;
-                    if (!(a >= least - slack && a <= most + slack)) fail(x, y, a, least, most);
+                    float const d = part(frame, c, x, y), a = out.get(c, x, y) / d, step = smallest / d;
+                    if (!(a >= least - slack - step && a <= most + slack + step)) fail(x, y, a, least, most);
                 }
         }
     }

@@ -152,7 +152,8 @@ private:
                            n_there.z - centre.n_here.z};
         auto const light = tap[Light<level>{}];
         window.fit.add(at, light, w);
-        window.seen.add(light, tap.inside());
+        // Less is of another surface, or outside the image.
+        window.seen.add(light, w > Real(1e-9f));
     }
 };
 

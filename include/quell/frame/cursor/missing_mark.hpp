@@ -49,6 +49,7 @@ private:
     static constexpr int bit = exact ? 0 : 13; ///< where the sign is
     static constexpr float nothing = std::numeric_limits<float>::max(), largest = exact ? 1e38f : 65408.f,
                            hole_from = exact ? 2e38f : 65450.f;
+    static constexpr float subnormal = 0x1p-14f, smallest_step = 0x1p-24f; ///< of halves: below this the last bit is always the same step
     static constexpr std::int32_t sign_here = 1 << bit, magnitude = std::numeric_limits<std::int32_t>::max();
     template <class V> static constexpr int telling = components_of<V> < 4 ? components_of<V> : 4;
 
@@ -74,7 +75,11 @@ private:
             if constexpr (components_of<V> == 1) return with_sign_bit(select(none, given, size));
             // Rounds to where the last bit is free.
             auto const rounded = (bits(size) + Bits(sign_here)) & Bits(-2 * sign_here);
-            auto const signed_size = from_bits(select_index(sign_bit(a), rounded | Bits(sign_here), rounded));
+            auto signed_size = from_bits(select_index(sign_bit(a), rounded | Bits(sign_here), rounded));
+            if constexpr (!exact) {
+                auto const steps = floor(size * (0.5f / smallest_step) + 0.5f) * 2.f;
+                signed_size = select(size < Real(subnormal), (steps + masked(sign_bit(a), Real(1.f))) * smallest_step, signed_size);
+            }
             return with_sign_bit(select(none, given, signed_size));
         });
     }
@@ -83,7 +88,13 @@ private:
         return each_telling(v, [](auto a) QUELL_INLINED {
             if constexpr (components_of<V> == 1) return without_sign_bit(a);
             auto const size = bits(a) & Bits(magnitude - sign_here), sign = (bits(a) & Bits(sign_here)) << (31 - bit);
-            return from_bits(size | sign);
+            if constexpr (exact)
+                return from_bits(size | sign);
+            else {
+                auto const pairs = without_sign_bit(a) * (0.5f / smallest_step), whole = floor(pairs), even = whole * (2.f * smallest_step);
+                auto const small = select(pairs - whole > decltype(a)(0.25f), -even, even);
+                return select(without_sign_bit(a) < decltype(a)(subnormal), small, from_bits(size | sign));
+            }
         });
     }
 };
