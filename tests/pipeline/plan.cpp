@@ -13,6 +13,7 @@ bool has(PlannedPass::Names const& names, std::string_view name) { return std::r
 /// What a run of two frames has taken.
 template <class P> double bytes_of(P const& pipeline) {
     Frame frame{Extent{1024, 16}, pipeline};
+    tests::fill_still(frame);
     History history{frame.size, pipeline};
     for (int i = 0; i < 2; ++i) run(pipeline, frame, history);
     return history.bytes_per_pixel();
@@ -44,13 +45,13 @@ TEST_CASE("a plan names the passes in order, with what they read and write") {
     auto const plan = plan_of(presets::svgf(radiance, Demodulate{}));
     REQUIRE(plan.passes.size() == 8);
     CHECK(plan.passes[0].name == "ingest");
-    CHECK(plan.passes[0].reads == PlannedPass::Names{"radiance", "albedo"});
+    CHECK(plan.passes[0].reads == PlannedPass::Names{"radiance", "albedo", "normal", "depth", "motion"});
     CHECK(plan.passes[1].name == "temporal");
     CHECK(has(plan.passes[1].reads, "motion"));
     CHECK(has(plan.passes[1].reads_past, "luminance_mean"));
     CHECK(has(plan.passes[1].writes, "history_length"));
     CHECK(plan.passes[1].denoises == "radiance");
-    CHECK(to_string(plan).find("| ingest | radiance, albedo |  | signal |") != std::string::npos);
+    CHECK(to_string(plan).find("| ingest | radiance, albedo, normal, depth, motion |  | signal |") != std::string::npos);
     check_order(presets::svgf(radiance, Demodulate{}));
     check_order(presets::general(radiance, Demodulate{}));
     check_order(presets::shadow(visibility));
@@ -80,7 +81,7 @@ TEST_CASE("the pipelines of a composite run in order and share what is scratch")
     CHECK(has(plan.passes[7].writes, "output"));
     CHECK(plan.passes[15].denoises == "indirect");
     CHECK(plan.passes[16].denoises.empty());
-    auto const text = to_string(plan), heading = std::string("| **indirect** |  |  |  |\n| ingest | indirect |");
+    auto const text = to_string(plan), heading = std::string("| **indirect** |  |  |  |\n| ingest | indirect, normal, depth, motion |");
     CHECK(text.find(heading) != std::string::npos);
     CHECK(to_string(plan_of(one)).find("**") == std::string::npos);
     CHECK(plan.bytes_per_pixel < plan_of(one).bytes_per_pixel + plan_of(other).bytes_per_pixel);

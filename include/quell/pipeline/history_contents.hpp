@@ -83,7 +83,8 @@ template <class P, class Storage> [[nodiscard]] std::optional<HistoryContents> c
     return detail::ReachContents::read(history);
 }
 
-/// Makes a history remember that. A component that the contents lack, such as alpha, becomes 1.
+/// Makes a history remember other contents than its own. A component that the contents lack, such as alpha, becomes 1.
+/// @param history  any of the pipeline's; what it remembered is forgotten
 /// @param contents of a pipeline that keeps and remembers the same channels; its signal may have another number of components
 /// @throws Error naming a channel that they lack
 template <class P, class Storage> void put_contents(History<P, Storage>& history, HistoryContents const& contents) {
