@@ -76,8 +76,6 @@ inline constexpr std::tuple list{
     NamedPreset{"blur", blur, radiance, [](auto signal, auto...) { return presets::blur(signal); }},
     NamedPreset{"blur-straight", blur, radiance, [](auto signal, auto...) { return presets::blur<StraightTrajectories>(signal); }},
     NamedPreset{"blur-bent", blur, radiance, [](auto signal, auto...) { return presets::blur<BentTrajectories>(signal); }},
-    NamedPreset{"blur-adaptive", blur, radiance,
-                [](auto signal, auto...) { return presets::blur<RotatingTrajectories, AdaptiveFootprint>(signal); }},
     NamedPreset{"blur-split", blur, all, [](auto...) { return blur_split(); }},
 
     NamedPreset{"asvgf", published, any, [](auto... a) { return asvgf(a...); }},
