@@ -69,7 +69,6 @@ inline constexpr std::tuple list{
 
     NamedPreset{"shadow", effects, visibility, [](auto... a) { return shadow(a...); }},
     NamedPreset{"glossy", effects, quell::glossy, [](auto... a) { return presets::glossy(a...); }},
-    NamedPreset{"glossy-flat-mirror", effects, quell::glossy, [](auto... a) { return presets::glossy<FlatMirror>(a...); }},
     NamedPreset{"dual-cone", effects, indirect, [](auto... a) { return dual_cone(a...); }},
     NamedPreset{"trmv", effects, all, [](auto... parts) { return trmv(parts...); }},
 
