@@ -1,6 +1,6 @@
 #include "../frames.hpp"
 
-#include <quell/pipeline/execution/image_pool.hpp>
+#include <quell/pipeline/graph/image_pool.hpp>
 
 using namespace quell;
 using detail::ImagePool;
