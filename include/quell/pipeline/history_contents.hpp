@@ -47,7 +47,8 @@ template <class Storage, ChannelTag C> PooledImage image_of(ImagePool& pool, His
 
 template <class P, class Storage> HistoryContents read_contents(HistoryImages const& images) {
     auto const& then = images.then;
-    HistoryContents contents{images.size, planes_of<Storage, typename P::Signal>(then.signal), {}, {}, then.camera, then.shutter, then.number};
+    HistoryContents contents{images.size, planes_of<Storage, typename P::Signal>(then.signal), {}, {}, then.camera, then.shutter,
+                             then.number};
     auto const read = [](ImageTable const& table, auto& to) {
         return [&]<class C>(C) {
             if (auto const* const image = table.find(&channel_info<C>)) to[std::string(C::name)] = planes_of<Storage, C>(*image);

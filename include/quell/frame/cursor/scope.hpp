@@ -20,10 +20,10 @@ template <class Storage, class... Cs> struct RememberedViewsOf<Storage, Channels
 
 /// Properties of a pass.
 struct PassTraits {
-    bool marks_missing = false; ///< the signal marks missing samples
-    bool has_camera = false;    ///< a policy of the pass declares `needs_camera`
+    bool marks_missing = false;     ///< the signal marks missing samples
+    bool has_camera = false;        ///< a policy of the pass declares `needs_camera`
     bool reads_past_signal = false; ///< it looks at the signal of the last frame
-    int fraction = 1;           ///< size of the pass = frame size / fraction, rounded up
+    int fraction = 1;               ///< size of the pass = frame size / fraction, rounded up
 };
 
 /// Everything that the kernels of one pass can read. `_then` means of the previous frame.

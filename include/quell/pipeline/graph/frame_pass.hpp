@@ -115,7 +115,7 @@ struct FramePass {
 struct GuideRepair {
     ChannelId id = nullptr;
     ImageFormat format;
-    int number = 0;                ///< of CheckedGuides
+    int number = 0;               ///< of CheckedGuides
     bool changes_samples = false; ///< whether the ingest reads it for the samples
     void (*run)(TypedByKernel const&, PooledImage const& copy) = nullptr;
 };
@@ -131,9 +131,9 @@ struct PassList {
     std::array<MadeChannel, 8> guides{};
     int guide_count = 0; ///< what is copied for the next frame, as the history stores it
     ImageFormat signal, output;
-    bool has_past = false;        ///< there is a history
-    bool demodulates = false;     ///< the output is another image than the signal
-    bool has_target = false;      ///< the host gives an image for the output
+    bool has_past = false;    ///< there is a history
+    bool demodulates = false; ///< the output is another image than the signal
+    bool has_target = false;  ///< the host gives an image for the output
 
     void clear() {
         passes.clear(), repairs.clear(), kernels.clear();

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <quell/frame/repair.hpp>
-#include <quell/pipeline/graph/check_frame.hpp>
 #include <quell/pipeline/fill_holes.hpp>
+#include <quell/pipeline/graph/check_frame.hpp>
 #include <quell/pipeline/graph/frame_pass.hpp>
 #include <quell/pipeline/graph/job.hpp>
 #include <quell/pipeline/pipeline.hpp>
@@ -63,15 +63,19 @@ struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
     /// What a pass sees: views of exactly the channels that it declares.
     /// @tparam raw whether it sees marks of missing samples
     template <class Pass, bool raw>
-    using ScopeOf = Scope<Views<FrameStorage, common_to<decltype(reads_of<Pass>{} | typename P::known_samples{}), Set>>,
-                          Views<Storage, common_to<reads_of<Pass>, typename P::made>>, SignalView, SignalView,
-                          Views<Storage, decltype(keeps_of<Pass>{} | reads_kept_of<Pass>{})>,
-                          RememberedViewsOf<Storage, remembers_of<Pass>>,
-                          PassTraits{.marks_missing = raw, .has_camera = needs_camera_of<Pass>, .reads_past_signal = is_temporal<Pass> || says_reads_past_signal<Pass>, .fraction = fraction_of<Pass>}, Vectors>;
+    using ScopeOf =
+        Scope<Views<FrameStorage, common_to<decltype(reads_of<Pass>{} | typename P::known_samples{}), Set>>,
+              Views<Storage, common_to<reads_of<Pass>, typename P::made>>, SignalView, SignalView,
+              Views<Storage, decltype(keeps_of<Pass>{} | reads_kept_of<Pass>{})>, RememberedViewsOf<Storage, remembers_of<Pass>>,
+              PassTraits{.marks_missing = raw,
+                         .has_camera = needs_camera_of<Pass>,
+                         .reads_past_signal = is_temporal<Pass> || says_reads_past_signal<Pass>,
+                         .fraction = fraction_of<Pass>},
+              Vectors>;
     /// For the end of the last pass: what demodulation reads, and what the history remembers.
-    using EndScope = Scope<Views<FrameStorage, decltype(reads_of<typename P::Form>{} | typename P::remembers{})>,
-                           Views<Storage, Channels<>>, SignalView, SignalView, Views<Storage, Channels<>>,
-                           RememberedViewsOf<Storage, Channels<>>, PassTraits{}, Vectors>;
+    using EndScope =
+        Scope<Views<FrameStorage, decltype(reads_of<typename P::Form>{} | typename P::remembers{})>, Views<Storage, Channels<>>, SignalView,
+              SignalView, Views<Storage, Channels<>>, RememberedViewsOf<Storage, Channels<>>, PassTraits{}, Vectors>;
 
     template <class Pass> static constexpr bool makes_signal = makes_signal_of<Pass, ScopeOf<Pass, true>>;
 
