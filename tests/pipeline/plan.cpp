@@ -24,9 +24,21 @@ template <class P> std::vector<std::string_view> kept_by(P const&) {
     return names;
 }
 
-/// Whatever a pass reads is the host's or was written before, and the past that it reads was written in the last frame.
+/// Whether a later pass, or one of the next frame, reads a channel that pass `writer` has written.
+bool is_read(Plan const& plan, std::size_t writer, std::string_view name) {
+    for (std::size_t i = 0; i < plan.passes.size(); ++i)
+        if ((i > writer && has(plan.passes[i].reads, name)) || has(plan.passes[i].reads_past, name)) return true;
+    return name == "output";
+}
+/// Whatever a pass reads is the host's or was written before, the past that it reads was written in the last frame, and whatever it writes
+/// is read.
 template <class P> void check_order(P const& pipeline) {
     auto const plan = plan_of(pipeline);
+    for (std::size_t i = 0; i < plan.passes.size(); ++i)
+        for (auto const name : plan.passes[i].writes) {
+            INFO(plan.passes[i].name, " writes ", name);
+            CHECK(is_read(plan, i, name));
+        }
     PlannedPass::Names supplied, written;
     for_each_channel(typename P::reads{}, [&](auto c) { supplied.push_back(c.name); });
     for (auto const& pass : plan.passes) {

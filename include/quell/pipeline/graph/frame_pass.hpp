@@ -13,12 +13,12 @@ struct Counts;
 
 /// What one frame leaves for the next. A history has two, a double buffer: `then` and `now`.
 struct FrameState {
-    PooledImage signal; ///< accumulated
-    ImageTable kept;    ///< made by policies
-    ImageTable guides;  ///< copies of the host's channels that policies remember
-    Camera camera;
+    PooledImage signal{}; ///< accumulated
+    ImageTable kept{};    ///< made by policies
+    ImageTable guides{};  ///< copies of the host's channels that policies remember
+    Camera camera{};
     float shutter = 0;
-    std::optional<long long> number;
+    std::optional<long long> number{};
 
     void drop_images() {
         signal = {};
@@ -74,7 +74,7 @@ struct PassArguments {
 /// A channel that a pass makes, and how it is stored.
 struct MadeChannel {
     ChannelId id = nullptr;
-    ImageFormat format;
+    ImageFormat format{};
 };
 /// Those that a pass makes.
 struct MadeChannels {
@@ -95,13 +95,13 @@ struct MadeChannels {
 struct FramePass {
     std::string_view name;
     int fraction = 1;               ///< runs at 1/fraction of the frame's width and height
-    ChannelIds reads;               ///< of the host's frame
-    ChannelIds reads_made;          ///< made by earlier passes of this frame
-    ChannelIds reads_kept;          ///< made in the last frame
-    ChannelIds reads_remembered;    ///< the host's, of the last frame
+    ChannelIds reads{};             ///< of the host's frame
+    ChannelIds reads_made{};        ///< made by earlier passes of this frame
+    ChannelIds reads_kept{};        ///< made in the last frame
+    ChannelIds reads_remembered{};  ///< the host's, of the last frame
     bool reads_signal = true;       ///< of earlier passes
     bool reads_past_signal = false; ///< of the last frame
-    MadeChannels makes;
+    MadeChannels makes{};
     bool makes_signal = false;
     bool feeds_history = false; ///< the signal behind it is the past of the next frame
 
@@ -114,7 +114,7 @@ struct FramePass {
 /// Copies a guide with its impossible values repaired, in frames that have some.
 struct GuideRepair {
     ChannelId id = nullptr;
-    ImageFormat format;
+    ImageFormat format{};
     int number = 0;               ///< of CheckedGuides
     bool changes_samples = false; ///< whether the ingest reads it for the samples
     void (*run)(TypedByKernel const&, PooledImage const& copy) = nullptr;

@@ -12,13 +12,13 @@ struct HistoryImages {
     std::shared_ptr<Counts> counts;       ///< of the running frame
     std::shared_ptr<Counts> counts_again; ///< of its second ingest, with repaired guides
     Extent size = pool->size();
-    FrameState then;    ///< of the last frame: passes read it. Images that no later pass reads go back to the pool, or to `now`.
-    FrameState now;     ///< of the running frame: passes write it. advance() makes it `then`.
-    PooledImage output; ///< for the host; may be the signal's image
-    bool empty = true;  ///< whether `then` is no past of the next frame
-    Statistics counted;
-    PassList list;                       ///< of the running frame
-    ImageTable made, made_out, repaired; ///< of the running frame
+    FrameState then{};    ///< of the last frame: passes read it. Images that no later pass reads go back to the pool, or to `now`.
+    FrameState now{};     ///< of the running frame: passes write it. advance() makes it `then`.
+    PooledImage output{}; ///< for the host; may be the signal's image
+    bool empty = true;    ///< whether `then` is no past of the next frame
+    Statistics counted{};
+    PassList list{};                           ///< of the running frame
+    ImageTable made{}, made_out{}, repaired{}; ///< of the running frame
 
     /// Drops all history before the next frame.
     void forget() { empty = true; }
