@@ -26,7 +26,7 @@ struct ImageFormat {
 
 /// A handle to an image of the pool, of any type; or empty.
 struct PooledImage {
-    static constexpr int most_pieces = 16;
+    static constexpr int most_pieces = 32;
     std::array<std::shared_ptr<void>, most_pieces> pieces;
 
     explicit operator bool() const { return pieces[0] != nullptr; }
@@ -36,7 +36,7 @@ struct PooledImage {
 // Not const: linkers may merge equal constants.
 template <class Piece> inline char piece_key = 0;
 template <class Piece, int pieces> constexpr ImageFormat format_of_pieces() {
-    static_assert(pieces <= PooledImage::most_pieces, "a history holds images of at most 16 planes");
+    static_assert(pieces <= PooledImage::most_pieces, "a history holds images of at most 32 planes");
     return {&piece_key<Piece>, pieces, [](Extent size) -> std::shared_ptr<void> { return std::make_shared<Piece>(size); },
             [](void const* piece) { return static_cast<Piece const*>(piece)->bytes(); }};
 }
