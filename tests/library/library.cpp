@@ -190,7 +190,7 @@ TEST_CASE("wrong frames are refused with a sentence, and the denoiser works as b
     wall.channels.pop_back(), refused({"'motion'", "missing", "radiance"}), restore();
     wall.channels[1].name = "colour", refused({"'colour'", "svgf", "albedo"}), restore();
     wall.channels[1].name = nullptr, refused({"channels[1]", "null"}), restore();
-    wall.channels[1].name = "depth", refused({"components", "depth"}), restore();
+    wall.channels[1].name = "depth", refused({"'depth'", "twice"}), restore();
     wall.channels.push_back(good[0]), refused({"'radiance'", "twice"}), restore();
     wall.channels[0].image.data = nullptr, refused({"'radiance'", "null"}), restore();
     wall.channels[0].image.format = 7, refused({"'radiance'", "format 7", "QUELL_FLOAT32"}), restore();
