@@ -19,8 +19,8 @@ using Pixels = std::vector<glm::vec3>;
 /// fog, leaves and textures still had less error with guides as they are, and 0.26, where they had more (bench/cycles.sh).
 constexpr float tolerated_noise = 0.25f;
 /// The same of the rest's noise: no guide tells it from structure where it is filtered alone. Between 0.5 (film, wide gamut at 8 samples)
-/// and 1.5 (the same gamut at 1 sample; of glass it is 24 to 66).
-constexpr float tolerated_rest = 1.f;
+/// and 1 to 1.5 (the same gamut at 1 sample; of glass it is 24 to 66).
+constexpr float tolerated_rest = 0.75f;
 
 std::vector<io::Source> ones() { return std::vector<io::Source>(3, io::Source{{}, 1.f}); }
 bool is_constant(std::vector<io::Source> const& sources) {
