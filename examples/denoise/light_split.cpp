@@ -112,7 +112,7 @@ public:
     }
 
     LightSplit split(bool as_one) {
-        LightSplit result{names.of_signals, std::vector<bool>(parts.size(), !as_one), names.added, {}};
+        LightSplit result{names.of_signals, std::vector<bool>(parts.size(), !as_one), names.added, {}, false};
         if (as_one) {
             for (auto const& part : parts) give_to_rest(part.picture);
             give_to_rest(added);
@@ -217,6 +217,7 @@ private:
         }
         auto const& light = is_only ? parts[0].picture : rest;
         bool const is_all = std::ranges::count(result.active, true) == 1 && result.added.empty();
+        result.shares_alpha = !is_all;
         std::vector<float> with_light;
         for (std::size_t i = 0; i < alpha.size(); ++i) {
             float const all = luminance(whole.pixels[i]);
@@ -286,7 +287,7 @@ bool is_better_as_one(io::ExrImage const& image, io::SequenceNames const& names,
 }
 
 LightSplit split_light(io::ExrImage& image, io::SequenceNames const& names, SplitRule const& rule, bool as_one) {
-    if (is_simple(names, rule)) return {names.of_signals, std::vector<bool>(names.of_signals.size(), true), names.added, {}};
+    if (is_simple(names, rule)) return {names.of_signals, std::vector<bool>(names.of_signals.size(), true), names.added, {}, false};
     Splitting splitting(image, names, rule);
     auto split = splitting.split(as_one);
     for (auto& plane : splitting.made) image.planes.push_back(std::move(plane));

@@ -238,6 +238,26 @@ TEST_CASE("alpha is denoised with the picture: a covered pixel keeps its colour,
     CHECK(squares < 0.05 * before);
 }
 
+TEST_CASE("an opaque film stays opaque, whatever part of the light no pass has") {
+    for (float const beside : {0.02f, 0.3f}) { // filtered by its parts, and as one
+        Folder const folder;
+        write_bytes(folder / "map.json", R"({"signals": [{"name": "diffuse", "irradiance": "diffuse", "albedo": "diffuse_colour"}],
+                                             "picture": "beauty"})");
+        for (int i = 1; i <= 3; ++i) {
+            write_frame(folder, i, {.beside = beside});
+            auto image = io::read_exr(folder / numbered("frame.", i));
+            image.planes.push_back(plane("beauty.A", size, [](int, int) { return 1.f; }));
+            io::write_exr(folder / numbered("frame.", i), image);
+        }
+        auto const ran =
+            denoise(input(folder) + output(folder) + "--quiet --preset general --map '" + (folder / "map.json").string() + "'");
+        INFO(ran.err);
+        REQUIRE(ran.code == 0);
+        for (float const a : io::read_exr(folder / numbered("out.", 3))["beauty.A"].values)
+            REQUIRE(a == doctest::Approx(1.f).epsilon(1e-5));
+    }
+}
+
 TEST_CASE("--keep-alpha leaves alpha as it is, and a preset that can't denoise it says so once") {
     Folder const folder;
     for (int i = 1; i <= 3; ++i) write_film(folder, i);
