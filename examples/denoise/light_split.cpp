@@ -112,7 +112,7 @@ public:
     }
 
     LightSplit split(bool as_one) {
-        LightSplit result{names.of_signals, std::vector<bool>(parts.size(), !as_one), names.added, {}, false};
+        LightSplit result{names.of_signals, std::vector<bool>(parts.size(), !as_one), names.added, {}};
         if (as_one) {
             for (auto const& part : parts) give_to_rest(part.picture);
             give_to_rest(added);
@@ -229,6 +229,13 @@ private:
         auto four = io::sources_of(result.signals[carrier].channels, radiance);
         four.push_back({{name}});
         sources[std::string(radiance_alpha.name)] = four;
+        result.alpha_with = carrier;
+        // Beside the only signal, the rest is denoised as where it has alpha itself.
+        if (is_only && has_rest) {
+            auto with_none = io::sources_of(result.signals.back().channels, radiance);
+            with_none.push_back({{}, 1.f});
+            result.signals.back().channels.sources[std::string(radiance_alpha.name)] = with_none;
+        }
         made.push_back({.name = name, .values = std::move(with_light)});
     }
     void give_to_rest(metrics::Picture const& part) {
@@ -287,7 +294,7 @@ bool is_better_as_one(io::ExrImage const& image, io::SequenceNames const& names,
 }
 
 LightSplit split_light(io::ExrImage& image, io::SequenceNames const& names, SplitRule const& rule, bool as_one) {
-    if (is_simple(names, rule)) return {names.of_signals, std::vector<bool>(names.of_signals.size(), true), names.added, {}, false};
+    if (is_simple(names, rule)) return {names.of_signals, std::vector<bool>(names.of_signals.size(), true), names.added, {}};
     Splitting splitting(image, names, rule);
     auto split = splitting.split(as_one);
     for (auto& plane : splitting.made) image.planes.push_back(std::move(plane));

@@ -3,6 +3,7 @@
 #include <quell/io/sequence_names.hpp>
 #include <quell/metrics/picture.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace quell::examples {
@@ -26,9 +27,7 @@ struct LightSplit {
     /// The signal that has alpha in it, where alpha is denoised: the only one, or else the rest. Alpha is denoised by the weights of the
     /// light that it belongs to: where a part of a pixel's light is multiplied by a colour as it is, that part of alpha is taken as it is
     /// too.
-    [[nodiscard]] bool has_alpha(std::size_t signal) const {
-        return active[signal] && signals[signal].channels.sources.contains(radiance_alpha.name);
-    }
+    std::optional<std::size_t> alpha_with{};
 };
 
 /// Divides a frame's light, from this frame alone, so that the signals and what is added sum up to the picture in each pixel and component:

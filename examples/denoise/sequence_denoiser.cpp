@@ -334,9 +334,8 @@ bool SequenceDenoiser::has_alpha(std::size_t signal) const {
 void SequenceDenoiser::denoise_alpha(DenoisedFrame& frame, Seen const& seen, LightSplit const& split) {
     auto const& given = seen.image[alpha].values;
     frame.alpha = rule().alpha.empty() ? given : split.kept_alpha;
-    for (std::size_t s = 0; s < split.signals.size(); ++s)
-        if (split.has_alpha(s))
-            for (std::size_t i = 0; i < frame.alpha.size(); ++i) frame.alpha[i] += denoiser(s).alpha()[i];
+    if (split.alpha_with)
+        for (std::size_t i = 0; i < frame.alpha.size(); ++i) frame.alpha[i] += denoiser(*split.alpha_with).alpha()[i];
     if (split.shares_alpha) limit_alpha(frame.alpha, given, seen.image.size);
     bool const is_opaque = std::ranges::all_of(given, [](float a) { return a == 1.f; });
     alpha_stays = alpha_stays || (!is_opaque && rule().alpha.empty() && !settings.keeps_alpha);
