@@ -253,8 +253,8 @@ TEST_CASE("an opaque film stays opaque, whatever part of the light no pass has")
             denoise(input(folder) + output(folder) + "--quiet --preset general --map '" + (folder / "map.json").string() + "'");
         INFO(ran.err);
         REQUIRE(ran.code == 0);
-        for (float const a : io::read_exr(folder / numbered("out.", 3))["beauty.A"].values)
-            REQUIRE(a == doctest::Approx(1.f).epsilon(1e-5));
+        auto const out = io::read_exr(folder / numbered("out.", 3));
+        for (float const a : out["beauty.A"].values) REQUIRE(a == doctest::Approx(1.f).epsilon(1e-5));
     }
 }
 
