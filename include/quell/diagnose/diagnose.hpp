@@ -10,6 +10,7 @@
 #include <quell/diagnose/hypotheses/guides/position_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/motion/forgotten_motion.hpp>
 #include <quell/diagnose/hypotheses/motion/geometry_by_motion.hpp>
+#include <quell/diagnose/hypotheses/motion/motion_behind.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_by_blocks.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_by_history.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_disagreement.hpp>
@@ -47,6 +48,8 @@ inline void find_motion_mistakes(Observation const& seen, GeometryIs geometry, b
     auto const pairs = cameras ? motion_pairs(seen, seen.camera, seen.camera_then) : still_pairs(seen);
     auto const moved = cameras ? moving(pairs) : ComparedMotions{};
     bool const moves = moved.size() >= fewest_pairs;
+    if (find_scattered_motion(seen, findings)) return;
+    if (cameras && seen.depth_then && find_motion_behind(seen, seen.camera, seen.camera_then, findings)) return;
     if (pairs.size() < fewest_pairs || (shift_is_known && find_motion_jitter(seen, pairs, findings))) return;
     if (geometry == GeometryIs::right && find_motion_offset(seen, pairs, moves, findings)) return;
     if (moves && geometry == GeometryIs::unknown && find_geometry_by_motion(seen, moved, findings)) return;
@@ -71,13 +74,26 @@ inline void find_mistakes_over_time(Observation seen, GeometryIs geometry, bool 
     if (seen.sweep && cameras) find_wrong_sweeps(seen, findings);
 }
 
+/// A depth buffer whose sky is at its end. Where noise hides that it is one, the camera and normals tell, before its sky is called wrong.
+inline bool find_depth_buffer(Observation const& seen, std::vector<Finding>& findings) {
+    auto const sky = seen.depth && seen.normal && known(seen.camera) ? sky_of_buffer(seen) : std::nullopt;
+    if (!sky) return false;
+    auto const masked = without_depth(seen, *sky);
+    Geometry const own{.now = seen.camera, .then = seen.camera, .scattered = is_scattered(masked)};
+    auto const winners = winners_of(masked, own, mistakes_of_linearity(own));
+    if (winners.empty() || Misfit(masked, own, 1).is_small()) return false;
+    findings.push_back(finding_of(masked, winners));
+    return true;
+}
+
 /// Depth first, then the camera: later tests build on them.
 inline void find_guide_mistakes(Observation seen, std::vector<Finding>& findings) {
     if (seen.albedo) find_albedo_range(seen, findings);
     bool const camera_is_wrong = find_wrong_matrices(seen, findings);
-    bool const depth_is_wrong = seen.depth && find_wrong_depth(seen, findings);
+    bool const is_buffer = !camera_is_wrong && find_depth_buffer(seen, findings);
+    bool const depth_is_wrong = is_buffer || (seen.depth && find_wrong_depth(seen, findings));
     if (seen.depth && !depth_is_wrong)
-        if (auto const sky = find_finite_sky(seen, findings)) seen = without_sky(std::move(seen), *sky);
+        if (auto const sky = find_finite_sky(seen, findings)) seen = without_depth(std::move(seen), *sky);
     bool const length_is_wrong = seen.normal && find_normal_length(seen, depth_is_wrong, findings);
     if (!seen.depth || depth_is_wrong) return;
     auto with_good_normals = seen;

@@ -12,12 +12,12 @@ void for_each_some(Observation const& seen, int every, auto&& f) {
     });
 }
 
-/// Counts a pixel for the one that fits clearly better. What both fit within rounding tells nothing.
-inline void judge(Comparison& comparison, std::optional<float> one, std::optional<float> other, float rounding) {
+/// Counts a pixel for the one that fits clearly better. What both fit within rounding or noise tells nothing.
+inline void judge(Comparison& comparison, std::optional<Residual> one, std::optional<Residual> other, float rounding) {
     if (!one || !other) return;
     ++comparison.apart;
-    comparison.first += *one<0.5f * *other&& * other> rounding;
-    comparison.second += *other<0.5f * *one&& * one> rounding;
+    auto const beats = [=](Residual const& a, Residual const& b) { return a.value < 0.5f * b.value && b.value > rounding + 2.f * b.noise; };
+    comparison.first += beats(*one, *other), comparison.second += beats(*other, *one);
 }
 
 /// Two geometries, pixel by pixel.
@@ -35,7 +35,7 @@ struct GeometryContest {
     [[nodiscard]] bool second_wins() const { return (clearly(depth) || clearly(normal)) && !second_loses(); }
     /// Whether depth or normals are against it.
     [[nodiscard]] bool second_loses() const { return against(depth) || against(normal); }
-    /// Whether most pixels are for it.
+    /// Whether most pixels are for it, and not only more than are for the first.
     [[nodiscard]] bool by_most() const { return 2 * depth.second > depth.apart || 2 * normal.second > normal.apart; }
     [[nodiscard]] std::string counts() const {
         auto const text = [](Comparison const& c) { return std::to_string(c.second) + " of " + std::to_string(c.apart); };
@@ -47,22 +47,22 @@ private:
     static bool against(Comparison const& c) { return c.first >= 40 && c.first > c.second; }
 };
 
-/// How badly a geometry fits: medians of both tests.
+/// How badly a geometry fits: medians of both tests, and how badly it may where all is well.
 struct Misfit {
-    float depth = 0.f, normal = 0.f;
+    Residual depth{}, normal{};
 
     Misfit(Observation const& seen, Geometry const& geometry, int every) {
         GeometryTest const test(seen, geometry);
-        std::vector<float> depths, normals;
+        std::array<std::vector<float>, 4> all;
         for_each_some(seen, every, [&](int x, int y) {
-            if (auto const d = test.of_depth(x, y)) depths.push_back(*d);
-            if (auto const n = test.of_normal(x, y)) normals.push_back(*n);
+            if (auto const d = test.of_depth(x, y)) all[0].push_back(d->value), all[1].push_back(d->noise);
+            if (auto const n = test.of_normal(x, y)) all[2].push_back(n->value), all[3].push_back(n->noise);
         });
-        depth = median(depths), normal = median(normals);
+        depth = {median(all[0]), median(all[1])}, normal = {median(all[2]), median(all[3])};
     }
-    [[nodiscard]] bool is_small() const { return depth < 1e-4f && normal < 5e-3f; }
+    [[nodiscard]] bool is_small() const { return depth.value < 1e-4f + depth.noise && normal.value < 5e-3f + normal.noise; }
     /// To compare geometries by: a pixel's worth of normals counts about as much as one of depth.
-    [[nodiscard]] float sum() const { return depth + 0.1f * normal; }
+    [[nodiscard]] float sum() const { return depth.value + 0.1f * normal.value; }
 };
 
 /// The best factor among some, by how well it fits.
@@ -78,8 +78,8 @@ template <class Make> float best_factor(Observation const& seen, Make&& geometry
 /// The field of view or the aspect ratio with which all fits best.
 inline std::vector<GeometryMistake> mistakes_of_projection(Observation const& seen, Geometry const& own) {
     std::vector<GeometryMistake> all;
-    for (bool const both : {true, false}) {
-        auto const factors = [=](float f) { return glm::vec2(f, both ? f : 1.f); };
+    for (auto const axes : {glm::vec2(1, 1), glm::vec2(1, 0), glm::vec2(0, 1)}) {
+        auto const factors = [=](float f) { return glm::vec2(axes.x > 0.f ? f : 1.f, axes.y > 0.f ? f : 1.f); };
         auto const make = [&](float f) { return changed(own, [&](Camera& c) { scale_projection(c, factors(f)); }); };
         float const roughly = best_factor(seen, make, 0.4f, 2.5f, 40);
         float const factor = best_factor(seen, make, roughly / 1.05f, roughly * 1.05f, 20);
@@ -88,15 +88,22 @@ inline std::vector<GeometryMistake> mistakes_of_projection(Observation const& se
     return all;
 }
 
+/// The unit of depth with which all fits best.
+inline std::vector<GeometryMistake> mistakes_of_unit(Observation const& seen, Geometry const& own) {
+    auto const make = [&](float unit) { return mistake_of_unit(own, unit).geometry; };
+    float const roughly = best_factor(seen, make, 1e-4f, 1e4f, 64);
+    float const unit = best_factor(seen, make, roughly / 1.4f, roughly * 1.4f, 30);
+    if (std::abs(std::log(unit)) < 0.1f) return {};
+    return {mistake_of_unit(own, unit)};
+}
+
 /// All mistakes with which depth and normals fit clearly better than without, best first.
 inline std::vector<std::pair<GeometryContest, GeometryMistake>> winners_of(Observation const& seen, Geometry const& own,
                                                                            std::vector<GeometryMistake> mistakes) {
     std::vector<std::pair<GeometryContest, GeometryMistake>> winners;
     for (auto& mistake : mistakes) {
         GeometryContest const contest(seen, own, mistake.geometry);
-        // A projection has room to fit to anything a little.
-        bool const enough = mistake.mistake != Mistake::field_of_view || contest.by_most();
-        if (contest.second_wins() && enough) winners.emplace_back(contest, std::move(mistake));
+        if (contest.second_wins() && contest.by_most()) winners.emplace_back(contest, std::move(mistake));
     }
     for (std::size_t i = 1; i < winners.size(); ++i)
         if (GeometryContest(seen, winners[0].second.geometry, winners[i].second.geometry).second_wins()) std::swap(winners[0], winners[i]);

@@ -11,7 +11,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 inline bool find_geometry_by_motion(Observation const& seen, ComparedMotions const& pairs, std::vector<Finding>& findings) {
     auto const own = agreeing(pairs, {1.f, 1.f});
     double const least = std::max(own.share() + clear_margin, BestConvention(pairs, seen).best.share() + 0.02);
-    Geometry const geometry{seen.camera, seen.camera_then};
+    Geometry const geometry{.now = seen.camera, .then = seen.camera_then, .scattered = is_scattered(seen)};
     auto mistakes = mistakes_of_view(geometry);
     for (auto& one : mistakes_of_axes(geometry)) mistakes.push_back(std::move(one));
     GeometryMistake const* best = nullptr;
