@@ -103,7 +103,9 @@ inline std::vector<std::pair<GeometryContest, GeometryMistake>> winners_of(Obser
     std::vector<std::pair<GeometryContest, GeometryMistake>> winners;
     for (auto& mistake : mistakes) {
         GeometryContest const contest(seen, own, mistake.geometry);
-        if (contest.second_wins() && contest.by_most()) winners.emplace_back(contest, std::move(mistake));
+        // A projection has room to fit to anything a little. Surfaces that tell nothing may be many.
+        if (contest.second_wins() && (contest.by_most() || Misfit(seen, mistake.geometry, 4).is_small()))
+            winners.emplace_back(contest, std::move(mistake));
     }
     for (std::size_t i = 1; i < winners.size(); ++i)
         if (GeometryContest(seen, winners[0].second.geometry, winners[i].second.geometry).second_wins()) std::swap(winners[0], winners[i]);

@@ -9,21 +9,23 @@ inline Tally of_present_surfaces(Observation const& seen, Camera const& now, Cam
     StaticMotion const still(now, then, seen.size);
     // What is infinitely far away moves as what is very far away.
     auto const expected = [&](int x, int y, float depth) { return still.at(x, y, is_finite(depth) ? depth : 1e6f); };
-    Tally present;
+    Tally present, fitting;
     for_each_hit(seen, [&](int x, int y) {
         float const z = seen.depth(0, x, y), before = seen.depth_then(0, x, y);
-        if (std::abs(before - z) < 0.1f * z) return;
         auto const found = vec2_at(seen.motion, x, y);
         auto const here = expected(x, y, z), there = expected(x, y, before);
         if (!here || !there || !all_finite(found)) return;
         bool const fits_here = ComparedMotion{found, *here}.agrees(found), fits_there = ComparedMotion{found, *there}.agrees(found);
+        fitting.add(fits_here);
+        if (std::abs(before - z) < 0.1f * z) return;
         if (glm::length(*here - *there) > 0.5f) {
             if (fits_here != fits_there) present.add(fits_here);
         } else if (before < z)
             // Something that moved away has left its vectors.
             present.add(fits_here);
     });
-    return present;
+    // Where little fits, motion is wrong in another way.
+    return fitting.share() > 0.6 ? present : Tally{};
 }
 
 /// Vectors of the frame before, in three frames. Returns whether they are, or may be.

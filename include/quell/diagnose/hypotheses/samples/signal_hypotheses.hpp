@@ -77,13 +77,17 @@ inline std::optional<Finding> of_light_with_albedo(SignalSeen const& signal, Exp
     auto finding = own.error < 0.1 ? other_albedo_of(signal, own) : std::nullopt;
     bool const open = is_open(signal, Pairing::turned) || is_open(signal, Pairing::behind) || is_open(signal, Pairing::ahead);
     auto const plain = exponent_of(edges_of(signal, Pairing::plain));
-    return finding || open || !plain ? finding : other_power_of(signal, *plain);
+    // Albedo of another frame or row does not make the signal follow this one more.
+    bool const tells = plain && (!open || plain->value > 1.6);
+    return finding || !tells ? finding : other_power_of(signal, *plain);
 }
 
 /// Whether a signal that the composite, or the host, multiplies by albedo follows it already.
-inline std::optional<Finding> albedo_left_in(SignalSeen const& signal, Exponent const& own) {
+inline std::optional<Finding> albedo_left_in(SignalSeen const& signal, Exponent const& near_edges) {
+    auto const plain = exponent_of(edges_of(signal, Pairing::plain));
+    auto const own = plain.value_or(near_edges);
     if (own.error > 0.12 || own.value < 0.65 || own.value > 1.5) return std::nullopt;
-    return Finding{Mistake::signal_has_albedo, signal_evidence(signal, own, Pairing::as_given) + ", and not of 0",
+    return Finding{Mistake::signal_has_albedo, signal_evidence(signal, own, plain ? Pairing::plain : Pairing::as_given) + ", and not of 0",
                    "divide '" + signal.name + "' by albedo, 0 where that is 0: the output is multiplied by it"};
 }
 
