@@ -53,17 +53,17 @@ public:
         auto const slope = geometry.scattered ? slope_around(x, y) : 0.f;
         if (!inverse || !slope) return std::nullopt;
         // Both depths are off by up to half a pixel in x and in y.
-        return Residual{std::abs(1.f - then->depth * *inverse), 0.5f * *slope};
+        return Residual{std::abs(1.f - then->depth * *inverse), 0.35f * *slope};
     }
     /// Distance between the normal and that of the slope of depth; empty at edges.
     [[nodiscard]] std::optional<Residual> of_normal(int x, int y) const {
-        int const reach = geometry.scattered ? std::max(4, seen.size.width / 30) : 1;
+        int const reach = geometry.scattered ? std::max(4, seen.size.width / 20) : 1;
         auto const shown = seen.normal ? shown_normal(x, y, reach) : std::nullopt;
         if (!shown) return std::nullopt;
         auto const n = vec3_at(seen.normal, x, y);
         auto const as_world = glm::normalize(glm::transpose(glm::mat3(geometry.now.view)) * *shown);
         auto const off = glm::length(n - (geometry.view_normals ? *shown : as_world));
-        return Residual{off, geometry.scattered ? 0.3f / static_cast<float>(reach) : 0.f};
+        return Residual{off, geometry.scattered ? 0.45f / static_cast<float>(reach) : 0.f};
     }
 
 private:

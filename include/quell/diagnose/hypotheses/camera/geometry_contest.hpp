@@ -43,7 +43,10 @@ struct GeometryContest {
     }
 
 private:
-    static bool clearly(Comparison const& c) { return c.second >= 40 && 5 * c.second > c.apart && c.second > 5 * c.first; }
+    static bool clearly(Comparison const& c) {
+        bool const often = 5 * c.second > c.apart && c.second > 5 * c.first, always = 20 * c.second > c.apart && c.second > 50 * c.first;
+        return c.second >= 40 && (often || always);
+    }
     static bool against(Comparison const& c) { return c.first >= 40 && c.first > c.second; }
 };
 
@@ -97,18 +100,30 @@ inline std::vector<GeometryMistake> mistakes_of_unit(Observation const& seen, Ge
     return {mistake_of_unit(own, unit)};
 }
 
+/// Whether a mistake is to be believed: what is without it fits clearly better, and most of all.
+inline bool is_likely(Observation const& seen, Geometry const& own, GeometryMistake const& mistake, GeometryContest const& contest) {
+    if (contest.second_loses()) return false;
+    Misfit const without(seen, mistake.geometry, 2);
+    // A projection has room to fit to anything a little. Surfaces that tell nothing may be many.
+    if (contest.second_wins() && (contest.by_most() || without.is_small())) return true;
+    // Where noise hides the difference in each pixel, all together show it.
+    return own.scattered && without.is_small() && without.sum() < 0.6f * Misfit(seen, own, 2).sum();
+}
+
 /// All mistakes with which depth and normals fit clearly better than without, best first.
 inline std::vector<std::pair<GeometryContest, GeometryMistake>> winners_of(Observation const& seen, Geometry const& own,
                                                                            std::vector<GeometryMistake> mistakes) {
     std::vector<std::pair<GeometryContest, GeometryMistake>> winners;
     for (auto& mistake : mistakes) {
         GeometryContest const contest(seen, own, mistake.geometry);
-        // A projection has room to fit to anything a little. Surfaces that tell nothing may be many.
-        if (contest.second_wins() && (contest.by_most() || Misfit(seen, mistake.geometry, 4).is_small()))
-            winners.emplace_back(contest, std::move(mistake));
+        if (is_likely(seen, own, mistake, contest)) winners.emplace_back(contest, std::move(mistake));
     }
+    auto const is_better = [&](Geometry const& one, Geometry const& other) {
+        return GeometryContest(seen, other, one).second_wins() ||
+               (own.scattered && Misfit(seen, one, 2).sum() < 0.6f * Misfit(seen, other, 2).sum());
+    };
     for (std::size_t i = 1; i < winners.size(); ++i)
-        if (GeometryContest(seen, winners[0].second.geometry, winners[i].second.geometry).second_wins()) std::swap(winners[0], winners[i]);
+        if (is_better(winners[i].second.geometry, winners[0].second.geometry)) std::swap(winners[0], winners[i]);
     return winners;
 }
 
