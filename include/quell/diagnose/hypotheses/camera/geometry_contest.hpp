@@ -50,22 +50,42 @@ private:
     static bool against(Comparison const& c) { return c.first >= 40 && c.first > c.second; }
 };
 
-/// How badly a geometry fits: medians of both tests, and how badly it may where all is well.
-struct Misfit {
-    Residual depth{}, normal{};
+/// How badly a geometry fits by one of the tests, and how badly it may where all is well.
+struct TestMisfit {
+    float middle = 0.f, quarter = 0.f; ///< the median, and what a quarter of the pixels exceeds
+    float noise = 0.f;                 ///< median of what is allowed
 
-    Misfit(Observation const& seen, Geometry const& geometry, int every) {
-        GeometryTest const test(seen, geometry);
-        std::array<std::vector<float>, 4> all;
-        for_each_some(seen, every, [&](int x, int y) {
-            if (auto const d = test.of_depth(x, y)) all[0].push_back(d->value), all[1].push_back(d->noise);
-            if (auto const n = test.of_normal(x, y)) all[2].push_back(n->value), all[3].push_back(n->noise);
-        });
-        depth = {median(all[0]), median(all[1])}, normal = {median(all[2]), median(all[3])};
+    TestMisfit(std::vector<float>& values, std::vector<float>& noises) : middle(median(values)), noise(median(noises)) {
+        // median() leaves the greater half behind it.
+        std::vector<float> upper(values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+        quarter = median(upper);
     }
-    [[nodiscard]] bool is_small() const { return depth.value < 1e-4f + depth.noise && normal.value < 5e-3f + normal.noise; }
+    /// Without noise all that stands still fits, not only what looks the same from everywhere.
+    [[nodiscard]] bool is_within(float tolerance) const { return noise > 0.f ? middle < tolerance + noise : quarter < tolerance; }
+};
+
+/// How badly it fits by both.
+struct Misfit {
+    TestMisfit depth, normal;
+
+    Misfit(Observation const& seen, Geometry const& geometry, int every) : Misfit(Values(seen, geometry, every)) {}
+    [[nodiscard]] bool is_small() const { return depth.is_within(1e-4f) && normal.is_within(5e-3f); }
     /// To compare geometries by: a pixel's worth of normals counts about as much as one of depth.
-    [[nodiscard]] float sum() const { return depth.value + 0.1f * normal.value; }
+    [[nodiscard]] float sum() const { return depth.middle + 0.1f * normal.middle; }
+
+private:
+    struct Values {
+        std::array<std::vector<float>, 4> all;
+
+        Values(Observation const& seen, Geometry const& geometry, int every) {
+            GeometryTest const test(seen, geometry);
+            for_each_some(seen, every, [&](int x, int y) {
+                if (auto const d = test.of_depth(x, y)) all[0].push_back(d->value), all[1].push_back(d->noise);
+                if (auto const n = test.of_normal(x, y)) all[2].push_back(n->value), all[3].push_back(n->noise);
+            });
+        }
+    };
+    explicit Misfit(Values values) : depth(values.all[0], values.all[1]), normal(values.all[2], values.all[3]) {}
 };
 
 /// The best factor among some, by how well it fits.
