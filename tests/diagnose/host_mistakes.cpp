@@ -79,6 +79,11 @@ std::vector<HostMistake> mistakes_of_motion() {
 
 std::vector<HostMistake> mistakes_of_cameras() {
     return {
+        {"two cameras, one after the other",
+         {M::cut},
+         [](GoodFrame& frame, Take const& take, std::size_t i) {
+             if (i >= 4 && i < take.elsewhere.size()) copy_frame(take.elsewhere[i], frame);
+         }},
         {"view transposed", {M::view_transposed}, in_camera([](Camera& c) { c.view = glm::transpose(c.view); })},
         {"projection transposed", {M::projection_transposed}, in_camera([](Camera& c) { c.projection = glm::transpose(c.projection); })},
         {"the camera's pose as the view", {M::view_inverted}, in_camera([](Camera& c) { c.view = glm::inverse(c.view); })},

@@ -8,6 +8,7 @@
 #include <quell/diagnose/hypotheses/guides/depth_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/guides/normal_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/guides/position_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/motion/cuts.hpp>
 #include <quell/diagnose/hypotheses/motion/forgotten_motion.hpp>
 #include <quell/diagnose/hypotheses/motion/geometry_by_motion.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_behind.hpp>
@@ -127,8 +128,9 @@ inline bool camera_was_said(std::vector<Finding> const& findings) {
     });
 }
 
-inline std::vector<Finding> findings_of(Observation const& seen) {
+inline std::vector<Finding> findings_of(Observation seen) {
     std::vector<Finding> findings;
+    if (find_cut(seen, findings)) seen = without_past(std::move(seen));
     find_resets(seen, findings);
     find_sample_mistakes(seen, findings);
     find_zero_positions(seen, findings), find_zero_hits(seen, findings);

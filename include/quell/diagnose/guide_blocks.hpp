@@ -123,13 +123,17 @@ public:
         return best;
     }
     [[nodiscard]] float step() const { return static_cast<float>(search_step(seen.size)); }
+    /// How much of what is typical is left at the best place.
+    [[nodiscard]] float share_left() const { return typical > 0.f ? least / typical : 0.f; }
     /// What is left where nothing is known.
     [[nodiscard]] float rest_of(std::optional<float> rest) const { return rest.value_or(typical); }
     /// What counts as a difference between places.
     [[nodiscard]] float margin() const { return 0.25f * (typical - least); }
     /// Whether the block may be there, for all that was tried.
     [[nodiscard]] bool may_be(std::optional<float> rest) const { return rest && *rest <= least + margin(); }
-    /// Whether places differ enough to tell.
+    /// Whether places differ at all.
+    [[nodiscard]] bool is_varied() const { return typical > 0.05f; }
+    /// Whether they differ enough to tell.
     [[nodiscard]] bool tells() const { return typical - least > 0.03f && least < 0.75f * typical; }
 };
 

@@ -86,7 +86,9 @@ struct DiagnosisNotes {
     int other_power_in_a_row = 0;          ///< consecutive frames in which the signal did not follow albedo as it should
     std::vector<int> noise{};              ///< which pixels stood out in the last call's frame
     int repeats_in_a_row = 0;              ///< consecutive frames whose noise is the last one's
-    BlockNotes blocks{};
+    BlockNotes blocks{};                   ///< of some frames ago
+    BlockNotes last{};                     ///< of the last frame
+    std::optional<float> strangeness{};    ///< of the last frame to the one before it
     bool said_what_is_not_checked = false;
     glm::vec2 shift{}; ///< movement of the projection's centre, in pixels
 };
