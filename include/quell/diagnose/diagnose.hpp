@@ -53,7 +53,7 @@ inline void find_motion_mistakes(Observation const& seen, GeometryIs geometry, b
     if (cameras && seen.depth_then && find_motion_behind(seen, seen.camera, seen.camera_then, findings)) return;
     if (pairs.size() < fewest_pairs || (shift_is_known && find_motion_jitter(seen, pairs, findings))) return;
     if (geometry == GeometryIs::right && find_motion_offset(seen, pairs, moves, findings)) return;
-    if (moves && geometry == GeometryIs::unknown && find_geometry_by_motion(seen, moved, findings)) return;
+    if (moves && find_geometry_by_motion(seen, moved, geometry == GeometryIs::right, findings)) return;
     if (moves) find_by_moving_camera(seen, moved, findings);
     // Without cameras the guides tell.
     for (auto& finding : by_blocks) findings.push_back(std::move(finding));

@@ -57,13 +57,13 @@ public:
     }
     /// Distance between the normal and that of the slope of depth; empty at edges.
     [[nodiscard]] std::optional<Residual> of_normal(int x, int y) const {
-        int const reach = geometry.scattered ? std::max(4, seen.size.width / 20) : 1;
-        auto const shown = seen.normal ? shown_normal(x, y, reach) : std::nullopt;
+        int const reach = reach_of_normal(x, y);
+        auto const shown = seen.normal && reach > 0 ? shown_normal(x, y, reach) : std::nullopt;
         if (!shown) return std::nullopt;
         auto const n = vec3_at(seen.normal, x, y);
         auto const as_world = glm::normalize(glm::transpose(glm::mat3(geometry.now.view)) * *shown);
         auto const off = glm::length(n - (geometry.view_normals ? *shown : as_world));
-        return Residual{off, geometry.scattered ? 0.45f / static_cast<float>(reach) : 0.f};
+        return Residual{off, geometry.scattered ? 0.4f / static_cast<float>(reach) : 0.f};
     }
 
 private:
@@ -88,7 +88,6 @@ private:
     /// In view space, by finite differences, towards the camera.
     [[nodiscard]] std::optional<glm::vec3> shown_normal(int x, int y, int reach) const {
         if (x + reach >= seen.size.width || y + reach >= seen.size.height) return std::nullopt;
-        if (reach > 1 && !(is_plane(x, y, x + reach, y) && is_plane(x, y, x, y + reach))) return std::nullopt;
         float const here = linear(seen.depth, x, y), right = linear(seen.depth, x + reach, y), below = linear(seen.depth, x, y + reach);
         float const allowed = std::min(0.05f * static_cast<float>(reach), 0.5f);
         auto const beside = [&](float z) { return is_finite(z) && std::abs(z - here) < allowed * here; };
@@ -97,9 +96,25 @@ private:
         auto const n = glm::normalize(glm::cross(motion.point(x, y + reach, below) - p, motion.point(x + reach, y, right) - p));
         return glm::vec3(glm::dot(n, p) < 0. ? n : -n);
     }
-    /// Whether two pixels have the same normal.
-    [[nodiscard]] bool is_plane(int x, int y, int i, int j) const {
-        return glm::length(vec3_at(seen.normal, x, y) - vec3_at(seen.normal, i, j)) < 1e-3f;
+    /// How far to go for a slope: the farther, the less samples beside the centres matter; 0 where the plane ends before that.
+    [[nodiscard]] int reach_of_normal(int x, int y) const {
+        if (!geometry.scattered) return 1;
+        for (int const part : {8, 12, 20}) {
+            int const reach = std::max(4, seen.size.width / part);
+            if (is_plane(x, y, reach, 0) && is_plane(x, y, 0, reach)) return reach;
+        }
+        return 0;
+    }
+    /// Whether the pixels from one to another are of one plane: their normals are the same, and the inverse of depth is even.
+    [[nodiscard]] bool is_plane(int x, int y, int right, int down) const {
+        if (x + right >= seen.size.width || y + down >= seen.size.height) return false;
+        int const i = x + right / 2, j = y + down / 2;
+        auto const n = vec3_at(seen.normal, x, y);
+        if (glm::length(n - vec3_at(seen.normal, i, j)) > 1e-3f || glm::length(n - vec3_at(seen.normal, x + right, y + down)) > 1e-3f)
+            return false;
+        float const middle = linear(seen.depth, i, j), a = middle / linear(seen.depth, x, y),
+                    b = middle / linear(seen.depth, x + right, y + down);
+        return std::abs(a + b - 2.f) < 1e-3f + 3.f * slope_around(x, y).value_or(0.f);
     }
     /// Relative change of depth from a pixel to the next, of x and y together; empty at edges.
     [[nodiscard]] std::optional<float> slope_around(int x, int y) const {

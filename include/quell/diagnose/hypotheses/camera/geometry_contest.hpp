@@ -35,6 +35,8 @@ struct GeometryContest {
     [[nodiscard]] bool second_wins() const { return (clearly(depth) || clearly(normal)) && !second_loses(); }
     /// Whether depth or normals are against it.
     [[nodiscard]] bool second_loses() const { return against(depth) || against(normal); }
+    /// Whether depth or normals are for it wherever they tell anything, though that may be a small part of the picture.
+    [[nodiscard]] bool is_favoured() const { return (favours(depth) || favours(normal)) && !second_loses(); }
     /// Whether most pixels are for it, and not only more than are for the first.
     [[nodiscard]] bool by_most() const { return 2 * depth.second > depth.apart || 2 * normal.second > normal.apart; }
     [[nodiscard]] std::string counts() const {
@@ -47,45 +49,55 @@ private:
         bool const often = 5 * c.second > c.apart && c.second > 5 * c.first, always = 20 * c.second > c.apart && c.second > 50 * c.first;
         return c.second >= 40 && (often || always);
     }
+    static bool favours(Comparison const& c) { return c.second >= 40 && c.second > 10 * c.first; }
     static bool against(Comparison const& c) { return c.first >= 40 && c.first > c.second; }
 };
 
-/// How badly a geometry fits by one of the tests, and how badly it may where all is well.
-struct TestMisfit {
-    float middle = 0.f, quarter = 0.f; ///< the median, and what a quarter of the pixels exceeds
-    float noise = 0.f;                 ///< median of what is allowed
+/// How badly a geometry fits by one of the tests.
+class TestMisfit {
+    float tolerance;
+    std::vector<float> values{}, shares{}; ///< and of what is allowed
+    bool is_noisy = false;
 
-    TestMisfit(std::vector<float>& values, std::vector<float>& noises) : middle(median(values)), noise(median(noises)) {
-        // median() leaves the greater half behind it.
-        std::vector<float> upper(values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-        quarter = median(upper);
+public:
+    float middle = 0.f;     ///< the median
+    std::size_t pixels = 0; ///< that tell something
+    bool is_small = true;
+
+    explicit TestMisfit(float rounding) : tolerance(rounding) {}
+    void add(std::optional<Residual> residual) {
+        if (!residual) return;
+        values.push_back(residual->value), shares.push_back(residual->value / (tolerance + residual->noise));
+        is_noisy = is_noisy || residual->noise > 0.f;
     }
-    /// Without noise all that stands still fits, not only what looks the same from everywhere.
-    [[nodiscard]] bool is_within(float tolerance) const { return noise > 0.f ? middle < tolerance + noise : quarter < tolerance; }
+    /// Without noise all that stands still fits, and not only what looks the same from everywhere.
+    void finish() {
+        auto const quarter = static_cast<std::ptrdiff_t>(shares.size() / 4);
+        middle = median(values), pixels = values.size();
+        if (shares.empty()) return;
+        auto const most = is_noisy ? shares.begin() + 2 * quarter : shares.begin() + 3 * quarter;
+        std::nth_element(shares.begin(), most, shares.end());
+        is_small = *most < 1.f;
+    }
 };
 
 /// How badly it fits by both.
 struct Misfit {
-    TestMisfit depth, normal;
+    TestMisfit depth{1e-4f}, normal{5e-3f};
 
-    Misfit(Observation const& seen, Geometry const& geometry, int every) : Misfit(Values(seen, geometry, every)) {}
-    [[nodiscard]] bool is_small() const { return depth.is_within(1e-4f) && normal.is_within(5e-3f); }
+    Misfit(Observation const& seen, Geometry const& geometry, int every) {
+        GeometryTest const test(seen, geometry);
+        for_each_some(seen, every, [&](int x, int y) { depth.add(test.of_depth(x, y)), normal.add(test.of_normal(x, y)); });
+        depth.finish(), normal.finish();
+    }
+    [[nodiscard]] bool is_small() const { return depth.is_small && normal.is_small; }
     /// To compare geometries by: a pixel's worth of normals counts about as much as one of depth.
     [[nodiscard]] float sum() const { return depth.middle + 0.1f * normal.middle; }
-
-private:
-    struct Values {
-        std::array<std::vector<float>, 4> all;
-
-        Values(Observation const& seen, Geometry const& geometry, int every) {
-            GeometryTest const test(seen, geometry);
-            for_each_some(seen, every, [&](int x, int y) {
-                if (auto const d = test.of_depth(x, y)) all[0].push_back(d->value), all[1].push_back(d->noise);
-                if (auto const n = test.of_normal(x, y)) all[2].push_back(n->value), all[3].push_back(n->noise);
-            });
-        }
-    };
-    explicit Misfit(Values values) : depth(values.all[0], values.all[1]), normal(values.all[2], values.all[3]) {}
+    /// Whether it is far better than another, and by as many pixels.
+    [[nodiscard]] bool beats(Misfit const& other) const {
+        bool const by_as_many = 4 * depth.pixels >= 3 * other.depth.pixels && 4 * normal.pixels >= 3 * other.normal.pixels;
+        return by_as_many && sum() < 0.6f * other.sum();
+    }
 };
 
 /// The best factor among some, by how well it fits.
@@ -127,7 +139,7 @@ inline bool is_likely(Observation const& seen, Geometry const& own, GeometryMist
     // A projection has room to fit to anything a little. Surfaces that tell nothing may be many.
     if (contest.second_wins() && (contest.by_most() || without.is_small())) return true;
     // Where noise hides the difference in each pixel, all together show it.
-    return own.scattered && without.is_small() && without.sum() < 0.6f * Misfit(seen, own, 2).sum();
+    return own.scattered && without.is_small() && without.beats(Misfit(seen, own, 2));
 }
 
 /// All mistakes with which depth and normals fit clearly better than without, best first.
@@ -139,8 +151,7 @@ inline std::vector<std::pair<GeometryContest, GeometryMistake>> winners_of(Obser
         if (is_likely(seen, own, mistake, contest)) winners.emplace_back(contest, std::move(mistake));
     }
     auto const is_better = [&](Geometry const& one, Geometry const& other) {
-        return GeometryContest(seen, other, one).second_wins() ||
-               (own.scattered && Misfit(seen, one, 2).sum() < 0.6f * Misfit(seen, other, 2).sum());
+        return GeometryContest(seen, other, one).second_wins() || (own.scattered && Misfit(seen, one, 2).beats(Misfit(seen, other, 2)));
     };
     for (std::size_t i = 1; i < winners.size(); ++i)
         if (is_better(winners[i].second.geometry, winners[0].second.geometry)) std::swap(winners[0], winners[i]);

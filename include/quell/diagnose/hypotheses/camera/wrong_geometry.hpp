@@ -40,6 +40,13 @@ inline Finding finding_of(Observation const& seen, std::vector<std::pair<Geometr
     return finding;
 }
 
+/// Guides of the frame before have its motion. Where motion follows the given cameras, those are not ahead.
+inline bool motion_allows(Observation const& seen, Geometry const& own, GeometryMistake const& mistake) {
+    if (mistake.mistake != Mistake::guides_behind || !seen.motion || !seen.has_then) return true;
+    auto const share = [&](Geometry const& by) { return agreeing(motion_pairs(seen, by.now, by.then), {1.f, 1.f}).share(); };
+    return share(mistake.geometry) > share(own) - 0.02;
+}
+
 /// The camera's mistakes first, by depth and normals alone: what the host says of motion must not decide them.
 inline GeometryIs find_wrong_geometry(Observation const& seen, std::vector<Finding>& findings) {
     if (!seen.depth || !known(seen.camera)) return GeometryIs::unknown;
@@ -58,6 +65,7 @@ inline GeometryIs find_wrong_geometry(Observation const& seen, std::vector<Findi
             for (auto& one : mistakes_of_unit(seen, own)) all.push_back(std::move(one));
         winners = winners_of(seen, own, std::move(all));
     }
+    std::erase_if(winners, [&](auto const& winner) { return !motion_allows(seen, own, winner.second); });
     auto& in_a_row = seen.notes().misfits_in_a_row;
     in_a_row = winners.empty() ? 0 : in_a_row + 1;
     if (winners.empty()) return GeometryIs::unknown;

@@ -65,6 +65,9 @@ inline void add_edge(EdgeSums& edges, int group, float albedo, float beside, flo
     double const logarithm = std::log(static_cast<double>(bright / dark));
     auto const strength = std::min(static_cast<std::size_t>(logarithm / 0.5), std::size_t{EdgeSums::strengths - 1});
     auto& sum = edges.sums[static_cast<std::size_t>(group)][strength];
+    // A single firefly must not outweigh the rest.
+    if (sum.edges >= 30 && static_cast<double>(signal + signal_beside) * static_cast<double>(sum.edges) > 30. * (sum.bright + sum.dark))
+        return;
     sum.bright += static_cast<double>(albedo > beside ? signal : signal_beside);
     sum.dark += static_cast<double>(albedo > beside ? signal_beside : signal);
     sum.logarithms += logarithm, ++sum.edges, ++edges.edges;
