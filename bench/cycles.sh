@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
-# Renders three scenes with Blender's Cycles, which quell was not made for, at several numbers of samples, denoises them by every preset that
+# Renders scenes with Blender's Cycles, which quell was not made for, at several numbers of samples, denoises them by every preset that
 # wants no more than colour and guides, and prints the table of docs/figures.md: FLIP (RMSE) of frames 41 to 48 against 512 samples.
 #   bench/cycles.sh [FOLDER [SCENES [FILTERS [SAMPLES]]]]          for instance: bench/cycles.sh out/cycles "lamp brass" box "1 16"
+# Scenes: lamp, train, brass at 480x270; at 240x135 and frames 5 to 10 fog, dof, leaves, film, glass, mblur, gamut (filter default), and tiles
+# (box), by 1 and 8 samples. cycles_scenes.py says what is in them. The last row denoises the picture as one signal.
 # FILTERS: box (samples at the pixels' centres) and default (Cycles' own, samples anywhere within a pixel and a half).
 # What has been rendered stays in the folder and is not rendered again. On 2 cores: references 40 to 60 s a frame, 64 samples 6 to 12 s,
 # 1 sample 0.4 s.
@@ -13,12 +15,23 @@ read -ra samples <<<"${4:-1 4 16 64}"
 cd "$(dirname "$0")/.."
 source .ci/packages.sh
 command -v blender >/dev/null || install_packages blender
+[[ " ${scenes[*]} " != *" gamut "* ]] || [ -e /usr/share/doc/python3-openimageio ] || install_packages python3-openimageio
 denoise=build/release/examples/denoise/quell-denoise
 [ -x "$denoise" ] || { cmake --preset release && cmake --build --preset release --target quell-denoise; }
 
+# shape scene samples: width, height, first frame, last frame, first frame of the references.
+# What is shorter than a history of 24 frames costs less to render where there is little noise.
+shape() {
+    case $1 in
+    lamp | train | brass) echo 480 270 $(($2 >= 64 ? 33 : 17)) 48 41 ;;
+    *) echo 240 135 1 10 5 ;;
+    esac
+}
+
 # render scene filter samples first last: those of the frames that aren't there.
 render() {
-    local to=$folder/$1/$2/$3 number first=0 last=0
+    local to=$folder/$1/$2/$3 number first=0 last=0 width height
+    read -r width height _ <<<"$(shape "$1" "$3")"
     mkdir -p "$to"
     for ((number = $4; number <= $5; ++number)); do
         [ -s "$to/frame_$(printf %04d "$number").exr" ] && continue
@@ -27,32 +40,33 @@ render() {
     done
     [ "$first" -gt 0 ] || return 0
     echo "rendering $1, filter $2, $3 samples, frames $first to $last" >&2
-    blender -b --factory-startup -noaudio -P bench/cycles_scenes.py -- "$1" "$to" "$3" "$first" "$last" 480 270 "$2" >"$to/blender.log" 2>&1 ||
+    blender -b --factory-startup -noaudio -P bench/cycles_scenes.py -- "$1" "$to" "$3" "$first" "$last" "$width" "$height" "$2" >"$to/blender.log" 2>&1 ||
         { tail -3 "$to/blender.log" >&2 && exit 1; }
 }
 
-# What is shorter than a history of 24 frames costs less to render where there is little noise.
-first_frame() { [ "$1" -ge 64 ] && echo 33 || echo 17; }
-
 # score scene filter samples preset [options]: FLIP (RMSE).
 score() {
-    local at=$folder/$1/$2 scene=$1 filter=$2 count=$3 preset=$4
+    local at=$folder/$1/$2 count=$3 preset=$4 first last
+    read -r _ _ first last _ <<<"$(shape "$1" "$3")"
     shift 4
     "$denoise" --quiet --preset "$preset" "$@" --in "$at/$count/frame_%04d.exr" --reference "$at/512/frame_%04d.exr" --first \
-        "$(first_frame "$count")" --last 48 | awk -F, '$1 == "mean" { printf " %.4f (%.4f) |", $4, $2 }'
+        "$first" --last "$last" | awk -F, '$1 == "mean" { printf " %.4f (%.4f) |", $4, $2 }'
 }
 
 for filter in "${filters[@]}"; do
     for scene in "${scenes[@]}"; do
-        render "$scene" "$filter" 512 41 48
-        for count in "${samples[@]}"; do render "$scene" "$filter" "$count" "$(first_frame "$count")" 48; done
+        for count in "${samples[@]}"; do
+            read -r _ _ first last reference <<<"$(shape "$scene" "$count")"
+            render "$scene" "$filter" 512 "$reference" "$last"
+            render "$scene" "$filter" "$count" "$first" "$last"
+        done
     done
     printf '| filter %s: FLIP (RMSE) |' "$filter"
     for scene in "${scenes[@]}"; do for count in "${samples[@]}"; do printf ' %s, %s |' "$scene" "$count"; done; done
     printf '\n| --- |'
     for scene in "${scenes[@]}"; do for count in "${samples[@]}"; do printf ' --- |'; done; done
     printf '\n'
-    for preset in none surface surface-clamp atrous svgf dual-color "general --extra-frames 0" general "final-frame --extra-frames 0" final-frame; do
+    for preset in none surface surface-clamp atrous svgf dual-color "general --extra-frames 0" general "final-frame --extra-frames 0" final-frame "final-frame --map bench/cycles_one_signal.json"; do
         printf '| `%s` |' "$preset"
         read -ra words <<<"$preset"
         for scene in "${scenes[@]}"; do for count in "${samples[@]}"; do score "$scene" "$filter" "$count" "${words[@]}"; done; done

@@ -1,9 +1,12 @@
-# Renders one of three small scenes with Blender's Cycles (apt-get install --no-install-recommends blender; tested with 3.4.1), 48 frames long:
-#   blender -b --factory-startup -noaudio -P cycles_scenes.py -- lamp|train|brass OUT_FOLDER SPP FIRST LAST WIDTH HEIGHT [box|default]
+# Renders a small scene with Blender's Cycles (apt-get install --no-install-recommends blender; tested with 3.4.1), 48 frames long:
+#   blender -b --factory-startup -noaudio -P cycles_scenes.py -- SCENE OUT_FOLDER SPP FIRST LAST WIDTH HEIGHT [box|default]
 # box: samples at the pixels' centres; default: Cycles' own filter, by which samples lie anywhere within a pixel and a half. The seed differs
-# from frame to frame. Multi-layer EXR: Combined, light and colour passes, Depth, Normal, Position, Vector (to the last and to the next
-# frame), IndexOB. bench/cycles.sh calls this.
-import bpy, sys, math, os
+# from frame to frame. Multi-layer EXR: Combined, light and colour passes, Depth, Normal, Vector (to the last and to the next frame).
+# lamp, train, brass have Position and IndexOB too; their passes are clean and complete. In the others colour passes, alpha or sums are not:
+#   fog (volume passes), dof (depth of field), film (transparent film), glass (no transmission passes), mblur (motion blur: Vector is 0),
+#   gamut (components below 0, wants python3-openimageio), and as controls leaves (outdoors) and tiles (indoors, fine textures).
+# bench/cycles.sh calls this.
+import bpy, sys, math, os, random
 name, out, spp, first, last, width, height = (lambda a: (a[0], a[1], *map(int, a[2:7])))(sys.argv[sys.argv.index("--") + 1:])
 pixel_filter = (sys.argv[sys.argv.index("--") + 8:] + ["box"])[0]
 N = 48
@@ -25,9 +28,12 @@ scene.frame_start, scene.frame_end = first, last
 scene.view_settings.view_transform = 'Standard'
 layer = scene.view_layers[0]
 layer.name = 'ViewLayer'
-for p in ('z', 'normal', 'vector', 'position', 'object_index', 'diffuse_direct', 'diffuse_indirect', 'diffuse_color', 'glossy_direct',
-          'glossy_indirect', 'glossy_color', 'emit', 'environment'):
-    setattr(layer, 'use_pass_' + p, True)
+def passes(*names):
+    for p in names: setattr(layer, 'use_pass_' + p, True)
+passes('z', 'normal', 'vector', 'diffuse_direct', 'diffuse_indirect', 'diffuse_color', 'glossy_direct', 'glossy_indirect', 'glossy_color', 'emit',
+       'environment')
+if name in ('lamp', 'train', 'brass'): passes('position', 'object_index')
+elif name != 'glass': passes('transmission_direct', 'transmission_indirect', 'transmission_color')
 world = bpy.data.worlds.new('World')
 scene.world, world.use_nodes = world, True
 
@@ -44,6 +50,42 @@ def material(n, color, rough=0.6, metal=0.0, emit=0.0, checker=0):
         t.inputs[1].default_value, t.inputs[2].default_value = (*color, 1), (*[0.4 * c for c in color], 1)
         m.node_tree.links.new(t.outputs['Color'], b.inputs['Base Color'])
     return m
+def pattern(n, dark, bright, scale, kind='Noise', **k):
+    m = material(n, bright, **k)
+    t, r = m.node_tree.nodes.new('ShaderNodeTex' + kind), m.node_tree.nodes.new('ShaderNodeValToRGB')
+    t.inputs['Scale'].default_value = scale
+    a, b = r.color_ramp.elements
+    a.position, a.color, b.position, b.color = .4, (*dark, 1), .6, (*bright, 1)
+    m.node_tree.links.new(m.node_tree.nodes.new('ShaderNodeTexCoord').outputs['Object'], t.inputs['Vector'])
+    m.node_tree.links.new(t.outputs['Fac'], r.inputs['Fac'])
+    m.node_tree.links.new(r.outputs['Color'], m.node_tree.nodes['Principled BSDF'].inputs['Base Color'])
+    return m
+def glassy(n, color):
+    m = material(n, color, rough=0)
+    m.node_tree.nodes['Principled BSDF'].inputs['Transmission'].default_value = 1
+    return m
+def volume(n, color, density, clouds=0):
+    m = bpy.data.materials.new(n)
+    m.use_nodes = True
+    m.node_tree.nodes.clear()
+    new, link = m.node_tree.nodes.new, m.node_tree.links.new
+    v = new('ShaderNodeVolumePrincipled')
+    v.inputs['Color'].default_value, v.inputs['Density'].default_value = (*color, 1), density
+    link(v.outputs[0], new('ShaderNodeOutputMaterial').inputs['Volume'])
+    if clouds:
+        t, r = new('ShaderNodeTexNoise'), new('ShaderNodeMapRange')
+        t.inputs['Scale'].default_value, t.inputs['Detail'].default_value = clouds, 4
+        r.inputs['From Min'].default_value, r.inputs['From Max'].default_value, r.inputs['To Max'].default_value = .45, .7, density
+        ball, times = new('ShaderNodeTexGradient'), new('ShaderNodeMath')     # none at the sides of the box
+        ball.gradient_type, times.operation = 'SPHERICAL', 'MULTIPLY'
+        for to in t, ball: link(new('ShaderNodeTexCoord').outputs['Object'], to.inputs['Vector'])
+        link(t.outputs['Fac'], r.inputs['Value'])
+        link(r.outputs[0], times.inputs[0])
+        link(ball.outputs['Fac'], times.inputs[1])
+        link(times.outputs[0], v.inputs['Density'])
+    layer.cycles.use_pass_volume_direct = layer.cycles.use_pass_volume_indirect = True
+    cycles.volume_bounces = 2
+    return m
 count = [0]
 def add(op, mat, at, scale=(1, 1, 1), turn=(0, 0, 0), **k):
     op(location=at, rotation=turn, **k)
@@ -53,6 +95,23 @@ def add(op, mat, at, scale=(1, 1, 1), turn=(0, 0, 0), **k):
     count[0] += 1
     o.pass_index = count[0]
     return o
+def strips(n, mat, places, width, height, seed):    # leaves or hairs: one mesh of quadrilaterals that stand and lean at random
+    chance, points, faces = random.Random(seed), [], []
+    for x, y, z in places:
+        turn, w, h = chance.uniform(0, 2 * math.pi), width * chance.uniform(.7, 1.3), height * chance.uniform(.6, 1.2)
+        c, s, lean, tip = w * math.cos(turn), w * math.sin(turn), chance.uniform(-.6, .6) * h, chance.uniform(-.6, .6) * h
+        i = len(points)
+        points += [(x, y, z), (x + c + .5 * lean, y + s + .5 * tip, z + .5 * h), (x + lean, y + tip, z + h), (x - c + .5 * lean, y - s + .5 * tip, z + .5 * h)]
+        faces.append((i, i + 1, i + 2, i + 3))
+    mesh = bpy.data.meshes.new(n)
+    mesh.from_pydata(points, [], faces)
+    mesh.materials.append(mat)
+    o = bpy.data.objects.new(n, mesh)
+    scene.collection.objects.link(o)
+    return o
+def places(number, seed, low, high):
+    chance = random.Random(seed)
+    return [[chance.uniform(a, b) for a, b in zip(low, high)] for _ in range(number)]
 def move(o, what, keys):
     for f, v in keys: setattr(o, what, v), o.keyframe_insert(what, frame=f)
     for c in o.animation_data.action.fcurves:
@@ -107,7 +166,7 @@ elif name == 'train':   # cars pass a window: striped sunlight sweeps a textured
     sun.rotation_euler = (0, math.radians(-58), math.radians(8))
     eye, _ = camera((.8, -3.6, 1.6), (-.4, 1.2, .9), 24)
     move(eye, 'location', [(1, (.2, -3.6, 1.6)), (48, (1.8, -3.5, 1.7))])
-else:                   # brass: metal of three roughnesses turns above a rough metal floor; small bright lamps are reflected
+elif name == 'brass':   # brass: metal of three roughnesses turns above a rough metal floor; small bright lamps are reflected
     sky(.04, .05, .07)
     add(P.primitive_plane_add, material('floor', (.55, .5, .45), .3, 1, checker=10), (0, 0, 0), (6, 6, 1))
     add(P.primitive_plane_add, material('wall', (.5, .25, .2), .8, checker=8), (0, 3, 0), (6, 6, 1), (half, 0, 0))
@@ -121,4 +180,138 @@ else:                   # brass: metal of three roughnesses turns above a rough 
     light('AREA', (0, -2, 4.5), 160, 1.5, (math.radians(20), 0, 0))
     eye, _ = camera((0, -4.6, 1.9), (0, .3, .7))
     move(eye, 'location', [(1, (-.8, -4.6, 1.9)), (48, (.8, -4.6, 2))])
+elif name == 'fog':     # a lamp swings behind posts in a room full of fog that is open to the sky; the camera walks slowly
+    sky(.3, .36, .45)
+    add(P.primitive_plane_add, material('floor', (.7, .6, .5), .8, checker=16), (0, 0, 0), (5, 5, 1))
+    add(P.primitive_plane_add, pattern('wall', (.25, .3, .45), (.7, .7, .6), 4), (-1.2, 4, 1.5), (2.6, 1.5, 1), (half, 0, 0))
+    add(P.primitive_plane_add, pattern('side', (.5, .25, .2), (.75, .6, .4), 5), (-3.6, 0, 1.5), (1.5, 4, 1), (0, half, 0))
+    for i in range(6): add(P.primitive_cylinder_add, material('post', (.5, .3, .2), .6), (-2.5 + i, 1 + .4 * (i % 2), 1), (.09, .09, 1))
+    add(P.primitive_monkey_add, material('head', (.3, .6, .4), .4), (.4, -.6, .6), (.6, .6, .6), (0, 0, .3))
+    add(P.primitive_cube_add, volume('fog', (.9, .92, 1), .09), (0, 0, 1.4), (9, 9, 3))
+    lamp = light('POINT', (0, 2, 2), 130, .15, color=(1, .8, .55))
+    move(lamp, 'location', [(1, (-2, 2.2, 1.7)), (12, (2, 2, 1.9)), (24, (-2, 2.2, 1.7)), (36, (2, 2, 1.9)), (48, (-2, 2.2, 1.7))])
+    light('AREA', (2, -3, 4), 120, 1, (math.radians(35), math.radians(25), 0), (.7, .8, 1))
+    eye, _ = camera((.4, -5, 1.7), (0, .6, 1))
+    move(eye, 'location', [(1, (-.2, -5, 1.7)), (48, (1.2, -4.7, 1.8))])
+elif name == 'dof':     # a wide aperture under a pan: textured things and small lamps near and far, one row in focus, sky behind
+    sky(.45, .55, .7)
+    add(P.primitive_plane_add, pattern('floor', (.2, .16, .12), (.75, .65, .5), 30), (0, 4, 0), (12, 9, 1))
+    add(P.primitive_plane_add, material('far', (.75, .7, .6), .9, checker=24), (-2, 9, 1.2), (4, 1.2, 1), (half, 0, 0))
+    for i, y in enumerate((-2.6, -1.8, .5, .9, 3, 5)):
+        for j in range(3):
+            what = (pattern('p', (.1, .2, .5), (.8, .8, .7), 6), material('q', (.8, .35, .2), .4, checker=10), pattern('r', (.15, .4, .15), (.8, .75, .3), 9))[(i + j) % 3]
+            x = (-1.9 + 1.7 * j + .4 * (i % 2)) * (1 + .18 * i)
+            add((P.primitive_cube_add, P.primitive_uv_sphere_add, P.primitive_monkey_add)[(i + 2 * j) % 3], what, (x, y, .32), (.32, .32, .32), (0, 0, .4 * i + j))
+    for i in range(8): add(P.primitive_uv_sphere_add, material('bulb', ((1, .75, .4), (.5, .8, 1))[i % 2], emit=3), (-4 + 1.1 * i, 7 + .3 * (i % 3), 1 + .4 * (i % 3)), (.08, .08, .08))
+    sun = light('SUN', (0, 0, 5), 2.2, .05, (math.radians(50), math.radians(20), 0), (1, .93, .8))
+    eye, target = camera((0, -5.2, 1.3), (0, 1, .5), 40)
+    eye.data.dof.use_dof, eye.data.dof.focus_distance, eye.data.dof.aperture_fstop = True, 5.9, .25
+    move(eye, 'location', [(1, (-.3, -5.2, 1.3)), (48, (1.5, -5.2, 1.3))])
+    move(target, 'location', [(1, (-.6, 1, .5)), (48, (2.6, 1, .5))])
+elif name == 'leaves':  # outdoors: a pan over textured ground, grass and leaves that swing
+    sky(.5, .65, .9)
+    add(P.primitive_plane_add, pattern('ground', (.12, .08, .05), (.5, .42, .28), 50), (0, 4, 0), (14, 12, 1))
+    add(P.primitive_cube_add, pattern('bark', (.1, .06, .04), (.45, .32, .22), 12), (-1.4, 1.2, 1.2), (.2, .2, 1.2))
+    add(P.primitive_cube_add, material('stones', (.6, .58, .55), .8, checker=9), (1.8, 3, .5), (1.2, .3, .5))
+    for i, (dark, bright) in enumerate((((.05, .2, .03), (.3, .55, .12)), ((.2, .22, .03), (.65, .6, .15)), ((.25, .08, .03), (.75, .4, .1)))):
+        o = strips('crown%d' % i, pattern('leaf%d' % i, dark, bright, 8), [(x - 1.4, y + 1.2, z) for x, y, z in places(140, i, (-1.1, -1.1, 1.2), (1.1, 1.1, 2.6))], .11, .3, i)
+        move(o, 'rotation_euler', [(1 + 6 * k, (.03 * (-1) ** (k + i), .02 * (-1) ** k, 0)) for k in range(9)])
+        strips('grass%d' % i, pattern('blade%d' % i, dark, bright, 10), places(350, 9 + i, (-5, -2, 0), (5, 5, 0)), .035, .32, 5 + i)
+    light('SUN', (0, 0, 5), 3, .02, (math.radians(42), math.radians(-28), 0), (1, .94, .82))
+    eye, target = camera((0, -4.4, 1.4), (0, 1, .9), 32)
+    move(eye, 'location', [(1, (-.4, -4.4, 1.4)), (48, (.8, -4.4, 1.5))])
+    move(target, 'location', [(1, (-1, 1, .9)), (48, (2.8, 1, .9))])
+elif name == 'film':    # transparent film: smoke, hair and leaves turn and pass before nothing, so that alpha is noisy
+    render.film_transparent = True
+    sky(.3, .36, .45)
+    add(P.primitive_cylinder_add, material('plate', (.65, .5, .4), .5, checker=9), (0, .3, -.06), (1.9, 1.9, .06))
+    head = add(P.primitive_monkey_add, pattern('head', (.5, .2, .12), (.85, .6, .4), 5), (-.9, .2, .75), (.65, .65, .65))
+    o = strips('hair', material('hair', (.55, .35, .15), .4), [(.6 * math.cos(k), .45 * math.sin(k), .25 + .2 * math.cos(3 * k)) for k in range(300)], .012, .7, 1)
+    o.parent, o.scale = head, (1, 1, 1)
+    move(head, 'rotation_euler', [(1, (0, 0, -.5)), (48, (.3, 0, 1.4))])
+    o = strips('leaves', pattern('leaf', (.08, .25, .05), (.45, .6, .15), 9), [(x + 1, y, z) for x, y, z in places(120, 2, (-.5, -.5, 0), (.5, .5, 1.2))], .06, .35, 3)
+    move(o, 'location', [(1, (-.1, 0, 0)), (48, (.8, 0, .1))])
+    smoke = add(P.primitive_cube_add, volume('smoke', (.75, .75, .8), 12, 2.2), (.2, .9, 1.1), (1.4, .8, 1.2))
+    move(smoke, 'location', [(1, (.2, .9, 1.1)), (48, (1.2, .9, 1.4))])
+    add(P.primitive_uv_sphere_add, glassy('drop', (.8, .95, 1)), (.1, -.9, .3), (.3, .3, .3))
+    add(P.primitive_uv_sphere_add, material('bulb', (1, .7, .4), emit=2.5), (1.5, -.4, .25), (.1, .1, .1))
+    light('AREA', (-2.5, -2.5, 4), 260, 1, (math.radians(35), math.radians(-30), 0), (1, .93, .85))
+    light('POINT', (3, 2, 2.5), 90, .3, color=(.6, .75, 1))
+    eye, _ = camera((0, -5.4, 1.9), (.1, .2, .75))
+    move(eye, 'location', [(1, (-.2, -5.4, 1.9)), (48, (.6, -5.4, 2))])
+elif name == 'glass':   # glass things turn before textures, another enters at frame 4, and no transmission passes are rendered
+    sky(.35, .42, .5)
+    cycles.max_bounces = cycles.transmission_bounces = 8
+    add(P.primitive_plane_add, material('floor', (.7, .62, .5), .7, checker=16), (0, 0, 0), (6, 6, 1))
+    add(P.primitive_plane_add, pattern('wall', (.2, .3, .5), (.8, .7, .5), 4), (0, 3, 0), (6, 6, 1), (half, 0, 0))
+    for i, c in enumerate(((.8, .25, .2), (.25, .7, .3), (.85, .7, .2))): add(P.primitive_cube_add, material('block', c, .5, checker=4), (-2 + 2 * i, 1.9, .4), (.35, .35, .4))
+    for i, op in enumerate((P.primitive_torus_add, P.primitive_monkey_add)):
+        o = add(op, glassy('glass%d' % i, ((.95, 1, .97), (1, .9, .8))[i]), (-1.1 + 2 * i, -.2, .8), (.65, .65, .65), (.9, 0, 0))
+        move(o, 'rotation_euler', [(1, (.9 - .9 * i, 0, 0)), (48, (1.3 - .9 * i, .8, 2.6))])
+    ball = add(P.primitive_uv_sphere_add, glassy('ball', (.85, .95, 1)), (-4, -1.4, .5), (.5, .5, .5))
+    bpy.ops.object.shade_smooth()
+    move(ball, 'location', [(1, (-2.85, -1.4, .5)), (12, (-1, -1.4, .5)), (48, (3, -1.4, .5))])
+    light('AREA', (-1, -2, 4.5), 260, 1.2, (math.radians(20), math.radians(-10), 0))
+    eye, _ = camera((0, -5, 1.9), (0, .3, .7))
+    move(eye, 'location', [(1, (-.1, -5, 1.9)), (48, (.5, -5, 2))])
+elif name == 'mblur':   # the shutter is open half of the frame time: things pass, turn and roll, and the camera pans
+    sky(.35, .42, .5)
+    render.use_motion_blur, render.motion_blur_shutter = True, .5
+    add(P.primitive_plane_add, material('floor', (.7, .62, .5), .8, checker=14), (0, 1, 0), (8, 6, 1))
+    add(P.primitive_plane_add, pattern('wall', (.2, .3, .45), (.75, .7, .6), 4), (0, 3.5, 0), (8, 4, 1), (half, 0, 0))
+    for i in range(5): add(P.primitive_cylinder_add, material('post', (.55, .3, .2), .6), (-3 + 1.5 * i, 1.8, .7), (.1, .1, .7))
+    train = add(P.primitive_cube_add, material('train', (.8, .3, .2), .4, checker=6), (0, .6, .45), (.8, .3, .35))
+    move(train, 'location', [(1, (-2.6, .6, .45)), (24, (4, .6, .45)), (48, (-4, .6, .45))])
+    wheel = add(P.primitive_monkey_add, pattern('wheel', (.1, .35, .2), (.7, .8, .4), 6), (-1, -.9, .8), (.6, .6, .6))
+    move(wheel, 'rotation_euler', [(1, (0, 0, 0)), (48, (0, 18, 0))])
+    ball = add(P.primitive_uv_sphere_add, material('ball', (.3, .5, .85), .3, checker=8), (2, -1, .4), (.4, .4, .4))
+    move(ball, 'location', [(1, (2.6, -1, .4)), (16, (-.2, -1.4, 1.2)), (32, (2.6, -1, .4)), (48, (0, -1.2, .6))])
+    bulb = add(P.primitive_uv_sphere_add, material('bulb', (1, .8, .5), emit=4), (0, 2.4, 2), (.1, .1, .1))
+    move(bulb, 'location', [(1, (-2, 2.4, 1.9)), (16, (2.4, 2.4, 1.6)), (32, (-2.4, 2.4, 1.9)), (48, (2.4, 2.4, 1.6))])
+    light('AREA', (-1, -2, 4.5), 260, 1.2, (math.radians(20), math.radians(-10), 0), (1, .94, .86))
+    eye, target = camera((0, -5, 1.8), (0, .4, .8))
+    move(target, 'location', [(1, (-.2, .4, .8)), (48, (1.6, .4, .8))])
+elif name == 'tiles':   # indoors: fine textures everywhere, a moving lamp, and the camera walks
+    sky(.1, .12, .15)
+    add(P.primitive_plane_add, material('floor', (.75, .72, .65), .5, checker=48), (0, 0, 0), (4, 4, 1))
+    add(P.primitive_plane_add, pattern('back', (.2, .3, .4), (.8, .78, .7), 14), (0, 3, 0), (4, 3, 1), (half, 0, 0))
+    add(P.primitive_plane_add, material('left', (.45, .65, .6), .6, checker=40), (-3, 0, 0), (3, 4, 1), (0, half, 0))
+    add(P.primitive_plane_add, material('right', (.7, .45, .35), .6, checker=40), (3, 0, 0), (3, 4, 1), (0, half, 0))
+    for i in range(3): add((P.primitive_cube_add, P.primitive_uv_sphere_add, P.primitive_torus_add)[i], pattern('thing%d' % i, (.25, .12, .08), (.85, .75, .4), 16), (-1.5 + 1.5 * i, .6 * (i % 2), .5), (.45, .45, .45), (.3 * i, 0, .5))
+    lamp = light('POINT', (0, 0, 2.4), 140, .2, color=(1, .86, .66))
+    move(lamp, 'location', [(1, (-1.2, -1, 2.4)), (24, (1.2, -.6, 2.2)), (48, (-1.2, -1, 2.4))])
+    light('AREA', (1, -1, 2.9), 50, 1.5, color=(.8, .9, 1))
+    eye, _ = camera((0, -4.4, 1.6), (0, .4, .8), 28)
+    move(eye, 'location', [(1, (-.8, -4.4, 1.6)), (48, (2.2, -4, 1.7))])
+elif name == 'gamut':   # grey textures, and one red ball, under lamps of pure colours; see out_of_gamut
+    sky(.01, .02, .06)
+    add(P.primitive_plane_add, material('floor', (.7, .7, .7), .6, checker=14), (0, 0, 0), (6, 6, 1))
+    add(P.primitive_plane_add, pattern('wall', (.3, .3, .3), (.8, .8, .8), 4), (0, 3, 0), (6, 6, 1), (half, 0, 0))
+    for i in range(3): add((P.primitive_cube_add, P.primitive_monkey_add, P.primitive_torus_add)[i], material('grey%d' % i, (.7, .7, .7), (.6, .3, .15)[i], (0, 0, 1)[i]), (-1.8 + 1.8 * i, .4, .6), (.55, .55, .55), (.2 * i, 0, .4))
+    ball = add(P.primitive_uv_sphere_add, material('ball', (.8, .1, .05), .4), (2, -1.2, .35), (.35, .35, .35))
+    move(ball, 'location', [(1, (2, -1.2, .35)), (48, (-2, -1.2, .35))])
+    add(P.primitive_uv_sphere_add, material('bulb', (.1, 1, .05), emit=1), (-2.2, -.8, .25), (.2, .2, .2))
+    for i, c in enumerate(((1, 0, 0), (0, 1, 0), (0, 0, 1))):
+        l = light('AREA', (-3 + 3 * i, -1.5, 3), (90, 55, 150)[i], .6, (math.radians(20), math.radians(-40 + 40 * i), 0), c)
+        move(l, 'location', [(1, (-3 + 3 * i, -1.5, 3)), (48, (-2 + 3 * i, -.5, 3))])
+    eye, _ = camera((0, -5, 2), (0, .3, .7))
+    move(eye, 'location', [(1, (-.2, -5, 2)), (48, (1, -5, 2))])
+else: sys.exit('cycles_scenes.py: no scene ' + name)
+
+def out_of_gamut(file):     # takes the linear colours for Rec.2020 and writes them as Rec.709, where pure ones have components below 0
+    import numpy, OpenImageIO as oiio
+    matrix = numpy.array([[1.660491, -.587641, -.07285], [-.12455, 1.1329, -.00835], [-.018151, -.100579, 1.11873]], numpy.float32)
+    image = oiio.ImageInput.open(file)
+    spec, pixels = image.spec(), image.read_image(oiio.FLOAT)
+    image.close()
+    at = {c: i for i, c in enumerate(spec.channelnames)}
+    for c in at:
+        if c.endswith('.R'):
+            rgb = [at[c[:-1] + letter] for letter in 'RGB']
+            pixels[..., rgb] = pixels[..., rgb] @ matrix.T
+    to = oiio.ImageOutput.create(file)
+    if not (to and to.open(file + '.part.exr', spec) and to.write_image(pixels) and to.close()): sys.exit('cannot write ' + file)
+    os.replace(file + '.part.exr', file)
 bpy.ops.render.render(animation=True)
+if name == 'gamut':
+    for f in range(first, last + 1): out_of_gamut(render.frame_path(frame=f))

@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 source .ci/packages.sh
 
-all_steps=(gcc clang asan fuzz tsan aarch64 mingw)
+all_steps=(gcc clang asan fuzz tsan aarch64 mingw cuda)
 # The folders of tests to run, where some are named: then nothing else is built.
 only=()
 # What each of the other builds compiles and runs, as far as it exists: the library, and no slow programs. The clang build, at -O2, has
@@ -97,6 +97,13 @@ step_mingw() {
     fi
     cmake --preset mingw-avx2
     build_and_test build/mingw-avx2 "${cross_tests[@]}"
+}
+
+# What can be tested of CUDA without a GPU.
+step_cuda() {
+    local status=0
+    tests/build/cuda.sh build/cuda || status=$?
+    [ "$status" = 77 ] || return "$status" # 77: without nvcc
 }
 
 need_packages "${build_packages[@]}" "${library_packages[@]}" "${program_packages[@]}" "${test_packages[@]}"

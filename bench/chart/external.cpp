@@ -59,19 +59,20 @@ std::string subject_of(External const& external) { return "--external '" + exter
 io::ExrImage image_in(fs::path const& file, External const& external) {
     static std::array<std::string, 3> const names{"R", "G", "B"};
     if (!fs::exists(file))
-        throw Error(subject_of(external), "it wrote no " + file.filename().string(), "let it write a file for each frame, to {out}");
+        throw Failure(subject_of(external), "it wrote no " + file.filename().string(), "let it write a file for each frame, to {out}");
     try {
         return io::ExrFile(file).read(names);
     } catch (Error const& error) {
-        throw Error(subject_of(external), "its " + file.filename().string() + " can't be read: " + error.found, "let it write R, G and B");
+        throw Failure(subject_of(external), "its " + file.filename().string() + " can't be read: " + error.found,
+                      "let it write R, G and B");
     }
 }
 
 metrics::Picture picture_in(fs::path const& file, External const& external, Extent size) {
     auto const image = image_in(file, external);
     if (!(image.size == size))
-        throw Error(subject_of(external), "it wrote " + to_string(image.size) + " for frames of " + to_string(size),
-                    "let it keep their size");
+        throw Failure(subject_of(external), "it wrote " + to_string(image.size) + " for frames of " + to_string(size),
+                      "let it keep their size");
     metrics::Picture picture{size, std::vector<glm::vec3>(image.pixels())};
     int c = 0;
     for (char const* const name : {"R", "G", "B"}) {
@@ -115,8 +116,8 @@ double ExternalRuns::seconds_of(External const& external, fs::path const& out) c
     std::chrono::duration<double> const taken = std::chrono::steady_clock::now() - begin;
     if (status == 0) return taken.count();
     auto const said = last_line_of(log);
-    throw Error(subject_of(external), how_it_ended(status) + (said.empty() ? "" : " and said '" + said + "'"),
-                "try it on frames of quell-trace first: " + external.command);
+    throw Failure(subject_of(external), how_it_ended(status) + (said.empty() ? "" : " and said '" + said + "'"),
+                  "try it on frames of quell-trace first: " + external.command);
 }
 
 Row ExternalRuns::run(External const& external, Judge const& judge) {

@@ -62,16 +62,17 @@ std::vector<FileMethod> methods_for(io::ExrFile const& file, io::SequenceNames c
     return methods;
 }
 
-FileSequence file_sequence(ChartOptions const& options, Files const& files, std::string const& scene,
-                           std::optional<io::SequenceNames> const& map) {
+FileSequence file_sequence(ChartOptions const& options, Files const& files, std::string const& scene) {
     FramePattern const in(files.in), reference(files.reference);
     auto const range = examples::range_of(in, options.first, options.last);
     check_no_gap(in, range);
     io::ExrFile const first(in.path(range.first));
+    std::optional<io::SequenceNames> map;
+    if (!options.map.empty()) map = examples::read_map(options.map, &first);
     return {scene,      in,
             reference,  map,
             range,      examples::numbers_of_references(reference, range),
-            first.size, methods_for(first, map ? *map : io::recognise(first))};
+            first.size, methods_for(first, map ? *map : examples::recognised(first))};
 }
 
 std::vector<Wanted> wanted_of(FileSequence const& sequence) {
@@ -104,11 +105,9 @@ Row row_of(FileSequence const& sequence, FileMethod const& method, int threads, 
 } // namespace
 
 std::vector<FileSequence> file_sequences(ChartOptions const& options) {
-    std::optional<io::SequenceNames> map;
-    if (!options.map.empty()) map = examples::read_map(options.map);
     auto const scenes = scenes_of(options.files);
     std::vector<FileSequence> all;
-    for (std::size_t i = 0; i < scenes.size(); ++i) all.push_back(file_sequence(options, options.files[i], scenes[i], map));
+    for (std::size_t i = 0; i < scenes.size(); ++i) all.push_back(file_sequence(options, options.files[i], scenes[i]));
     return all;
 }
 

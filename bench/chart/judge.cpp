@@ -37,7 +37,7 @@ metrics::Picture Judge::displayed(std::string const& method, long long frame, me
     try {
         return metrics::displayed(linear);
     } catch (Error const& error) {
-        throw Error(method + " on " + scene + ", " + effect, "in frame " + std::to_string(frame) + " " + error.found, error.remedy);
+        throw Failure(method + " on " + scene + ", " + effect, "in frame " + std::to_string(frame) + " " + error.found, error.remedy);
     }
 }
 

@@ -98,7 +98,7 @@ std::string panel(std::vector<Row> const& all, int index) {
 
 void require_gnuplot() {
     if (!examples::has_gnuplot())
-        throw Error("gnuplot", "it can't be run, and chart.svg wants it", "install it (on Debian, apt-get install gnuplot-nox)");
+        throw Failure("gnuplot", "it can't be run, and chart.svg wants it", "install it (on Debian, apt-get install gnuplot-nox)");
 }
 
 std::string plot_script(std::vector<Row> const& rows, std::string const& svg) {

@@ -39,7 +39,7 @@ void Results::write_csv() const {
     out << csv_header() << '\n';
     for (auto const& row : all) out << csv_line(row) << '\n';
     out.close();
-    if (!out) throw Error(file.string(), std::string("can't be written: ") + std::strerror(errno), "check that its folder has room");
+    if (!out) throw Failure(file.string(), std::string("can't be written: ") + std::strerror(errno), "check that its folder has room");
 }
 
 } // namespace quell::bench

@@ -29,6 +29,7 @@ struct Case {
 [[nodiscard]] std::vector<Case> blur_cases();
 [[nodiscard]] std::vector<Case> firefly_cases();
 [[nodiscard]] std::vector<Case> input_cases();
+[[nodiscard]] std::vector<Case> bounds_cases();
 [[nodiscard]] std::vector<Case> drift_cases();
 [[nodiscard]] std::vector<Case> host_mistake_cases();
 

@@ -16,11 +16,11 @@ namespace {
 
 constexpr float light = 0.2f;
 
-/// What hosts hand over by mistake: the first four are never light, the others rarely guides.
+/// What hosts hand over by mistake: the first four are never light, in any component, the others rarely guides.
 constexpr std::array no_numbers{std::numeric_limits<float>::quiet_NaN(),
                                 std::numeric_limits<float>::infinity(),
                                 -std::numeric_limits<float>::infinity(),
-                                -1.f,
+                                -100.f,
                                 0.f,
                                 -0.f,
                                 1e-40f,

@@ -45,7 +45,7 @@ std::optional<StabilityOptions> stability_options(int argc, char const* const* a
     if (!examples::parse(app, argc, argv)) return std::nullopt;
     options.making.size = examples::size_in(size.value_or(options.cheap ? "96x54" : "160x90"), 16, 1LL << 24);
     options.making.tolerance = tolerance.value_or(options.cheap ? 0.03 : 0.015);
-    if (options.cheap) options.making.max_samples = 64;
+    if (options.cheap) options.making.max_samples = 64, options.making.broken_frames = 100;
     if (std::ranges::find(options.cases, "all") != options.cases.end()) options.cases.clear();
     return options;
 }

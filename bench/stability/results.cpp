@@ -22,7 +22,7 @@ std::ofstream file_for(std::filesystem::path const& path, char const* header) {
 }
 
 void finish(std::ofstream& file, std::filesystem::path const& path) {
-    if (!file.flush()) throw Error(path.string(), "it can't be written", "check the folder and the space that is left");
+    if (!file.flush()) throw Failure(path.string(), "it can't be written", "check the folder and the space that is left");
 }
 
 } // namespace

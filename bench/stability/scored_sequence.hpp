@@ -46,11 +46,12 @@ struct ScoredSequence {
 /// How sequences are made.
 struct Making {
     Extent size{160, 90};
-    int threads = 0;          ///< 0: all
-    double tolerance = 0.015; ///< of references: mean FLIP between two independent halves
-    int max_samples = 1024;   ///< of references, per pixel
-    std::uint32_t seed = 0;   ///< of the noise
-    int long_run = 10000;     ///< frames of what lasts for the sake of it
+    int threads = 0;           ///< 0: all
+    double tolerance = 0.015;  ///< of references: mean FLIP between two independent halves
+    int max_samples = 1024;    ///< of references, per pixel
+    std::uint32_t seed = 0;    ///< of the noise
+    int long_run = 10000;      ///< frames of what lasts for the sake of it
+    int broken_frames = 10000; ///< of the case bounds
 };
 
 [[nodiscard]] ScoredSequence traced(Shot const& shot, Making const& making);

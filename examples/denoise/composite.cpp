@@ -1,7 +1,9 @@
 #include <denoise/composite.hpp>
+#include <denoise/map_file.hpp>
 
 #include <quell/core/real.hpp>
 #include <quell/io/frame_image.hpp>
+#include <quell/io/part_names.hpp>
 
 #include <algorithm>
 #include <array>
@@ -9,16 +11,6 @@
 namespace quell::examples {
 
 namespace {
-
-/// Three components as a picture; where there are no sources, `otherwise` everywhere.
-metrics::Picture picture_of(io::ExrImage const& image, std::vector<io::Source> const& sources, float otherwise) {
-    if (sources.empty()) return {image.size, std::vector<glm::vec3>(image.pixels(), glm::vec3(otherwise))};
-    std::array<std::vector<float>, 3> components;
-    for (std::size_t c = 0; c < 3; ++c) components[c] = io::component_of(image, sources[c]);
-    metrics::Picture picture{image.size, {}};
-    for (std::size_t i = 0; i < image.pixels(); ++i) picture.pixels.emplace_back(components[0][i], components[1][i], components[2][i]);
-    return picture;
-}
 
 void drop_non_finite(metrics::Picture& picture, long long& missing) {
     for (auto& p : picture.pixels) {
@@ -29,8 +21,8 @@ void drop_non_finite(metrics::Picture& picture, long long& missing) {
 }
 
 /// All planes of the picture itself, without guides.
-std::vector<std::string> picture_planes(io::SequenceNames const& names) {
-    auto planes = composite_planes(names);
+std::vector<std::string> picture_planes(io::ExrListing const& file, io::SequenceNames const& names) {
+    auto planes = split_planes(file, names);
     for (auto const& signal : names.of_signals) {
         auto const more = io::planes_of(Channels<Radiance>{}, signal.channels);
         planes.insert(planes.end(), more.begin(), more.end());
@@ -39,30 +31,24 @@ std::vector<std::string> picture_planes(io::SequenceNames const& names) {
 }
 
 /// The names that a converged frame goes by.
-io::SequenceNames names_of_reference(io::ExrFile const& file, ReferenceNames const& names) {
+io::SequenceNames names_of_reference(io::ExrListing const& file, ReferenceNames const& names) {
     for (auto const& choice : names.any_of)
-        if (file.has_all(picture_planes(choice))) return choice;
-    if (names.or_recognised) return io::recognise(file);
+        if (file.has_all(picture_planes(file, choice))) return choice;
+    if (names.or_recognised) return recognised(file);
     return names.any_of.at(0); // reading it says what it lacks
 }
 
 } // namespace
 
-metrics::Picture composite(io::ExrImage const& image, io::SequenceNames const& names,
-                           std::function<metrics::Picture(std::size_t)> const& signal, long long& missing) {
-    std::vector<metrics::Picture> none;
-    return composite(image, names, signal, missing, none);
-}
-
-metrics::Picture composite(io::ExrImage const& image, io::SequenceNames const& names,
-                           std::function<metrics::Picture(std::size_t)> const& signal, long long& missing,
-                           std::vector<metrics::Picture>& parts) {
+metrics::Picture composite(io::ExrImage const& image, LightSplit const& split, std::function<metrics::Picture(std::size_t)> const& signal,
+                           long long& missing, std::vector<metrics::Picture>& parts) {
     parts.clear();
-    auto sum = picture_of(image, names.added, 0.f);
+    auto sum = picture_of(image, split.added, 0.f);
     drop_non_finite(sum, missing);
-    for (std::size_t s = 0; s < names.of_signals.size(); ++s) {
-        auto& part = parts.emplace_back(signal(s));
-        auto factor = picture_of(image, names.of_signals[s].factor, 1.f);
+    for (std::size_t s = 0; s < split.signals.size(); ++s) {
+        auto& part = parts.emplace_back(split.active[s] ? signal(s) : picture_of(image, {}, 0.f));
+        if (!split.active[s]) continue;
+        auto factor = picture_of(image, split.signals[s].factor, 1.f);
         drop_non_finite(factor, missing);
         for (std::size_t i = 0; i < sum.pixels.size(); ++i) {
             part.pixels[i] *= factor.pixels[i];
@@ -73,23 +59,16 @@ metrics::Picture composite(io::ExrImage const& image, io::SequenceNames const& n
     return sum;
 }
 
-std::vector<std::string> composite_planes(io::SequenceNames const& names) {
-    auto planes = io::planes_of(names.added);
-    for (auto const& signal : names.of_signals) {
-        auto const more = io::planes_of(signal.factor);
-        planes.insert(planes.end(), more.begin(), more.end());
-    }
-    return planes;
-}
-
 metrics::Picture read_reference(std::filesystem::path const& path, ReferenceNames const& any) {
     io::ExrFile const file(path);
-    auto const names = names_of_reference(file, any);
-    auto const image = file.read(picture_planes(names));
+    auto const names = io::names_in_parts(names_of_reference(file, any), file);
+    auto image = file.read(picture_planes(file, names));
+    auto const split = split_light(image, names, {}, false);
     long long ignored = 0;
+    std::vector<metrics::Picture> parts;
     return composite(
-        image, names, [&](std::size_t s) { return picture_of(image, io::sources_of(names.of_signals[s].channels, radiance), 0.f); },
-        ignored);
+        image, split, [&](std::size_t s) { return picture_of(image, io::sources_of(split.signals[s].channels, radiance), 0.f); }, ignored,
+        parts);
 }
 
 metrics::Picture read_reference(std::filesystem::path const& path, ReferenceNames const& names, Extent size) {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <quell/io/sequence_names.hpp>
-#include <quell/metrics/picture.hpp>
+#include <denoise/light_split.hpp>
 #include <support/frame_pattern.hpp>
 
 #include <filesystem>
@@ -10,18 +9,13 @@
 
 namespace quell::examples {
 
-/// The picture that signals make up: the sum of each times its factor, and of what is added. `signal(i)` is the i-th signal's picture.
-/// What isn't finite among factors, added parts and the sum counts as 0, and in `missing`.
-[[nodiscard]] metrics::Picture composite(io::ExrImage const& image, io::SequenceNames const& names,
-                                         std::function<metrics::Picture(std::size_t)> const& signal, long long& missing);
-
-/// The same, and what each signal adds to it: its picture times its factor.
-[[nodiscard]] metrics::Picture composite(io::ExrImage const& image, io::SequenceNames const& names,
+/// The picture that the signals of a split make up: the sum of each times its factor, and of what is added. `signal(i)` is the i-th
+/// signal's picture, and is asked for where that signal has light. What isn't finite among factors, added parts and the sum counts as 0,
+/// and in `missing`.
+/// @param parts what each signal adds to it: its picture times its factor
+[[nodiscard]] metrics::Picture composite(io::ExrImage const& image, LightSplit const& split,
                                          std::function<metrics::Picture(std::size_t)> const& signal, long long& missing,
                                          std::vector<metrics::Picture>& parts);
-
-/// The planes that this takes, beside those of the signals.
-[[nodiscard]] std::vector<std::string> composite_planes(io::SequenceNames const& names);
 
 /// How a converged frame's file may hold the picture.
 struct ReferenceNames {

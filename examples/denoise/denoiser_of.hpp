@@ -15,6 +15,10 @@ namespace quell::examples {
 template <class P> struct KeptChannels { using type = typename P::keeps; };
 template <class... Ps> struct KeptChannels<Composite<Ps...>> { using type = union_of<typename Ps::keeps...>; };
 
+/// Whether it is a pipeline, with a history, and no composite.
+template <class P> inline constexpr bool has_one_history = false;
+template <ChannelTag S, class... Parts> inline constexpr bool has_one_history<Pipeline<S, Parts...>> = Pipeline<S, Parts...>::has_past;
+
 /// @tparam Storage of the history
 template <class P, class E = Threads<>, ImageStorage Storage = Planar<>> class DenoiserOf final : public Denoiser {
     P pipeline;
@@ -35,12 +39,12 @@ public:
         if (!(frame.size == image.size)) frame = Frame<typename P::reads>(image.size);
         io::load(frame, image, names);
         frame.number = number;
-        if (looks) found = quell::diagnose(frame, history, names.motion, factor_in(image));
+        found = looks ? quell::diagnose(frame, history, names.motion, factor_in(image)) : checked(frame, names.motion);
         auto const view = [&] {
             Timer const timer(taken);
             return quell::run(pipeline, frame, history, executor);
         }();
-        return metrics::picture_of(view);
+        return picture_and_alpha(view);
     }
     bool needs_camera() const override { return P::needs_camera; }
     std::vector<Finding> const& findings() const override { return found; }
@@ -57,7 +61,21 @@ public:
         });
         return images;
     }
-    long long missing_samples() const override { return history.statistics().missing_samples; }
+    std::optional<HistoryContents> remembered() const override {
+        if constexpr (has_one_history<P>)
+            return contents_of(history);
+        else
+            return std::nullopt;
+    }
+    void remember(HistoryContents const& contents) override {
+        if constexpr (has_one_history<P>) put_contents(history, contents);
+    }
+    void release_scratch() override {
+        frame = Frame<typename P::reads>(Extent{1, 1});
+        history.release_scratch();
+        denoised_alpha = {};
+    }
+    Statistics statistics() const override { return history.statistics(); }
     std::string plan() const override { return to_string(plan_of(pipeline, Storage{})); }
     double bytes_per_pixel() const override { return history.bytes_per_pixel(); }
 };

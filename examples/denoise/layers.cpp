@@ -26,7 +26,7 @@ bool is_named(std::string const& name, std::string const& part, std::string cons
            (!part.empty() && name == part);
 }
 
-std::string list_of_layers(io::ExrFile const& file) {
+std::string list_of_layers(io::ExrListing const& file) {
     std::set<std::string> names;
     for (auto const& channel : file.channels) names.insert(layer_of(channel.in_part).empty() ? channel.in_part : layer_of(channel.in_part));
     std::string list;
@@ -34,9 +34,9 @@ std::string list_of_layers(io::ExrFile const& file) {
     return list;
 }
 
-ChannelTriple in_layer(std::string const& layer) {
+ChannelTriple in_layer(std::string const& layer, std::string const& eye) {
     ChannelTriple names;
-    for (std::size_t c = 0; c < 3; ++c) names[c] = layer + (layer.empty() ? "" : ".") + components[c];
+    for (std::size_t c = 0; c < 3; ++c) names[c] = io::detail::with_eye(layer + (layer.empty() ? "" : ".") + components[c], eye);
     return names;
 }
 
@@ -51,22 +51,23 @@ std::vector<float> component_of(metrics::Picture const& picture, std::size_t c) 
     return values;
 }
 
-/// The part that new channels go to: that of the signal's light.
-int home_part(io::ExrFile const& file, io::SequenceNames const& names) {
-    for (auto const& source : io::sources_of(names.of_signals[0].channels, radiance))
-        for (auto const& plane : source.sum)
-            if (auto const* const channel = file.find(plane)) return channel->part;
-    return file.channels.front().part;
-}
-
 struct Place {
     int part;
     std::string name;
     io::SampleType type;
 };
-Place place_of(std::string const& name, io::ExrFile const& file, io::SequenceNames const& names, io::SampleType otherwise) {
-    if (auto const* const channel = file.find(name)) return {channel->part, channel->in_part, channel->type};
-    return {home_part(file, names), name, otherwise};
+Place place_of(std::string const& name, io::ExrListing const& file, io::SequenceNames const& names, io::SampleType otherwise) {
+    auto const home = home_part(file, names);
+    auto const home_name = std::ranges::find(file.channels, home, &io::ExrChannel::part)->part_name + ".";
+    for (auto const& channel : file.channels) // other parts may have that name too
+        if (channel.part == home && (channel.in_part == name || home_name + channel.in_part == name))
+            return {home, channel.in_part, channel.type};
+    // Of several views, the parts of others are not meant.
+    auto const* const channel = file.find(name);
+    bool const is_meant = channel && (names.view.empty() || !io::detail::has_several_parts(file) || channel->in_part != name);
+    if (is_meant) return {channel->part, channel->in_part, channel->type};
+    bool const is_qualified = !names.view.empty() && io::detail::has_several_parts(file) && name.starts_with(home_name);
+    return {home, is_qualified ? name.substr(home_name.size()) : name, otherwise};
 }
 
 } // namespace
@@ -79,7 +80,7 @@ bool LayerChoice::keeps(std::string const& part, std::string const& channel) con
     return has("all") || std::ranges::any_of(names, [&](auto const& name) { return is_named(name, part, channel); });
 }
 
-void LayerChoice::check(io::ExrFile const& file) const {
+void LayerChoice::check(io::ExrListing const& file) const {
     for (auto const& name : names) {
         if (name == "all" || name == "picture" || name == "signals") continue;
         if (std::ranges::none_of(file.channels, [&](auto const& c) { return is_named(name, c.part_name, c.in_part); }))
@@ -93,14 +94,17 @@ std::optional<ChannelTriple> only_signal(io::SequenceNames const& names) {
     auto const sources = io::sources_of(names.of_signals[0].channels, radiance);
     ChannelTriple channels;
     for (std::size_t c = 0; c < 3; ++c) {
-        if (sources[c].sum.size() != 1 || sources[c].scale != 1.f) return std::nullopt;
+        if (sources[c].sum.size() != 1 || sources[c].scale != 1.f || sources[c].offset != 0.f) return std::nullopt;
         channels[c] = sources[c].sum[0];
     }
     return channels;
 }
 
-std::string view_layer(io::ExrFile const& file, io::SequenceNames const& names) {
-    return names.renderer == "Blender Cycles" ? io::detail::view_layer_prefix(file.channels).value_or("") : "";
+int home_part(io::ExrListing const& file, io::SequenceNames const& names) {
+    for (auto const& source : io::sources_of(names.of_signals[0].channels, radiance))
+        for (auto const& plane : source.sum)
+            if (auto const* const channel = file.find(plane)) return channel->part;
+    return file.channels.front().part;
 }
 
 std::string word_of(std::string name) {
@@ -110,21 +114,37 @@ std::string word_of(std::string name) {
     return name;
 }
 
-ChannelTriple picture_channels(io::ExrFile const& file, io::SequenceNames const& names, std::optional<std::string> const& said) {
-    if (said) return in_layer(*said);
+ChannelTriple picture_channels(io::SequenceNames const& names, std::optional<std::string> const& said) {
+    if (said) return in_layer(*said, names.eye);
+    if (names.picture.size() == 3) {
+        ChannelTriple channels;
+        for (std::size_t c = 0; c < 3; ++c) channels[c] = names.picture[c].sum.at(0);
+        return channels;
+    }
     if (auto const only = only_signal(names)) return *only;
-    auto const layer = view_layer(file, names);
-    return in_layer(layer.empty() ? layer : layer + "Combined");
+    return in_layer(names.layer.empty() ? "" : names.layer + "Combined", names.eye);
 }
 
-std::vector<ChannelTriple> signal_channels(io::ExrFile const& file, io::SequenceNames const& names) {
-    if (names.of_signals.size() == 1 && names.added.empty()) return {};
+std::optional<std::string> alpha_plane(io::ExrListing const& file, io::SequenceNames const& names,
+                                       std::optional<std::string> const& layer) {
+    auto const red = picture_channels(names, layer)[0];
+    auto const beside = layer_of(red);
+    auto const name = beside.empty() ? "A" : beside + ".A";
+    auto const *const picture = file.find(red), *const alpha = file.find(name);
+    bool const is_others = picture && alpha && picture->part != alpha->part; // another part's alpha is another picture's
+    return alpha && !is_others ? std::optional(name) : std::nullopt;
+}
+
+std::vector<ChannelTriple> signal_channels(io::SequenceNames const& names) {
+    if (!has_several_signals(names)) return {};
     std::vector<ChannelTriple> channels;
-    for (auto const& signal : names.of_signals) {
-        channels.push_back(in_layer(view_layer(file, names) + "denoised_" + word_of(signal.name)));
+    auto const add = [&](std::string const& name) {
+        channels.push_back(in_layer(names.layer + "denoised_" + word_of(name), names.eye));
         if (std::ranges::count(channels, channels.back()) > 1)
-            throw Error(names.renderer, "two signals have the name '" + signal.name + "'", "give each a name of its own");
-    }
+            throw Error(names.renderer, "two signals have the name '" + name + "'", "give each a name of its own");
+    };
+    for (auto const& signal : names.of_signals) add(signal.name);
+    add(rest_name);
     return channels;
 }
 
@@ -157,13 +177,31 @@ void add_up_exactly(DenoisedFrame& frame, std::array<io::SampleType, 3> const& t
         }
 }
 
-io::ExrChanges changes_for(DenoisedFrame& frame, io::ExrFile const& file, io::SequenceNames const& names,
+void check_levels(io::ExrOriginal const& original, io::SequenceNames const& names, std::optional<std::string> const& picture_layer,
+                  LayerChoice const& layers) {
+    auto const& file = original.listed;
+    auto triples = signal_channels(names);
+    triples.push_back(picture_channels(names, picture_layer));
+    std::set<int> touched;
+    for (auto const& triple : triples)
+        for (auto const& name : triple) touched.insert(place_of(name, file, names, io::SampleType::half).part);
+    for (auto const& channel : file.channels)
+        if (!layers.keeps(channel.part_name, channel.in_part)) touched.insert(channel.part);
+    for (auto const part : touched)
+        if (original.has_levels(part))
+            throw Error(file.name, "its tiles have several levels (a mip map or rip map)", "write frames with one level");
+}
+
+io::ExrChanges changes_for(DenoisedFrame& frame, io::ExrListing const& file, io::SequenceNames const& names,
                            std::optional<std::string> const& picture_layer, LayerChoice const& layers) {
-    auto const picture = picture_channels(file, names, picture_layer);
-    auto const layer = layer_of(picture[0]);
-    auto const alpha = layer.empty() ? "A" : layer + ".A"; // belongs to the picture
+    auto const picture = picture_channels(names, picture_layer);
+    auto const alpha_name = alpha_plane(file, names, picture_layer);
+    auto const alpha = alpha_name ? std::optional(place_of(*alpha_name, file, names, io::SampleType::half)) : std::nullopt;
+    auto const name_of = [&](int part) { return std::ranges::find(file.channels, part, &io::ExrChannel::part)->part_name; };
+    auto const alpha_part = alpha && io::detail::has_several_parts(file) ? name_of(alpha->part) : std::string();
     io::ExrChanges changes{.canvas = frame.canvas, .keeps = [=, &layers](auto const& part, auto const& channel) {
-                               return layers.keeps(part, channel) || (layers.has_picture() && channel == alpha);
+                               bool const is_alpha = alpha && channel == alpha->name && (alpha_part.empty() || part == alpha_part);
+                               return layers.keeps(part, channel) || (layers.has_picture() && is_alpha); // it belongs to the picture
                            }};
     auto const put = [&](Place const& place, metrics::Picture const& of, std::size_t c) {
         changes.numbers.push_back({place.part, place.name, place.type, component_of(of, c)});
@@ -173,8 +211,10 @@ io::ExrChanges changes_for(DenoisedFrame& frame, io::ExrFile const& file, io::Se
     add_up_exactly(frame, {places[0].type, places[1].type, places[2].type});
     std::size_t const different = picture[0] == picture[1] ? 1 : 3;
     for (std::size_t c = 0; c < different; ++c)
-        if (layers.has_picture() || layers.keeps("", places[c].name)) put(places[c], frame.picture, c);
-    auto const signals = signal_channels(file, names);
+        if (layers.has_picture() || layers.keeps(name_of(places[c].part), places[c].name)) put(places[c], frame.picture, c);
+    if (alpha && !frame.alpha.empty() && layers.has_picture())
+        changes.numbers.push_back({alpha->part, alpha->name, alpha->type, frame.alpha});
+    auto const signals = signal_channels(names);
     for (std::size_t s = 0; s < signals.size() && layers.has_signals(); ++s)
         for (std::size_t c = 0; c < 3; ++c) put(place_of(signals[s][c], file, names, io::SampleType::float32), frame.signals[s], c);
     return changes;

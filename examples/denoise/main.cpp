@@ -1,20 +1,24 @@
-#include <denoise/composite.hpp>
 #include <denoise/frame_list.hpp>
-#include <denoise/map_file.hpp>
+#include <denoise/layers.hpp>
 #include <denoise/options.hpp>
 #include <denoise/output.hpp>
 #include <denoise/presets.hpp>
+#include <denoise/renderer_maps.hpp>
 #include <denoise/scores.hpp>
 #include <denoise/sequence_denoiser.hpp>
-#include <denoise/signal_choice.hpp>
+#include <denoise/sequence_views.hpp>
 #include <denoise/summary.hpp>
 #include <support/frame_pattern.hpp>
 #include <support/program.hpp>
 #include <support/progress.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
+#include <deque>
 #include <iostream>
+#include <set>
 #include <sstream>
 
 using namespace quell;
@@ -39,38 +43,31 @@ public:
         scores.emplace(options.json ? static_cast<std::ostream&>(nowhere) : std::cout);
     }
 
-    void add(long long number, metrics::Picture const& picture, ReferenceNames const& names, Summary& summary) {
-        if (!pattern || !std::filesystem::exists(pattern->path(number))) return;
-        summary.scores.emplace_back(number, scores->add(number, read_reference(pattern->path(number), names, picture.size), picture));
+    [[nodiscard]] bool has(long long number) const { return pattern && std::filesystem::exists(pattern->path(number)); }
+    /// Scores the first view, with a row of the table.
+    void add(long long number, metrics::Picture const& picture, ReferenceNames const& names, FrameScores& rows) {
+        if (has(number)) rows.emplace_back(number, scores->add(number, reference(number, names, picture.size), picture));
+    }
+    /// Scores another view. Returns whether the reference has it.
+    [[nodiscard]] bool add_beside(long long number, metrics::Picture const& picture, ReferenceNames const& names, FrameScores& rows) const {
+        if (!has(number)) return true;
+        try {
+            auto const expected = reference(number, names, picture.size);
+            rows.emplace_back(number, image_errors(metrics::displayed(expected), metrics::displayed(picture)));
+            return true;
+        } catch (Error const&) {
+            return false;
+        }
     }
     void finish() const {
         if (scores) scores->finish();
     }
+
+private:
+    [[nodiscard]] metrics::Picture reference(long long number, ReferenceNames const& names, Extent size) const {
+        return read_reference(pattern->path(number), names, size);
+    }
 };
-
-/// The signal that is asked for.
-std::optional<SignalChoice> signal_in(std::filesystem::path const& first, std::optional<io::SequenceNames> const& names,
-                                      std::string const& word) {
-    if (word.empty()) return std::nullopt;
-    io::ExrFile const file(first);
-    return choose_signal(word, file, names ? *names : io::recognise(file));
-}
-
-/// What suits the files, where no preset was asked for.
-PresetChoice suitable_preset(std::filesystem::path const& first, std::optional<io::SequenceNames> const& map,
-                             std::optional<SignalChoice> const& signal) {
-    io::ExrFile const file(first);
-    return signal ? preset_for(file, *signal) : preset_for(file, map ? *map : io::recognise(file));
-}
-
-/// How references hold what a preset makes: the effect's part of the picture, or the picture.
-ReferenceNames reference_names(Preset const& preset, std::optional<io::SequenceNames> const& map) {
-    auto const picture = map ? *map : io::own_sequence();
-    auto const effects = names_of_effects(preset, picture);
-    if (!effects) return map;
-    if (preset.is_part) return {{*effects, picture}, true};
-    return {{picture, *effects}, true};
-}
 
 int later_frames(DenoiseOptions const& options, Preset const& preset) {
     if (options.extra_frames.value_or(0) > 0 && !preset.looks_ahead)
@@ -90,24 +87,12 @@ std::vector<long long> all_frames(DenoiseOptions const& options, FramePattern co
     return frames;
 }
 
-/// What the first of all frames is recognised as, so that all chunks go by the same; nothing where it can't be read.
-std::optional<io::SequenceNames> names_in(std::filesystem::path const& first) {
-    if (!std::filesystem::exists(first)) return std::nullopt;
-    try {
-        return io::recognise(io::ExrFile(first));
-    } catch (Error const&) {
-        return std::nullopt; // another chunk complains of it
-    }
-}
-
 void print_plan(DenoiseOptions const& options) {
     auto const choose = [&] {
         if (!options.preset.empty()) return &preset_of(options.preset);
         FramePattern const in(options.in);
-        std::optional<io::SequenceNames> map;
-        if (!options.map.empty()) map = read_map(options.map);
         auto const first = in.path(range_of(in, options.first, options.last).first);
-        return suitable_preset(first, map, signal_in(first, map, options.signal)).preset;
+        return SequenceViews(options.map, {first}).choose(nullptr, options.signal, first).preset;
     };
     auto const& preset = *choose();
     std::cout << preset.name << "\n\n" << preset.make({1, 1}, 1)->plan();
@@ -118,39 +103,33 @@ class Job {
     DenoiseOptions const& options;
     FramePattern const in;
     std::vector<long long> frames;
-    std::optional<io::SequenceNames> map, names; ///< that the user gave; that the files are read by, where these are known already
-    ReferenceNames references;
+    std::optional<SequenceViews> views;
     PresetChoice choice;
     Summary& summary;
     std::optional<Output> output;
     std::vector<long long> wanted; ///< frames that are to be written
     std::optional<Comparison> comparison;
-    std::optional<SequenceDenoiser> denoiser;
+    std::deque<SequenceDenoiser> denoisers;  ///< one for each view
+    std::set<std::string> without_reference; ///< names of views
 
 public:
     Job(DenoiseOptions const& o, Summary& s) : options(o), in(o.in), frames(all_frames(o, in)), summary(s) {
-        auto const first = in.path(frames.front());
+        auto const first = in.path(frames.front()); // of all chunks, so that these go by the same views
         if (!options.chunk.empty()) frames = part_of(frames, chunk_in(options.chunk));
-        if (!options.map.empty()) map = read_map(options.map);
-        names = map ? map : names_in(first);
+        views.emplace(options.map, std::vector{first, frames.empty() ? first : in.path(frames.front())});
         if (!options.preset.empty()) choice.preset = &preset_of(options.preset);
         output.emplace(options, in, frames);
         for (auto const number : frames) (options.skip_existing && output->has(number) ? summary.skipped : wanted).push_back(number);
         if (wanted.empty()) return;
-        auto const signal = signal_in(in.path(wanted.front()), names, options.signal);
-        if (!choice.preset) choice = suitable_preset(in.path(wanted.front()), names, signal);
-        if (signal) names = names_for(*choice.preset, *signal);
-        references = signal ? ReferenceNames{{*names}, false} : reference_names(*choice.preset, map);
+        choice = views->choose(choice.preset, options.signal, in.path(wanted.front()));
         summary.preset = choice.preset->name, summary.preset_reason = choice.reason, summary.signal = options.signal;
-        if (!options.layers.empty()) output->check(wanted.front(), names);
+        for (auto const& view : views->all) {
+            if (!options.layers.empty()) output->check(wanted.front(), view.names);
+            if (view.names) output->check_levels(wanted.front(), *view.names);
+            if (view.names && has_several()) summary.views.push_back({view.names->view, {}});
+        }
         comparison.emplace(options, wanted);
-        denoiser.emplace(SequenceSettings{.preset = *choice.preset,
-                                          .threads = options.threads,
-                                          .map = names,
-                                          .shutter = options.shutter,
-                                          .later_frames = later_frames(options, *choice.preset),
-                                          .diagnose = options.diagnose,
-                                          .debug_views = options.debug_views});
+        for (auto const& view : views->all) denoisers.emplace_back(settings_of(view));
     }
 
     void run() {
@@ -160,7 +139,8 @@ public:
         Progress progress(choice.preset->name, static_cast<long long>(steps.size()), !options.quiet);
         for (long long done = 0; auto const& step : steps) {
             progress.show(done++, in.path(step.number).filename().string());
-            if (step.begins) denoiser->forget();
+            if (step.begins)
+                for (auto& denoiser : denoisers) denoiser.forget();
             if (step.is_written)
                 write(step.number, progress);
             else
@@ -169,49 +149,118 @@ public:
         comparison->finish();
     }
 
-    /// Adds what the denoiser knows, of a run that was stopped too.
+    /// Adds what the denoisers know, of a run that was stopped too.
     void finish() {
         if (output)
             for (auto const& remark : output->remarks()) summary.remarks.push_back(remark);
-        if (!denoiser) return;
-        summary.missing_samples = denoiser->missing_samples();
-        summary.milliseconds = denoiser->milliseconds();
-        summary.bytes_per_pixel = denoiser->bytes_per_pixel();
-        if (!denoiser->names()) return;
-        summary.renderer = map ? in.text() : denoiser->names()->renderer;
-        summary.remarks.insert(summary.remarks.begin(), denoiser->names()->remarks.begin(), denoiser->names()->remarks.end());
-        if (auto const changes = denoiser->canvas_changes(); changes > 0)
-            summary.remarks.push_back("history started afresh " + std::to_string(changes) +
-                                      " times, where data windows began to reach farther out of the display window");
+        if (denoisers.empty()) return;
+        RepairedGuides guides;
+        for (auto const& denoiser : denoisers) {
+            guides += denoiser.repaired_guides();
+            summary.missing_samples += denoiser.missing_samples();
+            summary.milliseconds += denoiser.milliseconds();
+        }
+        remember_memory();
+        auto const& names = denoisers.front().names();
+        if (!names) return;
+        auto const& map = options.map;
+        summary.renderer = !map.empty() && names->renderer == map && !find_renderer_map(map) ? in.text() : names->renderer;
+        summary.remarks.insert(summary.remarks.begin(), names->remarks.begin(), names->remarks.end());
+        for (auto const& denoiser : denoisers)
+            if (denoiser.names())
+                for (auto const& line : denoiser.names()->remarks) remark(line);
+        if (auto const left = views->remark()) remark(*left);
+        for (auto const& name : without_reference) remark("the references do not have view " + name);
+        if (guides.pixels > 0)
+            remark(fmt::format("{} pixels have guides that no scene has, which were repaired: normals not of length 1 in {}, "
+                               "albedo outside [0, 1] in {}, depth 0, negative or NaN in {}, motion not finite in {}",
+                               guides.pixels, guides.normal, guides.albedo, guides.depth, guides.motion));
+        if (std::ranges::any_of(denoisers, &SequenceDenoiser::left_alpha))
+            remark("alpha is as in the files: preset " + choice.preset->name + " does not denoise it, general and final-frame do");
+        if (auto const changes = denoisers.front().canvas_changes(); changes > 0)
+            remark("history started afresh " + std::to_string(changes) +
+                   " times, where data windows began to reach farther out of the display window");
     }
 
 private:
-    void report_findings(long long number, Progress& progress) {
-        for (auto const& finding : denoiser->findings()) {
-            auto const text = "frame " + std::to_string(number) + ": " + to_string(finding);
+    [[nodiscard]] bool has_several() const { return views->all.size() > 1; }
+
+    [[nodiscard]] SequenceSettings settings_of(SequenceView const& view) const {
+        return {.preset = *choice.preset,
+                .threads = options.threads,
+                .map = view.names,
+                .shutter = options.shutter,
+                .field_of_view = options.field_of_view,
+                .later_frames = later_frames(options, *choice.preset),
+                .keeps_alpha = options.keep_alpha,
+                .diagnose = options.diagnose,
+                .debug_views = options.debug_views};
+    }
+    /// Each once: views have most of them in common.
+    void remark(std::string const& line) {
+        if (std::ranges::find(summary.remarks, line) == summary.remarks.end()) summary.remarks.push_back(line);
+    }
+    void remember_memory() {
+        double sum = 0;
+        for (auto const& denoiser : denoisers) sum += denoiser.bytes_per_pixel();
+        summary.bytes_per_pixel = std::max(summary.bytes_per_pixel, sum);
+    }
+    /// Ends a view's turn: only its history stays in memory, where others need the room.
+    void end_turn(SequenceDenoiser& denoiser) {
+        remember_memory();
+        if (has_several()) denoiser.release_scratch();
+    }
+    [[nodiscard]] std::string name_of(std::size_t view) const { return has_several() ? views->all[view].names->view : std::string(); }
+
+    void report_findings(long long number, std::size_t view, Progress& progress) {
+        auto const of_view = has_several() ? ", view " + name_of(view) : "";
+        for (auto const& finding : denoisers[view].findings()) {
+            auto const text = "frame " + std::to_string(number) + of_view + ": " + to_string(finding);
             progress.say("quell-denoise: " + text);
             (finding.mistake == Mistake::not_checked ? summary.not_checked : summary.findings).push_back(text);
         }
     }
     /// Where nobody asked for these frames, a broken one is as good as none.
     void warm_up_with(long long number, Progress& progress) {
-        try {
-            static_cast<void>(denoiser->next_whole(in, number));
-        } catch (Error const&) {
-            if (options.warmup) throw;
-            denoiser->forget();
+        for (std::size_t view = 0; view < denoisers.size(); ++view) {
+            try {
+                static_cast<void>(denoisers[view].next_whole(in, number));
+            } catch (Error const&) {
+                if (options.warmup) throw;
+                denoisers[view].forget();
+            }
+            report_findings(number, view, progress);
+            end_turn(denoisers[view]);
         }
         ++summary.warm_up_frames;
-        report_findings(number, progress);
     }
     void write(long long number, Progress& progress) {
-        auto frame = denoiser->next_whole(in, number);
-        report_findings(number, progress);
-        auto const shown = denoiser->displayed(frame.picture);
-        output->write(number, frame, *denoiser->names());
-        for (auto const& view : options.debug_views) output->write_views(number, view, denoiser->debug_images(view));
+        for (auto const& view : views->all)
+            if (view.names) output->check_levels(number, *view.names);
+        std::vector<metrics::Picture> shown;
+        for (std::size_t view = 0; view < denoisers.size(); ++view) {
+            auto& denoiser = denoisers[view];
+            auto frame = denoiser.next_whole(in, number);
+            report_findings(number, view, progress);
+            shown.push_back(comparison->has(number) ? denoiser.displayed(frame.picture) : metrics::Picture{});
+            output->add(number, frame, *denoiser.names());
+            auto const prefix = has_several() ? word_of(name_of(view)) + "." : std::string();
+            for (auto const& name : options.debug_views) output->write_views(number, name, prefix, denoiser.debug_images(name));
+            end_turn(denoiser);
+        }
+        output->write(number);
         summary.written.push_back(number);
-        comparison->add(number, shown, references, summary);
+        for (std::size_t view = 0; view < shown.size(); ++view) score(number, view, shown[view]);
+    }
+    void score(long long number, std::size_t view, metrics::Picture const& picture) {
+        auto const& references = views->all[view].references;
+        if (view == 0) comparison->add(number, picture, references, summary.scores);
+        if (!has_several()) return;
+        auto& rows = summary.views[view].scores;
+        if (view == 0)
+            rows = summary.scores;
+        else if (!comparison->add_beside(number, picture, references, rows))
+            without_reference.insert(name_of(view));
     }
 };
 

@@ -1,12 +1,17 @@
 #include <denoise/map_file.hpp>
+#include <denoise/renderer_maps.hpp>
+
+#include <quell/io/part_names.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <fmt/format.h>
 
+#include <array>
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
+#include <memory>
 
 namespace quell::examples {
 
@@ -18,14 +23,15 @@ using Json = nlohmann::json;
 struct Member {
     std::string file, path;
     Json const& value;
+    io::ExrListing const* frame; ///< that the names are for, which decides between several; may be null
 
     [[noreturn]] void fail(std::string const& remedy) const {
         auto text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
         if (text.size() > 60) text = text.substr(0, 57) + "...";
         throw Error(file, (path.empty() ? "it" : path) + " is " + text, remedy);
     }
-    [[nodiscard]] Member at(std::string const& key) const { return {file, path.empty() ? key : path + "." + key, value.at(key)}; }
-    [[nodiscard]] Member at(std::size_t i) const { return {file, path + "[" + std::to_string(i) + "]", value.at(i)}; }
+    [[nodiscard]] Member at(std::string const& key) const { return {file, path.empty() ? key : path + "." + key, value.at(key), frame}; }
+    [[nodiscard]] Member at(std::size_t i) const { return {file, path + "[" + std::to_string(i) + "]", value.at(i), frame}; }
     [[nodiscard]] bool has(char const* key) const { return value.contains(key); }
     [[nodiscard]] std::string text(std::string const& remedy) const {
         return value.is_string() ? value.get<std::string>() : (fail(remedy), "");
@@ -40,6 +46,21 @@ void check_keys(Member const& object, std::initializer_list<char const*> known) 
         if (std::ranges::find(known, key) == known.end()) object.at(key).fail("there is no member of that name; write any of: " + list);
 }
 
+/// A name that begins with "*." is of the file's view layer, as Blender writes them: whatever that is called.
+std::string in_view_layer(std::string const& name, io::ExrListing const* frame) {
+    if (!name.starts_with("*.")) return name;
+    return (frame ? io::detail::view_layer_prefix(frame->channels).value_or("") : "") + name.substr(2);
+}
+
+/// Letters that renderers have for a layer's component.
+std::vector<std::string> letters_of(std::size_t index) {
+    static std::vector<std::vector<std::string>> const letters{{"R", "r", "X", "x", "red", "Z", "z", "T", "V", "Y", "y"},
+                                                               {"G", "g", "Y", "y", "green"},
+                                                               {"B", "b", "Z", "z", "blue"},
+                                                               {"A", "a", "W", "w"}};
+    return index < letters.size() ? letters[index] : std::vector<std::string>();
+}
+
 /// One name, or a list of them.
 std::vector<std::string> names_in(Member const& from) {
     if (!from.value.is_array()) return {from.text("write a name or a list of names")};
@@ -49,31 +70,64 @@ std::vector<std::string> names_in(Member const& from) {
     return names;
 }
 
-/// {"from": ..., "scale": ...}, a name, or a number. Names have `suffix` appended.
-io::Source source_in(Member const& member, std::string const& suffix) {
+/// A component of a layer: its place among the others, and its letter, which is empty where the layer's name is all of the plane's.
+struct Component {
+    std::size_t index = 0;
+    std::string letter = {};
+    bool is_whole_name = false; ///< the map names the plane itself
+};
+
+/// The plane of a layer's component: by quell's own letter, or by another that the frame has.
+std::string plane_in(std::string layer, Component const& component, io::ExrListing const* frame) {
+    layer = in_view_layer(layer, frame);
+    auto const with = [&](std::string const& letter) { return letter.empty() || layer.empty() ? layer + letter : layer + "." + letter; };
+    auto const own = with(component.letter);
+    if (!frame || component.is_whole_name || frame->find(own)) return own;
+    for (auto const& letter : letters_of(component.index))
+        if (frame->find(with(letter))) return with(letter);
+    return own;
+}
+
+/// {"from": ..., "scale": ..., "offset": ...}, a name, or a number.
+io::Source source_in(Member const& member, Component const& component) {
     io::Source source;
     if (member.value.is_number())
         source.scale = member.number();
     else if (member.value.is_object()) {
-        check_keys(member, {"from", "scale"});
-        if (!member.has("from")) member.fail("name the channel, {\"from\": \"name\", \"scale\": 1}");
+        check_keys(member, {"from", "scale", "offset"});
+        if (!member.has("from")) member.fail("name the channel, {\"from\": \"name\", \"scale\": 1, \"offset\": 0}");
         source.sum = names_in(member.at("from"));
         if (member.has("scale")) source.scale = member.at("scale").number();
+        if (member.has("offset")) source.offset = member.at("offset").number();
     } else
-        source.sum = {member.text("write a name, a number or {\"from\": \"name\", \"scale\": 1}")};
-    for (auto& name : source.sum) name += name.empty() && !suffix.empty() ? suffix.substr(1) : suffix;
+        source.sum = {member.text("write a name, a number or {\"from\": \"name\", \"scale\": 1, \"offset\": 0}")};
+    for (auto& name : source.sum) name = plane_in(name, component, member.frame);
     return source;
 }
 
+std::vector<io::Source> sources_in(Member const& member, std::string_view channel, int components);
+
+/// The first of several that the frame has; without a frame, the first.
+std::vector<io::Source> first_of(Member const& member, std::string_view channel, int components) {
+    check_keys(member, {"first_of"});
+    auto const choices = member.at("first_of");
+    if (!choices.value.is_array() || choices.value.empty()) choices.fail("write a list of at least one of what may stand in its place");
+    auto const choice = [&](std::size_t i) { return sources_in(choices.at(i), channel, components); };
+    for (std::size_t i = 0; i < choices.value.size(); ++i)
+        if (auto const sources = choice(i); !member.frame || member.frame->has_all(io::planes_of(sources))) return sources;
+    return choice(0); // reading it says what it lacks
+}
+
 std::vector<io::Source> sources_in(Member const& member, std::string_view channel, int components) {
+    if (member.value.is_object() && member.has("first_of")) return first_of(member, channel, components);
     auto const count = static_cast<std::size_t>(components);
     std::vector<io::Source> sources;
     if (member.value.is_array()) {
         if (member.value.size() != count) member.fail("write a list of " + std::to_string(components) + ", one for each component");
-        for (std::size_t c = 0; c < count; ++c) sources.push_back(source_in(member.at(c), ""));
+        for (std::size_t c = 0; c < count; ++c) sources.push_back(source_in(member.at(c), {c, "", true}));
     } else
         for (auto const& letter : io::detail::component_names(channel, components))
-            sources.push_back(source_in(member, components == 1 ? "" : "." + letter));
+            sources.push_back(source_in(member, {sources.size(), components == 1 ? "" : letter}));
     return sources;
 }
 
@@ -137,6 +191,7 @@ io::ChannelNames guides_in(Member const& map) {
     if (map.has("motion")) names.motion = motion_in(map.at("motion"));
     if (map.has("depth")) names.depth = depth_in(map.at("depth"));
     if (map.has("miss_from")) names.miss_from = map.at("miss_from").number();
+    if (map.has("miss_to")) names.miss_to = map.at("miss_to").number();
     if (map.has("shutter")) {
         names.shutter = map.at("shutter").number();
         if (!(*names.shutter >= 0.f)) map.at("shutter").fail("write a part of the frame time, 0 or more");
@@ -180,41 +235,122 @@ Json json_in(std::string const& text, std::string const& name) {
 
 constexpr auto name_a_layer = "write the name of a layer";
 
-std::string text_of(std::filesystem::path const& path) {
-    std::ifstream file(path, std::ios::binary);
+/// A file's text, or that of a renderer's map. A file comes first.
+std::string text_of(std::string const& map) {
+    auto const remedy = "give the path of a channel map in JSON, or one of: " + names_of_renderers();
+    if (auto const* const of_renderer = find_renderer_map(map); of_renderer && !std::filesystem::exists(map))
+        return std::string(*of_renderer);
+    std::ifstream file(map, std::ios::binary);
     std::string text(std::istreambuf_iterator<char>(file), {});
-    if (!file.is_open() || file.bad() || std::filesystem::is_directory(path))
-        throw Error(path.string(), "it can't be read", "give the path of a channel map in JSON");
+    if (!file.is_open() || file.bad() || std::filesystem::is_directory(map)) throw Error(map, "it can't be read", remedy);
     return text;
+}
+
+/// What the user should know of a guide that there is none of.
+std::string without(std::string const& guide) {
+    if (guide == motion.name)
+        return "without motion vectors: history is right only where neither the camera nor anything moves (--preset atrous has none)";
+    if (guide == albedo.name) return "without albedo: textures are filtered as light is";
+    return "without " + guide;
+}
+
+/// What a renderer's files don't have, or do not say: one line, empty where they have all.
+std::string remark_in(Member const& map, io::SequenceNames const& names) {
+    std::vector<std::string> parts;
+    auto const& sources = names.of_signals.front().channels.sources;
+    for (std::string const guide : {motion.name, albedo.name, normal.name, depth.name}) {
+        auto const found = sources.find(guide);
+        if (found == sources.end() || !io::planes_of(found->second).empty()) continue;
+        bool const has_reason = map.has("lacks") && map.at("lacks").has(guide.c_str());
+        parts.push_back(without(guide) + (has_reason ? ": " + map.at("lacks").at(guide).text("write a sentence") : ""));
+    }
+    if (map.has("remark")) parts.push_back(map.at("remark").text("write a sentence"));
+    return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+/// Whether a frame has all layers of one of several lists.
+bool is_recognised(Member const& lists, io::ExrListing const& frame) {
+    auto const has = [&](std::string const& layer) {
+        return std::ranges::any_of(std::array{0, 1, 2},
+                                   [&](int c) { return frame.find(plane_in(layer, {static_cast<std::size_t>(c)}, &frame)) != nullptr; });
+    };
+    for (std::size_t i = 0; i < lists.value.size(); ++i)
+        if (std::ranges::all_of(names_in(lists.at(i)), has)) return true;
+    return false;
 }
 
 } // namespace
 
-io::SequenceNames parse_map(std::string const& text, std::string const& name) {
+io::SequenceNames parse_map(std::string const& text, std::string const& name, io::ExrListing const* frame) {
     auto const json = json_in(text, name);
-    Member const map{name, "", json};
-    check_keys(map, {"channels", "motion", "depth", "miss_from", "shutter", "signals", "added", "picture"});
-    if (map.has("picture")) static_cast<void>(map.at("picture").text(name_a_layer));
+    Member const map{name, "", json, frame};
+    check_keys(map, {"channels", "motion", "depth", "miss_from", "miss_to", "shutter", "signals", "added", "picture", "renderer", "source",
+                     "recognised_by", "lacks", "remark"});
     auto const guides = guides_in(map);
-    io::SequenceNames names{name};
-    if (map.has("added")) names.added = sources_in(map.at("added"), "radiance", 3);
-    if (!map.has("signals")) {
-        names.of_signals.push_back({"radiance", guides});
-        return names;
+    io::SequenceNames names{map.has("renderer") ? map.at("renderer").text("write its name") : name};
+    if (map.has("picture")) {
+        auto const layer = map.at("picture").text(name_a_layer);
+        for (auto const* const component : {"R", "G", "B"}) names.picture.push_back({{layer + (layer.empty() ? "" : ".") + component}});
     }
-    auto const signals = map.at("signals");
-    if (!signals.value.is_array() || signals.value.empty()) signals.fail("write a list of at least one signal");
-    for (std::size_t i = 0; i < signals.value.size(); ++i) names.of_signals.push_back(signal_in(signals.at(i), guides));
-    return names;
+    if (map.has("added")) names.added = sources_in(map.at("added"), "radiance", 3);
+    if (map.has("signals")) {
+        auto const signals = map.at("signals");
+        if (!signals.value.is_array() || signals.value.empty()) signals.fail("write a list of at least one signal");
+        for (std::size_t i = 0; i < signals.value.size(); ++i) names.of_signals.push_back(signal_in(signals.at(i), guides));
+    } else
+        names.of_signals.push_back({"radiance", guides});
+    if (map.has("renderer"))
+        if (auto const remark = remark_in(map, names); !remark.empty()) names.remarks.push_back(names.renderer + ": " + remark);
+    return frame ? io::names_in_parts(names, *frame) : names;
 }
 
-io::SequenceNames read_map(std::filesystem::path const& path) { return parse_map(text_of(path), path.string()); }
+io::SequenceNames read_map(std::string const& map, io::ExrListing const* frame) { return parse_map(text_of(map), map, frame); }
 
-std::optional<std::string> read_picture_layer(std::filesystem::path const& path) {
-    auto const json = json_in(text_of(path), path.string());
-    Member const map{path.string(), "", json};
-    if (!json.is_object() || !map.has("picture")) return std::nullopt;
-    return map.at("picture").text(name_a_layer);
+namespace {
+
+io::SequenceNames recognised_as_one(io::ExrListing const& frame) {
+    for (auto const& [name, text] : renderer_maps()) {
+        auto const json = json_in(std::string(text), std::string(name));
+        Member const map{std::string(name), "", json, &frame};
+        if (map.has("recognised_by") && is_recognised(map.at("recognised_by"), frame))
+            return parse_map(std::string(text), std::string(name), &frame);
+    }
+    return io::names_in_parts(io::recognise(frame), frame);
+}
+
+/// Whether a frame has light, depth and motion.
+bool is_view(io::ExrListing const& frame, io::SequenceNames const& names) {
+    auto const has = [&](auto channel, io::SignalNames const& signal) {
+        return frame.has_all(io::planes_of(io::sources_of(signal.channels, channel)));
+    };
+    bool has_light = std::ranges::all_of(names.of_signals, [&](auto const& signal) { return has(radiance, signal); });
+    if (names.of_signals.size() == 1) // a sequence traced for single effects has other light
+        for_each_channel(Channels<Direct, Visibility, Glossy, Indirect>{},
+                         [&](auto channel) { has_light = has_light || has(channel, names.of_signals[0]); });
+    return has_light && has(depth, names.of_signals[0]) && has(motion, names.of_signals[0]);
+}
+
+} // namespace
+
+io::FileViews views_in(io::ExrListing const& frame, std::string const& map) {
+    auto const text = map.empty() ? std::string() : text_of(map);
+    return io::views_of(frame, [&](io::ExrListing const& view) -> std::optional<io::SequenceNames> {
+        try {
+            auto const names = map.empty() ? recognised_as_one(view) : parse_map(text, map, &view);
+            return is_view(view, names) ? std::optional(names) : std::nullopt;
+        } catch (Error const&) {
+            return std::nullopt; // whoever takes the whole frame complains
+        }
+    });
+}
+
+io::SequenceNames names_in_file(io::FileView const& view, io::ExrListing const& frame) {
+    return io::names_in_file(view, frame, MappedChannels{});
+}
+
+io::SequenceNames recognised(io::ExrListing const& frame) {
+    auto const views = views_in(frame);
+    return views.views.empty() ? recognised_as_one(frame) : names_in_file(views.views[0], frame);
 }
 
 } // namespace quell::examples

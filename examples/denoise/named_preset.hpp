@@ -28,6 +28,10 @@ template <class Named> struct MakePipeline {
 template <class Named> struct MakeJoining {
     constexpr auto operator()(auto... parts) const { return Named::usual_joining(parts...); }
 };
+/// The same for a picture with alpha.
+template <class Function> struct MakeForAlpha {
+    constexpr auto operator()(auto... parts) const { return Function{}(radiance_alpha, Demodulate{}, parts...); }
+};
 
 /// What a pipeline denoises, or the pipelines of a composite.
 template <ChannelTag S, class... Parts> std::vector<SignalOfPreset> signals_of(Pipeline<S, Parts...> const&) {
@@ -42,7 +46,8 @@ template <class Named> Preset made_preset(Named const& named) {
     std::string name(named.name);
     auto made = [&] {
         if constexpr (Named::is_two_sided)
-            return two_sided_preset(std::move(name), MakePipeline<Named>{}, MakeJoining<Named>{});
+            return two_sided_preset(std::move(name), MakePipeline<Named>{}, MakeJoining<Named>{}, MakeForAlpha<decltype(Named::make)>{},
+                                    MakeForAlpha<decltype(Named::join)>{});
         else if constexpr (has_debug_images<P>)
             return watched_preset(std::move(name), MakePipeline<Named>{});
         else
@@ -53,6 +58,7 @@ template <class Named> Preset made_preset(Named const& named) {
     made.of_signals = signals_of(pipeline);
     made.warm_up = warm_up_frames(pipeline); // joining both sides begins anew in each frame
     made.is_part = is_effect<typename Named::signal_type>;
+    made.by_albedo = std::is_same_v<typename Named::signal_type, AnySignal> && P::reads::template has<Albedo>;
     made.wants_sharp_picture = blur_input<P> == BlurInput::picture;
     return made;
 }

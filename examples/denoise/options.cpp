@@ -2,6 +2,7 @@
 #include <denoise/map_file.hpp>
 #include <denoise/options.hpp>
 #include <denoise/presets.hpp>
+#include <denoise/renderer_maps.hpp>
 #include <support/program.hpp>
 
 #include <quell/core/error.hpp>
@@ -29,9 +30,12 @@ namespace {
 
 /// What --map and exit codes mean.
 std::string footer() {
-    return "\nFiles of quell-trace and of Blender's Cycles are recognised; --map names the channels of any other renderer's:\n" +
+    return "\nFiles of quell-trace and of Blender's Cycles are recognised, and most of the renderers that --map lists. A map in JSON names "
+           "the "
+           "channels of any other's:\n" +
            std::string(map_example) + R"(
 Every member may be left out. A name stands for a layer (beauty.R beauty.G beauty.B), a list for whole names, a number for itself everywhere.
+"scale" and "offset": n * scale + offset; "first_of": the first that the file has; "miss_from", "miss_to": depths without a surface.
 "points" is to_previous or from_previous, "unit" pixel, uv or ndc, "y" down or up, "jitter" left_out or left_in.
 "radiance" is divided by its albedo before it is denoised, "irradiance" already is. docs/programs.md has all of it.
 
@@ -69,7 +73,10 @@ void describe(CLI::App& app, DenoiseOptions& options) {
     app.add_option("--chunk", options.chunk, "A part of the frames, for a farm's jobs: 2/6 is the second of six in a row");
     app.add_flag("--skip-existing", options.skip_existing, "Leave out frames whose output is there already and is whole");
     app.add_option("--reference", options.reference, "Converged frames, e.g. 'dir/ref.%04d.exr': prints frame,rmse,ssim,flip as CSV");
-    app.add_option("--map", options.map, "JSON file that names the channels of another renderer, see below");
+    app.add_option("--map", options.map,
+                   "How another renderer names its channels: a JSON file, see below, or else one of " + names_of_renderers());
+    app.add_option("--field-of-view", options.field_of_view,
+                   "Vertical degrees that the camera sees, for depths that are the length of rays, in files without a camera");
     app.add_option("--shutter", options.shutter,
                    "Part of the frame time during which the shutter is open (default: what the map says, or else the files, or else 0.5)");
     app.add_option("--warmup", options.warmup,
@@ -80,6 +87,7 @@ void describe(CLI::App& app, DenoiseOptions& options) {
         "Later frames that each one is denoised with, 0 to 8 (default: 2 with the presets final-frame and general, the only ones that "
         "make use of them; 0 is what a host has in real time)");
     add_threads(app, options.threads);
+    app.add_flag("--keep-alpha", options.keep_alpha, "Leave the film's alpha as it is (default: denoised by the weights of the picture)");
     app.add_flag("--diagnose", options.diagnose,
                  "Say on stderr what the renderer seems to have got wrong (motion, cameras, depth, normals, albedo, samples) and in which "
                  "frame that first shows");
@@ -136,6 +144,8 @@ void check(DenoiseOptions const& options) {
         throw Error("command line", "none of --out, --reference and --diagnose is there",
                     "say where the result goes, what to compare it with, or that mistakes are to be looked for");
     check_debug_views(options);
+    if (options.field_of_view && !(*options.field_of_view > 0.f && *options.field_of_view < 180.f))
+        throw Error("--field-of-view", std::to_string(*options.field_of_view), "give degrees between 0 and 180");
     if (options.shutter && !(is_finite(*options.shutter) && *options.shutter >= 0))
         throw Error("--shutter", std::to_string(*options.shutter), "give a part of the frame time, such as 0.5");
     if (options.extra_frames && (*options.extra_frames < 0 || *options.extra_frames > 8))

@@ -18,10 +18,11 @@ struct DenoiseOptions {
     std::vector<std::string> layers; ///< to write; empty: all
     std::optional<int> extra_frames; ///< later ones that each frame is denoised with
     int threads = 0;
-    std::optional<float> shutter; ///< of all frames, whatever the map and the files say
+    std::optional<float> field_of_view; ///< vertical, degrees
+    std::optional<float> shutter;       ///< of all frames, whatever the map and the files say
     std::vector<std::string> debug_views;
     std::string isa; ///< the instruction set to run; empty: the best that the machine has
-    bool quiet = false, list = false, plan = false, diagnose = false, skip_existing = false, json = false;
+    bool keep_alpha = false, quiet = false, list = false, plan = false, diagnose = false, skip_existing = false, json = false;
 };
 
 /// Nothing where help or the version was asked for, which has then been printed.

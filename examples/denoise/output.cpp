@@ -3,13 +3,27 @@
 #include <denoise/output.hpp>
 #include <denoise/signal_choice.hpp>
 #include <support/output_folder.hpp>
-#include <support/program.hpp>
 
 namespace quell::examples {
 
+namespace {
+
+/// Values of a canvas on another one. Both have all that the file holds.
+std::vector<float> on_canvas(std::vector<float> values, Region const& from, Region const& to) {
+    if (from.x0 == to.x0 && from.y0 == to.y0 && from.x1 == to.x1 && from.y1 == to.y1) return values;
+    std::vector<float> moved;
+    for (int y = to.y0; y < to.y1; ++y)
+        for (int x = to.x0; x < to.x1; ++x) {
+            bool const is_inside = x >= from.x0 && x < from.x1 && y >= from.y0 && y < from.y1;
+            moved.push_back(is_inside ? values[static_cast<std::size_t>((y - from.y0) * (from.x1 - from.x0) + x - from.x0)] : 0.f);
+        }
+    return moved;
+}
+
+} // namespace
+
 Output::Output(DenoiseOptions const& options, FramePattern const& input, std::vector<long long> const& numbers)
     : in(input), layers(options.layers), one_signal(!options.signal.empty()) {
-    if (!options.map.empty()) picture_layer = read_picture_layer(options.map);
     if (options.out.empty()) return;
     pattern.emplace(options.out);
     std::vector<long long> there;
@@ -35,24 +49,48 @@ void Output::check(long long first, std::optional<io::SequenceNames> const& name
     if (!pattern) return;
     io::ExrFile const file(in.path(first));
     layers.check(file);
-    if (layers.is_signals_only() && names && signal_channels(file, *names).empty())
+    if (layers.is_signals_only() && names && signal_channels(*names).empty())
         throw Error("--layers", "'signals' alone: there is but one signal in " + file.name + ", and it is the picture",
                     "write picture in its place");
 }
 
-void Output::write(long long number, DenoisedFrame& frame, io::SequenceNames const& names) {
-    if (!pattern) return;
-    io::ExrOriginal const original(in.path(number));
-    layers.check(original.listed);
-    auto const layer = one_signal ? layer_of_signal(original.listed, names) : picture_layer;
-    auto const changes = changes_for(frame, original.listed, names, layer, layers);
-    store([&] {
-        for (auto const& part : io::write_copy(pattern->path(number), original, changes)) lossless.insert(part);
-    });
+std::optional<std::string> Output::layer_for(io::SequenceNames const& names) const {
+    return one_signal ? layer_of_signal(names) : std::nullopt;
 }
 
-void Output::write_views(long long number, std::string const& view, std::vector<std::pair<std::string, DebugImage>> const& images) const {
-    for (auto const& each : images) store([&] { write_debug_view(pattern->path(number), view, each.first, each.second); });
+void Output::check_levels(long long number, io::SequenceNames const& names) const {
+    if (!pattern || !std::filesystem::exists(in.path(number))) return;
+    io::ExrOriginal const original(in.path(number));
+    examples::check_levels(original, names, layer_for(names), layers);
+}
+
+void Output::add(long long number, DenoisedFrame& frame, io::SequenceNames const& names) {
+    if (!pattern) return;
+    io::ExrFile const file(in.path(number));
+    layers.check(file);
+    auto more = changes_for(frame, file, names, layer_for(names), layers);
+    if (!changes) {
+        changes = std::move(more);
+        return;
+    }
+    for (auto& numbers : more.numbers) {
+        numbers.values = on_canvas(std::move(numbers.values), more.canvas, changes->canvas);
+        changes->numbers.push_back(std::move(numbers));
+    }
+    changes->keeps = [one = changes->keeps, other = more.keeps](auto const& part, auto const& channel) {
+        return one(part, channel) || other(part, channel);
+    };
+}
+
+void Output::write(long long number) {
+    if (!pattern) return;
+    for (auto const& part : io::write_copy(pattern->path(number), io::ExrOriginal(in.path(number)), *changes)) lossless.insert(part);
+    changes.reset();
+}
+
+void Output::write_views(long long number, std::string const& view, std::string const& prefix,
+                         std::vector<std::pair<std::string, DebugImage>> const& images) const {
+    for (auto const& each : images) write_debug_view(pattern->path(number), view, prefix + each.first, each.second);
 }
 
 std::vector<std::string> Output::remarks() const {

@@ -16,9 +16,8 @@ class Output {
     FramePattern in;
     std::optional<FramePattern> pattern;
     LayerChoice layers;
-    std::optional<std::string> picture_layer; ///< that the map names
-    bool one_signal = false;                  ///< whether a signal is written in place of the picture
-    std::set<std::string> lossless;           ///< parts that can't be packed as they were
+    bool one_signal = false;        ///< whether a signal is written in place of the picture
+    std::set<std::string> lossless; ///< parts that can't be packed as they were
 
 public:
     /// Makes the folder. @param numbers of the frames that may be written
@@ -31,11 +30,23 @@ public:
     /// @param first number of a frame
     /// @param names by which files are read, where they are known
     void check(long long first, std::optional<io::SequenceNames> const& names) const;
+    /// Makes sure that a frame's output can be written. @throws Error where its tiles have several levels
+    /// @param names by which files are read
+    void check_levels(long long number, io::SequenceNames const& names) const;
+    /// Takes what was denoised of a view of a frame.
+    void add(long long number, DenoisedFrame& frame, io::SequenceNames const& names);
     /// Writes the input's file again, with what was denoised in its place.
-    void write(long long number, DenoisedFrame& frame, io::SequenceNames const& names);
-    void write_views(long long number, std::string const& view, std::vector<std::pair<std::string, DebugImage>> const& images) const;
+    void write(long long number);
+    /// @param prefix of the images' names
+    void write_views(long long number, std::string const& view, std::string const& prefix,
+                     std::vector<std::pair<std::string, DebugImage>> const& images) const;
     /// What the user should know, a line each.
     [[nodiscard]] std::vector<std::string> remarks() const;
+
+private:
+    std::optional<io::ExrChanges> changes; ///< of the frame's views so far
+
+    [[nodiscard]] std::optional<std::string> layer_for(io::SequenceNames const& names) const;
 };
 
 } // namespace quell::examples

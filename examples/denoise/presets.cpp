@@ -44,13 +44,13 @@ Preset const& preset_of(std::string const& name) {
                             std::string_view(QUELL_DENOISE_PRESETS).empty() ? "" : " (those of QUELL_DENOISE_PRESETS)"));
 }
 
-bool applies(Preset const& preset, io::ExrFile const& file, io::SequenceNames const& names) {
+bool applies(Preset const& preset, io::ExrListing const& file, io::SequenceNames const& names) {
     auto const denoiser = preset.make({1, 1}, 1);
     if (denoiser->needs_camera() && !(file.attributes.contains("quell:view") && file.attributes.contains("quell:projection"))) return false;
     return std::ranges::all_of(names.of_signals, [&](auto const& signal) { return file.has_all(denoiser->planes(signal.channels)); });
 }
 
-PresetChoice preset_for(io::ExrFile const& file, io::SequenceNames const& names) {
+PresetChoice preset_for(io::ExrListing const& file, io::SequenceNames const& names) {
     if (auto const* const blur = find_preset("blur"); blur && applies(*blur, file, names))
         return {blur, "the files have sweeps and times of samples"};
     if (auto const* const trmv = find_preset("trmv"); trmv && applies(*trmv, file, names))

@@ -14,7 +14,7 @@ namespace quell::examples {
 [[nodiscard]] Preset const& preset_of(std::string const& name);
 
 /// Whether a file has all the planes that a preset wants for these signals, and a camera where it needs one.
-[[nodiscard]] bool applies(Preset const& preset, io::ExrFile const& file, io::SequenceNames const& names);
+[[nodiscard]] bool applies(Preset const& preset, io::ExrListing const& file, io::SequenceNames const& names);
 
 /// The preset that suits what a file has, and why: a part of a sentence.
 struct PresetChoice {
@@ -23,7 +23,7 @@ struct PresetChoice {
 };
 /// blur where there are sweeps and times, trmv where there is all by which shadows, reflections and indirect light are followed, else
 /// final-frame.
-[[nodiscard]] PresetChoice preset_for(io::ExrFile const& file, io::SequenceNames const& names);
+[[nodiscard]] PresetChoice preset_for(io::ExrListing const& file, io::SequenceNames const& names);
 
 /// Every `units`-th preset from number `unit` on, without a name where it is not among QUELL_DENOISE_PRESETS. Generated files instantiate
 /// it: all presets take minutes to compile.

@@ -1,7 +1,12 @@
 #include <denoise/composite.hpp>
+#include <denoise/converted_history.hpp>
+#include <denoise/layers.hpp>
+#include <denoise/map_file.hpp>
 #include <denoise/sequence_denoiser.hpp>
 
 #include <quell/core/real.hpp>
+#include <quell/io/frame_image.hpp>
+#include <quell/io/part_names.hpp>
 
 #include <algorithm>
 
@@ -50,6 +55,9 @@ void check_debug_views(Preset const& preset, std::vector<std::string> const& vie
                         "leave it out, or choose a preset that clamps, such as surface-clamp");
 }
 
+/// Whether the light of a file goes through it as one picture or as its signals, not as parts that it knows by name.
+bool denoises_picture(Preset const& preset) { return preset.of_signals.size() == 1 && preset.of_signals[0].name == radiance.name; }
+
 /// Vectors in parts of the display window's size are other parts of a canvas that is larger.
 io::SequenceNames names_on_canvas(io::SequenceNames names, Extent size, Region const& canvas) {
     auto const whole = io::detail::size_of(canvas);
@@ -57,7 +65,7 @@ io::SequenceNames names_on_canvas(io::SequenceNames names, Extent size, Region c
                            static_cast<float>(size.height) / static_cast<float>(whole.height)};
     auto const scale = [&](auto channel, io::ChannelNames& channels) {
         auto sources = io::sources_of(channels, channel);
-        for (std::size_t c = 0; c < 2; ++c) sources[c].scale *= parts[c];
+        for (std::size_t c = 0; c < 2; ++c) sources[c].scale *= parts[c], sources[c].offset *= parts[c];
         channels.sources.insert_or_assign(channel.name, sources);
     };
     for (auto& signal : names.of_signals)
@@ -67,13 +75,23 @@ io::SequenceNames names_on_canvas(io::SequenceNames names, Extent size, Region c
 }
 
 /// A field of view is that of the display window.
-void check_field_of_view(io::ExrFile const& file, io::SequenceNames const& map, Region const& canvas) {
+void check_field_of_view(io::ExrListing const& file, io::SequenceNames const& map, Region const& canvas) {
     bool const has_camera = file.attributes.contains("quell:view") && file.attributes.contains("quell:projection");
     if (io::detail::size_of(canvas) == file.size || has_camera) return;
     for (auto const& signal : map.of_signals)
         if (signal.channels.depth.along == io::DepthConvention::Along::ray)
             throw Error(file.name, "its data window is not its display window, and only the map says what the camera sees",
                         "write the attributes quell:view and quell:projection, or leave out what lies outside of the display window");
+}
+
+/// Attributes of the view's own part. In a part that several stereo views share, the camera is that of the default one, if of any.
+std::map<std::string, io::Attribute, std::less<>> attributes_of_view(io::ExrOriginal const& file, io::SequenceNames const& names) {
+    auto attributes = file.attributes_of(home_part(file.listed, names));
+    auto const& eyes = file.listed.eyes;
+    if (!names.eye.empty() && (eyes.empty() || eyes[0] != names.eye))
+        for (auto const* const name : {"quell:view", "quell:projection", "quell:view_previous", "quell:projection_previous"})
+            attributes.erase(name);
+    return attributes;
 }
 
 /// Cameras are of the display window. This changes their projections so that the canvas is what they show.
@@ -95,7 +113,9 @@ SequenceDenoiser::SequenceDenoiser(SequenceSettings settings_) : settings(std::m
 }
 
 void SequenceDenoiser::begin(io::ExrOriginal const& file) {
-    if (!settings.map) settings.map = io::recognise(file.listed);
+    settings.map = settings.map ? io::names_in_parts(*settings.map, file.listed) : recognised(file.listed);
+    if (settings.field_of_view)
+        for (auto& signal : settings.map->of_signals) signal.channels.depth.vertical_field_of_view = *settings.field_of_view;
     if (settings.shutter)
         for (auto& signal : settings.map->of_signals) signal.channels.shutter = settings.shutter;
     auto const others = file.canvas();
@@ -105,22 +125,40 @@ void SequenceDenoiser::begin(io::ExrOriginal const& file) {
               std::max(canvas.y1, others.y1)};
     check_field_of_view(file.listed, *settings.map, canvas);
     on_canvas = names_on_canvas(*settings.map, size, canvas);
-    auto const& preset = settings.preset;
+    if (!denoises_picture(settings.preset)) on_canvas.picture.clear();
+    alpha = denoises_picture(settings.preset) ? alpha_plane(file.listed, *settings.map).value_or("") : "";
+    any = settings.preset.make({1, 1}, 1);
+    denoisers.resize(on_canvas.of_signals.size() + 1);
+}
+
+Denoiser& SequenceDenoiser::denoiser(std::size_t signal) {
+    auto& made = denoisers[signal];
+    if (made) return *made;
     auto const whole = io::detail::size_of(canvas);
-    for (std::size_t s = 0; s < settings.map->of_signals.size(); ++s)
-        denoisers.push_back(!settings.debug_views.empty() ? preset.make_watched(whole) : preset.make(whole, settings.threads));
-    for (std::size_t s = 0; s < denoisers.size(); ++s)
-        if (settings.diagnose) denoisers[s]->diagnose(on_canvas.of_signals[s].factor);
+    auto const make = !rule().alpha.empty() && has_alpha(signal) ? settings.preset.make_with_alpha : settings.preset.make;
+    made = !settings.debug_views.empty() ? settings.preset.make_watched(whole) : make(whole, settings.threads);
+    if (!settings.diagnose && !checks) made->check_first_frames(), checks = true;
+    if (settings.diagnose)
+        made->diagnose(signal < on_canvas.of_signals.size() ? on_canvas.of_signals[signal].factor : std::vector<io::Source>());
+    return *made;
 }
 
 bool SequenceDenoiser::is_inside(Region const& other) const {
     return other.x0 >= canvas.x0 && other.y0 >= canvas.y0 && other.x1 <= canvas.x1 && other.y1 <= canvas.y1;
 }
 
+void SequenceDenoiser::release_scratch() {
+    window.clear();
+    for (auto const& each : denoisers)
+        if (each) each->release_scratch();
+}
+
 void SequenceDenoiser::forget() {
     earlier_milliseconds = milliseconds();
     denoisers.clear();
     window.clear();
+    last.reset();
+    film.forget();
 }
 
 /// Each mistake once: it is most often in every frame, and guides are the same for all signals.
@@ -130,13 +168,13 @@ void SequenceDenoiser::collect(std::vector<Finding> const& findings) {
             found.push_back({finding.mistake, finding.evidence, finding.remedy + remedy_for_files(finding), finding.also, finding.or_else});
 }
 
-std::vector<std::string> SequenceDenoiser::planes(io::ExrFile const& file) const {
-    auto planes = composite_planes(on_canvas);
-    for (std::size_t s = 0; s < denoisers.size(); ++s) {
-        auto const& channels = on_canvas.of_signals[s].channels;
-        auto const more = denoisers[s]->planes(channels);
+std::vector<std::string> SequenceDenoiser::planes(io::ExrListing const& file) const {
+    auto planes = split_planes(file, on_canvas);
+    if (!alpha.empty()) planes.push_back(alpha);
+    for (auto const& signal : on_canvas.of_signals) {
+        auto const more = any->planes(signal.channels);
         planes.insert(planes.end(), more.begin(), more.end());
-        for (auto const& plane : denoisers[s]->optional_planes(channels))
+        for (auto const& plane : any->optional_planes(signal.channels))
             if (file.find(plane)) planes.push_back(plane);
     }
     return planes;
@@ -144,9 +182,11 @@ std::vector<std::string> SequenceDenoiser::planes(io::ExrFile const& file) const
 
 std::vector<std::pair<std::string, DebugImage>> SequenceDenoiser::debug_images(std::string const& view) {
     std::vector<std::pair<std::string, DebugImage>> all;
-    for (std::size_t s = 0; s < denoisers.size(); ++s) {
+    auto const& split = *window.front().ways[window.front().as_one ? 1 : 0];
+    for (std::size_t s = 0; s < split.signals.size(); ++s) {
+        if (!split.active[s]) continue;
         auto images = denoisers[s]->debug_images(view);
-        auto const signal = denoisers.size() > 1 ? settings.map->of_signals[s].name + "." : std::string();
+        auto const signal = has_several_signals(on_canvas) ? split.signals[s].name + "." : std::string();
         for (auto& image : images) {
             auto const part = images.size() > 1 ? image.signal + "." : std::string();
             all.emplace_back(signal + part + view, std::move(image));
@@ -157,13 +197,15 @@ std::vector<std::pair<std::string, DebugImage>> SequenceDenoiser::debug_images(s
 
 double SequenceDenoiser::milliseconds() const {
     double sum = earlier_milliseconds;
-    for (auto const& denoiser : denoisers) sum += denoiser->milliseconds();
+    for (auto const& denoiser : denoisers)
+        if (denoiser) sum += denoiser->milliseconds();
     return sum;
 }
 
 double SequenceDenoiser::bytes_per_pixel() const {
     double sum = 0;
-    for (auto const& denoiser : denoisers) sum += denoiser->bytes_per_pixel();
+    for (auto const& denoiser : denoisers)
+        if (denoiser) sum += denoiser->bytes_per_pixel();
     return sum;
 }
 
@@ -180,10 +222,42 @@ void SequenceDenoiser::read(FramePattern const& in, long long number) {
         begin(file);
         ++changes;
     }
-    auto image = file.read(planes(file.listed), canvas);
-    put_cameras_on_canvas(image, size, canvas);
-    for (std::size_t s = 0; s < denoisers.size(); ++s) denoisers[s]->look_ahead(image, on_canvas.of_signals[s].channels, number);
-    window.push_back({number, std::move(image)});
+    window.push_back(seen(file, number));
+}
+
+SequenceDenoiser::Seen SequenceDenoiser::seen(io::ExrOriginal const& file, long long number) const {
+    Seen frame{number, file.read(planes(file.listed), canvas), false, {}};
+    if (!on_canvas.view.empty()) frame.image.attributes = attributes_of_view(file, on_canvas);
+    put_cameras_on_canvas(frame.image, size, canvas);
+    frame.as_one = is_better_as_one(frame.image, on_canvas, rule());
+    return frame;
+}
+
+LightSplit const& SequenceDenoiser::split(Seen& seen, bool as_one) const {
+    auto& way = seen.ways[as_one ? 1 : 0];
+    if (!way) way = split_light(seen.image, on_canvas, rule(), as_one);
+    return *way;
+}
+
+/// Where the picture is filtered as one from this frame on, or by its signals, their histories become that of the picture, or the other way
+/// round.
+void SequenceDenoiser::hand_over(FramePattern const& in) {
+    for (auto const& each : denoisers)
+        if (each) each->drop_ahead();
+    if (!std::filesystem::exists(in.path(*last))) return;
+    auto const shares = signal_shares(seen(io::ExrOriginal(in.path(*last)), *last).image, on_canvas, rule());
+    auto const signals = on_canvas.of_signals.size();
+    if (was_as_one) {
+        auto const whole = denoiser(signals).remembered();
+        for (std::size_t s = 0; s < signals && whole; ++s) denoiser(s).remember(part_of_history(*whole, shares, s));
+        return;
+    }
+    std::vector<std::optional<HistoryContents>> parts;
+    for (auto const& each : denoisers) {
+        parts.push_back(each ? each->remembered() : std::nullopt);
+        if (parts.back() && parts.back()->number != last) parts.back().reset(); // it had no light in the last frame
+    }
+    if (auto whole = whole_history(parts, shares)) denoiser(signals).remember(*whole);
 }
 
 /// A frame that is missing, broken or larger ends the window, and is dealt with when it is its turn: those before it are written whole.
@@ -203,21 +277,77 @@ DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long num
     while (!window.empty() && window.front().number != number) window.pop_front();
     if (window.empty()) read(in, number);
     read_ahead(in, number);
-    auto const& image = window.front().image;
+    auto& front = window.front();
+    bool const as_one = front.as_one;
+    if (last && *last + 1 == number && as_one != was_as_one) hand_over(in);
+    for (auto& seen : window)
+        for (std::size_t s = 0; auto const& signal : split(seen, as_one).signals)
+            if (auto const signal_number = s++; split(seen, as_one).active[signal_number])
+                denoiser(signal_number).look_ahead(seen.image, signal.channels, seen.number);
+    auto const& image = front.image;
+    auto const& split = *front.ways[as_one ? 1 : 0];
     found.clear();
     DenoisedFrame frame;
     frame.canvas = canvas;
     auto const denoised = [&](std::size_t s) {
-        auto result = denoisers[s]->denoise(image, on_canvas.of_signals[s].channels, number);
-        missing += denoisers[s]->missing_samples();
-        collect(denoisers[s]->findings());
+        auto result = denoiser(s).denoise(image, split.signals[s].channels, number);
+        auto const counted = denoiser(s).statistics();
+        missing += counted.missing_samples;
+        // Guides are the same for all signals.
+        if (std::ranges::find(split.active, true) - split.active.begin() == static_cast<std::ptrdiff_t>(s))
+            repaired += counted.repaired_guides;
+        collect(denoiser(s).findings());
         return result;
     };
-    frame.picture = composite(image, on_canvas, denoised, missing, frame.signals);
-    if (frame.signals.size() == 1 && on_canvas.added.empty()) frame.signals.clear(); // it is the picture
-    for (std::size_t c = 0; c < on_canvas.added.size(); ++c)
-        for (auto const& plane : on_canvas.added[c].sum) frame.added[c].push_back({&image[plane].values, on_canvas.added[c].scale});
+    frame.picture = composite(image, split, denoised, missing, frame.signals);
+    if (!has_several_signals(on_canvas)) frame.signals.clear(); // it is the picture
+    if (!alpha.empty()) denoise_alpha(frame, front, split);
+    add_as_in_file(frame, image, split);
+    was_as_one = as_one, last = number;
     return frame;
+}
+
+/// Layers are added up with what the file adds: of what a split takes of that, or scales down, the rest has the difference.
+void SequenceDenoiser::add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const {
+    auto const& added = on_canvas.added;
+    for (std::size_t c = 0; c < added.size(); ++c)
+        for (auto const& plane : added[c].sum) // the offset is added once
+            frame.added[c].push_back({&image[plane].values, added[c].scale, frame.added[c].empty() ? added[c].offset : 0.f});
+    if (added.empty() || io::planes_of(split.added) == io::planes_of(added)) return;
+    auto const taken = picture_of(image, split.added, 0.f), whole = picture_of(image, added, 0.f);
+    auto& rest = frame.signals.back().pixels;
+    for (std::size_t i = 0; i < rest.size(); ++i)
+        if (auto const off = taken.pixels[i] - whole.pixels[i]; is_finite(off.x) && is_finite(off.y) && is_finite(off.z)) rest[i] += off;
+}
+
+SplitRule SequenceDenoiser::rule() const {
+    bool const can = settings.preset.make_with_alpha && !settings.keeps_alpha && settings.debug_views.empty();
+    return {.by_albedo = settings.preset.by_albedo, .alpha = can ? alpha : ""};
+}
+
+/// The only signal, where it has no factor, or else the rest: as split_light() gives it.
+bool SequenceDenoiser::has_alpha(std::size_t signal) const {
+    bool const is_rest = signal == on_canvas.of_signals.size();
+    return is_rest || (!has_several_signals(on_canvas) && on_canvas.of_signals[signal].factor.empty());
+}
+
+void SequenceDenoiser::denoise_alpha(DenoisedFrame& frame, Seen const& seen, LightSplit const& split) {
+    auto const& given = seen.image[alpha].values;
+    frame.alpha = rule().alpha.empty() ? given : split.kept_alpha;
+    for (std::size_t s = 0; s < split.signals.size(); ++s)
+        if (split.has_alpha(s))
+            for (std::size_t i = 0; i < frame.alpha.size(); ++i) frame.alpha[i] += denoiser(s).alpha()[i];
+    bool const is_opaque = std::ranges::all_of(given, [](float a) { return a == 1.f; });
+    alpha_stays = alpha_stays || (!is_opaque && rule().alpha.empty() && !settings.keeps_alpha);
+    auto const& channels = on_canvas.of_signals[0].channels;
+    auto const planes = io::planes_of(Channels<Motion>{}, channels);
+    Frame<Channels<Motion>> vectors(seen.image.size);
+    // A preset that reads no motion has no history.
+    if (std::ranges::all_of(planes, [&](auto const& plane) { return seen.image.find(plane) != nullptr; }))
+        io::load_channels(Channels<Motion>{}, vectors, seen.image, channels);
+    else
+        film.forget();
+    film.clear_empty(frame, given, vectors);
 }
 
 metrics::Picture SequenceDenoiser::next(FramePattern const& in, long long number) { return displayed(next_whole(in, number).picture); }
@@ -238,7 +368,7 @@ void DenoisedFrame::added_at(std::size_t pixel, int component, std::vector<float
     for (auto const& planes : added)
         for (auto const& plane : planes) finite = finite && is_finite((*plane.values)[pixel]);
     for (auto const& plane : added[static_cast<std::size_t>(component)])
-        if (finite) values.push_back((*plane.values)[pixel] * plane.scale);
+        if (finite) values.push_back((*plane.values)[pixel] * plane.scale + plane.offset);
 }
 
 } // namespace quell::examples

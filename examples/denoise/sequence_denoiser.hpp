@@ -1,6 +1,8 @@
 #pragma once
 
 #include <denoise/denoiser.hpp>
+#include <denoise/film_alpha.hpp>
+#include <denoise/light_split.hpp>
 #include <support/frame_pattern.hpp>
 
 #include <quell/io/exr/exr_original.hpp>
@@ -20,7 +22,9 @@ struct SequenceSettings {
     int threads = 0;                      ///< 0: all that there are
     std::optional<io::SequenceNames> map; ///< how the files name their channels; without one, that is recognised from the first file
     std::optional<float> shutter;         ///< how long it is open, whatever the files or the map say
+    std::optional<float> field_of_view{}; ///< vertical, degrees: of files whose depth is the length of rays, where they have no camera
     int later_frames = 0;                 ///< that each frame is denoised with, where the preset makes use of them and the files are there
+    bool keeps_alpha = false;             ///< leave alpha as the files have it
     bool diagnose = false;                ///< look at each frame for what its renderer got wrong
     std::vector<std::string> debug_views{}; ///< names of DebugChannels that debug_images() will be asked for: slower, and on one thread
 };
@@ -30,6 +34,7 @@ struct DenoisedFrame {
     Region canvas;                         ///< what the pictures show, counted from the display window's corner
     metrics::Picture picture;              ///< linear
     std::vector<metrics::Picture> signals; ///< times their factors: what each adds to the picture
+    std::vector<float> alpha;              ///< of the film; empty where the files have none
 
     /// What is added to the signals at a pixel, in order; zeros where some of it is not finite.
     /// @param component from 0 to 2
@@ -38,7 +43,7 @@ struct DenoisedFrame {
     /// A plane of the file that is added, and what it is multiplied by.
     struct Added {
         std::vector<float> const* values; ///< the file's, as long as the SequenceDenoiser has this frame
-        float scale;
+        float scale, offset;
     };
     std::array<std::vector<Added>, 3> added; ///< by component
 };
@@ -65,16 +70,22 @@ public:
     /// The part of a picture that the display window shows.
     [[nodiscard]] metrics::Picture displayed(metrics::Picture const& whole) const;
 
+    /// Gives back all memory but what is remembered: the frame that next_whole() gave ends too. Frames that were read ahead are read again.
+    void release_scratch();
+
     /// Forgets all frames so far, as before frames that don't follow them.
     void forget();
 
-    [[nodiscard]] long long missing_samples() const { return missing; } ///< of all frames so far
+    [[nodiscard]] long long missing_samples() const { return missing; }              ///< of all frames so far
+    [[nodiscard]] RepairedGuides const& repaired_guides() const { return repaired; } ///< of all frames so far
     /// Of all frames so far: how long denoising took, without reading and loading files.
     [[nodiscard]] double milliseconds() const;
     /// Memory of history and scratch of all signals. Complete once a frame was denoised.
     [[nodiscard]] double bytes_per_pixel() const;
     /// How the files name their channels. Known once a frame was denoised.
     [[nodiscard]] std::optional<io::SequenceNames> const& names() const { return settings.map; }
+    /// Whether alpha was left as it is for want of a preset that denoises it.
+    [[nodiscard]] bool left_alpha() const { return alpha_stays; }
     /// How often frames began to reach farther out of their display window, so that history started afresh.
     [[nodiscard]] int canvas_changes() const { return changes; }
 
@@ -85,8 +96,16 @@ private:
     io::SequenceNames on_canvas; ///< the names for images of the canvas
     int changes = 0;
     double earlier_milliseconds = 0;                  ///< of denoisers that are gone
-    std::vector<std::unique_ptr<Denoiser>> denoisers; ///< one per signal
+    std::unique_ptr<Denoiser> any;                    ///< says what each of them wants
+    std::vector<std::unique_ptr<Denoiser>> denoisers; ///< one per signal, and one of the rest; null before there was light for it
+    bool was_as_one = false;                          ///< whether the last frame was filtered as one picture
+    std::optional<long long> last;                    ///< number of the frame that was denoised last
+    std::string alpha;                                ///< the plane of the film's alpha; empty: none
+    FilmAlpha film;
+    bool alpha_stays = false; ///< whether some film was transparent whose alpha the preset can't denoise
     long long missing = 0;
+    RepairedGuides repaired;
+    bool checks = false;     ///< whether one of the denoisers looks at the first frames
     std::set<Mistake> known; ///< those that were found already
     std::vector<Finding> found;
 
@@ -94,15 +113,25 @@ private:
     struct Seen {
         long long number;
         io::ExrImage image;
+        bool as_one;                                   ///< whether it is better filtered as one picture
+        std::array<std::optional<LightSplit>, 2> ways; ///< its light by signals, and as one: where it was wanted
     };
+    [[nodiscard]] LightSplit const& split(Seen& seen, bool as_one) const;
     std::deque<Seen> window;
 
     void begin(io::ExrOriginal const& file);
+    [[nodiscard]] SplitRule rule() const;
+    [[nodiscard]] bool has_alpha(std::size_t signal) const;
+    void denoise_alpha(DenoisedFrame& frame, Seen const& seen, LightSplit const& split);
+    void add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const;
+    [[nodiscard]] Denoiser& denoiser(std::size_t signal);
+    [[nodiscard]] Seen seen(io::ExrOriginal const& file, long long number) const;
+    void hand_over(FramePattern const& in);
     [[nodiscard]] bool is_inside(Region const& other) const;
     void read(FramePattern const& in, long long number);
     void read_ahead(FramePattern const& in, long long number);
     void collect(std::vector<Finding> const& findings);
-    [[nodiscard]] std::vector<std::string> planes(io::ExrFile const& file) const;
+    [[nodiscard]] std::vector<std::string> planes(io::ExrListing const& file) const;
 };
 
 } // namespace quell::examples

@@ -13,7 +13,7 @@ namespace {
 using OwnSignals = Channels<Radiance, Direct, Visibility, Glossy, Indirect>;
 bool has_albedo_in_it(std::string_view signal) { return signal == radiance.name || signal == direct.name; }
 
-bool has_all(io::ExrFile const& file, std::vector<io::Source> const& sources) { return file.has_all(io::planes_of(sources)); }
+bool has_all(io::ExrListing const& file, std::vector<io::Source> const& sources) { return file.has_all(io::planes_of(sources)); }
 
 std::vector<io::Source> ones() { return std::vector<io::Source>(3, io::Source{{}, 1.f}); }
 
@@ -25,14 +25,15 @@ std::vector<io::Source> as_three(std::vector<io::Source> sources) {
 
 SignalChoice choice_of(std::string const& word, std::vector<io::Source> const& sources, io::SignalNames const& of,
                        io::SequenceNames const& names) {
-    SignalChoice choice{word, {names.renderer, {of}, {}, names.remarks}, static_cast<int>(sources.size())};
+    SignalChoice choice{word, names, static_cast<int>(sources.size())};
+    choice.names.of_signals = {of}, choice.names.added.clear(), choice.names.picture.clear();
     choice.names.of_signals[0].name = word;
     choice.names.of_signals[0].channels.sources["radiance"] = as_three(sources);
     return choice;
 }
 
 /// A part of the light, whose guides are those of the picture's first signal. How it changes and sweeps by itself has its name.
-SignalChoice choice_of_part(std::string const& word, std::vector<io::Source> const& sources, io::ExrFile const& file,
+SignalChoice choice_of_part(std::string const& word, std::vector<io::Source> const& sources, io::ExrListing const& file,
                             io::SequenceNames const& names) {
     auto of = names.of_signals[0];
     of.factor.clear();
@@ -45,7 +46,7 @@ SignalChoice choice_of_part(std::string const& word, std::vector<io::Source> con
 }
 
 /// The layer or the channel of that name: R, G and B of it, or the only component that it has.
-std::vector<io::Source> layer_named(std::string const& word, io::ExrFile const& file) {
+std::vector<io::Source> layer_named(std::string const& word, io::ExrListing const& file) {
     std::vector<io::Source> colour;
     for (auto const* const letter : {".R", ".G", ".B"}) colour.push_back({{word + letter}});
     if (has_all(file, colour)) return colour;
@@ -57,14 +58,14 @@ std::vector<io::Source> layer_named(std::string const& word, io::ExrFile const& 
     return components.size() == 1 ? components : std::vector<io::Source>();
 }
 
-template <class F> void for_each_own_signal(io::ExrFile const& file, io::SequenceNames const& names, F&& f) {
+template <class F> void for_each_own_signal(io::ExrListing const& file, io::SequenceNames const& names, F&& f) {
     for_each_channel(OwnSignals{}, [&](auto channel) {
         auto const sources = io::sources_of(names.of_signals[0].channels, channel);
         if (has_all(file, sources)) f(std::string(channel.name), sources);
     });
 }
 
-std::string signals_in(io::ExrFile const& file, io::SequenceNames const& names) {
+std::string signals_in(io::ExrListing const& file, io::SequenceNames const& names) {
     std::vector<std::string> all;
     auto const add = [&](std::string const& name) {
         if (std::ranges::find(all, name) == all.end()) all.push_back(name);
@@ -81,7 +82,7 @@ std::string signals_in(io::ExrFile const& file, io::SequenceNames const& names) 
 
 } // namespace
 
-SignalChoice choose_signal(std::string const& word, io::ExrFile const& file, io::SequenceNames const& names) {
+SignalChoice choose_signal(std::string const& word, io::ExrListing const& file, io::SequenceNames const& names) {
     for (auto const& signal : names.of_signals)
         if (signal.name == word && has_all(file, io::sources_of(signal.channels, radiance)))
             return choice_of(word, io::sources_of(signal.channels, radiance), signal, names);
@@ -91,6 +92,9 @@ SignalChoice choose_signal(std::string const& word, io::ExrFile const& file, io:
     });
     if (choice) return *choice;
     if (auto const sources = layer_named(word, file); !sources.empty()) return choice_of_part(word, sources, file, names);
+    if (word == rest_name)
+        throw Error("--signal", "the rest is what the signals leave over of each frame's picture, and not in " + file.name,
+                    "leave --signal out, and take the layer denoised_rest (--layers signals)");
     throw Error("--signal", "there is no signal '" + word + "' in " + file.name, "choose any of: " + signals_in(file, names));
 }
 
@@ -119,7 +123,7 @@ io::SequenceNames names_for(Preset const& preset, SignalChoice const& signal) {
     return names;
 }
 
-PresetChoice preset_for(io::ExrFile const& file, SignalChoice const& signal) {
+PresetChoice preset_for(io::ExrListing const& file, SignalChoice const& signal) {
     for (auto const* const name : {"blur", "shadow", "glossy", "dual-cone"}) {
         auto const* const preset = find_preset(name);
         if (!preset || (preset->is_part && preset->of_signals[0].name != signal.word)) continue;
@@ -130,9 +134,9 @@ PresetChoice preset_for(io::ExrFile const& file, SignalChoice const& signal) {
     return {&preset_of("final-frame"), "the files have " + signal.word + " and guides"};
 }
 
-std::optional<std::string> layer_of_signal(io::ExrFile const& file, io::SequenceNames const& names) {
+std::optional<std::string> layer_of_signal(io::SequenceNames const& names) {
     if (only_signal(names)) return std::nullopt;
-    return view_layer(file, names) + "denoised_" + word_of(names.of_signals[0].name);
+    return names.layer + "denoised_" + word_of(names.of_signals[0].name);
 }
 
 std::optional<io::SequenceNames> names_of_effects(Preset const& preset, io::SequenceNames const& names) {

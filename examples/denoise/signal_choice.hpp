@@ -15,7 +15,7 @@ struct SignalChoice {
 /// a layer or a channel of the file.
 /// @param names how the files' picture is made up
 /// @throws Error listing the signals of the file where it has none of that name
-[[nodiscard]] SignalChoice choose_signal(std::string const& word, io::ExrFile const& file, io::SequenceNames const& names);
+[[nodiscard]] SignalChoice choose_signal(std::string const& word, io::ExrListing const& file, io::SequenceNames const& names);
 
 /// Whether a preset can denoise such a signal.
 [[nodiscard]] bool can_denoise(Preset const& preset, SignalChoice const& signal);
@@ -26,11 +26,11 @@ struct SignalChoice {
 [[nodiscard]] io::SequenceNames names_for(Preset const& preset, SignalChoice const& signal);
 
 /// The preset that suits the signal and what the file has: blur, the signal's own preset where there is what it moves by, else final-frame.
-[[nodiscard]] PresetChoice preset_for(io::ExrFile const& file, SignalChoice const& signal);
+[[nodiscard]] PresetChoice preset_for(io::ExrListing const& file, SignalChoice const& signal);
 
 /// Where the denoised signal goes: its own place, which is no layer of its own, or where it is a sum or has a factor, a layer
 /// denoised_NAME.
-[[nodiscard]] std::optional<std::string> layer_of_signal(io::ExrFile const& file, io::SequenceNames const& names);
+[[nodiscard]] std::optional<std::string> layer_of_signal(io::SequenceNames const& names);
 
 /// How a converged frame holds what a preset of effects makes: direct * visibility, glossy, albedo * indirect, or their sum. Nothing for
 /// other presets.

@@ -10,6 +10,20 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json json_of(ImageErrors const& errors) { return {{"rmse", errors.rmse}, {"ssim", errors.ssim}, {"flip", errors.flip}}; }
+
+/// Adds the members "scores" and "mean", where there are any.
+void add_scores(Json& json, FrameScores const& scores) {
+    if (scores.empty()) return;
+    ImageErrors sum;
+    auto& rows = json["scores"] = Json::array();
+    for (auto const& [frame, errors] : scores) {
+        Json row{{"frame", frame}};
+        row.update(json_of(errors));
+        rows.push_back(row);
+        sum += errors;
+    }
+    json["mean"] = json_of(sum / static_cast<int>(scores.size()));
+}
 } // namespace
 
 std::string json_of(Summary const& summary) {
@@ -26,16 +40,11 @@ std::string json_of(Summary const& summary) {
               {"findings", summary.findings},
               {"not_checked", summary.not_checked},
               {"remarks", summary.remarks}};
-    if (!summary.scores.empty()) {
-        ImageErrors sum;
-        auto& rows = json["scores"] = Json::array();
-        for (auto const& [frame, errors] : summary.scores) {
-            Json row{{"frame", frame}};
-            row.update(json_of(errors));
-            rows.push_back(row);
-            sum += errors;
-        }
-        json["mean"] = json_of(sum / static_cast<int>(summary.scores.size()));
+    add_scores(json, summary.scores);
+    for (auto const& view : summary.views) {
+        Json row{{"name", view.name}};
+        add_scores(row, view.scores);
+        json["views"].push_back(row);
     }
     if (summary.error) json["error"] = *summary.error;
     // File names may have any bytes.

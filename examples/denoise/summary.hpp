@@ -8,6 +8,15 @@
 
 namespace quell::examples {
 
+/// Scores of the frames that have a reference.
+using FrameScores = std::vector<std::pair<long long, ImageErrors>>;
+
+/// One of several views of the files.
+struct SummaryOfView {
+    std::string name;
+    FrameScores scores;
+};
+
 /// What quell-denoise has done.
 struct Summary {
     std::string preset, preset_reason, signal, renderer;
@@ -15,10 +24,11 @@ struct Summary {
     long long warm_up_frames = 0;            ///< denoised and not written
     long long missing_samples = 0;           ///< that were not finite, or negative
     double milliseconds = 0;                 ///< of denoising alone
-    double bytes_per_pixel = 0;              ///< of history and scratch
+    double bytes_per_pixel = 0;              ///< of history and scratch: of all views' histories, and one view's scratch
     std::vector<std::string> findings, not_checked, remarks;
-    std::vector<std::pair<long long, ImageErrors>> scores; ///< of the frames that have a reference
-    std::optional<std::string> error;                      ///< why it stopped
+    FrameScores scores;               ///< of the first view
+    std::vector<SummaryOfView> views; ///< all, where there are several
+    std::optional<std::string> error; ///< why it stopped
 };
 
 /// One JSON object on a line, with all of it.

@@ -31,7 +31,7 @@ public:
     std::vector<std::string> optional_planes(io::ChannelNames const& names) const override { return io::planes_of(Optional{}, names); }
 
     void look_ahead(io::ExrImage const& image, io::ChannelNames const& names, long long number) override {
-        if (!window.empty() && window.back().number == number) return;
+        if (!window.empty() && window.back().number >= number) return;
         OneFrame frame(image.size);
         io::load_channels(Needed{}, frame, image, names);
         frame.number = number;
@@ -46,21 +46,30 @@ public:
         last_knows_next = knows_next;
     }
 
+    void drop_ahead() override { window.clear(); }
     metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number) override {
         while (!window.empty() && window.front().number != number) window.pop_front();
         if (window.empty()) look_ahead(image, names, number);
-        if (looks) found = quell::diagnose(window.front(), history.before, names.motion, factor_in(image));
+        found =
+            looks ? quell::diagnose(window.front(), history.before, names.motion, factor_in(image)) : checked(window.front(), names.motion);
         auto const view = [&] {
             Timer const timer(taken);
             return run_two_sided(pipeline, joining, window, history, executor);
         }();
-        return metrics::picture_of(view);
+        return picture_and_alpha(view);
     }
     bool needs_camera() const override { return P::needs_camera; }
     std::vector<Finding> const& findings() const override { return found; }
     bool has_debug_view(std::string const&) const override { return false; }
     std::vector<DebugImage> debug_images(std::string const&) override { return {}; }
-    long long missing_samples() const override { return history.statistics().missing_samples; }
+    std::optional<HistoryContents> remembered() const override { return contents_of(history.before); }
+    void remember(HistoryContents const& contents) override { put_contents(history.before, contents); }
+    void release_scratch() override {
+        window.clear();
+        history.release_scratch();
+        denoised_alpha = {};
+    }
+    Statistics statistics() const override { return history.statistics(); }
     std::string plan() const override { return to_string(plan_of(pipeline)); }
     double bytes_per_pixel() const override { return history.before.bytes_per_pixel() + history.after.bytes_per_pixel(); }
 
@@ -80,16 +89,18 @@ private:
     }
 };
 
-/// A preset that uses later frames, from functions that make its pipeline, and the one that joins both sides, with further parts; with
-/// debug images, of the frames before alone.
-template <class Make, class Join> Preset two_sided_preset(std::string name, Make, Join) {
-    return {std::move(name),
-            [](Extent size, int threads) -> std::unique_ptr<Denoiser> {
-                constexpr auto pipeline = Make{}(KnownSamples{});
-                constexpr decltype(pipeline) joining = Join{}(KnownSamples{});
-                return std::make_unique<TwoSidedDenoiser<std::remove_const_t<decltype(pipeline)>>>(pipeline, joining, size,
-                                                                                                   Threads<>{threads});
-            },
+/// A denoiser that uses later frames, from functions that make its pipeline, and the one that joins both sides.
+template <class Make, class Join> std::unique_ptr<Denoiser> two_sided_denoiser(Extent size, int threads) {
+    constexpr auto pipeline = Make{}(KnownSamples{});
+    constexpr decltype(pipeline) joining = Join{}(KnownSamples{});
+    return std::make_unique<TwoSidedDenoiser<std::remove_const_t<decltype(pipeline)>>>(pipeline, joining, size, Threads<>{threads});
+}
+
+/// A preset that uses later frames, from functions of further parts, for colour and for colour with alpha; with debug images, of the frames
+/// before alone.
+template <class Make, class Join, class MakeAlpha, class JoinAlpha>
+Preset two_sided_preset(std::string name, Make, Join, MakeAlpha, JoinAlpha) {
+    return {std::move(name), two_sided_denoiser<Make, Join>, two_sided_denoiser<MakeAlpha, JoinAlpha>,
             [](Extent size) -> std::unique_ptr<Denoiser> {
                 constexpr auto pipeline = watched(Make{}());
                 return std::make_unique<DenoiserOf<std::remove_const_t<decltype(pipeline)>, Serial>>(pipeline, size, Serial{});

@@ -51,7 +51,7 @@ void fill_in(std::ostream& out, PageParts const& page, std::string const& title,
 }
 
 [[noreturn]] void fail(std::filesystem::path const& file, std::string const& found) {
-    throw Error(file.string(), found, "check that its folder exists, may be written to and has room left");
+    throw Failure(file.string(), found, "check that its folder exists, may be written to and has room left");
 }
 
 /// Removes a half-written file, except where it has been put in place.

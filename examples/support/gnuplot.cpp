@@ -31,12 +31,12 @@ void draw_by_gnuplot(std::filesystem::path const& script, std::string const& tex
     std::ofstream out(script, std::ios::binary);
     out << text;
     out.close();
-    if (!out) throw Error(script.string(), "it can't be written", "check that its folder exists and has room");
+    if (!out) throw Failure(script.string(), "it can't be written", "check that its folder exists and has room");
     auto const folder = script.has_parent_path() ? script.parent_path() : std::filesystem::path(".");
     auto const name = quoted_for_shell(script.filename().string()), log = quoted_for_shell(script.filename().string() + ".log");
     auto const command = "cd -- " + quoted_for_shell(folder.string()) + " && gnuplot " + name + " > " + log + " 2>&1 && rm -- " + log;
     if (std::system(command.c_str()) != 0)
-        throw Error(script.string(), "gnuplot can't draw it", "see " + script.filename().string() + ".log beside it");
+        throw Failure(script.string(), "gnuplot can't draw it", "see " + script.filename().string() + ".log beside it");
 }
 
 } // namespace quell::examples

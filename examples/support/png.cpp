@@ -51,7 +51,7 @@ std::vector<unsigned char> encode(std::string const& name, metrics::Picture cons
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image.png);
     std::vector<unsigned char> bytes(size);
     if (!png_image_write_to_memory(&image.png, bytes.data(), &size, 0, components.data(), 0, nullptr))
-        throw Error(name, std::string("can't be encoded: ") + image.png.message, "give a picture that PNG can hold");
+        throw Failure(name, std::string("can't be encoded: ") + image.png.message, "give a picture that PNG can hold");
     bytes.resize(size);
     return bytes;
 }

@@ -26,6 +26,8 @@ int exit_code_of(std::string const& program, std::function<void()> const& body, 
         body();
         if (!std::cout.flush()) return complain(program, "standard output: it can't be written; check where it leads", 1);
         return 0;
+    } catch (Failure const& failure) {
+        return complain(program, failure.what(), 1);
     } catch (Error const& error) {
         return complain(program, error.what(), 2);
     } catch (std::bad_alloc const&) {
@@ -34,14 +36,6 @@ int exit_code_of(std::string const& program, std::function<void()> const& body, 
         return complain(program, error.what(), 1);
     } catch (...) {
         return complain(program, "something went wrong that has no description", 1);
-    }
-}
-
-void store(std::function<void()> const& write_file) {
-    try {
-        write_file();
-    } catch (Error const& error) {
-        throw std::runtime_error(error.what());
     }
 }
 

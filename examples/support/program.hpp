@@ -10,13 +10,10 @@ class App;
 namespace quell::examples {
 
 /// Runs a program's body and makes of what it throws one line on stderr and an exit code: 0 done, 2 unusable arguments or input (Error),
-/// 1 anything else.
+/// 1 anything else, such as a Failure.
 /// @param to_save_memory what its user can do where memory runs out
 int exit_code_of(std::string const& program, std::function<void()> const& body,
                  std::string const& to_save_memory = "give a smaller --size");
-
-/// Writes a file; a full disk is no fault of the arguments or the input, so that an Error there makes exit code 1.
-void store(std::function<void()> const& write_file);
 
 /// Reads the command line. False where it asked for help or the version, which has then been printed.
 /// @throws Error for a command line that can't be used

@@ -143,8 +143,8 @@ void Acceleration::commit() {
 void Acceleration::check() const {
     auto const code = rtcGetDeviceError(device.get());
     if (code == RTC_ERROR_NONE) return;
-    throw Error{"scene " + description.name, "Embree reports error " + std::to_string(static_cast<int>(code)),
-                "check its meshes' indices and the free memory"};
+    throw Failure{"scene " + description.name, "Embree reports error " + std::to_string(static_cast<int>(code)),
+                  "check its meshes' indices and the free memory"};
 }
 
 Hit Acceleration::intersect(Ray const& ray) const {

@@ -5,7 +5,6 @@
 #include <quell/io/write_exr.hpp>
 #include <support/frame_pattern.hpp>
 #include <support/png.hpp>
-#include <support/program.hpp>
 
 #include <set>
 
@@ -34,7 +33,7 @@ RenderSettings SequenceWriter::settings(int frame) const {
 void SequenceWriter::write(char const* name, int frame, io::ExrImage image) const {
     io::put_camera(image, camera_of(scene, settings(frame)));
     io::put_camera(image, camera_of(scene, settings(frame - 1)), "_previous");
-    examples::store([&] { io::write_exr(folder / examples::frame_file_name(name, frame, "exr"), image); });
+    io::write_exr(folder / examples::frame_file_name(name, frame, "exr"), image);
 }
 
 void SequenceWriter::write_reference(int frame) {
@@ -57,7 +56,7 @@ void SequenceWriter::write_masks(int frame) {
         metrics::Picture picture{options.rendered.size, {}};
         for (auto const entry : effect_mask(scene, settings(frame), effect)) picture.pixels.emplace_back(entry != 0 ? 1.f : 0.f);
         auto const file = folder / examples::frame_file_name("mask_" + std::string(name_of(effect)), frame, "png");
-        examples::store([&] { examples::write_png(file, picture); });
+        examples::write_png(file, picture);
     }
 }
 

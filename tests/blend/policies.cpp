@@ -59,6 +59,101 @@ TEST_CASE("a clamp brings a stale past into what the neighbourhood shows now") {
     CHECK(after(Clamped{Exponential{.alpha = 0.1f}, MinMax{}}, {9, 9, 9, 1}) == doctest::Approx(1));
 }
 
+namespace {
+/// Clamps the past to the number of pixels that it was given, or to the sum of their offsets.
+struct Counts {
+    bool offsets = false;
+    template <class V> struct Gatherer {
+        using Real = real_of<V>;
+        V low = zero<V>(), high = low, far = low;
+        QUELL_KERNEL explicit Gatherer(V const&) {}
+        QUELL_KERNEL void add(V const&, Real weight, int dx, int dy) {
+            high = high + weight;
+            far = far + weight * static_cast<float>(dx + 3 * dy);
+        }
+        QUELL_KERNEL void finish(Counts range) {
+            if (range.offsets) high = far;
+            low = high;
+        }
+    };
+};
+// As docs/write_your_own.md shows them.
+struct RoundedBox { // the mean of two boxes: of the 3x3, and of the plus in it
+    template <class V> struct Gatherer {
+        using Real = real_of<V>;
+        MinMax::Gatherer<V> square, plus;
+        V low, high;
+        QUELL_KERNEL explicit Gatherer(V const& centre) : square(centre), plus(centre), low(centre), high(centre) {}
+        QUELL_KERNEL void add(V const& v, Real weight, int dx, int dy) {
+            square.add(v, weight, dx, dy);
+            if (dx == 0 || dy == 0) plus.add(v, weight, dx, dy);
+        }
+        QUELL_KERNEL void finish(RoundedBox) {
+            low = mix(square.low, plus.low, Real(0.5f)), high = mix(square.high, plus.high, Real(0.5f));
+        }
+    };
+};
+struct TowardsMean { // the past keeps its hue: it goes straight to the mean, until it is in the box
+    float sigmas = 1.f;
+
+    template <class V> struct Gatherer {
+        using Real = real_of<V>;
+        MeanDeviation::Gatherer<V> box;
+        QUELL_KERNEL explicit Gatherer(V const& centre) : box(centre) {}
+        QUELL_KERNEL void add(V const& v, Real weight, int dx, int dy) { box.add(v, weight, dx, dy); }
+        QUELL_KERNEL void finish(TowardsMean range) { box.finish({.sigmas = range.sigmas}); }
+        QUELL_KERNEL V clip(V const& past) const {
+            auto const mean = mix(box.low, box.high, Real(0.5f));
+            auto const out =
+                map([](auto a, auto m, auto high) { return quell::abs(a - m) / quell::max(high - m, Real(1e-6f)); }, past, mean, box.high);
+            auto const farthest = fold([](auto sofar, auto a) { return quell::max(sofar, a); }, Real(1.f), out);
+            return mix(mean, past, 1.f / farthest);
+        }
+    };
+};
+
+/// What a clamp makes, at a pixel, of a past that is `past(x, y)` where the samples are `now(x, y)`.
+template <class Range> glm::vec3 clamped(Range const& range, auto&& past, auto&& now, int x, int y) {
+    auto const pipeline = Pipeline{radiance, Temporal{StillMotion{}, Clamped{Exponential{.alpha = 0.f}, range}}};
+    Frame frame{size, pipeline};
+    History history{size, pipeline};
+    tests::fill(frame[radiance], past);
+    run(pipeline, frame, history);
+    tests::fill(frame[radiance], now);
+    return run(pipeline, frame, history).get(x, y);
+}
+} // namespace
+
+TEST_CASE("a gatherer is given each pixel of the neighbourhood once, with its offset") {
+    auto const past = [](int, int) { return glm::vec3(9); };
+    auto const now = [](int x, int y) { return glm::vec3(x == 12 && y == 2 ? not_a_number : 1.f); };
+    auto const given = [&](int x, int y, bool offsets) { return clamped(Counts{offsets}, past, now, x, y).x; };
+    CHECK(given(7, 2, false) == 9);
+    CHECK(given(7, 0, false) == 6);
+    CHECK(given(18, 4, false) == 4);
+    CHECK(given(11, 2, false) == 8);
+    CHECK(given(7, 2, true) == 0);
+    CHECK(given(7, 0, true) == 9); // 3 pixels below
+    CHECK(given(0, 0, true) == 8); // 1, 3 and 4
+}
+
+TEST_CASE("a firefly of the past does not stay, whatever the shape of the range") {
+    auto const firefly = [](int x, int y) { return x == 7 && y == 2 ? glm::vec3(1000, 10, 10) : glm::vec3(2); };
+    auto const now = [](int x, int y) { return glm::vec3(x == 8 && y == 3 ? 5.f : (x + y) % 2 ? 1.f : 3.f); };
+    auto const shown = [&](auto const& range) { return clamped(range, firefly, now, 7, 2); };
+    CHECK(shown(MinMax{}) == glm::vec3(5));
+    // The corner that is brighter is in the 3x3 and not in the plus: (5 + 3) / 2.
+    CHECK(shown(RoundedBox{}) == glm::vec3(4));
+    // Of 4 ones, 4 threes and a five: mean 7 / 3, variance 16 / 9.
+    auto const mean = 7.f / 3, deviation = 4.f / 3;
+    auto const clipped = shown(TowardsMean{.sigmas = 1.5f});
+    CHECK(clipped.x == doctest::Approx(mean + 1.5f * deviation).epsilon(1e-5));
+    // The way to the mean is straight: the other components go the same part of it.
+    float const part = 1.5f * deviation / (1000 - mean);
+    CHECK(clipped.y == doctest::Approx(mean + (10 - mean) * part).epsilon(1e-5));
+    CHECK(shown(MeanDeviation{.sigmas = 1.5f}).y == doctest::Approx(mean + 1.5f * deviation).epsilon(1e-5));
+}
+
 TEST_CASE("a clamp by deviations reaches to the mean and that many of them, up and down") {
     auto const pipeline = Pipeline{visibility, Temporal{StillMotion{}, Clamped{Exponential{.alpha = 0.5f}, MeanDeviation{.sigmas = 0.5f}}}};
     Frame frame{size, pipeline};

@@ -229,9 +229,11 @@ TEST_CASE("samples and guides that are not finite are counted") {
     auto const found = findings({64, 48}, 2, [](GoodFrame& frame, int i) {
         fill_well(frame, {.size = frame.size}, i);
         frame[radiance].set(5, 7, {1.f, std::nanf(""), -2.f});
+        frame[radiance].set(6, 7, {1.f, -2.f, 1.f});
+        frame[radiance].set(7, 7, {1.f, 2.f, -1.f}); // of a wider gamut
     });
     check_found(found, {Mistake::bad_samples});
-    CHECK(found[0].evidence.find("1 components that are NaN or infinite and 1 that are negative, the first at pixel (5, 7)") !=
+    CHECK(found[0].evidence.find("1 components that are NaN or infinite and 1 pixels of negative luminance, the first at pixel (5, 7)") !=
           std::string::npos);
     check_named({Mistake::bad_guides}, [](GoodFrame& frame, int) {
         frame[normal].set(80, 45, glm::vec3(std::nanf(""))), frame[albedo].set(1, 1, glm::vec3(1e30f * 1e30f));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../views.hpp"
+#include "bounds.hpp"
 #include "cases.hpp"
 #include "input.hpp"
 
@@ -74,11 +75,17 @@ template <class P> void check_history(std::string const& preset, int frame, std:
     });
 }
 
+/// The bounds of a pipeline, or of all pipelines of a composite.
+template <class P> struct BoundsOf { std::tuple<Bounds<P>> all; };
+template <class... Ps> struct BoundsOf<Composite<Ps...>> { std::tuple<Bounds<Ps>...> all; };
+
 /// Runs a pipeline over the frames that an input describes. Only a camera that can't be used may be refused.
-template <class Executor, class Storage = Planar<>> void run_frames(std::string const& preset, auto const& pipeline, Bytes& in) {
+template <class Executor, class Storage = Planar<>, class P> void run_frames(std::string const& preset, P const& pipeline, Bytes& in) {
+    constexpr bool half = std::is_same_v<typename Storage::format, Float16>;
     Plan const plan(in);
     Patterns patterns(plan.seed, in.rest());
     History history{plan.size, pipeline, Storage{}};
+    BoundsOf<P> bounds;
     for (int i = 0; i < plan.frames; ++i) {
         Frame frame{plan.resized && i == plan.frames / 2 ? plan.other_size : plan.size, pipeline};
         tests::fill_randomly(frame, plan.seed + static_cast<unsigned>(i));
@@ -90,8 +97,20 @@ template <class Executor, class Storage = Planar<>> void run_frames(std::string 
             check_finite(preset, "output", i, run(pipeline, frame, history, Executor{}));
         } catch (Error const&) {
             if (!plan.spoilt_camera) throw;
+            continue;
         }
-        detail::for_each_history(history, [&](auto p, auto const& part) { check_history(preset, i, p, part); });
+        detail::for_each_history(history, [&]<class Part>(std::type_identity<Part> p, auto const& part) {
+            check_history(preset, i, p, part);
+            auto& its = std::get<Bounds<Part>>(bounds.all);
+            if (part.statistics().frames == 1) its.start_over();
+            its.see(frame);
+            its.check(frame, detail::Inspect::output(part).view(), half ? 4e-3f : 1e-5f, half ? 1e-7f : 1e-30f, half ? 65504.f : 1e30f,
+                      [&](int x, int y, float value, float least, float most) {
+                          std::fprintf(stderr, "%s's samples are %g to %g\n", preset.c_str(), static_cast<double>(least),
+                                       static_cast<double>(most));
+                          fail(preset, "output", i, x, y, value);
+                      });
+        });
     }
 }
 

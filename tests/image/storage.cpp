@@ -77,6 +77,9 @@ TEST_CASE_TEMPLATE("a variance is kept in half as its root: squares far beyond a
     }
 }
 
+// An assignment to a pixel that get() has copied would change nothing.
+static_assert(!std::is_assignable_v<decltype(std::declval<Planar<>::Image<3>&>().get(0, 0)), glm::vec3>);
+
 TEST_CASE("a host's memory is read in place, whatever its layout") {
     Extent const size{21, 5};
     std::vector<float> rgba(static_cast<std::size_t>(size.pixels() * 4));

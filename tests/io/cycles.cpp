@@ -90,34 +90,32 @@ TEST_CASE("passes that weren't rendered are done without where that is possible"
     CHECK(combined.remarks.size() == 1);
 }
 
-TEST_CASE("light passes without some of the light are left for the combined image") {
+TEST_CASE("light passes are the signals, whether or not they hold all of the combined image") {
     Folder const folder;
     auto image = cycles_image("V", {{"Combined", "RGB"}, {"Depth", "Z"}, {"Normal", "XYZ"}, {"Vector", "XYZW"}});
     auto const add = [&](std::string const& pass, float value) {
         for (auto const* const letter : {".R", ".G", ".B"})
             image.planes.push_back(plane("V." + pass + letter, image.size, [=](int, int) { return value; }));
     };
-    for (auto& each : image.planes)
-        if (each.name.starts_with("V.Combined")) each.values.assign(each.values.size(), 1.f);
-    add("DiffDir", 0.6f), add("DiffCol", 0.5f); // 0.3 of 1
-    auto const lost = names_of(folder, image);
-    REQUIRE(lost.of_signals.size() == 1);
-    CHECK(lost.of_signals[0].name == "combined");
-    CHECK(lost.of_signals[0].factor.empty());
-    CHECK(lost.added.empty());
-    REQUIRE(lost.remarks.size() == 1);
-    for (auto const* const part : {"don't add up to Combined", "DiffInd, GlossDir, ", "Emit, Env", "one signal"})
-        CHECK(contains(lost.remarks[0], part));
-    // The others may be missing where they had nothing to add.
+    add("DiffDir", 0.6f), add("DiffCol", 0.5f);
+    auto const few = names_of(folder, image);
+    REQUIRE(few.of_signals.size() == 1);
+    CHECK(few.of_signals[0].name == "diffuse");
+    CHECK(few.added.empty());
+    REQUIRE(few.picture.size() == 3); // what they leave over of it is found in each frame
+    CHECK(few.picture[2].sum == std::vector<std::string>{"V.Combined.B"});
+    CHECK(few.remarks.empty());
     add("Emit", 0.7f);
-    auto const whole = names_of(folder, image);
-    REQUIRE(whole.of_signals.size() == 1);
-    CHECK(whole.of_signals[0].name == "diffuse");
-    CHECK(whole.added.size() == 3);
-    CHECK(whole.remarks.empty());
+    CHECK(names_of(folder, image).added.size() == 3);
     // A pass of which one component is there is as good as none.
     std::erase_if(image.planes, [](auto const& p) { return p.name == "V.Emit.G" || p.name == "V.DiffCol.B"; });
-    CHECK(names_of(folder, image).of_signals[0].name == "combined");
+    CHECK(names_of(folder, image).added.empty());
+    CHECK(names_of(folder, image).of_signals[0].factor.empty());
+    std::erase_if(image.planes, [](auto const& p) { return p.name == "V.DiffDir.R"; });
+    auto const none = names_of(folder, image);
+    CHECK(none.of_signals[0].name == "combined");
+    REQUIRE(none.remarks.size() == 1);
+    for (auto const* const part : {"no light passes", "one signal"}) CHECK(contains(none.remarks[0], part));
 }
 
 TEST_CASE("a missing Vector pass is named") {

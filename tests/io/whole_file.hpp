@@ -6,6 +6,7 @@
 #include <OpenEXR/ImfMatrixAttribute.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfOpaqueAttribute.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfStringVectorAttribute.h>
 #include <OpenEXR/ImfTiledOutputPart.h>
@@ -27,6 +28,8 @@ struct WholePart {
     std::vector<WholeChannel> channels;
     bool tiled = false;
     Imf::Compression compression = Imf::ZIP_COMPRESSION;
+    std::string view = {};
+    std::vector<std::string> eyes = {}; ///< the attribute multiView
 };
 
 /// Attributes of several types, one of which no library knows.
@@ -46,6 +49,8 @@ inline Imf::Header header_of(Imath::Box2i const& display, WholePart const& part)
     header.compression() = part.compression;
     header.lineOrder() = Imf::INCREASING_Y;
     if (!part.name.empty()) header.setName(part.name);
+    if (!part.view.empty()) header.setView(part.view);
+    if (!part.eyes.empty()) Imf::addMultiView(header, part.eyes);
     header.setType(part.tiled ? Imf::TILEDIMAGE : Imf::SCANLINEIMAGE);
     if (part.tiled) header.setTileDescription({16, 16, Imf::ONE_LEVEL});
     for (auto const& channel : part.channels) header.channels().insert(channel.name, Imf::Channel(channel.type));

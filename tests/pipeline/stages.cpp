@@ -31,6 +31,24 @@ struct Nowhere {
         return Reprojection<Real>{vec2<Real>{Real(-1e6f), Real(0.f)}, Real(1.f)};
     }
 };
+/// Its numbers are named like members of FirstValid and SurfaceMotion.
+struct OddlyNamed : StillMotion {
+    float first = 1.f, rest = 2.f, test = 3.f;
+};
+/// Makes a channel of its own, and does not say that it leaves the signal alone.
+struct Emitting {
+    using emits = Channels<Variance>;
+    QUELL_KERNEL auto emit_channels(auto px) const { return emitted<typename decltype(px)::Real>(variance, luminance(px.signal())); }
+};
+struct EmittingTwice {
+    using parts = Parts<Emitting>;
+    constexpr void for_each_pass(auto&& pass) const { pass(Emitting{}), pass(Emitting{}); }
+};
+/// Can be called like one of quell's own passes.
+struct Callable {
+    QUELL_KERNEL auto operator()(auto px) const { return scale(px.signal(), typename decltype(px)::Real(100.f)); }
+    QUELL_KERNEL auto filter(auto px) const { return px.signal(); }
+};
 /// Trusts what is rough little.
 struct Reluctant {
     using reads = Channels<Roughness>;
@@ -131,6 +149,8 @@ TEST_CASE("sources are asked in order, however they are nested") {
     using Left = FirstValid<FirstValid<Nowhere, StillMotion>, Nowhere>;
     CHECK(mean(FirstValid{Nowhere{}, StillMotion{}, Nowhere{}}) == doctest::Approx(2.5f));
     CHECK(mean(Left{FirstValid{Nowhere{}, StillMotion{}}, Nowhere{}}) == doctest::Approx(2.5f));
+    CHECK(mean(OddlyNamed{}) == doctest::Approx(2.5f));
+    CHECK(mean(FirstValid{Nowhere{}, OddlyNamed{}}) == doctest::Approx(2.5f));
 }
 
 TEST_CASE("a policy that needs the camera says so for what it is part of") {
@@ -163,6 +183,21 @@ TEST_CASE("a pipeline whose last pass makes no signal puts out what there is") {
     History no_history{size, detects};
     tests::fill(samples[visibility], [](int x, int) { return x == 3 ? not_a_number : 1.f; });
     CHECK(run(detects, samples, no_history).get(0, 3, 3) == 1.f);
+}
+
+TEST_CASE("filters behind stages that leave the signal alone know what is missing, whether or not those say so") {
+    auto const seen = [](auto... before) {
+        auto const denoise = Pipeline{visibility, Spatial{before}..., Spatial{Gaussian{}}, Spatial{Callable{}}};
+        Frame frame{size, denoise};
+        History history{size, denoise};
+        tests::fill_still(frame);
+        tests::fill(frame[visibility], [](int x, int) { return x == 3 ? not_a_number : 1.f; });
+        return run(denoise, frame, history, Serial{}).get(3, 3);
+    };
+    CHECK(seen() == doctest::Approx(1.f));
+    CHECK(seen(Emitting{}) == doctest::Approx(1.f));
+    CHECK(seen(EmittingTwice{}) == doctest::Approx(1.f));
+    CHECK(seen(Atrous{NormalEdge{}, 0}) == doctest::Approx(1.f));
 }
 
 TEST_CASE("what is missing before a filter leaves history as it was") {

@@ -56,6 +56,24 @@ float still(int x, int y, long long) {
 float moving(int x, int, long long number) { return 1.f + 0.8f * std::sin(0.2f * static_cast<float>(x - 2 * number)); }
 } // namespace
 
+TEST_CASE("without its scratch a history is smaller, and the next frame the same") {
+    TwoSidedHistory kept{size, denoise}, released{size, denoise};
+    std::size_t most = 0, least = 0;
+    for (int i = 0; i < 4; ++i) {
+        std::deque<OneFrame> window;
+        for (int k = 0; k < 3; ++k) window.push_back(frame_of(i + k, moving));
+        auto const expected = tests::copy_of(run_two_sided(denoise, joining, window, kept));
+        CHECK(tests::copy_of(run_two_sided(denoise, joining, window, released)) == expected);
+        most = released.bytes();
+        CHECK(most <= kept.bytes());
+        released.release_scratch();
+        least = released.bytes();
+        CHECK(released.after.bytes() == 0);
+    }
+    CHECK(least > 0);
+    CHECK(least < most / 2);
+}
+
 TEST_CASE("frames from after lower the noise of one that has few before it, and the lag of light that moves") {
     CHECK(error(made(0, 2, still), 0, still) < 0.85 * error(made(0, 0, still), 0, still));
     CHECK(error(made(8, 2, moving), 8, moving) < 0.95 * error(made(8, 0, moving), 8, moving));

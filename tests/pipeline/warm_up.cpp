@@ -16,6 +16,9 @@ struct Silent { // a blend policy that declares nothing
     float cap = 3.f;
     QUELL_KERNEL auto blend(auto px, auto past) const { return accumulate(px, past, 1.f - past.validity * 0.5f); }
 };
+struct OddlyNamed : Silent { // its number is named like what a decorator decorates
+    float inner = 3.f;
+};
 struct Short { // one that remembers two frames, of which nothing is seen after four
     [[nodiscard]] constexpr BlendMemory memory() const { return {.frames = 2.f, .times = 2.f}; }
     QUELL_KERNEL auto blend(auto px, auto past) const { return accumulate(px, past, 1.f - past.validity * 0.5f); }
@@ -73,6 +76,7 @@ TEST_CASE("decorators remember as their inner policy does, and say what hides it
 
 TEST_CASE("what isn't declared is taken for as long a memory as any preset has") {
     CHECK(warm_up_frames(with(Silent{})) == 288);
+    CHECK(warm_up_frames(with(OddlyNamed{})) == 288);
     CHECK(warm_up_frames(with(Clamped{Silent{}})) == 128);
     CHECK(warm_up_frames(with(Short{})) == 4);
 }

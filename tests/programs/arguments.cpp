@@ -2,8 +2,33 @@
 
 #include <quell/presets/named.hpp>
 
+#include <OpenEXR/ImfTiledOutputFile.h>
+
 using namespace quell;
 using namespace quell::tests;
+
+namespace {
+
+/// Writes an image as tiles of several levels; all but the largest are 0.
+void write_levels(std::filesystem::path const& path, io::ExrImage const& image, Imf::LevelMode mode) {
+    Imf::Header header(image.size.width, image.size.height);
+    header.setTileDescription({16, 16, mode});
+    for (auto const& each : image.planes) header.channels().insert(each.name, Imf::Channel(Imf::FLOAT));
+    Imf::TiledOutputFile file(path.string().c_str(), header);
+    std::vector<float> const zeros(image.pixels(), 0.f);
+    for (int x = 0; x < file.numXLevels(); ++x)
+        for (int y = 0; y < file.numYLevels(); ++y) {
+            if (!file.isValidLevel(x, y)) continue;
+            Imf::FrameBuffer buffer;
+            for (auto const& each : image.planes)
+                buffer.insert(each.name,
+                              Imf::Slice::Make(Imf::FLOAT, (x == 0 && y == 0 ? each.values : zeros).data(), file.dataWindowForLevel(x, y)));
+            file.setFrameBuffer(buffer);
+            file.writeTiles(0, file.numXTiles(x) - 1, 0, file.numYTiles(y) - 1, x, y);
+        }
+}
+
+} // namespace
 
 TEST_CASE("help and lists end well") {
     CHECK(denoise("--help").code == 0);
@@ -87,6 +112,22 @@ TEST_CASE("quell-trace refuses what it can't use in one line") {
     check_refused(trace(out + "--fov 0"), {"--fov", "less than 180"});
 }
 
+TEST_CASE("tiles of several levels are refused before anything is denoised") {
+    for (auto const mode : {Imf::MIPMAP_LEVELS, Imf::RIPMAP_LEVELS}) {
+        Folder const folder;
+        write_sequence(folder, 1, 3);
+        write_levels(folder / numbered("frame.", 2), noisy_image({48, 32}, 2), mode);
+        auto const at = input(folder) + output(folder) + "--preset none --quiet ";
+        check_refused(denoise(at + "--first 2"), {"frame.0002.exr", "several levels", "one level"});
+        CHECK(folder.files() == 3);
+        check_refused(denoise(at + "--signal radiance --first 2"), {"several levels"});
+        check_refused(denoise(at + "--frames 1-3"), {"frame.0002.exr", "several levels"}); // those before it are written
+        CHECK(folder.files() == 4);
+        CHECK(denoise(input(folder) + "--preset none --quiet --first 2 --last 2 --reference '" + (folder / "frame.%04d.exr").string() + "'")
+                  .code == 0);
+    }
+}
+
 TEST_CASE("what is no fault of the arguments or the input is exit code 1") {
     Folder const folder;
     write_sequence(folder, 1, 2);
@@ -95,4 +136,6 @@ TEST_CASE("what is no fault of the arguments or the input is exit code 1") {
     CHECK(ran.code == 1);
     CHECK(contains(ran.err, "out.0001.exr"));
     CHECK(contains(ran.err, "can't be written"));
+    check_refused(denoise(input(folder) + "--out '" + (folder / "out.0001.exr/x/%04d.exr").string() + "' --field-of-view 0"),
+                  {"--field-of-view"});
 }

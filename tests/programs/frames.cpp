@@ -136,37 +136,6 @@ TEST_CASE("chunks without --warmup make the frames of the whole run, to 0.1 % of
     CHECK_FALSE(std::filesystem::exists(folder / "bare.0075.exr"));
 }
 
-TEST_CASE("all chunks read the files as the first frame is recognised") {
-    Folder const folder;
-    for (int i = 1; i <= 4; ++i) { // the light passes add up to Combined from frame 3 on alone, for want of some of them
-        auto const noisy = noisy_image({48, 32}, i);
-        io::ExrImage image{.size = noisy.size};
-        auto const put = [&](std::string const& name, std::function<float(std::size_t)> const& f) {
-            io::Plane plane{.name = "V." + name, .values = {}};
-            for (std::size_t k = 0; k < image.pixels(); ++k) plane.values.push_back(f(k));
-            image.planes.push_back(std::move(plane));
-        };
-        for (std::string const letter : {"R", "G", "B"}) {
-            auto const& values = noisy[letter].values;
-            put("DiffDir." + letter, [&](std::size_t k) { return values[k]; });
-            put("DiffCol." + letter, [](std::size_t) { return 0.5f; });
-            put("Combined." + letter, [&](std::size_t k) { return values[k] * (i < 3 ? 0.7f : 0.5f); });
-        }
-        for (std::string const name : {"Depth.Z", "Vector.X", "Vector.Y", "Normal.X", "Normal.Y", "Normal.Z"})
-            put(name, [&](std::size_t) { return name.ends_with("Z") ? 1.f : 0.f; });
-        io::write_exr(folder / numbered("frame.", i), image);
-    }
-    auto const remarks = [&](std::string const& more) {
-        auto const ran = denoise(input(folder) + output(folder) + "--quiet --json " + more);
-        INFO(ran.err);
-        REQUIRE(ran.code == 0);
-        return nlohmann::json::parse(ran.out)["remarks"].dump();
-    };
-    CHECK(contains(remarks(""), "don't add up to Combined"));
-    CHECK(contains(remarks("--chunk 2/2"), "don't add up to Combined"));
-    CHECK_FALSE(contains(remarks("--first 3"), "don't add up to Combined"));
-}
-
 TEST_CASE("a list of frames is written, and each frame is what the whole run makes of it") {
     Folder const folder;
     write_sequence(folder, 1, 12);

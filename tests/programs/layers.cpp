@@ -52,6 +52,7 @@ double unevenness(io::Plane const& plane, Extent size) {
     return sum;
 }
 std::vector<std::string> const picture_only{"0 B half", "0 G half", "0 R half"};
+std::vector<std::string> const picture_and_alpha{"0 A half", "0 B half", "0 G half", "0 R half"};
 
 Ran denoised(Folder const& folder, std::string const& more = "", std::string const& name = "out.") {
     auto const ran = denoise(input(folder) + output(folder, name) + "--quiet --preset general " + more);
@@ -74,8 +75,7 @@ TEST_CASE("all of a file comes out again, with the picture denoised, whatever it
             auto const before = whole_of(folder / "frame.0002.exr"), after = whole_of(folder / "out.0002.exr");
             bool const lossy = name.starts_with("b44") || name.starts_with("dwa");
             for (auto const& channel : different(before, after)) // light that is packed with loss is so again
-                CHECK((std::ranges::count(picture_only, channel) == 1 || (lossy && channel == "0 specular.R half") ||
-                       (lossy && channel == "0 A half")));
+                CHECK((std::ranges::count(picture_and_alpha, channel) == 1 || (lossy && channel == "0 specular.R half")));
             CHECK(before.channels.at("0 R half") != after.channels.at("0 R half"));
             if (!lossy) CHECK(before.attributes == after.attributes);
         }
@@ -116,7 +116,7 @@ TEST_CASE("what lies outside of the display window is denoised as if it lay insi
     Folder const region;
     write_frames(region, box(0, 0, 99, 79), {20, 30}, false, Imf::ZIP_COMPRESSION);
     denoised(region);
-    CHECK(different(whole_of(region / "frame.0002.exr"), whole_of(region / "out.0002.exr")) == picture_only);
+    CHECK(different(whole_of(region / "frame.0002.exr"), whole_of(region / "out.0002.exr")) == picture_and_alpha);
 }
 
 TEST_CASE("motion in parts of the image is of the display window") {
@@ -218,9 +218,10 @@ TEST_CASE("denoised signals are layers that add up to the picture exactly, which
     auto const map = "--map '" + (folder / "map.json").string() + "' ";
     denoised(folder, map);
     auto const out = io::read_exr(folder / "out.0002.exr");
-    CHECK(off_by(out, {"denoised_diffuse", "denoised_signals_1", "glow"}, "beauty") == 0.f);
+    // Some pixels of this beauty are far less than the glow that is added, whose rounding remains.
+    CHECK(off_by(out, {"denoised_diffuse", "denoised_signals_1", "denoised_rest", "glow"}, "beauty") <= 100.f * 0x1p-24f);
     CHECK(out["beauty.R"].type == io::SampleType::half);
-    CHECK(different(whole_of(folder / "frame.0002.exr"), whole_of(folder / "out.0002.exr")).size() == 3 + 6);
+    CHECK(different(whole_of(folder / "frame.0002.exr"), whole_of(folder / "out.0002.exr")).size() == 3 + 9);
     // Without a place in the map: R, G, B.
     write_bytes(folder / "map.json",
                 R"({"signals": [{"irradiance": "diffuse", "albedo": "albedo"}, {"radiance": "reflection", "albedo": 1}]})");
@@ -282,14 +283,14 @@ TEST_CASE("Blender's files keep all passes, Combined is denoised, and its layers
     REQUIRE(ran.code == 0);
     auto const before = whole_of(from / "frame_0040.exr"), after = whole_of(folder / "out.0040.exr");
     auto const changed = different(before, after);
-    CHECK(changed.size() == 3 + 6);
+    CHECK(changed.size() == 3 + 9);
     for (auto const& name : changed) CHECK((contains(name, " ViewLayer.Combined.") || contains(name, " ViewLayer.denoised_")));
     CHECK_FALSE(std::ranges::count(changed, "0 ViewLayer.Combined.A half"));
     CHECK(before.attributes == after.attributes);
     CHECK(off_by(io::read_exr(folder / "out.0040.exr"),
-                 {"ViewLayer.denoised_diffuse", "ViewLayer.denoised_glossy", "ViewLayer.Emit", "ViewLayer.Env"},
+                 {"ViewLayer.denoised_diffuse", "ViewLayer.denoised_glossy", "ViewLayer.denoised_rest", "ViewLayer.Emit", "ViewLayer.Env"},
                  "ViewLayer.Combined") == 0.f);
     CHECK(denoise("--in '" + (from / "frame_%04d.exr").string() + "' --frames 40 --quiet --layers picture,signals,Depth " + output(folder))
               .code == 0);
-    CHECK(io::ExrFile(folder / "out.0040.exr").channels.size() == 4 + 6 + 1);
+    CHECK(io::ExrFile(folder / "out.0040.exr").channels.size() == 4 + 9 + 1);
 }

@@ -50,6 +50,36 @@ TEST_CASE("channels that only some presets read can be named too") {
           Names{"change.X", "change.Y", "bx", "by", "mirrored.X", "mirrored.Y"});
 }
 
+TEST_CASE("offsets, and depths without a surface") {
+    auto const names = map(R"({"channels": {"normal": {"from": "N", "scale": 2, "offset": -1}, "depth": {"from": "Z", "offset": 0.5},
+                                            "motion": [{"from": "u", "scale": 64, "offset": -32}, "v"]}, "miss_to": 0})");
+    auto const& channels = names.of_signals[0].channels;
+    for (auto const& source : channels.sources.at("normal")) CHECK((source.scale == 2.f && source.offset == -1.f));
+    CHECK(channels.sources.at("depth")[0].offset == 0.5f);
+    CHECK(channels.sources.at("motion")[0].offset == -32.f);
+    CHECK(channels.sources.at("motion")[1].offset == 0.f);
+    CHECK(channels.miss_to == 0.f);
+}
+
+TEST_CASE("names that stand for each other, and letters, go by what the file has") {
+    Folder const folder;
+    io::ExrImage image{.size = {4, 3}};
+    for (auto const* const name : {"c.r", "c.g", "c.b", "N.R", "N.G", "N.B", "d.Z"})
+        image.planes.push_back(plane(name, image.size, [](int, int) { return 1.f; }));
+    io::write_exr(folder / "f.exr", image);
+    io::ExrFile const file(folder / "f.exr");
+    std::string const text =
+        R"({"channels": {"radiance": {"first_of": ["beauty", "c"]}, "normal": {"first_of": ["N", [0, 0, 1]]}, "depth": "d",
+                                              "albedo": {"first_of": ["paint", 1]}, "motion": {"first_of": ["mv", ["a", "b"]]}}})";
+    auto const with = parse_map(text, "map.json", &file).of_signals[0].channels;
+    CHECK(io::planes_of(Channels<Radiance, Normal, Depth>{}, with) == Names{"c.r", "c.g", "c.b", "N.R", "N.G", "N.B", "d.Z"});
+    CHECK(io::planes_of(with.sources.at("albedo")).empty());
+    CHECK(with.sources.at("albedo")[1].scale == 1.f);
+    CHECK(io::planes_of(with.sources.at("motion")) == Names{"mv.X", "mv.Y"}); // it has neither: the message names the first
+    auto const without = map(text).of_signals[0].channels;
+    CHECK(io::planes_of(Channels<Radiance, Normal>{}, without) == Names{"beauty.R", "beauty.G", "beauty.B", "N.X", "N.Y", "N.Z"});
+}
+
 TEST_CASE("motion in another convention") {
     using C = MotionConvention;
     auto const names = map(R"({"motion": {"points": "from_previous", "unit": "ndc", "y": "up", "jitter": "left_in"}})");
@@ -91,9 +121,12 @@ TEST_CASE("mistakes are named with their place and what to write") {
     };
     check("", {"map.json", "isn't JSON"});
     check("{\"channels\": ", {"map.json", "isn't JSON"});
+    check(R"({"channels": {"depth": {"first_of": []}}})", {"channels.depth.first_of is []", "at least one"});
+    check(R"({"channels": {"depth": {"first_of": ["Z"], "scale": 2}}})", {"channels.depth.scale", "any of: first_of"});
+    check(R"({"channels": {"depth": {"from": "Z", "offset": "x"}}})", {"channels.depth.offset is \"x\"", "write a number"});
     check("[1]", {"map.json", "it is [1]", "write an object"});
     check(R"({"chanels": {}})",
-          {"map.json", "chanels is {}", "no member of that name", "channels, motion, depth, miss_from, shutter, signals, added"});
+          {"map.json", "chanels is {}", "no member of that name", "channels, motion, depth, miss_from, miss_to, shutter, signals, added"});
     check(R"({"channels": {"dept": "Z"}})", {"channels.dept is \"Z\"", "no such channel"});
     check(R"({"channels": 3})", {"channels is 3", "write an object"});
     check(R"({"channels": {"normal": ["a", "b"]}})", {"channels.normal is [\"a\",\"b\"]", "a list of 3"});
@@ -114,7 +147,8 @@ TEST_CASE("mistakes are named with their place and what to write") {
     std::string const brackets(100'000, '[');
     check(brackets, {"map.json", "deep in each other"});
     check("{\"motion\": " + brackets + std::string(brackets.size(), ']') + "}", {"map.json", "deep in each other"});
-    check_error([] { static_cast<void>(examples::read_map("/nowhere/map.json")); }, {"/nowhere/map.json", "can't be read"});
+    check_error([] { static_cast<void>(examples::read_map("/nowhere/map.json")); },
+                {"/nowhere/map.json", "can't be read", "one of: arnold, karma, "});
 }
 
 TEST_CASE("the example of a map is one, with every member, and stands in the documentation and in --help") {

@@ -115,7 +115,7 @@ TEST_CASE("what a program throws decides its exit code") {
     using quell::examples::exit_code_of;
     CHECK(exit_code_of("test", [] {}) == 0);
     CHECK(exit_code_of("test (this line is meant to be here)", [] { throw Error("a", "b", "c"); }) == 2);
-    CHECK(exit_code_of("test (this line is meant to be here)", [] { examples::store([] { throw Error("a", "b", "c"); }); }) == 1);
+    CHECK(exit_code_of("test (this line is meant to be here)", [] { throw Failure("a", "b", "c"); }) == 1);
     CHECK(exit_code_of("test (this line is meant to be here)", [] { throw std::runtime_error("two\nlines"); }) == 1);
     CHECK(exit_code_of("test (this line is meant to be here)", [] { throw 7; }) == 1);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/core/hooks.hpp>
 #include <quell/core/kernel.hpp>
 
 #include <algorithm>
@@ -21,14 +22,23 @@ struct BlendMemory {
 /// What is supposed of a blend policy that doesn't declare its memory: as long as the longest of the built-in presets.
 inline constexpr BlendMemory undeclared_memory{};
 
-/// How far back a blend policy remembers: what it declares; else what its member `inner` does, if it is a decorator and has one; else
+namespace detail {
+/// Whether a policy has another one, which it lists among its `parts`, as a member `inner`.
+template <class B>
+concept decorates = requires {
+    requires is_part<B, decltype(B::inner)>;
+};
+} // namespace detail
+
+/// How far back a blend policy remembers: what it declares; else what its member `inner` does, if that is one of its `parts`; else
 /// undeclared_memory.
 template <class B> [[nodiscard]] constexpr BlendMemory memory_of(B const& blend) {
+    static_assert(detail::check_hooks<B>());
     if constexpr (requires { blend.memory(); }) {
         static_assert(std::is_same_v<decltype(blend.memory()), BlendMemory>,
                       "memory() of a blend policy must be `constexpr BlendMemory memory() const`, see quell/blend/blend_memory.hpp");
         return blend.memory();
-    } else if constexpr (requires { blend.inner; })
+    } else if constexpr (detail::decorates<B>)
         return memory_of(blend.inner);
     else
         return undeclared_memory;

@@ -2,10 +2,20 @@
 
 #include <quell/blend/blend_policy.hpp>
 #include <quell/frame/cursor/taps.hpp>
+#include <quell/frame/hull.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
-// Ranges that a history can be clamped to.
+// Ranges that a history can be brought into. A range is a struct of numbers with a Gatherer for values V, which measures the neighbourhood:
+//
+//     explicit Gatherer(V const& centre)                   // a value to take differences from: it is not counted yet
+//     void add(V const& v, Real weight, int dx, int dy)    // each pixel of the neighbourhood once, the centre (0, 0) among them
+//     void finish(Range const& range)                      // after the last
+//
+// The weight is 0 for a missing sample and outside the image, and 1 else. A Gatherer then has
+//
+//     V low, high                                          // the past's components are clamped to them; or
+//     V clip(V const& past) const                          // the past, moved into the range in another way
 
 /// Range: minimum to maximum of the neighbourhood, per component.
 struct MinMax {
@@ -14,7 +24,7 @@ struct MinMax {
         using Real = real_of<V>;
         V low, high;
         QUELL_KERNEL explicit Gatherer(V const& centre) : low(centre), high(centre) {}
-        QUELL_KERNEL void add(V const& v, Real weight) {
+        QUELL_KERNEL void add(V const& v, Real weight, int, int) {
             auto const counts = weight > Real(0.f);
             low = map([&](auto a, auto b) QUELL_INLINED { return select(counts, min(a, b), a); }, low, v);
             high = map([&](auto a, auto b) QUELL_INLINED { return select(counts, max(a, b), a); }, high, v);
@@ -35,7 +45,7 @@ struct MeanDeviation {
         Real weight = Real(0.f);
         QUELL_KERNEL explicit Gatherer(V const& centre_) : low(zero<V>()), high(zero<V>()), centre(centre_) {}
         /// Sums differences from the centre: squares of HDR values would cancel.
-        QUELL_KERNEL void add(V const& v, Real w) {
+        QUELL_KERNEL void add(V const& v, Real w, int, int) {
             auto const d = map([](auto a, auto b) QUELL_INLINED { return a - b; }, v, centre);
             low = map([&](auto s, auto a) QUELL_INLINED { return s + a * w; }, low, d);
             high = map([&](auto s, auto a) QUELL_INLINED { return s + a * a * w; }, high, d);
@@ -53,6 +63,42 @@ struct MeanDeviation {
     };
     /// @endcond
 };
+
+namespace detail {
+template <class G, class V>
+concept Clips = requires(G const& bounds, V const& past) {
+    { bounds.clip(past) } -> std::same_as<V>;
+};
+template <class G>
+concept HasBounds = requires(G const& bounds) {
+    bounds.low, bounds.high;
+};
+/// Whether a range has a Gatherer as Clamped uses it, of the values of a colour.
+template <class Range, class V = vec3<float>>
+concept MeasuresRange = requires {
+    typename Range::template Gatherer<V>;
+}
+&&requires(typename Range::template Gatherer<V> bounds, Range const& range, V const& value) {
+    requires std::is_constructible_v<decltype(bounds), V const&>;
+    bounds.add(value, 1.f, 0, 0);
+    bounds.finish(range);
+    requires Clips<decltype(bounds), V> || HasBounds<decltype(bounds)>;
+};
+template <class Axes, class V = vec3<float>>
+concept IsAxes = requires(V const& v) {
+    { Axes::to(Axes::from(v)) } -> std::same_as<V>;
+};
+/// The past moved into what a Gatherer has measured.
+template <class G, class V> QUELL_KERNEL V clipped(G const& bounds, V const& past) {
+    if constexpr (Clips<G, V>)
+        return bounds.clip(past);
+    else {
+        static_assert(!NamesClip<G>,
+                      "`clip` of a Gatherer must be a function V clip(V const& past) const; any other member needs another name");
+        return map([](auto a, auto low, auto high) QUELL_INLINED { return clamp(a, low, high); }, past, bounds.low, bounds.high);
+    }
+}
+} // namespace detail
 
 // Colour spaces to clamp in.
 
@@ -74,13 +120,12 @@ struct YCoCg {
         else
             return {v.x * 0.25f + v.y * 0.5f + v.z * 0.25f, (v.x - v.z) * 0.5f, v.y * 0.5f - (v.x + v.z) * 0.25f};
     }
-    /// YCoCg to RGB. Negative components become 0.
+    /// YCoCg to RGB.
     template <class V> QUELL_KERNEL static V to(V const& v) {
-        using Real = real_of<V>;
-        if constexpr (components_of<V> != 3) return v;
-        // A corner of the box may have a negative colour.
+        if constexpr (components_of<V> != 3)
+            return v;
         else
-            return {max(v.x + v.y - v.z, Real(0.f)), max(v.x + v.z, Real(0.f)), max(v.x - v.y - v.z, Real(0.f))};
+            return {v.x + v.y - v.z, v.x + v.z, v.x - v.y - v.z};
     }
 };
 
@@ -90,11 +135,16 @@ struct YCoCg {
 ///     Clamped{RunningMean{}, MeanDeviation{.sigmas = 3}}
 ///
 /// @tparam Inner  a BlendPolicy
-/// @tparam Range  MinMax or MeanDeviation
+/// @tparam Range  MinMax, MeanDeviation, or one of the host's, see above
 /// @tparam Axes   Rgb or YCoCg
 /// @tparam radius of the neighbourhood, in pixels: 1 is 3x3
 template <class Inner, class Range = MeanDeviation, class Axes = Rgb, int radius = 1> struct Clamped {
     static_assert(BlendPolicy<Inner>, "Clamped{inner, range}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
+    static_assert(std::is_trivially_copyable_v<Range>,
+                  "Clamped{inner, range}: a policy must be trivially copyable, so that it can be sent to a device: plain numbers only");
+    static_assert(detail::MeasuresRange<Range>, "Clamped{inner, range}: `range` must have a Gatherer with add(value, weight, dx, dy), "
+                                                "finish(range), and `low` and `high` or clip(past), see quell/blend/clamped.hpp");
+    static_assert(detail::IsAxes<Axes>, "Clamped{inner, range, axes}: `axes` must have from(value) and to(value), such as YCoCg{}");
     using parts = Parts<Inner>;
 
     Inner inner{}; ///< blends the clamped history
@@ -109,12 +159,16 @@ template <class Inner, class Range = MeanDeviation, class Axes = Rgb, int radius
         using V = typename decltype(px)::Signal;
         using Real = typename decltype(px)::Real;
         typename Range::template Gatherer<V> bounds(Axes::from(px.signal()));
-        for_each_neighbour<radius>(px, [&](auto neighbour, auto weight, int, int) QUELL_INLINED {
-            bounds.add(Axes::from(neighbour.signal()), select(neighbour.missing(), Real(0.f), weight));
+        detail::Hull<V> seen(past.signal);
+        for_each_neighbour<radius>(px, [&](auto neighbour, auto weight, int dx, int dy) QUELL_INLINED {
+            auto const counted = select(neighbour.missing(), Real(0.f), weight);
+            bounds.add(Axes::from(neighbour.signal()), counted, dx, dy);
+            if constexpr (!std::is_same_v<Axes, Rgb>) seen.add(neighbour.signal(), counted > Real(0.f));
         });
         bounds.finish(range);
-        auto const inside = Axes::to(map([](auto a, auto low, auto high) QUELL_INLINED { return clamp(a, low, high); },
-                                         Axes::from(past.signal), bounds.low, bounds.high));
+        auto inside = Axes::to(detail::clipped(bounds, Axes::from(past.signal)));
+        // A corner of a box in other axes may be a colour that nothing around has.
+        if constexpr (!std::is_same_v<Axes, Rgb>) inside = seen.limited(inside);
         past.clamped = past.clamped + relative_change(inside, past.signal);
         past.signal = inside;
         return inner.blend(px, past);
@@ -124,7 +178,7 @@ private:
     /// Change of luminance over luminance before: w_C of TRMV eq. 8.
     template <class V> QUELL_KERNEL static auto relative_change(V const& after, V const& before) {
         auto const change = map([](auto a, auto b) QUELL_INLINED { return abs(a - b); }, after, before);
-        return luminance(change) / (luminance(before) + 1e-3f);
+        return luminance(change) / (abs(luminance(before)) + 1e-3f);
     }
 };
 template <class Inner> Clamped(Inner) -> Clamped<Inner>;

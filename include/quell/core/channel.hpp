@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/core/instruction_set.hpp>
+#include <quell/core/kernel.hpp>
 
 #include <concepts>
 #include <cstddef>
@@ -34,8 +34,32 @@ concept ChannelTag = std::is_empty_v<C> && requires {
     { C::name } -> std::convertible_to<std::string_view>;
 };
 
+namespace detail {
+/// Whether the address of a member is that of a `static constexpr T`.
+template <class Address, class T> inline constexpr bool is_constant = std::is_same_v<Address, T const*>;
+
+/// Whether what a channel says of itself, and what it has from Channel, is of the kind that quell reads.
+template <class C>
+concept SaysRightly = requires {
+    requires is_constant<decltype(&C::components), int> && is_constant<decltype(&C::fraction), int>;
+    requires is_constant<decltype(&C::full_precision), bool>;
+}
+&&(
+    !requires { C::made_by_stages; } || requires { requires is_constant<decltype(&C::made_by_stages), bool>; }) &&
+    (
+        !requires { C::squared; } || requires { requires is_constant<decltype(&C::squared), bool>; }) &&
+    (
+        !requires { C::always_half; } || requires { requires is_constant<decltype(&C::always_half), bool>; });
+} // namespace detail
+
 /// A set of channels, in order of first mention. Sets are values: `a | b` is their union.
-template <ChannelTag... Cs> struct Channels {
+template <class... Cs> struct Channels {
+    static_assert((ChannelTag<Cs> && ...), "Channels<...>: each must be a channel: an empty struct that derives from Channel<N> and has a "
+                                           "`static constexpr auto name = \"text\"`");
+    static_assert(
+        ((!ChannelTag<Cs> || detail::SaysRightly<Cs>)&&...),
+        "a channel must derive from Channel<N> or InternalChannel<N>; `components` and `fraction` must be `static constexpr int`, "
+        "`full_precision`, `made_by_stages`, `squared` and `always_half` `static constexpr bool`");
     /// Whether C is in the set.
     template <class C> static constexpr bool has = (std::is_same_v<C, Cs> || ...);
     /// The number of channels.

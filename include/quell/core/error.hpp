@@ -24,6 +24,12 @@ struct Error : std::runtime_error {
           remedy(std::move(remedy_)) {}
 };
 
+/// An Error that is no fault of the input: a file that can't be written, a device that fails, a call that a host should not make. Programs
+/// end with another exit code for it.
+struct Failure : Error {
+    using Error::Error;
+};
+
 /// What is called with an Error in a program that is compiled without exceptions. It ends the program, and does not return.
 using ErrorHandler = void (*)(Error const& error);
 
@@ -48,9 +54,10 @@ inline constinit std::atomic<ErrorHandler> error_handler = abort_on_error;
 inline ErrorHandler set_error_handler(ErrorHandler handler) { return detail::error_handler.exchange(handler ? handler : abort_on_error); }
 
 /// Every error of the headers outside `io` comes through here. Throws an Error, or calls the handler where exceptions are off.
+/// @tparam E Error or Failure
 /// @throws Error where exceptions are on
-[[noreturn]] inline void raise_error(std::string subject, std::string found, std::string remedy) {
-    Error error(std::move(subject), std::move(found), std::move(remedy));
+template <class E = Error> [[noreturn]] void raise_error(std::string subject, std::string found, std::string remedy) {
+    E error(std::move(subject), std::move(found), std::move(remedy));
 #if defined(__cpp_exceptions)
     throw error;
 #else

@@ -27,8 +27,11 @@
 /// common case nothing.
 #define QUELL_OUTLINED [[gnu::noinline]]
 
-/// Before a data member: one without data takes no space. In the ABI of cl.exe and clang-cl the standard attribute means nothing.
-#if defined(_MSC_VER) && !defined(__CUDACC__)
+/// Before a data member: one without data takes no space. In the ABI of cl.exe and clang-cl the standard attribute means nothing. nvcc lays
+/// such members out in one way for the device and in another for the host, so that what a kernel is given would arrive shifted.
+#if defined(__CUDACC__)
+#define QUELL_NO_UNIQUE_ADDRESS
+#elif defined(_MSC_VER)
 #if __has_cpp_attribute(msvc::no_unique_address)
 #define QUELL_NO_UNIQUE_ADDRESS [[msvc::no_unique_address]]
 #else
@@ -43,4 +46,12 @@
 #define QUELL_UNROLL _Pragma("unroll")
 #else
 #define QUELL_UNROLL _Pragma("GCC unroll 8")
+#endif
+
+/// Before a kernel's argument: threads read it where it lies. Without it, each would make a copy in its local memory. Devices before
+/// compute capability 7.0 do not have it.
+#if defined(__CUDA_ARCH__) && __CUDA_ARCH__ < 700
+#define QUELL_GRID_CONSTANT
+#elif defined(__CUDACC__)
+#define QUELL_GRID_CONSTANT __grid_constant__
 #endif

@@ -1,23 +1,12 @@
 #pragma once
 
-#include <quell/core/channel.hpp>
+#include <quell/core/hooks.hpp>
 
-#include <type_traits>
+#include <limits>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
-/// The policies that a policy is made of: `using parts = Parts<Inner>`. Declarations of the parts (`reads`, `keeps`, ...) count as
-/// declarations of the whole, which lists only what it adds.
-template <class... Ps> struct Parts {};
-
 namespace detail {
-template <class P> struct PartsOf { using type = Parts<>; };
-template <class P>
-    requires requires { typename P::parts; }
-struct PartsOf<P> {
-    using type = typename P::parts;
-};
-
 // What a policy itself declares, without its parts.
 template <class P> using OwnReads = typename P::reads;
 template <class P> using OwnRemembers = typename P::remembers;
@@ -35,17 +24,49 @@ template <template <class> class Own, class P> struct Declared {
     using type = typename DeclaredByParts<Own, typename PartsOf<P>::type>::type;
 };
 template <template <class> class Own, class P>
-    requires requires { typename Own<P>; }
+    requires is_channels<Own<P>>
 struct Declared<Own, P> {
     using type = union_of<Own<P>, typename DeclaredByParts<Own, typename PartsOf<P>::type>::type>;
 };
 
+template <class P> inline constexpr bool own_needs_camera = false;
+template <class P>
+    requires is_constant<decltype(&P::needs_camera), bool>
+inline constexpr bool own_needs_camera<P> = P::needs_camera;
 template <class P> constexpr bool needs_camera();
 template <class... Ps> constexpr bool any_needs_camera(Parts<Ps...>) { return (needs_camera<Ps>() || ...); }
-template <class P> constexpr bool needs_camera() {
-    if constexpr (requires { P::needs_camera; })
-        if (P::needs_camera) return true;
-    return any_needs_camera(typename PartsOf<P>::type{});
+template <class P> constexpr bool needs_camera() { return own_needs_camera<P> || any_needs_camera(typename PartsOf<P>::type{}); }
+
+/// Largest useful SIMD width of a pass: any, unless it says so.
+template <class Pass> inline constexpr int max_lanes_of = std::numeric_limits<int>::max();
+template <class Pass>
+    requires is_constant<decltype(&Pass::max_lanes), int>
+inline constexpr int max_lanes_of<Pass> = Pass::max_lanes;
+
+/// Whether a pass takes an even row and the next one at once, where its packs are half as wide as those of the instruction set.
+template <class Pass> inline constexpr bool takes_two_rows = false;
+template <class Pass>
+    requires is_constant<decltype(&Pass::two_rows), bool>
+inline constexpr bool takes_two_rows<Pass> = Pass::two_rows;
+
+/// Whether a filter says that none of its passes makes a new signal.
+template <class F> inline constexpr bool says_leaves_signal = false;
+template <class F>
+    requires is_constant<decltype(&F::leaves_signal), bool>
+inline constexpr bool says_leaves_signal<F> = F::leaves_signal;
+
+/// A pass's name for profilers and plans. Policies of the host may lack one.
+template <class Pass> inline constexpr auto pass_name = "filter";
+template <class Pass>
+    requires is_text<decltype(&Pass::name)>
+inline constexpr auto pass_name<Pass> = Pass::name;
+
+/// Whether what a pass makes goes into the history.
+template <class Pass> constexpr bool feeds_back(Pass const& pass) {
+    if constexpr (requires { requires std::is_same_v<decltype(pass.feedback()), bool>; })
+        return pass.feedback();
+    else
+        return false;
 }
 } // namespace detail
 
@@ -71,9 +92,8 @@ template <class P> inline constexpr bool needs_camera_of = detail::needs_camera<
 /// The divisor of the frame's width and height at which a pass runs: its `static constexpr int fraction`, or 1.
 template <class P> inline constexpr int fraction_of = 1;
 /// @cond
-// A data member of that name is something else.
 template <class P>
-    requires std::is_same_v<decltype(&P::fraction), int const*>
+    requires detail::is_constant<decltype(&P::fraction), int>
 inline constexpr int fraction_of<P> = P::fraction;
 /// @endcond
 

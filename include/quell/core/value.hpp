@@ -128,13 +128,14 @@ template <class Real> QUELL_KERNEL Real dot(vec3<Real> const& a, vec3<Real> cons
 /// luminance(v) + more, in as many operations as luminance(v).
 template <class V> QUELL_KERNEL auto luminance_plus(V const& v, real_of<V> more) {
     using Real = real_of<V>;
-    if constexpr (components_of<V> == 3)
+    if constexpr (components_of<V> == 3 || components_of<V> == 4)
         return fma(component<0>(v), Real(0.2126f), fma(component<1>(v), Real(0.7152f), fma(component<2>(v), Real(0.0722f), more)));
     else
         return fma(fold([](auto sofar, auto a) QUELL_INLINED { return sofar + a; }, Real(0.f), v), Real(1.f / components_of<V>), more);
 }
 
-/// Rec. 709 luminance of three components. For other shapes, the mean of the components.
+/// Rec. 709 luminance of a colour: three components, or four with alpha, which does not count. For other shapes, the mean of the
+/// components.
 template <class V> QUELL_KERNEL auto luminance(V const& v) { return luminance_plus(v, real_of<V>(0.f)); }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -58,7 +58,11 @@ template <class Px, class Source> QUELL_KERNEL auto rejection_of(Px const& px, S
     auto const found = source.previous(px);
     auto const place = sane(px, found);
     auto reason = code_of<Real>(Rejection::other_test);
-    if constexpr (requires { source.test.around(px); }) reason = refusal(px, place.where, source.test);
+    if constexpr (requires {
+                      requires is_part<Source, decltype(Source::test)>;
+                      requires is_surface_test<std::remove_cvref_t<decltype(Source::test)>>;
+                  })
+        reason = refusal(px, place.where, source.test);
     auto const says = both(is_finite(found.where.x), is_finite(found.where.y), found.validity > Real(0.f));
     reason = select(place.validity > Real(0.f), reason, code_of<Real>(Rejection::outside));
     return select(says, reason, code_of<Real>(Rejection::no_motion));
@@ -68,14 +72,14 @@ template <class Px, class Source> QUELL_KERNEL auto rejection_of(Px const& px, S
 template <class Px, class Source, class Fetch>
 QUELL_KERNEL auto source_of(Px const& px, Source const& source, Fetch const& fetch, float index) {
     using Real = typename Px::Real;
-    if constexpr (requires { source.rest; }) {
+    if constexpr (is_chain<Source>) {
         auto const here = fetch.fetch(px, source.first.previous(px)).validity > Real(0.f);
         return select(here, Real(index), source_of(px, source.rest, fetch, index + 1.f));
     } else
         return masked(fetch.fetch(px, source.previous(px)).validity > Real(0.f), Real(index));
 }
 template <class Source> QUELL_KERNEL auto const& first_of(Source const& source) {
-    if constexpr (requires { source.rest; })
+    if constexpr (is_chain<Source>)
         return source.first;
     else
         return source;

@@ -3,6 +3,7 @@
 #include <quell/execute/executor.hpp>
 
 #include <oneapi/tbb/blocked_range2d.h>
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -16,7 +17,9 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 template <class Each = Simd> struct Threads {
     static constexpr int max_count = 1024; ///< limit of `count`: oneTBB allocates memory for each thread and crashes where that fails
 
-    int count = 0;    ///< threads, at most `max_count`; 0: those of the calling arena
+    /// Threads: at most as many as oneTBB allows, which are the machine's or those of the host's global_control, and at most `max_count`.
+    /// 0: those of the calling arena.
+    int count = 0;
     Extent tile = {}; ///< pixels; width 0: whole rows, height 0: 16 rows, or fewer where threads would have less than four tiles each
     Each each{};      ///< executor of one tile
 
@@ -35,11 +38,17 @@ template <class Each = Simd> struct Threads {
                 oneapi::tbb::simple_partitioner{});
         };
         if (count == 0) return work();
-        oneapi::tbb::task_arena arena(std::clamp(count, 1, max_count));
+        oneapi::tbb::task_arena arena(std::clamp(count, 1, most_threads()));
         arena.execute(work);
     }
 
 private:
+    /// oneTBB prints a warning where an arena asks for more.
+    static int most_threads() {
+        using oneapi::tbb::global_control;
+        auto const allowed = global_control::active_value(global_control::max_allowed_parallelism);
+        return static_cast<int>(std::min(allowed, static_cast<std::size_t>(max_count)));
+    }
     /// The tile for a region. Whole rows are what prefetchers and address translation do best.
     Extent tile_in(Extent region) const {
         constexpr int usual_height = 16, tiles_per_thread = 4;

@@ -19,8 +19,9 @@ template <class Edge, bool guided, class Taps> struct AtrousLevel {
     Edge edge;
     int step = 1;
     Taps taps{};
-    bool feedback = false;
+    bool into_history = false;
 
+    constexpr bool feedback() const { return into_history; }
     QUELL_KERNEL auto filter(auto px) const {
         using Px = decltype(px);
         using Real = typename Px::Real;

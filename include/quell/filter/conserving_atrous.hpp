@@ -127,10 +127,10 @@ template <class Edge> struct ExchangeLevel {
         };
         for_each_edge_distance<true, 1>(
             px, step, around, [&](int i, int j) QUELL_INLINED { return taps.at(i, j); }, give_and_take);
-        // Among equal pixels, a pixel gives all of itself away.
-        auto const part = 1.f / (weights * (1.f - taps.centre));
-        auto const kept = 1.f - taken * part;
-        auto const value = map([&](auto a, auto s) QUELL_INLINED { return max(fma(s, part, a * kept), Real(0.f)); }, here, sum);
+        // Among equal pixels, a pixel gives all of itself away, but never more, whatever the weights are: the result lies between the taps.
+        auto const part = 1.f / max(weights * (1.f - taps.centre), taken);
+        auto const kept = max(1.f - taken * part, Real(0.f));
+        auto const value = map([&](auto a, auto s) QUELL_INLINED { return fma(s, part, a * kept); }, here, sum);
         return Result{finite_or(value, here)}.with(variance, finite_or(fma(noise, part * part, noise_here * (kept * kept)), noise_here));
     }
 };

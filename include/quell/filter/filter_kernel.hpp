@@ -5,19 +5,12 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
-namespace detail {
-/// Accepts any pass. nvcc takes no lambda inside a concept.
-struct AnyPass {
-    constexpr void operator()(auto const&) const {}
-};
-} // namespace detail
-
 /// A filter of one pass. It makes the signal anew from a pixel's neighbourhood:
 ///
 ///     auto filter(auto px) const                      // the new value, or Result{value}.with(channel it `emits`, value)...
 ///
-/// A kernel whose `feedback` is true makes the signal that goes into the history (Schied et al. 2017). Without one, that is the signal
-/// after Temporal.
+/// A kernel whose `constexpr bool feedback() const` gives true makes the signal that goes into the history (Schied et al. 2017). Without
+/// one, that is the signal after Temporal.
 template <class F>
 concept OnePassFilter = std::is_trivially_copyable_v<F> && requires(F const f, detail::Probe<F> px) {
     { detail::as_result(f.filter(px)).value } -> std::convertible_to<typename detail::Probe<F>::Signal>;
@@ -35,23 +28,32 @@ concept EmittingKernel = std::is_trivially_copyable_v<F> && requires(F const f, 
 ///
 /// One whose passes all leave the signal alone says `static constexpr bool leaves_signal = true`.
 template <class F>
-concept FilterKernel = std::is_trivially_copyable_v<F> &&
-    (OnePassFilter<F> || EmittingKernel<F> || requires(F const f) { f.for_each_pass(detail::AnyPass{}); });
+concept FilterKernel = std::is_trivially_copyable_v<F> &&(OnePassFilter<F> || EmittingKernel<F> || detail::HasPasses<F>);
 
 namespace detail {
 /// What an edge weight prepares for a tap: toward(dx, dy) where there is one, else itself.
 template <class Around> QUELL_KERNEL decltype(auto) edge_toward(Around const& around, int dx, int dy) {
     if constexpr (requires { around.toward(dx, dy); })
         return around.toward(dx, dy);
-    else
+    else {
+        static_assert(!NamesToward<Around>,
+                      "`toward` of what around(px) of an edge weight returns must be a function toward(int dx, int dy) const; "
+                      "any other member needs another name");
         return (around);
+    }
 }
 /// What a sum of distances starts with.
 template <class Around> QUELL_KERNEL float edge_offset(Around const& around) {
-    if constexpr (requires { around.offset(); })
+    if constexpr (requires {
+                      { around.offset() } -> std::convertible_to<float>;
+                  })
         return around.offset();
-    else
+    else {
+        static_assert(!NamesOffset<Around>,
+                      "`offset` of what around(px) of an edge weight returns must be a function float offset() const; "
+                      "any other member needs another name");
         return 0.f;
+    }
 }
 } // namespace detail
 
@@ -101,6 +103,9 @@ namespace detail {
 /// @tparam skips_missing missing samples, where they are still marked, get weight 0
 template <bool skips_missing, int radius = 2, class Px, class Around, class Bits, class Visit>
 QUELL_KERNEL void for_each_edge_distance(Px const& px, int step, Around const& around, Bits&& bits_of, Visit&& visit) {
+    static_assert(
+        requires(typename Px::Real sum) { sum = edge_toward(around, 1, 1).distance(px, sum); },
+        "distance(near, sum) of an edge weight must take and return the cursor's Real: `typename decltype(px)::Real`");
     auto const usable = [](auto const& neighbour, auto start) QUELL_INLINED {
         if constexpr (skips_missing && Px::Scope::marks_missing)
             return select(neighbour.missing(), decltype(start)(too_far), start);

@@ -2,6 +2,8 @@
 
 #include <quell/filter/conserving_atrous.hpp>
 #include <quell/filter/least_squares.hpp>
+#include <quell/filter/restore_light.hpp>
+#include <quell/frame/hull.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
@@ -16,12 +18,6 @@ struct UnfilteredVariance : InternalChannel<1> {
     /// @endcond
 };
 inline constexpr UnfilteredVariance unfiltered_variance;
-/// Mean luminance over a window: of the pilot (x), which has all of the light, and of the fit (y).
-struct LightOfPilotAndFit : InternalChannel<2> {
-    static constexpr auto name = "light_of_pilot_and_fit";
-};
-inline constexpr LightOfPilotAndFit light_of_pilot_and_fit;
-
 namespace detail {
 /// Copies the signal for the fit; level 0 also copies its variance.
 template <int level, int n> struct KeepLight {
@@ -56,7 +52,7 @@ template <class Edge, int n> struct RegressionOnGuides {
     template <int level> using Light = LessFilteredLight<level, n>;
     using parts = Parts<Edge>;
     using reads = Channels<Normal, HistoryLength, Variance, UnfilteredVariance, Light<0>, Light<1>, Light<2>>;
-    using emits = Channels<LightOfPilotAndFit>;
+    using emits = Channels<LightOfPilotAndFit, FreedomOfFit>;
     Edge edge;
     float width, min_width, max_width, tolerance, sigma_light, sigma_noise;
 
@@ -67,15 +63,17 @@ template <class Edge, int n> struct RegressionOnGuides {
         auto const noise = deviation_around(px);
         Centre<Px, decltype(edge.around(px))> const centre{
             px, edge.around(px), pilot, px[normal], px[variance], noise, inverse_square_width(noise, luminance(pilot))};
-        LeastSquares<typename Px::Signal> fit;
-        add_ring<0>(centre, fit, 0, 2, 1);
-        add_ring<1>(centre, fit, 3, 9, 3);
-        add_ring<2>(centre, fit, 12, 24, 6);
+        Window<typename Px::Signal> window{{}, Hull<typename Px::Signal>(pilot)};
+        add_ring<0>(centre, window, 0, 2, 1);
+        add_ring<1>(centre, window, 3, 9, 3);
+        add_ring<2>(centre, window, 12, 24, 6);
         constexpr float ridge[] = {0.02f, 0.02f, 2e-5f, 2e-5f, 2e-5f};
-        auto const value = map([](auto a) QUELL_INLINED { return max(a, Real(0.f)); }, fit.constant(ridge));
-        auto const known = both(fit.weights > Real(1e-6f), all_finite(value));
-        auto const result = select(known, value, pilot);
-        return Result{result}.with(light_of_pilot_and_fit, vec2<Real>{luminance(pilot), luminance(result)});
+        auto const value = window.fit.constant(ridge);
+        auto const known = both(window.fit.weights > Real(1e-6f), all_finite(value));
+        auto const result = select(known, window.seen.limited(value), pilot);
+        return Result{result}
+            .with(light_of_pilot_and_fit, vec2<Real>{luminance(pilot), luminance(result)})
+            .with(freedom_of_fit, select(known, freedom(result, window.seen), Real(1.f)));
     }
 
 private:
@@ -87,6 +85,23 @@ private:
         vec3<Real> n_here;
         Real pilot_variance, noise, per_square;
     };
+    /// What a fit is of, and the range of its values.
+    template <class V> struct Window {
+        LeastSquares<V> fit;
+        Hull<V> seen;
+    };
+    /// See FreedomOfFit.
+    template <class V> QUELL_KERNEL static auto freedom(V const& value, Hull<V> const& seen) {
+        using Real = real_of<V>;
+        auto const of_component = [](Real a, Real low, Real high) QUELL_INLINED {
+            // Away from 0 and towards it, for both signs.
+            auto const size = max(abs(a), Real(1e-20f)), farther = select(a < Real(0.f), -low, high),
+                       nearer = select(a < Real(0.f), -high, low);
+            return min(farther / size, size / max(nearer, Real(1e-20f)));
+        };
+        auto const each = map(of_component, value, seen.low, seen.high);
+        return fold([](auto least, auto a) QUELL_INLINED { return min(least, a); }, Real(2.f), each);
+    }
 
     /// Standard deviation of the accumulated light, over 5x5 pixels.
     template <class Px> QUELL_KERNEL static auto deviation_around(Px const& px) {
@@ -108,17 +123,17 @@ private:
         return 1.f / (w * w);
     }
     /// Adds a square ring of taps. Each stands for stride x stride pixels, and reads light filtered about that wide.
-    template <int level, class C, class Fit> QUELL_KERNEL void add_ring(C const& centre, Fit& fit, int inner, int outer, int stride) const {
+    template <int level, class C, class W> QUELL_KERNEL void add_ring(C const& centre, W& window, int inner, int outer, int stride) const {
         float const area = weight_bits(static_cast<float>(stride * stride));
         for (int dy = -outer; dy <= outer; dy += stride) {
             auto const beside = centre.px.at(0, dy);
             if (!beside.row_inside) continue;
             bool const across = dy <= -inner || dy >= inner;
             for (int dx = -outer; dx <= outer; dx += stride)
-                if (across || dx <= -inner || dx >= inner) add_tap<level>(centre, fit, dx, dy, area);
+                if (across || dx <= -inner || dx >= inner) add_tap<level>(centre, window, dx, dy, area);
         }
     }
-    template <int level, class C, class Fit> QUELL_KERNEL void add_tap(C const& centre, Fit& fit, int dx, int dy, float area) const {
+    template <int level, class C, class W> QUELL_KERNEL void add_tap(C const& centre, W& window, int dx, int dy, float area) const {
         using Real = typename C::Real;
         auto const tap = centre.px.at(dx, dy);
         float const across = static_cast<float>(dx), down = static_cast<float>(dy);
@@ -129,45 +144,16 @@ private:
         auto const there = tap.signal();
         auto const of_pilot = sqrt(centre.pilot_variance + tap[variance]) * sigma_light;
         auto const allowed =
-            fma(luminance(centre.pilot) + luminance(there), Real(tolerance), fma(centre.noise, Real(sigma_noise), of_pilot));
+            fma(abs(luminance(centre.pilot) + luminance(there)), Real(tolerance), fma(centre.noise, Real(sigma_noise), of_pilot));
         distance = fma(largest_difference(there, centre.pilot), 1.f / (allowed + 1e-20f), distance);
         auto const w = edge_weight(distance, area) * min(tap[history_length], Real(1e4f));
         auto const n_there = tap[normal];
         Real const at[] = {Real(across / 12.f), Real(down / 12.f), n_there.x - centre.n_here.x, n_there.y - centre.n_here.y,
                            n_there.z - centre.n_here.z};
-        fit.add(at, tap[Light<level>{}], w);
-    }
-};
-
-/// Mean of five pixels of a row or a column.
-struct LightLine {
-    static constexpr auto name = "light of pilot and fit";
-    using reads = Channels<LightOfPilotAndFit>;
-    using emits = Channels<LightOfPilotAndFit>;
-    int step;
-    bool vertical;
-
-    QUELL_KERNEL auto emit_channels(auto px) const {
-        using Real = typename decltype(px)::Real;
-        Real pilot(0.f), fit(0.f);
-        for_each_of_five(px, step, vertical, [&](auto const& neighbour, auto inside) QUELL_INLINED {
-            auto const light = neighbour[light_of_pilot_and_fit];
-            pilot = pilot + masked(inside, light.x);
-            fit = fit + masked(inside, light.y);
-        });
-        return emitted<Real>(light_of_pilot_and_fit, vec2<Real>{pilot * 0.2f, fit * 0.2f});
-    }
-};
-/// Scales the fit to the pilot's mean luminance around the pixel.
-struct RestoreLight {
-    static constexpr auto name = "restore light";
-    using reads = Channels<LightOfPilotAndFit>;
-
-    QUELL_KERNEL auto filter(auto px) const {
-        using Real = typename decltype(px)::Real;
-        auto const light = px[light_of_pilot_and_fit];
-        auto const factor = clamp(light.x / max(light.y, Real(1e-20f)), Real(0.5f), Real(2.f));
-        return Result{finite_or(scale(px.signal(), factor), px.signal())};
+        auto const light = tap[Light<level>{}];
+        window.fit.add(at, light, w);
+        // Less is of another surface, or outside the image.
+        window.seen.add(light, w > Real(1e-9f));
     }
 };
 

@@ -38,14 +38,15 @@ template <class Spline> struct SplineBits {
                 at[i][j] = static_cast<float>(std::bit_cast<std::int32_t>(Spline::weights[i] * Spline::weights[j]));
     }
 };
-template <class Spline> inline constexpr SplineBits<Spline> spline_bits;
-
 /// Taps that are the same in all levels: constants of the kernel.
 template <class Spline> struct SplineTaps {
     static constexpr int radius = SplineBits<Spline>::radius;
     static constexpr float centre = Spline::weights[0] * Spline::weights[0];
     /// The bits of the weight of a tap other than the centre, by |column| and |row|.
-    static constexpr float at(int i, int j) { return spline_bits<Spline>.at[i][j]; }
+    static constexpr float at(int i, int j) {
+        constexpr SplineBits<Spline> bits; // in here, since a device cannot read a table of the class
+        return bits.at[i][j];
+    }
 };
 /// 3x3 taps as a value, so that levels of different taps are one kernel.
 struct NearestTaps {

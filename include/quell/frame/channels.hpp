@@ -13,6 +13,11 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 struct Radiance : Channel<3> {
     static constexpr auto name = "radiance"; ///< EXR layer
 };
+/// Radiance and alpha of a film that is transparent where nothing was hit: premultiplied, as renderers write them. Both are filtered by the
+/// same weights, those of the colour.
+struct RadianceAlpha : Channel<4> {
+    static constexpr auto name = "radiance_alpha"; ///< EXR layer
+};
 /// Diffuse reflectance in [0, 1], by which the signal is demodulated. 1 for a miss and on emitters.
 struct Albedo : Channel<3> {
     static constexpr auto name = "albedo"; ///< EXR layer
@@ -177,6 +182,7 @@ template <ChannelTag Signal> struct SweepOf : Channel<2> {
 // What code indexes with: frame[radiance], px[radiance].
 /// @cond
 inline constexpr Radiance radiance;
+inline constexpr RadianceAlpha radiance_alpha;
 inline constexpr Albedo albedo;
 inline constexpr Normal normal;
 inline constexpr Depth depth;

@@ -34,6 +34,18 @@ template <class Storage, class... Cs> struct Views<Storage, Channels<Cs...>> : d
 /// @tparam Storage Planar, Interleaved, Borrowed, or the host's own ImageStorage
 template <class Set, ImageStorage Storage = Planar<>> struct Frame;
 
+namespace detail {
+/// What Frame takes after its size.
+template <class T>
+concept PartOfFrame = ImageStorage<T> || requires {
+    typename T::reads;
+};
+template <class Set, class Storage> std::true_type a_frame(Frame<Set, Storage> const*);
+std::false_type a_frame(void const*);
+template <class T> inline constexpr bool is_frame = decltype(a_frame(static_cast<T const*>(nullptr)))::value;
+template <class First> inline constexpr bool begins_no_frame = !std::is_convertible_v<First const&, Extent> && !is_frame<First>;
+} // namespace detail
+
 /// The input of one frame: an image for each channel of the set, the camera, the frame's number and the shutter.
 template <class... Cs, class Storage> struct Frame<Channels<Cs...>, Storage> : detail::Slot<Cs, ImageOf<Storage, Cs>>... {
     using channels = Channels<Cs...>; ///< those that it has
@@ -53,7 +65,18 @@ template <class... Cs, class Storage> struct Frame<Channels<Cs...>, Storage> : d
     /// @throws Error for a size of no pixels
     template <class... Ps>
     explicit Frame(Extent size_, Ps const&...)
-        : detail::Slot<Cs, ImageOf<Storage, Cs>>{ImageOf<Storage, Cs>(divided(checked(size_), Cs::fraction))}..., size(size_) {}
+        : detail::Slot<Cs, ImageOf<Storage, Cs>>{ImageOf<Storage, Cs>(divided(checked(size_), Cs::fraction))}..., size(size_) {
+        static_assert((detail::PartOfFrame<Ps> && ...),
+                      "Frame{size, pipelines..., storage}: what follows the size must be pipelines, and a "
+                      "storage as quell/image/image_storage.hpp describes it");
+    }
+    /// @cond
+    template <class First, class... Rest>
+        requires(detail::begins_no_frame<First> && !(std::is_arithmetic_v<First> && sizeof...(Rest) < 2)) // Frame({width, height}) is one
+    explicit Frame(First const&, Rest const&...) {
+        static_assert(sizeof(First) == 0, "Frame{size, pipelines..., storage}: the size comes first, an Extent{width, height}");
+    }
+    /// @endcond
 
     /// The image of a channel. One that the frame lacks does not compile, and makes a requires-expression false.
     template <ChannelTag C>
@@ -78,7 +101,7 @@ template <class... Cs, class Storage> struct Frame<Channels<Cs...>, Storage> : d
 private:
     static Extent checked(Extent size) {
         if (size.width > 0 && size.height > 0) return size;
-        raise_error("frame size", to_string(size), "give a width and a height of at least one pixel");
+        raise_error<Failure>("frame size", to_string(size), "give a width and a height of at least one pixel");
     }
 };
 
@@ -93,5 +116,10 @@ template <ImageStorage P, class... Ps> struct FrameStorage<P, Ps...> { using typ
 
 /// The channels and the storage follow from the arguments.
 template <class... Ps> Frame(Extent, Ps const&...) -> Frame<detail::frame_channels<Ps...>, typename detail::FrameStorage<Ps...>::type>;
+/// @cond
+template <class First, class... Rest>
+    requires detail::begins_no_frame<First> Frame(First const&, Rest const&...)
+->Frame<Channels<>>;
+/// @endcond
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -2,7 +2,7 @@
 
 #include <quell/core/error.hpp>
 #include <quell/image/format.hpp>
-#include <quell/image/image_storage.hpp>
+#include <quell/image/interleaved.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
@@ -22,6 +22,7 @@ template <class Format = Float32> struct Borrowed {
     static_assert(ComponentFormat<Format>,
                   "Borrowed<Format>: `Format` must be Float32, Float16 or another format, see quell/image/format.hpp");
     using Exact = Borrowed<Float32>;           ///< storage of channels that need 32 bits
+    using Copy = Interleaved<Format>;          ///< where quell keeps a guide that it has to repair
     static constexpr bool owns_memory = false; ///< history cannot use it
     static constexpr auto name = "borrowed";   ///< for messages
     using format = Format;                     ///< how a component is stored
@@ -43,6 +44,15 @@ template <class Format = Float32> struct Borrowed {
         Image(Element const* data_, Extent size, std::ptrdiff_t pixel, std::ptrdiff_t row, std::ptrdiff_t component = 1)
             : data(data_), extent(size), pixel_stride(pixel), row_stride(row), component_stride(component) {}
 
+        /// A pixel.
+        [[nodiscard]] Value<N, float> const get(int x, int y) const { return view().get(x, y); }
+        /// A component of a pixel.
+        [[nodiscard]] float get(int c, int x, int y) const { return view().get(c, x, y); }
+        /// @cond
+        template <class... Args> void set(Args const&...) const {
+            static_assert(sizeof...(Args) < 0, "image.set(x, y, value): a Borrowed image is read only; write to the host's own memory");
+        }
+        /// @endcond
         [[nodiscard]] Extent size() const { return extent; }  ///< pixels
         [[nodiscard]] std::size_t bytes() const { return 0; } ///< 0: it owns no memory
         /// The view that kernels use.
@@ -56,7 +66,14 @@ template <class Format = Float32> struct Borrowed {
             Extent size;
             std::ptrdiff_t pixel_stride, row_stride, component_stride;
 
+            static View of_copy(auto const& copy) {
+                if constexpr (N == 1)
+                    return {copy.planes[0], copy.size, 1, copy.row_stride(), 1};
+                else
+                    return {copy.data, copy.size, N, copy.row_stride(), 1};
+            }
             QUELL_KERNEL float get(int c, int x, int y) const { return Format::get(at(c, x, y)); }
+            QUELL_KERNEL Value<N, float> const get(int x, int y) const { return load<float>(x, y); }
             QUELL_KERNEL void set(int, int, int, float) const {} // a host's input is never written
             template <class Real> QUELL_KERNEL Value<N, Real> load(int x, int y) const {
                 bool const side_by_side = pixel_stride == 1 && x >= 0 && x + width_of<Real> <= size.width;

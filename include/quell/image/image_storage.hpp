@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/core/channel.hpp>
 #include <quell/core/value.hpp>
 #include <quell/image/extent.hpp>
 
@@ -19,6 +20,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 ///     Real load_component<Real>(int c, int x, int y) const;    // the same for one component
 ///     Value<N, Real> gather<Real>(Index x, Index y) const;     // scattered pixels, all inside the image
 ///     void store<Real>(int x, int y, Value<N, Real>) const;    // all lanes inside the image or in the row's padding
+///     auto squares() const;                                    // a view that stores roots and gives and takes squares: see below
 ///
 /// `load` must accept an x up to `width_of<Real>` pixels outside the row on either side. Lanes outside must be finite; their values are not
 /// used.
@@ -30,11 +32,22 @@ concept ImageView = std::is_trivially_copyable_v<V> && requires(V const v, int i
     v.set(i, i, i, a);
 };
 
-/// Who owns the memory of images and how pixels are laid out: `Storage::Image<N>(size).view()` is an ImageView of N components.
+/// Who owns the memory of images and how pixels are laid out: `Storage::Image<N>(size).view()` is an ImageView of N components. Histories
+/// call
+///
+///     explicit Image(Extent size);  View view() const;  std::size_t bytes() const;    // what it takes
+///
+/// and hosts, which fill a frame,
+///
+///     Value<N, float> get(int x, int y) const;  void set(int x, int y, Value<N, float> const&);
+///
 /// `Storage::Exact` is the storage for channels with `full_precision`; a storage of 32-bit floats names itself. `Storage::Half`, if it has
-/// one, is the storage for channels with `always_half`. If its views have `View::Plane`, the type of an image of one component, and
-/// `View::of(std::array<std::shared_ptr<Plane>, N>)`, a history puts images together from such planes, which takes less memory.
-/// Models: Planar, Interleaved, Borrowed.
+/// one, is the storage for channels with `always_half`. Variances (`squared`) go to Exact, unless the views have `squares()`: a view of the
+/// same memory, in a format that holds their roots. If its views have `View::Plane`, the type of an image of one component, and
+/// `View::of(std::array<std::shared_ptr<Plane>, N>)`, a history puts images together from such planes, which takes less memory. One that
+/// does not own its memory may name a storage that does, `Copy`, and make a view of its image, `View::of_copy(view)`: guides that have to
+/// be repaired are copied there, and stay as they are otherwise. `Storage::Memory`, if it has one, is the ImageMemory in which a history
+/// keeps the counts that kernels write. Models: Planar, Interleaved, Borrowed.
 template <class S>
 concept ImageStorage = requires(Extent size) {
     { typename S::template Image<3>(size).view() } -> ImageView;
@@ -43,10 +56,14 @@ concept ImageStorage = requires(Extent size) {
 
 /// Whether quell can allocate and write images of this storage: its `owns_memory`, or true.
 template <class Storage> constexpr bool owns_memory() {
-    if constexpr (requires { Storage::owns_memory; })
+    if constexpr (requires { requires detail::is_constant<decltype(&Storage::owns_memory), bool>; })
         return Storage::owns_memory;
-    else
+    else {
+        static_assert(
+            !requires(Storage const& storage) { storage.owns_memory; },
+            "`owns_memory` of a storage must be `static constexpr bool`; any other member needs another name");
         return true;
+    }
 }
 
 namespace detail {
@@ -58,7 +75,7 @@ template <class C> constexpr bool is_squared() {
 }
 template <class View>
 concept ViewsSquares = requires(View const& view) {
-    view.squares();
+    { view.squares() } -> ImageView;
 };
 /// Whether a channel goes to S::Exact: it needs full precision, or it is squared and S has no format for squares.
 template <ImageStorage S, ChannelTag C>
@@ -70,7 +87,7 @@ inline constexpr bool stored_exactly = C::full_precision ||
 template <ImageStorage S, ChannelTag C> constexpr auto storage_of() {
     if constexpr (requires {
                       requires C::always_half;
-                      typename S::Half;
+                      requires ImageStorage<typename S::Half>;
                   })
         return std::type_identity<typename S::Half>{};
     else if constexpr (stored_exactly<S, C>)

@@ -8,6 +8,7 @@ namespace detail {
 /// A view of an interleaved image.
 template <class Format, int N> struct InterleavedView {
     using Element = typename Format::Element;
+    using Memory = HostMemory;                                    ///< where images lie
     using Squares = InterleavedView<typename Format::Squares, N>; ///< a view of the same memory as variances
     static constexpr int components = N, pixel_step = N;
 
@@ -25,6 +26,7 @@ template <class Format, int N> struct InterleavedView {
     static std::ptrdiff_t elements(Extent size) { return row_stride(size) * size.height + 2 * padding * N; }
 
     QUELL_KERNEL float get(int c, int x, int y) const { return Format::get(at(c, x, y)); }
+    QUELL_KERNEL Value<N, float> const get(int x, int y) const { return load<float>(x, y); }
     QUELL_KERNEL void set(int c, int x, int y, float a) const { Format::set(at(c, x, y), a); }
 
     template <class Real> QUELL_KERNEL Value<N, Real> load(int x, int y) const {
@@ -80,7 +82,8 @@ template <class Format = Float32> struct Interleaved {
     using format = Format;                      ///< how a component is stored
     /// An image of N components. Of one component, it is a plane.
     template <int N>
-    using Image = detail::PaddedImage<std::conditional_t<N == 1, detail::PlanarView<Format, 1>, detail::InterleavedView<Format, N>>>;
+    using Image =
+        detail::PaddedImage<std::conditional_t<N == 1, detail::PlanarView<Format, 1, HostMemory>, detail::InterleavedView<Format, N>>>;
 };
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -3,10 +3,10 @@
 #include <quell/core/error.hpp>
 #include <quell/image/format.hpp>
 #include <quell/image/image_storage.hpp>
+#include <quell/image/memory.hpp>
 
 #include <algorithm>
 #include <memory>
-#include <new>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
@@ -24,13 +24,19 @@ QUELL_KERNEL std::ptrdiff_t padded_width(Extent size) {
     return ((static_cast<std::ptrdiff_t>(size.width) + padding - 1) & -padding) + padding;
 }
 
-/// An image with padded rows that owns zero-initialised memory, aligned to 64 bytes. Packs gather by 32-bit offsets, which limits the size.
-/// Copies have memory of their own.
+/// Whether a T can be a pixel of so many components, all of which it has: GLM makes a vec3 of a vec4.
+template <class T, int components>
+inline constexpr bool is_value = std::is_convertible_v<T const&, Value<components, float>> &&
+                                 (components_of<T> == 1 || components_of<T> == components);
+
+/// An image with padded rows that owns zero-initialised memory of ViewT::Memory, aligned to 64 bytes. Packs gather by 32-bit offsets, which
+/// limits the size. Copies have memory of their own.
 /// @tparam ViewT PlanarView or InterleavedView
 template <class ViewT> class PaddedImage {
     using Element = typename ViewT::Element;
+    using Memory = typename ViewT::Memory;
     struct Free {
-        void operator()(Element* p) const { ::operator delete[](p, std::align_val_t{64}); }
+        void operator()(Element* p) const { Memory::release(p); }
     };
     std::unique_ptr<Element[], Free> memory;
     Extent extent;
@@ -42,8 +48,8 @@ public:
     /// @throws Error where offsets within a component exceed 31 bits
     explicit PaddedImage(Extent size = {}) : extent(size) {
         if (size.height > 0 && View::row_stride(size) > std::numeric_limits<std::int32_t>::max() / size.height)
-            raise_error("image size", to_string(size) + " pixels, " + std::to_string(View::pixel_step) + " floats apart",
-                        View::pixel_step > 1 ? "use Planar storage or smaller images" : "use smaller images");
+            raise_error<Failure>("image size", to_string(size) + " pixels, " + std::to_string(View::pixel_step) + " floats apart",
+                                 View::pixel_step > 1 ? "use Planar storage or smaller images" : "use smaller images");
         allocate();
         std::uninitialized_value_construct_n(memory.get(), elements());
     }
@@ -66,11 +72,34 @@ public:
     [[nodiscard]] Extent size() const { return extent; }
     [[nodiscard]] std::size_t bytes() const { return elements() * sizeof(Element); }
 
-    [[nodiscard]] Value<components, float> get(int x, int y) const { return view().template load<float>(x, y); }
+    /// Const: an assignment to what it returns would do nothing.
+    [[nodiscard]] Value<components, float> const get(int x, int y) const { return view().get(x, y); }
+    [[nodiscard]] float get(int c, int x, int y) const { return view().get(c, x, y); }
     void set(int x, int y, Value<components, float> const& value) { view().template store<float>(x, y, value); }
 
+    // Calls that would get many lines from compilers, or lose a component in silence.
+    template <class T>
+        requires(!is_value<T, components>)
+    void set(int, int, T const&) {
+        static_assert(sizeof(T) == 0,
+                      "image.set(x, y, value): `value` must have as many components as the channel: a float, a glm vector, or "
+                      "braces: set(x, y, {r, g, b})");
+    }
+    template <std::size_t count>
+        requires(count != components)
+    void set(int, int, float const (&)[count]) {
+        static_assert(count == 0, "image.set(x, y, {...}): there must be as many numbers in the braces as the channel has components");
+    }
+    template <class... Numbers>
+        requires(sizeof...(Numbers) > 1)
+    void set(int, int, Numbers const&...) {
+        static_assert(sizeof...(Numbers) == 0,
+                      "image.set(x, y, value): put the components in braces, set(x, y, {r, g, b}); one alone is set by "
+                      "image.view().set(component, x, y, number)");
+    }
+
 private:
-    void allocate() { memory.reset(static_cast<Element*>(::operator new[](bytes(), std::align_val_t{64}))); }
+    void allocate() { memory.reset(static_cast<Element*>(Memory::allocate(bytes()))); }
     [[nodiscard]] std::size_t elements() const { return static_cast<std::size_t>(View::elements(extent)); }
 };
 

@@ -9,10 +9,11 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 namespace detail {
 /// A view of a planar image. Each component is a plane of its own, which may lie anywhere: a history puts images together from planes that
 /// others don't need any more.
-template <class Format, int N> struct PlanarView {
+template <class Format, int N, class MemoryT> struct PlanarView {
     using Element = typename Format::Element;
-    using Squares = PlanarView<typename Format::Squares, N>; ///< a view of the same memory as variances
-    using Plane = PaddedImage<PlanarView<Format, 1>>;        ///< an image of one component
+    using Memory = MemoryT;                                          ///< where images lie
+    using Squares = PlanarView<typename Format::Squares, N, Memory>; ///< a view of the same memory as variances
+    using Plane = PaddedImage<PlanarView<Format, 1, Memory>>;        ///< an image of one component
     static constexpr int components = N, pixel_step = 1;
 
     Element* planes[std::size_t{N}] = {}; ///< pixel (0, 0) of each component
@@ -43,6 +44,7 @@ template <class Format, int N> struct PlanarView {
     static std::ptrdiff_t elements(Extent size) { return plane_elements(size) * N + padding; }
 
     QUELL_KERNEL float get(int c, int x, int y) const { return Format::get(at(c, x, y)); }
+    QUELL_KERNEL Value<N, float> const get(int x, int y) const { return load<float>(x, y); }
     QUELL_KERNEL void set(int c, int x, int y, float a) const { Format::set(at(c, x, y), a); }
 
     template <class Real> QUELL_KERNEL Value<N, Real> load(int x, int y) const {
@@ -65,16 +67,20 @@ private:
 } // namespace detail
 
 /// Image storage of one plane per component. The fastest on a CPU: a pack of pixels is one load per component.
-/// @tparam Format Float32 or Float16; channels with `full_precision` use Float32 anyway
-template <class Format = Float32> struct Planar {
+/// @tparam Format  Float32 or Float16; channels with `full_precision` use Float32 anyway
+/// @tparam MemoryT where images lie: HostMemory, ManagedMemory, or the host's own
+template <class Format = Float32, class MemoryT = HostMemory> struct Planar {
     static_assert(ComponentFormat<Format>,
                   "Planar<Format>: `Format` must be Float32, Float16 or another format, see quell/image/format.hpp");
-    using Half = Planar<Float16>;          ///< storage of channels with `always_half`
-    using Exact = Planar<Float32>;         ///< storage of channels that need 32 bits
-    static constexpr auto name = "planar"; ///< for messages
-    using format = Format;                 ///< how a component is stored
+    static_assert(ImageMemory<MemoryT>, "Planar<Format, Memory>: `Memory` must have allocate(bytes) and release(memory), see "
+                                        "quell/image/memory.hpp");
+    using Half = Planar<Float16, MemoryT>;  ///< storage of channels with `always_half`
+    using Exact = Planar<Float32, MemoryT>; ///< storage of channels that need 32 bits
+    static constexpr auto name = "planar";  ///< for messages
+    using format = Format;                  ///< how a component is stored
+    using Memory = MemoryT;                 ///< where images and a history's counts lie
     /// An image of N components.
-    template <int N> using Image = detail::PaddedImage<detail::PlanarView<Format, N>>;
+    template <int N> using Image = detail::PaddedImage<detail::PlanarView<Format, N, Memory>>;
 };
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

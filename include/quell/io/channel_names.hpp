@@ -13,10 +13,12 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
-/// Source of a channel's component: `scale` times the sum of planes of a file. Without planes, the constant `scale`.
+/// Source of a channel's component: `scale` times the sum of planes of a file, plus `offset`. Without planes, the constant `scale`. Normals
+/// that a file holds as n * .5 + .5 have the scale 2 and the offset -1.
 struct Source {
     std::vector<std::string> sum; ///< names of planes
     float scale = 1.f;            ///< factor or constant
+    float offset = 0.f;           ///< in the channel's own unit
 };
 
 /// What the depth of a file measures.
@@ -37,15 +39,16 @@ struct ChannelNames {
     MotionConvention motion = {};                                         ///< of motion and motion_next
     DepthConvention depth = {};                                           ///< of depth
     float miss_from = std::numeric_limits<float>::infinity();             ///< a depth of at least this is a miss
+    float miss_to = -std::numeric_limits<float>::infinity();              ///< and so is one of at most this
     std::optional<float> shutter = {};                                    ///< in place of the files' shutter: fraction of the frame time
 };
 
 namespace detail {
 /// Names of a channel's components in quell's own files, for built-in channels and those of a host.
 inline std::vector<std::string> component_names(std::string_view channel, int components) {
-    static std::map<std::string, std::string, std::less<>> const letters{{"radiance", "RGB"}, {"albedo", "RGB"},   {"direct", "RGB"},
-                                                                         {"glossy", "RGB"},   {"indirect", "RGB"}, {"roughness", "R"},
-                                                                         {"depth", "Z"},      {"visibility", "V"}, {"time", "T"}};
+    static std::map<std::string, std::string, std::less<>> const letters{
+        {"radiance", "RGB"}, {"radiance_alpha", "RGBA"}, {"albedo", "RGB"}, {"direct", "RGB"},   {"glossy", "RGB"},
+        {"indirect", "RGB"}, {"roughness", "R"},         {"depth", "Z"},    {"visibility", "V"}, {"time", "T"}};
     if (channel == "instance") return {"ID"};
     auto const found = letters.find(channel);
     std::string const all = found != letters.end() ? found->second : components == 1 ? "V" : "XYZW";
@@ -56,10 +59,10 @@ inline std::vector<std::string> component_names(std::string_view channel, int co
 }
 } // namespace detail
 
-/// Names of a channel's components in quell's own files. `radiance` has no layer: R, G, B.
+/// Names of a channel's components in quell's own files. The picture has no layer: R, G, B, A.
 template <ChannelTag C> [[nodiscard]] std::vector<std::string> own_names(C channel) {
     auto names = detail::component_names(channel.name, C::components);
-    if (std::string_view(channel.name) != radiance.name)
+    if (std::string_view(channel.name) != radiance.name && std::string_view(channel.name) != radiance_alpha.name)
         for (auto& each : names) each.insert(0, std::string(channel.name).append("."));
     return names;
 }

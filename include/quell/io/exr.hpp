@@ -8,6 +8,8 @@
 #include <quell/io/exr/exr_copy.hpp>
 #include <quell/io/exr_file.hpp>
 #include <quell/io/exr_image.hpp>
+#include <quell/io/file_views.hpp>
 #include <quell/io/frame_image.hpp>
+#include <quell/io/part_names.hpp>
 #include <quell/io/sequence_names.hpp>
 #include <quell/io/write_exr.hpp>

@@ -2,13 +2,14 @@
 
 #include <quell/io/exr/exr_attributes.hpp>
 #include <quell/io/exr/exr_errors.hpp>
-#include <quell/io/exr_image.hpp>
+#include <quell/io/exr_listing.hpp>
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -17,36 +18,14 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
-/// A channel listed in a file's header.
-struct ExrChannel {
-    std::string name;                   ///< unique in the file: prefixed by the part's name if an earlier part has the same channel
-    std::string in_part;                ///< name within its part
-    SampleType type = SampleType::half; ///< of its numbers in the file
-    int part = 0;                       ///< index of its part
-    std::string part_name = {};         ///< may be empty
-    /// Subsampling: the file stores every n-th column and row.
-    int x_sampling = 1, y_sampling = 1;
-};
-
 /// An EXR file whose header has been read; its channels are read on demand. Supports single and multiple parts, scan lines and tiles (the
 /// largest level), and any data window. Deep parts are ignored.
-class ExrFile {
+class ExrFile : public ExrListing {
 public:
     /// Opens a file and reads its header.
     /// @throws Error naming the file if it is missing, no EXR file, truncated, or of an implausible size
     explicit ExrFile(std::filesystem::path const& path);
 
-    std::string name;                                         ///< its path, for messages
-    Extent size;                                              ///< of the display window
-    std::vector<ExrChannel> channels;                         ///< of all parts, without deep ones
-    std::map<std::string, Attribute, std::less<>> attributes; ///< by name; the first part's where several have one
-
-    /// The channel of that name, with or without its part's name; null if there is none.
-    [[nodiscard]] ExrChannel const* find(std::string_view channel) const;
-    /// Whether all of these channels are there.
-    [[nodiscard]] bool has_all(std::vector<std::string> const& names) const {
-        return std::ranges::all_of(names, [&](auto const& name) { return find(name) != nullptr; });
-    }
     /// Reads these channels, each once.
     /// @throws Error naming the file and the channel
     [[nodiscard]] ExrImage read(std::span<std::string const> names) const;
@@ -124,7 +103,11 @@ inline Region inside(Imath::Box2i const& data, Imath::Box2i const& display) {
 
 /// Copies what was read to its place in the display window.
 inline Plane placed(Incoming&& in, Imath::Box2i const& data, Imath::Box2i const& display) {
-    Plane plane{.name = in.channel->name, .type = in.channel->type, .values = {}, .exact = in.as_floats()};
+    Plane plane{.name = in.channel->name,
+                .type = in.channel->type,
+                .values = {},
+                .exact = in.as_floats(),
+                .with_part = in.channel->part_name + "." + in.channel->in_part};
     if (data == display) {
         plane.values = std::move(in.numbers);
         return plane;
@@ -179,7 +162,8 @@ inline void read_part(Imf::MultiPartInputFile& file, std::string const& name, in
 }
 } // namespace detail
 
-inline ExrFile::ExrFile(std::filesystem::path const& path) : name(path.string()) {
+inline ExrFile::ExrFile(std::filesystem::path const& path) {
+    name = path.string();
     detail::check_is_exr(path);
     detail::naming_file(name, "its header can't be read", [&] {
         file = std::make_unique<Imf::MultiPartInputFile>(name.c_str(), 0);
@@ -198,6 +182,7 @@ inline void ExrFile::read_header() {
 inline void ExrFile::list_part(int part) {
     auto const& header = file->header(part);
     detail::copy_attributes(header, attributes);
+    if (eyes.empty() && Imf::hasMultiView(header)) eyes = Imf::multiView(header);
     if (header.hasType() && Imf::isDeepData(header.type())) return;
     if (!file->partComplete(part)) throw Error(name, "it is truncated: rows of pixels are missing", "render or copy it again");
     detail::check_window(name, "data", header.dataWindow());
@@ -205,15 +190,8 @@ inline void ExrFile::list_part(int part) {
     for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
         bool const taken = std::ranges::any_of(channels, [&](auto const& c) { return c.name == i.name(); });
         channels.push_back({taken ? part_name + "." + i.name() : i.name(), i.name(), detail::sample_type(i.channel().type), part, part_name,
-                            i.channel().xSampling, i.channel().ySampling});
+                            i.channel().xSampling, i.channel().ySampling, header.hasView() ? header.view() : std::string()});
     }
-}
-
-inline ExrChannel const* ExrFile::find(std::string_view channel) const {
-    auto const named = std::ranges::find(channels, channel, &ExrChannel::name);
-    if (named != channels.end()) return &*named;
-    auto const qualified = std::ranges::find_if(channels, [&](auto const& c) { return c.part_name + "." + c.in_part == channel; });
-    return qualified != channels.end() ? &*qualified : nullptr;
 }
 
 inline ExrImage ExrFile::read(std::span<std::string const> names) const {

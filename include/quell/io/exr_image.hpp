@@ -32,6 +32,7 @@ struct Plane {
     std::vector<float> values;             ///< one per pixel of the image
     std::optional<Region> stored = {};     ///< pixels that the file holds, the others being 0; empty: all
     bool exact = true;                     ///< false if 32-bit integers of the file lost digits as floats
+    std::string with_part = {};            ///< another name for it: that of its part before the one that it has there
 };
 
 /// Value of an attribute. Matrices are column-major for column vectors, as everywhere in quell. OpenEXR's are for row vectors, which is the
@@ -45,10 +46,12 @@ struct ExrImage {
     std::vector<Plane> planes = {};                                ///< in the file's order
     std::map<std::string, Attribute, std::less<>> attributes = {}; ///< by name
 
-    /// The plane of that name; null if there is none.
+    /// The plane of that name, with or without its part's name; null if there is none.
     [[nodiscard]] Plane const* find(std::string_view plane) const {
         for (auto const& p : planes)
             if (p.name == plane) return &p;
+        for (auto const& p : planes)
+            if (!p.with_part.empty() && p.with_part == plane) return &p;
         return nullptr;
     }
     /// The plane of that name.

@@ -9,6 +9,7 @@
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -27,9 +28,23 @@ inline Plane const& plane_for(ExrImage const& image, std::string const& name, bo
     return plane;
 }
 
+/// Adds `offset` to the pixels that at least one of the source's planes holds: outside of a data window there is nothing.
+inline void add_offset(std::vector<float>& values, ExrImage const& image, Source const& source) {
+    auto const held = [&](int x, int y) {
+        return std::ranges::any_of(source.sum, [&](auto const& name) {
+            auto const& stored = image[name].stored;
+            return !stored || (x >= stored->x0 && x < stored->x1 && y >= stored->y0 && y < stored->y1);
+        });
+    };
+    auto value = values.begin();
+    for (int y = 0; y < image.size.height; ++y)
+        for (int x = 0; x < image.size.width; ++x, ++value)
+            if (held(x, y)) *value += source.offset;
+}
+
 } // namespace detail
 
-/// One component of an image, row by row: a constant, or a scaled sum of planes.
+/// One component of an image, row by row: a constant, or a scaled sum of planes and an offset.
 /// @param image the file's contents
 /// @param source what to sum
 /// @param may_be_uint whether integer planes are allowed
@@ -41,16 +56,17 @@ inline Plane const& plane_for(ExrImage const& image, std::string const& name, bo
         auto const& plane = detail::plane_for(image, name, may_be_uint);
         for (std::size_t i = 0; i < values.size(); ++i) values[i] += plane.values[i] * source.scale;
     }
+    if (source.offset != 0.f) detail::add_offset(values, image, source);
     return values;
 }
 
 namespace detail {
 
 /// Replaces depths of misses by +infinity.
-inline void mark_misses(std::vector<float>& depth, ExrImage const& image, Source const& source, float miss_from) {
+inline void mark_misses(std::vector<float>& depth, ExrImage const& image, Source const& source, ChannelNames const& names) {
     auto const miss = std::numeric_limits<float>::infinity();
     for (auto& z : depth)
-        if (z >= miss_from) z = miss;
+        if (z >= names.miss_from || z <= names.miss_to) z = miss;
     for (auto const& name : source.sum) {
         auto const& stored = image[name].stored;
         if (!stored) continue;
@@ -68,7 +84,7 @@ inline void to_view_axis(std::vector<float>& depth, ExrImage const& image, Depth
     auto camera = camera_of(image);
     if (!camera && from.vertical_field_of_view == 0.f)
         throw Error(image.name, "it has no camera, and its depth is said to be the length of rays",
-                    "write the attributes quell:view and quell:projection, or say vertical_field_of_view");
+                    "write the attributes quell:view and quell:projection, or say --field-of-view, or vertical_field_of_view in the map");
     if (!camera) {
         float const aspect = static_cast<float>(image.size.width) / static_cast<float>(image.size.height);
         camera = Camera{.projection = glm::perspective(glm::radians(from.vertical_field_of_view), aspect, 1.f, 2.f)};
@@ -123,7 +139,7 @@ template <ChannelTag C> void load_channel(C channel, ImageView auto const& view,
         auto const& source = sources[static_cast<std::size_t>(c)];
         auto values = component_of(image, source, std::is_same_v<C, Instance>);
         if constexpr (std::is_same_v<C, Depth>) {
-            mark_misses(values, image, source, names.miss_from);
+            mark_misses(values, image, source, names);
             to_view_axis(values, image, names.depth);
         }
         if constexpr (std::is_same_v<C, Motion>) to_own_motion(values, c, image, names.motion);

@@ -14,7 +14,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
 /// Replaces a file atomically: writes the bytes beside it, under a name that no other process takes, and renames. At every moment the file
 /// is the old one or the new one.
-/// @throws Error naming the file
+/// @throws Failure naming the file
 inline void replace_file(std::filesystem::path const& path, std::string_view bytes) {
     auto partial = path;
     partial.concat(".").concat(std::to_string(std::random_device{}())).concat(".partial");
@@ -30,7 +30,7 @@ inline void replace_file(std::filesystem::path const& path, std::string_view byt
     if (!why) return;
     std::error_code none;
     std::filesystem::remove(partial, none);
-    throw Error(path.string(), "it can't be written: " + why.message(), "check that its folder exists, may be written to, and has room");
+    throw Failure(path.string(), "it can't be written: " + why.message(), "check that its folder exists, may be written to, and has room");
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::io

@@ -1,11 +1,9 @@
 #pragma once
 
 #include <quell/io/channel_names.hpp>
-#include <quell/io/exr_file.hpp>
-#include <quell/io/light_sum.hpp>
+#include <quell/io/exr_listing.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
@@ -21,7 +19,11 @@ struct SequenceNames {
     std::string renderer;                     ///< for messages
     std::vector<SignalNames> of_signals = {}; ///< at least one
     std::vector<Source> added = {};           ///< one source per component; empty: nothing is added
+    std::vector<Source> picture = {};         ///< the image as the renderer has put it together, per component; empty: not known
     std::vector<std::string> remarks = {};    ///< for the user: what these files lack, and what is used instead
+    std::string view = {};                    ///< which of several views of the files, for messages; empty: the only one
+    std::string layer = {};                   ///< where further layers go: the view layer's name and a dot
+    std::string eye = {};                     ///< the stereo view that stands before the last component of names, as left in left.R
 };
 
 /// Names of quell's own files: one signal, the image, which pipelines demodulate by its albedo.
@@ -48,13 +50,6 @@ struct ViewLayer {
         }
         return sources.size() == 3 ? sources : std::vector<Source>();
     }
-    /// Those of these passes that do not exist.
-    [[nodiscard]] std::string missing(std::vector<std::string> const& passes) const {
-        std::string list;
-        for (auto const& pass : passes)
-            if (!has(pass, "R")) list += (list.empty() ? "" : ", ") + pass;
-        return list;
-    }
     [[nodiscard]] std::vector<Source> components_of(std::string const& pass, std::string const& letters) const {
         std::vector<Source> sources;
         for (char const letter : letters) sources.push_back({{prefix + pass + "." + letter}});
@@ -62,12 +57,28 @@ struct ViewLayer {
     }
 };
 
-/// Prefix of the first view layer, such as "ViewLayer."; empty if the names are not Blender's.
-inline std::optional<std::string> view_layer_prefix(std::vector<ExrChannel> const& channels) {
+/// Prefixes of Blender's view layers, such as "ViewLayer.": those with a combined image first, in the file's order.
+inline std::vector<std::string> view_layer_prefixes(std::vector<ExrChannel> const& channels) {
+    std::vector<std::string> prefixes;
     for (std::string_view const pass : {".Combined.R", ".DiffDir.R", ".DiffInd.R", ".Depth.Z"})
-        for (auto const& channel : channels)
-            if (channel.name.ends_with(pass)) return channel.name.substr(0, channel.name.size() - pass.size() + 1);
-    return std::nullopt;
+        for (auto const& channel : channels) {
+            if (!channel.name.ends_with(pass)) continue;
+            auto const prefix = channel.name.substr(0, channel.name.size() - pass.size() + 1);
+            if (std::ranges::find(prefixes, prefix) == prefixes.end()) prefixes.push_back(prefix);
+        }
+    return prefixes;
+}
+
+/// Prefix of the view layer with the most of light, depth and motion, of several the first; empty if the names are not Blender's. What
+/// the compositor writes has light alone.
+inline std::optional<std::string> view_layer_prefix(std::vector<ExrChannel> const& channels) {
+    auto const prefixes = view_layer_prefixes(channels);
+    auto const guides = [&](std::string const& prefix) {
+        ViewLayer const layer{channels, prefix};
+        return (layer.has("Depth", "Z") ? 1 : 0) + (layer.has("Vector", "X") ? 1 : 0);
+    };
+    auto const most = std::ranges::max_element(prefixes, {}, guides);
+    return most == prefixes.end() ? std::nullopt : std::optional(*most);
 }
 
 /// Guides by Blender's conventions: motion in pixels with y up, depth 1e10 for a miss.
@@ -121,46 +132,27 @@ inline SequenceNames cycles_passes(ViewLayer const& layer) {
     SequenceNames names{"Blender Cycles", cycles_signals(layer)};
     if (names.of_signals.empty()) return cycles_combined(layer, "no light passes (DiffDir, DiffInd, DiffCol, ...)");
     names.added = layer.sum_of({"Emit", "Env"});
+    names.picture = layer.sum_of({"Combined"});
     return names;
-}
-
-/// Whether these names sum up to the file's combined image, within 1% of its light.
-inline bool make_up_combined(SequenceNames const& names, ViewLayer const& layer, ExrFile const& file) {
-    auto const combined = layer.sum_of({"Combined"});
-    if (combined.empty()) return true; // no evidence against it
-    auto planes = planes_of(combined);
-    auto const want = [&](std::vector<Source> const& sources) {
-        auto const more = planes_of(sources);
-        planes.insert(planes.end(), more.begin(), more.end());
-    };
-    want(names.added);
-    for (auto const& signal : names.of_signals) want(signal.channels.sources.at("radiance")), want(signal.factor);
-    auto const image = file.read(planes);
-    double light = light_sum(image, names.added);
-    for (auto const& signal : names.of_signals) light += light_sum(image, signal.channels.sources.at("radiance"), signal.factor);
-    auto const whole = light_sum(image, combined);
-    return std::abs(light - whole) <= 0.01 * std::abs(whole);
 }
 } // namespace detail
 
-/// Names of Blender Cycles' files: every light pass of the first view layer is a signal; emission and environment are added. Where light
-/// passes are missing, or do not sum up to the combined image, that image is the only signal. Empty if the names are not Blender's.
-[[nodiscard]] inline std::optional<SequenceNames> cycles_sequence(ExrFile const& file) {
+/// Names of Blender Cycles' files: every light pass of one view layer is a signal; emission and environment are added. What they
+/// leave over of the combined image is found per frame. Without light passes that image is the only signal. Empty if the names are not
+/// Blender's.
+[[nodiscard]] inline std::optional<SequenceNames> cycles_sequence(ExrListing const& file) {
     auto const prefix = detail::view_layer_prefix(file.channels);
     if (!prefix) return std::nullopt;
     detail::ViewLayer const layer{file.channels, *prefix};
     auto names = detail::cycles_passes(layer);
-    auto const missing = layer.missing({"DiffDir", "DiffInd", "DiffCol", "GlossDir", "GlossInd", "GlossCol", "TransDir", "TransInd",
-                                        "TransCol", "VolumeDir", "VolumeInd", "Emit", "Env"});
-    if (!missing.empty() && !detail::make_up_combined(names, layer, file))
-        names = detail::cycles_combined(layer, "the light passes don't add up to Combined, for want of some of " + missing);
+    names.layer = *prefix;
     if (!layer.has("Normal", "X")) names.remarks.push_back("no Normal pass: surfaces are told apart by depth alone");
     return names;
 }
 
 /// Recognises the names of a file: quell's own or Blender Cycles'.
 /// @throws Error naming the file and its channels if they are neither
-[[nodiscard]] inline SequenceNames recognise(ExrFile const& file) {
+[[nodiscard]] inline SequenceNames recognise(ExrListing const& file) {
     auto const has = [&](char const* name) { return file.find(name) != nullptr; };
     // A sequence traced for single effects has no R, G, B, but depth.
     if ((has("R") && has("G") && has("B")) || has("depth.Z")) return own_sequence();

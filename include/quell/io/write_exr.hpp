@@ -69,8 +69,8 @@ private:
             // Integers above 2^24 are not all floats. The comparison also rejects NaN.
             bool const whole = value >= 0.f && value <= 16777216.f && value == static_cast<float>(static_cast<std::uint32_t>(value));
             if (!whole)
-                throw Error(file + " channel '" + plane.name + "'", "a value is " + std::to_string(value),
-                            "store whole numbers from 0 to 2^24 as uint, others as float");
+                throw Failure(file + " channel '" + plane.name + "'", "a value is " + std::to_string(value),
+                              "store whole numbers from 0 to 2^24 as uint, others as float");
             ids.push_back(static_cast<std::uint32_t>(value));
         }
         data = ids.data();
@@ -78,15 +78,15 @@ private:
 };
 
 inline void check_writable(std::string const& file, ExrImage const& image) {
-    if (image.size.width <= 0 || image.size.height <= 0) throw Error(file, "its size is " + to_string(image.size), "give it pixels");
-    if (image.planes.empty()) throw Error(file, "it has no channels", "give it at least one plane");
+    if (image.size.width <= 0 || image.size.height <= 0) throw Failure(file, "its size is " + to_string(image.size), "give it pixels");
+    if (image.planes.empty()) throw Failure(file, "it has no channels", "give it at least one plane");
     for (auto const& plane : image.planes) {
         auto const subject = file + " channel '" + plane.name + "'";
         if (plane.values.size() != image.pixels())
-            throw Error(subject, "it has " + std::to_string(plane.values.size()) + " values in an image of " + to_string(image.size),
-                        "give every plane " + std::to_string(image.pixels()));
+            throw Failure(subject, "it has " + std::to_string(plane.values.size()) + " values in an image of " + to_string(image.size),
+                          "give every plane " + std::to_string(image.pixels()));
         if (plane.name.empty() || image.find(plane.name) != &plane)
-            throw Error(subject, "its name is empty or taken", "give each plane a name of its own");
+            throw Failure(subject, "its name is empty or taken", "give each plane a name of its own");
     }
 }
 
@@ -109,12 +109,12 @@ inline void encode(Imf::OStream& stream, std::string const& file, ExrImage const
 } // namespace detail
 
 /// Writes a file with one part, ZIP-compressed scan lines, and each plane in its own format. The file is replaced atomically.
-/// @throws Error naming the file and, where it is at fault, the channel
+/// @throws Failure naming the file and, where it is at fault, the channel
 inline void write_exr(std::filesystem::path const& path, ExrImage const& image) {
     auto const file = path.string();
     detail::check_writable(file, image);
     detail::MemoryStream stream(file);
-    detail::naming_file(file, "it can't be encoded", [&] { detail::encode(stream, file, image); });
+    detail::naming_file<Failure>(file, "it can't be encoded", [&] { detail::encode(stream, file, image); });
     replace_file(path, stream.contents());
 }
 

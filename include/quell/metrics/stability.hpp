@@ -27,10 +27,10 @@ struct Flicker {
 inline void Flicker::add(Picture const& reference, Picture const& output) {
     detail::check_pair(reference, output);
     if (frames > 0 && !(size == reference.size))
-        raise_error("flicker",
-                    "frame " + std::to_string(frames) + " has size " + to_string(reference.size) + " but those before it " +
-                        to_string(size),
-                    "add frames of one size");
+        raise_error<Failure>("flicker",
+                             "frame " + std::to_string(frames) + " has size " + to_string(reference.size) + " but those before it " +
+                                 to_string(size),
+                             "add frames of one size");
     size = reference.size;
     average.resize(reference.pixels.size());
     spread.resize(reference.pixels.size());
@@ -44,7 +44,7 @@ inline void Flicker::add(Picture const& reference, Picture const& output) {
 }
 
 inline double Flicker::mean(Mask const& mask) const {
-    if (frames < 2) raise_error("flicker", "it has " + std::to_string(frames) + " frames", "add at least 2");
+    if (frames < 2) raise_error<Failure>("flicker", "it has " + std::to_string(frames) + " frames", "add at least 2");
     return detail::mean_over(size, mask, [&](std::size_t i) {
         auto const& s = spread[i];
         return std::sqrt((s.x + s.y + s.z) / (3. * frames));
@@ -55,8 +55,9 @@ inline double Flicker::mean(Mask const& mask) const {
 /// @throws Error where the sequences differ in length, and as Flicker does
 [[nodiscard]] inline double flicker(std::span<Picture const> references, std::span<Picture const> outputs, Mask const& mask = {}) {
     if (references.size() != outputs.size())
-        raise_error("flicker", std::to_string(outputs.size()) + " outputs for " + std::to_string(references.size()) + " references",
-                    "give one reference per output");
+        raise_error<Failure>("flicker",
+                             std::to_string(outputs.size()) + " outputs for " + std::to_string(references.size()) + " references",
+                             "give one reference per output");
     Flicker sequence;
     for (std::size_t i = 0; i < outputs.size(); ++i) sequence.add(references[i], outputs[i]);
     return sequence.mean(mask);
@@ -65,12 +66,13 @@ inline double Flicker::mean(Mask const& mask) const {
 namespace detail {
 inline void check_event(std::span<double const> errors, std::size_t event) {
     if (event >= errors.size())
-        raise_error("lag", "the event is at frame " + std::to_string(event) + " of " + std::to_string(errors.size()),
-                    "give an event within the sequence");
+        raise_error<Failure>("lag", "the event is at frame " + std::to_string(event) + " of " + std::to_string(errors.size()),
+                             "give an event within the sequence");
     constexpr auto infinity = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
     for (std::size_t i = event; i < errors.size(); ++i)
         if ((std::bit_cast<std::uint64_t>(errors[i]) & infinity) == infinity) // infinite or NaN: all bits of the exponent are set
-            raise_error("lag", "the error of frame " + std::to_string(i) + " is " + std::to_string(errors[i]), "give finite errors");
+            raise_error<Failure>("lag", "the error of frame " + std::to_string(i) + " is " + std::to_string(errors[i]),
+                                 "give finite errors");
 }
 } // namespace detail
 

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <quell/frame/hull.hpp>
 #include <quell/motion/history_fetch.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// History fetch by a Catmull-Rom spline over 4x4 pixels, sharper than Bilinear. Taps that are not accepted are replaced by the bilinear
-/// mean, so outlines stay sharp too. Kept channels (history length, moments) are interpolated bilinearly: negative lobes have no meaning
-/// for them.
+/// mean, so outlines stay sharp too. The result is limited to what the taps hold, since a spline overshoots at bright edges. Kept channels
+/// (history length, moments) are interpolated bilinearly: negative lobes have no meaning for them.
 struct CatmullRom {
     Bilinear elsewhere{}; ///< fetches kept channels, and the replacement of rejected taps
 
@@ -21,12 +22,13 @@ struct CatmullRom {
         return past;
     }
 
-    /// Interpolates any value of past pixels; negative results become 0.
+    /// Interpolates any value of past pixels.
+    /// @tparam Limits    of the taps: Hull, or the like
     /// @param px        the pixel
     /// @param unchecked what a motion source found
     /// @param smooth    the bilinear mean, which replaces rejected taps
     /// @param value_of  value_of(past pixel): the value to interpolate
-    template <class Px, class FoundPlace, class V, class ValueOf>
+    template <template <class> class Limits = detail::Hull, class Px, class FoundPlace, class V, class ValueOf>
     QUELL_KERNEL static V interpolated(Px const& px, FoundPlace const& unchecked, V const& smooth, ValueOf&& value_of) {
         using Real = typename Px::Real;
         auto const found = detail::sane(px, unchecked);
@@ -34,17 +36,19 @@ struct CatmullRom {
         auto const across = weights(found.where.x - 0.5f - column), down = weights(found.where.y - 0.5f - row);
         PixelCoordinates<Real> const place(column, row);
         auto sum = zero<V>();
+        Limits<V> limits(smooth);
         Real known(0.f);
         for (int j = 0; j < 4; ++j)
             for (int i = 0; i < 4; ++i) {
                 auto const then = px.past(place, i - 1, j - 1);
-                auto const weight = masked(detail::counts<Real>(then, found), across.at[i] * down.at[j]);
-                sum = add_scaled(sum, value_of(then), weight);
+                auto const value = value_of(then);
+                auto const counts = detail::counts<Real>(then, found);
+                auto const weight = masked(counts, across.at[i] * down.at[j]);
+                sum = add_scaled(sum, value, weight);
                 known = known + weight;
+                limits.add(value, counts);
             }
-        sum = add_scaled(sum, smooth, 1.f - known);
-        // Negative lobes overshoot at bright edges, but light is not negative.
-        return map([](auto a) QUELL_INLINED { return max(a, Real(0.f)); }, sum);
+        return limits.limited(add_scaled(sum, smooth, 1.f - known));
     }
 
 private:

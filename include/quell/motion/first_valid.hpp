@@ -48,6 +48,12 @@ template <class Last> struct FirstValid<Last> : Last {
     constexpr FirstValid() = default;
     constexpr explicit FirstValid(Last last) : Last(last) {}
 };
+namespace detail {
+template <class First, class Second, class... Rest> std::true_type chain_of(FirstValid<First, Second, Rest...> const&);
+std::false_type chain_of(...);
+/// Whether a source is a FirstValid of several, with `first` and `rest`.
+template <class Source> inline constexpr bool is_chain = decltype(chain_of(std::declval<Source>()))::value;
+} // namespace detail
 /// @endcond
 template <class... Sources> FirstValid(Sources...) -> FirstValid<Sources...>;
 

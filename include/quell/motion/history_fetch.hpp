@@ -50,8 +50,11 @@ template <class Px> struct PastSum {
     QUELL_KERNEL static auto interpolated(auto c, auto const& then) {
         if constexpr (requires { c.interpolated(then[c], then.signal()); })
             return c.interpolated(then[c], then.signal());
-        else
+        else {
+            static_assert(!NamesInterpolated<decltype(c)>,
+                          "`interpolated` of a channel must be `static auto interpolated(auto const& stored, auto const& signal)`");
             return then[c];
+        }
     }
     QUELL_KERNEL void add(auto const& then, Real w) {
         weight = weight + w;
@@ -91,6 +94,9 @@ template <class Real, class Then, class FoundPlace> QUELL_KERNEL auto counts(The
 /// Gives validity 0 and a harmless position to what is not finite or lies outside the image, where nothing was seen.
 template <class Px, class FoundPlace> QUELL_KERNEL auto sane(Px const& px, FoundPlace found) {
     using Real = typename Px::Real;
+    static_assert(std::is_same_v<decltype(found.where), vec2<Real>> && std::is_same_v<decltype(found.validity), Real>,
+                  "what previous(px) returns must have `vec2<Real> where` and `Real validity`, where Real is the cursor's: "
+                  "`typename decltype(px)::Real`");
     Real const right(static_cast<float>(px.size().width)), bottom(static_cast<float>(px.size().height));
     auto const usable = both(is_finite(found.where.x), is_finite(found.where.y), is_finite(found.validity), found.validity > Real(0.f),
                              found.where.x >= Real(0.f), found.where.x <= right, found.where.y >= Real(0.f), found.where.y <= bottom);

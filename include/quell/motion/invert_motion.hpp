@@ -63,10 +63,10 @@ void invert_motion(To const& to, NextMotion const& next_motion, NextDepth const&
     static_assert(To::components == 2 && NextMotion::components == 2 && NextDepth::components == 1,
                   "invert_motion(to, next_motion, next_depth): motion has two components and depth has one");
     if (!(to.size == next_motion.size && to.size == next_depth.size))
-        raise_error("invert_motion",
-                    "`to` of " + to_string(to.size) + ", motion of " + to_string(next_motion.size) + " and depth of " +
-                        to_string(next_depth.size),
-                    "give images of one size");
+        raise_error<Failure>("invert_motion",
+                             "`to` of " + to_string(to.size) + ", motion of " + to_string(next_motion.size) + " and depth of " +
+                                 to_string(next_depth.size),
+                             "give images of one size");
     auto const nowhere = std::numeric_limits<float>::quiet_NaN();
     for (int y = 0; y < to.size.height; ++y)
         for (int x = 0; x < to.size.width; ++x) to.set(0, x, y, nowhere), to.set(1, x, y, nowhere);

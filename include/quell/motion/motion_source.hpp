@@ -23,8 +23,12 @@ namespace detail {
 template <class FoundPlace, class Then, class Real> QUELL_KERNEL auto accepts(FoundPlace const& found, Then const& then, Real dx, Real dy) {
     if constexpr (requires { found.accepts(then, dx, dy); })
         return found.accepts(then, dx, dy);
-    else
+    else {
+        static_assert(!NamesAccepts<FoundPlace>,
+                      "`accepts` of what previous(px) returns must be a function accepts(auto const& then, Real dx, Real dy) const that "
+                      "gives a mask; any other member needs another name");
         return Real(0.f) == Real(0.f);
+    }
 }
 
 template <class F>

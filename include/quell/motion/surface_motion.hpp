@@ -7,6 +7,9 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// Follows the surface by the host's Motion channel (TRMV eq. 1). Validity is 1.
 /// @tparam Test SameDepth, SameNormal, SameInstance, AllOf several, or the host's own
 template <class Test = AllOf<SameDepth, SameNormal>> struct SurfaceMotion {
+    static_assert(detail::is_surface_test<Test>,
+                  "SurfaceMotion{test}: `test` must have around(px), whose result has accepts(then, dx, dy), "
+                  "see quell/motion/surface_test.hpp");
     using parts = Parts<Test>;      ///< what it is made of
     using reads = Channels<Motion>; ///< of this frame
     Test test{};                    ///< what a past pixel must pass
@@ -24,6 +27,9 @@ template <class Test> SurfaceMotion(Test) -> SurfaceMotion<Test>;
 /// 0 behind the camera.
 /// @tparam Test SameDepth, SameNormal, SameInstance, AllOf several, or the host's own
 template <class Test = AllOf<SameDepth, SameNormal>> struct PositionMotion {
+    static_assert(detail::is_surface_test<Test>,
+                  "PositionMotion{test}: `test` must have around(px), whose result has accepts(then, dx, dy), "
+                  "see quell/motion/surface_test.hpp");
     using parts = Parts<Test>;                 ///< what it is made of
     using reads = Channels<ReceiverPrevious>;  ///< of this frame
     static constexpr bool needs_camera = true; ///< to project

@@ -16,6 +16,12 @@ template <class Test> QUELL_KERNEL auto around(Test const& test, auto px, auto d
     else
         return test.around(px);
 }
+template <class Test>
+concept SurfaceTest = requires(Test const& test, Probe<Test> px, PastProbe<Test> then) {
+    test.around(px).accepts(then, 0.f, 0.f);
+};
+/// Whether a test has what sources call, and each part of an AllOf.
+template <class Test> inline constexpr bool is_surface_test = SurfaceTest<Test>;
 /// Whether a vector is finite and at least 0.5 long: a usable normal.
 template <class Real> QUELL_KERNEL auto is_direction(vec3<Real> const& n) { return both(all_finite(n), dot(n, n) > Real(0.25f)); }
 } // namespace detail
@@ -111,5 +117,8 @@ template <class... Tests> struct AllOf : Tests... {
     /// @endcond
 };
 template <class... Tests> AllOf(Tests...) -> AllOf<Tests...>;
+/// @cond
+template <class... Tests> inline constexpr bool detail::is_surface_test<AllOf<Tests...>> = (SurfaceTest<Tests> && ...);
+/// @endcond
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -60,13 +60,22 @@ public:
     void forget() {
         std::apply([](auto&... h) { (h.forget(), ...); }, parts);
     }
+    /// Gives scratch back: for a host of several histories that run in turn. The next frame takes it again.
+    void release_scratch() {
+        std::apply([](auto&... h) { (h.release_scratch(), ...); }, parts);
+    }
     /// History of pipeline i, in the composite's order.
     template <std::size_t i> [[nodiscard]] auto const& part() const { return std::get<i>(parts); }
-    /// Missing samples and suppressed energy are sums over all pipelines; frames and resets are those of the first.
+    /// Missing samples and suppressed energy are sums over all pipelines, repaired guides the most that one has; frames and resets are
+    /// those of the first.
     [[nodiscard]] Statistics statistics() const {
         Statistics sum = std::get<0>(parts).statistics();
         sum.missing_samples = std::apply([](auto const&... h) { return (h.statistics().missing_samples + ...); }, parts);
         sum.suppressed = std::apply([](auto const&... h) { return (h.statistics().suppressed + ...); }, parts);
+        for (auto const count :
+             {&RepairedGuides::pixels, &RepairedGuides::albedo, &RepairedGuides::normal, &RepairedGuides::depth, &RepairedGuides::motion})
+            sum.repaired_guides.*count =
+                std::apply([&](auto const&... h) { return std::max({h.statistics().repaired_guides.*count...}); }, parts);
         return sum;
     }
     /// Memory of history, scratch and picture, in bytes. Complete after the second frame.
@@ -84,16 +93,25 @@ private:
 };
 
 namespace detail {
+/// Views of the denoised signals, numbered. Not a tuple, which is not trivially copyable.
+template <class Numbers, class... Parts> struct CompositeParts;
+template <std::size_t... i, class... Parts>
+struct CompositeParts<std::index_sequence<i...>, Parts...> : Slot<std::integral_constant<std::size_t, i>, Parts>... {};
+template <std::size_t i, class T> QUELL_KERNEL T const& numbered(Slot<std::integral_constant<std::size_t, i>, T> const& s) {
+    return s.held;
+}
+
 /// Adds up the denoised signals.
 template <class FrameViews, class OutputView, class... Parts> struct CompositeJob {
     static constexpr auto name = "composite";
     FrameViews frame;
     OutputView output;
-    std::tuple<Parts...> parts;
+    CompositeParts<std::index_sequence_for<Parts...>, Parts...> parts;
 
     template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
         vec3<Real> sum{Real(0.f), Real(0.f), Real(0.f)};
-        std::apply([&](auto const&... part) QUELL_INLINED { (add<Real>(sum, part, x, y), ...); }, parts);
+        [&]<std::size_t... i>(std::index_sequence<i...>) QUELL_INLINED { (add<Real>(sum, numbered<i>(parts), x, y), ...); }
+        (std::index_sequence_for<Parts...>{});
         store_pixels<Real>(output, x, y, sum, count);
     }
 
@@ -116,9 +134,15 @@ private:
     template <class Real, class C> QUELL_KERNEL vec3<Real> factor(int x, int y) const {
         constexpr int which = index_of<C>();
         if constexpr (which < static_cast<int>(sizeof...(Parts)))
-            return load_pixels<Real>(std::get<which>(parts).view, x, y);
+            return load_pixels<Real>(numbered<std::size_t{which}>(parts).view, x, y);
         else
-            return load_pixels<Real>(frame.view(C{}), x, y);
+            return of_frame<C>(load_pixels<Real>(frame.view(C{}), x, y));
+    }
+    template <class C, class V> QUELL_KERNEL static V of_frame(V const& value) {
+        if constexpr (std::is_same_v<C, Albedo>)
+            return Repair<Albedo>::repaired(value);
+        else
+            return value;
     }
     /// Index of the part that makes a channel; the number of parts if none does.
     template <class C> static constexpr int index_of() {
@@ -156,7 +180,7 @@ struct CompositeRun {
             auto const factors = frame.views(typename Composite<Ps...>::factors{});
             auto const sum = [&](auto... parts) {
                 CompositeJob<decltype(frame.views(typename Composite<Ps...>::factors{})), Output, decltype(parts)...> const job{
-                    .frame = factors, .output = output, .parts = {parts...}};
+                    .frame = factors, .output = output, .parts = {{parts}...}};
                 executor.for_each_pixel(Region{0, 0, frame.size.width, frame.size.height}, job);
             };
             // Initialiser lists are evaluated in order.
@@ -183,7 +207,10 @@ auto run(Composite<Ps...> const& composite, Frame<Set, FrameStorage> const& fram
     static_assert(
         contained_in<typename Composite<Ps...>::reads, Set>,
         "run(composite, frame, ...): the frame lacks a channel that the composite reads; construct the frame with this composite");
-    return detail::CompositeRun::all(composite, frame, history, executor);
+    if constexpr (!contained_in<typename Composite<Ps...>::reads, Set>)
+        return detail::NoOutput{};
+    else
+        return detail::CompositeRun::all(composite, frame, history, executor);
 }
 
 /// Like run(), but writes the picture through a view of the host's, as run_into() of a Pipeline does. The history keeps a picture of its

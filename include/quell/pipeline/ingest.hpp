@@ -2,28 +2,19 @@
 
 #include <quell/frame/cursor/taps.hpp>
 #include <quell/frame/modulation.hpp>
+#include <quell/frame/repair.hpp>
 #include <quell/pipeline/firefly.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
-/// Largest sample that counts as light: sums of its square stay finite.
+/// Largest component that counts as light: sums of its square stay finite.
 inline constexpr float brightest_sample = 1e16f;
-/// Whether all components are finite and in [0, brightest_sample].
+/// Whether all components are finite and at most brightest_sample, and the luminance is not negative. A negative component is a colour
+/// outside the gamut.
 template <class V> QUELL_KERNEL auto is_light(V const& v) {
     using Real = real_of<V>;
-    return fold([](auto sofar, auto a) QUELL_INLINED { return both(sofar, is_finite(a), a >= Real(0.f), a <= Real(brightest_sample)); },
-                Real(0.f) == Real(0.f), v);
-}
-
-/// Marks missing samples by the sign of component 0, which light does not use.
-template <class V, class Mask> QUELL_KERNEL V with_marks(V const& value, Mask missing) {
-    return make_value<components_of<V>, real_of<V>>([&](auto c) QUELL_INLINED {
-        auto const a = component<c>(value);
-        if constexpr (c == 0)
-            return select(missing, with_sign_bit(a), max(a, real_of<V>(0.f)));
-        else
-            return a;
-    });
+    return fold([](auto sofar, auto a) QUELL_INLINED { return both(sofar, is_finite(a), abs(a) <= Real(brightest_sample)); },
+                luminance(v) >= Real(0.f), v);
 }
 
 /// Luminance that the ingest took away from a sample. Only counted, never stored.
@@ -32,11 +23,12 @@ struct Suppressed : Channel<1> {
 };
 
 /// The first pass. Reads the host's samples, marks unusable ones as missing, applies the modulation, and suppresses fireflies. A missing
-/// sample is marked by the sign of component 0 and holds the mean of its usable neighbours.
-template <ChannelTag Input, Modulation Form, class Suppression> struct Ingest {
+/// sample holds the mean of its usable neighbours (MissingMark). It also looks for impossible guides.
+/// @tparam Guides those of the pipeline that can be impossible
+template <ChannelTag Input, Modulation Form, class Suppression, class Guides> struct Ingest {
     static constexpr auto name = "ingest";
     using parts = Parts<Form>;
-    using reads = Channels<Input>;
+    using reads = decltype(Channels<Input>{} | Guides{});
     Form modulation;
     Suppression suppression;
 
@@ -49,18 +41,20 @@ template <ChannelTag Input, Modulation Form, class Suppression> struct Ingest {
     QUELL_KERNEL auto operator()(auto px) const {
         using Px = decltype(px);
         using Real = typename Px::Real;
+        using Mark = typename Px::Scope::mark;
         auto const here = sample(px);
         auto value = here.value;
         auto const missing = invert(here.usable);
         if (any(missing)) value = select(missing, around(px), value);
+        auto const impossible = impossible_guides<Guides>(px);
         if constexpr (std::is_same_v<Suppression, NoSuppression>)
-            return with_marks(value, missing);
+            return Result{Mark::marked(value, missing)}.with(ImpossibleGuides{}, impossible);
         else {
             auto const factor =
                 suppression.factor(px, measured(here), [&](auto neighbour) QUELL_INLINED { return measured(sample(neighbour)); });
             value = select(missing, value, sample(px, factor).value);
             auto const taken = here.brightness * (Real(1.f) - factor);
-            return Result{with_marks(value, missing)}.with(Suppressed{}, taken);
+            return Result{Mark::marked(value, missing)}.with(ImpossibleGuides{}, impossible).with(Suppressed{}, taken);
         }
     }
 
@@ -80,7 +74,7 @@ private:
         auto const value = modulation.inward(px, given);
         return {select(usable, value, zero<typename Px::Signal>()), usable, luminance(given)};
     }
-    /// Mean of the usable samples of the 3x3 around. Not inlined: few samples are missing.
+    /// Mean of the usable samples of the 3x3 around; a hole where there is none. Not inlined: few samples are missing.
     template <class Px> QUELL_OUTLINED constexpr typename Px::Signal around(Px const& px) const {
         using Real = typename Px::Real;
         auto sum = zero<typename Px::Signal>();
@@ -91,7 +85,8 @@ private:
             sum = add_scaled(sum, s.value, w);
             weights = weights + w;
         });
-        return scale(sum, 1.f / max(weights, Real(1.f)));
+        using Mark = typename Px::Scope::mark;
+        return select(weights > Real(0.f), scale(sum, 1.f / max(weights, Real(1.f))), Mark::template no_value<typename Px::Signal>());
     }
 };
 

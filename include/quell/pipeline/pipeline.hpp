@@ -7,7 +7,11 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
+template <ChannelTag S, class... Parts> struct Pipeline;
+
 namespace detail {
+template <class T> inline constexpr bool begins_no_pipeline = !ChannelTag<T>;
+template <class S, class... Parts> inline constexpr bool begins_no_pipeline<Pipeline<S, Parts...>> = false;
 template <class T> inline constexpr bool is_stage = is_temporal<T> || is_spatial<T>;
 template <class T>
 inline constexpr bool is_input_option =
@@ -34,9 +38,11 @@ template <class First, class... Rest> constexpr auto modulation_of(First const& 
     else
         return modulation_of(rest...);
 }
-template <class... Cs> constexpr bool any_made_by_stages(Channels<Cs...>) {
-    return (requires { Cs::made_by_stages; } || ...);
-}
+template <class C> inline constexpr bool is_made_by_stages = false;
+template <class C>
+    requires is_constant<decltype(&C::made_by_stages), bool>
+inline constexpr bool is_made_by_stages<C> = C::made_by_stages;
+template <class... Cs> constexpr bool any_made_by_stages(Channels<Cs...>) { return (is_made_by_stages<Cs> || ...); }
 template <class... Cs> constexpr bool all_of_frame_size(Channels<Cs...>) { return ((Cs::fraction == 1) && ...); }
 /// Whether no stage reads what only a later one makes. A filter's own passes may read what earlier ones make.
 template <class Before, class All, class... Stages> inline constexpr bool in_order = true;
@@ -62,6 +68,7 @@ template <class Part> constexpr auto stage_or_nothing(Part const& part) {
 /// @tparam S     the channel of the signal
 /// @tparam Parts options and stages
 template <ChannelTag S, class... Parts> struct Pipeline {
+    static_assert((detail::check_hooks<Parts>() && ...));
     static_assert(((detail::is_stage<Parts> || detail::is_input_option<Parts>)&&...),
                   "Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{}, SuppressFireflies{}, "
                   "KnownSamples{} or Supplied<...>{}, see "
@@ -80,7 +87,10 @@ template <ChannelTag S, class... Parts> struct Pipeline {
 
     using Output = S;                                                       ///< channel of the input and the output
     using Form = decltype(detail::modulation_of(std::declval<Parts>()...)); ///< the modulation, or NoModulation
-    using Signal = typename Form::template Signal<S>;                       ///< channel of the signal between modulation and demodulation
+    static_assert(
+        detail::Converts<Form>,
+        "Pipeline{channel, parts...}: a modulation must have inward(px, sample) and outward(px, value), see quell/frame/modulation.hpp");
+    using Signal = typename Form::template Signal<S>; ///< channel of the signal between modulation and demodulation
     using Suppression =
         decltype(detail::option_of<SuppressFireflies, NoSuppression>(std::declval<Parts>()...)); ///< SuppressFireflies or NoSuppression
     using keeps = keeps_of<Parts...>;                      ///< channels that policies make and keep for the next frame
@@ -104,7 +114,8 @@ template <ChannelTag S, class... Parts> struct Pipeline {
     static constexpr bool has_past = (detail::is_temporal<Parts> || ...); ///< whether there is a Temporal
     static constexpr bool needs_camera = (needs_camera_of<Parts> || ...); ///< whether frame.camera must be set
 
-    detail::Ingest<S, Form, Suppression> ingest; ///< the first pass
+    /// The first pass.
+    detail::Ingest<S, Form, Suppression, common_to<without<detail::CheckedGuides, Channels<S>>, reads>> ingest;
     /// The stages, in order.
     decltype(std::tuple_cat(detail::stage_or_nothing(std::declval<Parts>())...)) stages;
 
@@ -113,10 +124,23 @@ template <ChannelTag S, class... Parts> struct Pipeline {
         : ingest{detail::modulation_of(parts...), detail::option_of<SuppressFireflies, NoSuppression>(parts...)},
           stages(std::tuple_cat(detail::stage_or_nothing(parts)...)) {}
 
+    /// @cond
+    template <class First, class... Rest>
+        requires detail::begins_no_pipeline<First>
+    constexpr explicit Pipeline(First const&, Rest const&...) {
+        static_assert(sizeof(First) == 0, "Pipeline{channel, parts...}: the channel of the signal comes first, such as quell::radiance");
+    }
+    /// @endcond
+
     /// Calls `visit(pass)` for each pass after the ingest, in order.
     constexpr void for_each_pass(auto&& visit) const {
         std::apply([&](auto const&... stage) { (detail::for_each_pass(stage, visit), ...); }, stages);
     }
 };
+/// @cond
+template <class First, class... Rest>
+    requires detail::begins_no_pipeline<First> Pipeline(First const&, Rest const&...)
+->Pipeline<Radiance>;
+/// @endcond
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -31,7 +31,8 @@ struct Plan {
 namespace detail {
 /// The name of the channel that an ingest reads; empty for other passes.
 template <class Pass> inline constexpr std::string_view ingested_by{};
-template <class S, class Form, class Suppression> inline constexpr std::string_view ingested_by<Ingest<S, Form, Suppression>> = S::name;
+template <class S, class Form, class Suppression, class Guides>
+inline constexpr std::string_view ingested_by<Ingest<S, Form, Suppression, Guides>> = S::name;
 
 /// An executor that computes nothing and records the passes.
 struct PassRecorder {
@@ -72,6 +73,8 @@ private:
         if (job.store_output) add(pass.writes, "output");
         if (job.store_remembered) add(pass.writes, RememberedSet{});
     }
+    /// No frame is looked at, and no guide repaired.
+    template <ChannelTag C, class From, class To> static void describe(RepairJob<C, From, To> const&, PlannedPass&) {}
     template <class FrameViews, class OutputView, class... Parts>
     static void describe(CompositeJob<FrameViews, OutputView, Parts...> const&, PlannedPass& pass) {
         pass.denoises = {};

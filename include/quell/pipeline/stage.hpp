@@ -6,6 +6,10 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
+namespace detail {
+struct Missing {}; ///< stands for a policy that was forgotten
+} // namespace detail
+
 /// The temporal stage: a motion source finds the history, a fetch interpolates it, a blend policy blends it with the new sample.
 ///
 ///     Temporal{SurfaceMotion{}, Clamped{RunningMean{.cap = 16}}}
@@ -16,6 +20,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 template <class M, class B, class Fetch = Bilinear> struct Temporal {
     static_assert(std::is_trivially_copyable_v<M> && std::is_trivially_copyable_v<B>,
                   "Temporal{motion, blend}: a policy must be trivially copyable, so that it can be sent to a device: plain numbers only");
+    static_assert(detail::check_hooks<M>() && detail::check_hooks<B>() && detail::check_hooks<Fetch>());
     static_assert(MotionSource<M>, "Temporal{motion, blend}: `motion` must have previous(px), see quell/motion/motion_source.hpp");
     static_assert(std::is_class_v<Fetch> && std::is_trivially_copyable_v<Fetch>,
                   "Temporal{motion, blend, fetch}: `fetch` must have fetch(px, found), see quell/motion/history_fetch.hpp");
@@ -40,13 +45,21 @@ template <class M, class B, class Fetch = Bilinear> struct Temporal {
 private:
     /// With several sources: the first whose history is valid.
     QUELL_KERNEL auto find(auto const& px, auto const& source) const {
-        if constexpr (requires { source.rest; }) {
+        if constexpr (detail::is_chain<decltype(source)>) {
             auto past = find(px, source.first);
             auto const lost = past.validity <= decltype(past.validity)(0.f);
             if (any(lost)) past.replace(lost, find(px, source.rest));
             return past;
-        } else
-            return fetch.fetch(px, source.previous(px));
+        } else {
+            auto const found = source.previous(px);
+            if constexpr (requires { fetch.fetch(px, found); })
+                return fetch.fetch(px, found);
+            else {
+                static_assert(sizeof(found) == 0,
+                              "Temporal{motion, blend, fetch}: `fetch` must have fetch(px, found), see quell/motion/history_fetch.hpp");
+                return detail::no_past<std::remove_cvref_t<decltype(px)>>();
+            }
+        }
     }
     /// Missing samples: the history goes on, as far as it is valid. Without a history the neighbours' mean stands in, and what is kept
     /// becomes 0, so that the next sample counts fully. (Exponential keeps no length: it blends the next sample with alpha as ever.)
@@ -65,6 +78,9 @@ private:
             return past[c];
     }
 };
+/// @cond
+template <class M> Temporal(M) -> Temporal<M, detail::Missing>; // which says what is missing
+/// @endcond
 template <class M, class B> Temporal(M, B) -> Temporal<M, B>;
 template <class M, class B, class F> Temporal(M, B, F) -> Temporal<M, B, F>;
 
@@ -73,12 +89,20 @@ template <class M, class B, class F> Temporal(M, B, F) -> Temporal<M, B, F>;
 template <class F> struct Spatial {
     static_assert(std::is_trivially_copyable_v<F>,
                   "Spatial{kernel}: a policy must be trivially copyable, so that it can be sent to a device: plain numbers only");
+    static_assert(detail::check_hooks<F>());
     static_assert(FilterKernel<F>,
                   "Spatial{kernel}: `kernel` must have filter(px) or for_each_pass(pass), see quell/filter/filter_kernel.hpp");
+    static_assert(OnePassFilter<F> + EmittingKernel<F> + detail::HasPasses<F> <= 1,
+                  "Spatial{kernel}: `kernel` must have one of filter(px), emit_channels(px) and for_each_pass(pass), not several");
+    static_assert(!(OnePassFilter<F> && detail::says_leaves_signal<F>),
+                  "Spatial{kernel}: a kernel with filter(px) makes the signal: it cannot say `leaves_signal`");
     using parts = Parts<F>;
     F kernel{}; ///< the filter
 };
 template <class F> Spatial(F) -> Spatial<F>;
+/// @cond
+Spatial()->Spatial<detail::Missing>; // which says what is missing
+/// @endcond
 
 namespace detail {
 template <class T> inline constexpr bool is_temporal = false;
@@ -86,17 +110,19 @@ template <class M, class B, class F> inline constexpr bool is_temporal<Temporal<
 template <class T> inline constexpr bool is_spatial = false;
 template <class F> inline constexpr bool is_spatial<Spatial<F>> = true;
 
-/// Whether no pass of a stage makes a new signal (FilterKernel::leaves_signal).
+/// Whether no pass of a stage makes a new signal: FilterKernel::leaves_signal, or its only pass makes channels.
 template <class Stage> inline constexpr bool leaves_signal = false;
-template <class F>
-    requires requires { F::leaves_signal; }
-inline constexpr bool leaves_signal<Spatial<F>> = F::leaves_signal;
+template <class F> inline constexpr bool leaves_signal<Spatial<F>> = EmittingKernel<F> || says_leaves_signal<F>;
+
+/// Whether a stage is a filter of several passes.
+template <class Stage> inline constexpr bool has_passes = false;
+template <class F> inline constexpr bool has_passes<Spatial<F>> = HasPasses<F>;
 
 /// Calls `visit(pass)` for each pass of a stage.
 template <class Stage, class Visit> constexpr void for_each_pass(Stage const& stage, Visit&& visit) {
     if constexpr (!is_spatial<Stage>)
         visit(stage);
-    else if constexpr (requires { stage.kernel.for_each_pass(visit); })
+    else if constexpr (has_passes<Stage>)
         stage.kernel.for_each_pass(visit);
     else
         visit(stage.kernel);

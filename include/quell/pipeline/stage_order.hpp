@@ -13,20 +13,19 @@ public:
     static constexpr std::size_t count = std::tuple_size_v<Stages>;
 
 private:
+    /// Whether a stage is known to make a new signal. Of a filter of several passes only a run tells.
+    template <class Stage> static constexpr bool always_makes_signal = is_temporal<Stage> || !(leaves_signal<Stage> || has_passes<Stage>);
     template <std::size_t... i> static constexpr std::size_t counted_up_to_temporal(std::index_sequence<i...>) {
         std::size_t n = 0;
         static_cast<void>(((++n, is_temporal<StageAt<i>>) || ...));
         return n;
     }
     template <std::size_t... before> static constexpr bool marked_behind(std::index_sequence<before...>) {
-        return !(... || (P::has_past ? is_temporal<StageAt<before>> : !leaves_signal<StageAt<before>>));
+        return !(... || (P::has_past ? is_temporal<StageAt<before>> : always_makes_signal<StageAt<before>>));
     }
     template <std::size_t i, std::size_t... behind> static constexpr bool remembers_behind(std::index_sequence<behind...>) {
         return (... || (remembers_of<StageAt<i + 1 + behind>>::size > 0));
     }
-    template <class Stage>
-    static constexpr bool always_makes_signal =
-        is_temporal<Stage> || !(leaves_signal<Stage> || requires(Stage s) { s.kernel.for_each_pass(AnyPass{}); });
     static constexpr bool last_may_leave_signal() {
         if constexpr (count == 0)
             return true;

@@ -32,6 +32,11 @@ public:
 
     /// Drops all history before the next frame.
     void forget() { before.forget(); }
+    /// Gives scratch back, what run_two_sided() returned, and the frames after. The next call takes it again.
+    void release_scratch() {
+        before.release_scratch();
+        after.release();
+    }
     /// Counts of the frames before.
     [[nodiscard]] Statistics const& statistics() const { return before.statistics(); }
     /// Memory of both histories, in bytes.
@@ -85,6 +90,49 @@ void copy_accumulated(ImageView auto const& light, History<P, Storage> const& hi
 }
 } // namespace detail
 
+namespace detail {
+/// A range of frames, by number.
+template <class W>
+concept Window = requires(W& window) {
+    { window[0].size } -> std::convertible_to<Extent>;
+    { std::size(window) } -> std::convertible_to<std::size_t>;
+};
+/// run_two_sided() for frames that are right for it.
+template <class P, class W, class Storage, class E>
+auto run_window(P const& pipeline, P const& joining, W& window, TwoSidedHistory<P, Storage>& history, E const& executor) {
+    using F = std::remove_reference_t<decltype(window[0])>;
+    using FrameStorage = typename F::storage;
+    using Output = typename P::Output;
+    if (std::size(window) == 0)
+        raise_error<Failure>("run_two_sided: the window", "no frames", "give the frame to denoise and those after it");
+    std::size_t last = 0;
+    auto const follows = [&](std::size_t i) {
+        return window[i].size == window[0].size &&
+               (!window[i].number || !window[i - 1].number || *window[i].number == *window[i - 1].number + 1);
+    };
+    while (last + 1 < std::size(window) && follows(last + 1)) ++last;
+    auto& frame = window[0];
+    if (last == 0) return run(pipeline, frame, history.before, executor);
+
+    auto const accumulated = accumulate(pipeline, frame, history.before, executor);
+    history.after.forget();
+    for (auto i = last; i > 0; --i) {
+        Exchanged const backwards(window[i][motion], window[i][motion_next]);
+        CountedBackwards const number(window[i]);
+        accumulate(pipeline, window[i], history.after, executor);
+    }
+    ImageOf<FrameStorage, Output> known_light(frame.size);
+    ImageOf<FrameStorage, SampleCount> known_count(frame.size), known_variance(frame.size);
+    copy_accumulated(accumulated, history.before, known_light.view(), known_count.view(), known_variance.view());
+    Exchanged const of_light(frame[Output{}], known_light);
+    Exchanged const of_count(frame[sample_count], known_count);
+    Exchanged const of_variance(frame[sample_variance], known_variance);
+    Exchanged const backwards(frame[motion], frame[motion_next]);
+    CountedBackwards const number(frame);
+    return run(joining, frame, history.after, executor);
+}
+} // namespace detail
+
 /// Denoises a frame with the frames before it, from the history, and those after it, for offline use. Moving light lags less, and
 /// disoccluded pixels have a history too.
 ///
@@ -105,38 +153,22 @@ void copy_accumulated(ImageView auto const& light, History<P, Storage> const& hi
 /// @throws Error for a window without frames, and as run() does
 template <class P, class Window, class Storage, Executor E = Simd>
 auto run_two_sided(P const& pipeline, P const& joining, Window& window, TwoSidedHistory<P, Storage>& history, E const& executor = {}) {
-    using F = std::remove_reference_t<decltype(window[0])>;
-    using FrameStorage = typename F::storage;
-    using Output = typename P::Output;
-    static_assert(F::channels::template has<MotionNext>,
-                  "run_two_sided(pipeline, window, ...): the frames have no motion_next; construct them with two_sided");
-    static_assert(owns_memory<FrameStorage>(), "run_two_sided(pipeline, window, ...): the frames must own their memory (Planar<>)");
-    if (std::size(window) == 0) raise_error("run_two_sided: the window", "no frames", "give the frame to denoise and those after it");
-    std::size_t last = 0;
-    auto const follows = [&](std::size_t i) {
-        return window[i].size == window[0].size &&
-               (!window[i].number || !window[i - 1].number || *window[i].number == *window[i - 1].number + 1);
-    };
-    while (last + 1 < std::size(window) && follows(last + 1)) ++last;
-    auto& frame = window[0];
-    if (last == 0) return run(pipeline, frame, history.before, executor);
-
-    auto const accumulated = accumulate(pipeline, frame, history.before, executor);
-    history.after.forget();
-    for (auto i = last; i > 0; --i) {
-        detail::Exchanged const backwards(window[i][motion], window[i][motion_next]);
-        detail::CountedBackwards const number(window[i]);
-        accumulate(pipeline, window[i], history.after, executor);
+    if constexpr (!detail::Window<Window>) {
+        static_assert(sizeof(Window) == 0,
+                      "run_two_sided(pipeline, window, history): `window` must be a range of frames with operator[], such "
+                      "as std::deque<Frame<...>>");
+        return detail::NoOutput{};
+    } else {
+        using F = std::remove_reference_t<decltype(window[0])>;
+        constexpr bool has_motion_next = F::channels::template has<MotionNext>, is_owner = owns_memory<typename F::storage>();
+        static_assert(has_motion_next,
+                      "run_two_sided(pipeline, window, ...): the frames have no motion_next; construct them with two_sided");
+        static_assert(is_owner, "run_two_sided(pipeline, window, ...): the frames must own their memory (Planar<>)");
+        if constexpr (has_motion_next && is_owner)
+            return detail::run_window(pipeline, joining, window, history, executor);
+        else
+            return detail::NoOutput{};
     }
-    ImageOf<FrameStorage, Output> known_light(frame.size);
-    ImageOf<FrameStorage, SampleCount> known_count(frame.size), known_variance(frame.size);
-    detail::copy_accumulated(accumulated, history.before, known_light.view(), known_count.view(), known_variance.view());
-    detail::Exchanged const of_light(frame[Output{}], known_light);
-    detail::Exchanged const of_count(frame[sample_count], known_count);
-    detail::Exchanged const of_variance(frame[sample_variance], known_variance);
-    detail::Exchanged const backwards(frame[motion], frame[motion_next]);
-    detail::CountedBackwards const number(frame);
-    return run(joining, frame, history.after, executor);
 }
 /// The same with `pipeline` for joining as well.
 template <class P, class Window, class Storage, Executor E = Simd>

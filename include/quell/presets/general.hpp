@@ -18,25 +18,25 @@
 namespace quell::inline QUELL_INSTRUCTION_SET::presets {
 
 /// The input as it is.
-constexpr auto none(ChannelTag auto signal, auto... parts) { return Pipeline{signal, parts...}; }
+constexpr auto none(auto signal, auto... parts) { return Pipeline{signal, parts...}; }
 
 /// Accumulation along surface motion vectors and nothing else: the baseline of all comparisons.
-constexpr auto surface(ChannelTag auto signal, auto... parts) {
+constexpr auto surface(auto signal, auto... parts) {
     return Pipeline{signal, parts..., Temporal{SurfaceMotion{}, Exponential{.alpha = 0.1f}}};
 }
 
 /// surface() with the history clamped to mean +- 1 sigma of the 3x3 around (Salvi 2015).
-constexpr auto surface_clamp(ChannelTag auto signal, auto... parts) {
+constexpr auto surface_clamp(auto signal, auto... parts) {
     return Pipeline{signal, parts..., Temporal{SurfaceMotion{}, Clamped{Exponential{.alpha = 0.1f}, MeanDeviation{.sigmas = 1.f}}}};
 }
 
 /// No history: an edge-avoiding a-trous wavelet of five levels (Dammertz 2010).
-constexpr auto atrous(ChannelTag auto signal, auto... parts) {
+constexpr auto atrous(auto signal, auto... parts) {
     return Pipeline{signal, parts..., Spatial{Atrous{Product{DepthEdge{}, NormalEdge{}}}}};
 }
 
 /// Spatiotemporal variance-guided filtering (Schied et al. 2017). A cap of 5 frames is its alpha of 0.2.
-constexpr auto svgf(ChannelTag auto signal, auto... parts) {
+constexpr auto svgf(auto signal, auto... parts) {
     return Pipeline{signal, parts..., Temporal{SurfaceMotion{}, WithMoments{RunningMean{.cap = 5.f}}},
                     Spatial{VarianceGuidedAtrous{Product{DepthEdge{}, NormalEdge{}}}}};
 }
@@ -47,7 +47,7 @@ constexpr auto svgf(ChannelTag auto signal, auto... parts) {
 /// @param filter      the spatial filter: ConservingAtrous, LocalRegression, or another one that reads the variance
 /// @param signal      the channel to denoise
 /// @param parts       further parts of the Pipeline, such as Demodulate{}
-constexpr auto general_with(ForgetBiased<RunningMean> accumulated, auto filter, ChannelTag auto signal, auto... parts) {
+constexpr auto general_with(ForgetBiased<RunningMean> accumulated, auto filter, auto signal, auto... parts) {
     return Pipeline{signal, parts..., Spatial{BiasEstimate<>{}}, Temporal{SurfaceMotion{}, WithVariance{accumulated}}, Spatial{filter}};
 }
 
@@ -59,21 +59,20 @@ inline constexpr ForgetBiased<RunningMean> joined_history{.inner = {.cap = 48.f}
 
 /// The preset to start with, for hosts with colour and guides: BiasEstimate, a RunningMean whose biased history is forgotten, and
 /// ConservingAtrous.
-constexpr auto general(ChannelTag auto signal, auto... parts) {
-    return general_with(general_history, ConservingAtrous<>{}, signal, parts...);
-}
+constexpr auto general(auto signal, auto... parts) { return general_with(general_history, ConservingAtrous<>{}, signal, parts...); }
 
 /// general() with joined_history: the second argument of run_two_sided().
-constexpr auto general_joining(ChannelTag auto signal, auto... parts) {
-    return general_with(joined_history, ConservingAtrous<>{}, signal, parts...);
-}
+constexpr auto general_joining(auto signal, auto... parts) { return general_with(joined_history, ConservingAtrous<>{}, signal, parts...); }
 
 /// The filter of final_frame().
 template <ChannelTag S> inline constexpr LocalRegression<Product<DepthEdge, NormalEdge>, S::components> final_frame_filter{};
 
 /// general() for final frames, with a regression on the guides after its filter (LocalRegression): better, and slower.
-template <ChannelTag S> constexpr auto final_frame(S signal, auto... parts) {
-    return general_with(general_history, final_frame_filter<S>, signal, parts...);
+template <class S> constexpr auto final_frame(S signal, auto... parts) {
+    if constexpr (ChannelTag<S>)
+        return general_with(general_history, final_frame_filter<S>, signal, parts...);
+    else
+        return Pipeline{signal, parts...}; // which says that it must be one
 }
 
 /// final_frame() with joined_history: the second argument of run_two_sided().

@@ -19,7 +19,8 @@ template <class Edge> struct ConeLevel {
         using Px = decltype(px);
         using Real = typename Px::Real;
         constexpr int taps = 25;
-        auto const spline = [](int i) { return CubicSpline::weights[i < 2 ? 2 - i : i - 2]; };
+        constexpr auto& half = CubicSpline::weights;
+        constexpr float spline[] = {half[2], half[1], half[0], half[1], half[2]};
         auto const around = edge.around(px);
         auto const n = px[normal];
         Real same[taps], other[taps];
@@ -30,7 +31,7 @@ template <class Edge> struct ConeLevel {
             int const dx = (t % 5 - 2) * step, dy = (t / 5 - 2) * step;
             auto const neighbour = px.at(dx, dy);
             column[t] = neighbour.x, row[t] = neighbour.y;
-            float const start = spline(t % 5) * spline(t / 5);
+            float const start = spline[t % 5] * spline[t / 5];
             auto w = Real(start);
             if (t != taps / 2) {
                 auto const& toward = edge_toward(around, dx, dy);
@@ -50,7 +51,7 @@ template <class Edge> struct ConeLevel {
         [&]<int... k>(std::integer_sequence<int, k...>) QUELL_INLINED { (add_cone<k>(px, column, row, same, value), ...); }
         (std::make_integer_sequence<int, cone::count>{});
         if (turned) add_turned(px, n, other, value, sum_of_weights);
-        auto const inverse = 1.f / max(sum_of_weights, Real(1e-12f));
+        auto const inverse = 1.f / max(sum_of_weights, Real(1e-30f));
         auto const result = scale(value, inverse);
         return select(both(all_finite(result), sum_of_weights > Real(0.f)), result, px.signal());
     }

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <quell/filter/atrous.hpp>
+#include <quell/frame/hull.hpp>
 #include <quell/radiance/cones.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
-/// Shades each pixel by the sum of the cones of the 3x3 around it: their mean colour, as bright as their cones shade to. A disoccluded
-/// pixel has samples in few of its cones; its neighbours fill the others. Goes after a Temporal{motion, WithCones{...}, ConeFetch{}} and
-/// before a filter of colours.
+/// Shades each pixel by the sum of the cones of the 3x3 around it: their mean colour, as bright as their cones shade to, but no component
+/// beyond those of the 3x3. A disoccluded pixel has samples in few of its cones; its neighbours fill the others. Goes after a
+/// Temporal{motion, WithCones{...}, ConeFetch{}} and before a filter of colours.
 ///
 ///     Spatial{ConeGather{}}, Spatial{VarianceGuidedAtrous{}}
 ///
@@ -24,6 +25,7 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
         using Px = decltype(px);
         using Real = typename Px::Real;
         auto const around = edge.around(px);
+        constexpr float profile[] = {0.5f, 0.25f};
         Taps<Px> taps;
         taps.add(px, Real(profile[0] * profile[0]));
         for_each_opposite_taps<1>(px, 1, detail::edge_offset(around),
@@ -35,10 +37,12 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
                                       taps.add(other, edge_weight(toward.distance(other, its_start), bits + its_row));
                                   });
         auto colour = zero<typename Px::Signal>();
+        detail::Hull<typename Px::Signal> seen(px.signal());
         Real weight(0.f);
         for (int t = 0; t < taps.count; ++t) {
             auto const signal = taps.at(px, t).signal();
             taps.light[t] = luminance(signal) * taps.weight[t];
+            seen.add(signal, taps.weight[t] > Real(counts_from));
             colour = add_scaled(colour, signal, taps.weight[t]);
             weight = weight + taps.weight[t];
         }
@@ -47,11 +51,11 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
         auto const mean = cone::mean(sum);
         auto const shaded = scale(colour, cone::shade(sum) / (max(mean, Real(1e-30f)) * weight));
         // With no samples in reach there is nothing to shade; without light no ratio.
-        return select(both(cone::samples(sum) > Real(1e-6f), mean > Real(0.f), all_finite(shaded)), shaded, px.signal());
+        return select(both(cone::samples(sum) > Real(1e-6f), mean > Real(0.f), all_finite(shaded)), seen.limited(shaded), px.signal());
     }
 
 private:
-    static constexpr float profile[2] = {0.5f, 0.25f};
+    static constexpr float counts_from = 1e-6f; ///< weight: less is of another surface, or outside the image
 
     template <class Px> struct Taps {
         int column[9], row[9];

@@ -179,7 +179,7 @@ template <int n, class Real> QUELL_KERNEL Real samples(Components<n, Real> const
 /// The mean of all samples, whatever their cones: a colour or a luminance. 0 without samples.
 template <int n, class Real> QUELL_KERNEL auto mean(Components<n, Real> const& value) {
     constexpr int each = n / count;
-    auto const inverse = 1.f / max(samples(value), Real(1e-12f));
+    auto const inverse = 1.f / max(samples(value), Real(1e-30f));
     return make_value<each - 1, Real>([&](auto c) QUELL_INLINED {
         Real all(0.f);
         for (int k = 0; k < count; ++k) all = all + value.at[each * k + c];
@@ -193,7 +193,7 @@ template <int n, class Real> QUELL_KERNEL auto shade(Components<n, Real> const& 
     constexpr int each = n / count;
     auto const of_all = mean(value);
     // Each cone borrows 1/1000 of all samples: little beside samples of its own.
-    auto const lent = max(samples(value) * 1e-3f, Real(1e-12f));
+    auto const lent = max(samples(value) * 1e-3f, Real(1e-30f));
     auto sum = zero<Value<each - 1, Real>>();
     for (int k = 0; k < count; ++k) {
         auto const inverse = part(k) / (value.at[each * k + each - 1] + lent);

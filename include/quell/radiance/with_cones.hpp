@@ -36,7 +36,7 @@ private:
     /// Cones of a mean that a clamp has changed. Those that it has darkened are scaled; to others the same light is added in all cones.
     template <class Real> QUELL_KERNEL static Components<12, Real> as_bright_as(Real wanted, Components<12, Real> const& cones) {
         auto const mean = cone::mean(cones);
-        auto const factor = min(wanted / max(mean, Real(1e-30f)), Real(1.f)), added = max(wanted - mean, Real(0.f));
+        auto const factor = clamp(wanted / max(mean, Real(1e-30f)), Real(0.f), Real(1.f)), added = max(wanted - mean, Real(0.f));
         return make_value<12, Real>([&](auto i) QUELL_INLINED {
             if constexpr (i % 2 == 1)
                 return cones.at[i];

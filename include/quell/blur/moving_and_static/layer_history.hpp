@@ -1,7 +1,7 @@
 #pragma once
 
 #include <quell/blend/blend_policy.hpp>
-#include <quell/blur/layers.hpp>
+#include <quell/blur/layer_hull.hpp>
 #include <quell/motion/catmull_rom.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -18,9 +18,9 @@ template <ChannelTag S> struct LayerFetch {
         constexpr StaticLayer<Signal> still;
         auto past = Bilinear{}.fetch(px, found);
         if (auto const valid = past.validity > Real(0.f); sharp && any(valid)) {
-            auto const spline = CatmullRom::interpolated(px, found, past.kept[moving],
-                                                         [](auto const& then) QUELL_INLINED { return then[MovingLayer<Signal>{}]; });
-            past.kept.set(moving, select(valid, detail::covering(spline), past.kept[moving]));
+            auto const spline = CatmullRom::interpolated<detail::LayerHull>(
+                px, found, past.kept[moving], [](auto const& then) QUELL_INLINED { return then[MovingLayer<Signal>{}]; });
+            past.kept.set(moving, select(valid, spline, past.kept[moving]));
         }
         auto const p = px.position();
         PixelCoordinates<Real> const here(p.x - 0.5f, p.y - 0.5f);

@@ -31,7 +31,7 @@ template <ChannelTag S, class Trajectories = StraightTrajectories> struct LayerS
         Sums<Px> sums;
         if (!all(alone)) gather(px, own, sums);
         auto const moving = sums.moving > Real(0.f), still = sums.still > Real(0.f);
-        auto const inverse = 1.f / max(sums.moving, Real(1e-6f));
+        auto const inverse = 1.f / max(sums.moving, Real(1e-30f));
         auto const covers = masked(moving, coverage);
         auto const around = px[guide_sweep];
         auto const background = select(alone, px.signal(), scale(sums.behind, 1.f / max(sums.still, Real(1.f))));

@@ -78,7 +78,7 @@ struct TileMaxGather {
             sum = add_scaled(sum, value, w);
             weights = weights + w;
         }
-        return select(both(blurred, weights > Real(0.f)), scale(sum, 1.f / max(weights, Real(1e-6f))), own);
+        return select(both(blurred, weights > Real(0.f)), scale(sum, 1.f / max(weights, Real(1e-30f))), own);
     }
 
 private:

@@ -72,7 +72,7 @@ private:
             sum = add_scaled(sum, its, w);
             weights = weights + w;
         }
-        auto const mean = scale(sum, 1.f / max(weights, Real(1e-12f)));
+        auto const mean = scale(sum, 1.f / max(weights, Real(1e-30f)));
         value = select(both(tile, weights > samples), detail::layer_of(detail::signal_of(mean), detail::weight_of(value)), value);
     }
     /// The background's mean is weighted by samples. The foreground has as many everywhere: its coverage is a share of all that pass.

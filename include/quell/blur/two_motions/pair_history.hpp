@@ -1,11 +1,23 @@
 #pragma once
 
 #include <quell/blend/blend_policy.hpp>
+#include <quell/blur/layer_hull.hpp>
 #include <quell/blur/path_search.hpp>
 #include <quell/blur/two_motions/pair_gather.hpp>
 #include <quell/motion/catmull_rom.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
+
+namespace detail {
+/// A place that a motion source found, whose taps must also have seen the layer.
+/// @tparam Layer a channel whose last component is the number of samples
+template <ChannelTag Layer, class FoundPlace> struct WhereSeen : FoundPlace {
+    QUELL_KERNEL auto accepts(auto const& then, auto dx, auto dy) const {
+        auto const samples = weight_of(then[Layer{}]);
+        return both(samples > decltype(samples)(0.f), FoundPlace::accepts(then, dx, dy));
+    }
+};
+} // namespace detail
 
 /// History fetch for a foreground and a background layer: the background's from where the motion source says, the foreground's from where
 /// `front` says. Layers of many samples are smooth and hardly need a past: bilinear interpolation does for them.
@@ -21,14 +33,14 @@ template <ChannelTag S> struct PairFetch {
         constexpr BackgroundLayer<Signal> back;
         // The rest of the past is needed only where samples are missing.
         auto past = any(px.missing()) ? Bilinear{.use_3x3 = false}.fetch(px, unchecked) : detail::no_past<Px>();
-        auto const found = detail::sane(px, unchecked);
+        detail::WhereSeen<BackgroundLayer<Signal>, Found> const found{detail::sane(px, unchecked)};
         auto const known = interpolated(px, found, back);
         past.where = found.where;
         past.validity = masked(known.accepted, found.validity);
         // A static pixel keeps its value bit by bit.
         auto const seldom =
             both(known.accepted, invert(found.still), detail::weight_of(px[back]) < real_of<decltype(past.validity)>(often));
-        past.kept.set(back, sharpened(px, found, seldom, known.value, back));
+        past.kept.set(back, sharpened<detail::Hull>(px, found, seldom, known.value, back));
         past.kept.set(ForegroundLayer<Signal>{}, past_front(px));
         return past;
     }
@@ -41,20 +53,20 @@ private:
         auto const samples = detail::weight_of(px[layer]);
         auto const seldom = both(samples > Real(0.f), samples < Real(often));
         if (!any(seldom)) return zero<Value<layer.components, Real>>();
-        auto found = front.previous(px);
+        detail::WhereSeen<ForegroundLayer<Signal>, decltype(front.previous(px))> found{front.previous(px)};
         found.validity = masked(seldom, found.validity);
         auto const known = interpolated(px, found, layer);
-        return sharpened(px, found, known.accepted, known.value, layer);
+        return sharpened<detail::LayerHull>(px, found, known.accepted, known.value, layer);
     }
     template <class Layer> QUELL_KERNEL static auto interpolated(auto const& px, auto const& found, Layer) {
         return Bilinear::interpolated(px, found, [](auto const& then) QUELL_INLINED { return then[Layer{}]; });
     }
     /// Catmull-Rom interpolation where wanted; the number of samples stays.
-    template <class Px, class Found, class Mask, class V, class Layer>
+    template <template <class> class Limits, class Px, class Found, class Mask, class V, class Layer>
     QUELL_KERNEL static V sharpened(Px const& px, Found const& found, Mask wanted, V const& smooth, Layer) {
         if (!any(wanted)) return smooth;
-        auto const spline = CatmullRom::interpolated(px, found, detail::signal_of(smooth),
-                                                     [](auto const& then) QUELL_INLINED { return detail::signal_of(then[Layer{}]); });
+        auto const spline = CatmullRom::interpolated<Limits>(
+            px, found, detail::signal_of(smooth), [](auto const& then) QUELL_INLINED { return detail::signal_of(then[Layer{}]); });
         return select(wanted, detail::layer_of(spline, detail::weight_of(smooth)), smooth);
     }
 };

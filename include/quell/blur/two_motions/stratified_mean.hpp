@@ -130,7 +130,7 @@ private:
         }
         carried = Real(0.f);
         for (int i = max_parts - 1; i >= 0; --i) {
-            share.at[i] = masked(filled.is[i], (share.at[i] + carried) / max(weight.at[i], Real(1e-12f)));
+            share.at[i] = masked(filled.is[i], (share.at[i] + carried) / max(weight.at[i], Real(1e-30f)));
             carried = masked(invert(filled.is[i]), fma(exposed.at[i], filled.to_previous(i), carried));
         }
         return share;

@@ -46,10 +46,10 @@ template <class R, class S, int rows = 1> struct Pixel {
                       "px.finer(channel, i, j): the pass's fraction must be a multiple of the channel's");
         return at_repeated(c, under(ratio, i, j));
     }
-    /// The signal at fine pixel (i, j), as finer(). Finite and not negative.
+    /// The signal at fine pixel (i, j), as finer(). Finite.
     QUELL_KERNEL Signal finer_signal(int i, int j) const {
         static_assert(S::fraction > 1, "px.finer_signal(i, j): the pass is of the frame's size: use px.signal()");
-        return detail::without_mark<S::marks_missing>(detail::fetch_repeated(scope.signal, under(S::fraction, i, j)));
+        return without_mark(detail::fetch_repeated(scope.signal, under(S::fraction, i, j)));
     }
     /// A channel of a coarser resolution at the coarse pixel that contains this pixel, plus (dx, dy) coarse pixels. Outside the image the
     /// border repeats.
@@ -65,28 +65,30 @@ template <class R, class S, int rows = 1> struct Pixel {
         auto const tap = [&](float i, float j) QUELL_INLINED { return at_repeated(c, {column + i, row + j}); };
         return mix(mix(tap(0.f, 0.f), tap(1.f, 0.f), u), mix(tap(0.f, 1.f), tap(1.f, 1.f), u), v);
     }
-    /// The signal being denoised. Finite and not negative; a missing sample holds the mean of its usable neighbours.
+    /// The signal being denoised. Finite; components may be negative. A missing sample holds the mean of its usable neighbours.
     QUELL_KERNEL Signal signal() const {
         static_assert(S::fraction == 1, "a pass of a fraction of the frame's size looks at the signal: use px.finer_signal(i, j)");
-        return detail::without_mark<S::marks_missing>(load(scope.signal));
+        return without_mark(stored_signal());
     }
     /// One component of the signal.
     template <int c> QUELL_KERNEL Real signal_component() const {
         require_frame_size();
-        auto const a = load_one<c>(scope.signal);
-        if constexpr (S::marks_missing && c == 0)
-            return without_sign_bit(a);
+        if constexpr (S::marks_missing)
+            return component<c>(signal());
         else
-            return a;
+            return load_one<c>(scope.signal);
     }
-    /// True where the host's sample is unusable (NaN, infinite, negative, above 1e16). It must have weight 0. Always false after Temporal,
-    /// or, without a Temporal, after the first stage that makes a new signal; and in a pass of a fraction of the frame's size.
+    /// True where the host's sample is unusable (not finite, beyond 1e16, of negative luminance). It must have weight 0. Always false after
+    /// Temporal, or, without a Temporal, after the first stage that makes a new signal; and in a pass of a fraction of the frame's size.
     QUELL_KERNEL auto missing() const {
-        if constexpr (S::marks_missing && S::fraction == 1)
-            return sign_bit(component<0>(load(scope.signal)));
+        if constexpr (S::fraction == 1)
+            return S::mark::template of<S::marks_missing>(stored_signal());
         else
             return Real(0.f) != Real(0.f);
     }
+    /// @cond
+    QUELL_KERNEL Signal stored_signal() const { return load(scope.signal); } // with marks
+    /// @endcond
     /// Whether the host supplies sample counts: KnownSamples{} is a part of the pipeline.
     static constexpr bool knows_samples = S::frame_channels::template has<SampleCount>;
     /// The number of samples that the signal's value is the mean of, in [1e-3, 1e6]. 1 where the host supplies none.
@@ -157,10 +159,7 @@ template <class R, class S, int rows = 1> struct Pixel {
     QUELL_KERNEL auto signal_elsewhere(PixelCoordinates<Real> const& place) const {
         require_frame_size();
         auto const v = detail::fetch<Real>(scope.signal, scope.size, place, 0, 0);
-        if constexpr (S::marks_missing)
-            return std::pair{detail::without_mark<S::marks_missing>(v), sign_bit(component<0>(v))};
-        else
-            return std::pair{v, Real(0.f) != Real(0.f)};
+        return std::pair{without_mark(v), S::mark::template of<S::marks_missing>(v)};
     }
     /// To world space: rays().position(position(), z) is the point at depth z. The policy must declare `needs_camera`.
     QUELL_KERNEL PixelRays const& rays() const { return require_camera(), scope.rays; }
@@ -181,6 +180,7 @@ template <class R, class S, int rows = 1> struct Pixel {
     QUELL_KERNEL vec3<Real> project(vec3<Real> const& p) const { return project(scope.clip_from_world, p); }
 
 private:
+    QUELL_KERNEL static Signal without_mark(Signal const& v) { return S::mark::template value<S::marks_missing>(v); }
     template <class C> QUELL_KERNEL static void require_same_size() {
         static_assert(C::fraction == S::fraction,
                       "a policy looks at a channel of another size than the pass: read a finer one by px.finer(channel, i, j), a coarser "

@@ -6,7 +6,10 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 /// The signal that a policy is made for, if it names one; else Radiance.
-template <class P> struct SignalFor { using type = Radiance; };
+template <class P> struct SignalFor {
+    static_assert(check_hooks<P>());
+    using type = Radiance;
+};
 template <class P>
     requires ChannelTag<typename P::Signal>
 struct SignalFor<P> {

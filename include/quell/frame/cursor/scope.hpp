@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/frame/cursor/missing_mark.hpp>
 #include <quell/frame/frame.hpp>
 #include <quell/frame/motion_convention.hpp>
 #include <quell/frame/pixel_rays.hpp>
@@ -19,23 +20,10 @@ template <class Storage, class... Cs> struct RememberedViewsOf<Storage, Channels
 
 /// Properties of a pass.
 struct PassTraits {
-    bool marks_missing = false; ///< the signal marks missing samples by the sign of component 0
+    bool marks_missing = false; ///< the signal marks missing samples
     bool has_camera = false;    ///< a policy of the pass declares `needs_camera`
     int fraction = 1;           ///< size of the pass = frame size / fraction, rounded up
 };
-
-namespace detail {
-/// A value of the signal, without the mark of a missing sample in its first component.
-/// @tparam marks whether there may be one
-template <bool marks, class V> QUELL_KERNEL V without_mark(V const& v) {
-    return make_value<components_of<V>, real_of<V>>([&](auto c) QUELL_INLINED {
-        if constexpr (marks && c == 0)
-            return without_sign_bit(component<c>(v));
-        else
-            return component<c>(v);
-    });
-}
-} // namespace detail
 
 /// Everything that the kernels of one pass can read. `_then` means of the previous frame.
 /// @tparam FrameViews     views of the host's channels
@@ -49,14 +37,15 @@ template <bool marks, class V> QUELL_KERNEL V without_mark(V const& v) {
 template <class FrameViews, class MadeViews, class SignalView, class PastSignalView, class KeptViews, class Then, PassTraits traits,
           class Vectors = detail::VectorConversion<MotionConvention{}>>
 struct Scope {
-    using frame_channels = typename FrameViews::channels;       ///< of the host
-    using made_channels = typename MadeViews::channels;         ///< of earlier passes
-    using kept_channels = typename KeptViews::channels;         ///< kept in the previous frame
-    using remembered_channels = typename Then::channels;        ///< of the previous frame
-    static constexpr bool marks_missing = traits.marks_missing; ///< see PassTraits
-    static constexpr bool has_camera = traits.has_camera;       ///< see PassTraits
-    static constexpr int fraction = traits.fraction;            ///< see PassTraits
-    static constexpr int components = SignalView::components;   ///< of the signal
+    using frame_channels = typename FrameViews::channels;                 ///< of the host
+    using made_channels = typename MadeViews::channels;                   ///< of earlier passes
+    using kept_channels = typename KeptViews::channels;                   ///< kept in the previous frame
+    using remembered_channels = typename Then::channels;                  ///< of the previous frame
+    static constexpr bool marks_missing = traits.marks_missing;           ///< see PassTraits
+    static constexpr bool has_camera = traits.has_camera;                 ///< see PassTraits
+    static constexpr int fraction = traits.fraction;                      ///< see PassTraits
+    static constexpr int components = SignalView::components;             ///< of the signal
+    using mark = detail::MissingMark<detail::keeps_all_bits<SignalView>>; ///< of a missing sample
 
     Extent size;                               ///< of the pass, in pixels
     FrameViews frame;                          ///< the host's channels

@@ -147,10 +147,10 @@ inline Plane CopiedPart::cropped(NewNumbers const& of_channel, ExrOriginal const
     auto const size = size_of(canvas);
     auto const subject = original.listed.name + " channel '" + of_channel.channel + "'";
     if (static_cast<long long>(of_channel.values.size()) != size.pixels())
-        throw Error(subject, std::to_string(of_channel.values.size()) + " numbers for a canvas of " + to_string(size),
-                    "give one per pixel");
+        throw Failure(subject, std::to_string(of_channel.values.size()) + " numbers for a canvas of " + to_string(size),
+                      "give one per pixel");
     if (data.x0 < canvas.x0 || data.y0 < canvas.y0 || data.x1 > canvas.x1 || data.y1 > canvas.y1)
-        throw Error(subject, "its data window reaches out of the canvas", "make the canvas hold the data window");
+        throw Failure(subject, "its data window reaches out of the canvas", "make the canvas hold the data window");
     if (auto const* const channel = header.channels().findChannel(of_channel.channel); channel->xSampling != 1 || channel->ySampling != 1)
         throw Error(subject, "it is sub-sampled", "write it at full resolution");
     Plane plane{.name = of_channel.channel, .type = sample_type(header.channels()[of_channel.channel].type), .values = {}};
@@ -189,7 +189,7 @@ inline void CopiedPart::write_pixels(Imf::FrameBuffer const& buffer, Imf::MultiP
 inline void CopiedPart::write(ExrOriginal const& original, Imf::MultiPartInputFile& from, Region const& canvas,
                               Imf::MultiPartOutputFile& output, int part) const {
     if (!is_touched()) return copy_packed(from, output, part);
-    if (is_tiled() && header.tileDescription().mode != Imf::ONE_LEVEL)
+    if (original.has_levels(number))
         throw Error(original.listed.name, "its tiles have several levels (a mip map or rip map)", "write frames with one level");
     auto const raw = raw_channels(from, number, false);
     Imf::FrameBuffer buffer;

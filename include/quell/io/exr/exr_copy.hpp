@@ -20,7 +20,7 @@ struct ExrChanges {
 /// the channels are packed again. Where a lossy compression would so change numbers that are no colours (depth, ids, Cryptomatte), that
 /// part is packed without loss (ZIP). The file is replaced atomically.
 /// @returns names of the parts that are packed without loss for that reason; a part's number where it has no name
-/// @throws Error naming the file and, where it is at fault, the channel
+/// @throws Error naming the file and, where it is at fault, the channel; a Failure where the original is not at fault
 inline std::vector<std::string> write_copy(std::filesystem::path const& path, ExrOriginal const& original, ExrChanges const& changes);
 
 namespace detail {
@@ -74,7 +74,7 @@ inline std::vector<std::string> write_copy(std::filesystem::path const& path, Ex
     auto const file = path.string();
     std::vector<std::string> lossless;
     std::string bytes;
-    detail::naming_file(file, "a copy of " + original.listed.name + " can't be encoded", [&] {
+    detail::naming_file<Failure>(file, "a copy of " + original.listed.name + " can't be encoded", [&] {
         auto parts = detail::copied_parts(original, changes);
         bytes = detail::encoded(file, original, changes.canvas, parts);
         lossless = detail::keep_data(file, original, bytes, parts);

@@ -14,17 +14,17 @@ namespace quell::inline QUELL_INSTRUCTION_SET::io::detail {
 /// First line of a library's message.
 inline std::string first_line(std::string const& text) { return text.substr(0, text.find('\n')); }
 
-/// Runs f; turns exceptions of the OpenEXR library into an Error that names the file.
-inline void naming_file(std::string const& file, std::string const& trouble, auto&& f) {
+/// Runs f; turns exceptions of the OpenEXR library into an Error that names the file: a Failure where it is being written.
+template <class E = Error> void naming_file(std::string const& file, std::string const& trouble, auto&& f) {
     auto const remedy = "render or copy it again";
     try {
         f();
     } catch (Error const&) {
         throw;
     } catch (std::bad_alloc const&) {
-        throw Error(file, trouble + ": it asks for more memory than there is", remedy);
+        throw E(file, trouble + ": it asks for more memory than there is", remedy);
     } catch (std::exception const& why) { // the base of OpenEXR's exceptions
-        throw Error(file, trouble + " (" + first_line(why.what()) + ")", remedy);
+        throw E(file, trouble + " (" + first_line(why.what()) + ")", remedy);
     }
 }
 

@@ -23,9 +23,15 @@ public:
     /// @throws Error naming the file and the channel
     [[nodiscard]] ExrImage read(std::span<std::string const> names, Region const& canvas) const;
 
+    /// The file's attributes, those of a part before the others.
+    [[nodiscard]] std::map<std::string, Attribute, std::less<>> attributes_of(int part) const;
+
     /// Whether the first and the last row of each flat part can be read. A file that was cut off, or not copied whole, lacks one of them,
     /// though its header is whole.
     [[nodiscard]] bool is_whole() const;
+
+    /// Whether a part's tiles have several levels (a mip map or rip map), so that no other numbers can be written into it.
+    [[nodiscard]] bool has_levels(int part) const;
 
     [[nodiscard]] int parts() const { return file->parts(); }                              ///< how many parts there are
     [[nodiscard]] Imf::Header const& header(int part) const { return file->header(part); } ///< of a part, from 0
@@ -73,6 +79,10 @@ inline Region ExrOriginal::relative(Imath::Box2i const& box) const {
             from(box.max.y, display.min.y) + 1};
 }
 
+inline bool ExrOriginal::has_levels(int part) const {
+    return header(part).hasTileDescription() && header(part).tileDescription().mode != Imf::ONE_LEVEL;
+}
+
 inline Region ExrOriginal::canvas() const {
     Region all{0, 0, listed.size.width, listed.size.height};
     for (int part = 0; part < parts(); ++part) {
@@ -82,6 +92,13 @@ inline Region ExrOriginal::canvas() const {
     }
     detail::check_window(listed.name, "whole", {{all.x0, all.y0}, {all.x1 - 1, all.y1 - 1}});
     return all;
+}
+
+inline std::map<std::string, Attribute, std::less<>> ExrOriginal::attributes_of(int part) const {
+    std::map<std::string, Attribute, std::less<>> attributes;
+    detail::copy_attributes(header(part), attributes);
+    attributes.insert(listed.attributes.begin(), listed.attributes.end());
+    return attributes;
 }
 
 inline bool ExrOriginal::is_whole() const {

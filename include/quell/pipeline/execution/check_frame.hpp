@@ -19,7 +19,7 @@ inline bool usable(glm::mat4 const& m) {
 /// @throws Error where the host's image is not of the frame's size
 inline void check_target(Extent target, Extent frame) {
     if (!(target == frame))
-        raise_error("run_into: the target", to_string(target) + " for a frame of " + to_string(frame), "give it the frame's size");
+        raise_error<Failure>("run_into: the target", to_string(target) + " for a frame of " + to_string(frame), "give it the frame's size");
 }
 
 /// @throws Error that names the channel, matrix or shutter at fault
@@ -27,17 +27,18 @@ template <class P, class Set, class Storage> void check_frame(Frame<Set, Storage
     for_each_channel(typename P::reads{}, [&](auto c) {
         auto const view = frame[c].view();
         if (auto const wanted = divided(frame.size, c.fraction); !(view.size == wanted))
-            raise_error("channel '" + std::string(c.name) + "'", to_string(view.size) + " in a frame of " + to_string(frame.size),
-                        c.fraction == 1
-                            ? "give every channel the frame's size"
-                            : "give it 1/" + std::to_string(c.fraction) + " of the frame's width and height: " + to_string(wanted));
-        if constexpr (requires { view.data; })
+            raise_error<Failure>("channel '" + std::string(c.name) + "'", to_string(view.size) + " in a frame of " + to_string(frame.size),
+                                 c.fraction == 1 ? "give every channel the frame's size"
+                                                 : "give it 1/" + std::to_string(c.fraction) +
+                                                       " of the frame's width and height: " + to_string(wanted));
+        if constexpr (requires { requires std::is_pointer_v<decltype(view.data)> && !owns_memory<Storage>(); })
             if (!view.data)
-                raise_error("channel '" + std::string(c.name) + "'", "no memory", "point the channel at the host's image before run()");
-        if constexpr (requires { view.pixel_stride; })
+                raise_error<Failure>("channel '" + std::string(c.name) + "'", "no memory",
+                                     "point the channel at the host's image before run()");
+        if constexpr (requires { requires std::is_integral_v<decltype(view.pixel_stride + view.row_stride)>; })
             if (view.row_stride == 0 && view.pixel_stride != 0 && view.size.height > 1)
-                raise_error("channel '" + std::string(c.name) + "'", "row_stride 0",
-                            "give the distance from a row to the next, in elements");
+                raise_error<Failure>("channel '" + std::string(c.name) + "'", "row_stride 0",
+                                     "give the distance from a row to the next, in elements");
     });
     if (!(is_finite(frame.shutter) && frame.shutter >= 0.f))
         raise_error("frame.shutter", std::to_string(frame.shutter),

@@ -1,8 +1,10 @@
 #pragma once
 
-#include <quell/core/real.hpp>
+#include <quell/frame/repair.hpp>
 
 #include <atomic>
+#include <memory>
+#include <new>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
@@ -29,16 +31,55 @@ public:
         if (whole > 0) add_together(larges, whole);
         add_together(smalls, static_cast<long long>(rest / small_unit));
     }
+    void reset() { larges = 0, smalls = 0; }
     [[nodiscard]] double total() const {
         return static_cast<double>(larges) * static_cast<double>(large_unit) +
                static_cast<double>(smalls) * static_cast<double>(small_unit);
     }
 };
 
+/// Pixels with impossible guides, by the guide.
+class GuideCounts {
+    std::atomic<long long> by_guide[CheckedGuides::size] = {};
+
+public:
+    std::atomic<long long> pixels = 0; ///< with one or more
+
+    /// Counts a pixel's ImpossibleGuides.
+    QUELL_KERNEL void add(float impossible) {
+        auto const all = static_cast<int>(impossible);
+        if (all == 0) return;
+        add_together(pixels, 1LL);
+        for (int i = 0; i < CheckedGuides::size; ++i)
+            if ((all >> i & 1) != 0) add_together(by_guide[i], 1LL);
+    }
+    void reset() {
+        pixels = 0;
+        for (auto& count : by_guide) count = 0;
+    }
+    template <ChannelTag C> [[nodiscard]] long long of(C) const {
+        int number = 0, found = 0;
+        for_each_channel(CheckedGuides{}, [&]<class D>(D) {
+            if (std::is_same_v<C, D>) found = number;
+            ++number;
+        });
+        return by_guide[found];
+    }
+};
+
 /// Counts of the ingest, from any number of threads.
 struct Counts {
     std::atomic<long long> missing = 0;
+    std::atomic<long long> holes = 0; ///< of the missing ones: those for which nothing stands in yet
     EnergySum suppressed;
+    GuideCounts guides;
+
+    void reset() { missing = 0, holes = 0, suppressed.reset(), guides.reset(); }
 };
+
+/// Counts that lie where kernels can write them.
+template <class Memory> std::shared_ptr<Counts> counts_in() {
+    return {new (Memory::allocate(sizeof(Counts))) Counts, [](Counts* counts) { Memory::release(counts); }};
+}
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <quell/pipeline/execution/check_frame.hpp>
+#include <quell/pipeline/execution/guides.hpp>
 #include <quell/pipeline/execution/job.hpp>
 #include <quell/pipeline/execution/pass_scopes.hpp>
 #include <quell/pipeline/execution/readers.hpp>
+#include <quell/pipeline/fill_holes.hpp>
 #include <quell/pipeline/history.hpp>
 #include <quell/pipeline/stage_order.hpp>
 
@@ -33,13 +35,15 @@ class Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, Into> {
     History<P, Storage>& history;
     E const& executor;
     Into const& into;
+    Guides<Set, FrameStorage> given{frame};
 
     PooledImage<SignalImage> current;
     Handles<Storage, typename P::made> made;
     Readers<typename P::made> readers; ///< passes that still have to read each channel that passes make
     int passes_left = 0;
     bool past = false;
-    bool marked = true; ///< whether the current signal marks missing samples
+    bool nothing_seen = false; ///< whether all samples are missing
+    bool marked = true;        ///< whether the current signal marks missing samples
     PixelRays rays, rays_then;
     std::int32_t frame_index = 0;
 
@@ -91,15 +95,7 @@ private:
     }
 
     void begin() {
-        bool const follows = !frame.number || !history.then.number || *frame.number == *history.then.number + 1;
-        if (!(history.size == frame.size)) history.restart(frame.size);
-        if (!follows) history.empty = true;
-        past = !history.empty;
-        history.now = {}; // half written, if an exception ended the last frame
-        if (!past) history.then.drop_images(), ++history.counted.resets, history.counted.frames = 0;
-        // History counts as empty until the frame is complete: an exception must not leave half of one.
-        history.empty = true;
-        history.output = {};
+        past = history.start(frame.size, frame.number);
         if constexpr (P::needs_camera) {
             rays = PixelRays(frame.camera, frame.size);
             rays_then = PixelRays(past ? history.then.camera : frame.camera, frame.size);
@@ -110,15 +106,22 @@ private:
     void end() {
         for_each_channel(typename P::keeps{}, [&](auto c) { history.now.kept[c] = made[c]; });
         history.advance(frame);
-        history.empty = !P::has_past;
+        // What no sample was ever seen of is no past.
+        history.empty = !P::has_past || (!past && nothing_seen);
         ++history.counted.frames;
     }
 
     void ingest() {
-        Counts counts;
-        run_pass<false>(pipeline.ingest, false, &counts);
-        history.counted.missing_samples = counts.missing;
-        history.counted.suppressed = counts.suppressed.total();
+        auto &first = *history.counts, &again = *history.counts_again;
+        first.reset(), again.reset();
+        run_pass<false>(pipeline.ingest, false, &first);
+        bool const repeat = given.template repair<typename P::reads, reads_of<typename P::Form>>(first.guides, *history.pool, executor);
+        if (repeat) run_pass<false>(pipeline.ingest, false, &again);
+        auto& counts = repeat ? again : first;
+        history.note(first.guides, counts);
+        nothing_seen = counts.missing == frame.size.pixels();
+        if (nothing_seen && past) run_pass<true>(FillHoles{0}, false, nullptr);
+        for (int step = 2; counts.holes > 0 && !nothing_seen; step *= 2) counts.holes = 0, run_pass<true>(FillHoles{step}, false, &counts);
     }
 
     /// Passes see marks of missing samples until Temporal, which keeps the history there; without a Temporal, until one has made a new
@@ -126,6 +129,8 @@ private:
     template <std::size_t... i> void stages(std::index_sequence<i...>) { (stage<i>(std::get<i>(pipeline.stages)), ...); }
     template <std::size_t i, class Stage> void stage(Stage const& s) {
         detail::for_each_pass(s, [&](auto const& kernel) {
+            static_assert(!leaves_signal<Stage> || !makes_signal<decltype(kernel)>,
+                          "Spatial{filter}: a pass of a filter that says `leaves_signal` makes the signal: give it emit_channels(px)");
             if constexpr (!Order::template may_be_marked<i>)
                 pass<false>(kernel);
             else if constexpr (P::has_past || leaves_signal<Stage>)
@@ -151,7 +156,7 @@ private:
     template <bool raw, class Pass> void run_pass(Pass const& kernel, bool last, Counts* counts) {
         using S = ScopeOf<Pass, raw>;
         using Made = decltype(emits_of<Pass>{} | keeps_of<Pass>{});
-        constexpr bool keeps_marks = raw && P::has_past && !is_temporal<Pass>;
+        constexpr bool keeps_marks = raw && P::has_past && !is_temporal<Pass> && !std::is_same_v<Pass, FillHoles>;
         bool const goes_on = !last || is_temporal<Pass> || feeds_back(kernel);
 
         Handles<Storage, Made> next_made;
@@ -180,13 +185,6 @@ private:
         });
     }
 
-    template <class Pass> static bool feeds_back(Pass const& kernel) {
-        if constexpr (requires { kernel.feedback; })
-            return kernel.feedback;
-        else
-            return false;
-    }
-
     /// The last pass also writes the guides for the next frame, and the output, unless that is the signal's image. Guides of the last frame
     /// that it doesn't read are overwritten in place.
     void prepare_end(bool reads_guides, PooledImage<SignalImage> const& next) {
@@ -211,7 +209,7 @@ private:
     template <class S, class Pass> S scope() const {
         auto const& then = history.then;
         return {.size = divided(frame.size, S::fraction),
-                .frame = frame.views(typename S::frame_channels{}),
+                .frame = given.views(typename S::frame_channels{}),
                 .made = made.views(typename S::made_channels{}),
                 .signal = current ? current.view() : SignalView{},
                 .signal_then = then.signal ? then.signal.view() : SignalView{},
@@ -232,7 +230,7 @@ private:
     Vectors vectors() const { return {frame.size, frame.camera.jitter, history.then.camera.jitter}; }
 
     auto finish() const {
-        FinishScope const scope{.size = frame.size, .frame = frame.views(typename FinishScope::frame_channels{}), .vectors = vectors()};
+        FinishScope const scope{.size = frame.size, .frame = given.views(typename FinishScope::frame_channels{}), .vectors = vectors()};
         auto const guides = history.now.guides.views(typename History<P, Storage>::State::Guides{});
         auto const ending = [&]<class Target>(Target const& target) {
             return Finish<typename P::Form, FinishScope, Target, decltype(guides)>{

@@ -66,6 +66,10 @@ public:
         return sum;
     }
     [[nodiscard]] Extent size() const { return extent; }
+    /// Drops images that nobody holds. The next frame makes them again.
+    void release() {
+        std::erase_if(entries, [](Entry const& e) { return e.image.use_count() == 1; });
+    }
     /// Drops images of another size. Those still held live until they are released.
     void resize(Extent new_size) {
         if (new_size == extent) return;

@@ -22,44 +22,20 @@ template <class Form, class Scope, class Output, class RememberedViews> struct F
     }
 };
 
-/// Largest useful SIMD width of a pass: any, unless it says so.
-template <class Pass> constexpr int max_lanes_of() {
-    if constexpr (requires { Pass::max_lanes; })
-        return Pass::max_lanes;
-    else
-        return std::numeric_limits<int>::max();
-}
-
-/// Whether a pass takes an even row and the next one at once, where its packs are half as wide as those of the instruction set.
-template <class Pass> constexpr bool takes_two_rows() {
-    if constexpr (requires { Pass::two_rows; })
-        return Pass::two_rows;
-    else
-        return false;
-}
-
 /// Whether a pass makes a new signal: it has no emit_channels(px).
 template <class Pass, class Scope> inline constexpr bool makes_signal_of = !requires(Pass const p, Pixel<float, Scope> px) {
     p.emit_channels(px);
 };
-
-/// A pass's name for profilers and plans. Policies of the host may lack one.
-template <class Pass> constexpr auto name_of() {
-    if constexpr (requires { Pass::name; })
-        return Pass::name;
-    else
-        return "filter";
-}
 
 template <int fraction, class... Cs> constexpr bool all_of_fraction(Channels<Cs...>) { return ((Cs::fraction == fraction) && ...); }
 
 /// One pass over one region: what an executor runs. Trivially copyable, so that it can be copied to a device.
 /// @tparam keeps_marks whether the new signal keeps the marks of missing samples
 template <class Pass, class Scope, class SignalView, class MadeViews, class FinishWork, class RememberedSet, bool keeps_marks> struct Job {
-    static constexpr auto name = name_of<Pass>();
+    static constexpr auto name = pass_name<Pass>;
     static constexpr bool makes_signal = makes_signal_of<Pass, Scope>;
-    static constexpr int max_lanes = max_lanes_of<Pass>();
-    static constexpr bool two_rows = takes_two_rows<Pass>();
+    static constexpr int max_lanes = max_lanes_of<Pass>;
+    static constexpr bool two_rows = takes_two_rows<Pass>;
     static_assert(!two_rows || !makes_signal, "a pass of `two_rows` makes the signal: give it emit_channels(px)");
     static_assert(Scope::fraction == 1 || !makes_signal,
                   "a pass of a fraction of the frame's size makes the signal, which is of the frame's size: give it emit_channels(px)");
@@ -76,14 +52,16 @@ template <class Pass, class Scope, class SignalView, class MadeViews, class Fini
 
     template <class Real, int rows> QUELL_KERNEL void operator()(AtOnce<Real, rows>, int x, int y, int count) const {
         auto const result = result_of([&]() QUELL_INLINED { return evaluate(Pixel<Real, Scope, rows>{scope, x, y}); });
-        static_assert(
-            contained_in<typename decltype(result.more)::channels, decltype(typename MadeViews::channels{} | Channels<Suppressed>{})>,
-            "a policy returns a channel that it does not list: add the channel to its `emits` or `keeps`");
+        static_assert(contained_in<typename decltype(result.more)::channels,
+                                   decltype(typename MadeViews::channels{} | Channels<Suppressed, ImpossibleGuides>{})>,
+                      "a policy returns a channel that it does not list: add the channel to its `emits` or `keeps`");
         if constexpr (makes_signal) {
             if (store_signal) store_pixels<Real>(signal, x, y, marked(Pixel<Real, Scope>{scope, x, y}, result.value), count);
             if (store_output) finish.template store_output<Real>(x, y, count, result.value);
-            if (counts) count_missing(component<0>(result.value), count);
+            if (counts) count_missing<Real>(result.value, count);
             if constexpr (decltype(result.more)::channels::template has<Suppressed>) count_suppressed(result.more[Suppressed{}], count);
+            if constexpr (decltype(result.more)::channels::template has<ImpossibleGuides>)
+                count_guides(result.more[ImpossibleGuides{}], count);
         }
         for_each_channel(typename MadeViews::channels{}, [&](auto c) QUELL_INLINED {
             static_assert(decltype(result.more)::channels::template has<decltype(c)>,
@@ -99,28 +77,41 @@ private:
     QUELL_KERNEL static auto in_memory(auto c, auto const& value) {
         if constexpr (requires { c.in_memory(value); })
             return c.in_memory(value);
-        else
+        else {
+            static_assert(!NamesInMemory<decltype(c)>, "`in_memory` of a channel must be `static auto in_memory(auto const& value)`");
             return value;
+        }
     }
     template <class Px, class V> QUELL_KERNEL static V marked(Px const& px, V const& value) {
         if constexpr (!keeps_marks)
             return value;
         else
-            return with_marks(value, px.missing());
+            return Scope::mark::marked(value, px.missing());
     }
     QUELL_KERNEL auto evaluate(auto px) const {
-        if constexpr (requires { pass(px); })
-            return pass(px);
-        else if constexpr (requires { pass.filter(px); })
+        if constexpr (requires { pass.filter(px); })
             return pass.filter(px);
+        else if constexpr (makes_signal)
+            return pass(px);
         else
             return pass.emit_channels(px);
     }
-    template <class Real> QUELL_KERNEL void count_missing(Real const& marked, int count) const {
-        if (!any(sign_bit(marked))) return;
+    template <class Real> QUELL_KERNEL void count_missing(auto const& marked, int count) const {
+        auto const missing = Scope::mark::of(marked);
+        if (!any(missing)) return;
+        add_together(counts->missing, count_of<Real>(missing, count));
+        add_together(counts->holes, count_of<Real>(Scope::mark::hole(marked), count));
+    }
+    /// How many of the first lanes of a mask are true.
+    template <class Real> QUELL_KERNEL static long long count_of(auto mask, int count) {
+        auto const ones = masked(mask, Real(1.f));
         long long n = 0;
-        for (int i = 0; i < count; ++i) n += bits(lane(marked, i)) < 0;
-        add_together(counts->missing, n);
+        for (int i = 0; i < count; ++i) n += lane(ones, i) > 0.f;
+        return n;
+    }
+    template <class Real> QUELL_KERNEL void count_guides(Real const& impossible, int count) const {
+        if (!any(impossible > Real(0.f))) return;
+        for (int i = 0; i < count; ++i) counts->guides.add(lane(impossible, i));
     }
     template <class Real> QUELL_KERNEL void count_suppressed(Real const& taken, int count) const {
         if (!any(taken > Real(0.f))) return;

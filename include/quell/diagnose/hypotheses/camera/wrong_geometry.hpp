@@ -35,7 +35,7 @@ inline Finding finding_of(Observation const& seen, std::vector<std::pair<Geometr
         if (other.mistake == best.mistake || GeometryContest(seen, other.geometry, best.geometry).second_wins()) continue;
         if (std::ranges::find(finding.or_else, other.mistake) != finding.or_else.end()) continue;
         finding.or_else.push_back(other.mistake);
-        finding.remedy += "; or " + std::string(name_of(other.mistake)) + ", which looks the same here: " + other.remedy;
+        finding.remedy += "; or " + std::string(quell::name_of(other.mistake)) + ", which looks the same here: " + other.remedy;
     }
     return finding;
 }

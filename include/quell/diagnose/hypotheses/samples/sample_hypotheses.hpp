@@ -6,23 +6,31 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
-/// In every pixel: a single one shows a mistake in shading.
+/// Luminance as quell computes it; of any components but three, their mean.
+inline float input_luminance(SignalSeen const& signal, int x, int y) {
+    if (signal.components == 3) return luminance(glm::vec3(signal.input(0, x, y), signal.input(1, x, y), signal.input(2, x, y)));
+    float sum = 0;
+    for (int c = 0; c < signal.components; ++c) sum += signal.input(c, x, y);
+    return sum / static_cast<float>(signal.components);
+}
+
+/// In every pixel: a single one shows a mistake in shading. A negative component of light is a colour outside the gamut, and none.
 inline void find_bad_samples(Observation const& seen, SignalSeen const& signal, std::vector<Finding>& findings) {
     long long not_finite = 0, negative = 0;
     int first_x = 0, first_y = 0;
     for (int y = 0; y < seen.size.height; ++y)
-        for (int x = 0; x < seen.size.width; ++x)
-            for (int c = 0; c < signal.components; ++c) {
-                auto const a = signal.input(c, x, y);
-                bool const good = is_finite(a), below = good && a < 0.f;
-                if (not_finite + negative == 0 && (!good || below)) first_x = x, first_y = y;
-                not_finite += !good, negative += below;
-            }
+        for (int x = 0; x < seen.size.width; ++x) {
+            auto const found_before = not_finite + negative;
+            int bad = 0;
+            for (int c = 0; c < signal.components; ++c) bad += !is_finite(signal.input(c, x, y));
+            not_finite += bad, negative += bad == 0 && input_luminance(signal, x, y) < 0.f;
+            if (found_before == 0 && not_finite + negative > 0) first_x = x, first_y = y;
+        }
     if (not_finite + negative == 0) return;
     findings.push_back(
         {Mistake::bad_samples,
          "'" + signal.name + "' has " + std::to_string(not_finite) + " components that are NaN or infinite and " +
-             std::to_string(negative) + " that are negative, the first at pixel (" + std::to_string(first_x) + ", " +
+             std::to_string(negative) + " pixels of negative luminance, the first at pixel (" + std::to_string(first_x) + ", " +
              std::to_string(first_y) + ")",
          "look for divisions by a probability of 0 and for roots of negative numbers where it is shaded; quell leaves them out"});
 }

@@ -1,0 +1,91 @@
+#!/usr/bin/env bash
+# The presets on an NVIDIA GPU: whether they agree with Serial over 8 frames, and what they cost.
+#   bench/cuda.sh build [folder]    with nvcc and without a GPU: makes folder/quell-cuda (and folder/example, the program of
+#                                   docs/using.md), which run on any machine with an NVIDIA driver, and folder/kernels.txt
+#   bench/cuda.sh run [folder]      on a machine with a GPU; minutes. The folder is build/cuda unless it is given.
+# NVCC names another compiler.
+set -euo pipefail
+command=${1:-}
+folder=$(realpath -m "${2:-$(dirname "$0")/../build/cuda}")
+cd "$(dirname "$0")/.."
+units=2
+# One PTX for all GPUs since Ampere, and machine code for Hopper. 20012: GLM marks defaulted functions for the device, which nvcc remarks
+# on and ignores.
+flags=(-std=c++20 --expt-relaxed-constexpr -diag-suppress 20012 -Werror all-warnings -O1 -Iinclude -Xptxas -v
+    -gencode "arch=compute_80,code=[compute_80,sm_90]")
+static=(-cudart static -Xcompiler -static-libstdc++ -Xcompiler -static-libgcc)
+
+find_nvcc() {
+    nvcc=${NVCC:-$(PATH=$PATH:${CUDA_PATH:-/usr/local/cuda}/bin command -v nvcc || true)}
+    [ -n "$nvcc" ] || { echo "skipped: there is no nvcc; CUDA 12 or newer has it" >&2; exit 77; }
+    local release
+    release=$("$nvcc" --version | sed -n 's/.*release \([0-9]*\)\..*/\1/p')
+    [ "${release:-0}" -ge 12 ] || { echo "skipped: $nvcc is older than CUDA 12, the first with C++20" >&2; exit 77; }
+}
+
+# compile object flags...: with its PTX beside the object.
+compile() {
+    local object=$1
+    shift
+    mkdir -p "$object.parts"
+    if ! "$nvcc" "${flags[@]}" "$@" -keep -keep-dir "$object.parts" -c -o "$object" >"$object.log" 2>&1; then
+        cat "$object.log"
+        return 1
+    fi
+    cat "$object.parts"/*.ptx >"${object%.o}.ptx" 2>/dev/null || rm "${object%.o}.ptx" # a .cpp has none
+    rm -r "$object.parts"
+}
+
+# The program that docs/using.md shows.
+write_example() { sed -n '/^```cuda$/,/^```$/{/^```/!p}' docs/using.md >"$folder/example.cu"; }
+
+# Registers and bytes of local memory of each pass, as ptxas says.
+list_kernels() {
+    echo "registers, local bytes per thread, pass, of sm_90:"
+    sed -n "s/.*Compiling entry function '\([^']*\)'.*/name \1/p; s/.*Used \([0-9]*\) registers.*, \([0-9]*\) bytes cumulative stack.*/used \1 \2/p
+        s/.*Used \([0-9]*\) registers.*/used \1 0/p" "$@" |
+        awk '$1 == "name" { name = $2 } $1 == "used" && name ~ /each_pixel/ { print $2, $3, name }' | c++filt |
+        sed -E 's/^([0-9]+ [0-9]+) void quell::cuda::detail::each_pixel<quell::cuda::detail::(Job<)?/\1 /; s/quell::cuda::(detail::)?//g' |
+        awk '{ depth = 0; pass = ""; text = $0; sub(/^[0-9]+ [0-9]+ /, "", text)
+               for (i = 1; i <= length(text); ++i) { c = substr(text, i, 1)
+                   if (c == "<") ++depth; if (c == ">") --depth; if (depth < 0 || (depth == 0 && c == ",")) break; pass = pass c }
+               printf "%4d %6d  %s\n", $1, $2, pass }' | sort -u -k3
+}
+
+build() {
+    find_nvcc
+    rm -rf "$folder"
+    mkdir -p "$folder"
+    write_example
+    # Longest first, two or more at once.
+    local unit jobs
+    jobs=$(nproc)
+    export -f compile
+    export folder nvcc
+    {
+        for ((unit = 0; unit < units; ++unit)); do echo "unit_$unit.o -DUNIT=$unit -DUNITS=$units bench/cuda/presets.cu"; done
+        echo "example.o $folder/example.cu"
+        echo "main.o bench/cuda/main.cpp"
+        echo "check_layouts.o bench/cuda/check_layouts.cpp"
+        echo "shifted.o tests/build/cuda/shifted.cu"
+    } | QUELL_FLAGS="$(printf '%q ' "${flags[@]}")" xargs -P "$jobs" -L 1 bash -c \
+        'eval "flags=($QUELL_FLAGS)"; object=$1; shift; compile "$folder/$object" "$@"' compile
+    "$nvcc" "${static[@]}" "$folder"/{main,check_layouts}.o "$folder"/unit_*.o -o "$folder/quell-cuda"
+    "$nvcc" "${static[@]}" "$folder/example.o" -o "$folder/example"
+    "$nvcc" "${static[@]}" "$folder"/{shifted,check_layouts}.o -o "$folder/shifted"
+    list_kernels "$folder"/unit_*.o.log >"$folder/kernels.txt"
+    rm "$folder"/*.o "$folder"/*.log
+    du -h "$folder"/{quell-cuda,example}
+}
+
+case $command in
+build) build ;;
+run)
+    [ -x "$folder/quell-cuda" ] || { echo "there is no $folder/quell-cuda: make it with bench/cuda.sh build" >&2; exit 2; }
+    "$folder/quell-cuda"
+    echo
+    echo "The program of docs/using.md says:"
+    "$folder/example"
+    ;;
+*) sed -n '2,6s/^# \{0,1\}//p' "bench/cuda.sh" >&2; exit 2 ;;
+esac

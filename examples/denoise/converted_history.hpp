@@ -1,0 +1,16 @@
+#pragma once
+
+#include <denoise/light_split.hpp>
+
+#include <quell/pipeline/history_contents.hpp>
+
+namespace quell::examples {
+
+/// The history of a picture that is filtered as one, made of those of its signals. Nothing where none of them has any.
+[[nodiscard]] std::optional<HistoryContents> whole_history(std::vector<std::optional<HistoryContents>> const& parts,
+                                                           SignalShares const& shares);
+
+/// The history of a signal, made of that of the picture which was filtered as one.
+[[nodiscard]] HistoryContents part_of_history(HistoryContents whole, SignalShares const& shares, std::size_t signal);
+
+} // namespace quell::examples

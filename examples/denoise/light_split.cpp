@@ -1,0 +1,292 @@
+#include <denoise/guide_noise.hpp>
+#include <denoise/light_split.hpp>
+
+#include <quell/core/real.hpp>
+#include <quell/core/value.hpp>
+#include <quell/io/frame_image.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace quell::examples {
+
+namespace {
+
+using Pixels = std::vector<glm::vec3>;
+
+/// The noise of guides may be this part of what a filter would lose of their structure. Between 0.24, where renders with depth of field,
+/// fog, leaves and textures still had less error with guides as they are, and 0.26, where they had more (bench/cycles.sh).
+constexpr float tolerated_noise = 0.25f;
+
+std::vector<io::Source> ones() { return std::vector<io::Source>(3, io::Source{{}, 1.f}); }
+bool is_constant(std::vector<io::Source> const& sources) {
+    return std::ranges::all_of(sources, [](auto const& source) { return source.sum.empty(); });
+}
+bool is_usable(glm::vec3 const& p) { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); }
+
+/// How far a number may be from what was stored.
+struct Rounding {
+    float relative = 0, absolute = 0;
+
+    Rounding(io::ExrImage const& image, std::vector<io::Source> const& sources) {
+        for (auto const& source : sources)
+            for (auto const& name : source.sum) {
+                bool const half = image[name].type == io::SampleType::half;
+                relative = std::max(relative, std::ldexp(1.f, half ? -11 : -24));
+                absolute += half ? std::ldexp(std::abs(source.scale), -25) : 0.f;
+            }
+    }
+    [[nodiscard]] float of(float value) const { return std::abs(value) * relative + absolute; }
+};
+
+/// A signal as a part of the picture: light times what it is multiplied by.
+struct Part {
+    metrics::Picture light, factor, picture;
+    metrics::Picture colour;     ///< that is taken as it is where the signal is denoised by itself; empty: none
+    bool factor_is_none = false; ///< whether the light is all
+    Pixels rounding;             ///< of the picture
+};
+
+Part part_of(io::ExrImage const& image, io::SignalNames const& signal, bool by_albedo) {
+    auto const light = io::sources_of(signal.channels, radiance), own = io::sources_of(signal.channels, albedo);
+    Part part{picture_of(image, light, 0.f), picture_of(image, signal.factor, 1.f), {image.size, {}}, {}, false, {}};
+    part.factor_is_none = signal.factor.empty();
+    if (!signal.factor.empty())
+        part.colour = part.factor;
+    else if (by_albedo && !is_constant(own))
+        part.colour = picture_of(image, own, 1.f);
+    Rounding const of_light(image, light), of_factor(image, signal.factor);
+    for (std::size_t i = 0; i < image.pixels(); ++i) {
+        auto const &l = part.light.pixels[i], &f = part.factor.pixels[i];
+        part.picture.pixels.push_back(l * f);
+        auto& error = part.rounding.emplace_back();
+        for (int c = 0; c < 3; ++c) error[c] = std::abs(f[c]) * of_light.of(l[c]) + std::abs(l[c]) * of_factor.of(f[c]);
+    }
+    return part;
+}
+
+/// Mean over the (2 radius + 1)^2 pixels around each, as far as they are in the picture.
+metrics::Picture box_mean(metrics::Picture const& picture, int radius) {
+    auto const along = [radius](metrics::Picture const& from, bool rows) {
+        metrics::Picture to{from.size, Pixels(from.pixels.size())};
+        int const length = rows ? from.size.width : from.size.height, lines = rows ? from.size.height : from.size.width;
+        auto const index = [&](int line, int i) {
+            return rows ? static_cast<std::size_t>(line) * static_cast<std::size_t>(from.size.width) + static_cast<std::size_t>(i)
+                        : static_cast<std::size_t>(i) * static_cast<std::size_t>(from.size.width) + static_cast<std::size_t>(line);
+        };
+        for (int line = 0; line < lines; ++line)
+            for (int i = 0; i < length; ++i) {
+                glm::vec3 sum(0.f);
+                int const first = std::max(i - radius, 0), last = std::min(i + radius, length - 1);
+                for (int j = first; j <= last; ++j) sum += from.pixels[index(line, j)];
+                to.pixels[index(line, i)] = sum / static_cast<float>(last - first + 1);
+            }
+        return to;
+    };
+    return along(along(picture, true), false);
+}
+
+/// A frame while its light is divided.
+class Splitting {
+    io::ExrImage const& image;
+    io::SequenceNames const& names;
+    SplitRule const& rule;
+    std::vector<Part> parts;
+    metrics::Picture added, whole, rest;
+    bool has_rest = false, has_less_light = false, has_less_added = false;
+    Pixels rounding; ///< of the sum
+
+public:
+    std::vector<io::Plane> made; ///< of the split
+
+    Splitting(io::ExrImage const& frame, io::SequenceNames const& n, SplitRule const& r)
+        : image(frame), names(n), rule(r),
+          added(picture_of(frame, n.added, 0.f)), rest{frame.size, Pixels(frame.pixels(), glm::vec3(0.f))} {
+        for (auto const& signal : names.of_signals) parts.push_back(part_of(image, signal, rule.by_albedo));
+        add_up();
+        if (knows_picture()) compare(picture_of(image, names.picture, 0.f));
+    }
+
+    LightSplit split(bool as_one) {
+        LightSplit result{names.of_signals, std::vector<bool>(parts.size(), !as_one), names.added, {}};
+        if (as_one) {
+            for (auto const& part : parts) give_to_rest(part.picture);
+            give_to_rest(added);
+            result.added.clear();
+        } else {
+            for (std::size_t s = 0; s < parts.size() && has_less_light; ++s)
+                result.signals[s].channels.sources["radiance"] = put("signal " + std::to_string(s), parts[s].light);
+            if (has_less_added) result.added = put("added", added);
+        }
+        auto last = names.of_signals[0];
+        last.name = rest_name, last.factor.clear();
+        last.channels.sources["albedo"] = ones();
+        if (has_rest) last.channels.sources["radiance"] = put(as_one ? "all" : "rest", rest);
+        result.signals.push_back(std::move(last));
+        result.active.push_back(has_rest);
+        if (!rule.alpha.empty()) divide_alpha(result, as_one ? "quell:all.A" : "quell:rest.A");
+        return result;
+    }
+
+    /// They have samples in common, so that what one of them loses another gains: one answer for all.
+    [[nodiscard]] bool is_better_as_one() const {
+        auto const source = io::sources_of(names.of_signals[0].channels, quell::depth)[0];
+        bool const knows_depth = std::ranges::all_of(source.sum, [&](auto const& plane) { return image.find(plane) != nullptr; });
+        auto const depth = knows_depth ? io::component_of(image, source) : std::vector<float>();
+        float noise = 0, loss = 0;
+        auto const count = [&](GuideErrors const& errors) { noise += errors.noise, loss += errors.loss; };
+        for (auto const& part : parts)
+            if (!part.colour.pixels.empty()) count(guide_errors(part.colour, GuideKind::factor, part.picture, whole, depth));
+        if (!names.added.empty()) count(guide_errors(added, GuideKind::added, whole, whole, depth));
+        return noise > tolerated_noise * loss;
+    }
+
+    [[nodiscard]] SignalShares shares() const {
+        constexpr int radius = 7, colour_radius = 2; // pixels: single samples don't say much of what the picture is made of
+        SignalShares result;
+        auto const all = box_mean(whole, radius);
+        metrics::Picture const none{image.size, Pixels(image.pixels(), glm::vec3(1.f))};
+        for (auto const& part : parts) {
+            result.colours.push_back(part.colour.pixels.empty() ? none : box_mean(part.colour, colour_radius));
+            auto& share = result.shares.emplace_back(box_mean(part.picture, radius));
+            for (std::size_t i = 0; i < share.pixels.size(); ++i)
+                for (int c = 0; c < 3; ++c)
+                    share.pixels[i][c] = all.pixels[i][c] > 0.f ? std::clamp(share.pixels[i][c] / all.pixels[i][c], 0.f, 1.f) : 0.f;
+        }
+        result.colours.push_back(none);
+        result.added = box_mean(added, colour_radius);
+        return result;
+    }
+
+private:
+    [[nodiscard]] bool knows_picture() const {
+        return !names.picture.empty() &&
+               std::ranges::all_of(io::planes_of(names.picture), [&](auto const& plane) { return image.find(plane) != nullptr; });
+    }
+    /// The sum of all parts, and how far rounding may take it from the picture.
+    void add_up() {
+        Rounding const of_added(image, names.added);
+        whole = added;
+        for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
+            auto& error = rounding.emplace_back();
+            for (int c = 0; c < 3; ++c) error[c] = of_added.of(added.pixels[i][c]);
+            for (auto const& part : parts) whole.pixels[i] += part.picture.pixels[i], error += part.rounding[i];
+        }
+    }
+    /// Where the parts are less than the picture there is a rest; where they are more, they are scaled down.
+    void compare(metrics::Picture const& picture) {
+        Rounding const of_picture(image, names.picture);
+        for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
+            auto const &sum = whole.pixels[i], &target = picture.pixels[i];
+            if (!is_usable(sum) || !is_usable(target)) continue;
+            for (int c = 0; c < 3; ++c) {
+                // Sums of sums are rounded as well.
+                float const tolerated = 2.f * (rounding[i][c] + of_picture.of(target[c]));
+                if (sum[c] > target[c] + tolerated) scale_down(i, c, target[c]);
+                if (sum[c] < target[c] - tolerated) leave(i, c, target[c] - sum[c]);
+            }
+        }
+        whole = picture;
+    }
+    void leave(std::size_t i, int c, float light) { rest.pixels[i][c] += light, has_rest = true; }
+    void scale_down(std::size_t i, int c, float target) {
+        auto& extra = added.pixels[i][c];
+        float signals = 0;
+        for (auto const& part : parts) signals += part.picture.pixels[i][c];
+        if (extra > 0.f) extra = std::clamp(target - signals, 0.f, extra), has_less_added = true;
+        float const left = target - extra;
+        if (signals <= left) return;
+        has_less_light = true;
+        float const share = left > 0.f && signals > 0.f ? left / signals : 0.f;
+        for (auto& part : parts) part.picture.pixels[i][c] *= share, part.light.pixels[i][c] *= share;
+        if (left < 0.f) leave(i, c, left);
+    }
+    /// Alpha goes where the light goes.
+    void divide_alpha(LightSplit& result, std::string const& name) {
+        auto const alpha = image[rule.alpha].values;
+        bool const is_only = !has_several_signals(names) && parts[0].factor_is_none && result.active[0];
+        auto const carrier = is_only ? 0 : parts.size();
+        if (!result.active[carrier]) {
+            result.kept_alpha = alpha;
+            return;
+        }
+        auto const& light = is_only ? parts[0].picture : rest;
+        bool const is_all = std::ranges::count(result.active, true) == 1 && result.added.empty();
+        std::vector<float> with_light;
+        for (std::size_t i = 0; i < alpha.size(); ++i) {
+            float const all = luminance(whole.pixels[i]);
+            float const share = is_all ? 1.f : all > 0.f ? std::clamp(luminance(light.pixels[i]) / all, 0.f, 1.f) : 0.f;
+            with_light.push_back(alpha[i] * share);
+            result.kept_alpha.push_back(is_finite(alpha[i]) ? alpha[i] * (1.f - share) : 0.f);
+        }
+        auto& sources = result.signals[carrier].channels.sources;
+        auto four = io::sources_of(result.signals[carrier].channels, radiance);
+        four.push_back({{name}});
+        sources[std::string(radiance_alpha.name)] = four;
+        made.push_back({.name = name, .values = std::move(with_light)});
+    }
+    void give_to_rest(metrics::Picture const& part) {
+        for (std::size_t i = 0; i < part.pixels.size(); ++i) rest.pixels[i] += part.pixels[i];
+        has_rest = true;
+    }
+    std::vector<io::Source> put(std::string const& name, metrics::Picture const& picture) {
+        std::vector<io::Source> sources;
+        for (int c = 0; c < 3; ++c) {
+            io::Plane plane{.name = "quell:" + name + "." + "RGB"[c], .values = {}};
+            for (auto const& pixel : picture.pixels) plane.values.push_back(pixel[c]);
+            sources.push_back({{plane.name}});
+            made.push_back(std::move(plane));
+        }
+        return sources;
+    }
+};
+
+/// Whether there is one picture, which is not divided by anything and is all there is.
+bool is_simple(io::SequenceNames const& names, SplitRule const& rule) {
+    if (has_several_signals(names) || !names.picture.empty() || !rule.alpha.empty()) return false;
+    auto const& only = names.of_signals[0];
+    return only.factor.empty() && !(rule.by_albedo && !is_constant(io::sources_of(only.channels, albedo)));
+}
+
+} // namespace
+
+metrics::Picture picture_of(io::ExrImage const& image, std::vector<io::Source> const& sources, float otherwise) {
+    if (sources.empty()) return {image.size, Pixels(image.pixels(), glm::vec3(otherwise))};
+    std::array<std::vector<float>, 3> components;
+    for (std::size_t c = 0; c < 3; ++c) components[c] = io::component_of(image, sources[c]);
+    metrics::Picture picture{image.size, {}};
+    for (std::size_t i = 0; i < image.pixels(); ++i) picture.pixels.emplace_back(components[0][i], components[1][i], components[2][i]);
+    return picture;
+}
+
+bool has_several_signals(io::SequenceNames const& names) { return names.of_signals.size() > 1 || !names.added.empty(); }
+
+std::vector<std::string> split_planes(io::ExrListing const& file, io::SequenceNames const& names) {
+    auto planes = io::planes_of(names.added);
+    auto const want = [&](std::vector<io::Source> const& sources) {
+        auto const more = io::planes_of(sources);
+        planes.insert(planes.end(), more.begin(), more.end());
+    };
+    for (auto const& signal : names.of_signals) want(signal.factor);
+    if (file.has_all(io::planes_of(names.picture))) want(names.picture);
+    return planes;
+}
+
+SignalShares signal_shares(io::ExrImage const& image, io::SequenceNames const& names, SplitRule const& rule) {
+    return Splitting(image, names, rule).shares();
+}
+
+bool is_better_as_one(io::ExrImage const& image, io::SequenceNames const& names, SplitRule const& rule) {
+    return !is_simple(names, rule) && Splitting(image, names, rule).is_better_as_one();
+}
+
+LightSplit split_light(io::ExrImage& image, io::SequenceNames const& names, SplitRule const& rule, bool as_one) {
+    if (is_simple(names, rule)) return {names.of_signals, std::vector<bool>(names.of_signals.size(), true), names.added, {}};
+    Splitting splitting(image, names, rule);
+    auto split = splitting.split(as_one);
+    for (auto& plane : splitting.made) image.planes.push_back(std::move(plane));
+    return split;
+}
+
+} // namespace quell::examples
