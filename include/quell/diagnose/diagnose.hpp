@@ -53,12 +53,16 @@ inline void find_motion_mistakes(Observation const& seen, GeometryIs geometry, b
     if (cameras && seen.depth_then && find_motion_behind(seen, seen.camera, seen.camera_then, findings)) return;
     if (pairs.size() < fewest_pairs || (shift_is_known && find_motion_jitter(seen, pairs, findings))) return;
     if (geometry == GeometryIs::right && find_motion_offset(seen, pairs, moves, findings)) return;
-    if (moves && find_geometry_by_motion(seen, moved, geometry == GeometryIs::right, findings)) return;
+    std::vector<GeometryMistake> as_good;
+    if (moves && find_geometry_by_motion(seen, moved, geometry == GeometryIs::right, findings, as_good)) return;
     if (moves) find_by_moving_camera(seen, moved, findings);
+    for (auto i = before; i < findings.size(); ++i) add_alternatives(findings[i], as_good);
     // Without cameras the guides tell.
     for (auto& finding : by_blocks) findings.push_back(std::move(finding));
     if (!moves && findings.size() == before && seen.depth_then) find_motion_convention_by_history(seen, findings);
     if (findings.size() > before || !seen.depth_then) return;
+    // Depth of a floor stays the same under a camera that turns around.
+    if (cameras && !moves && find_still_camera(seen, findings)) return;
     if (cameras && !moves) find_scale_by_history(seen, findings);
     if (findings.size() > before) return;
     if (cameras) find_forgotten_motion(seen, seen.camera, seen.camera_then, findings);

@@ -30,12 +30,21 @@ inline std::string signal_evidence(SignalSeen const& signal, Exponent const& own
            "' goes like albedo to the power of " + text_of(own);
 }
 
+/// Whether a signal follows another albedo and not its own. Fine textures whose samples lie anywhere in the pixel leave little of a power,
+/// of which many edges then are sure.
+inline bool is_other(Exponent const& own, Exponent const& other) {
+    if (other.error > 0.12 || other.value > 1.5) return false;
+    double const more = other.value - own.value;
+    bool const is_sure = more > 0.15 && other.value > 1.8 * own.value && more > 5. * (own.error + other.error);
+    return other.value > 0.45 ? more > 0.3 : other.value > 0.3 && is_sure;
+}
+
 /// Whether the signal follows an albedo of other rows or of another frame. Samples anywhere in the pixel make each power less.
 inline std::optional<Finding> other_albedo_of(SignalSeen const& signal, Exponent const& own) {
     if (own.value > 0.4) return std::nullopt;
     for (auto const& other : other_albedos) {
         auto const e = exponent_of(edges_of(signal, other.pairing));
-        if (e && e->error < 0.12 && e->value > 0.45 && e->value > own.value + 0.3 && e->value < 1.5)
+        if (e && is_other(own, *e))
             return Finding{other.mistake,
                            signal_evidence(signal, own, Pairing::as_given) + ", and with " + other.which + " of " + text_of(*e),
                            other.remedy};
