@@ -55,26 +55,29 @@ private:
 
 /// How badly a geometry fits by one of the tests.
 class TestMisfit {
-    float tolerance;
+    float tolerance, most_counted;
     std::vector<float> values{}, shares{}; ///< and of what is allowed
     bool is_noisy = false;
 
 public:
     float middle = 0.f;     ///< the median
+    float mean = 0.f;       ///< of what is not taken for an edge or for something that moves
     std::size_t pixels = 0; ///< that tell something
     bool is_small = true;
 
-    explicit TestMisfit(float rounding) : tolerance(rounding) {}
+    TestMisfit(float rounding, float limit) : tolerance(rounding), most_counted(limit) {}
     void add(std::optional<Residual> residual) {
         if (!residual) return;
         values.push_back(residual->value), shares.push_back(residual->value / (tolerance + residual->noise));
         is_noisy = is_noisy || residual->noise > 0.f;
+        mean += std::min(residual->value, most_counted);
     }
     /// Without noise all that stands still fits, and not only what looks the same from everywhere.
     void finish() {
         auto const quarter = static_cast<std::ptrdiff_t>(shares.size() / 4);
         middle = median(values), pixels = values.size();
         if (shares.empty()) return;
+        mean /= static_cast<float>(shares.size());
         auto const most = is_noisy ? shares.begin() + 2 * quarter : shares.begin() + 3 * quarter;
         std::nth_element(shares.begin(), most, shares.end());
         is_small = *most < 1.f;
@@ -83,7 +86,7 @@ public:
 
 /// How badly it fits by both.
 struct Misfit {
-    TestMisfit depth{1e-4f}, normal{5e-3f};
+    TestMisfit depth{1e-4f, 0.02f}, normal{5e-3f, 0.3f};
 
     Misfit(Observation const& seen, Geometry const& geometry, int every) {
         GeometryTest const test(seen, geometry);
@@ -91,12 +94,14 @@ struct Misfit {
         depth.finish(), normal.finish();
     }
     [[nodiscard]] bool is_small() const { return depth.is_small && normal.is_small; }
-    /// To compare geometries by: a pixel's worth of normals counts about as much as one of depth.
-    [[nodiscard]] float sum() const { return depth.middle + 0.1f * normal.middle; }
-    /// Whether it is far better than another, and by as many pixels.
+    /// To find the best of many by: a pixel's worth of normals counts about as much as one of depth. A floor alone often fits to any.
+    [[nodiscard]] float sum() const { return depth.mean + 0.1f * normal.mean; }
+    /// Whether it is far better than another by one of the tests, no worse by the other, and by as many pixels.
     [[nodiscard]] bool beats(Misfit const& other) const {
         bool const by_as_many = 4 * depth.pixels >= 3 * other.depth.pixels && 4 * normal.pixels >= 3 * other.normal.pixels;
-        return by_as_many && sum() < 0.6f * other.sum();
+        auto const is = [](TestMisfit const& a, TestMisfit const& b, float part) { return a.middle <= part * b.middle; };
+        bool const better = is(depth, other.depth, 0.75f) || is(normal, other.normal, 0.75f);
+        return by_as_many && better && is(depth, other.depth, 1.05f) && is(normal, other.normal, 1.05f);
     }
 };
 
