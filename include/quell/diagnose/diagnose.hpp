@@ -61,8 +61,9 @@ inline void find_motion_mistakes(Observation const& seen, GeometryIs geometry, b
     for (auto& finding : by_blocks) findings.push_back(std::move(finding));
     if (!moves && findings.size() == before && seen.depth_then) find_motion_convention_by_history(seen, findings);
     if (findings.size() > before || !seen.depth_then) return;
-    // Depth of a floor stays the same under a camera that turns around.
-    if (cameras && !moves && find_still_camera(seen, findings)) return;
+    // Depth of a floor stays the same under a camera that turns around. What moves all by the same is rather an offset.
+    bool const differs = cameras && !moves && CommonOffset(pairs).sharing.share() < 0.5;
+    if (differs && find_still_camera(seen, findings)) return;
     if (cameras && !moves) find_scale_by_history(seen, findings);
     if (findings.size() > before) return;
     if (cameras) find_forgotten_motion(seen, seen.camera, seen.camera_then, findings);

@@ -57,8 +57,8 @@ public:
     }
     /// Distance between the normal and that of the slope of depth; empty at edges.
     [[nodiscard]] std::optional<Residual> of_normal(int x, int y) const {
-        int const reach = reach_of_normal(x, y);
-        auto const shown = seen.normal && reach > 0 ? shown_normal(x, y, reach) : std::nullopt;
+        int const reach = seen.normal ? reach_of_normal(x, y) : 0;
+        auto const shown = reach > 0 ? shown_normal(x, y, reach) : std::nullopt;
         if (!shown) return std::nullopt;
         auto const n = vec3_at(seen.normal, x, y);
         auto const as_world = glm::normalize(glm::transpose(glm::mat3(geometry.now.view)) * *shown);
