@@ -21,19 +21,16 @@ std::vector<How> executors(Family const& family) {
     return all;
 }
 
-/// The counters that do not depend on how long it took come first, then what the time means on this machine.
-void report(benchmark::State& state, Workload const& work, Extent size, int threads, double seconds, double bound) {
+/// The counters that do not depend on how long it took come first.
+void report(benchmark::State& state, Workload const& work, Extent size, double seconds) {
     auto const frames = static_cast<double>(state.iterations()), pixels = static_cast<double>(size.pixels());
     state.counters["bytes/pixel"] = work.bytes_per_pixel();
     state.counters["ms/frame"] = 1e3 * seconds / frames;
     state.counters["pixels/s"] = pixels * frames / seconds;
-    state.counters["kFLOP/pixel"] = 1e-3 * seconds / frames * machine(threads).operations_per_second / pixels;
-    if (bound > 0) state.counters["bound_ms"] = 1e3 * bound, state.counters["of_bound"] = bound * frames / seconds;
 }
 
 void run_preset(benchmark::State& state, Family const& family, Extent size, How how) {
     auto& work = workload(family, size);
-    double const bound = family.bound(size, how.threads);
     double seconds = 0.;
     long long allocated = 0;
     for (auto _ : state) {
@@ -42,13 +39,12 @@ void run_preset(benchmark::State& state, Family const& family, Extent size, How 
         allocated += allocations() - before;
         seconds += frame.wall;
     }
-    report(state, work, size, how.threads, seconds, bound);
+    report(state, work, size, seconds);
     state.counters["allocations/frame"] = static_cast<double>(allocated) / static_cast<double>(state.iterations());
 }
 
 void run_pass(benchmark::State& state, Family const& family, std::size_t pass, Extent size, How how) {
     auto& work = workload(family, size);
-    double const bound = family.bound(pass, size, how.threads);
     double seconds = 0.;
     for (auto _ : state) {
         work.next(how);
@@ -56,7 +52,7 @@ void run_pass(benchmark::State& state, Family const& family, std::size_t pass, E
         state.SetIterationTime(taken);
         seconds += taken;
     }
-    report(state, work, size, how.threads, seconds, bound);
+    report(state, work, size, seconds);
 }
 
 void register_preset(Family const& family, Extent size, How how) {

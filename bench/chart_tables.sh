@@ -69,4 +69,4 @@ table() {
 table "RMSE in the mask" "shadow|glossy|curved|indirect" mask_rmse \
     surface-clamp mirror-clamp svgf asvgf general dual-color shadow glossy dual-cone
 table "FLIP" blur flip none none-8spp none-8spp-random none-16spp-random gather-blur tilemax-blur svgf general blur-paper blur-wavelet \
-    blur-fixed-step blur-one-step blur blur-straight blur-adaptive blur-bent blur-split
+    blur-fixed-step blur-one-step blur blur-straight blur-bent blur-split

@@ -24,16 +24,6 @@ void Workload::warm_up() {
     for (int i = 0; i < 8; ++i) next({How::Kind::threads, max_threads()});
 }
 
-double Family::bound(std::size_t pass, Extent size, int threads) const {
-    return cost(pass).bound(machine(threads), stored_size) * static_cast<double>(size.pixels());
-}
-
-double Family::bound(Extent size, int threads) const {
-    double sum = 0.;
-    for (std::size_t i = 0; i < passes.size(); ++i) sum += bound(i, size, threads);
-    return sum;
-}
-
 namespace {
 template <class Storage, std::size_t... unit> void append_families(std::vector<Family>& all, std::index_sequence<unit...>) {
     (std::ranges::move(families_of_unit<Storage, unit, sizeof...(unit)>(), std::back_inserter(all)), ...);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "costs.hpp"
 #include "timed.hpp"
 
 #include <memory>
@@ -39,15 +38,9 @@ struct Family {
     std::string preset;
     std::size_t order = 0; ///< the preset's place in quell::named_presets
     std::string storage;
-    int stored_size = 4; ///< bytes a stored value
     bool has_serial = false;
     std::vector<std::string> passes;
     std::unique_ptr<Workload> (*make)(Extent) = nullptr;
-
-    [[nodiscard]] Cost cost(std::size_t pass) const { return cost_of(preset, passes[pass], pass + 1 == passes.size()); }
-    /// Seconds that one frame takes at least with so many threads.
-    [[nodiscard]] double bound(Extent size, int threads) const;
-    [[nodiscard]] double bound(std::size_t pass, Extent size, int threads) const;
 };
 
 /// All presets with each storage, in the order of quell::named_presets. Without the tracer, only those that read what Input has.

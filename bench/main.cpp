@@ -1,4 +1,4 @@
-// quell-bench: how fast presets and their passes are on this machine, and how far from what it could do at most.
+// quell-bench: how fast presets and their passes are on this machine.
 //
 //   quell-bench --benchmark_list_tests                                    what there is
 //   quell-bench --benchmark_filter='^svgf/1920x1080/planar-float/'        whole frames; also pass/svgf/..., smoke/...
@@ -7,13 +7,11 @@
 //
 // All other flags are Google Benchmark's own (--help). Names are PRESET/SIZE/STORAGE/EXECUTOR; the storage is the history's (planar or
 // interleaved, float or half), the frame is planar floats. Histories are warm: no benchmark times a first frame.
-// Counters: ms/frame and pixels/s by the clock on the wall; bytes/pixel of history and scratch; bound_ms, the least that this machine can
-// take for the passes' arithmetic and memory traffic (costs.cpp, machine.cpp: peaks are measured in the same run), and of_bound, that over
-// the time measured; allocations/frame by operator new, which is 0 for quell itself (see --summary, executor simd).
+// Counters: ms/frame and pixels/s by the clock on the wall; bytes/pixel of history and scratch; allocations/frame by operator new, which is
+// 0 for quell itself (see --summary, executor simd).
 
 #include "benchmarks.hpp"
 #include "family.hpp"
-#include "machine.hpp"
 #include "summary.hpp"
 
 #include <quell/core/error.hpp>

@@ -55,7 +55,6 @@ template <class Storage, class Preset> Family make_family(Preset const& preset, 
     return {std::string(preset.name),
             order,
             std::string(Storage::name) + "-" + Format::name,
-            sizeof(typename Format::Element),
             with_serial,
             pass_names(Preset::usual()),
             [](Extent size) -> std::unique_ptr<Workload> {

@@ -73,61 +73,34 @@ void print_head(std::initializer_list<std::string> cells) {
     fmt::print("|{}\n", fmt::join(std::vector<std::string>(cells.size(), " --- |"), ""));
 }
 std::string number(double value, int digits) { return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "-"; }
-/// A part of a bound; unknown where operations were never counted.
-std::string part_of_bound(double bound, double seconds) { return bound > 0 ? number(bound / seconds, 2) : "-"; }
-
-void print_machine() {
-    fmt::print("## Machine\n");
-    print_head({"threads", "GFLOP/s", "GB/s"});
-    for (int const threads : {1, max_threads()}) {
-        auto const& m = machine(threads);
-        print_row({std::to_string(threads), number(1e-9 * m.operations_per_second, 1), number(1e-9 * m.bytes_per_second, 1)});
-        if (max_threads() == 1) break;
-    }
-}
 
 void print_presets_head(int rounds) {
     auto const most = std::to_string(max_threads());
     fmt::print("\n## Presets, {}, {}, medians of {}; cpu: processor time, which others on the machine hardly lengthen\n", to_string(size),
                reference_storage, rounds);
-    print_head({"preset", "serial ms", "simd ms", "simd cpu ms", "threads:1 ms", "threads:" + most + " ms", "best", "kFLOP/pixel",
-                "serial/simd", "threads:1/simd", "threads 1/" + most, "the same by cpu", "of bound, simd", "of bound, threads",
-                "bytes/pixel", "allocations (simd)"});
+    print_head({"preset", "serial ms", "simd ms", "simd cpu ms", "threads:1 ms", "threads:" + most + " ms", "best", "serial/simd",
+                "threads:1/simd", "threads 1/" + most, "the same by cpu", "bytes/pixel", "allocations (simd)"});
 }
 
 void print_preset(Measured const& m) {
     auto const &simd = m.series_of({How::Kind::simd, 1}), &one = m.series_of({How::Kind::threads, 1}), &many = m.series.back();
     auto const ms = [](std::vector<double> const& seconds) { return number(1e3 * median(seconds), 2); };
     auto const serial = m.family.has_serial ? m.series.front() : Series{};
-    auto const threads = many.how.threads;
-    // Work that the machine could have done in that time.
-    auto const peak_equivalents = 1e-3 * median(many.wall) * machine(threads).operations_per_second / static_cast<double>(size.pixels());
+
     print_row({m.family.preset, ms(serial.wall), ms(simd.wall), ms(simd.processor), ms(one.wall), ms(many.wall),
-               number(1e3 * *std::ranges::min_element(many.wall), 2), number(peak_equivalents, 2),
-               number(ratio(serial.processor, simd.processor), 1), number(ratio(one.processor, simd.processor), 3),
-               number(ratio(one.wall, many.wall), 2), number(threads * ratio(one.processor, many.processor), 2),
-               part_of_bound(m.family.bound(size, 1), median(simd.processor)),
-               part_of_bound(m.family.bound(size, threads), median(many.wall)), number(m.bytes, 1), std::to_string(simd.allocated)});
+               number(1e3 * *std::ranges::min_element(many.wall), 2), number(ratio(serial.processor, simd.processor), 1),
+               number(ratio(one.processor, simd.processor), 3), number(ratio(one.wall, many.wall), 2),
+               number(many.how.threads * ratio(one.processor, many.processor), 2), number(m.bytes, 1), std::to_string(simd.allocated)});
 }
 
 void print_passes_head() {
     fmt::print("\n## Passes, simd, {}, processor time\n", reference_storage);
-    print_head({"preset", "pass", "ms", "bound ms", "of bound", "flop/pixel", "bytes/pixel", "GFLOP/s", "GB/s"});
+    print_head({"preset", "pass", "ms"});
 }
 
 void print_passes(Family const& family, Series const& simd) {
-    auto const pixels = static_cast<double>(size.pixels());
-    for (std::size_t i = 0; i < family.passes.size(); ++i) {
-        double const seconds = median(simd.passes[i]), bound = family.bound(i, size, 1);
-        auto const cost = family.cost(i);
-        if (bound > 0)
-            print_row({family.preset, family.passes[i], number(1e3 * seconds, 2), number(1e3 * bound, 2), part_of_bound(bound, seconds),
-                       number(cost.operations, 0), number(cost.bytes(family.stored_size), 0),
-                       number(1e-9 * cost.operations * pixels / seconds, 1),
-                       number(1e-9 * cost.bytes(family.stored_size) * pixels / seconds, 1)});
-        else
-            print_row({family.preset, family.passes[i], number(1e3 * seconds, 2), "-", "-", "-", "-", "-", "-"});
-    }
+    for (std::size_t i = 0; i < family.passes.size(); ++i)
+        print_row({family.preset, family.passes[i], number(1e3 * median(simd.passes[i]), 2)});
 }
 
 std::vector<Measured> measure(std::string_view wanted, int rounds) {
@@ -159,7 +132,6 @@ void print_storages(std::vector<Measured> const& all) {
 } // namespace
 
 void print_summary(std::string_view wanted, int rounds) {
-    print_machine();
     auto const all = measure(wanted, rounds);
     print_presets_head(rounds);
     for (auto const& m : all)

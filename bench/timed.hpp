@@ -3,12 +3,17 @@
 #include <quell/execute/outlined.hpp>
 #include <quell/execute/threads.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace quell::bench {
+
+/// Threads that this process can run at once.
+inline int max_threads() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
 
 /// Which executor runs a frame.
 struct How {

@@ -102,7 +102,7 @@ mutant "what a filter before Temporal does with missing samples" pipeline/stages
 mutant "the length of normals" pipeline/guides frame/repair.hpp 'select(points, unit,' 'select(points, n,'
 mutant "holes among missing samples" pipeline/missing pipeline/fill_holes.hpp 'select(filled, Mark::marked' 'select(invert(hole), Mark::marked'
 mutant "a past that never had a sample" pipeline/stages motion/history_fetch.hpp 'then[history_length] > Real(0.f)' 'then[history_length] >= Real(0.f)'
-mutant "the order of a pipeline's end: what is remembered is still read" pipeline/stages pipeline/execution/frame_run.hpp 'if (past && !reads_guides)' 'if (past && reads_guides)'
+mutant "the order of a pipeline's end: what is remembered is still read" pipeline/stages pipeline/graph/run_passes.hpp 'last.reads_remembered.size() == 0' 'last.reads_remembered.size() > 0'
 mutant "blur: when a sample passes" blur/two_motions blur/trajectory/sample_trajectory.hpp 'when = time() + along;' 'when = time() - along;'
 mutant "blur: motions too unlike to be of one surface" blur/two_motions blur/two_motions/pair_guide.hpp \
     'difference > unlike_by * unlike_by,' 'difference > difference,'

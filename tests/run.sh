@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything and tests it:
-#   tests/run.sh                  all steps below
-#   tests/run.sh gcc asan         these steps only
+#   tests/run.sh                  g++ with the whole suite, and the kernels under sanitizers
+#   tests/run.sh all              all steps below
+#   tests/run.sh clang fuzz       these steps only
 #   tests/run.sh filter gcc       one folder of tests, built and run in one step (or several: tests/run.sh filter gcc asan)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source .ci/packages.sh
 
 all_steps=(gcc clang asan fuzz tsan aarch64 mingw cuda)
+usual_steps=(gcc asan)
 # The folders of tests to run, where some are named: then nothing else is built.
 only=()
 # What each of the other builds compiles and runs, as far as it exists: the library, and no slow programs. The clang build, at -O2, has
@@ -111,12 +113,14 @@ wish_for_browser
 wish_for_slurm
 steps=()
 for word in "$@"; do
-    if declare -F "step_$word" >/dev/null; then
+    if [ "$word" = all ]; then
+        steps+=("${all_steps[@]}")
+    elif declare -F "step_$word" >/dev/null; then
         steps+=("$word")
     elif [ -f "tests/$word/CMakeLists.txt" ]; then
         only+=("$word")
     else
-        echo "No step and no folder of tests '$word'; steps: ${all_steps[*]}; folders: $(cd tests && echo */ | tr -d /)" >&2
+        echo "No step and no folder of tests '$word'; steps: all ${all_steps[*]}; folders: $(cd tests && echo */ | tr -d /)" >&2
         exit 2
     fi
 done
@@ -124,7 +128,7 @@ if [ ${#only[@]} -gt 0 ]; then
     clang_tests=("${only[@]}") asan_tests=("${only[@]}") tsan_tests=("${only[@]}") cross_tests=("${only[@]}")
     [ ${#steps[@]} -gt 0 ] || steps=(gcc)
 fi
-[ ${#steps[@]} -gt 0 ] || steps=("${all_steps[@]}")
+[ ${#steps[@]} -gt 0 ] || steps=("${usual_steps[@]}")
 times=""
 for step in "${steps[@]}"; do
     echo "== $step"

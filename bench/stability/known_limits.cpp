@@ -30,9 +30,7 @@ std::vector<KnownLimit> listed() {
         "most samples of skewed noise are darker than its mean, and a clamp or a filter guided by brightness finds those";
     for (std::string const part : {"20", "5", "1"})
         add(list, "energy", "light_off_at_" + part + "_percent",
-            {"surface-clamp", "mirror-clamp", "svgf", "asvgf", "dual-color", "glossy", "glossy-flat-mirror", "glossy-paper", "trmv",
-             "trmv-paper"},
-            dark);
+            {"surface-clamp", "mirror-clamp", "svgf", "asvgf", "dual-color", "glossy", "glossy-paper", "trmv", "trmv-paper"}, dark);
     for (std::string const part : {"5", "1"}) add(list, "energy", "light_off_at_" + part + "_percent", {"dual-cone"}, dark);
     add(list, "blur-linear", "worst_over_mean", {"blur", "blur-straight"},
         "where the spheres cross before what stands still three things meet, and two are told apart");

@@ -16,6 +16,10 @@ examples::Preset shadow_without_falloff() {
     });
 }
 
+examples::Preset glossy_of_flat_mirrors() {
+    return preset("glossy-flat-mirror", [] { return Composite{presets::glossy<FlatMirror>(glossy)}; });
+}
+
 examples::Preset svgf_without_fireflies() {
     return preset("svgf-suppress-fireflies", [] { return presets::svgf(radiance, Demodulate{}, SuppressFireflies{}); });
 }

@@ -11,7 +11,7 @@ void curved(std::string const& name, Making const& making, Results& results) {
     auto const sequence =
         traced({.scene = "restaurant", .signal = Signal::glossy, .scored_from = 28, .last = 34, .effect = tracer::Effect::curved}, making);
     auto const lens = errors(sequence, watch(examples::preset_of("glossy"), sequence, {}, making.threads));
-    auto const flat = errors(sequence, watch(examples::preset_of("glossy-flat-mirror"), sequence, {}, making.threads));
+    auto const flat = errors(sequence, watch(glossy_of_flat_mirrors(), sequence, {}, making.threads));
     record(results, name, "glossy", lens);
     record(results, name, "glossy-flat-mirror", flat);
     results.promises.push_back({name, "glossy", "over_flat_mirror", mean_ratio(lens, flat), no_worse});

@@ -54,6 +54,7 @@ class QuellSettings(bpy.types.PropertyGroup):
     preset: bpy.props.StringProperty(
         name="Preset", description="Method of quell-denoise. Empty: the one that suits the passes", search=presets_that_fit
     )
+    keep_alpha: bpy.props.BoolProperty(name="Keep Alpha", description="Leave the film's alpha as it is, noise and all")
     to_compositor: bpy.props.BoolProperty(name="Compositor", description="Add the clean frames as an image node", default=True)
     to_sequencer: bpy.props.BoolProperty(name="Sequencer", description="Add the clean frames as a strip", default=True)
 
@@ -162,6 +163,7 @@ def frame_list(scene):
 
 def arguments_of(scene):
     words = ["--in", pattern(scene.quell.noisy, "noisy"), "--out", pattern(scene.quell.clean, "clean"), *frame_list(scene)]
+    words += ["--keep-alpha"] if scene.quell.keep_alpha else []
     return words + (["--preset", scene.quell.preset] if scene.quell.preset else [])
 
 
@@ -420,7 +422,7 @@ class QUELL_PT_panel(bpy.types.Panel):
     def draw(self, context):
         layout, settings = self.layout, context.scene.quell
         layout.use_property_split, layout.use_property_decorate = True, False
-        for name in ("noisy", "clean", "preset"):
+        for name in ("noisy", "clean", "preset", "keep_alpha"):
             layout.prop(settings, name)
         column = layout.column(heading="Add to")
         column.prop(settings, "to_compositor")

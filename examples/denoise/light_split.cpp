@@ -18,6 +18,9 @@ using Pixels = std::vector<glm::vec3>;
 /// The noise of guides may be this part of what a filter would lose of their structure. Between 0.24, where renders with depth of field,
 /// fog, leaves and textures still had less error with guides as they are, and 0.26, where they had more (bench/cycles.sh).
 constexpr float tolerated_noise = 0.25f;
+/// The same of the rest's noise: no guide tells it from structure where it is filtered alone. Between 0.5 (film, wide gamut at 8 samples)
+/// and 1.5 (the same gamut at 1 sample; of glass it is 24 to 66).
+constexpr float tolerated_rest = 1.f;
 
 std::vector<io::Source> ones() { return std::vector<io::Source>(3, io::Source{{}, 1.f}); }
 bool is_constant(std::vector<io::Source> const& sources) {
@@ -139,7 +142,8 @@ public:
         for (auto const& part : parts)
             if (!part.colour.pixels.empty()) count(guide_errors(part.colour, GuideKind::factor, part.picture, whole, depth));
         if (!names.added.empty()) count(guide_errors(added, GuideKind::added, whole, whole, depth));
-        return noise > tolerated_noise * loss;
+        float const of_rest = has_rest ? guide_errors(rest, GuideKind::added, rest, whole, {}).noise : 0.f;
+        return noise > tolerated_noise * loss || of_rest > tolerated_rest * loss;
     }
 
     [[nodiscard]] SignalShares shares() const {

@@ -43,7 +43,7 @@ struct LightSplit {
 [[nodiscard]] LightSplit split_light(io::ExrImage& image, io::SequenceNames const& names, SplitRule const& rule, bool as_one);
 
 /// Whether a frame is better filtered as one picture, from this frame alone: where colours (factors, or the albedo that a signal is divided
-/// by) and what is added are so noisy that this is worse than what a filter loses of them.
+/// by) and what is added, or the rest, are so noisy that this is worse than what a filter loses of them.
 [[nodiscard]] bool is_better_as_one(io::ExrImage const& image, io::SequenceNames const& names, SplitRule const& rule);
 
 /// The planes that this takes of a file beside those of the signals: of factors, of what is added, and of the picture where the file has

@@ -18,6 +18,7 @@ const JOB_TYPE = {
         { key: "parts", type: "int32", default: 6, description: "Parts that the frames are split into" },
         { key: "preset", type: "string", default: "", description: "Preset; empty: what suits the files" },
         { key: "layers", type: "string", default: "", description: "Layers to write, with commas between them; empty: all" },
+        { key: "keep_alpha", type: "bool", default: false, description: "Leave the film's alpha as it is, noise and all" },
         { key: "map", type: "string", default: "", description: "Channel map of another renderer; empty: none" },
     ],
 };
@@ -28,6 +29,7 @@ function compileJob(job) {
     const args = ["--in", settings.input, "--out", settings.output, "--frames", settings.frames.replace(/\s/g, "")];
     for (const name of ["preset", "layers", "map"])
         if (settings[name]) args.push("--" + name, settings[name]);
+    if (settings.keep_alpha) args.push("--keep-alpha");
     for (let part = 1; part <= settings.parts; part++) {
         const task = author.Task("denoise-" + part + "-of-" + settings.parts, "misc");
         task.addCommand(author.Command("exec", {

@@ -104,6 +104,8 @@ with tempfile.TemporaryDirectory() as folder:
     assert bpy.ops.quell.denoise() == {"FINISHED"}
     assert len([node for node in scene.node_tree.nodes if node.label == "quell"]) == 1
     assert len(scene.sequence_editor.sequences) == 1
+    settings.keep_alpha = True
+    assert "--keep-alpha" in sys.modules["quell_denoise"].arguments_of(scene)
     settings.preset = "best"
     assert "there is no preset 'best'" in refusal(bpy.ops.quell.denoise)
     bpy.ops.preferences.addon_disable(module="quell_denoise")

@@ -295,23 +295,6 @@ TEST_CASE("a pack may meet as many tiles of pixels that share their lines as it 
     }
 }
 
-TEST_CASE("where the mean is uncertain, samples beside the line make it less so") {
-    constexpr auto adaptive = presets::blur<StraightTrajectories, AdaptiveFootprint>(radiance, {}, {.footprint = {.allowed_error = 0.1f}});
-    World const world{.size = {96, 48}, .frames = 1};
-    auto const error = [&](auto const& pipeline) {
-        std::mt19937 random(3);
-        auto const out = world.last(pipeline, [&](int, int, int, float) { return Seen{random() % 2 ? 1.f : 0.f, {8, 0}}; });
-        double squared = 0;
-        for (int y = 8; y < 40; ++y)
-            for (int x = 20; x < 76; ++x) squared += (world.at(out, x, y) - 0.5) * (world.at(out, x, y) - 0.5);
-        return std::sqrt(squared / (32 * 56));
-    };
-    CHECK(error(adaptive) < 0.7 * error(denoise));
-    // What is certain stays as it is, to the last bit, and a constant is.
-    auto const stripes = [&](int, int y, int, float) { return Seen{y % 2 ? 0.8f : 0.2f, {8, 0}}; };
-    CHECK(world.last(adaptive, stripes) == world.last(denoise, stripes));
-}
-
 TEST_CASE("what turns covers what is behind for as long as it takes to pass, all along its arc") {
     World const world{.size = {128, 128}, .frames = 1};
     auto const out = world.last(presets::blur<BentTrajectories>(radiance), TurningSector::seen);

@@ -41,6 +41,8 @@ try {
     assert.deepEqual(written.map((each) => each.preset), ["svgf", "svgf", "svgf"]);
     assert.equal(readdirSync(join(folder, "out")).length, 6);
     assert.equal(compiled({}).length, 6);
+    for (const keep_alpha of [false, true])
+        assert.equal(compiled({ keep_alpha })[0].commands[0].parameters.args.includes("--keep-alpha"), keep_alpha);
     assert.throws(() => compiled({ parts: 0 }));
 } finally {
     rmSync(folder, { recursive: true });

@@ -69,10 +69,8 @@ void check_finite(std::string const& preset, std::string_view channel, int frame
 }
 
 template <class P> void check_history(std::string const& preset, int frame, std::type_identity<P>, auto const& history) {
-    if (auto const& signal = detail::Inspect::signal(history)) check_finite(preset, "history", frame, signal.view());
-    for_each_channel(typename P::keeps{}, [&](auto c) {
-        if (auto const& kept = detail::Inspect::kept(history, c)) check_finite(preset, c.name, frame, kept.view());
-    });
+    check_finite(preset, "history", frame, detail::Inspect::signal(history));
+    for_each_channel(typename P::keeps{}, [&](auto c) { check_finite(preset, c.name, frame, detail::Inspect::kept(history, c)); });
 }
 
 /// The bounds of a pipeline, or of all pipelines of a composite.
@@ -104,7 +102,7 @@ template <class Executor, class Storage = Planar<>, class P> void run_frames(std
             auto& its = std::get<Bounds<Part>>(bounds.all);
             if (part.statistics().frames == 1) its.start_over();
             its.see(frame);
-            its.check(frame, detail::Inspect::output(part).view(), half ? 4e-3f : 1e-5f, half ? 1e-7f : 1e-30f, half ? 65504.f : 1e30f,
+            its.check(frame, detail::Inspect::output(part), half ? 4e-3f : 1e-5f, half ? 1e-7f : 1e-30f, half ? 65504.f : 1e30f,
                       [&](int x, int y, float value, float least, float most) {
                           std::fprintf(stderr, "%s's samples are %g to %g\n", preset.c_str(), static_cast<double>(least),
                                        static_cast<double>(most));

@@ -66,7 +66,7 @@ TEST_CASE("a signal that is no light of its own kind is added as it is") {
           1e-6);
 }
 
-TEST_CASE("direct light and albedo that are no light and no colour, not finite, negative or beyond 1e16, add nothing, and only there") {
+TEST_CASE("direct light and albedo that are not finite, negative or beyond 1e16 add nothing; an albedo above 1 counts as 1") {
     constexpr auto all = Composite{shadows, reflections, bounced};
     for (float const a : {not_a_number, infinite, -infinite, 3e38f, -1.f}) {
         Frame frame{size, all};
@@ -78,11 +78,13 @@ TEST_CASE("direct light and albedo that are no light and no colour, not finite, 
         CHECK(tests::all_finite(after));
         auto const at = [](int x, int y) { return static_cast<std::size_t>((y * size.width + x) * 3); };
         auto const lit = frame[glossy].get(3, 4) + frame[albedo].get(3, 4) * frame[indirect].get(3, 4);
-        auto const bounced_none = frame[glossy].get(20, 9) + frame[direct].get(20, 9) * frame[visibility].get(20, 9);
+        bool const above_one = a > 1 && is_finite(a);
+        auto const bounced = above_one ? glm::vec3(1, 0.5f, 0.5f) * frame[indirect].get(20, 9) : glm::vec3(0);
+        auto const there = frame[glossy].get(20, 9) + frame[direct].get(20, 9) * frame[visibility].get(20, 9) + bounced;
         CHECK(after[at(3, 4)] == doctest::Approx(lit.x));
         CHECK(after[at(3, 4) + 1] == doctest::Approx(lit.y));
-        CHECK(after[at(20, 9)] == doctest::Approx(bounced_none.x));
-        CHECK(after[at(20, 9) + 2] == doctest::Approx(bounced_none.z));
+        CHECK(after[at(20, 9)] == doctest::Approx(there.x));
+        CHECK(after[at(20, 9) + 2] == doctest::Approx(there.z));
         for (std::size_t i = 0; i < after.size(); ++i)
             if (i / 3 * 3 != at(3, 4) && i / 3 * 3 != at(20, 9)) REQUIRE(after[i] == before[i]);
     }

@@ -1,6 +1,6 @@
 #include "../frames.hpp"
 
-#include <quell/pipeline/execution/image_pool.hpp>
+#include <quell/pipeline/graph/image_pool.hpp>
 
 using namespace quell;
 using detail::ImagePool;
@@ -9,6 +9,9 @@ namespace {
 constexpr Extent size{5, 3};
 template <int N> using Floats = Planar<>::Image<N>;
 
+template <class Image> detail::PooledImage take(ImagePool& pool, int fraction = 1) {
+    return pool.take(detail::format_of_image<Image>(), fraction);
+}
 void fill(auto const& view, float value) {
     for (int c = 0; c < view.components; ++c)
         for (int y = 0; y < view.size.height; ++y)
@@ -23,21 +26,21 @@ bool all(auto const& view, float value) {
 TEST_CASE("planes without a handle serve any image of their size and format, and others keep what they hold") {
     auto const plane = Floats<1>(size).bytes(), half_plane = Planar<Float16>::Image<1>(size).bytes();
     ImagePool pool(size);
-    auto three = pool.take<Floats<3>>();
-    auto const two = pool.take<Floats<2>>();
+    auto three = take<Floats<3>>(pool);
+    auto const two = take<Floats<2>>(pool);
     CHECK(pool.bytes() == 5 * plane);
-    fill(two.view(), 2.f);
+    fill(detail::view_of_image<Floats<2>>(two), 2.f);
     three = {};
-    auto const four = pool.take<Floats<4>>();
+    auto const four = take<Floats<4>>(pool);
     CHECK(pool.bytes() == 6 * plane);
-    fill(four.view(), 4.f);
-    CHECK((all(two.view(), 2.f) && all(four.view(), 4.f)));
+    fill(detail::view_of_image<Floats<4>>(four), 4.f);
+    CHECK((all(detail::view_of_image<Floats<2>>(two), 2.f) && all(detail::view_of_image<Floats<4>>(four), 4.f)));
     auto const same = four;
-    CHECK((same == four && !(pool.take<Floats<4>>() == four)));
+    CHECK((same == four && !(take<Floats<4>>(pool) == four)));
     CHECK(pool.bytes() == 10 * plane);
-    (void)pool.take<Planar<Float16>::Image<3>>();
+    (void)take<Planar<Float16>::Image<3>>(pool);
     CHECK(pool.bytes() == 10 * plane + 3 * half_plane);
-    (void)pool.take<Floats<4>>(2);
+    (void)take<Floats<4>>(pool, 2);
     CHECK(pool.bytes() == 10 * plane + 3 * half_plane + 4 * Floats<1>(divided(size, 2)).bytes());
 }
 
@@ -84,9 +87,9 @@ TEST_CASE("a storage of one's own shares planes too, with the same output") {
 TEST_CASE("images whose components lie side by side stay in one piece") {
     using Image = Interleaved<>::Image<3>;
     ImagePool pool(size);
-    (void)pool.take<Image>();
-    (void)pool.take<Image>();
+    (void)take<Image>(pool);
+    (void)take<Image>(pool);
     CHECK(pool.bytes() == Image(size).bytes());
-    (void)pool.take<Interleaved<>::Image<2>>();
+    (void)take<Interleaved<>::Image<2>>(pool);
     CHECK(pool.bytes() == Image(size).bytes() + Interleaved<>::Image<2>(size).bytes());
 }

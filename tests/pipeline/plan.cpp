@@ -13,6 +13,7 @@ bool has(PlannedPass::Names const& names, std::string_view name) { return std::r
 /// What a run of two frames has taken.
 template <class P> double bytes_of(P const& pipeline) {
     Frame frame{Extent{1024, 16}, pipeline};
+    tests::fill_still(frame);
     History history{frame.size, pipeline};
     for (int i = 0; i < 2; ++i) run(pipeline, frame, history);
     return history.bytes_per_pixel();
@@ -23,9 +24,21 @@ template <class P> std::vector<std::string_view> kept_by(P const&) {
     return names;
 }
 
-/// Whatever a pass reads is the host's or was written before, and the past that it reads was written in the last frame.
+/// Whether a later pass, or one of the next frame, reads a channel that pass `writer` has written.
+bool is_read(Plan const& plan, std::size_t writer, std::string_view name) {
+    for (std::size_t i = 0; i < plan.passes.size(); ++i)
+        if ((i > writer && has(plan.passes[i].reads, name)) || has(plan.passes[i].reads_past, name)) return true;
+    return name == "output";
+}
+/// Whatever a pass reads is the host's or was written before, the past that it reads was written in the last frame, and whatever it writes
+/// is read.
 template <class P> void check_order(P const& pipeline) {
     auto const plan = plan_of(pipeline);
+    for (std::size_t i = 0; i < plan.passes.size(); ++i)
+        for (auto const name : plan.passes[i].writes) {
+            INFO(plan.passes[i].name, " writes ", name);
+            CHECK(is_read(plan, i, name));
+        }
     PlannedPass::Names supplied, written;
     for_each_channel(typename P::reads{}, [&](auto c) { supplied.push_back(c.name); });
     for (auto const& pass : plan.passes) {
@@ -44,13 +57,13 @@ TEST_CASE("a plan names the passes in order, with what they read and write") {
     auto const plan = plan_of(presets::svgf(radiance, Demodulate{}));
     REQUIRE(plan.passes.size() == 8);
     CHECK(plan.passes[0].name == "ingest");
-    CHECK(plan.passes[0].reads == PlannedPass::Names{"radiance", "albedo"});
+    CHECK(plan.passes[0].reads == PlannedPass::Names{"radiance", "albedo", "normal", "depth", "motion"});
     CHECK(plan.passes[1].name == "temporal");
     CHECK(has(plan.passes[1].reads, "motion"));
     CHECK(has(plan.passes[1].reads_past, "luminance_mean"));
     CHECK(has(plan.passes[1].writes, "history_length"));
     CHECK(plan.passes[1].denoises == "radiance");
-    CHECK(to_string(plan).find("| ingest | radiance, albedo |  | signal |") != std::string::npos);
+    CHECK(to_string(plan).find("| ingest | radiance, albedo, normal, depth, motion |  | signal |") != std::string::npos);
     check_order(presets::svgf(radiance, Demodulate{}));
     check_order(presets::general(radiance, Demodulate{}));
     check_order(presets::shadow(visibility));
@@ -80,7 +93,7 @@ TEST_CASE("the pipelines of a composite run in order and share what is scratch")
     CHECK(has(plan.passes[7].writes, "output"));
     CHECK(plan.passes[15].denoises == "indirect");
     CHECK(plan.passes[16].denoises.empty());
-    auto const text = to_string(plan), heading = std::string("| **indirect** |  |  |  |\n| ingest | indirect |");
+    auto const text = to_string(plan), heading = std::string("| **indirect** |  |  |  |\n| ingest | indirect, normal, depth, motion |");
     CHECK(text.find(heading) != std::string::npos);
     CHECK(to_string(plan_of(one)).find("**") == std::string::npos);
     CHECK(plan.bytes_per_pixel < plan_of(one).bytes_per_pixel + plan_of(other).bytes_per_pixel);

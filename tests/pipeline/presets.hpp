@@ -6,7 +6,17 @@
 #include <quell/execute/outlined.hpp>
 #include <quell/presets/named.hpp>
 
+#include <support/name_list.hpp>
+
 namespace quell::tests {
+
+/// Calls function(preset) for each preset of a unit that is among QUELL_TESTED_PRESETS.
+template <std::size_t unit, std::size_t units> void for_each_tested_preset(auto const& function) {
+    for_each_preset_index<unit, units>([&](auto i) {
+        constexpr auto const& preset = std::get<i>(named_presets);
+        if constexpr (examples::is_chosen(QUELL_TESTED_PRESETS, preset.name)) function(preset);
+    });
+}
 
 /// Frames are seen by a camera that moves.
 template <class P> std::vector<float> seen_by_moving_camera(P const& denoise, Extent size, auto const& executor) {

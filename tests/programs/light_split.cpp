@@ -260,6 +260,18 @@ TEST_CASE("an environment that is noisy behind fog is filtered with the rest, an
     }
 }
 
+TEST_CASE("a picture whose rest is noisier than its colours have detail is filtered as one") {
+    for (float const amount : {2.f, 0.02f}) {
+        Random random(5);
+        auto image = lit(checks, of_plane, 5);
+        auto picture = pass(image, "beauty");
+        for (auto& pixel : picture) pixel += amount * random.light();
+        std::erase_if(image.planes, [](auto const& plane) { return plane.name.starts_with("beauty"); });
+        add_pass(image, "beauty", picture, exact);
+        CHECK(is_as_one(image) == (amount > 1));
+    }
+}
+
 TEST_CASE("estimates of guides' errors: the noise of a guide is its variance, and structure has none") {
     Random random(3);
     constexpr float amplitude = 0.3f;

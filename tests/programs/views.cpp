@@ -402,3 +402,38 @@ TEST_CASE("Blender's view layers are all denoised, and the compositor's picture 
     }
     CHECK(has_view_layer);
 }
+
+TEST_CASE("overscan, debug views and findings are those of each view") {
+    Folder const together;
+    // The right eye's motion points the wrong way.
+    auto const seen_by = [](int which, int i) {
+        auto image = picture_of(which, i);
+        if (which == 1)
+            for (auto& plane : image.planes)
+                if (plane.name.starts_with("motion."))
+                    for (auto& value : plane.values) value = -value;
+        return image;
+    };
+    auto const with_overscan = [](Folder const& folder, std::function<std::vector<WholeChannel>(int)> const& channels) {
+        for (int i = 0; i <= last_frame; ++i)
+            write_whole(folder / numbered("frame.", i), box(3, 2, size.width - 4, size.height - 3), {part("", channels(i))});
+    };
+    with_overscan(together,
+                  [&](int i) { return joined(channels_of(seen_by(0, i), of_eye("left")), channels_of(seen_by(1, i), of_eye("right"))); });
+    auto const more = options + "--debug-view history_length --diagnose";
+    auto const summary = run(together, more);
+    for (int which = 0; which < 2; ++which) {
+        std::string const eye = which == 0 ? "left" : "right";
+        Folder const alone;
+        with_overscan(alone, [&](int i) { return channels_of(seen_by(which, i), as_it_is); });
+        auto const one = run(alone, more);
+        check_as_alone(alone, together, of_eye(eye));
+        auto const lengths = [&](Folder const& folder, std::string const& view) {
+            return io::read_exr(folder / ("out.0003." + view + "history_length.exr"))["Y"].values;
+        };
+        CHECK(lengths(together, eye + ".") == lengths(alone, ""));
+        std::size_t found = 0;
+        for (auto const& line : summary.at("findings")) found += contains(line.get<std::string>(), "view " + eye) ? 1 : 0;
+        CHECK(found == one.at("findings").size());
+    }
+}

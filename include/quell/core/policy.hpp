@@ -37,6 +37,12 @@ template <class P> constexpr bool needs_camera();
 template <class... Ps> constexpr bool any_needs_camera(Parts<Ps...>) { return (needs_camera<Ps>() || ...); }
 template <class P> constexpr bool needs_camera() { return own_needs_camera<P> || any_needs_camera(typename PartsOf<P>::type{}); }
 
+/// Whether a pass says that it looks at the signal of the last frame. Temporal does so unsaid.
+template <class Pass> inline constexpr bool says_reads_past_signal = false;
+template <class Pass>
+    requires is_constant<decltype(&Pass::reads_past_signal), bool>
+inline constexpr bool says_reads_past_signal<Pass> = Pass::reads_past_signal;
+
 /// Largest useful SIMD width of a pass: any, unless it says so.
 template <class Pass> inline constexpr int max_lanes_of = std::numeric_limits<int>::max();
 template <class Pass>

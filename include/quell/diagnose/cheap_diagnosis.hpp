@@ -20,6 +20,7 @@ class CheapDiagnosis {
 
 public:
     /// What it finds in this frame and those before it; mostly nothing. A mistake is found in every frame that shows it.
+    /// @param frame          the next one, as it goes into run()
     /// @param converted_from for hosts that convert motion vectors before they write them: the convention from which, so that the finding
     /// names the mistake in its terms
     template <class Set, class Storage>

@@ -15,9 +15,8 @@ template <ChannelTag C, class P, class Storage>
     std::vector<DebugImage> images;
     detail::for_each_history(history, [&]<class Part>(std::type_identity<Part>, auto& of_part) {
         if constexpr (Part::keeps::template has<C>) {
-            auto const& image = detail::Inspect::kept(of_part, channel);
-            if (!image) return;
-            auto const view = image.view();
+            auto const view = detail::Inspect::kept(of_part, channel);
+            if (view.size.width == 0) return;
             DebugImage result{std::string(Part::Output::name), view.size, {}};
             for (int y = 0; y < view.size.height; ++y)
                 for (int x = 0; x < view.size.width; ++x) result.values.push_back(view.get(0, x, y));

@@ -25,7 +25,7 @@
 #include <quell/diagnose/hypotheses/samples/signal_hypotheses.hpp>
 #include <quell/diagnose/inspect.hpp>
 #include <quell/diagnose/not_checked.hpp>
-#include <quell/pipeline/execution/check_frame.hpp>
+#include <quell/pipeline/graph/check_frame.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 

@@ -9,18 +9,28 @@ namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Access to the state of a history between runs.
 struct Inspect {
-    template <class H> static bool has_past(H const& history) { return !history.empty; }
-    template <class H> static Camera const& camera(H const& history) { return history.then.camera; }
-    template <class H> static std::optional<long long> number(H const& history) { return history.then.number; }
-    template <class H> static Extent size(H const& history) { return history.size; }
-    template <class H> static auto const& output(H const& history) { return history.output; }
-    /// The signal that the next frame's Temporal stage finds.
-    template <class H> static auto const& signal(H const& history) { return history.then.signal; }
+    template <class H> static bool has_past(H const& history) { return !history.images.empty; }
+    template <class H> static Camera const& camera(H const& history) { return history.images.then.camera; }
+    template <class H> static std::optional<long long> number(H const& history) { return history.images.then.number; }
+    template <class H> static Extent size(H const& history) { return history.images.size; }
     template <class H> static auto& parts(H& composite) { return composite.parts; }
-    /// A channel of the last frame that the pipeline remembers.
-    template <class H, ChannelTag C> static auto const& remembered(H const& history, C) { return slot<C>(history.then.guides); }
+
+    // Views, without a size where there is no image.
+    template <class P, class Storage> static auto output(History<P, Storage> const& history) {
+        return view_in<Storage, typename P::Output>(history.images.output);
+    }
+    /// The signal that the next frame's Temporal stage finds.
+    template <class P, class Storage> static auto signal(History<P, Storage> const& history) {
+        return view_in<Storage, typename P::Signal>(history.images.then.signal);
+    }
+    /// A channel of the last frame that the pipeline remembers as it is.
+    template <class P, class Storage, ChannelTag C> static auto remembered(History<P, Storage> const& history, C) {
+        return history.images.then.guides.template view<Storage, C>();
+    }
     /// A channel that its policies keep.
-    template <class H, ChannelTag C> static auto const& kept(H const& history, C) { return slot<C>(history.then.kept); }
+    template <class P, class Storage, ChannelTag C> static auto kept(History<P, Storage> const& history, C) {
+        return history.images.then.kept.template view<Storage, C>();
+    }
 
     template <class H> static DiagnosisNotes& notes(H& history) {
         if (!history.notes) history.notes = std::make_shared<DiagnosisNotes>();
@@ -38,8 +48,8 @@ template <class... Ps, class Storage> void for_each_history(History<Composite<Ps
 inline Lookup lookup(ImageView auto const& view) {
     return [view](int c, int x, int y) { return view.get(c, x, y); };
 }
-/// Empty for an empty handle.
-template <class Image> Lookup lookup_in(PooledImage<Image> const& image) { return image ? lookup(image.view()) : Lookup{}; }
+/// Empty for a view without an image.
+Lookup lookup_in(ImageView auto const& view) { return view.size.width > 0 ? lookup(view) : Lookup{}; }
 
 /// Empty if the frame lacks the channel or the pipeline does not read it.
 template <class P, ChannelTag C, class Set, class Storage> Lookup lookup_of(Frame<Set, Storage> const& frame, C channel) {

@@ -49,4 +49,8 @@ private:
     template <class Real> QUELL_KERNEL static Real restore(Index<Real> a) { return to_real(a) * (1.f / 32767.f) - 1.f; }
 };
 
+/// Channels in the form in which history stores them.
+template <class Set> struct StoredChannels;
+template <class... Cs> struct StoredChannels<Channels<Cs...>> { using type = Channels<typename Remembered<Cs>::Stored...>; };
+
 } // namespace quell::inline QUELL_INSTRUCTION_SET::detail

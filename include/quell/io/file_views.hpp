@@ -16,7 +16,7 @@ struct FileView {
 
 /// The views of a file, and what else has light but can't be denoised by itself.
 struct FileViews {
-    std::vector<FileView> views;
+    std::vector<FileView> views;   ///< each with light, depth and motion
     std::vector<std::string> left; ///< names of what stays as it is
 };
 

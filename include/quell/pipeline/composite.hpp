@@ -85,6 +85,7 @@ public:
 
 private:
     friend struct detail::CompositeRun;
+    friend struct detail::OpenHistory;
     friend struct detail::Inspect;
 
     std::shared_ptr<detail::ImagePool> pool; ///< shared: scratch of one part is free for the next

@@ -9,6 +9,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 /// frame has no usable sample at all, what the history has in the same pixel stands in.
 struct FillHoles {
     static constexpr auto name = "fill holes";
+    static constexpr bool reads_past_signal = true;
     int step; ///< 0: from the history
 
     QUELL_KERNEL auto operator()(auto px) const {

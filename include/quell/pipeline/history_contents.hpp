@@ -24,71 +24,72 @@ struct HistoryContents {
 };
 
 namespace detail {
-/// Access to what histories hold.
-struct ReachContents {
-    template <class H> static bool has_past(H const& history) { return !history.empty && history.then.signal; }
+template <class Storage, ChannelTag C> HistoryContents::Planes planes_of(PooledImage const& image) {
+    auto const view = view_in<Storage, C>(image);
+    HistoryContents::Planes planes(C::components);
+    for (std::size_t c = 0; c < planes.size(); ++c)
+        for (int y = 0; y < view.size.height; ++y)
+            for (int x = 0; x < view.size.width; ++x) planes[c].push_back(view.get(static_cast<int>(c), x, y));
+    return planes;
+}
+/// @param planes of another number of components: the image's further ones become 1, as alpha is
+template <class Storage, ChannelTag C> PooledImage image_of(ImagePool& pool, HistoryContents::Planes const& planes) {
+    auto const image = pool.take(format_of<Storage, C>);
+    auto const view = view_in<Storage, C>(image);
+    auto const width = static_cast<std::size_t>(view.size.width);
+    for (std::size_t c = 0; c < C::components; ++c)
+        for (int y = 0; y < view.size.height; ++y)
+            for (int x = 0; x < view.size.width; ++x)
+                view.set(static_cast<int>(c), x, y,
+                         c < planes.size() ? planes[c][static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] : 1.f);
+    return image;
+}
 
-    static HistoryContents::Planes planes_of(auto const& image) {
-        auto const view = image.view();
-        HistoryContents::Planes planes(std::remove_cvref_t<decltype(view)>::components);
-        for (std::size_t c = 0; c < planes.size(); ++c)
-            for (int y = 0; y < view.size.height; ++y)
-                for (int x = 0; x < view.size.width; ++x) planes[c].push_back(view.get(static_cast<int>(c), x, y));
-        return planes;
-    }
-    template <class P, class Storage> static HistoryContents read(History<P, Storage> const& history) {
-        auto const& then = history.then;
-        HistoryContents contents{history.size, planes_of(then.signal), {}, {}, then.camera, then.shutter, then.number};
-        for_each_channel(typename P::keeps{}, [&](auto c) {
-            if (auto const& image = slot<decltype(c)>(then.kept)) contents.kept[std::string(c.name)] = planes_of(image);
-        });
-        for_each_channel(typename FrameState<P, Storage>::Guides{}, [&](auto c) {
-            if (auto const& image = slot<decltype(c)>(then.guides)) contents.guides[std::string(c.name)] = planes_of(image);
-        });
-        return contents;
-    }
-
-    /// @param planes of another number of components: the image's further ones become 1, as alpha is
-    template <class Image> static void put(ImagePool& pool, PooledImage<Image>& image, HistoryContents::Planes const& planes) {
-        image = pool.template take<Image>();
-        auto const view = image.view();
-        for (std::size_t c = 0; c < std::remove_cvref_t<decltype(view)>::components; ++c)
-            for (int y = 0; y < view.size.height; ++y)
-                for (int x = 0; x < view.size.width; ++x)
-                    view.set(static_cast<int>(c), x, y,
-                             c < planes.size() ? planes[c][static_cast<std::size_t>(y) * static_cast<std::size_t>(view.size.width) +
-                                                           static_cast<std::size_t>(x)]
-                                               : 1.f);
-    }
-    template <class P, class Storage> static void write(History<P, Storage>& history, HistoryContents const& contents) {
-        history.restart(contents.size);
-        auto& then = history.then;
-        auto const put_named = [&]<class C>(auto& handles, C, auto const& from) {
+template <class P, class Storage> HistoryContents read_contents(HistoryImages const& images) {
+    auto const& then = images.then;
+    HistoryContents contents{images.size, planes_of<Storage, typename P::Signal>(then.signal), {}, {}, then.camera, then.shutter,
+                             then.number};
+    auto const read = [](ImageTable const& table, auto& to) {
+        return [&]<class C>(C) {
+            if (auto const* const image = table.find(&channel_info<C>)) to[std::string(C::name)] = planes_of<Storage, C>(*image);
+        };
+    };
+    for_each_channel(typename P::keeps{}, read(then.kept, contents.kept));
+    for_each_channel(typename StoredChannels<typename P::remembers>::type{}, read(then.guides, contents.guides));
+    return contents;
+}
+template <class P, class Storage> void write_contents(HistoryImages& images, HistoryContents const& contents) {
+    images.restart(contents.size);
+    auto& then = images.then;
+    auto const write = [&](ImageTable& table, auto const& from) {
+        return [&]<class C>(C) {
             auto const found = from.find(C::name);
             if (found == from.end()) raise_error("history contents", "they lack " + std::string(C::name), "take them of a like pipeline");
-            put(*history.pool, slot<C>(handles), found->second);
+            table[&channel_info<C>] = image_of<Storage, C>(*images.pool, found->second);
         };
-        put(*history.pool, then.signal, contents.signal);
-        for_each_channel(typename P::keeps{}, [&](auto c) { put_named(then.kept, c, contents.kept); });
-        for_each_channel(typename FrameState<P, Storage>::Guides{}, [&](auto c) { put_named(then.guides, c, contents.guides); });
-        then.camera = contents.camera, then.shutter = contents.shutter, then.number = contents.number;
-        history.empty = false;
-    }
-};
+    };
+    then.signal = image_of<Storage, typename P::Signal>(*images.pool, contents.signal);
+    for_each_channel(typename P::keeps{}, write(then.kept, contents.kept));
+    for_each_channel(typename StoredChannels<typename P::remembers>::type{}, write(then.guides, contents.guides));
+    then.camera = contents.camera, then.shutter = contents.shutter, then.number = contents.number;
+    images.empty = false;
+}
 } // namespace detail
 
 /// What a history remembers; nothing before its first frame, and of pipelines without a past.
 template <class P, class Storage> [[nodiscard]] std::optional<HistoryContents> contents_of(History<P, Storage> const& history) {
-    if (!detail::ReachContents::has_past(history)) return std::nullopt;
-    return detail::ReachContents::read(history);
+    auto const& images = detail::OpenHistory::images(history);
+    if (images.empty || !images.then.signal) return std::nullopt;
+    return detail::read_contents<P, Storage>(images);
 }
 
-/// Makes a history remember that. A component that the contents lack, such as alpha, becomes 1.
+/// Makes a history remember other contents than its own. A component that the contents lack, such as alpha, becomes 1.
+/// @param history  any of the pipeline's; what it remembered is forgotten
 /// @param contents of a pipeline that keeps and remembers the same channels; its signal may have another number of components
 /// @throws Error naming a channel that they lack
 template <class P, class Storage> void put_contents(History<P, Storage>& history, HistoryContents const& contents) {
     static_assert(P::has_past, "put_contents(history, contents): the pipeline has no Temporal{...}, so its history remembers nothing");
-    detail::ReachContents::write(history, contents);
+    detail::write_contents<P, Storage>(detail::OpenHistory::images(history), contents);
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -17,8 +17,8 @@ struct PlannedPass {
     std::string_view name;                       ///< of the pass
     std::string_view denoises{};                 ///< the channel that its pipeline denoises; empty: it adds up what several have made
     int fraction = 1;                            ///< the pass runs at 1/fraction of the frame's width and height
-    Names reads{};                               ///< may read, of this frame: from the host and from earlier passes
-    Names reads_past{};                          ///< may read, of the last frame
+    Names reads{};                               ///< of this frame: from the host and from earlier passes
+    Names reads_past{};                          ///< of the last frame
     Names writes{};                              ///< for later passes, the next frame and the host
 };
 
@@ -29,60 +29,52 @@ struct Plan {
 };
 
 namespace detail {
-/// The name of the channel that an ingest reads; empty for other passes.
-template <class Pass> inline constexpr std::string_view ingested_by{};
-template <class S, class Form, class Suppression, class Guides>
-inline constexpr std::string_view ingested_by<Ingest<S, Form, Suppression, Guides>> = S::name;
-
-/// An executor that computes nothing and records the passes.
-struct PassRecorder {
-    std::vector<PlannedPass>* passes;
-
-    template <class Job> void for_each_pixel(Region, Job const& job) const {
-        PlannedPass pass{.name = Job::name, .denoises = passes->empty() ? std::string_view{} : passes->back().denoises};
-        auto const before = pass.denoises;
-        describe(job, pass);
-        if (pass.denoises != before) end_pipeline();
-        passes->push_back(std::move(pass));
-    }
-    /// The last pass so far made what its pipeline gives, which may be the image of the signal.
-    void end_pipeline() const {
-        if (!passes->empty()) add(passes->back().writes, "output");
-    }
-
-private:
-    template <class... Cs> static void add(PlannedPass::Names& to, Channels<Cs...>) { (add(to, Cs::name), ...); }
-    static void add(PlannedPass::Names& to, std::string_view name) {
-        if (std::find(to.begin(), to.end(), name) == to.end()) to.push_back(name);
-    }
-
-    template <class Pass, class S, class SignalView, class MadeViews, class FinishWork, class RememberedSet, bool keeps_marks>
-    static void describe(Job<Pass, S, SignalView, MadeViews, FinishWork, RememberedSet, keeps_marks> const& job, PlannedPass& pass) {
-        pass.fraction = S::fraction;
-        if (ingested_by<Pass>.empty())
-            add(pass.reads, "signal");
-        else
-            pass.denoises = ingested_by<Pass>;
-        add(pass.reads, typename S::frame_channels{});
-        add(pass.reads, typename S::made_channels{});
-        if (is_temporal<Pass> || S::kept_channels::size + S::remembered_channels::size > 0) add(pass.reads_past, "signal");
-        add(pass.reads_past, typename S::kept_channels{});
-        add(pass.reads_past, typename S::remembered_channels{});
-        if (job.store_signal) add(pass.writes, "signal");
-        add(pass.writes, typename MadeViews::channels{});
-        if (job.store_output) add(pass.writes, "output");
-        if (job.store_remembered) add(pass.writes, RememberedSet{});
-    }
-    /// No frame is looked at, and no guide repaired.
-    template <ChannelTag C, class From, class To> static void describe(RepairJob<C, From, To> const&, PlannedPass&) {}
-    template <class FrameViews, class OutputView, class... Parts>
-    static void describe(CompositeJob<FrameViews, OutputView, Parts...> const&, PlannedPass& pass) {
-        pass.denoises = {};
-        (add(pass.reads, Parts::Channel::name), ...);
-        add(pass.reads, typename FrameViews::channels{});
-        add(pass.writes, "output");
-    }
+/// An executor that computes nothing.
+struct NoWork {
+    void for_each_pixel(Region, auto const&) const {}
 };
+
+inline void add(PlannedPass::Names& to, std::string_view name) {
+    if (std::find(to.begin(), to.end(), name) == to.end()) to.push_back(name);
+}
+inline void add(PlannedPass::Names& to, ChannelIds const& channels) {
+    for (ChannelId const channel : channels) add(to, channel->name);
+}
+inline PlannedPass planned(FramePass const& pass, std::string_view denoises) {
+    PlannedPass made{.name = pass.name, .denoises = denoises, .fraction = pass.fraction};
+    if (pass.reads_signal) add(made.reads, "signal");
+    add(made.reads, pass.reads), add(made.reads, pass.reads_made);
+    if (pass.reads_past_signal) add(made.reads_past, "signal");
+    add(made.reads_past, pass.reads_kept), add(made.reads_past, pass.reads_remembered);
+    return made;
+}
+/// The passes that a history has run in its last frame.
+inline void append_passes(std::vector<PlannedPass>& passes, PassList const& list, std::string_view denoises) {
+    passes.push_back(planned(list.ingest, denoises));
+    passes.back().writes.push_back("signal");
+    for (std::size_t i = 0; i < list.passes.size(); ++i) {
+        auto made = planned(list.passes[i], denoises);
+        if (list.stores_signal(i)) add(made.writes, "signal");
+        for (auto const& each : list.passes[i].makes)
+            if (list.is_wanted(each.id, i)) add(made.writes, each.id->name);
+        if (i + 1 == list.passes.size()) add(made.writes, "output"), add(made.writes, list.remembers);
+        passes.push_back(std::move(made));
+    }
+}
+template <ChannelTag S, class... Parts, class H>
+void append_passes_of(std::vector<PlannedPass>& passes, Pipeline<S, Parts...> const&, H& history) {
+    append_passes(passes, OpenHistory::images(history).list, S::name);
+}
+template <class... Ps, class H> void append_passes_of(std::vector<PlannedPass>& passes, Composite<Ps...> const& composite, H& history) {
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+        (append_passes_of(passes, std::get<i>(composite.pipelines), OpenHistory::part<i>(history)), ...);
+    }
+    (std::index_sequence_for<Ps...>{});
+    PlannedPass sum{.name = "composite"};
+    (add(sum.reads, Ps::Output::name), ...);
+    add(sum.reads, ChannelIds(typename Composite<Ps...>::factors{})), add(sum.writes, "output");
+    passes.push_back(std::move(sum));
+}
 } // namespace detail
 
 /// The plan of a pipeline or composite: the passes in order, what each reads and writes, and the memory. No pixel is computed.
@@ -94,12 +86,9 @@ template <class P, ImageStorage Storage = Planar<>> Plan plan_of(P const& pipeli
     Frame frame{size, pipeline};
     frame.camera.projection[2][3] = -1.f, frame.camera.projection[3][3] = 0.f, frame.camera.projection[3][2] = -1.f;
     History<P, Storage> history{size, pipeline, storage};
+    for (int i = 0; i < 2; ++i) run(pipeline, frame, history, detail::NoWork{});
     Plan plan;
-    detail::PassRecorder const recorder{&plan.passes};
-    run(pipeline, frame, history, recorder);
-    plan.passes.clear();
-    run(pipeline, frame, history, recorder);
-    recorder.end_pipeline();
+    detail::append_passes_of(plan.passes, pipeline, history);
     plan.bytes_per_pixel = history.bytes_per_pixel();
     return plan;
 }

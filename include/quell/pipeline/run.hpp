@@ -1,9 +1,27 @@
 #pragma once
 
-#include <quell/pipeline/execution/frame_run.hpp>
+#include <quell/pipeline/graph/list_passes.hpp>
+#include <quell/pipeline/graph/run_passes.hpp>
+#include <quell/pipeline/history.hpp>
 #include <quell/pipeline/wrong_calls.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
+
+namespace detail {
+/// Runs the first `stages` stages of a pipeline. Returns a view of the output; empty where it went to a target.
+template <std::size_t stages, class P, class Set, class FrameStorage, class Storage, class E, class Into>
+auto run_stages(P const& pipeline, Frame<Set, FrameStorage> const& frame, History<P, Storage>& history, E const& executor,
+                Into const& into) {
+    check_frame<P>(frame);
+    auto& images = OpenHistory::images(history);
+    using K = Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into>;
+    PassLister<P, FrameStorage, Storage, K>(pipeline, images.list).through(std::integral_constant<std::size_t, stages>{});
+    images.list.has_target = !std::is_same_v<Into, NoTarget>;
+    TypedByKernel const typed{&pipeline, &frame, &executor, &into};
+    PassRunner(images, typed, {frame.size, frame.camera, frame.number, frame.shutter, P::needs_camera}).run();
+    return view_in<Storage, typename P::Output>(images.output);
+}
+} // namespace detail
 
 /// Denoises one frame. Returns a view of the output, valid until the next run with this history.
 ///
@@ -21,9 +39,7 @@ auto run(P const& pipeline, Frame<Set, FrameStorage> const& frame, History<OfHis
     if constexpr (!std::is_same_v<P, OfHistory> || !contained_in<typename OfHistory::reads, Set>)
         return detail::NoOutput{};
     else {
-        detail::NoTarget const none;
-        return detail::Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, detail::NoTarget>(pipeline, frame, history, executor, none)
-            .all();
+        return detail::run_stages<detail::StageOrder<P>::count>(pipeline, frame, history, executor, detail::NoTarget{});
     }
 }
 
@@ -37,9 +53,8 @@ auto accumulate(P const& pipeline, Frame<Set, FrameStorage> const& frame, Histor
     if constexpr (!contained_in<typename P::reads, Set>)
         return detail::NoOutput{};
     else {
-        detail::NoTarget const none;
-        return detail::Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, detail::NoTarget>(pipeline, frame, history, executor, none)
-            .accumulated();
+        static_assert(P::has_past, "accumulate(pipeline, ...): the pipeline has no Temporal{...}, so there is nothing to accumulate");
+        return detail::run_stages<detail::StageOrder<P>::up_to_temporal>(pipeline, frame, history, executor, detail::NoTarget{});
     }
 }
 
@@ -55,7 +70,7 @@ void run_into(Target const& target, P const& pipeline, Frame<Set, FrameStorage> 
                   "run_into(target, pipeline, frame, ...): the target has another number of components than the pipeline's signal");
     if constexpr (contained_in<typename P::reads, Set> && Target::components == P::Output::components) {
         detail::check_target(target.size, frame.size);
-        detail::Run<P, Frame<Set, FrameStorage>, History<P, Storage>, E, Target>(pipeline, frame, history, executor, target).all();
+        detail::run_stages<detail::StageOrder<P>::count>(pipeline, frame, history, executor, target);
     }
 }
 

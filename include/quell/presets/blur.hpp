@@ -14,13 +14,12 @@ namespace quell::inline QUELL_INSTRUCTION_SET::presets {
 /// Foreground and background layer are accumulated separately.
 /// @tparam Trajectories     trajectories: RotatingTrajectories, arcs measured from the velocities around; BentTrajectories, arcs that the
 /// host supplies; or StraightTrajectories, which cost less
-/// @tparam Footprint FixedFootprint, or AdaptiveFootprint: more distant samples count where the mean is uncertain
 /// @tparam S         the signal's channel type
 /// @param signal     the channel to denoise
 /// @param search     how the history is found
 /// @param gather     how samples are gathered
-template <class Trajectories = RotatingTrajectories, class Footprint = FixedFootprint, ChannelTag S>
-constexpr auto blur(S signal, PathSearch search = {}, PairGather<S, Trajectories, Footprint> gather = {}) {
+template <class Trajectories = RotatingTrajectories, ChannelTag S>
+constexpr auto blur(S signal, PathSearch search = {}, PairGather<S, Trajectories> gather = {}) {
     return Pipeline{signal, Spatial{PairGuide<Trajectories>{}}, Spatial{gather}, Spatial{DirectionalMean{gather}},
                     Temporal{search, PairBlend<S>{}, PairFetch<S>{search.along(foreground_sweep)}}};
 }

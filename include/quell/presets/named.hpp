@@ -69,15 +69,12 @@ inline constexpr std::tuple list{
 
     NamedPreset{"shadow", effects, visibility, [](auto... a) { return shadow(a...); }},
     NamedPreset{"glossy", effects, quell::glossy, [](auto... a) { return presets::glossy(a...); }},
-    NamedPreset{"glossy-flat-mirror", effects, quell::glossy, [](auto... a) { return presets::glossy<FlatMirror>(a...); }},
     NamedPreset{"dual-cone", effects, indirect, [](auto... a) { return dual_cone(a...); }},
     NamedPreset{"trmv", effects, all, [](auto... parts) { return trmv(parts...); }},
 
     NamedPreset{"blur", blur, radiance, [](auto signal, auto...) { return presets::blur(signal); }},
     NamedPreset{"blur-straight", blur, radiance, [](auto signal, auto...) { return presets::blur<StraightTrajectories>(signal); }},
     NamedPreset{"blur-bent", blur, radiance, [](auto signal, auto...) { return presets::blur<BentTrajectories>(signal); }},
-    NamedPreset{"blur-adaptive", blur, radiance,
-                [](auto signal, auto...) { return presets::blur<RotatingTrajectories, AdaptiveFootprint>(signal); }},
     NamedPreset{"blur-split", blur, all, [](auto...) { return blur_split(); }},
 
     NamedPreset{"asvgf", published, any, [](auto... a) { return asvgf(a...); }},

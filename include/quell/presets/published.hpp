@@ -1,17 +1,17 @@
 #pragma once
 
-#include <quell/blur/moving_and_static/directional_atrous.hpp>
-#include <quell/blur/moving_and_static/layer_history.hpp>
-#include <quell/blur/moving_and_static/layer_split.hpp>
-#include <quell/blur/moving_and_static/path_gather.hpp>
-#include <quell/blur/moving_and_static/sample_collector.hpp>
-#include <quell/blur/post_process/gather_blur.hpp>
-#include <quell/blur/post_process/tile_max_blur.hpp>
 #include <quell/filter/change/temporal_gradient.hpp>
 #include <quell/motion/reflection/glossy_motion.hpp>
 #include <quell/presets/blur.hpp>
 #include <quell/presets/effects.hpp>
 #include <quell/presets/general.hpp>
+#include <quell/published/moving_and_static/directional_atrous.hpp>
+#include <quell/published/moving_and_static/layer_history.hpp>
+#include <quell/published/moving_and_static/layer_split.hpp>
+#include <quell/published/moving_and_static/path_gather.hpp>
+#include <quell/published/moving_and_static/sample_collector.hpp>
+#include <quell/published/post_process/gather_blur.hpp>
+#include <quell/published/post_process/tile_max_blur.hpp>
 #include <quell/radiance/cone_atrous.hpp>
 
 /// Published methods for comparison: the papers' own versions of quell's presets, and baselines.

@@ -10,10 +10,9 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// sweep is. What stands still keeps its value bit by bit. Goes directly after the PairGather, and has its settings.
 /// @tparam S the pipeline's signal
 /// @tparam Trajectories the PairGather's
-/// @tparam Footprint the PairGather's
-template <ChannelTag S, class Trajectories, class Footprint> struct DirectionalMean {
+template <ChannelTag S, class Trajectories> struct DirectionalMean {
     using Signal = S;
-    using Gather = PairGather<S, Trajectories, Footprint>; ///< what it goes after
+    using Gather = PairGather<S, Trajectories>; ///< what it goes after
     static constexpr auto name = "directional mean";
     static constexpr bool leaves_signal = true;
     static constexpr int max_lanes = Gather::max_lanes; ///< largest useful SIMD width: a tile's
@@ -79,7 +78,7 @@ private:
     template <class V> QUELL_KERNEL static auto samples_of(BackgroundLayer<Signal>, V const& layer) { return detail::weight_of(layer); }
     template <class V> QUELL_KERNEL static auto samples_of(ForegroundLayer<Signal>, V const&) { return real_of<V>(1.f); }
 };
-template <class S, class Trajectories, class Footprint, class... Fields>
-DirectionalMean(PairGather<S, Trajectories, Footprint>, Fields...) -> DirectionalMean<S, Trajectories, Footprint>;
+template <class S, class Trajectories, class... Fields>
+DirectionalMean(PairGather<S, Trajectories>, Fields...) -> DirectionalMean<S, Trajectories>;
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -41,16 +41,12 @@ struct LineOfPixels {
         return steep ? glm::ivec2(b, a) : glm::ivec2(a, b);
     }
     /// Calls visit(dx, dy) for each, the pixel itself first.
-    template <class Visit> QUELL_KERNEL void for_each(Visit&& visit) const { for_each(visit, 0, slanted ? 1 : 0, 1, true); }
+    template <class Visit> QUELL_KERNEL void for_each(Visit&& visit) const { for_each(visit, true); }
     /// Without the pixel itself.
-    template <class Visit> QUELL_KERNEL void for_each_other(Visit&& visit) const { for_each(visit, 0, slanted ? 1 : 0, 1, false); }
-    /// The pixels next to those, on both sides.
-    template <class Visit> QUELL_KERNEL void for_each_beside(Visit&& visit) const {
-        for_each(visit, -1, slanted ? 2 : 1, slanted ? 3 : 2, false);
-    }
+    template <class Visit> QUELL_KERNEL void for_each_other(Visit&& visit) const { for_each(visit, false); }
 
 private:
-    template <class Visit> QUELL_KERNEL void for_each(Visit&& visit, int from, int to, int by, bool itself) const {
+    template <class Visit> QUELL_KERNEL void for_each(Visit&& visit, bool itself) const {
         // All places first, so that the loads of several visits overlap.
         glm::ivec2 places[2 * max_steps + 1];
         int n = 0;
@@ -60,7 +56,7 @@ private:
             float const along = floor(fma(static_cast<float>(i), step, -reach) + 0.5f), part = along / whole;
             float const aside = fma(part * part * bent, -4.f, along * slope);
             int const a = static_cast<int>(along), first = static_cast<int>(floor(slanted ? aside : aside + 0.5f));
-            for (int k = from; k <= to; k += by)
+            for (int k = 0; k <= (slanted ? 1 : 0); ++k)
                 if (int const b = first + k; a != 0 || b != 0) places[n++] = steep ? glm::ivec2(b, a) : glm::ivec2(a, b);
         }
         for (int i = 0; i < n; ++i) visit(places[i].x, places[i].y);

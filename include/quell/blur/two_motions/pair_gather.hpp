@@ -1,11 +1,9 @@
 #pragma once
 
 #include <quell/blur/inpainted_layer.hpp>
-#include <quell/blur/two_motions/footprint.hpp>
 #include <quell/blur/two_motions/layer_classifier.hpp>
 #include <quell/blur/two_motions/line_of_pixels.hpp>
 #include <quell/blur/two_motions/row_tiles.hpp>
-#include <quell/blur/two_motions/standard_error.hpp>
 #include <quell/blur/two_motions/stratified_mean.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -18,10 +16,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// BackgroundLayer, and MeanSweep of the background: 0 if static, 4096 in both components if unknown. Needs a PairGuide before it.
 /// @tparam S the pipeline's signal
 /// @tparam Trajectories the PairGuide's
-/// @tparam Footprint FixedFootprint or AdaptiveFootprint
-template <ChannelTag S, class Trajectories = StraightTrajectories, class Footprint = FixedFootprint> struct PairGather {
-    static_assert(
-        requires { Footprint::adapts; }, "PairGather<Signal, Trajectories, Footprint>: `Footprint` is FixedFootprint or AdaptiveFootprint");
+template <ChannelTag S, class Trajectories = StraightTrajectories> struct PairGather {
     using Signal = S;
     static constexpr auto name = "pair gather";
     static constexpr bool leaves_signal = true;
@@ -30,7 +25,7 @@ template <ChannelTag S, class Trajectories = StraightTrajectories, class Footpri
     static constexpr int max_samples = detail::LineOfPixels::max_steps; ///< largest useful `count`
     static constexpr int max_lanes = 8;                                 ///< largest useful SIMD width: a tile's
     static constexpr bool two_rows = true;                              ///< rows that share a pair look along the same lines
-    int count = 64;      ///< samples per pixel, up to `max_samples`; with two velocities, half along each. AdaptiveFootprint adds others.
+    int count = 64;      ///< samples per pixel, up to `max_samples`; with two velocities, half along each
     float reach = 0.65f; ///< how far to look along a sweep, as a fraction of it: samples farther away rarely pass in time
     float width = 1.f;   ///< pixels, above 0; distance of closest approach at which a sample's weight reaches 0; less for sweeps under 2
     float bend_influence = 0.1f;   ///< increase of `width` per pixel of bend, up to twice: bends are known less exactly
@@ -38,7 +33,6 @@ template <ChannelTag S, class Trajectories = StraightTrajectories, class Footpri
     /// Pixels of a row, at least 1, that share their lines: neighbours' samples are then neighbours in memory. See max_lanes for wider
     /// packs.
     int tile_width = 8;
-    QUELL_NO_UNIQUE_ADDRESS Footprint footprint{}; ///< how far to look
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         Work<Px> work(*this, px);
@@ -66,11 +60,7 @@ private:
         detail::LayerClassifier<Trajectories, Real> of;
         Mask own_in_front, own_still, back_moves;
         Real front_per_length;
-        /// Inverse match radius of a layer, and how uncertain its mean is.
-        struct Width {
-            Real per_pixel;                      ///< 1 / match radius, per pixel
-            detail::StandardError<Real> error{}; ///< of the mean's luminance
-        } front_width, back_width;
+        Real front_per_width, back_per_width; ///< inverse match radius of each layer, per pixel
         detail::StratifiedMean<Value<Signal::components + 1, Real>, max_samples + 1> in_front; ///< signal and coverage
         detail::StratifiedMean<Colour, max_samples + 1> behind;
         /// Weighted mean of sweeps, in pixels; 0 where no sample counted.
@@ -90,8 +80,8 @@ private:
               of(px.elsewhere(g.tiles().shared(px), LayerMotions<Trajectories>{})), own_in_front(of.is_front(own.screen_motion())),
               own_still(detail::squared_speed(own.screen_motion()) <= Real(detail::still_squared)),
               back_moves(detail::squared_speed(of.back) > Real(detail::still_squared)),
-              front_per_length(1.f / max(speed(of.front), Real(Trajectory<float>::min_length))), front_width{per_width(of.front)},
-              back_width{per_width(of.back)}, in_front(speed(of.front)), behind(speed(of.back)) {}
+              front_per_length(1.f / max(speed(of.front), Real(Trajectory<float>::min_length))), front_per_width(per_width(of.front)),
+              back_per_width(per_width(of.back)), in_front(speed(of.front)), behind(speed(of.back)) {}
 
         /// One tile, by the velocities of lane k.
         QUELL_KERNEL void gather(Px const& px, Mask tile, int k) {
@@ -107,15 +97,14 @@ private:
             bool const moves = dot(behind_speed, behind_speed) > detail::still_squared;
             if (lane(detail::inverse_depth_of(of.front), k) > 0.f) {
                 int const shares = moves ? 2 : 1;
-                gather_along<As>(ForBoth{}, px, k, tile, of.front, shares, front_width);
-                if (moves) gather_along<As>(ForBack{}, px, k, tile, of.back, shares, back_width);
+                gather_along<As>(ForBoth{}, px, k, tile, of.front, shares);
+                if (moves) gather_along<As>(ForBack{}, px, k, tile, of.back, shares);
             } else if (moves)
-                gather_along<As>(OnlyOne{}, px, k, tile, of.back, 1, back_width);
+                gather_along<As>(OnlyOne{}, px, k, tile, of.back, 1);
         }
         /// All lanes follow lane k's line, whatever each finds on it.
         template <class As, class What>
-        QUELL_KERNEL void gather_along(What what, Px const& px, int k, Mask tile, ScreenMotion const& screen_motion, int shares,
-                                       Width& layer_width) {
+        QUELL_KERNEL void gather_along(What what, Px const& px, int k, Mask tile, ScreenMotion const& screen_motion, int shares) {
             auto const speed = detail::in_lane(detail::speed_of(screen_motion), k),
                        bend = detail::in_lane(detail::bend_of(screen_motion), k);
             auto const line = settings.line(speed, bend, shares);
@@ -124,14 +113,6 @@ private:
                 line.for_each_other(visit); // the foreground's line had the pixel itself
             else
                 line.for_each(visit);
-            if constexpr (Footprint::adapts) {
-                auto const unsure = both(tile, layer_width.error.above(settings.footprint.allowed_error));
-                if (!any(unsure)) return;
-                layer_width.per_pixel = select(unsure, layer_width.per_pixel * 0.5f, layer_width.per_pixel);
-                int const room = max_samples / shares - line.size();
-                detail::LineOfPixels(speed, bend, settings.reach, line.slanted ? room : room / 2)
-                    .for_each_beside([&](int dx, int dy) QUELL_INLINED { add<As>(what, px, dx, dy, unsure); });
-            }
         }
 
         // What a line collects: samples of both layers, of the background, or of the only layer.
@@ -162,20 +143,18 @@ private:
             auto const like_front = Sample::at_speed(of.front, front_per_length, sample, away);
             auto const looked_at = Sample{select(shows_front, sample.at, like_front.at)};
             auto const passing = looked_at.passing(away);
-            auto const close = weight(counts, passing, looked_at, front_width.per_pixel);
+            auto const close = weight(counts, passing, looked_at, front_per_width);
             auto const w = close * looked_at.time_per_pixel();
             auto const hidden = both(own_still, invert(own_in_front), settings.is_behind(sample.inverse_depth(), own.inverse_depth()));
             auto const seen = masked(both(shows_front, invert(hidden)), w);
             // A sample that passes while the shutter is closed counts for the mean only if no other does.
             front_swept.add(sample.sweep(), seen + masked(both(shows_front, counts), Real(1e-4f)));
-            if constexpr (Footprint::adapts) front_width.error.add(masked(seen > Real(0.f), luminance(value)), close);
             in_front.add(detail::layer_of(scale(value, seen), seen), w, passing.when);
         }
         template <class Sample> QUELL_KERNEL void add_back(Colour const& value, Sample const& sample, vec2<Real> const& away, Mask counts) {
             auto const passing = sample.passing_in_motion(away);
-            auto const close = weight(counts, passing, sample, back_width.per_pixel);
+            auto const close = weight(counts, passing, sample, back_per_width);
             auto const w = close * sample.time_per_pixel();
-            if constexpr (Footprint::adapts) back_width.error.add(luminance(value), close);
             behind.add(scale(value, w), w, passing.when);
             back_swept.add(sample.sweep(), w);
             samples = samples + close;

@@ -18,7 +18,7 @@
 ///       v   Temporal{PathSearch, PairBlend, PairFetch}: both layers are accumulated and composited
 ///     signal
 ///
-/// PairGuide is the first three passes, with PathGuide before them. LineOfPixels and AdaptiveFootprint say where PairGather looks,
+/// PairGuide is the first three passes, with PathGuide before them. LineOfPixels says where PairGather looks,
 /// RowTiles which pixels look along the same line. StratifiedMean averages by time strata, LayerClassifier assigns a sample to a layer.
 namespace quell::inline QUELL_INSTRUCTION_SET {
 

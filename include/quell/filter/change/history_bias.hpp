@@ -57,6 +57,7 @@ template <class Source> struct OwnHistoryDistance {
     using parts = Parts<Source>;
     using reads_kept = Channels<HistoryLength, LuminanceVariance>;
     using emits = WindowChannels;
+    static constexpr bool reads_past_signal = true;
     Source source;
 
     QUELL_KERNEL auto emit_channels(auto px) const {

@@ -33,6 +33,7 @@ template <class Source> struct OwnLightChange {
     static constexpr auto name = "light change";
     using parts = Parts<Source>;
     using emits = Channels<LightChange>;
+    static constexpr bool reads_past_signal = true;
     Source source;
 
     QUELL_KERNEL auto emit_channels(auto px) const {

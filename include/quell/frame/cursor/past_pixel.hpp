@@ -122,7 +122,11 @@ template <class Real, class S> struct PastPixel {
             return fetch(scope.kept_then.view(c));
     }
     /// The signal that history holds.
-    QUELL_KERNEL auto signal() const { return fetch(scope.signal_then); }
+    QUELL_KERNEL auto signal() const {
+        static_assert(S::reads_past_signal, "a filter looks at the signal of the last frame without saying so: add `static constexpr bool "
+                                            "reads_past_signal = true` to it");
+        return fetch(scope.signal_then);
+    }
 
 private:
     QUELL_KERNEL auto fetch(auto const& view) const { return detail::fetch<Real>(view, scope.size, place, dx, dy); }

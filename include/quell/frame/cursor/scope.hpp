@@ -20,9 +20,10 @@ template <class Storage, class... Cs> struct RememberedViewsOf<Storage, Channels
 
 /// Properties of a pass.
 struct PassTraits {
-    bool marks_missing = false; ///< the signal marks missing samples
-    bool has_camera = false;    ///< a policy of the pass declares `needs_camera`
-    int fraction = 1;           ///< size of the pass = frame size / fraction, rounded up
+    bool marks_missing = false;     ///< the signal marks missing samples
+    bool has_camera = false;        ///< a policy of the pass declares `needs_camera`
+    bool reads_past_signal = false; ///< it looks at the signal of the last frame
+    int fraction = 1;               ///< size of the pass = frame size / fraction, rounded up
 };
 
 /// Everything that the kernels of one pass can read. `_then` means of the previous frame.
@@ -43,6 +44,7 @@ struct Scope {
     using remembered_channels = typename Then::channels;                  ///< of the previous frame
     static constexpr bool marks_missing = traits.marks_missing;           ///< see PassTraits
     static constexpr bool has_camera = traits.has_camera;                 ///< see PassTraits
+    static constexpr bool reads_past_signal = traits.reads_past_signal;   ///< see PassTraits
     static constexpr int fraction = traits.fraction;                      ///< see PassTraits
     static constexpr int components = SignalView::components;             ///< of the signal
     using mark = detail::MissingMark<detail::keeps_all_bits<SignalView>>; ///< of a missing sample

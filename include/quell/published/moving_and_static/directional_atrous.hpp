@@ -1,8 +1,8 @@
 #pragma once
 
 #include <quell/blur/layers.hpp>
-#include <quell/blur/pixel_under.hpp>
-#include <quell/blur/trajectory/path_weight.hpp>
+#include <quell/published/moving_and_static/path_weight.hpp>
+#include <quell/published/pixel_under.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 

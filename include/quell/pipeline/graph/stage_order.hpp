@@ -23,9 +23,6 @@ private:
     template <std::size_t... before> static constexpr bool marked_behind(std::index_sequence<before...>) {
         return !(... || (P::has_past ? is_temporal<StageAt<before>> : always_makes_signal<StageAt<before>>));
     }
-    template <std::size_t i, std::size_t... behind> static constexpr bool remembers_behind(std::index_sequence<behind...>) {
-        return (... || (remembers_of<StageAt<i + 1 + behind>>::size > 0));
-    }
     static constexpr bool last_may_leave_signal() {
         if constexpr (count == 0)
             return true;
@@ -39,8 +36,6 @@ public:
     /// Whether stage i may see marks of missing samples. Marks last until Temporal, which keeps the history there; without a Temporal,
     /// until a stage has made a new signal.
     template <std::size_t i> static constexpr bool may_be_marked = marked_behind(std::make_index_sequence<i>{});
-    /// Whether a stage after stage i reads remembered channels of the last frame.
-    template <std::size_t i> static constexpr bool past_wanted_behind = remembers_behind<i>(std::make_index_sequence<count - i - 1>{});
     /// Whether the last stage may make no signal. Then an extra pass writes the output.
     static constexpr bool may_end_without_signal = last_may_leave_signal();
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/blur/moving_and_static/motion_guide.hpp>
+#include <quell/published/moving_and_static/motion_guide.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 

@@ -38,6 +38,16 @@ public:
     }
 };
 
+/// The place of a channel among CheckedGuides.
+template <ChannelTag C> constexpr int number_of_guide() {
+    int number = 0, found = 0;
+    for_each_channel(CheckedGuides{}, [&]<class D>(D) {
+        if (std::is_same_v<C, D>) found = number;
+        ++number;
+    });
+    return found;
+}
+
 /// Pixels with impossible guides, by the guide.
 class GuideCounts {
     std::atomic<long long> by_guide[CheckedGuides::size] = {};
@@ -57,14 +67,9 @@ public:
         pixels = 0;
         for (auto& count : by_guide) count = 0;
     }
-    template <ChannelTag C> [[nodiscard]] long long of(C) const {
-        int number = 0, found = 0;
-        for_each_channel(CheckedGuides{}, [&]<class D>(D) {
-            if (std::is_same_v<C, D>) found = number;
-            ++number;
-        });
-        return by_guide[found];
-    }
+    /// Of the guide with a number among CheckedGuides.
+    [[nodiscard]] long long of(int number) const { return by_guide[number]; }
+    template <ChannelTag C> [[nodiscard]] long long of(C) const { return of(number_of_guide<C>()); }
 };
 
 /// Counts of the ingest, from any number of threads.

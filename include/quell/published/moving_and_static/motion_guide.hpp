@@ -5,7 +5,7 @@
 #include <quell/filter/filter_kernel.hpp>
 
 /// @file
-/// Contract of blur/moving_and_static/: motion blur with a moving layer of one local velocity over a static layer, as in MB.
+/// Contract of published/moving_and_static/: motion blur with a moving layer of one local velocity over a static layer, as in MB.
 ///
 ///     Sweep, Time, Depth
 ///       |

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <quell/execute/executor.hpp>
-#include <quell/pipeline/execution/counts.hpp>
+#include <quell/pipeline/graph/counts.hpp>
 #include <quell/pipeline/ingest.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
@@ -48,6 +48,7 @@ template <class Pass, class Scope, class SignalView, class MadeViews, class Fini
     MadeViews made;
     FinishWork finish;
     bool store_signal, store_output, store_remembered;
+    unsigned stored_channels; ///< a bit for each channel of MadeViews: whether anything reads it
     Counts* counts = nullptr; ///< of the ingest; else null
 
     template <class Real, int rows> QUELL_KERNEL void operator()(AtOnce<Real, rows>, int x, int y, int count) const {
@@ -63,10 +64,12 @@ template <class Pass, class Scope, class SignalView, class MadeViews, class Fini
             if constexpr (decltype(result.more)::channels::template has<ImpossibleGuides>)
                 count_guides(result.more[ImpossibleGuides{}], count);
         }
+        unsigned channel = 1;
         for_each_channel(typename MadeViews::channels{}, [&](auto c) QUELL_INLINED {
             static_assert(decltype(result.more)::channels::template has<decltype(c)>,
                           "a policy does not return a channel that it `keeps` or `emits`: add .with(channel, value) to its result");
-            store_rows<Real, rows>(made.view(c), x, y, in_memory(c, result.more[c]), count);
+            if ((stored_channels & channel) != 0) store_rows<Real, rows>(made.view(c), x, y, in_memory(c, result.more[c]), count);
+            channel <<= 1;
         });
         if constexpr (rows == 1) // else it is not the last pass
             if (store_remembered) finish.template remember<Real>(x, y, count, RememberedSet{});

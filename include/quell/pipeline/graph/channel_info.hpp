@@ -1,0 +1,39 @@
+#pragma once
+
+#include <quell/core/channel.hpp>
+
+#include <array>
+
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
+
+/// A channel as a value. Its address identifies it.
+struct ChannelInfo {
+    std::string_view name;
+    int components = 0;
+    int fraction = 1; ///< image size = frame size / fraction, rounded up
+};
+template <ChannelTag C> inline constexpr ChannelInfo channel_info{C::name, C::components, C::fraction};
+using ChannelId = ChannelInfo const*;
+
+/// Some channels, in order.
+class ChannelIds {
+    static constexpr int most = 32;
+    std::array<ChannelId, most> ids{};
+    int count = 0;
+
+public:
+    constexpr ChannelIds() = default;
+    template <class... Cs> constexpr explicit ChannelIds(Channels<Cs...>) : ids{&channel_info<Cs>...}, count(sizeof...(Cs)) {
+        static_assert(sizeof...(Cs) <= most, "a pass lists more than 32 channels of one kind");
+    }
+    [[nodiscard]] constexpr ChannelId const* begin() const { return ids.data(); }
+    [[nodiscard]] constexpr ChannelId const* end() const { return ids.data() + count; }
+    [[nodiscard]] constexpr int size() const { return count; }
+    [[nodiscard]] constexpr bool has(ChannelId wanted) const {
+        for (ChannelId const id : *this)
+            if (id == wanted) return true;
+        return false;
+    }
+};
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

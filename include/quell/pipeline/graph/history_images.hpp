@@ -1,0 +1,68 @@
+#pragma once
+
+#include <quell/pipeline/graph/counts.hpp>
+#include <quell/pipeline/graph/frame_pass.hpp>
+#include <quell/pipeline/statistics.hpp>
+
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
+
+/// What a history holds, whatever its pipeline.
+struct HistoryImages {
+    std::shared_ptr<ImagePool> pool;      ///< this history's own, or shared by a composite
+    std::shared_ptr<Counts> counts;       ///< of the running frame
+    std::shared_ptr<Counts> counts_again; ///< of its second ingest, with repaired guides
+    Extent size = pool->size();
+    FrameState then{};    ///< of the last frame: passes read it. Images that no later pass reads go back to the pool, or to `now`.
+    FrameState now{};     ///< of the running frame: passes write it. advance() makes it `then`.
+    PooledImage output{}; ///< for the host; may be the signal's image
+    bool empty = true;    ///< whether `then` is no past of the next frame
+    Statistics counted{};
+    PassList list{};                           ///< of the running frame
+    ImageTable made{}, made_out{}, repaired{}; ///< of the running frame
+
+    /// Drops all history before the next frame.
+    void forget() { empty = true; }
+    void release_scratch() {
+        output = {};
+        pool->release();
+    }
+    void release() {
+        forget();
+        then.drop_images();
+        release_scratch();
+    }
+
+    /// Starts a frame: drops what is no past of it, and returns whether there is one.
+    bool start(Extent frame_size, std::optional<long long> number) {
+        bool const follows = !number || !then.number || *number == *then.number + 1;
+        if (!(size == frame_size)) restart(frame_size);
+        if (!follows) empty = true;
+        now.drop_images(); // half written, if an exception ended the last frame
+        if (empty) then.drop_images(), ++counted.resets, counted.frames = 0;
+        output = {};
+        // History counts as empty until the frame is complete: an exception must not leave half of one.
+        return !std::exchange(empty, true);
+    }
+    /// Takes note of what the first pass has counted.
+    void note(GuideCounts const& guides, Counts const& samples) {
+        counted.missing_samples = samples.missing;
+        counted.suppressed = samples.suppressed.total();
+        counted.repaired_guides = {guides.pixels, guides.of(albedo), guides.of(normal), guides.of(depth), guides.of(motion)};
+    }
+    /// Ends a frame: what it has written is what the next one reads.
+    void advance() {
+        std::swap(then, now);
+        now.drop_images();
+    }
+    /// Drops everything and takes another size.
+    void restart(Extent new_size) {
+        then.drop_images(), now.drop_images();
+        output = {};
+        pool->resize(new_size);
+        size = new_size;
+        empty = true;
+    }
+    void drop_scratch() { made.drop_all(), made_out.drop_all(), repaired.drop_all(); }
+};
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

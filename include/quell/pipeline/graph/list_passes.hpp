@@ -1,0 +1,92 @@
+#pragma once
+
+#include <quell/pipeline/graph/run_kernel.hpp>
+#include <quell/pipeline/graph/stage_order.hpp>
+
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
+
+/// Makes the list of a pipeline's passes.
+/// @tparam K the Kernels of the pipeline
+template <class P, class FrameStorage, class Storage, class K> class PassLister {
+    using Order = StageOrder<P>;
+    P const& pipeline;
+    PassList& list;
+    bool marked = true; ///< whether the signal marks missing samples
+
+public:
+    PassLister(P const& p, PassList& l) : pipeline(p), list(l) {}
+
+    /// @param stages how many of the stages: all, or those up to Temporal
+    template <std::size_t stages> void through(std::integral_constant<std::size_t, stages>) {
+        list.clear();
+        describe_images();
+        list.ingest = pass<false>(pipeline.ingest);
+        list.fill_holes = pass<true>(FillHoles{0});
+        [&]<std::size_t... i>(std::index_sequence<i...>) { (stage<i>(std::get<i>(pipeline.stages)), ...); }
+        (std::make_index_sequence<stages>{});
+        if (list.passes.empty() || !list.passes.back().makes_signal) pass_through();
+    }
+
+private:
+    void describe_images() {
+        list.keeps = ChannelIds(typename P::keeps{}), list.remembers = ChannelIds(typename P::remembers{});
+        list.signal = format_of<Storage, typename P::Signal>, list.output = format_of<Storage, typename P::Output>;
+        list.has_past = P::has_past;
+        list.demodulates = !std::is_same_v<typename P::Form, NoModulation>;
+        static_assert(P::remembers::size <= std::tuple_size_v<decltype(list.guides)>, "a pipeline remembers more than 8 channels");
+        for_each_channel(typename StoredChannels<typename P::remembers>::type{}, [&]<class C>(C) {
+            list.guides[static_cast<std::size_t>(list.guide_count++)] = {&channel_info<C>, format_of<Storage, C>};
+        });
+        using Copy = StorageOfCopies<FrameStorage>;
+        if constexpr (!std::is_void_v<Copy>)
+            for_each_channel(common_to<CopiedGuides, typename P::reads>{}, [&]<class C>(C) {
+                list.repairs.push_back({&channel_info<C>, format_of<Copy, C>, number_of_guide<C>(),
+                                        reads_of<typename P::Form>::template has<C>, &K::template repair<C>});
+            });
+    }
+
+    template <std::size_t i, class Stage> void stage(Stage const& s) {
+        for_each_pass(s, [&]<class Pass>(Pass const& kernel) {
+            constexpr bool makes_signal = K::template makes_signal<Pass>;
+            static_assert(!leaves_signal<Stage> || !makes_signal,
+                          "Spatial{filter}: a pass of a filter that says `leaves_signal` makes the signal: give it emit_channels(px)");
+            if constexpr (!Order::template may_be_marked<i>)
+                list.passes.push_back(pass<false>(kernel));
+            else if constexpr (P::has_past || leaves_signal<Stage>)
+                list.passes.push_back(pass<true>(kernel));
+            else
+                list.passes.push_back(marked ? pass<true>(kernel) : pass<false>(kernel));
+            marked = marked && !makes_signal;
+        });
+    }
+    /// Writes the output where no stage makes a signal behind the last one.
+    void pass_through() {
+        if constexpr (Order::may_end_without_signal && P::has_past)
+            list.passes.push_back(pass<false>(PassThrough{}));
+        else if constexpr (Order::may_end_without_signal)
+            list.passes.push_back(marked ? pass<true>(PassThrough{}) : pass<false>(PassThrough{}));
+    }
+
+    template <bool raw, class Pass> FramePass pass(Pass const& kernel) {
+        using S = typename K::template ScopeOf<Pass, raw>;
+        FramePass made{.name = pass_name<Pass>,
+                       .fraction = S::fraction,
+                       .reads = ChannelIds(typename S::frame_channels{}),
+                       .reads_made = ChannelIds(typename S::made_channels{}),
+                       .reads_kept = ChannelIds(typename S::kept_channels{}),
+                       .reads_remembered = ChannelIds(typename S::remembered_channels{}),
+                       .reads_signal = !std::is_same_v<Pass, decltype(P::ingest)>,
+                       .reads_past_signal = S::reads_past_signal,
+                       .makes_signal = K::template makes_signal<Pass>,
+                       .feeds_history = P::has_past && (is_temporal<Pass> || feeds_back(kernel)),
+                       .run = &K::template run<Pass, raw>,
+                       .kernel = list.keep(kernel)};
+        for_each_channel(decltype(emits_of<Pass>{} | keeps_of<Pass>{}){}, [&]<class C>(C) {
+            made.makes.channels[static_cast<std::size_t>(made.makes.count++)] = {&channel_info<C>, format_of<Storage, C>};
+        });
+        static_assert(decltype(emits_of<Pass>{} | keeps_of<Pass>{})::size <= MadeChannels::most, "a pass makes more than 8 channels");
+        return made;
+    }
+};
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -1,0 +1,171 @@
+#pragma once
+
+#include <quell/frame/repair.hpp>
+#include <quell/pipeline/fill_holes.hpp>
+#include <quell/pipeline/graph/check_frame.hpp>
+#include <quell/pipeline/graph/frame_pass.hpp>
+#include <quell/pipeline/graph/job.hpp>
+#include <quell/pipeline/pipeline.hpp>
+
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
+
+/// Copies a guide with its impossible values repaired.
+template <ChannelTag C, class From, class To> struct RepairJob {
+    static constexpr auto name = "repair guide";
+    From from;
+    To to;
+
+    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
+        store_pixels<Real>(to, x, y, Repair<C>::repaired(load_pixels<Real>(from, x, y)), count);
+    }
+};
+
+/// The storage in which copies of a host's images are made; void where there is none.
+template <class Storage> constexpr auto storage_of_copies() {
+    if constexpr (owns_memory<Storage>())
+        return std::type_identity<Storage>{};
+    else if constexpr (requires { typename Storage::Copy; })
+        return std::type_identity<typename Storage::Copy>{};
+    else
+        return std::type_identity<void>{};
+}
+template <class Storage> using StorageOfCopies = typename decltype(storage_of_copies<Storage>())::type;
+
+/// Views of a frame's images, or of the copies that stand in for them.
+template <class Set, class Storage> struct FrameViews {
+    Frame<Set, Storage> const& frame;
+    ImageTable const& repaired;
+
+    template <class... Ds> [[nodiscard]] auto of(Channels<Ds...>) const { return Views<Storage, Channels<Ds...>>{{view<Ds>()}...}; }
+
+private:
+    using Copy = StorageOfCopies<Storage>;
+    template <ChannelTag C> ViewOf<Storage, C> view() const {
+        if constexpr (CopiedGuides::has<C> && !std::is_void_v<Copy>)
+            if (auto const* const copy = repaired.find(&channel_info<C>)) {
+                if constexpr (owns_memory<Storage>())
+                    return view_in<Storage, C>(*copy);
+                else
+                    return ViewOf<Storage, C>::of_copy(view_in<Copy, C>(*copy));
+            }
+        return frame[C{}].view();
+    }
+};
+
+/// The functions that run a pipeline's passes, for one type of frame, storage, executor and target.
+template <class P, class FrameT, class Storage, class E, class Into> struct Kernels;
+template <class P, class Set, class FrameStorage, class Storage, class E, class Into>
+struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
+    using FrameT = Frame<Set, FrameStorage>;
+    using SignalView = ViewOf<Storage, typename P::Signal>;
+    using Vectors = VectorConversion<P::motion_convention>;
+
+    /// What a pass sees: views of exactly the channels that it declares.
+    /// @tparam raw whether it sees marks of missing samples
+    template <class Pass, bool raw>
+    using ScopeOf =
+        Scope<Views<FrameStorage, common_to<decltype(reads_of<Pass>{} | typename P::known_samples{}), Set>>,
+              Views<Storage, common_to<reads_of<Pass>, typename P::made>>, SignalView, SignalView,
+              Views<Storage, decltype(keeps_of<Pass>{} | reads_kept_of<Pass>{})>, RememberedViewsOf<Storage, remembers_of<Pass>>,
+              PassTraits{.marks_missing = raw,
+                         .has_camera = needs_camera_of<Pass>,
+                         .reads_past_signal = is_temporal<Pass> || says_reads_past_signal<Pass>,
+                         .fraction = fraction_of<Pass>},
+              Vectors>;
+    /// For the end of the last pass: what demodulation reads, and what the history remembers.
+    using EndScope =
+        Scope<Views<FrameStorage, decltype(reads_of<typename P::Form>{} | typename P::remembers{})>, Views<Storage, Channels<>>, SignalView,
+              SignalView, Views<Storage, Channels<>>, RememberedViewsOf<Storage, Channels<>>, PassTraits{}, Vectors>;
+
+    template <class Pass> static constexpr bool makes_signal = makes_signal_of<Pass, ScopeOf<Pass, true>>;
+
+    template <class Pass, bool raw> static void run(PassArguments const& a) {
+        using S = ScopeOf<Pass, raw>;
+        using Made = decltype(emits_of<Pass>{} | keeps_of<Pass>{});
+        constexpr bool keeps_marks = raw && P::has_past && !is_temporal<Pass> && !std::is_same_v<Pass, FillHoles>;
+        auto const made = a.images.made_out.template views<Storage>(Made{});
+        auto const scope = scope_of<S, Pass>(a);
+        auto const end = finish(a);
+        auto const job = Job<Pass, S, SignalView, std::remove_const_t<decltype(made)>, std::remove_const_t<decltype(end)>,
+                             typename P::remembers, keeps_marks>{.pass = kernel<Pass>(a),
+                                                                 .scope = scope,
+                                                                 .signal = view_in<Storage, typename P::Signal>(a.images.signal_out),
+                                                                 .made = made,
+                                                                 .finish = end,
+                                                                 .store_signal = a.stores.signal,
+                                                                 .store_output = a.stores.output,
+                                                                 .store_remembered = a.stores.guides,
+                                                                 .stored_channels = stored(Made{}, a.images.made_out),
+                                                                 .counts = a.counts};
+        static_cast<E const*>(a.typed.executor)->for_each_pixel(Region{0, 0, scope.size.width, scope.size.height}, job);
+    }
+
+    template <ChannelTag C> static void repair(TypedByKernel const& typed, PooledImage const& copy) {
+        auto const& frame = frame_in(typed);
+        auto const to = view_in<StorageOfCopies<FrameStorage>, C>(copy);
+        RepairJob<C, ViewOf<FrameStorage, C>, std::remove_const_t<decltype(to)>> const job{frame[C{}].view(), to};
+        static_cast<E const*>(typed.executor)->for_each_pixel(Region{0, 0, frame.size.width, frame.size.height}, job);
+    }
+
+private:
+    static FrameT const& frame_in(TypedByKernel const& typed) { return *static_cast<FrameT const*>(typed.frame); }
+
+    template <class Pass> static Pass kernel(PassArguments const& a) {
+        if constexpr (std::is_same_v<Pass, FillHoles>)
+            return {a.step};
+        else {
+            alignas(Pass) std::array<std::byte, sizeof(Pass)> bytes;
+            std::memcpy(bytes.data(), a.kernel, sizeof(Pass));
+            return std::bit_cast<Pass>(bytes);
+        }
+    }
+    /// A bit for each channel, in order: whether it has an image.
+    template <class... Cs> static unsigned stored(Channels<Cs...>, ImageTable const& images) {
+        unsigned bits = 0, next = 1;
+        ((bits |= images.find(&channel_info<Cs>) ? next : 0, next <<= 1), ...);
+        return bits;
+    }
+    template <class S, class Pass> static S scope_of(PassArguments const& a) {
+        auto const& facts = a.facts;
+        auto const& then = a.images.then;
+        FrameViews<Set, FrameStorage> const given{frame_in(a.typed), a.images.repaired};
+        return {.size = divided(facts.size, S::fraction),
+                .frame = given.of(typename S::frame_channels{}),
+                .made = a.images.made.template views<Storage>(typename S::made_channels{}),
+                .signal = view_in<Storage, typename P::Signal>(a.images.signal),
+                .signal_then = view_in<Storage, typename P::Signal>(then.signal),
+                .kept_then = then.kept.template views<Storage>(typename S::kept_channels{}),
+                .remembered = then.guides.template views<Storage>(typename StoredChannels<remembers_of<Pass>>::type{}),
+                .clip_from_world = facts.clip_from_world,
+                .clip_from_world_then = facts.clip_from_world_then,
+                .rays = facts.rays,
+                .rays_then = facts.rays_then,
+                .jitter = facts.jitter,
+                .jitter_then = facts.jitter_then,
+                .shutter = facts.shutter,
+                .shutter_then = facts.shutter_then,
+                .frame_index = facts.frame_index,
+                .has_past = facts.has_past && then.signal,
+                .vectors = vectors(facts)};
+    }
+    static Vectors vectors(FrameFacts const& facts) { return {facts.size, facts.jitter, facts.jitter_then}; }
+
+    static auto finish(PassArguments const& a) {
+        FrameViews<Set, FrameStorage> const given{frame_in(a.typed), a.images.repaired};
+        EndScope const scope{.size = a.facts.size, .frame = given.of(typename EndScope::frame_channels{}), .vectors = vectors(a.facts)};
+        auto const guides = a.images.guides_out.template views<Storage>(typename StoredChannels<typename P::remembers>::type{});
+        auto const ending = [&]<class Target>(Target const& target) {
+            return Finish<typename P::Form, EndScope, Target, std::remove_const_t<decltype(guides)>>{
+                .modulation = static_cast<P const*>(a.typed.pipeline)->ingest.modulation,
+                .scope = scope,
+                .output = target,
+                .remembered = guides};
+        };
+        if constexpr (std::is_same_v<Into, NoTarget>)
+            return ending(view_in<Storage, typename P::Output>(a.images.output));
+        else
+            return ending(*static_cast<Into const*>(a.typed.target));
+    }
+};
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <quell/pipeline/graph/history_images.hpp>
+
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
+
+/// What run() takes of the host's frame, beside its images.
+struct FrameInput {
+    Extent size;
+    Camera const& camera;
+    std::optional<long long> number;
+    float shutter;
+    bool needs_camera; ///< whether passes look at the camera
+};
+
+/// Runs one frame through a list of passes: takes images for what each makes, and gives them back behind the last pass that reads them.
+class PassRunner {
+    PassList const& list;
+    HistoryImages& history;
+    TypedByKernel const& typed;
+    FrameFacts facts;
+    PooledImage signal;
+    bool nothing_seen = false; ///< whether all samples are missing
+
+public:
+    PassRunner(HistoryImages& h, TypedByKernel const& t, FrameInput const& frame) : list(h.list), history(h), typed(t) {
+        facts.has_past = history.start(frame.size, frame.number);
+        auto const& then = history.then;
+        auto const& camera_then = facts.has_past ? then.camera : frame.camera;
+        facts.size = frame.size;
+        facts.clip_from_world = frame.camera.clip_from_world(), facts.clip_from_world_then = camera_then.clip_from_world();
+        if (frame.needs_camera) facts.rays = PixelRays(frame.camera, frame.size), facts.rays_then = PixelRays(camera_then, frame.size);
+        facts.jitter = frame.camera.jitter, facts.jitter_then = then.camera.jitter;
+        facts.shutter = frame.shutter, facts.shutter_then = then.shutter;
+        facts.frame_index = static_cast<std::int32_t>(frame.number.value_or(history.counted.frames));
+        history.now.camera = frame.camera, history.now.shutter = frame.shutter, history.now.number = frame.number;
+    }
+    ~PassRunner() { history.drop_scratch(); }
+    PassRunner(PassRunner const&) = delete;
+    PassRunner& operator=(PassRunner const&) = delete;
+
+    void run() {
+        ingest();
+        for (std::size_t i = 0; i < list.passes.size(); ++i) run_listed(i);
+        end();
+    }
+
+private:
+    void ingest() {
+        auto &first = *history.counts, &again = *history.counts_again;
+        first.reset(), again.reset();
+        run_pass(list.ingest, {.signal = true}, &first);
+        bool const repeat = repair(first.guides);
+        if (repeat) run_pass(list.ingest, {.signal = true}, &again);
+        auto& counts = repeat ? again : first;
+        history.note(first.guides, counts);
+        nothing_seen = counts.missing == facts.size.pixels();
+        if (nothing_seen && facts.has_past) run_pass(list.fill_holes, {.signal = true}, nullptr, 0);
+        for (int step = 2; counts.holes > 0 && !nothing_seen; step *= 2)
+            counts.holes = 0, run_pass(list.fill_holes, {.signal = true}, &counts, step);
+    }
+    /// Repairs each guide of which one is counted. Returns whether samples change by it.
+    bool repair(GuideCounts const& impossible) {
+        bool samples_change = false;
+        for (auto const& each : list.repairs) {
+            if (impossible.of(each.number) == 0) continue;
+            auto& copy = history.repaired[each.id];
+            copy = history.pool->take(each.format);
+            each.run(typed, copy);
+            samples_change = samples_change || each.changes_samples;
+        }
+        return samples_change;
+    }
+
+    void run_listed(std::size_t i) {
+        auto const& pass = list.passes[i];
+        bool const last = i + 1 == list.passes.size();
+        for (auto const& each : pass.makes)
+            if (list.is_wanted(each.id, i)) history.made_out[each.id] = history.pool->take(each.format, each.id->fraction);
+        PassStores stores{.signal = list.stores_signal(i)};
+        if (last) {
+            take_guides(pass);
+            stores.guides = list.guide_count > 0;
+        }
+        run_pass(pass, stores, nullptr, 0, last);
+        if (pass.feeds_history) history.now.signal = signal;
+        for (auto const& each : pass.makes) history.made[each.id] = std::exchange(history.made_out[each.id], {});
+        drop_unread(i);
+    }
+    void run_pass(FramePass const& pass, PassStores stores, Counts* counts, int step = 0, bool last = false) {
+        auto next = signal;
+        if (pass.makes_signal) next = stores.signal ? history.pool->take(list.signal) : PooledImage{};
+        if (last) take_output(next, stores);
+        PassImages const images{.repaired = history.repaired,
+                                .made = history.made,
+                                .signal = signal,
+                                .then = history.then,
+                                .signal_out = next,
+                                .made_out = history.made_out,
+                                .guides_out = history.now.guides,
+                                .output = history.output};
+        pass.run({list.kernels.data() + pass.kernel, facts, typed, images, stores, counts, step});
+        signal = next;
+    }
+    /// The last pass also writes the guides for the next frame. Those of the last frame that it doesn't read are overwritten in place.
+    void take_guides(FramePass const& last) {
+        if (facts.has_past && last.reads_remembered.size() == 0)
+            history.now.guides.swap(history.then.guides);
+        else
+            for (int i = 0; i < list.guide_count; ++i) {
+                auto const& guide = list.guides[static_cast<std::size_t>(i)];
+                history.now.guides[guide.id] = history.pool->take(guide.format, guide.id->fraction);
+            }
+    }
+    /// And the output, unless that is the signal's image.
+    void take_output(PooledImage const& next, PassStores& stores) {
+        if (!list.has_target) {
+            if (!list.demodulates) history.output = next;
+            if (!history.output) history.output = history.pool->take(list.output);
+        }
+        stores.output = list.demodulates || list.has_target || !(history.output == next);
+    }
+
+    /// Gives back what no pass behind pass i reads.
+    void drop_unread(std::size_t i) {
+        history.made.drop_if([&](ChannelId made) { return !list.keeps.has(made) && !list.is_read_behind(made, i); });
+        for (auto next = i + 1; next < list.passes.size(); ++next)
+            if (list.passes[next].reads_past()) return;
+        history.then.signal = {};
+        history.then.kept.drop_all();
+    }
+
+    void end() {
+        for (ChannelId const kept : list.keeps) history.now.kept[kept] = history.made[kept];
+        history.advance();
+        // What no sample was ever seen of is no past.
+        history.empty = !list.has_past || (!facts.has_past && nothing_seen);
+        ++history.counted.frames;
+    }
+};
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail
