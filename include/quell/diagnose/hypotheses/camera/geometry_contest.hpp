@@ -100,7 +100,10 @@ struct Misfit {
     [[nodiscard]] bool beats(Misfit const& other) const {
         bool const by_as_many = 4 * depth.pixels >= 3 * other.depth.pixels && 4 * normal.pixels >= 3 * other.normal.pixels;
         auto const is = [](TestMisfit const& a, TestMisfit const& b, float part) { return a.middle <= part * b.middle; };
-        bool const better = is(depth, other.depth, 0.75f) || is(normal, other.normal, 0.75f);
+        // Of few pixels, noise makes one better than another.
+        constexpr std::size_t fewest = 100;
+        bool const better =
+            (depth.pixels >= fewest && is(depth, other.depth, 0.75f)) || (normal.pixels >= fewest && is(normal, other.normal, 0.75f));
         return by_as_many && better && is(depth, other.depth, 1.05f) && is(normal, other.normal, 1.05f);
     }
 };

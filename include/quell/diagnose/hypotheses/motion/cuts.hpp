@@ -5,7 +5,8 @@
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// How badly the blocks of the last frame are found in this one, where motion says or near: the median of what is left of the difference to
-/// other places. Up to about 0.3 of frames that follow each other, 0.45 and more of others. Empty where few blocks tell anything.
+/// other places. Up to about 0.3 of frames that follow each other, 0.6 and more of others; where leaves fly about, anything. Empty where
+/// few blocks tell anything.
 inline std::optional<float> strangeness(Observation const& seen, BlockNotes const& notes) {
     std::vector<float> left;
     for (auto const& block : notes.blocks) {
@@ -26,7 +27,7 @@ inline bool find_cut(Observation const& seen, std::vector<Finding>& findings) {
     auto const now = seen.has_then ? strangeness(seen, notes) : std::nullopt;
     auto const before = std::exchange(seen.notes().strangeness, now);
     notes.blocks = blocks_of(seen), notes.jitter = seen.camera.jitter;
-    if (!now || !before || *now < 0.42f || *now < 1.7f * *before) return false;
+    if (!now || !before || *now < 0.5f || *before > 0.35f || *now < 2.f * *before) return false;
     findings.push_back(
         {Mistake::cut,
          "of what parts of the last picture differ from their surroundings, " + percent(static_cast<double>(*now)) +
