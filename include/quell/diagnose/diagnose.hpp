@@ -118,7 +118,8 @@ inline void find_signal_mistakes(Observation const& seen, std::vector<Finding>& 
     bool const guides_are_wrong = said(Mistake::albedo_black, Mistake::albedo_above_one, Mistake::guides_behind, Mistake::normal_packed,
                                        Mistake::normal_not_unit, Mistake::depth_not_positive, Mistake::depth_not_linear);
     for (auto const& signal : seen.of_signals) {
-        if (!guides_are_wrong) find_signal_mistakes(seen, signal, findings);
+        // A signal that is an older frame's follows no albedo of this one.
+        if (!guides_are_wrong && !same) find_signal_mistakes(seen, signal, findings);
         // What a wrong albedo leaves of a texture looks like noise, which may stay on the screen.
         bool const misplaced = said(Mistake::signal_upside_down, Mistake::signal_behind, Mistake::guides_behind);
         if (!same && !misplaced) find_repeated_noise(seen, signal, findings);
