@@ -1,9 +1,37 @@
 #include <denoise/film_alpha.hpp>
 #include <denoise/sequence_denoiser.hpp>
 
+#include <quell/core/real.hpp>
+
+#include <algorithm>
 #include <cmath>
 
 namespace quell::examples {
+
+namespace {
+/// The least or the greatest within `radius` pixels, by rows and then by columns. What is not finite counts as 0.
+std::vector<float> extreme_within(std::vector<float> values, Extent size, int radius, auto const& better) {
+    for (auto& value : values) value = is_finite(value) ? value : 0.f;
+    auto const along = [&](int length, int lines, auto const& index) {
+        auto const from = values;
+        for (int line = 0; line < lines; ++line)
+            for (int i = 0; i < length; ++i)
+                for (int j = std::max(i - radius, 0); j <= std::min(i + radius, length - 1); ++j)
+                    values[index(line, i)] = better(values[index(line, i)], from[index(line, j)]);
+    };
+    auto const width = static_cast<std::size_t>(size.width);
+    along(size.width, size.height, [&](int y, int x) { return static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x); });
+    along(size.height, size.width, [&](int x, int y) { return static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x); });
+    return values;
+}
+} // namespace
+
+void limit_alpha(std::vector<float>& denoised, std::vector<float> const& alpha, Extent size) {
+    constexpr int radius = 3;
+    auto const least = extreme_within(alpha, size, radius, [](float a, float b) { return std::min(a, b); });
+    auto const most = extreme_within(alpha, size, radius, [](float a, float b) { return std::max(a, b); });
+    for (std::size_t i = 0; i < denoised.size(); ++i) denoised[i] = std::clamp(denoised[i], least[i], most[i]);
+}
 
 bool FilmAlpha::is_empty_around(std::vector<float> const& alpha, int x, int y) const {
     for (int j = std::max(y - 1, 0); j <= std::min(y + 1, size.height - 1); ++j)

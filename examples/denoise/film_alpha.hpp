@@ -9,6 +9,9 @@ namespace quell::examples {
 
 struct DenoisedFrame;
 
+/// Limits denoised alpha to what the file has within three pixels. Of a light that is one of several, alpha has the noise of its share.
+void limit_alpha(std::vector<float>& denoised, std::vector<float> const& alpha, Extent size);
+
 /// Keeps empty what a transparent film shows nothing in: where alpha is 0 in the pixel, in the 3x3 around it and in the history that its
 /// motion leads to, picture, signals and alpha are 0. Filters spread light from farther away.
 class FilmAlpha {

@@ -19,8 +19,8 @@ using Pixels = std::vector<glm::vec3>;
 /// fog, leaves and textures still had less error with guides as they are, and 0.26, where they had more (bench/cycles.sh).
 constexpr float tolerated_noise = 0.25f;
 /// The same of the rest's noise: no guide tells it from structure where it is filtered alone. Between 0.5 (film, wide gamut at 8 samples)
-/// and 1.5 (the same gamut at 1 sample; of glass it is 24 to 66).
-constexpr float tolerated_rest = 1.f;
+/// and 1 to 1.5 (the same gamut at 1 sample; of glass it is 24 to 66).
+constexpr float tolerated_rest = 0.75f;
 
 std::vector<io::Source> ones() { return std::vector<io::Source>(3, io::Source{{}, 1.f}); }
 bool is_constant(std::vector<io::Source> const& sources) {
@@ -112,7 +112,7 @@ public:
     }
 
     LightSplit split(bool as_one) {
-        LightSplit result{names.of_signals, std::vector<bool>(parts.size(), !as_one), names.added, {}};
+        LightSplit result{names.of_signals, std::vector<bool>(parts.size(), !as_one), names.added, {}, false};
         if (as_one) {
             for (auto const& part : parts) give_to_rest(part.picture);
             give_to_rest(added);
@@ -217,6 +217,7 @@ private:
         }
         auto const& light = is_only ? parts[0].picture : rest;
         bool const is_all = std::ranges::count(result.active, true) == 1 && result.added.empty();
+        result.shares_alpha = !is_all;
         std::vector<float> with_light;
         for (std::size_t i = 0; i < alpha.size(); ++i) {
             float const all = luminance(whole.pixels[i]);
@@ -286,7 +287,7 @@ bool is_better_as_one(io::ExrImage const& image, io::SequenceNames const& names,
 }
 
 LightSplit split_light(io::ExrImage& image, io::SequenceNames const& names, SplitRule const& rule, bool as_one) {
-    if (is_simple(names, rule)) return {names.of_signals, std::vector<bool>(names.of_signals.size(), true), names.added, {}};
+    if (is_simple(names, rule)) return {names.of_signals, std::vector<bool>(names.of_signals.size(), true), names.added, {}, false};
     Splitting splitting(image, names, rule);
     auto split = splitting.split(as_one);
     for (auto& plane : splitting.made) image.planes.push_back(std::move(plane));

@@ -21,6 +21,7 @@ struct LightSplit {
     std::vector<bool> active;      ///< which of them have light in this frame
     std::vector<io::Source> added; ///< what is taken as it is, one source per component; may be empty
     std::vector<float> kept_alpha; ///< the part of alpha that is taken as it is, where alpha is denoised
+    bool shares_alpha = false;     ///< whether alpha was divided by the lights' shares, which are noisy
 
     /// The signal that has alpha in it, where alpha is denoised: the only one, or else the rest. Alpha is denoised by the weights of the
     /// light that it belongs to: where a part of a pixel's light is multiplied by a colour as it is, that part of alpha is taken as it is

@@ -337,6 +337,7 @@ void SequenceDenoiser::denoise_alpha(DenoisedFrame& frame, Seen const& seen, Lig
     for (std::size_t s = 0; s < split.signals.size(); ++s)
         if (split.has_alpha(s))
             for (std::size_t i = 0; i < frame.alpha.size(); ++i) frame.alpha[i] += denoiser(s).alpha()[i];
+    if (split.shares_alpha) limit_alpha(frame.alpha, given, seen.image.size);
     bool const is_opaque = std::ranges::all_of(given, [](float a) { return a == 1.f; });
     alpha_stays = alpha_stays || (!is_opaque && rule().alpha.empty() && !settings.keeps_alpha);
     auto const& channels = on_canvas.of_signals[0].channels;

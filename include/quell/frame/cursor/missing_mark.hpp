@@ -92,8 +92,8 @@ private:
                 return from_bits(size | sign);
             else {
                 auto const pairs = without_sign_bit(a) * (0.5f / smallest_step), whole = floor(pairs), even = whole * (2.f * smallest_step);
-                auto const small = select(pairs - whole > decltype(a)(0.25f), -even, even);
-                return select(without_sign_bit(a) < decltype(a)(subnormal), small, from_bits(size | sign));
+                auto const below_normal = select(pairs - whole > decltype(a)(0.25f), -even, even);
+                return select(without_sign_bit(a) < decltype(a)(subnormal), below_normal, from_bits(size | sign));
             }
         });
     }

@@ -17,9 +17,10 @@ struct SignalFor<P> {
 };
 /// The Scope by which concepts test a policy: it has what the policy declares.
 template <class P, class S = typename SignalFor<P>::type>
-using ProbeScope = Scope<Views<Planar<>, reads_of<P>>, Views<Planar<>, Channels<>>, ViewOf<Planar<>, S>, ViewOf<Planar<>, S>,
-                         Views<Planar<>, decltype(keeps_of<P>{} | reads_kept_of<P>{})>, RememberedViewsOf<Planar<>, remembers_of<P>>,
-                         PassTraits{true, needs_camera_of<P>, fraction_of<P>}>;
+using ProbeScope =
+    Scope<Views<Planar<>, reads_of<P>>, Views<Planar<>, Channels<>>, ViewOf<Planar<>, S>, ViewOf<Planar<>, S>,
+          Views<Planar<>, decltype(keeps_of<P>{} | reads_kept_of<P>{})>, RememberedViewsOf<Planar<>, remembers_of<P>>,
+          PassTraits{.marks_missing = true, .has_camera = needs_camera_of<P>, .reads_past_signal = true, .fraction = fraction_of<P>}>;
 template <class P> using Probe = Pixel<float, ProbeScope<P>>;
 template <class P> using PastProbe = PastPixel<float, ProbeScope<P>>;
 } // namespace detail

@@ -1,0 +1,284 @@
+#include <quell_denoiser.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <new>
+#include <random>
+#include <thread>
+
+extern "C" float difference_of_both(int width, int height);
+
+namespace {
+
+constexpr int width = 61, height = 34;
+constexpr std::size_t pixels = width * height;
+
+/// A wall in noisy light, in memory of the caller's.
+struct Wall {
+    std::vector<float> rgb, albedo, normal, depth, motion, out;
+    std::vector<quell_channel> channels;
+    quell_frame frame = QUELL_FRAME;
+
+    Wall() : rgb(pixels * 3), albedo(pixels * 3, 0.5f), normal(pixels * 3), depth(pixels, 4.f), motion(pixels * 2), out(pixels * 3) {
+        for (std::size_t i = 2; i < normal.size(); i += 3) normal[i] = 1;
+        channels = {{"radiance", QUELL_PIXELS(rgb.data(), 3)},
+                    {"albedo", QUELL_PIXELS(albedo.data(), 3)},
+                    {"normal", QUELL_PIXELS(normal.data(), 3)},
+                    {"depth", QUELL_PIXELS(depth.data(), 1)},
+                    {"motion", QUELL_PIXELS(motion.data(), 2)}};
+        frame.output = QUELL_PIXELS(out.data(), 3);
+        shine(1);
+    }
+    void shine(unsigned seed) {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<float> any(0, 1);
+        for (auto& value : rgb) value = any(random);
+    }
+    quell_frame const* ready() {
+        frame.channels = channels.data(), frame.channel_count = channels.size();
+        return &frame;
+    }
+};
+struct Destroy {
+    void operator()(quell_denoiser* denoiser) const { quell_destroy(denoiser); }
+};
+using Owned = std::unique_ptr<quell_denoiser, Destroy>;
+quell_settings settings_of(char const* preset = "svgf") {
+    quell_settings settings = QUELL_SETTINGS;
+    settings.preset = preset, settings.width = width, settings.height = height;
+    return settings;
+}
+Owned made(quell_settings const& settings = settings_of()) {
+    quell_denoiser* denoiser = nullptr;
+    INFO(std::string(quell_error()));
+    REQUIRE(quell_create(&settings, &denoiser) == QUELL_OK);
+    return Owned(denoiser);
+}
+/// What is said about a call.
+void check_refused(quell_status status, quell_status wanted, std::vector<std::string> const& words) {
+    CHECK(status == wanted);
+    std::string const sentence = quell_error();
+    INFO(sentence);
+    for (auto const& word : words) CHECK(sentence.find(word) != sentence.npos);
+}
+/// The third of three frames.
+std::vector<float> third(quell_denoiser* denoiser, Wall& wall) {
+    for (unsigned i = 0; i < 3; ++i) {
+        wall.shine(i);
+        REQUIRE(quell_run(denoiser, wall.ready()) == QUELL_OK);
+    }
+    return wall.out;
+}
+
+} // namespace
+
+TEST_CASE("a host with the headers too, fast math and no exceptions gets the same from both") {
+    CHECK(difference_of_both(67, 33) < 2e-5f);
+    CHECK(difference_of_both(3, 5) < 2e-5f);
+}
+
+TEST_CASE("any strides and formats that hold the same numbers give the same") {
+    Wall wall;
+    auto const wanted = third(made().get(), wall);
+    SUBCASE("planes, rows from the bottom up, with gaps") {
+        Wall other;
+        constexpr std::ptrdiff_t gap = 7, row = (width + gap) * 4, plane = row * height;
+        std::vector<float> planes((width + gap) * height * 3), output(planes.size(), -1.f);
+        auto const image = [&](std::vector<float>& memory) {
+            return quell_image{memory.data() + (width + gap) * (height - 1), QUELL_FLOAT32, 3, plane, 4, -row};
+        };
+        other.channels[0].image = image(planes), other.frame.output = image(output);
+        auto const denoiser = made();
+        auto const at = [&](std::size_t pixel, std::size_t c) {
+            return c * static_cast<std::size_t>(plane / 4) + (height - 1 - pixel / width) * (width + gap) + pixel % width;
+        };
+        for (unsigned i = 0; i < 3; ++i) {
+            other.shine(i);
+            for (std::size_t p = 0; p < pixels * 3; ++p) planes[at(p / 3, p % 3)] = other.rgb[p];
+            REQUIRE(quell_run(denoiser.get(), other.ready()) == QUELL_OK);
+        }
+        for (std::size_t p = 0; p < pixels * 3; ++p) REQUIRE(output[at(p / 3, p % 3)] == wanted[p]);
+        CHECK(std::ranges::count(output, -1.f) == gap * height * 3); // gaps are not written
+    }
+    SUBCASE("four components, of which three are read and written") {
+        Wall other;
+        std::vector<float> rgba(pixels * 4, -1.f), output(pixels * 4, -1.f);
+        other.channels[0].image = QUELL_PIXELS(rgba.data(), 4), other.frame.output = QUELL_PIXELS(output.data(), 4);
+        auto const denoiser = made();
+        for (unsigned i = 0; i < 3; ++i) {
+            other.shine(i);
+            for (std::size_t p = 0; p < pixels * 3; ++p) rgba[p / 3 * 4 + p % 3] = other.rgb[p];
+            REQUIRE(quell_run(denoiser.get(), other.ready()) == QUELL_OK);
+        }
+        for (std::size_t p = 0; p < pixels * 3; ++p) REQUIRE(output[p / 3 * 4 + p % 3] == wanted[p]);
+        CHECK(output[3] == -1.f);
+    }
+    SUBCASE("halves") {
+        Wall other;
+        // 0.5 in all components, as a half.
+        std::vector<std::uint16_t> half(pixels * 3, 0x3800);
+        other.channels[1].image = {half.data(), QUELL_FLOAT16, 3, 0, 0, 0};
+        CHECK(third(made().get(), other) == wanted);
+    }
+}
+
+TEST_CASE("results depend neither on the number of threads nor on whose they are") {
+    Wall wall;
+    auto const wanted = third(made().get(), wall);
+    auto settings = settings_of();
+    settings.threads = 1;
+    CHECK(third(made(settings).get(), wall) == wanted);
+    std::atomic<int> tasks = 0;
+    settings.parallel_user = &tasks;
+    settings.parallel = [](void* user, int32_t count, void (*task)(void*, int32_t), void* context) {
+        for (int32_t i = count; i-- > 0;) task(context, i);
+        *static_cast<std::atomic<int>*>(user) += count;
+    };
+    CHECK(third(made(settings).get(), wall) == wanted);
+    CHECK(tasks > 0);
+}
+
+TEST_CASE("images lie in the caller's memory, a warm frame takes none, and all goes back") {
+    struct Counted {
+        long long now = 0, calls = 0, allowed = std::numeric_limits<long long>::max();
+    } counted;
+    auto settings = settings_of();
+    settings.memory_user = &counted;
+    settings.allocate = [](void* user, size_t bytes, size_t alignment) -> void* {
+        auto& its = *static_cast<Counted*>(user);
+        if (its.calls >= its.allowed) return nullptr;
+        ++its.calls, ++its.now;
+        return ::operator new[](bytes, std::align_val_t{alignment}, std::nothrow);
+    };
+    settings.release = [](void* user, void* memory) {
+        --static_cast<Counted*>(user)->now;
+        ::operator delete[](memory, std::align_val_t{64});
+    };
+    Wall wall;
+    {
+        auto const denoiser = made(settings);
+        auto const wanted = third(denoiser.get(), wall);
+        auto const calls = counted.calls;
+        CHECK(calls > 0);
+        REQUIRE(quell_run(denoiser.get(), wall.ready()) == QUELL_OK);
+        CHECK(counted.calls == calls);
+        // No memory is an error, after which the denoiser works as before.
+        auto const other = made(settings);
+        counted.allowed = counted.calls + 3;
+        CHECK(quell_run(other.get(), wall.ready()) == QUELL_NO_MEMORY);
+        counted.allowed = std::numeric_limits<long long>::max();
+        CHECK(third(other.get(), wall) == wanted);
+    }
+    CHECK(counted.now == 0);
+}
+
+TEST_CASE("wrong frames are refused with a sentence, and the denoiser works as before") {
+    Wall wall;
+    auto const denoiser = made();
+    auto const refused = [&](std::vector<std::string> const& words) {
+        check_refused(quell_run(denoiser.get(), wall.ready()), QUELL_INVALID_ARGUMENT, words);
+    };
+    auto const good = wall.channels;
+    auto const restore = [&] { wall.channels = good; };
+    wall.channels.pop_back(), refused({"'motion'", "missing", "radiance"}), restore();
+    wall.channels[1].name = "colour", refused({"'colour'", "svgf", "albedo"}), restore();
+    wall.channels[1].name = nullptr, refused({"channels[1]", "null"}), restore();
+    wall.channels[1].name = "depth", refused({"'depth'", "twice"}), restore();
+    wall.channels.push_back(good[0]), refused({"'radiance'", "twice"}), restore();
+    wall.channels[0].image.data = nullptr, refused({"'radiance'", "null"}), restore();
+    wall.channels[0].image.format = 7, refused({"'radiance'", "format 7", "QUELL_FLOAT32"}), restore();
+    wall.channels[0].image.components = 2, refused({"'radiance'", "2 components", "3"}), restore();
+    wall.channels[0].image.row_stride = width * 12 + 2, refused({"'radiance'", "stride", "4"}), restore();
+    wall.channels[0].image.data = reinterpret_cast<char*>(wall.rgb.data()) + 1, refused({"'radiance'", "aligned"}), restore();
+    wall.frame.output.data = nullptr, refused({"output", "null"});
+    wall.frame.output = QUELL_PIXELS(wall.rgb.data() + 30, 3), refused({"output", "overlaps", "radiance"});
+    wall.frame.output = QUELL_PIXELS(wall.out.data(), 3);
+    wall.frame.struct_size = 8, refused({"struct_size", "QUELL_FRAME"}), wall.frame.struct_size = sizeof(quell_frame);
+    wall.frame.device = &wall, refused({"device"}), wall.frame.device = nullptr;
+    wall.frame.shutter = -1, refused({"shutter", "-1"}), wall.frame.shutter = 0.5f;
+    auto const other = made();
+    Wall same;
+    CHECK(third(denoiser.get(), wall) == third(other.get(), same));
+}
+
+TEST_CASE("wrong settings and wrong calls are refused with a sentence") {
+    quell_denoiser* denoiser = nullptr;
+    auto const refused = [&](quell_settings const& settings, quell_status status, std::vector<std::string> const& words) {
+        check_refused(quell_create(&settings, &denoiser), status, words);
+        CHECK(denoiser == nullptr);
+    };
+    refused(settings_of("best"), QUELL_UNKNOWN_PRESET, {"'best'", "svgf"});
+    refused(settings_of(nullptr), QUELL_UNKNOWN_PRESET, {"svgf"});
+    auto settings = settings_of();
+    settings.width = 0, refused(settings, QUELL_INVALID_ARGUMENT, {"0x34"}), settings.width = width;
+    settings.threads = -1, refused(settings, QUELL_INVALID_ARGUMENT, {"threads"}), settings.threads = 0;
+    settings.instruction_set = "z80", refused(settings, QUELL_NOT_SUPPORTED, {"'z80'", quell_instruction_set_name(0)});
+    settings.instruction_set = nullptr, settings.struct_size = 1, refused(settings, QUELL_INVALID_ARGUMENT, {"struct_size"});
+    settings = settings_of(), settings.width = settings.height = 1 << 20;
+    CHECK(quell_create(&settings, &denoiser) == QUELL_OK); // images are made by the first frame
+    Owned const huge(denoiser);
+    Wall wall;
+    CHECK(quell_run(huge.get(), wall.ready()) != QUELL_OK);
+    CHECK(std::string(quell_error()) != "");
+
+    check_refused(quell_create(nullptr, &denoiser), QUELL_INVALID_ARGUMENT, {"settings"});
+    check_refused(quell_create(&settings, nullptr), QUELL_INVALID_ARGUMENT, {"denoiser"});
+    check_refused(quell_run(nullptr, wall.ready()), QUELL_INVALID_ARGUMENT, {"denoiser"});
+    auto const good = made();
+    check_refused(quell_run(good.get(), nullptr), QUELL_INVALID_ARGUMENT, {"frame"});
+    CHECK(quell_channel_name(good.get(), -1) == nullptr);
+    CHECK(quell_channel_components(good.get(), "nothing") == 0);
+    quell_destroy(nullptr);
+}
+
+TEST_CASE("two threads with one denoiser: one of them is told so; with two they do not meet") {
+    Wall wall;
+    auto settings = settings_of();
+    static quell_denoiser* running;
+    static quell_frame const* frame;
+    static quell_status meanwhile;
+    // From within a frame, as another thread would.
+    settings.parallel = [](void*, int32_t count, void (*task)(void*, int32_t), void* context) {
+        std::thread([] { meanwhile = quell_run(running, frame); }).join();
+        for (int32_t i = 0; i < count; ++i) task(context, i);
+    };
+    auto const denoiser = made(settings);
+    running = denoiser.get(), frame = wall.ready();
+    CHECK(quell_run(denoiser.get(), frame) == QUELL_OK);
+    CHECK(meanwhile == QUELL_BUSY);
+
+    std::vector<float> first, second;
+    auto const alone = [](std::vector<float>& to) {
+        Wall own;
+        to = third(made().get(), own);
+    };
+    std::thread a([&] { alone(first); }), b([&] { alone(second); });
+    a.join(), b.join();
+    CHECK((first == second && !first.empty()));
+}
+
+TEST_CASE("the C++ class: channels, plan, statistics, cuts, errors, moves") {
+    quell::Denoiser denoiser("svgf", width, height);
+    CHECK(denoiser.reads() == std::vector<std::string>{"radiance", "albedo", "motion", "depth", "normal"});
+    CHECK(denoiser.plan().find("| temporal |") != std::string::npos);
+    CHECK_THROWS_AS(quell::Denoiser("best", width, height), quell::DenoiserError);
+    Wall wall;
+    for (auto const& each : wall.channels) denoiser.set(each.name, each.image);
+    denoiser.run(wall.out.data(), 3);
+    auto moved = std::move(denoiser);
+    moved.run(wall.out.data(), 3);
+    CHECK(moved.statistics().frames == 2);
+    moved.forget();
+    wall.rgb[0] = std::numeric_limits<float>::quiet_NaN(), wall.normal[2] = 2;
+    moved.run(wall.out.data(), 3);
+    auto const counted = moved.statistics();
+    CHECK((counted.frames == 1 && counted.resets == 2 && counted.missing_samples == 1 && counted.repaired_guides == 1));
+    CHECK(counted.bytes > pixels * 50);
+}

@@ -1,0 +1,12 @@
+# Every name that the library defines for others is quell_something.
+execute_process(COMMAND ${NM} -D --defined-only ${LIBRARY} OUTPUT_VARIABLE names COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "[^\n]+" lines "${names}")
+list(LENGTH lines count)
+if(count LESS 10)
+    message(SEND_ERROR "${LIBRARY} shows only ${count} names")
+endif()
+foreach(line IN LISTS lines)
+    if(NOT line MATCHES " T quell_[a-z_]+$")
+        message(SEND_ERROR "${LIBRARY} shows a name that is not its own: ${line}")
+    endif()
+endforeach()
