@@ -157,7 +157,7 @@ World studio() {
          0.2f,
          0.f,
          0.f,
-         {0.035f, 0.f, 0.01f},
+         {0.07f, 0.f, 0.01f},
          0.1f},
         {false, {0.3f, 0.3f, 0.3f}, {0.9f, 1.3f, -1.6f}, {0.6f, 0.3f, 0.6f}, {0.2f, 0.5f, 0.5f}, 0.15f, 0.2f, 0.03f, {-0.02f, 0.f, 0.f}},
     };
@@ -179,7 +179,7 @@ World plaza() {
                                 0.2f * static_cast<float>(i)});
     world.solids.push_back({false, {1.f, 0.15f, 0.6f}, {1.6f, 0.15f, -1.4f}, {0.6f, 0.25f, 0.2f}, {0.8f, 0.6f, 0.5f}, 0.1f, -0.4f});
     world.solids.push_back(
-        {true, glm::vec3(0.4f), {-1.6f, 0.4f, -1.6f}, {0.15f, 0.3f, 0.7f}, {0.8f, 0.8f, 0.75f}, 0.16f, 0.f, 0.f, {0.04f, 0.f, -0.01f}});
+        {true, glm::vec3(0.4f), {-1.6f, 0.4f, -1.6f}, {0.15f, 0.3f, 0.7f}, {0.8f, 0.8f, 0.75f}, 0.16f, 0.f, 0.f, {0.07f, 0.f, -0.01f}});
     world.solids.push_back({false,
                             {0.35f, 0.25f, 0.3f},
                             {0.9f, 0.6f, -2.4f},

@@ -79,6 +79,11 @@ std::vector<HostMistake> mistakes_of_motion() {
 
 std::vector<HostMistake> mistakes_of_cameras() {
     return {
+        {"two cameras, one after the other",
+         {M::cut},
+         [](GoodFrame& frame, Take const& take, std::size_t i) {
+             if (i >= 4 && i < take.elsewhere.size()) copy_frame(take.elsewhere[i], frame);
+         }},
         {"view transposed", {M::view_transposed}, in_camera([](Camera& c) { c.view = glm::transpose(c.view); })},
         {"projection transposed", {M::projection_transposed}, in_camera([](Camera& c) { c.projection = glm::transpose(c.projection); })},
         {"the camera's pose as the view", {M::view_inverted}, in_camera([](Camera& c) { c.view = glm::inverse(c.view); })},
@@ -121,7 +126,7 @@ std::vector<HostMistake> mistakes_of_guides() {
          in(depth, [=](float z) { return is_finite(z) ? far * (1.f - close / z) / (far - close) : 1.f; })},
         {"depth of a reversed z-buffer", {M::depth_not_linear}, in(depth, [=](float z) { return is_finite(z) ? close / z : 0.f; })},
         {"depth is the ray's length", {M::depth_is_ray_length}, make_ray_length},
-        {"depth in centimetres, the camera in metres", {M::field_of_view}, in(depth, [](float z) { return 100.f * z; })},
+        {"depth in centimetres, the camera in metres", {M::depth_unit}, in(depth, [](float z) { return 100.f * z; })},
         {"depth of the sky is the far plane's", {M::depth_of_misses}, in(depth, [=](float z) { return is_finite(z) ? z : far; })},
         {"normals packed into [0, 1]", {M::normal_packed}, in(normal, [](glm::vec3 n) { return 0.5f * n + 0.5f; })},
         {"normals in view space",
@@ -134,7 +139,7 @@ std::vector<HostMistake> mistakes_of_guides() {
         {"albedo in sRGB", {M::albedo_encoded}, in(albedo, [](glm::vec3 a) { return to_srgb(a); })},
         {"albedo squared", {M::albedo_squared}, in(albedo, [](glm::vec3 a) { return a * a; })},
         {"camera and motion one frame late",
-         {M::guides_behind},
+         {M::motion_behind},
          [](GoodFrame& frame, Take const& take, std::size_t i) {
              copy_channel(take.good[i - 1], frame, motion), frame.camera = take.good[i - 1].camera;
          }},

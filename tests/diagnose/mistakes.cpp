@@ -258,6 +258,23 @@ TEST_CASE("a signal that is the same in every frame is named, but not one withou
     check_named({}, shaded, {.moves = false, .jitters = false});
 }
 
+TEST_CASE("edges of albedo that samples blur, since they lie anywhere in the pixel, are no albedo that is squared") {
+    auto const checks = [](float x, float y) {
+        return glm::vec3((static_cast<int>(x / 3.3f) + static_cast<int>(y / 3.3f)) % 2 == 0 ? 0.2f : 0.8f);
+    };
+    check_named({},
+                [&](GoodFrame& frame, int i) {
+                    std::mt19937 random(static_cast<unsigned>(i));
+                    std::uniform_real_distribution<float> any(0.f, 1.f);
+                    fill(frame[albedo], [&](int x, int y) { return checks(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f); });
+                    fill(frame[radiance], [&](int x, int y) {
+                        float const u = any(random), v = any(random), light = 2.f * any(random);
+                        return light * checks(static_cast<float>(x) + u, static_cast<float>(y) + v);
+                    });
+                },
+                {.moves = false, .jitters = false});
+}
+
 TEST_CASE("a texture that is divided by another row's albedo is not taken for noise of one seed") {
     // Dots without noise. What stays on the screen is what the wrong division makes of them.
     check_named({Mistake::signal_upside_down}, [](GoodFrame& frame, int) {

@@ -8,8 +8,10 @@
 #include <quell/diagnose/hypotheses/guides/depth_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/guides/normal_hypotheses.hpp>
 #include <quell/diagnose/hypotheses/guides/position_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/motion/cuts.hpp>
 #include <quell/diagnose/hypotheses/motion/forgotten_motion.hpp>
 #include <quell/diagnose/hypotheses/motion/geometry_by_motion.hpp>
+#include <quell/diagnose/hypotheses/motion/motion_behind.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_by_blocks.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_by_history.hpp>
 #include <quell/diagnose/hypotheses/motion/motion_disagreement.hpp>
@@ -47,14 +49,21 @@ inline void find_motion_mistakes(Observation const& seen, GeometryIs geometry, b
     auto const pairs = cameras ? motion_pairs(seen, seen.camera, seen.camera_then) : still_pairs(seen);
     auto const moved = cameras ? moving(pairs) : ComparedMotions{};
     bool const moves = moved.size() >= fewest_pairs;
+    if (find_scattered_motion(seen, findings)) return;
+    if (cameras && seen.depth_then && find_motion_behind(seen, seen.camera, seen.camera_then, findings)) return;
     if (pairs.size() < fewest_pairs || (shift_is_known && find_motion_jitter(seen, pairs, findings))) return;
     if (geometry == GeometryIs::right && find_motion_offset(seen, pairs, moves, findings)) return;
-    if (moves && geometry == GeometryIs::unknown && find_geometry_by_motion(seen, moved, findings)) return;
+    std::vector<GeometryMistake> as_good;
+    if (moves && find_geometry_by_motion(seen, moved, geometry == GeometryIs::right, findings, as_good)) return;
     if (moves) find_by_moving_camera(seen, moved, findings);
+    for (auto i = before; i < findings.size(); ++i) add_alternatives(findings[i], as_good);
     // Without cameras the guides tell.
     for (auto& finding : by_blocks) findings.push_back(std::move(finding));
     if (!moves && findings.size() == before && seen.depth_then) find_motion_convention_by_history(seen, findings);
     if (findings.size() > before || !seen.depth_then) return;
+    // Depth of a floor stays the same under a camera that turns around. What moves all by the same is rather an offset.
+    bool const differs = cameras && !moves && CommonOffset(pairs).sharing.share() < 0.5;
+    if (differs && find_still_camera(seen, findings)) return;
     if (cameras && !moves) find_scale_by_history(seen, findings);
     if (findings.size() > before) return;
     if (cameras) find_forgotten_motion(seen, seen.camera, seen.camera_then, findings);
@@ -71,13 +80,26 @@ inline void find_mistakes_over_time(Observation seen, GeometryIs geometry, bool 
     if (seen.sweep && cameras) find_wrong_sweeps(seen, findings);
 }
 
+/// A depth buffer whose sky is at its end. Where noise hides that it is one, the camera and normals tell, before its sky is called wrong.
+inline bool find_depth_buffer(Observation const& seen, std::vector<Finding>& findings) {
+    auto const sky = seen.depth && seen.normal && known(seen.camera) ? sky_of_buffer(seen) : std::nullopt;
+    if (!sky) return false;
+    auto const masked = without_depth(seen, *sky);
+    Geometry const own{.now = seen.camera, .then = seen.camera, .scattered = is_scattered(masked)};
+    auto const winners = winners_of(masked, own, mistakes_of_linearity(own));
+    if (winners.empty() || Misfit(masked, own, 1).is_small()) return false;
+    findings.push_back(finding_of(masked, winners));
+    return true;
+}
+
 /// Depth first, then the camera: later tests build on them.
 inline void find_guide_mistakes(Observation seen, std::vector<Finding>& findings) {
     if (seen.albedo) find_albedo_range(seen, findings);
     bool const camera_is_wrong = find_wrong_matrices(seen, findings);
-    bool const depth_is_wrong = seen.depth && find_wrong_depth(seen, findings);
+    bool const is_buffer = !camera_is_wrong && find_depth_buffer(seen, findings);
+    bool const depth_is_wrong = is_buffer || (seen.depth && find_wrong_depth(seen, findings));
     if (seen.depth && !depth_is_wrong)
-        if (auto const sky = find_finite_sky(seen, findings)) seen = without_sky(std::move(seen), *sky);
+        if (auto const sky = find_finite_sky(seen, findings)) seen = without_depth(std::move(seen), *sky);
     bool const length_is_wrong = seen.normal && find_normal_length(seen, depth_is_wrong, findings);
     if (!seen.depth || depth_is_wrong) return;
     auto with_good_normals = seen;
@@ -96,7 +118,8 @@ inline void find_signal_mistakes(Observation const& seen, std::vector<Finding>& 
     bool const guides_are_wrong = said(Mistake::albedo_black, Mistake::albedo_above_one, Mistake::guides_behind, Mistake::normal_packed,
                                        Mistake::normal_not_unit, Mistake::depth_not_positive, Mistake::depth_not_linear);
     for (auto const& signal : seen.of_signals) {
-        if (!guides_are_wrong) find_signal_mistakes(seen, signal, findings);
+        // A signal that is an older frame's follows no albedo of this one.
+        if (!guides_are_wrong && !same) find_signal_mistakes(seen, signal, findings);
         // What a wrong albedo leaves of a texture looks like noise, which may stay on the screen.
         bool const misplaced = said(Mistake::signal_upside_down, Mistake::signal_behind, Mistake::guides_behind);
         if (!same && !misplaced) find_repeated_noise(seen, signal, findings);
@@ -111,8 +134,9 @@ inline bool camera_was_said(std::vector<Finding> const& findings) {
     });
 }
 
-inline std::vector<Finding> findings_of(Observation const& seen) {
+inline std::vector<Finding> findings_of(Observation seen) {
     std::vector<Finding> findings;
+    if (find_cut(seen, findings)) seen = without_past(std::move(seen));
     find_resets(seen, findings);
     find_sample_mistakes(seen, findings);
     find_zero_positions(seen, findings), find_zero_hits(seen, findings);

@@ -11,6 +11,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Mistakes of hosts that show in a frame and its past. The last is none: it says what could not be checked. name_of() says each in words.
 enum class Mistake {
+    cut,
     motion_sign,
     motion_unit,
     motion_y,
@@ -20,6 +21,7 @@ enum class Mistake {
     motion_offset,
     motion_scale,
     motion_forgotten,
+    motion_behind,
     sweep_sign,
     sweep_y,
     shutter_differs,
@@ -40,6 +42,7 @@ enum class Mistake {
     depth_not_positive,
     depth_not_linear,
     depth_is_ray_length,
+    depth_unit,
     normal_packed,
     normal_not_unit,
     normal_in_view_space,
@@ -70,6 +73,7 @@ namespace detail {
 inline constexpr std::string_view camera_is_not_set = "frame.camera is not set";
 /// In the order of Mistake.
 inline constexpr std::string_view mistake_names[] = {
+    "the picture is cut, and the history goes on",
     "motion points the wrong way",
     "motion is in another unit",
     "motion's y points the other way",
@@ -79,6 +83,7 @@ inline constexpr std::string_view mistake_names[] = {
     "motion is beside the right place, by the same in every pixel and frame",
     "motion is too long or too short",
     "something that moves has no motion of its own",
+    "motion is one frame behind",
     "sweeps point the wrong way",
     "the y of sweeps points the other way",
     "frame.shutter is not what sweeps last",
@@ -99,6 +104,7 @@ inline constexpr std::string_view mistake_names[] = {
     "depth is not positive",
     "depth is not linear",
     "depth is the length of the ray",
+    "depth is in another unit than positions",
     "normals are packed into [0, 1]",
     "normals are not of unit length",
     "normals are in view space",

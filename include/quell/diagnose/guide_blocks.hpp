@@ -45,10 +45,8 @@ inline int search_step(Extent size) { return std::max(1, size.width / 240); }
 inline bool is_inside(Extent size, glm::ivec2 at) { return at.x >= 0 && at.y >= 0 && at.x < size.width && at.y < size.height; }
 
 /// The pixel of a texel.
-inline glm::ivec2 pixel_of(GuideBlock const& block, std::size_t i, Extent size) {
-    constexpr int side = 2 * GuideBlock::half + 1;
-    int const index = static_cast<int>(i);
-    return block.at + (glm::ivec2(index % side, index / side) - GuideBlock::half) * block_stride(size);
+inline glm::ivec2 pixel_of(GuideBlock const& block, int column, int row, Extent size) {
+    return block.at + (glm::ivec2(column, row) - GuideBlock::side / 2) * block_stride(size);
 }
 
 /// A grid of them.
@@ -58,12 +56,14 @@ inline std::vector<GuideBlock> blocks_of(Observation const& seen) {
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {
             GuideBlock block{{(2 * column + 1) * seen.size.width / (2 * columns), (2 * row + 1) * seen.size.height / (2 * rows)}};
-            auto const last = GuideBlock::count - 1;
-            if (!is_inside(seen.size, pixel_of(block, 0, seen.size)) || !is_inside(seen.size, pixel_of(block, last, seen.size))) continue;
-            for (std::size_t i = 0; i < GuideBlock::count; ++i) {
-                auto const at = pixel_of(block, i, seen.size);
-                block.texels[i] = texel_at(seen, at.x, at.y);
-            }
+            constexpr int last = GuideBlock::side - 1;
+            if (!is_inside(seen.size, pixel_of(block, 0, 0, seen.size)) || !is_inside(seen.size, pixel_of(block, last, last, seen.size)))
+                continue;
+            for (int y = 0; y <= last; ++y)
+                for (int x = 0; x <= last; ++x) {
+                    auto const at = pixel_of(block, x, y, seen.size);
+                    block.texels[static_cast<std::size_t>(y * GuideBlock::side + x)] = texel_at(seen, at.x, at.y);
+                }
             blocks.push_back(block);
         }
     return blocks;
@@ -73,33 +73,30 @@ inline std::vector<GuideBlock> blocks_of(Observation const& seen) {
 class BlockSearch {
     Observation const& seen;
     GuideBlock const& block;
+    glm::vec2 jitter_change;
     std::vector<float> rests;
-    glm::vec2 nearest{}; ///< of the places that were tried for the whole block
+    float typical = 0.f; ///< the median of places all around
 
 public:
-    float least = 9.f; ///< its difference at the best place so far, per texel
-    float typical;     ///< the median of places all around
+    float least = 9.f; ///< the difference at the best place so far, per texel
 
-    BlockSearch(Observation const& seen_, GuideBlock const& block_) : seen(seen_), block(block_) {
-        for (int const reach : {5, 10})
-            for (int y = -1; y <= 1; ++y)
-                for (int x = -1; x <= 1; ++x)
-                    if (x != 0 || y != 0) moved_by(glm::ivec2(x, y) * reach * search_step(seen.size));
-        typical = median(rests);
-    }
-    /// Difference per texel where each went so far; empty where most left the picture.
-    std::optional<float> moved(auto&& way_of) {
+    BlockSearch(Observation const& seen_, GuideBlock const& block_, BlockNotes const& notes)
+        : seen(seen_), block(block_), jitter_change(seen_.camera.jitter - notes.jitter) {}
+
+    /// Difference per texel where its thirds went, and so much more; empty where most left the picture.
+    std::optional<float> at(GuideBlock::Ways const& ways, glm::vec2 more = {}) {
         std::vector<std::pair<Texel const*, Texel>> pairs;
         std::vector<float> factors;
-        for (std::size_t i = 0; i < GuideBlock::count; ++i) {
-            auto const way = way_of(i);
-            if (!all_finite(way)) continue;
-            auto const at = pixel_of(block, i, seen.size) + glm::ivec2(glm::round(way));
-            if (!is_inside(seen.size, at)) continue;
-            pairs.emplace_back(&block.texels[i], texel_at(seen, at.x, at.y));
-            float const factor = pairs.back().first->depth / pairs.back().second.depth;
-            if (is_finite(factor) && factor > 0.f) factors.push_back(factor);
-        }
+        for (int y = 0; y < GuideBlock::side; ++y)
+            for (int x = 0; x < GuideBlock::side; ++x) {
+                auto const way = ways[static_cast<std::size_t>(y / GuideBlock::third * 3 + x / GuideBlock::third)] + more - jitter_change;
+                if (!all_finite(way)) continue;
+                auto const p = pixel_of(block, x, y, seen.size) + glm::ivec2(glm::round(way));
+                if (!is_inside(seen.size, p)) continue;
+                pairs.emplace_back(&block.texels[static_cast<std::size_t>(y * GuideBlock::side + x)], texel_at(seen, p.x, p.y));
+                float const factor = pairs.back().first->depth / pairs.back().second.depth;
+                if (is_finite(factor) && factor > 0.f) factors.push_back(factor);
+            }
         if (2 * pairs.size() < GuideBlock::count) return std::nullopt;
         // A camera that comes closer makes all depths less.
         float const nearer = factors.empty() ? 1.f : median(factors);
@@ -109,37 +106,34 @@ public:
         rests.push_back(sum), least = std::min(least, sum);
         return sum;
     }
-    void moved_by(glm::vec2 way) {
-        float const before = least;
-        moved([=](std::size_t) { return way; });
-        if (least < before) nearest = way;
+    /// Tries places so far away that they say what is typical.
+    void far_around(GuideBlock::Ways const& ways, float reach) {
+        for (auto const way : {glm::vec2(1, 0), glm::vec2(-1, 0), glm::vec2(0, 1), glm::vec2(0, -1)}) at(ways, reach * step() * way);
+        typical = median(rests);
     }
-    /// Tries places all around those that the texels went to. Returns the best, as a way from there.
-    glm::vec2 around(auto&& way_of, int reach, float step) {
+    /// Tries a square of places. Returns the best, as a way from the middle.
+    glm::vec2 around(GuideBlock::Ways const& ways, int reach, float every) {
         glm::vec2 best{};
         for (int y = -reach; y <= reach; ++y)
             for (int x = -reach; x <= reach; ++x) {
-                auto const more = glm::vec2(x, y) * step * static_cast<float>(search_step(seen.size));
                 float const before = least;
-                moved([&](std::size_t i) { return way_of(i) + more; });
-                if (least < before) best = more;
+                at(ways, glm::vec2(x, y) * every * step());
+                if (least < before) best = glm::vec2(x, y) * every * step();
             }
         return best;
     }
-    /// Tries places as far as most things move in some frames.
-    void everywhere() {
-        constexpr int reach = 6;
-        auto const step = static_cast<float>(search_step(seen.size));
-        for (int y = -reach; y <= reach; ++y)
-            for (int x = -reach; x <= reach; ++x) moved_by(2.f * step * glm::vec2(x, y));
-        for (auto const centre = nearest; auto const way : {glm::vec2(1, 0), glm::vec2(-1, 0), glm::vec2(0, 1), glm::vec2(0, -1)})
-            moved_by(centre + step * way);
-    }
+    [[nodiscard]] float step() const { return static_cast<float>(search_step(seen.size)); }
+    /// How much of what is typical is left at the best place.
+    [[nodiscard]] float share_left() const { return typical > 0.f ? least / typical : 0.f; }
+    /// What is left where nothing is known.
+    [[nodiscard]] float rest_of(std::optional<float> rest) const { return rest.value_or(typical); }
     /// What counts as a difference between places.
     [[nodiscard]] float margin() const { return 0.25f * (typical - least); }
     /// Whether the block may be there, for all that was tried.
     [[nodiscard]] bool may_be(std::optional<float> rest) const { return rest && *rest <= least + margin(); }
-    /// Whether places differ enough to tell.
+    /// Whether places differ at all.
+    [[nodiscard]] bool is_varied() const { return typical > 0.05f; }
+    /// Whether they differ enough to tell.
     [[nodiscard]] bool tells() const { return typical - least > 0.03f && least < 0.75f * typical; }
 };
 

@@ -28,10 +28,9 @@ struct EdgeSums {
     long long edges = 0;
 };
 
-/// A pixel with one to the right and one below, some pixels away.
+/// A pixel with its neighbours to the right and below.
 struct Patch {
     std::array<glm::vec3, 3> signal{}, albedo{};
-    std::array<bool, 3> plain{}; ///< whether albedo differs from the first one's, and is the same all around both
 };
 
 /// What the guides say of a pixel.
@@ -41,21 +40,20 @@ struct Texel {
 };
 /// Some pixels around a place of an earlier frame.
 struct GuideBlock {
-    static constexpr int half = 4; ///< texels on each side of the middle
-    static constexpr std::size_t count = (2 * half + 1) * (2 * half + 1);
+    static constexpr int third = 3, side = 3 * third; ///< texels of a third, and of the whole
+    static constexpr std::size_t count = side * side;
     glm::ivec2 at{}; ///< the middle
     std::array<Texel, count> texels{};
-    /// How far each texel went since, and in the last frame, by each reading of motion, in pixels. NaN where that is unknown.
-    std::vector<std::array<glm::vec2, count>> ways{}, steps{};
+    using Ways = std::array<glm::vec2, 9>; ///< one for each third of a third
+    /// How far it went since, and in the last frame, by each reading of motion, in pixels. NaN where that is unknown.
+    std::vector<Ways> ways{}, steps{};
 };
 /// What the blocks of all frames said of motion.
 struct BlockNotes {
     std::vector<GuideBlock> blocks{};
-    glm::vec2 jitter{};                       ///< of their frame's camera
-    int age = 0;                              ///< how many frames ago that was
-    long long resting_now = 0, moved_now = 0; ///< how many of them have vectors of 0, and how many of these moved
-    int moved_in_a_row = 0;                   ///< consecutive frames in which most of them did
-    std::vector<Comparison> comparisons{};    ///< each reading of motion against each, over all frames
+    glm::vec2 jitter{};                    ///< of their frame's camera
+    int age = 0;                           ///< how many frames ago that was
+    std::vector<Comparison> comparisons{}; ///< each reading of motion against each, over all frames that contradicted it
 };
 
 /// State of diagnose between calls. It lives in the history, from the first call on.
@@ -76,18 +74,21 @@ struct DiagnosisNotes {
     long long absent = 0;                  ///< how many such pixels in these frames
     std::array<long long, 3> absences{};   ///< pixels whose motion, half and twice that, lead to what is farther away, over all frames
     long long moving = 0;                  ///< of so many pixels that move
+    int behind_in_a_row = 0;               ///< consecutive frames whose motion is that of the frame before
     int absent_in_a_row = 0;               ///< consecutive frames with static surfaces that the last frame did not have
     int disagreed_in_a_row = 0;            ///< consecutive frames whose cameras find the past where motion does not
     int swept_wrongly_in_a_row = 0;        ///< consecutive frames whose sweeps contradict the cameras
     int misfits_in_a_row = 0;              ///< consecutive frames that fit better with a mistake of the geometry
     std::optional<Camera> camera_before{}; ///< of the frame before the last
-    std::array<EdgeSums, 4> edges{};       ///< of each Pairing of the signal with albedo, over all frames
+    std::array<EdgeSums, 5> edges{};       ///< of each Pairing of the signal with albedo, over all frames
     std::vector<Patch> patches{};          ///< of the last call's frame, at the places that were looked at
     float brightest = 0.f;                 ///< largest value of the signal at those places in all frames
     int other_power_in_a_row = 0;          ///< consecutive frames in which the signal did not follow albedo as it should
     std::vector<int> noise{};              ///< which pixels stood out in the last call's frame
     int repeats_in_a_row = 0;              ///< consecutive frames whose noise is the last one's
-    BlockNotes blocks{};
+    BlockNotes blocks{};                   ///< of some frames ago
+    BlockNotes last{};                     ///< of the last frame
+    std::optional<float> strangeness{};    ///< of the last frame to the one before it
     bool said_what_is_not_checked = false;
     glm::vec2 shift{}; ///< movement of the projection's centre, in pixels
 };

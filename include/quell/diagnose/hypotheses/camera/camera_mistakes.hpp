@@ -90,6 +90,24 @@ inline std::vector<GeometryMistake> mistakes_of_surfaces(Geometry const& own) {
     };
 }
 
+inline constexpr char make_depth_linear[] =
+    "write the distance along the view axis in world units, +infinity where there is no surface: for depth d in [0, 1] "
+    "near * far / (far - d * (far - near)), with near and far exchanged where it is reversed";
+
+/// Depth that goes like its inverse. Near and far planes of all kinds leave their traces.
+inline std::vector<GeometryMistake> mistakes_of_linearity(Geometry const& own) {
+    std::vector<GeometryMistake> all;
+    for (float const from : {0.f, 1.f, 1.0001f, 1.0003f, 1.001f, 1.003f, 1.01f}) {
+        auto without = own;
+        without.inverse_from = from;
+        all.push_back({Mistake::depth_not_linear,
+                       from > 0.f ? "with 1 / (" + number(static_cast<double>(from)) + " - depth) in place of depth"
+                                  : std::string("with 1 / depth in place of depth"),
+                       make_depth_linear, without});
+    }
+    return all;
+}
+
 /// A projection whose x and y are scaled by so much.
 inline GeometryMistake mistake_of_projection(Geometry const& own, glm::vec2 by) {
     auto const without = changed(own, [=](Camera& c) { scale_projection(c, by); });
@@ -98,6 +116,16 @@ inline GeometryMistake mistake_of_projection(Geometry const& own, glm::vec2 by) 
     auto const should = pair(static_cast<double>(without.now.projection[0][0]), static_cast<double>(without.now.projection[1][1]));
     return {Mistake::field_of_view, "with " + should + " in place of " + is + " in camera.projection[0][0] and [1][1]",
             "look at the field of view (radians, vertical, whole or half) and at the aspect ratio that camera.projection is made from",
+            without};
+}
+
+/// Depth in a unit that is so many of the camera's.
+inline GeometryMistake mistake_of_unit(Geometry const& own, float unit) {
+    auto without = own;
+    without.unit = unit;
+    return {Mistake::depth_unit, "with depth times " + number(static_cast<double>(unit)),
+            "give depth and the positions in camera.view in one unit: one of them is " + number(static_cast<double>(1.f / unit)) +
+                " times too large or small",
             without};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/diagnose/hypotheses/camera/static_motion.hpp>
+#include <quell/diagnose/hypotheses/camera/camera_mistakes.hpp>
 #include <quell/diagnose/observation.hpp>
 #include <quell/diagnose/statistics.hpp>
 
@@ -122,21 +122,19 @@ inline bool find_depth_not_linear(Observation const& seen, std::vector<Finding>&
     if (in_unit_range.share() < 0.99) return false;
     auto const evenness = evenness_of(seen);
     if (evenness.buffer.asked < 50 || evenness.buffer.share() < evenness.linear.share() + 0.25) return false;
-    findings.push_back(
-        {Mistake::depth_not_linear,
-         "all depths lie in [0, 1], their median at " + number(static_cast<double>(median(depths))) + ", and of " +
-             std::to_string(evenness.buffer.asked) + " places on slopes " + percent(evenness.buffer.share()) +
-             " look like planes in a depth buffer, " + percent(evenness.linear.share()) + " like planes in linear depth",
-         std::string("write the distance along the view axis in world units, +infinity where there is no surface: for depth d in [0, 1] "
-                     "near * far / (far - d * (far - near)), with near and far exchanged where it is reversed") +
-             (none.yes > 0 ? ", as it seems to be: it is 0 in " + percent(none.share()) + " of the picture" : "")});
+    findings.push_back({Mistake::depth_not_linear,
+                        "all depths lie in [0, 1], their median at " + number(static_cast<double>(median(depths))) + ", and of " +
+                            std::to_string(evenness.buffer.asked) + " places on slopes " + percent(evenness.buffer.share()) +
+                            " look like planes in a depth buffer, " + percent(evenness.linear.share()) + " like planes in linear depth",
+                        std::string(make_depth_linear) +
+                            (none.yes > 0 ? ", as it seems to be: it is 0 in " + percent(none.share()) + " of the picture" : "")});
     return true;
 }
 
 /// Whether depth is exactly this in a pixel, beside it and below it. The horizon of a floor is a row alone.
 inline bool is_area_of(Observation const& seen, float depth, int x, int y) {
-    auto const is = [&](int i, int j) { return i < seen.size.width && j < seen.size.height && bits(seen.depth(0, i, j)) == bits(depth); };
-    return is(x, y) && is(x + 1, y) && is(x, y + 1);
+    auto const is = [&](int i, int j) { return bits(seen.depth(0, i, j)) == bits(depth); };
+    return is(x, y) && is(std::min(x + 1, seen.size.width - 1), y) && is(x, std::min(y + 1, seen.size.height - 1));
 }
 
 /// The depth of a sky that a host with a far plane gives: the largest of the picture, the same in many pixels, and not that of a wall.
@@ -167,17 +165,28 @@ inline std::optional<float> find_finite_sky(Observation const& seen, std::vector
                         "write +infinity into depth where there is no surface"});
     return farthest;
 }
-/// The same frame, and its past, with misses in place of that depth.
-inline Observation without_sky(Observation seen, float sky) {
+/// The same frame, and its past, with misses in place of one depth.
+inline Observation without_depth(Observation seen, float sky) {
     auto const masked = [sky](Lookup const& depth) -> Lookup {
         if (!depth) return {};
         return [=](int c, int x, int y) {
             float const z = depth(c, x, y);
-            return z < sky ? z : std::numeric_limits<float>::infinity();
+            return bits(z) == bits(sky) ? std::numeric_limits<float>::infinity() : z;
         };
     };
     seen.depth = masked(seen.depth), seen.depth_then = masked(seen.depth_then);
     return seen;
+}
+
+/// Whether all depths are between 0 and 1, the least or the most of them exact: a depth buffer has the sky there.
+inline std::optional<float> sky_of_buffer(Observation const& seen) {
+    Tally zero, one, outside;
+    for_each_hit(seen, [&](int x, int y) {
+        float const z = seen.depth(0, x, y);
+        zero.add(bits(z) == bits(0.f)), one.add(bits(z) == bits(1.f)), outside.add(!(z >= 0.f && z <= 1.f));
+    });
+    if (outside.yes > 0 || (zero.share() < 0.005 && one.share() < 0.005) || zero.yes + one.yes == zero.asked) return std::nullopt;
+    return zero.yes > one.yes ? 0.f : 1.f;
 }
 
 /// What depth shows by itself. Returns whether it is unusable.

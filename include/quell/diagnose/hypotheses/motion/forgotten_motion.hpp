@@ -15,6 +15,19 @@ inline bool saw_farther(Observation const& seen, glm::vec2 place, float depth) {
     return true;
 }
 
+/// Whether a surface is more than a wire, which may lie between the places that the last frame looked at: it fills a square of two pixels.
+inline bool is_thick(Observation const& seen, int x, int y) {
+    float const z = seen.depth(0, x, y);
+    auto const is = [&](int i, int j) {
+        bool const inside = i >= 0 && j >= 0 && i < seen.size.width && j < seen.size.height;
+        return inside && std::abs(seen.depth(0, i, j) - z) < 0.05f * z;
+    };
+    for (int const i : {x - 1, x + 1})
+        for (int const j : {y - 1, y + 1})
+            if (is(i, y) && is(x, j) && is(i, j)) return true;
+    return false;
+}
+
 /// Pixels whose motion is that of what stands still, but where the last frame looked through the surface: what stands still may have been
 /// hidden, but it cannot have been absent. It shows before the edge with which a thing comes.
 inline Tally absent_before(Observation const& seen, Camera const& now, Camera const& then) {
@@ -25,7 +38,7 @@ inline Tally absent_before(Observation const& seen, Camera const& now, Camera co
         auto const found = vec2_at(seen.motion, x, y);
         auto const was = still.then(x, y, seen.depth(0, x, y));
         if (!was || !all_finite(found) || glm::length(found - was->motion) > 0.005f + 0.01f * glm::length(was->motion)) return;
-        absent.add(saw_farther(seen, glm::vec2(x, y) + was->motion + jitter, was->depth));
+        absent.add(saw_farther(seen, glm::vec2(x, y) + was->motion + jitter, was->depth) && is_thick(seen, x, y));
     });
     return absent;
 }

@@ -40,11 +40,13 @@ inline std::string jitter_remedy(MotionConvention taken_for) {
            code_of(taken_for) + ">{}";
 }
 
-/// Whether an offset looks like jitter: it is the change of camera.jitter, or it reverses. Sliding surfaces keep their direction and match
-/// that change only by chance.
-inline bool looks_like_jitter(glm::vec2 offset, glm::vec2 before, glm::vec2 change) {
-    bool const is_change = std::min(glm::length(offset - change), glm::length(offset + change)) < 0.05f;
-    return (glm::length(change) > 0.05f && is_change) || glm::dot(offset, before) < 0.f;
+/// Whether an offset looks like jitter: it is the change of camera.jitter, or that of one end of the vectors, or it reverses. Sliding
+/// surfaces keep their direction and match that change only by chance.
+inline bool looks_like_jitter(glm::vec2 offset, glm::vec2 before, glm::vec2 now, glm::vec2 then) {
+    auto const is = [&](glm::vec2 jitter) {
+        return glm::length(jitter) > 0.05f && std::min(glm::length(offset - jitter), glm::length(offset + jitter)) < 0.05f;
+    };
+    return is(now - then) || (now != then && (is(now) || is(then))) || glm::dot(offset, before) < 0.f;
 }
 
 /// The change of jitter in every vector, in two consecutive frames. Returns whether it is there, or may be.
@@ -54,7 +56,7 @@ inline bool find_motion_jitter(Observation const& seen, ComparedMotions const& p
     auto const before = std::exchange(seen.notes().motion_offset, offset);
     auto const change = seen.camera.jitter - seen.camera_then.jitter;
     auto& in_a_row = seen.notes().jittered_in_a_row;
-    in_a_row = looks_like_jitter(offset, before, change) && common.is_jitter() ? in_a_row + 1 : 0;
+    in_a_row = looks_like_jitter(offset, before, seen.camera.jitter, seen.camera_then.jitter) && common.is_jitter() ? in_a_row + 1 : 0;
     // Neither a large sliding object nor an unreported camera movement is jitter.
     if (in_a_row < 2) return common.is_jitter() && glm::length(offset - before) > 0.1f;
     findings.push_back({Mistake::motion_jitter,
@@ -62,6 +64,47 @@ inline bool find_motion_jitter(Observation const& seen, ComparedMotions const& p
                             pair(offset.x, offset.y) + " pixels too much in their motion; camera.jitter changed by " +
                             pair(change.x, change.y),
                         jitter_remedy(seen.convention)});
+    return true;
+}
+
+/// How much vectors go to and fro from pixel to pixel of a surface, and how much they change along it.
+struct MotionScatter {
+    glm::vec2 scatter{}, slope{}; ///< medians, in pixels
+    std::size_t asked = 0;
+
+    explicit MotionScatter(Observation const& seen) {
+        constexpr int reach = 4;
+        std::array<std::vector<float>, 4> all;
+        for_each_hit(seen, [&](int x, int y) {
+            if (x < reach || x + reach >= seen.size.width) return;
+            float const z = seen.depth(0, x, y);
+            for (int const i : {-reach, -1, 1, reach})
+                if (!(std::abs(seen.depth(0, x + i, y) - z) < 0.03f * static_cast<float>(std::abs(i)) * z)) return;
+            auto const at = [&](int i) { return vec2_at(seen.motion, x + i, y); };
+            auto const bend = glm::abs(at(0) - 0.5f * (at(-1) + at(1))), rise = glm::abs(at(reach) - at(-reach)) / (2.f * reach);
+            if (!all_finite(bend) || !all_finite(rise)) return;
+            for (int axis : {0, 1})
+                all[static_cast<std::size_t>(axis)].push_back(bend[axis]), all[static_cast<std::size_t>(2 + axis)].push_back(rise[axis]);
+        });
+        asked = all[0].size();
+        scatter = {median(all[0]), median(all[1])}, slope = {median(all[2]), median(all[3])};
+    }
+    /// About what places anywhere in a pixel make of vectors, and more than the same places make of them where all is well.
+    [[nodiscard]] bool is_of_pixels() const {
+        auto const one = [](float to_and_fro, float along) { return to_and_fro > 0.12f && to_and_fro < 0.5f && to_and_fro > 2.f * along; };
+        return asked >= 100 && one(scatter.x, slope.x) && one(scatter.y, slope.y);
+    }
+};
+
+/// Vectors one end of which is where the sample is in its pixel, and the other as if it were in the centre. Returns whether it is so.
+inline bool find_scattered_motion(Observation const& seen, std::vector<Finding>& findings) {
+    MotionScatter const found(seen);
+    if (!found.is_of_pixels()) return false;
+    findings.push_back({Mistake::motion_jitter,
+                        "from pixel to pixel of a surface motion goes to and fro by " +
+                            pair(static_cast<double>(found.scatter.x), static_cast<double>(found.scatter.y)) + " pixels (median of " +
+                            std::to_string(found.asked) + "), as much as samples lie beside the pixels' centres",
+                        "subtract places of the same kind: where the sample's point was less where the sample is, or both for the centre"});
     return true;
 }
 

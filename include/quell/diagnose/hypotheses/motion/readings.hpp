@@ -25,9 +25,12 @@ inline std::vector<Reading> readings(MotionConvention taken_for) {
 class ReadingContest {
     std::vector<Reading> all;
     std::vector<Comparison>& comparisons;
+    long long fewest;
 
 public:
-    ReadingContest(MotionConvention taken_for, std::vector<Comparison>& notes) : all(readings(taken_for)), comparisons(notes) {
+    /// @param fewest_ comparisons that it takes to win
+    ReadingContest(MotionConvention taken_for, std::vector<Comparison>& notes, long long fewest_ = 20)
+        : all(readings(taken_for)), comparisons(notes), fewest(fewest_) {
         comparisons.resize(all.size() * all.size());
     }
     /// Calls f(comparison, one, other) for each pair of the numbers of readings.
@@ -46,8 +49,8 @@ public:
     /// Whether one beats the pipeline's, and all others that differ from that in as little.
     [[nodiscard]] bool is_winner(std::size_t one) const {
         for (std::size_t i = 1; i < all.size(); ++i)
-            if (i != one && mistakes_in(i) <= mistakes_in(one) && comparison(one, i).apart >= 20 && !won(one, i)) return false;
-        return one > 0 && won(one, 0) && comparison(one, 0).first >= 20;
+            if (i != one && mistakes_in(i) <= mistakes_in(one) && comparison(one, i).apart >= fewest && !won(one, i)) return false;
+        return one > 0 && won(one, 0) && comparison(one, 0).first >= fewest;
     }
     [[nodiscard]] Comparison comparison(std::size_t a, std::size_t b) const {
         if (a > b) return comparisons[a * all.size() + b];

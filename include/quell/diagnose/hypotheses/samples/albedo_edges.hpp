@@ -4,6 +4,7 @@
 #include <quell/diagnose/statistics.hpp>
 
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,7 @@ enum class Pairing {
     turned, ///< the signal with its rows in the other order
     behind, ///< this frame's signal, the last frame's albedo
     ahead,  ///< the last frame's signal, this frame's albedo
+    plain,  ///< as given, a pixel away from the edge on either side
 };
 
 /// How the signal follows albedo: it goes like albedo to this power. 1 where all is right.
@@ -63,14 +65,31 @@ inline void add_edge(EdgeSums& edges, int group, float albedo, float beside, flo
     double const logarithm = std::log(static_cast<double>(bright / dark));
     auto const strength = std::min(static_cast<std::size_t>(logarithm / 0.5), std::size_t{EdgeSums::strengths - 1});
     auto& sum = edges.sums[static_cast<std::size_t>(group)][strength];
+    // A single firefly must not outweigh the rest.
+    if (sum.edges >= 30 && static_cast<double>(signal + signal_beside) * static_cast<double>(sum.edges) > 30. * (sum.bright + sum.dark))
+        return;
     sum.bright += static_cast<double>(albedo > beside ? signal : signal_beside);
     sum.dark += static_cast<double>(albedo > beside ? signal_beside : signal);
     sum.logarithms += logarithm, ++sum.edges, ++edges.edges;
 }
 
-/// How far apart the pixels of a patch are. A sample may lie anywhere in its pixel, and albedo be that of the centre: next to an edge the
-/// signal shows the colours of both sides. One pixel of distance on either side is enough.
-inline constexpr int patch_step = 3;
+inline Patch patch_at(Lookup const& signal, Lookup const& albedo, int x, int y, int step) {
+    Patch patch;
+    glm::ivec2 const places[] = {{x, y}, {x + 1, y}, {x, y + step}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        patch.signal[i] = vec3_at(signal, places[i].x, places[i].y);
+        patch.albedo[i] = vec3_at(albedo, places[i].x, places[i].y);
+    }
+    return patch;
+}
+
+/// Whether two pixels show the same smooth surface, so that only albedo tells them apart.
+inline bool one_surface(Observation const& seen, int x, int y, int i, int j) {
+    if (!seen.depth || !seen.hit(x, y) || !seen.hit(i, j)) return false;
+    float const here = seen.depth(0, x, y), there = seen.depth(0, i, j), pixels = static_cast<float>(std::abs(x - i) + std::abs(y - j));
+    if (std::abs(here - there) > 0.03f * pixels * here) return false;
+    return !seen.normal || glm::dot(vec3_at(seen.normal, x, y), vec3_at(seen.normal, i, j)) > 0.98f;
+}
 
 /// Whether albedo is the same in the pixels around.
 inline bool is_plain(Observation const& seen, Lookup const& albedo, int x, int y) {
@@ -84,33 +103,19 @@ inline bool is_plain(Observation const& seen, Lookup const& albedo, int x, int y
     return true;
 }
 
-/// Whether there may be an edge that add_edge() counts.
-inline bool differ(glm::vec3 a, glm::vec3 b) {
-    for (int c = 0; c < 3; ++c)
-        if (std::max(a[c], b[c]) >= 1.3f * std::min(a[c], b[c])) return true;
-    return false;
-}
-
-/// A pixel and those to its right and below, or above.
-inline Patch patch_at(Observation const& seen, Lookup const& signal, Lookup const& albedo, int x, int y, int down) {
-    Patch patch;
-    glm::ivec2 const places[] = {{x, y}, {x + patch_step, y}, {x, y + down}};
-    for (std::size_t i = 0; i < 3; ++i) {
-        patch.signal[i] = vec3_at(signal, places[i].x, places[i].y);
-        patch.albedo[i] = vec3_at(albedo, places[i].x, places[i].y);
+/// Adds edges between pixels that are some way apart. A sample may lie anywhere in its pixel, and albedo be that of the centre: next to an
+/// edge the signal then shows the colours of both sides. A pixel away from it, on either side, it does not.
+inline void add_plain_edges(Observation const& seen, SignalSeen const& signal, Lookup const& albedo, int group, int x, int y) {
+    constexpr int step = 3;
+    for (glm::ivec2 const at : {glm::ivec2(x + step, y), glm::ivec2(x, y + step)}) {
+        if (at.x >= seen.size.width || at.y >= seen.size.height || !one_surface(seen, x, y, at.x, at.y)) continue;
+        auto const here = vec3_at(albedo, x, y), there = vec3_at(albedo, at.x, at.y);
+        bool const differs = glm::any(glm::greaterThan(glm::max(here, there), 1.3f * glm::min(here, there)));
+        if (!differs || !is_plain(seen, albedo, x, y) || !is_plain(seen, albedo, at.x, at.y)) continue;
+        for (int c = 0; c < 3; ++c)
+            add_edge(signal.notes->edges[static_cast<std::size_t>(Pairing::plain)], group, here[c], there[c], 0.f, 0.f,
+                     signal.input(c, x, y), signal.input(c, at.x, at.y));
     }
-    for (std::size_t i = 1; i < 3; ++i)
-        patch.plain[i] =
-            differ(patch.albedo[0], patch.albedo[i]) && is_plain(seen, albedo, x, y) && is_plain(seen, albedo, places[i].x, places[i].y);
-    return patch;
-}
-
-/// Whether two pixels show the same smooth surface, so that only albedo tells them apart.
-inline bool one_surface(Observation const& seen, int x, int y, int i, int j) {
-    if (!seen.depth || !seen.hit(x, y) || !seen.hit(i, j)) return false;
-    float const here = seen.depth(0, x, y), there = seen.depth(0, i, j), pixels = static_cast<float>(std::abs(x - i) + std::abs(y - j));
-    if (std::abs(here - there) > 0.03f * pixels * here) return false;
-    return !seen.normal || glm::dot(vec3_at(seen.normal, x, y), vec3_at(seen.normal, i, j)) > 0.98f;
 }
 
 /// Adds this frame's edges to all sums, and keeps its patches for the next one.
@@ -122,20 +127,17 @@ inline void add_edges(Observation const& seen, SignalSeen const& signal, Lookup 
     bool const has_then = seen.has_then;
     int const height = seen.size.height;
     for_each_place(seen.size, [&](int x, int y) {
-        if (x + patch_step >= seen.size.width || y + patch_step >= height) return;
-        auto const now = patch_at(seen, signal.input, albedo, x, y, patch_step);
-        auto const turned = patch_at(seen, signal.input, albedo, x, height - 1 - y, -patch_step);
+        if (x + 1 >= seen.size.width || y + 1 >= height) return;
+        auto const now = patch_at(signal.input, albedo, x, y, 1), turned = patch_at(signal.input, albedo, x, height - 1 - y, -1);
         auto const count = patches.size();
         patches.push_back(now);
         auto const* const then = has_then && count < notes.patches.size() ? &notes.patches[count] : nullptr;
         int const group = static_cast<int>(count / 7 % EdgeSums::groups);
+        add_plain_edges(seen, signal, albedo, group, x, y);
         for (std::size_t const i : {std::size_t{1}, std::size_t{2}}) {
-            if (!(now.plain[i] || (then && then->plain[i])) ||
-                !one_surface(seen, x, y, x + (i == 1 ? patch_step : 0), y + (i == 2 ? patch_step : 0)))
-                continue;
+            if (!one_surface(seen, x, y, x + (i == 1), y + (i == 2))) continue;
             for (int c = 0; c < 3; ++c) {
                 auto const add = [&](Pairing pairing, Patch const& by, Patch const& other, Patch const& of) {
-                    if (!by.plain[i]) return;
                     add_edge(edges(pairing), group, by.albedo[0][c], by.albedo[i][c], other.albedo[0][c], other.albedo[i][c],
                              of.signal[0][c], of.signal[i][c]);
                 };

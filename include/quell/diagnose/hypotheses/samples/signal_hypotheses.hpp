@@ -21,33 +21,48 @@ inline constexpr OtherAlbedo other_albedos[] = {
      "give run() the signal and the guides of one frame: look at double buffers and at what is read back late"},
 };
 
-inline std::string signal_evidence(SignalSeen const& signal, Exponent const& own) {
-    return "at " + std::to_string(signal.notes->edges[0].edges) + " edges of albedo '" + signal.name +
+inline EdgeSums const& edges_of(SignalSeen const& signal, Pairing pairing) {
+    return signal.notes->edges[static_cast<std::size_t>(pairing)];
+}
+
+inline std::string signal_evidence(SignalSeen const& signal, Exponent const& own, Pairing pairing) {
+    return "at " + std::to_string(edges_of(signal, pairing).edges) + " edges of albedo '" + signal.name +
            "' goes like albedo to the power of " + text_of(own);
 }
 
-/// Whether the signal follows an albedo of other rows or of another frame.
+/// Whether a signal follows another albedo and not its own. Fine textures whose samples lie anywhere in the pixel leave little of a power,
+/// of which many edges then are sure.
+inline bool is_other(Exponent const& own, Exponent const& other) {
+    if (other.error > 0.12 || other.value > 1.5) return false;
+    double const more = other.value - own.value;
+    bool const is_sure = more > 0.15 && other.value > 1.8 * own.value && more > 5. * (own.error + other.error);
+    return other.value > 0.45 ? more > 0.3 : other.value > 0.3 && is_sure;
+}
+
+/// Whether the signal follows an albedo of other rows or of another frame. Samples anywhere in the pixel make each power less.
 inline std::optional<Finding> other_albedo_of(SignalSeen const& signal, Exponent const& own) {
     if (own.value > 0.4) return std::nullopt;
     for (auto const& other : other_albedos) {
-        auto const e = exponent_of(signal.notes->edges[static_cast<std::size_t>(other.pairing)]);
-        if (e && e->error < 0.12 && e->value > 0.65 && e->value < 1.5)
-            return Finding{other.mistake, signal_evidence(signal, own) + ", and with " + other.which + " of " + text_of(*e), other.remedy};
+        auto const e = exponent_of(edges_of(signal, other.pairing));
+        if (e && is_other(own, *e))
+            return Finding{other.mistake,
+                           signal_evidence(signal, own, Pairing::as_given) + ", and with " + other.which + " of " + text_of(*e),
+                           other.remedy};
     }
     return std::nullopt;
 }
 
 /// Whether too few edges moved so far to tell, but enough to tell some day.
 inline bool is_open(SignalSeen const& signal, Pairing pairing) {
-    auto const& edges = signal.notes->edges[static_cast<std::size_t>(pairing)];
+    auto const& edges = edges_of(signal, pairing);
     auto const e = exponent_of(edges);
-    return 50 * edges.edges > signal.notes->edges[0].edges && !(e && e->error < 0.12 && e->value < 0.3);
+    return 50 * edges.edges > edges_of(signal, Pairing::as_given).edges && !(e && e->error < 0.12 && e->value < 0.3);
 }
 
 /// Whether it is divided by albedo already, or one of the two is not linear. Light that albedo has no part in, such as reflections, makes
 /// the power a little less than 1.
 inline std::optional<Finding> other_power_of(SignalSeen const& signal, Exponent const& own) {
-    auto const evidence = signal_evidence(signal, own) + ", and not of 1";
+    auto const evidence = signal_evidence(signal, own, Pairing::plain) + ", and not of 1";
     if (own.error < 0.05 && std::abs(own.value) < 0.13)
         return Finding{Mistake::signal_demodulated, evidence, "leave Demodulate{} out, or give the signal with albedo in it"};
     if (own.error < 0.05 && own.value > 0.2 && own.value < 0.62) {
@@ -70,13 +85,18 @@ inline std::optional<Finding> other_power_of(SignalSeen const& signal, Exponent 
 inline std::optional<Finding> of_light_with_albedo(SignalSeen const& signal, Exponent const& own) {
     auto finding = own.error < 0.1 ? other_albedo_of(signal, own) : std::nullopt;
     bool const open = is_open(signal, Pairing::turned) || is_open(signal, Pairing::behind) || is_open(signal, Pairing::ahead);
-    return finding || open ? finding : other_power_of(signal, own);
+    auto const plain = exponent_of(edges_of(signal, Pairing::plain));
+    // Albedo of another frame or row does not make the signal follow this one more.
+    bool const tells = plain && (!open || plain->value > 1.6);
+    return finding || !tells ? finding : other_power_of(signal, *plain);
 }
 
 /// Whether a signal that the composite, or the host, multiplies by albedo follows it already.
-inline std::optional<Finding> albedo_left_in(SignalSeen const& signal, Exponent const& own) {
+inline std::optional<Finding> albedo_left_in(SignalSeen const& signal, Exponent const& near_edges) {
+    auto const plain = exponent_of(edges_of(signal, Pairing::plain));
+    auto const own = plain.value_or(near_edges);
     if (own.error > 0.12 || own.value < 0.65 || own.value > 1.5) return std::nullopt;
-    return Finding{Mistake::signal_has_albedo, signal_evidence(signal, own) + ", and not of 0",
+    return Finding{Mistake::signal_has_albedo, signal_evidence(signal, own, plain ? Pairing::plain : Pairing::as_given) + ", and not of 0",
                    "divide '" + signal.name + "' by albedo, 0 where that is 0: the output is multiplied by it"};
 }
 
@@ -92,7 +112,7 @@ inline void find_signal_mistakes(Observation const& seen, SignalSeen const& sign
         for (auto const& value : patch.signal)
             for (int c = 0; c < 3; ++c)
                 if (is_finite(value[c])) notes.brightest = std::max(notes.brightest, value[c]);
-    auto const own = exponent_of(notes.edges[0]);
+    auto const own = exponent_of(edges_of(signal, Pairing::as_given));
     std::optional<Finding> finding;
     if (own) finding = multiplied ? albedo_left_in(signal, *own) : of_light_with_albedo(signal, *own);
     notes.other_power_in_a_row = finding ? notes.other_power_in_a_row + 1 : 0;
