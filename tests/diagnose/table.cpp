@@ -158,6 +158,8 @@ TEST_CASE("nothing is said of correct frames of a foreign host, whatever its gui
     for (auto const guides : {GuidesOf::centre, GuidesOf::materials, GuidesOf::sample})
         for (auto const set : {Set::studio, Set::plaza, Set::terrace})
             for (auto const path : {Path::dolly, Path::orbit, Path::pan, Path::still, Path::jittered}) {
+                // A third of them is enough for every build.
+                if (!asked && (static_cast<int>(guides) + static_cast<int>(set) + static_cast<int>(path)) % 3 != 0) continue;
                 ForeignShot const shot{set, path, guides, {160, 90}};
                 GoodFrame frame(shot.size, denoise);
                 History history{shot.size, denoise};
