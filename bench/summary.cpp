@@ -86,7 +86,6 @@ void print_preset(Measured const& m) {
     auto const &simd = m.series_of({How::Kind::simd, 1}), &one = m.series_of({How::Kind::threads, 1}), &many = m.series.back();
     auto const ms = [](std::vector<double> const& seconds) { return number(1e3 * median(seconds), 2); };
     auto const serial = m.family.has_serial ? m.series.front() : Series{};
-
     print_row({m.family.preset, ms(serial.wall), ms(simd.wall), ms(simd.processor), ms(one.wall), ms(many.wall),
                number(1e3 * *std::ranges::min_element(many.wall), 2), number(ratio(serial.processor, simd.processor), 1),
                number(ratio(one.processor, simd.processor), 3), number(ratio(one.wall, many.wall), 2),

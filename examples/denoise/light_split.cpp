@@ -18,8 +18,8 @@ using Pixels = std::vector<glm::vec3>;
 /// The noise of guides may be this part of what a filter would lose of their structure. Between 0.24, where renders with depth of field,
 /// fog, leaves and textures still had less error with guides as they are, and 0.26, where they had more (bench/cycles.sh).
 constexpr float tolerated_noise = 0.25f;
-/// The same of the rest's noise: no guide tells it from structure where it is filtered alone. Between 0.5 (film, wide gamut at 8 samples)
-/// and 1 to 1.5 (the same gamut at 1 sample; of glass it is 24 to 66).
+/// The same of the rest's noise: no guide tells it from structure where it is filtered alone. Between 0.3 (wide gamut at 8 samples), where
+/// renders had less error by their parts, and 0.9 (the same at 1 sample), where they had more; of glass it is 5 to 66 (bench/cycles.sh).
 constexpr float tolerated_rest = 0.75f;
 
 std::vector<io::Source> ones() { return std::vector<io::Source>(3, io::Source{{}, 1.f}); }
@@ -230,7 +230,7 @@ private:
         four.push_back({{name}});
         sources[std::string(radiance_alpha.name)] = four;
         result.alpha_with = carrier;
-        // Beside the only signal, the rest is denoised as where it has alpha itself.
+        // The denoiser of the rest takes alpha, since in other frames it has it. Nobody reads what it makes of this one.
         if (is_only && has_rest) {
             auto with_none = io::sources_of(result.signals.back().channels, radiance);
             with_none.push_back({{}, 1.f});

@@ -1,4 +1,5 @@
 #include <denoise/presets.hpp>
+#include <support/preset_units.hpp>
 
 #include <quell/core/error.hpp>
 
@@ -15,14 +16,9 @@ namespace {
 
 constexpr std::size_t units = QUELL_PRESET_UNITS;
 
-/// In their own order again.
 std::vector<Preset> all_units() {
-    auto const made = []<std::size_t... i>(std::index_sequence<i...>) { return std::array{presets_of_unit<i, units>()...}; }
+    return []<std::size_t... i>(std::index_sequence<i...>) { return in_order(std::array{presets_of_unit<i, units>()...}); }
     (std::make_index_sequence<units>{});
-    std::vector<Preset> list;
-    for (std::size_t i = 0; i / units < made[i % units].size(); ++i) list.push_back(made[i % units][i / units]);
-    std::erase_if(list, [](Preset const& preset) { return preset.name.empty(); });
-    return list;
 }
 
 } // namespace

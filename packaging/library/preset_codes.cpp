@@ -1,8 +1,7 @@
 // The entry of the library's code for one instruction set: QUELL_CODE_ENTRY is its name.
 #include "preset_code.hpp"
 
-#include <array>
-#include <utility>
+#include <support/preset_units.hpp>
 
 namespace quell_library {
 
@@ -11,14 +10,9 @@ template <std::size_t unit, std::size_t units> std::vector<PresetCode> codes_of_
 namespace {
 constexpr std::size_t units = QUELL_PRESET_UNITS;
 
-/// In the order of quell::named_presets.
 std::vector<PresetCode> all_units() {
-    auto made = []<std::size_t... i>(std::index_sequence<i...>) { return std::array{codes_of_unit<i, units>()...}; }
+    return []<std::size_t... i>(std::index_sequence<i...>) { return quell::examples::in_order(std::array{codes_of_unit<i, units>()...}); }
     (std::make_index_sequence<units>{});
-    std::vector<PresetCode> list;
-    for (std::size_t i = 0; i / units < made[i % units].size(); ++i)
-        if (auto& code = made[i % units][i / units]; !code.name.empty()) list.push_back(std::move(code));
-    return list;
 }
 } // namespace
 
