@@ -4,7 +4,6 @@
 
 #include <quell/execute/outlined.hpp>
 #include <quell/pipeline/plan.hpp>
-#include <quell/pipeline/two_sided.hpp>
 #include <quell/presets/named.hpp>
 #include <quell/quell.hpp>
 

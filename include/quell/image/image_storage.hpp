@@ -96,14 +96,14 @@ template <ImageStorage S, ChannelTag C> constexpr auto storage_of() {
         return std::type_identity<S>{};
 }
 
-/// The view of a channel's image: for a `squared` channel, in the format of squares if there is one.
-template <ChannelTag C, class Image> auto view_of(Image const& image) {
-    auto const view = image.view();
-    if constexpr (is_squared<C>() && ViewsSquares<decltype(image.view())>)
+/// The view of a channel, from that of its image: for a `squared` channel, in the format of squares if there is one.
+template <ChannelTag C, class View> auto in_format_of(View const& view) {
+    if constexpr (is_squared<C>() && ViewsSquares<View>)
         return view.squares();
     else
         return view;
 }
+template <ChannelTag C, class Image> auto view_of(Image const& image) { return in_format_of<C>(image.view()); }
 } // namespace detail
 
 /// The image type in which a storage keeps a channel.

@@ -9,10 +9,9 @@ namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 /// A channel as a value. Its address identifies it.
 struct ChannelInfo {
     std::string_view name;
-    int components = 0;
     int fraction = 1; ///< image size = frame size / fraction, rounded up
 };
-template <ChannelTag C> inline constexpr ChannelInfo channel_info{C::name, C::components, C::fraction};
+template <ChannelTag C> inline constexpr ChannelInfo channel_info{C::name, C::fraction};
 using ChannelId = ChannelInfo const*;
 
 /// Some channels, in order.

@@ -61,11 +61,7 @@ template <class Storage, ChannelTag C> inline constexpr ImageFormat format_of = 
 /// The view of a channel's image; empty for an empty handle.
 template <class Storage, ChannelTag C> ViewOf<Storage, C> view_in(PooledImage const& image) {
     if (!image) return {};
-    auto const view = view_of_image<ImageOf<Storage, C>>(image);
-    if constexpr (is_squared<C>() && ViewsSquares<std::remove_const_t<decltype(view)>>)
-        return view.squares();
-    else
-        return view;
+    return in_format_of<C>(view_of_image<ImageOf<Storage, C>>(image));
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::detail
