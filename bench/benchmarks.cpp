@@ -14,7 +14,7 @@ constexpr Extent smoke_size{96, 54};
 /// Threads 1, 2, 4, ... and as many as there are.
 std::vector<How> executors(Family const& family) {
     std::vector<How> all;
-    if (family.has_serial) all.push_back({How::Kind::serial});
+    if (family.has_serial()) all.push_back({How::Kind::serial});
     all.push_back({How::Kind::simd});
     for (int n = 1; n < max_threads(); n *= 2) all.push_back({How::Kind::threads, n});
     all.push_back({How::Kind::threads, max_threads()});

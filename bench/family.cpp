@@ -14,7 +14,10 @@ namespace quell::bench {
 Seconds Workload::next(How how) {
     taken.clear();
     auto const before = Seconds::now();
-    run(at, how);
+    if (how.kind == How::Kind::serial)
+        serial->run(at, how);
+    else
+        run(at, how);
     auto const whole = Seconds::now() - before;
     at = (at + 1) % sequence_frames;
     return whole;
@@ -29,12 +32,29 @@ template <class Storage, std::size_t... unit> void append_families(std::vector<F
     (std::ranges::move(families_of_unit<Storage, unit, sizeof...(unit)>(), std::back_inserter(all)), ...);
 }
 template <class... Storages> std::vector<Family> families_with() {
-    std::vector<Family> all;
-    (append_families<Storages>(all, std::make_index_sequence<QUELL_BENCH_UNITS>{}), ...);
+    std::vector<Family> others, all = compiled_families();
+    (append_families<Storages>(others, std::make_index_sequence<QUELL_BENCH_UNITS>{}), ...);
+    for (auto& family : others) {
+        auto const same = [&](Family const& f) { return f.order == family.order && f.storage == family.storage; };
+        if (auto const found = std::ranges::find_if(all, same); found != all.end())
+            found->make_serial = family.make_serial;
+        else if (family.make)
+            all.push_back(std::move(family));
+    }
     std::ranges::stable_sort(all, {}, &Family::order);
     return all;
 }
 } // namespace
+
+std::vector<std::string> pass_names(std::vector<std::string> const& passes) {
+    auto names = passes;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        std::ranges::replace(names[i], ' ', '-');
+        if (std::ranges::count(passes, passes[i]) > 1)
+            names[i] += "/" + std::to_string(std::count(passes.begin(), passes.begin() + static_cast<std::ptrdiff_t>(i), passes[i]));
+    }
+    return names;
+}
 
 std::vector<Family> families() { return families_with<QUELL_BENCH_STORAGES>(); }
 
@@ -46,6 +66,7 @@ Workload& workload(Family const& family, Extent size) {
         made_for.clear();
         made.reset();
         made = family.make(size);
+        if (family.make_serial != nullptr) made->serial = family.make_serial(size);
         made->warm_up();
         made_for = wanted;
     }

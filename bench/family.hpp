@@ -2,6 +2,7 @@
 
 #include "timed.hpp"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ public:
     Seconds next(How how);
     /// Until histories are long.
     void warm_up();
+    std::unique_ptr<Workload> serial; ///< the same, one pixel after the other, where there is that
 
 protected:
     std::vector<Seconds> taken;
@@ -33,19 +35,27 @@ private:
     std::size_t at = 0;
 };
 
-/// A preset with a storage for its history: what generated files instantiate. All else is common code.
+/// A preset with a storage for its history. All else is common code.
 struct Family {
     std::string preset;
     std::size_t order = 0; ///< the preset's place in quell::named_presets
     std::string storage;
-    bool has_serial = false;
     std::vector<std::string> passes;
-    std::unique_ptr<Workload> (*make)(Extent) = nullptr;
+    /// In packs; null where generated code has one pixel after the other alone.
+    std::function<std::unique_ptr<Workload>(Extent)> make{};
+    std::unique_ptr<Workload> (*make_serial)(Extent) = nullptr; ///< one pixel after the other; null where it is not compiled
+
+    [[nodiscard]] bool has_serial() const { return make_serial != nullptr; }
 };
+
+/// The names under which passes are reported: no spaces, and several of one name numbered.
+std::vector<std::string> pass_names(std::vector<std::string> const& passes);
 
 /// All presets with each storage, in the order of quell::named_presets. Without the tracer, only those that read what Input has.
 std::vector<Family> families();
-/// Every `units`-th of them from number `unit` on, with one storage: in a generated file.
+/// Those with the reference storage, in packs: compiled presets.
+std::vector<Family> compiled_families();
+/// Every `units`-th of those with another storage, or one pixel after the other, from number `unit` on: in a generated file.
 template <class Storage, std::size_t unit, std::size_t units> std::vector<Family> families_of_unit();
 
 /// A warm workload. Only the last one asked for is kept: at 1920x1080 they are large.

@@ -85,7 +85,7 @@ void print_presets_head(int rounds) {
 void print_preset(Measured const& m) {
     auto const &simd = m.series_of({How::Kind::simd, 1}), &one = m.series_of({How::Kind::threads, 1}), &many = m.series.back();
     auto const ms = [](std::vector<double> const& seconds) { return number(1e3 * median(seconds), 2); };
-    auto const serial = m.family.has_serial ? m.series.front() : Series{};
+    auto const serial = m.family.has_serial() ? m.series.front() : Series{};
     print_row({m.family.preset, ms(serial.wall), ms(simd.wall), ms(simd.processor), ms(one.wall), ms(many.wall),
                number(1e3 * *std::ranges::min_element(many.wall), 2), number(ratio(serial.processor, simd.processor), 1),
                number(ratio(one.processor, simd.processor), 3), number(ratio(one.wall, many.wall), 2),
@@ -108,7 +108,7 @@ std::vector<Measured> measure(std::string_view wanted, int rounds) {
     for (auto const& family : families()) {
         if (!wanted.empty() && family.preset != wanted) continue;
         std::vector<How> executors{{How::Kind::simd, 1}};
-        if (family.has_serial) executors.insert(executors.begin(), {How::Kind::serial, 1});
+        if (family.has_serial()) executors.insert(executors.begin(), {How::Kind::serial, 1});
         if (family.storage == reference_storage) executors.push_back({How::Kind::threads, 1});
         executors.push_back({How::Kind::threads, most});
         fmt::print(stderr, "measuring {} {}\n", family.preset, family.storage);

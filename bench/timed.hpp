@@ -41,12 +41,10 @@ struct Seconds {
 
 /// The executor that another one is asked for at run time, so that a kernel is compiled once and both run the very same instructions:
 /// comparing Simd with Threads then compares nothing else.
-template <bool with_serial> struct Chosen {
+struct Chosen {
     How how;
 
     void for_each_pixel(Region r, auto const& job) const {
-        if constexpr (with_serial)
-            if (how.kind == How::Kind::serial) return Serial{}.for_each_pixel(r, job);
         if (how.kind == How::Kind::threads)
             Threads<Outlined<>>{.count = how.threads}.for_each_pixel(r, job);
         else

@@ -17,18 +17,22 @@ if(CMAKE_SYSTEM_NAME STREQUAL Linux AND CMAKE_SYSTEM_PROCESSOR STREQUAL x86_64 A
     endif()
 endif()
 
-# quell_isolated_code(variable code entry)
-# Links the objects of the object library `code` into one, in which all names but that of the function `entry` are local. The variable is
+# quell_isolated_code(variable code entry [more...])
+# Links the objects of the object library `code`, and of `more`, into one, in which all names but that of the function `entry` are local. The variable is
 # set to the object's path; it goes among the sources of a target in the same folder.
 function(quell_isolated_code variable code entry)
     set(object ${CMAKE_CURRENT_BINARY_DIR}/${code}.o)
     # objcopy 2.40 does not hide what g++ makes unique in the whole program.
-    target_compile_options(${code} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
+    set(all)
+    foreach(part ${code} ${ARGN})
+        target_compile_options(${part} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
+        list(APPEND all $<TARGET_OBJECTS:${part}>)
+    endforeach()
     add_custom_command(OUTPUT ${object}
-        COMMAND ${QUELL_GNU_LD} -r --force-group-allocation -o ${object}.all $<TARGET_OBJECTS:${code}>
+        COMMAND ${QUELL_GNU_LD} -r --force-group-allocation -o ${object}.all ${all}
         COMMAND ${QUELL_GNU_OBJCOPY} --keep-global-symbol=${entry} ${object}.all ${object}
         COMMAND ${CMAKE_COMMAND} -E rm ${object}.all
-        DEPENDS ${code} $<TARGET_OBJECTS:${code}> VERBATIM COMMAND_EXPAND_LISTS)
+        DEPENDS ${code} ${all} VERBATIM COMMAND_EXPAND_LISTS)
     set_source_files_properties(${object} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
     set(${variable} ${object} PARENT_SCOPE)
 endfunction()

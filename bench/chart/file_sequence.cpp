@@ -53,11 +53,11 @@ void check_no_gap(FramePattern const& in, examples::FrameRange const& range) {
 std::vector<FileMethod> methods_for(io::ExrFile const& file, io::SequenceNames const& names) {
     std::vector<FileMethod> methods;
     for (auto const& preset : examples::presets()) {
-        if (preset.is_part || preset.wants_sharp_picture) continue;
+        if (examples::is_part(preset) || preset.wants_sharp_picture) continue;
         // The input itself is always there: it complains by name of what it lacks.
         if (preset.name != "none" && !examples::applies(preset, file, names)) continue;
         methods.push_back({preset.name, preset});
-        if (preset.looks_ahead) methods.push_back({preset.name + "-two-sided", preset, Preset::usual_later_frames});
+        if (examples::looks_ahead(preset)) methods.push_back({preset.name + "-two-sided", preset, examples::usual_later_frames});
     }
     return methods;
 }

@@ -60,7 +60,7 @@ void bounds(std::string const& name, Making const& making, Results& results) {
     small.size = {64, 36};
     auto const even = even_frame(0.2f, small);
     for (auto const& preset : examples::presets()) {
-        auto const denoiser = preset.make(small.size, making.threads);
+        auto const denoiser = examples::denoiser_of(preset, small.size, making.threads);
         SampleRange range(preset);
         std::mt19937 random(making.seed + 8);
         double farthest = 0;
@@ -97,7 +97,7 @@ void sky(std::string const& name, Making const& making, Results& results) {
     for (auto const& preset : examples::presets()) {
         if (preset.group == PresetGroup::blur || preset.name.find("blur") != preset.name.npos) continue; // what moves covers the sky
         for (bool const noisy_sky : {false, true}) {
-            auto const denoiser = preset.make(making.size, making.threads);
+            auto const denoiser = examples::denoiser_of(preset, making.size, making.threads);
             auto const wanted = denoiser->denoise(even, {}, 0);
             std::mt19937 random(making.seed + 9);
             double farthest = 0;

@@ -39,7 +39,7 @@ metrics::Picture dimmed(metrics::Picture picture, float part) {
 Means means(std::string const& name, examples::Preset const& preset, std::vector<io::ExrImage> const& noisy, float part, int frames,
             Results& results) {
     constexpr int counted = 500;
-    auto const denoiser = preset.make(noisy.front().size, 1);
+    auto const denoiser = examples::denoiser_of(preset, noisy.front().size, 1);
     auto const truth = even_picture(0.5f, noisy.front().size);
     auto const round = static_cast<int>(noisy.size());
     Means result;

@@ -54,7 +54,7 @@ void firefly(std::string const& name, Making const& making, Results& results) {
     for (auto const& each : signal_planes())
         if (each.name != "visibility.V") plane(lit, each.name)[middle] += energy * each.part;
     for (auto const& [preset, part] : all_methods()) {
-        auto const denoiser = preset.make(making.size, making.threads);
+        auto const denoiser = examples::denoiser_of(preset, making.size, making.threads);
         auto const truth = even_picture(light * part, making.size);
         double most = 0, usual = 0, base = 0;
         int alive = 0;
@@ -126,9 +126,9 @@ void energy(std::string const& name, Making const& making, Results& results) {
     for (auto& skew : skews) skew.frames = skewed_frames(even, skew.p, 96, making.seed + 11);
     for (auto const& preset : examples::presets()) {
         if (preset.name.starts_with("shadow")) continue; // of visibility, which is 0 or 1
-        auto const truth = sum_of(preset.make(making.size, making.threads)->denoise(even, {}, 0));
+        auto const truth = sum_of(examples::denoiser_of(preset, making.size, making.threads)->denoise(even, {}, 0));
         for (auto const& skew : skews) {
-            auto const denoiser = preset.make(making.size, making.threads);
+            auto const denoiser = examples::denoiser_of(preset, making.size, making.threads);
             double sum = 0;
             for (int i = 0; i < static_cast<int>(skew.frames.size()); ++i) {
                 auto const picture = denoiser->denoise(skew.frames[static_cast<std::size_t>(i)], {}, i);

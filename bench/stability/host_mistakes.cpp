@@ -34,7 +34,7 @@ void scale(std::vector<float>& values, float by) {
 
 /// Whether what is said first of a frame that has another before it is not this; without a mistake, whether anything is said.
 double misnamed(examples::Preset const& preset, ScoredSequence sequence, HostMistake const* mistake, int threads) {
-    auto const denoiser = preset.make(sequence.size, threads);
+    auto const denoiser = examples::denoiser_of(preset, sequence.size, threads);
     denoiser->diagnose();
     double count = 0;
     for (int i = sequence.first; i <= sequence.last(); ++i) {

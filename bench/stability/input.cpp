@@ -51,7 +51,7 @@ Extremes extremes(metrics::Picture const& picture, metrics::Picture const& even)
 
 /// A burst in the samples, in frames 4 and 8: each is missing, weighs nothing and spreads nowhere, so that an even picture stays even.
 double spread(examples::Preset const& preset, io::ExrImage const& even, Making const& making) {
-    auto const denoiser = preset.make(making.size, making.threads);
+    auto const denoiser = examples::denoiser_of(preset, making.size, making.threads);
     std::mt19937 random(making.seed + 5);
     double farthest = 0;
     metrics::Picture wanted;
@@ -75,7 +75,7 @@ bool is_light(std::string const& name) {
 
 /// A burst in every channel, signals and guides.
 Extremes burst(std::string const& name, examples::Preset const& preset, io::ExrImage const& even, Making const& making, Results& results) {
-    auto const denoiser = preset.make(making.size, making.threads);
+    auto const denoiser = examples::denoiser_of(preset, making.size, making.threads);
     std::mt19937 random(making.seed + 6);
     Extremes result;
     metrics::Picture wanted;
@@ -110,8 +110,8 @@ bool complains(auto const& something, std::string const& what) {
 double unclear(examples::Preset const& preset, io::ExrImage const& even, Making const& making) {
     double count = 0;
     for (Extent const size : {Extent{0, 9}, Extent{9, 0}, Extent{-1, 9}})
-        if (!complains([&] { static_cast<void>(preset.make(size, making.threads)); }, to_string(size))) ++count;
-    auto const denoiser = preset.make(making.size, making.threads);
+        if (!complains([&] { static_cast<void>(examples::denoiser_of(preset, size, making.threads)); }, to_string(size))) ++count;
+    auto const denoiser = examples::denoiser_of(preset, making.size, making.threads);
     for (auto const& name : denoiser->planes({})) {
         auto frame = even;
         std::erase_if(frame.planes, [&](auto const& each) { return each.name == name; });

@@ -61,7 +61,7 @@ SampleRange::SampleRange(examples::Preset const& preset) {
     for (auto& term : terms)
         for (auto const& other : terms)
             if (term.factor == other.signal) term.of_factor = &other;
-    auto const planes = preset.make({1, 1}, 1)->planes({});
+    auto const planes = examples::denoiser_of(preset, {1, 1}, 1)->planes({});
     divides = terms[0].signal == "radiance" && std::ranges::find(planes, "albedo.R") != planes.end();
 }
 

@@ -70,7 +70,7 @@ struct Log {
 };
 
 Log run(examples::Preset const& preset, ScoredSequence const& sequence, Making const& making, bool quiet) {
-    auto const denoiser = preset.make(sequence.size, making.threads);
+    auto const denoiser = examples::denoiser_of(preset, sequence.size, making.threads);
     auto const wanted = metrics::displayed(sequence.reference(loop - 1));
     std::mt19937 random(making.seed + 7);
     Log log;

@@ -10,7 +10,7 @@
 namespace quell::stability {
 
 Pictures watch(examples::Preset const& preset, ScoredSequence const& sequence, Memory memory, int threads) {
-    auto const denoiser = preset.make(sequence.size, threads);
+    auto const denoiser = examples::denoiser_of(preset, sequence.size, threads);
     Pictures pictures;
     for (int i = sequence.first; i <= sequence.last(); ++i) {
         auto picture = denoiser->denoise(sequence.frame(i), {}, memory.number(i));

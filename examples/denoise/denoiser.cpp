@@ -1,10 +1,94 @@
 #include <denoise/denoiser.hpp>
 
+#include <quell/diagnose/diagnose.hpp>
+#include <quell/io/camera_attributes.hpp>
 #include <quell/io/frame_image.hpp>
 
 #include <array>
 
 namespace quell::examples {
+
+using namespace quell_library;
+
+Way const& way_of(Preset const& preset, Purpose purpose) {
+    if (purpose == Purpose::with_alpha) return preset.two_sided_alpha;
+    if (purpose == Purpose::watched) return preset.watched;
+    if (preset.two_sided) return preset.two_sided;
+    return preset.picture ? preset.picture : preset.usual;
+}
+
+Denoiser::Denoiser(Way const& w, Extent s, int count)
+    : way(w), size(s), threads(count), code(way.make(s, {.run = OwnThreads::run, .user = &threads, .threads = threads.count()}, {})) {}
+
+std::vector<std::string> Denoiser::planes(io::ChannelNames const& names, bool optional) const {
+    std::vector<std::string> all;
+    for (auto const& channel : way.channels)
+        if (channel.optional == optional) {
+            auto const planes = planes_of(channel, names);
+            all.insert(all.end(), planes.begin(), planes.end());
+        }
+    return all;
+}
+
+void Denoiser::look_ahead(io::ExrImage const& image, io::ChannelNames const& names, long long number) {
+    if (!window.empty() && *window.back().images.number >= number) return;
+    LoadedFrame frame;
+    if (!spare.empty()) frame = std::move(spare.back()), spare.pop_back();
+    frame.load(way.channels, image, names, number);
+    window.push_back(std::move(frame));
+}
+
+metrics::Picture Denoiser::denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number) {
+    if (way.needs_camera && !io::camera_of(image))
+        throw Error(image.name, "it has no camera, which this preset needs",
+                    "write the 4x4 attributes quell:view and quell:projection, or choose another preset");
+    while (!window.empty() && *window.front().images.number != number) drop_first();
+    if (window.empty()) look_ahead(image, names, number);
+    images.clear();
+    for (auto const& frame : window) images.push_back(frame.images);
+    found = findings_in(images.front(), image, names.motion);
+    size = images.front().size;
+
+    metrics::Picture picture{size, std::vector<glm::vec3>(static_cast<std::size_t>(size.pixels()))};
+    std::vector<glm::vec4> with_alpha(way.output_components == 4 ? picture.pixels.size() : 0);
+    auto* const to =
+        with_alpha.empty() ? reinterpret_cast<std::byte*>(picture.pixels.data()) : reinterpret_cast<std::byte*>(with_alpha.data());
+    std::ptrdiff_t const pixel = way.output_components * static_cast<std::ptrdiff_t>(sizeof(float));
+    auto const begin = std::chrono::steady_clock::now();
+    code->run(images, {.data = to, .component_stride = sizeof(float), .pixel_stride = pixel, .row_stride = pixel * size.width});
+    taken += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    drop_first();
+    denoised_alpha.clear();
+    for (std::size_t i = 0; i < with_alpha.size(); ++i) picture.pixels[i] = with_alpha[i], denoised_alpha.push_back(with_alpha[i].a);
+    return picture;
+}
+
+void Denoiser::release_scratch() {
+    window.clear(), spare.clear(), images.clear();
+    code->release_scratch();
+    denoised_alpha = {};
+}
+
+std::vector<Finding> Denoiser::findings_in(FrameImages const& frame, io::ExrImage const& image, MotionConvention const& converted_from) {
+    if (!looks) return checked(frame, converted_from);
+    return detail::diagnosed([&] { return code->observe(frame); }, converted_from, factor_in(image));
+}
+
+/// What is found in one of the first frames.
+std::vector<Finding> Denoiser::checked(FrameImages const& frame, MotionConvention const& converted_from) {
+    if (to_check == 0) return {};
+    --to_check;
+    detail::Observation seen{.size = frame.size, .number = frame.number, .convention = converted_from, .camera = frame.camera};
+    auto const look_up = [&](auto channel) -> detail::Lookup {
+        auto const read = std::ranges::find(way.channels, std::string_view(channel.name), &ReadChannel::name);
+        if (read == way.channels.end()) return {};
+        return [image = frame.channels[static_cast<std::size_t>(read - way.channels.begin())]](int c, int x, int y) {
+            return *reinterpret_cast<float const*>(image.data + c * image.component_stride + x * image.pixel_stride + y * image.row_stride);
+        };
+    };
+    seen.depth = look_up(depth), seen.normal = look_up(normal), seen.albedo = look_up(albedo), seen.motion = look_up(motion);
+    return check.look_at(seen);
+}
 
 std::function<float(int c, int x, int y)> Denoiser::factor_in(io::ExrImage const& image) const {
     if (factor.empty()) return {};

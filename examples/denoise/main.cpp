@@ -70,12 +70,12 @@ private:
 };
 
 int later_frames(DenoiseOptions const& options, Preset const& preset) {
-    if (options.extra_frames.value_or(0) > 0 && !preset.looks_ahead)
+    if (options.extra_frames.value_or(0) > 0 && !looks_ahead(preset))
         throw Error("--extra-frames", "preset " + preset.name + " makes no use of later frames",
                     "leave it out, or take --preset final-frame");
     if (options.extra_frames.value_or(0) > 0 && !options.debug_views.empty())
         throw Error("--extra-frames", "--debug-view shows what happens without later frames", "leave one of the two out");
-    return options.extra_frames.value_or(preset.looks_ahead ? Preset::usual_later_frames : 0);
+    return options.extra_frames.value_or(looks_ahead(preset) ? usual_later_frames : 0);
 }
 
 /// All frames that the command line asks for, in whichever chunk, on disk or not.
@@ -95,7 +95,7 @@ void print_plan(DenoiseOptions const& options) {
         return SequenceViews(options.map, {first}).choose(nullptr, options.signal, first).preset;
     };
     auto const& preset = *choose();
-    std::cout << preset.name << "\n\n" << preset.make({1, 1}, 1)->plan();
+    std::cout << preset.name << "\n\n" << way_of(preset).plan();
 }
 
 /// One run over a sequence. Everything that can be refused is, before the first frame.

@@ -93,7 +93,7 @@ void describe(CLI::App& app, DenoiseOptions& options) {
                  "frame that first shows");
     app.add_option("--debug-view", options.debug_views,
                    "Write what happened in each pixel beside the output, as EXR and PNG: any of " + debug_view_names() +
-                       " (clamp of presets that clamp only); slower, and on one thread")
+                       " (clamp of presets that clamp only); slower")
         ->delimiter(',');
     app.set_version_flag("--version", "quell-denoise " + std::string(version) + " for " QUELL_ISA,
                          "Print the version and the instruction set that runs");

@@ -1,5 +1,4 @@
 #include <denoise/presets.hpp>
-#include <support/preset_units.hpp>
 
 #include <quell/core/error.hpp>
 
@@ -12,21 +11,7 @@
 
 namespace quell::examples {
 
-namespace {
-
-constexpr std::size_t units = QUELL_PRESET_UNITS;
-
-std::vector<Preset> all_units() {
-    return []<std::size_t... i>(std::index_sequence<i...>) { return in_order(std::array{presets_of_unit<i, units>()...}); }
-    (std::make_index_sequence<units>{});
-}
-
-} // namespace
-
-std::vector<Preset> const& presets() {
-    static std::vector<Preset> const all = all_units();
-    return all;
-}
+std::vector<Preset> const& presets() { return quell_library::compiled_presets(); }
 
 Preset const* find_preset(std::string const& name) {
     auto const found = std::ranges::find(presets(), name, &Preset::name);
@@ -37,11 +22,11 @@ Preset const& preset_of(std::string const& name) {
     if (auto const* const found = find_preset(name)) return *found;
     throw Error("--preset", "there is no preset '" + name + "'",
                 fmt::format("choose one of: {}{}", fmt::join(presets() | std::views::transform(&Preset::name), ", "),
-                            std::string_view(QUELL_DENOISE_PRESETS).empty() ? "" : " (those of QUELL_DENOISE_PRESETS)"));
+                            std::string_view(QUELL_PRESETS).empty() ? "" : " (those of QUELL_PRESETS)"));
 }
 
 bool applies(Preset const& preset, io::ExrListing const& file, io::SequenceNames const& names) {
-    auto const denoiser = preset.make({1, 1}, 1);
+    auto const denoiser = denoiser_of(preset, {1, 1}, 1);
     if (denoiser->needs_camera() && !(file.attributes.contains("quell:view") && file.attributes.contains("quell:projection"))) return false;
     return std::ranges::all_of(names.of_signals, [&](auto const& signal) { return file.has_all(denoiser->planes(signal.channels)); });
 }

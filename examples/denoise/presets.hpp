@@ -25,8 +25,4 @@ struct PresetChoice {
 /// final-frame.
 [[nodiscard]] PresetChoice preset_for(io::ExrListing const& file, io::SequenceNames const& names);
 
-/// Every `units`-th preset from number `unit` on, without a name where it is not among QUELL_DENOISE_PRESETS. Generated files instantiate
-/// it: all presets take minutes to compile.
-template <std::size_t unit, std::size_t units> [[nodiscard]] std::vector<Preset> presets_of_unit();
-
 } // namespace quell::examples

@@ -45,12 +45,12 @@ std::string remedy_for_files(Finding const& finding) {
 
 void check_debug_views(Preset const& preset, std::vector<std::string> const& views) {
     if (views.empty()) return;
-    if (!preset.make_watched)
+    if (!preset.watched)
         throw Error("--debug-view", "preset '" + preset.name + "' has none",
                     "choose one with a history, such as svgf; of trmv, its parts shadow, glossy and dual-cone");
-    auto const watched = preset.make_watched({1, 1});
+    Denoiser const watched(preset.watched, {1, 1}, 1);
     for (auto const& view : views)
-        if (!watched->has_debug_view(view))
+        if (!watched.has_debug_view(view))
             throw Error("--debug-view", "preset '" + preset.name + "' has no " + view,
                         "leave it out, or choose a preset that clamps, such as surface-clamp");
 }
@@ -127,7 +127,7 @@ void SequenceDenoiser::begin(io::ExrOriginal const& file) {
     on_canvas = names_on_canvas(*settings.map, size, canvas);
     if (!denoises_picture(settings.preset)) on_canvas.picture.clear();
     alpha = denoises_picture(settings.preset) ? alpha_plane(file.listed, *settings.map).value_or("") : "";
-    any = settings.preset.make({1, 1}, 1);
+    any = denoiser_of(settings.preset, {1, 1}, 1);
     denoisers.resize(on_canvas.of_signals.size() + 1);
 }
 
@@ -135,8 +135,10 @@ Denoiser& SequenceDenoiser::denoiser(std::size_t signal) {
     auto& made = denoisers[signal];
     if (made) return *made;
     auto const whole = io::detail::size_of(canvas);
-    auto const make = !rule().alpha.empty() && has_alpha(signal) ? settings.preset.make_with_alpha : settings.preset.make;
-    made = !settings.debug_views.empty() ? settings.preset.make_watched(whole) : make(whole, settings.threads);
+    auto const purpose = !settings.debug_views.empty()                ? Purpose::watched
+                         : !rule().alpha.empty() && has_alpha(signal) ? Purpose::with_alpha
+                                                                      : Purpose::picture;
+    made = std::make_unique<Denoiser>(way_of(settings.preset, purpose), whole, settings.threads);
     if (!settings.diagnose && !checks) made->check_first_frames(), checks = true;
     if (settings.diagnose)
         made->diagnose(signal < on_canvas.of_signals.size() ? on_canvas.of_signals[signal].factor : std::vector<io::Source>());
@@ -262,7 +264,7 @@ void SequenceDenoiser::hand_over(FramePattern const& in) {
 
 /// A frame that is missing, broken or larger ends the window, and is dealt with when it is its turn: those before it are written whole.
 void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
-    if (!settings.preset.looks_ahead || !settings.debug_views.empty()) return;
+    if (!looks_ahead(settings.preset) || !settings.debug_views.empty()) return;
     for (auto later = window.back().number + 1; later <= number + settings.later_frames; ++later) {
         if (!std::filesystem::exists(in.path(later))) return;
         try {
@@ -321,7 +323,7 @@ void SequenceDenoiser::add_as_in_file(DenoisedFrame& frame, io::ExrImage const& 
 }
 
 SplitRule SequenceDenoiser::rule() const {
-    bool const can = settings.preset.make_with_alpha && !settings.keeps_alpha && settings.debug_views.empty();
+    bool const can = settings.preset.two_sided_alpha && !settings.keeps_alpha && settings.debug_views.empty();
     return {.by_albedo = settings.preset.by_albedo, .alpha = can ? alpha : ""};
 }
 

@@ -31,7 +31,7 @@ ReferenceNames reference_names(Preset const& preset, std::optional<io::SequenceN
     auto const picture = known ? *known : io::own_sequence();
     auto const effects = names_of_effects(preset, picture);
     if (!effects) return known;
-    if (preset.is_part) return {{*effects, picture}, true};
+    if (is_part(preset)) return {{*effects, picture}, true};
     return {{picture, *effects}, true};
 }
 

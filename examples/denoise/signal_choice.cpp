@@ -116,7 +116,7 @@ io::SequenceNames names_for(Preset const& preset, SignalChoice const& signal) {
                     "choose another preset, such as final-frame");
     auto names = signal.names;
     auto& sources = names.of_signals[0].channels.sources;
-    if (preset.is_part) sources["direct"] = sources["albedo"] = ones();
+    if (is_part(preset)) sources["direct"] = sources["albedo"] = ones();
     auto given = sources.at("radiance");
     given.resize(static_cast<std::size_t>(own.components));
     sources[own.name] = given;
@@ -126,10 +126,10 @@ io::SequenceNames names_for(Preset const& preset, SignalChoice const& signal) {
 PresetChoice preset_for(io::ExrListing const& file, SignalChoice const& signal) {
     for (auto const* const name : {"blur", "shadow", "glossy", "dual-cone"}) {
         auto const* const preset = find_preset(name);
-        if (!preset || (preset->is_part && preset->of_signals[0].name != signal.word)) continue;
+        if (!preset || (is_part(*preset) && preset->of_signals[0].name != signal.word)) continue;
         if (can_denoise(*preset, signal) && applies(*preset, file, names_for(*preset, signal)))
             return {preset,
-                    preset->is_part ? "the files have what " + signal.word + " moves by" : "the files have sweeps and times of samples"};
+                    is_part(*preset) ? "the files have what " + signal.word + " moves by" : "the files have sweeps and times of samples"};
     }
     return {&preset_of("final-frame"), "the files have " + signal.word + " and guides"};
 }
@@ -140,7 +140,7 @@ std::optional<std::string> layer_of_signal(io::SequenceNames const& names) {
 }
 
 std::optional<io::SequenceNames> names_of_effects(Preset const& preset, io::SequenceNames const& names) {
-    if (preset.group == PresetGroup::blur || (!preset.is_part && preset.of_signals.size() < 2)) return std::nullopt;
+    if (preset.group == PresetGroup::blur || (!is_part(preset) && preset.of_signals.size() < 2)) return std::nullopt;
     auto const& channels = names.of_signals[0].channels;
     io::SequenceNames parts{names.renderer};
     for (auto const& part : preset.of_signals) {

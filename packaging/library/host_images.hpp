@@ -1,9 +1,12 @@
 #pragma once
 
-#include "preset_code.hpp"
+#include "strips.hpp"
 
-#include <quell/image/format.hpp>
-#include <quell/image/interleaved.hpp>
+#include <quell/image/planar.hpp>
+
+#include <cstring>
+#include <new>
+#include <optional>
 
 namespace quell_library {
 
@@ -38,71 +41,67 @@ private:
 };
 using OwnImages = quell::Planar<quell::Float32, CallersMemory>;
 
-/// Image storage that reads the caller's memory: any strides, floats or halves.
+/// Copies rows of an image of the caller's to planes.
+/// @param to the planes' first pixels, and the distance from a row to the next in elements
+void take_rows(Image const& from, int components, float* const* to, std::ptrdiff_t to_row, int width, int y0, int y1);
+
+/// Image storage of a frame: planes of floats in padded rows, as kernels read them fastest. Images that the caller has so are read where
+/// they lie. Others are taken: copied to planes of the denoiser's own.
 struct HostImages {
     using Exact = HostImages;
-    using Copy = quell::Interleaved<>;
+    using Copy = OwnImages;
     static constexpr bool owns_memory = false;
     static constexpr auto name = "host";
 
-    template <int N> struct Image {
-        static constexpr int components = N;
-        quell_library::Image image;
+    template <int N> class Image {
+        using Own = typename OwnImages::template Image<N>;
         quell::Extent extent;
+        std::optional<Own> own;
+
+    public:
+        struct View : Own::View {
+            static View of_copy(typename Own::View const& copy) { return {copy}; }
+        };
+        static constexpr int components = N;
 
         Image() = default;
         explicit Image(quell::Extent size) : extent(size) {}
-
-        struct View {
-            static constexpr int components = N;
-            std::byte const* data = nullptr;
-            quell::Extent size{};
-            std::ptrdiff_t component_stride = 0, pixel_stride = 0, row_stride = 0;
-            bool is_half = false;
-
-            /// Of a guide that was repaired.
-            static View of_copy(auto const& copy) {
-                std::ptrdiff_t constexpr element = sizeof(float);
-                auto const* const first = [&] {
-                    if constexpr (N == 1)
-                        return copy.planes[0];
-                    else
-                        return copy.data;
-                }();
-                return {reinterpret_cast<std::byte const*>(first), copy.size, element, N * element, copy.row_stride() * element, false};
-            }
-            QUELL_KERNEL float get(int c, int x, int y) const {
-                auto const* const at = address(c, x, y);
-                return is_half ? quell::Float16::get(reinterpret_cast<std::uint16_t const*>(at)) : *reinterpret_cast<float const*>(at);
-            }
-            QUELL_KERNEL void set(int, int, int, float) const {} // the caller's input is never written
-            template <class Real> QUELL_KERNEL quell::Value<N, Real> load(int x, int y) const {
-                return quell::make_value<N, Real>([&](auto c) QUELL_INLINED { return load_component<Real>(c, x, y); });
-            }
-            template <class Real> QUELL_KERNEL Real load_component(int c, int x, int y) const {
-                if (x >= 0 && x + quell::width_of<Real> <= size.width) {
-                    auto const* const at = address(c, x, y);
-                    if (!is_half && pixel_stride == sizeof(float))
-                        return quell::Float32::template load<Real>(reinterpret_cast<float const*>(at));
-                    if (is_half && pixel_stride == sizeof(std::uint16_t))
-                        return quell::Float16::template load<Real>(reinterpret_cast<std::uint16_t const*>(at));
-                }
-                return quell::generate<Real>([&](int i)
-                                                 QUELL_INLINED { return get(c, quell::detail::clamp_to(x + i, size.width - 1), y); });
-            }
-
-        private:
-            QUELL_KERNEL std::byte const* address(int c, int x, int y) const {
-                return data + (c * component_stride + x * pixel_stride + y * row_stride);
-            }
-        };
-        [[nodiscard]] View view() const {
-            return {image.data, extent, image.component_stride, image.pixel_stride, image.row_stride, image.is_half};
+        /// An image of quell's own that stands in for one of the caller's.
+        static Image of_copy(typename Own::View const& copy) {
+            Image made(copy.size);
+            made.pixels = {copy};
+            return made;
         }
+
+        /// From now on it is this one. A channel that is optional may stay without memory.
+        void take(quell_library::Image const& given, Parallel const& parallel) {
+            pixels = {}, pixels.size = extent;
+            if (given.data == nullptr) return;
+            bool is_scaled = false;
+            for (int c = 0; c < 2; ++c) is_scaled = is_scaled || given.scale[c] != 1.f || given.offset[c] != 0.f;
+            if (given.is_padded && !is_scaled) {
+                for (int c = 0; c < N; ++c) pixels.planes[c] = reinterpret_cast<float*>(given.data + c * given.component_stride);
+                return;
+            }
+            make();
+            auto const row = pixels.row_stride();
+            for_each_strip(parallel, extent.height, [&](int y0, int y1) { take_rows(given, N, pixels.planes, row, extent.width, y0, y1); });
+        }
+        /// From now on it is an image of its own, to be written.
+        View make() {
+            if (!own || !(own->size() == extent)) own.emplace(extent);
+            return pixels = {own->view()};
+        }
+
+        [[nodiscard]] View view() const { return pixels; }
+        [[nodiscard]] bool has_memory() const { return pixels.planes[0] != nullptr; }
         [[nodiscard]] quell::Extent size() const { return extent; }
-        [[nodiscard]] static std::size_t bytes() { return 0; }
-        [[nodiscard]] auto get(int x, int y) const { return view().template load<float>(x, y); }
-        template <class V> void set(int, int, V const&) const {}
+        [[nodiscard]] std::size_t bytes() const { return own ? own->bytes() : 0; }
+        [[nodiscard]] auto get(int x, int y) const { return pixels.template load<float>(x, y); }
+        template <class V> void set(int, int, V const&) const {} // the caller's input is never written
+
+    private:
+        View pixels{};
     };
 };
 
@@ -126,17 +125,36 @@ template <int N> struct HostTarget {
             *reinterpret_cast<float*>(at) = value;
     }
     template <class Real> QUELL_KERNEL void store(int x, int y, quell::Value<N, Real> const& value) const {
-        [&]<int... c>(std::integer_sequence<int, c...>) QUELL_INLINED { (store_component(c, x, y, quell::component<c>(value)), ...); }
-        (std::make_integer_sequence<int, N>{});
+        if (!is_half && pixel_stride == sizeof(float))
+            each([&](auto c)
+                     QUELL_INLINED { quell::Float32::store(reinterpret_cast<float*>(address(c, x, y)), quell::component<c>(value)); });
+        else
+            store_any<Real>(*this, x, y, value);
     }
 
 private:
     QUELL_KERNEL std::byte* address(int c, int x, int y) const { return data + (c * component_stride + x * pixel_stride + y * row_stride); }
-    template <class Real> QUELL_KERNEL void store_component(int c, int x, int y, Real const& value) const {
-        if (!is_half && pixel_stride == sizeof(float))
-            quell::Float32::store(reinterpret_cast<float*>(address(c, x, y)), value);
+    template <class F> QUELL_KERNEL static void each(F const& function) {
+        [&]<int... c>(std::integer_sequence<int, c...>) QUELL_INLINED { (function(std::integral_constant<int, c>{}), ...); }
+        (std::make_integer_sequence<int, N>{});
+    }
+    /// Whatever the layout. Not inlined: it would make each kernel longer.
+    template <class Real> QUELL_OUTLINED static void store_any(HostTarget const& to, int x, int y, quell::Value<N, Real> const& value) {
+        constexpr int width = quell::width_of<Real>;
+        alignas(64) float apart[std::size_t{N}][std::size_t{width}], run[std::size_t{N * width}];
+        each([&](auto c) {
+            if constexpr (width > 1)
+                quell::component<c>(value).store_aligned(apart[c]);
+            else
+                apart[c][0] = quell::component<c>(value);
+        });
+        for (int i = 0; i < width; ++i)
+            for (int c = 0; c < N; ++c) run[i * N + c] = apart[c][i];
+        if (!to.is_half && to.component_stride == sizeof(float) && to.pixel_stride == N * to.component_stride)
+            std::memcpy(to.address(0, x, y), run, sizeof(run));
         else
-            for (int i = 0; i < quell::width_of<Real>; ++i) set(c, x + i, y, quell::lane(value, i));
+            for (int i = 0; i < width; ++i)
+                for (int c = 0; c < N; ++c) to.set(c, x + i, y, run[i * N + c]);
     }
 };
 

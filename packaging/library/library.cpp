@@ -90,12 +90,16 @@ Range range_of(Image const& image, int components, int width, int height) {
 struct quell_denoiser {
     Code const* code;
     PresetCode const* preset;
+    PresetWay const* way;
+    quell_motion motion;
+    bool two_sided;
     int width, height;
     OwnThreads threads;
     std::string plan;
     std::unique_ptr<Instance> instance;
     std::atomic<bool> busy = false;
-    Frame frame;
+    std::vector<Frame> frames;
+    Image output;
 
     [[nodiscard]] std::string size() const { return std::to_string(width) + "x" + std::to_string(height); }
 };
@@ -115,6 +119,24 @@ public:
     Running(Running const&) = delete;
     Running& operator=(Running const&) = delete;
 };
+
+/// Takes a structure that begins with its size. What an earlier version of it lacks keeps its default; of a later version's further members
+/// none may be set.
+/// @param first size of the first version
+template <class T>
+std::string take_struct(T& to, std::byte const* from, std::string const& name, std::string const& start, std::size_t first) {
+    std::size_t size = 0;
+    std::memcpy(&size, from, sizeof(size));
+    auto const known = std::min(size, sizeof(T));
+    bool const is_set =
+        size < sizeof(T) + 4096 && std::any_of(from + known, from + std::max(size, known), [](std::byte b) { return b != std::byte{}; });
+    if (size < first || size >= sizeof(T) + 4096 || is_set)
+        return name + ".struct_size: " + std::to_string(size) + (is_set ? ", with members that this library does not know" : "") +
+               "; start from " + start + " of this library's quell.h";
+    std::memcpy(&to, from, known);
+    to.struct_size = sizeof(T);
+    return {};
+}
 
 /// Takes an image of the caller's; a sentence where it can't be.
 std::string take(Image& image, quell_image const& given, std::string const& what, int components, quell_denoiser const& denoiser) {
@@ -138,8 +160,9 @@ std::string take(Image& image, quell_image const& given, std::string const& what
     return {};
 }
 
-std::string take_channels(quell_denoiser& denoiser, quell_frame const& frame) {
-    auto const& wanted = denoiser.preset->channels;
+std::string take_channels(quell_denoiser& denoiser, Frame& to, quell_frame const& frame) {
+    auto const& wanted = denoiser.way->channels;
+    to.channels.assign(wanted.size(), {});
     auto const all = [&] { return joined(wanted, [](auto const& each) { return each.name; }); };
     if (frame.channels == nullptr && frame.channel_count > 0) return "channels: null; point them at " + all();
     std::vector<bool> there(wanted.size());
@@ -152,39 +175,44 @@ std::string take_channels(quell_denoiser& denoiser, quell_frame const& frame) {
         auto const index = static_cast<std::size_t>(found - wanted.begin());
         if (there[index]) return what + ": it is there twice; give it once";
         there[index] = true;
-        if (auto const wrong = take(denoiser.frame.channels[index], given.image, what, found->components, denoiser); !wrong.empty())
-            return wrong;
+        if (frame.fractions != nullptr && frame.fractions[i] != 1)
+            return what + ": a fraction of " + std::to_string(frame.fractions[i]) + "; give 1: other sizes are not supported yet";
+        if (auto const wrong = take(to.channels[index], given.image, what, found->components, denoiser); !wrong.empty()) return wrong;
     }
     for (std::size_t i = 0; i < there.size(); ++i)
-        if (!there[i]) return "channel '" + wanted[i].name + "': it is missing; '" + denoiser.preset->name + "' reads " + all();
+        if (!there[i] && !wanted[i].optional)
+            return "channel '" + wanted[i].name + "': it is missing; '" + denoiser.preset->name + "' reads " + all();
     return {};
 }
 
 std::string take_output(quell_denoiser& denoiser, quell_frame const& frame) {
-    int const components = denoiser.preset->output_components;
-    if (auto const wrong = take(denoiser.frame.output, frame.output, "output", components, denoiser); !wrong.empty()) return wrong;
-    auto const out = range_of(denoiser.frame.output, components, denoiser.width, denoiser.height);
-    for (std::size_t i = 0; i < denoiser.preset->channels.size(); ++i) {
-        auto const& channel = denoiser.preset->channels[i];
-        auto const in = range_of(denoiser.frame.channels[i], channel.components, denoiser.width, denoiser.height);
-        if (out.begin < in.end && in.begin < out.end)
-            return "output: its memory overlaps that of channel '" + channel.name + "'; give it memory of its own";
-    }
+    int const components = denoiser.way->output_components;
+    if (auto const wrong = take(denoiser.output, frame.output, "output", components, denoiser); !wrong.empty()) return wrong;
+    for (auto const stride : {denoiser.output.component_stride, denoiser.output.pixel_stride, denoiser.output.row_stride})
+        if (stride == 0) return "output: a stride of 0 bytes; pixels must not lie on each other";
+    auto const out = range_of(denoiser.output, components, denoiser.width, denoiser.height);
+    for (auto const& each : denoiser.frames)
+        for (std::size_t i = 0; i < denoiser.way->channels.size(); ++i) {
+            auto const& channel = denoiser.way->channels[i];
+            if (each.channels[i].data == nullptr) continue;
+            auto const in = range_of(each.channels[i], channel.components, denoiser.width, denoiser.height);
+            if (out.begin < in.end && in.begin < out.end)
+                return "output: its memory overlaps that of channel '" + channel.name + "'; give it memory of its own";
+        }
     return {};
 }
 
-std::string take_frame(quell_denoiser& denoiser, quell_frame const& frame) {
-    if (frame.struct_size != sizeof(quell_frame))
-        return "frame.struct_size: " + std::to_string(frame.struct_size) + "; start from QUELL_FRAME of this library's quell.h";
+std::string take_frame(quell_denoiser& denoiser, Frame& to, quell_frame const& frame) {
     if (frame.device != nullptr) return "frame.device: device memory is not supported yet; leave it null and give host memory";
-    if (auto const wrong = take_channels(denoiser, frame); !wrong.empty()) return wrong;
-    if (auto const wrong = take_output(denoiser, frame); !wrong.empty()) return wrong;
-    if (denoiser.preset->needs_camera && frame.camera == nullptr)
-        return "frame.camera: null; '" + denoiser.preset->name + "' needs the camera";
+    if (auto const wrong = take_channels(denoiser, to, frame); !wrong.empty()) return wrong;
+    bool const needs_camera = denoiser.way->needs_camera || denoiser.motion.has_jitter != 0;
+    if (needs_camera && frame.camera == nullptr)
+        return "frame.camera: null; " + (denoiser.way->needs_camera ? "'" + denoiser.preset->name + "' needs the camera"
+                                                                    : "settings.motion.has_jitter needs its jitter");
     static_assert(sizeof(Camera) == sizeof(quell_camera));
-    denoiser.frame.camera = reinterpret_cast<Camera const*>(frame.camera);
-    denoiser.frame.number = frame.number, denoiser.frame.has_number = frame.has_number != 0;
-    denoiser.frame.shutter = frame.shutter;
+    to.camera = reinterpret_cast<Camera const*>(frame.camera);
+    to.number = frame.number, to.has_number = frame.has_number != 0;
+    to.shutter = frame.shutter;
     return {};
 }
 
@@ -201,16 +229,43 @@ quell_status status_of(Outcome outcome) {
     }
 }
 
+/// Runs a window of frames.
+quell_status run(quell_denoiser& denoiser, quell_frame const* frames, std::size_t count) {
+    Running const running(denoiser);
+    if (!running.first) return fail(QUELL_BUSY, "quell_run: another thread runs this denoiser; make one for each thread");
+    denoiser.frames.resize(count);
+    auto const* at = reinterpret_cast<std::byte const*>(frames);
+    for (std::size_t i = 0; i < count; ++i) {
+        quell_frame frame = QUELL_FRAME;
+        auto wrong = take_struct(frame, at, "frame", "QUELL_FRAME", offsetof(quell_frame, fractions));
+        if (wrong.empty()) wrong = take_frame(denoiser, denoiser.frames[i], frame);
+        if (wrong.empty() && i == count - 1) {
+            take_struct(frame, reinterpret_cast<std::byte const*>(frames), "frame", "QUELL_FRAME", 0);
+            wrong = take_output(denoiser, frame);
+        }
+        if (!wrong.empty()) return fail(QUELL_INVALID_ARGUMENT, (count > 1 ? "frames[" + std::to_string(i) + "]: " : "") + wrong);
+        at += frames->struct_size;
+    }
+    std::string error;
+    auto const outcome = denoiser.instance->run(denoiser.frames, denoiser.output, error);
+    return outcome == Outcome::ok ? QUELL_OK : fail(status_of(outcome), error);
+}
+
 /// Null, and a sentence, where the settings are wrong.
 std::string check(quell_settings const& settings) {
-    if (settings.struct_size != sizeof(quell_settings))
-        return "settings.struct_size: " + std::to_string(settings.struct_size) + "; start from QUELL_SETTINGS of this library's quell.h";
     if (settings.width < 1 || settings.height < 1)
         return "settings: a size of " + std::to_string(settings.width) + "x" + std::to_string(settings.height) +
                "; give a width and a height of at least one pixel";
     if (settings.threads < 0) return "settings.threads: " + std::to_string(settings.threads) + "; give 0 or more";
     if ((settings.allocate == nullptr) != (settings.release == nullptr))
         return "settings: one of allocate and release is null; give both or none";
+    bool const is_own_size = settings.output_width == settings.width && settings.output_height == settings.height;
+    if ((settings.output_width != 0 || settings.output_height != 0) && !is_own_size)
+        return "settings: an output of " + std::to_string(settings.output_width) + "x" + std::to_string(settings.output_height) +
+               "; leave output_width and output_height 0: other sizes than the frames' are not supported yet";
+    if (settings.motion.unit < 0 || settings.motion.unit > 2)
+        return "settings.motion.unit: " + std::to_string(settings.motion.unit) +
+               "; give 0 (pixels), 1 or 2 (the image is 1 or 2 wide and high)";
     return {};
 }
 
@@ -234,7 +289,12 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
         if (denoiser == nullptr) return fail(QUELL_INVALID_ARGUMENT, "quell_create: `denoiser` is null; point it at a quell_denoiser *");
         *denoiser = nullptr;
         if (settings == nullptr) return fail(QUELL_INVALID_ARGUMENT, "quell_create: `settings` is null; start from QUELL_SETTINGS");
-        if (auto const wrong = check(*settings); !wrong.empty()) return fail(QUELL_INVALID_ARGUMENT, wrong);
+        quell_settings own = QUELL_SETTINGS;
+        auto wrong = take_struct(own, reinterpret_cast<std::byte const*>(settings), "settings", "QUELL_SETTINGS",
+                                 offsetof(quell_settings, two_sided));
+        if (wrong.empty()) wrong = check(own);
+        if (!wrong.empty()) return fail(QUELL_INVALID_ARGUMENT, wrong);
+        settings = &own;
         quell_status status = QUELL_OK;
         auto const* const code = code_for(settings->instruction_set, status);
         if (code == nullptr) return status;
@@ -244,21 +304,31 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
         if (preset == all.end())
             return fail(QUELL_UNKNOWN_PRESET, "settings.preset: there is no '" + wanted +
                                                   "'; give one of: " + joined(all, [](auto const& each) { return each.name; }));
+        auto const& way = settings->alpha != 0 ? preset->two_sided_alpha : settings->two_sided != 0 ? preset->two_sided : preset->usual;
+        if (!way)
+            return fail(QUELL_NOT_SUPPORTED, std::string("settings.") + (settings->alpha != 0 ? "alpha" : "two_sided") + ": '" + wanted +
+                                                 "' has no such way; take general or final-frame");
         std::unique_ptr<quell_denoiser> made(new quell_denoiser{.code = code,
                                                                 .preset = &*preset,
+                                                                .way = &way,
+                                                                .motion = settings->motion,
+                                                                .two_sided = settings->two_sided != 0,
                                                                 .width = settings->width,
                                                                 .height = settings->height,
                                                                 .threads = OwnThreads(settings->threads),
                                                                 .plan = {},
                                                                 .instance = {},
-                                                                .frame = {}});
-        made->frame.channels.resize(preset->channels.size());
-        Parallel const parallel = settings->parallel != nullptr ? Parallel{settings->parallel, settings->parallel_user}
-                                                                : Parallel{OwnThreads::run, &made->threads};
+                                                                .frames = {},
+                                                                .output = {}});
+        Parallel const parallel = settings->parallel != nullptr
+                                      ? Parallel{.run = settings->parallel, .user = settings->parallel_user, .threads = settings->threads}
+                                      : Parallel{.run = OwnThreads::run, .user = &made->threads, .threads = made->threads.count()};
         Memory const memory{settings->allocate, settings->release, settings->memory_user};
         Outcome outcome = Outcome::ok;
         std::string error;
-        made->instance = preset->make(settings->width, settings->height, parallel, memory, outcome, error);
+        auto const& given = settings->motion;
+        Motion const motion{given.from_previous, given.unit, given.y_up, given.has_jitter};
+        made->instance = way.make(settings->width, settings->height, motion, parallel, memory, outcome, error);
         if (outcome != Outcome::ok) return fail(status_of(outcome), error);
         *denoiser = made.release();
         return QUELL_OK;
@@ -268,23 +338,29 @@ void quell_destroy(quell_denoiser* denoiser) { delete denoiser; }
 
 char const* quell_channel_name(quell_denoiser const* denoiser, int32_t index) {
     if (denoiser == nullptr || index < 0) return nullptr;
-    auto const& all = denoiser->preset->channels;
+    auto const& all = denoiser->way->channels;
     return static_cast<std::size_t>(index) < all.size() ? all[static_cast<std::size_t>(index)].name.c_str() : nullptr;
 }
 int32_t quell_channel_components(quell_denoiser const* denoiser, char const* name) {
     if (denoiser == nullptr || name == nullptr) return 0;
-    auto const& all = denoiser->preset->channels;
+    auto const& all = denoiser->way->channels;
     auto const found = std::ranges::find(all, std::string_view(name), &Channel::name);
     return found != all.end() ? found->components : 0;
 }
-int32_t quell_output_components(quell_denoiser const* denoiser) { return denoiser != nullptr ? denoiser->preset->output_components : 0; }
-int32_t quell_needs_camera(quell_denoiser const* denoiser) { return denoiser != nullptr && denoiser->preset->needs_camera ? 1 : 0; }
+int32_t quell_channel_is_optional(quell_denoiser const* denoiser, char const* name) {
+    if (denoiser == nullptr || name == nullptr) return 0;
+    auto const& all = denoiser->way->channels;
+    auto const found = std::ranges::find(all, std::string_view(name), &Channel::name);
+    return found != all.end() && found->optional ? 1 : 0;
+}
+int32_t quell_output_components(quell_denoiser const* denoiser) { return denoiser != nullptr ? denoiser->way->output_components : 0; }
+int32_t quell_needs_camera(quell_denoiser const* denoiser) { return denoiser != nullptr && denoiser->way->needs_camera ? 1 : 0; }
 char const* quell_instruction_set(quell_denoiser const* denoiser) { return denoiser != nullptr ? denoiser->code->name : ""; }
 char const* quell_plan(quell_denoiser const* denoiser) {
     if (denoiser == nullptr) return "";
     auto& plan = const_cast<quell_denoiser*>(denoiser)->plan;
     guarded([&] {
-        if (plan.empty()) plan = denoiser->preset->plan();
+        if (plan.empty()) plan = denoiser->way->plan();
         return QUELL_OK;
     });
     return plan.c_str();
@@ -294,12 +370,17 @@ quell_status quell_run(quell_denoiser* denoiser, quell_frame const* frame) {
     return guarded([&]() -> quell_status {
         if (denoiser == nullptr) return fail(QUELL_INVALID_ARGUMENT, "quell_run: `denoiser` is null; make one by quell_create");
         if (frame == nullptr) return fail(QUELL_INVALID_ARGUMENT, "quell_run: `frame` is null; start from QUELL_FRAME");
-        Running const running(*denoiser);
-        if (!running.first) return fail(QUELL_BUSY, "quell_run: another thread runs this denoiser; make one for each thread");
-        if (auto const wrong = take_frame(*denoiser, *frame); !wrong.empty()) return fail(QUELL_INVALID_ARGUMENT, wrong);
-        std::string error;
-        auto const outcome = denoiser->instance->run(denoiser->frame, error);
-        return outcome == Outcome::ok ? QUELL_OK : fail(status_of(outcome), error);
+        return run(*denoiser, frame, 1);
+    });
+}
+quell_status quell_run_two_sided(quell_denoiser* denoiser, quell_frame const* frames, size_t count) {
+    return guarded([&]() -> quell_status {
+        if (denoiser == nullptr) return fail(QUELL_INVALID_ARGUMENT, "quell_run_two_sided: `denoiser` is null; make one by quell_create");
+        if (frames == nullptr || count == 0)
+            return fail(QUELL_INVALID_ARGUMENT, "quell_run_two_sided: no frames; give the one to denoise and those after it");
+        if (!denoiser->two_sided)
+            return fail(QUELL_NOT_SUPPORTED, "quell_run_two_sided: the denoiser was made without settings.two_sided; set it to 1");
+        return run(*denoiser, frames, count);
     });
 }
 quell_status quell_forget(quell_denoiser* denoiser) {
@@ -315,9 +396,11 @@ quell_status quell_get_statistics(quell_denoiser const* denoiser, quell_statisti
     return guarded([&]() -> quell_status {
         if (denoiser == nullptr || statistics == nullptr)
             return fail(QUELL_INVALID_ARGUMENT, "quell_get_statistics: an argument is null; give a denoiser and QUELL_STATISTICS");
-        if (statistics->struct_size != sizeof(quell_statistics))
-            return fail(QUELL_INVALID_ARGUMENT, "statistics.struct_size: " + std::to_string(statistics->struct_size) +
-                                                    "; start from QUELL_STATISTICS of this library's quell.h");
+        quell_statistics own = QUELL_STATISTICS;
+        if (auto const wrong = take_struct(own, reinterpret_cast<std::byte const*>(statistics), "statistics", "QUELL_STATISTICS",
+                                           sizeof(quell_statistics));
+            !wrong.empty())
+            return fail(QUELL_INVALID_ARGUMENT, wrong);
         auto const counted = denoiser->instance->statistics();
         *statistics = {sizeof(quell_statistics), counted.frames,          counted.resets,
                        counted.missing_samples,  counted.repaired_guides, counted.bytes};

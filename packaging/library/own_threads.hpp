@@ -20,6 +20,7 @@ public:
     explicit OwnThreads(int count) {
         if (count > 0) arena.emplace(std::clamp(count, 1, std::min(max_count, oneapi::tbb::this_task_arena::max_concurrency())));
     }
+    [[nodiscard]] int count() const { return arena ? arena->max_concurrency() : oneapi::tbb::this_task_arena::max_concurrency(); }
     /// @param threads an OwnThreads
     static void run(void* threads, std::int32_t count, void (*task)(void* context, std::int32_t index), void* context) {
         auto const work = [&] { oneapi::tbb::parallel_for(std::int32_t{0}, count, [&](std::int32_t i) { task(context, i); }); };

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,20 +16,28 @@ struct Image {
     std::byte* data = nullptr;
     std::ptrdiff_t component_stride = 0, pixel_stride = 0, row_stride = 0;
     bool is_half = false;
+    bool is_padded = false; ///< planes of floats in padded rows, as quell's own images are
+    /// What a value of a channel of two components is multiplied by, and what is added to it.
+    float scale[2] = {1, 1}, offset[2] = {0, 0};
 };
 
 struct Channel {
     std::string name{};
     int components = 0;
+    bool optional = false; ///< frames may lack it
 };
 
 struct Camera {
     float view[16], projection[16], jitter[2];
 };
 
+/// What motion vectors mean: see quell.h.
+struct Motion {
+    std::int32_t from_previous = 0, unit = 0, y_up = 0, has_jitter = 0;
+};
+
 struct Frame {
-    std::vector<Image> channels{}; ///< in the preset's order
-    Image output{};
+    std::vector<Image> channels{}; ///< in the preset's order; an optional one may have no data
     Camera const* camera = nullptr;
     long long number = 0;
     bool has_number = false;
@@ -39,6 +48,8 @@ struct Frame {
 struct Parallel {
     void (*run)(void* user, std::int32_t count, void (*task)(void* context, std::int32_t index), void* context) = nullptr;
     void* user = nullptr;
+    std::int32_t threads = 1;                ///< that there are, as far as is known: none should idle
+    void (*pass_done)(void* user) = nullptr; ///< called behind each pass, if at all
 };
 /// Where images lie.
 struct Memory {
@@ -61,22 +72,32 @@ public:
     Instance(Instance const&) = delete;
     Instance& operator=(Instance const&) = delete;
     virtual ~Instance() = default;
+    /// Denoises the first of some frames, with those after it where it makes use of them.
     /// @param error what is wrong, where it is not ok
-    virtual Outcome run(Frame const& frame, std::string& error) noexcept = 0;
+    virtual Outcome run(std::vector<Frame> const& frames, Image const& output, std::string& error) noexcept = 0;
     virtual void forget() noexcept = 0;
     [[nodiscard]] virtual Statistics statistics() const noexcept = 0;
 };
 
-/// A preset as code.
-struct PresetCode {
-    std::string name{};
+/// A preset as code for one purpose.
+struct PresetWay {
     std::vector<Channel> channels{};
     int output_components = 0;
     bool needs_camera = false;
     std::string (*plan)() = nullptr;
     /// Null, and what is wrong, where it can't be made.
-    std::unique_ptr<Instance> (*make)(int width, int height, Parallel const&, Memory const&, Outcome& outcome,
-                                      std::string& error) noexcept = nullptr;
+    std::function<std::unique_ptr<Instance>(int width, int height, Motion const&, Parallel const&, Memory const&, Outcome& outcome,
+                                            std::string& error)>
+        make{};
+
+    explicit operator bool() const { return plan != nullptr; }
+};
+/// A preset as code.
+struct PresetCode {
+    std::string name{};
+    PresetWay usual{};           ///< in real time
+    PresetWay two_sided{};       ///< with the frames after each
+    PresetWay two_sided_alpha{}; ///< the same for a picture with alpha
 };
 
 /// All presets, compiled for one instruction set.

@@ -1,25 +1,132 @@
-// The entry of the library's code for one instruction set: QUELL_CODE_ENTRY is its name.
-#include "preset_code.hpp"
+// The entry of libquell's code for one instruction set: QUELL_CODE_ENTRY is its name. Compiled presets, behind types that are the same for
+// all instruction sets.
+#include "compiled_preset.hpp"
 
-#include <support/preset_units.hpp>
+#include <quell/core/error.hpp>
+#include <quell/frame/channels.hpp>
+#include <quell/frame/motion_convention.hpp>
 
 namespace quell_library {
 
-template <std::size_t unit, std::size_t units> std::vector<PresetCode> codes_of_unit();
-
 namespace {
-constexpr std::size_t units = QUELL_PRESET_UNITS;
 
-std::vector<PresetCode> all_units() {
-    return []<std::size_t... i>(std::index_sequence<i...>) { return quell::examples::in_order(std::array{codes_of_unit<i, units>()...}); }
-    (std::make_index_sequence<units>{});
+Outcome failed(std::string& error, char const* text, Outcome outcome) noexcept {
+    try {
+        error = text;
+    } catch (...) {
+        error.clear();
+    }
+    return outcome;
 }
+/// Calls f, and says what was thrown.
+template <class F> Outcome caught(std::string& error, F&& f) noexcept {
+    try {
+        f();
+        return Outcome::ok;
+    } catch (quell::Error const& thrown) {
+        return failed(error, thrown.what(), Outcome::invalid);
+    } catch (std::bad_alloc const&) {
+        return failed(error, "memory: there is no more; give smaller images, or let go of other denoisers", Outcome::no_memory);
+    } catch (std::exception const& thrown) {
+        return failed(error, thrown.what(), Outcome::failed);
+    }
+}
+
+quell::MotionConvention convention_of(Motion const& given) {
+    using C = quell::MotionConvention;
+    constexpr C::Unit units[] = {C::Unit::pixel, C::Unit::uv, C::Unit::ndc};
+    return {.points = given.from_previous != 0 ? C::Points::from_previous : C::Points::to_previous,
+            .unit = units[given.unit],
+            .y = given.y_up != 0 ? C::Y::up : C::Y::down,
+            .jitter = given.has_jitter != 0 ? C::Jitter::left_in : C::Jitter::left_out};
+}
+
+class PresetInstance final : public Instance {
+    Way const& way;
+    quell::Extent size;
+    quell::MotionConvention motion;
+    glm::vec2 jitter_then{0.f}; ///< of the frame that was denoised last
+    std::unique_ptr<CompiledDenoiser> denoiser;
+    std::vector<FrameImages> window;
+
+public:
+    PresetInstance(Way const& w, quell::Extent s, Motion const& m, Parallel const& parallel, Memory const& memory)
+        : way(w), size(s), motion(convention_of(m)), denoiser(w.make(s, parallel, memory)) {}
+
+    Outcome run(std::vector<Frame> const& frames, Image const& output, std::string& error) noexcept override {
+        return caught(error, [&] {
+            window.resize(frames.size());
+            for (std::size_t i = 0; i < frames.size(); ++i) {
+                take(window[i], frames[i]);
+                convert_motion(window[i], i > 0 ? window[i - 1].camera.jitter : jitter_then);
+            }
+            denoiser->run(window, output);
+            jitter_then = window.front().camera.jitter;
+        });
+    }
+    void forget() noexcept override { denoiser->forget(); }
+    [[nodiscard]] Statistics statistics() const noexcept override {
+        auto const counted = denoiser->statistics();
+        return {counted.frames, counted.resets, counted.missing_samples, counted.repaired_guides.pixels, denoiser->bytes()};
+    }
+
+private:
+    void take(FrameImages& images, Frame const& given) const {
+        images.size = size, images.channels = given.channels, images.shutter = given.shutter;
+        images.number = given.has_number ? std::optional<long long>(given.number) : std::nullopt;
+        if (given.camera == nullptr) return; // that of the last frame
+        for (int i = 0; i < 16; ++i) {
+            images.camera.view[i / 4][i % 4] = given.camera->view[i];
+            images.camera.projection[i / 4][i % 4] = given.camera->projection[i];
+        }
+        images.camera.jitter = {given.camera->jitter[0], given.camera->jitter[1]};
+    }
+    /// A sample offset by +jitter shifts the image by -jitter. A vector between jittered images is therefore off by the change of jitter.
+    void convert_motion(FrameImages& images, glm::vec2 before) const {
+        if (motion == quell::MotionConvention{}) return;
+        for (std::size_t i = 0; i < images.channels.size(); ++i) {
+            bool const is_next = way.channels[i].name == quell::motion_next.name;
+            if (!is_next && way.channels[i].name != quell::motion.name) continue;
+            auto its_own = motion;
+            if (is_next) its_own.points = quell::MotionConvention::Points::to_previous;
+            auto const scale = quell::detail::to_pixels(its_own, size);
+            bool const has_jitter = !is_next && motion.jitter == quell::MotionConvention::Jitter::left_in;
+            auto const offset = has_jitter ? before - images.camera.jitter : glm::vec2(0.f);
+            for (int c = 0; c < 2; ++c) images.channels[i].scale[c] = scale[c], images.channels[i].offset[c] = offset[c];
+        }
+    }
+};
+
+PresetWay way_of(Way const& way) {
+    PresetWay code{.output_components = way.output_components, .needs_camera = way.needs_camera, .plan = way.plan};
+    for (auto const& channel : way.channels) code.channels.push_back({channel.name, channel.components, channel.optional});
+    code.make = [&way](int width, int height, Motion const& motion, Parallel const& parallel, Memory const& memory, Outcome& outcome,
+                       std::string& error) {
+        std::unique_ptr<Instance> made;
+        outcome = caught(error, [&] {
+            made = std::make_unique<PresetInstance>(way, quell::Extent{width, height}, motion, parallel, memory);
+        });
+        return made;
+    };
+    return code;
+}
+
+std::vector<PresetCode> all_codes() {
+    std::vector<PresetCode> all;
+    for (auto const& preset : compiled_presets()) {
+        all.push_back({.name = preset.name, .usual = way_of(preset.usual)});
+        if (preset.two_sided) all.back().two_sided = way_of(preset.two_sided);
+        if (preset.two_sided_alpha) all.back().two_sided_alpha = way_of(preset.two_sided_alpha);
+    }
+    return all;
+}
+
 } // namespace
 
 } // namespace quell_library
 
 extern "C" quell_library::PresetCodes QUELL_CODE_ENTRY;
 extern "C" std::vector<quell_library::PresetCode> const& QUELL_CODE_ENTRY() {
-    static std::vector<quell_library::PresetCode> const all = quell_library::all_units();
+    static std::vector<quell_library::PresetCode> const all = quell_library::all_codes();
     return all;
 }

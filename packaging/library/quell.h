@@ -14,7 +14,8 @@
  * Every function that can fail returns a quell_status, and quell_error() then says in one sentence what is wrong, what was found and what
  * to do. After an error the denoiser works as before. No exception leaves the library.
  *
- * Images are read where they lie, while quell_run() runs; nothing of the caller's is kept. C cannot see: whether memory is as large as its
+ * Images are read while quell_run() runs, by a first pass that makes planes of floats of them; nothing of the caller's is kept. The output
+ * is written where it lies. C cannot see: whether memory is as large as its
  * strides say, whether it is freed or written while quell_run() runs, whether a pointer is of this process. */
 #ifndef QUELL_H
 #define QUELL_H
@@ -83,7 +84,7 @@ typedef struct quell_camera {
 /* One frame. Start from QUELL_FRAME. */
 typedef struct quell_frame {
     size_t struct_size;
-    const quell_channel *channels; /* all that quell_channel_name() lists, in any order */
+    const quell_channel *channels; /* all that quell_channel_name() lists but the optional ones, in any order */
     size_t channel_count;
     quell_image output;         /* of quell_output_components() components; must not overlap an input */
     const quell_camera *camera; /* null: none */
@@ -91,11 +92,13 @@ typedef struct quell_frame {
     int32_t has_number;         /* 0: frames follow each other */
     float shutter;              /* shutter time as a part of the time between frames, for motion blur */
     const void *device;         /* null: images are in host memory. Device memory is not supported yet. */
+    const int32_t *fractions;   /* of the channels, in their order: an image's width and height as a part of the frame's. Null: all 1, which
+                                   is all that presets support so far. */
 } quell_frame;
 #ifdef __cplusplus
-#define QUELL_FRAME quell_frame{sizeof(quell_frame), nullptr, 0, {}, nullptr, 0, 0, 0.5f, nullptr}
+#define QUELL_FRAME quell_frame{sizeof(quell_frame), nullptr, 0, {}, nullptr, 0, 0, 0.5f, nullptr, nullptr}
 #else
-#define QUELL_FRAME ((quell_frame){sizeof(quell_frame), NULL, 0, {0}, NULL, 0, 0, 0.5f, NULL})
+#define QUELL_FRAME ((quell_frame){sizeof(quell_frame), NULL, 0, {0}, NULL, 0, 0, 0.5f, NULL, NULL})
 #endif
 
 /* The host's own threads: calls task(context, i) for 0 <= i < count, on any threads, and returns when all are done. */
@@ -104,9 +107,17 @@ typedef void (*quell_parallel)(void *user, int32_t count, void (*task)(void *con
 typedef void *(*quell_allocate)(void *user, size_t bytes, size_t alignment);
 typedef void (*quell_release)(void *user, void *memory);
 
+/* What motion vectors mean. All 0 is quell's own convention: previous = current + motion, in pixels, y down, without jitter. */
+typedef struct quell_motion {
+    int32_t from_previous; /* 1: current = previous + motion */
+    int32_t unit;          /* 0: pixels, 1: the image is 1 wide and 1 high, 2: it is 2 wide and 2 high */
+    int32_t y_up;          /* 1: y grows upwards */
+    int32_t has_jitter;    /* 1: vectors contain the change of the camera's jitter; frames then need the camera */
+} quell_motion;
+
 /* How a denoiser is made. Start from QUELL_SETTINGS. */
 typedef struct quell_settings {
-    size_t struct_size;
+    size_t struct_size;          /* in all structures that begin with it: later versions of this library read those of earlier ones */
     const char *preset;          /* one that quell_preset_name() lists */
     int32_t width, height;       /* of all frames */
     int32_t threads;             /* 0: all that there are. Results do not depend on it. */
@@ -116,11 +127,18 @@ typedef struct quell_settings {
     quell_allocate allocate; /* null, as release: the library's own */
     quell_release release;
     void *memory_user;
+    int32_t two_sided;                   /* 1: for quell_run_two_sided(), which the presets general and final-frame can */
+    int32_t alpha;                       /* 1: for radiance with alpha, the channel radiance_alpha, which the same presets can */
+    int32_t output_width, output_height; /* 0: the frames' own, which is all that presets support so far */
+    quell_motion motion;                 /* what the channels motion and motion_next mean; motion_next contains no jitter */
 } quell_settings;
 #ifdef __cplusplus
-#define QUELL_SETTINGS quell_settings{sizeof(quell_settings), nullptr, 0, 0, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr}
+#define QUELL_SETTINGS \
+    quell_settings {                                                                                                                       \
+        sizeof(quell_settings), nullptr, 0, 0, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0, 0, 0, 0, {}                     \
+    }
 #else
-#define QUELL_SETTINGS ((quell_settings){sizeof(quell_settings), NULL, 0, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL})
+#define QUELL_SETTINGS ((quell_settings){sizeof(quell_settings), NULL, 0, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, 0, 0, 0, 0, {0, 0, 0, 0}})
 #endif
 
 /* Counts. Start from QUELL_STATISTICS. */
@@ -152,8 +170,10 @@ QUELL_CALL quell_status quell_create(const quell_settings *settings, quell_denoi
 /* Null is none. */
 QUELL_CALL void quell_destroy(quell_denoiser *denoiser);
 
-/* Names of the channels that a frame must have; null behind the last. */
+/* Names of the channels that it reads; null behind the last. */
 QUELL_CALL const char *quell_channel_name(const quell_denoiser *denoiser, int32_t index);
+/* Whether frames may lack a channel. */
+QUELL_CALL int32_t quell_channel_is_optional(const quell_denoiser *denoiser, const char *name);
 /* Components of a channel; 0 where the preset has none of that name. */
 QUELL_CALL int32_t quell_channel_components(const quell_denoiser *denoiser, const char *name);
 QUELL_CALL int32_t quell_output_components(const quell_denoiser *denoiser);
@@ -166,6 +186,11 @@ QUELL_CALL const char *quell_plan(const quell_denoiser *denoiser);
 
 /* Denoises a frame. */
 QUELL_CALL quell_status quell_run(quell_denoiser *denoiser, const quell_frame *frame);
+/* Denoises the first of some frames that follow each other, with those after it and those before it: offline, moving light lags less so, and
+ * what has just come into view has a past. The first frame's output is written; the others need none. Each call moves one frame on, and the
+ * last ones have fewer frames after them. Two frames after the first are enough. Where frames lack the optional channel motion_next, it is
+ * made of the next frame's motion. The denoiser was made with settings.two_sided. */
+QUELL_CALL quell_status quell_run_two_sided(quell_denoiser *denoiser, const quell_frame *frames, size_t count);
 /* Drops the history: for cuts and teleports. */
 QUELL_CALL quell_status quell_forget(quell_denoiser *denoiser);
 QUELL_CALL quell_status quell_get_statistics(const quell_denoiser *denoiser, quell_statistics *statistics);

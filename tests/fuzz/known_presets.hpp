@@ -4,7 +4,7 @@
 
 #include <quell/presets/named.hpp>
 
-#include <support/name_list.hpp>
+#include <library/name_list.hpp>
 
 namespace quell::fuzz {
 
@@ -12,7 +12,7 @@ namespace quell::fuzz {
 template <std::size_t unit, std::size_t units> bool make_presets_known() {
     for_each_preset_index<unit, units>([](auto i) {
         constexpr auto preset = std::get<i>(named_presets);
-        if constexpr (examples::is_chosen(QUELL_FUZZ_PRESETS, preset.name)) known(std::string(preset.name), preset.usual());
+        if constexpr (quell_library::is_chosen(QUELL_FUZZ_PRESETS, preset.name)) known(std::string(preset.name), preset.usual());
     });
     return true;
 }

@@ -25,6 +25,7 @@ struct Wall {
     std::vector<float> rgb, albedo, normal, depth, motion, out;
     std::vector<quell_channel> channels;
     quell_frame frame = QUELL_FRAME;
+    std::size_t behind_frame = ~std::size_t{0}; ///< what a later version's frame may have there
 
     Wall() : rgb(pixels * 3), albedo(pixels * 3, 0.5f), normal(pixels * 3), depth(pixels, 4.f), motion(pixels * 2), out(pixels * 3) {
         for (std::size_t i = 2; i < normal.size(); i += 3) normal[i] = 1;
@@ -129,6 +130,86 @@ TEST_CASE("any strides and formats that hold the same numbers give the same") {
     }
 }
 
+TEST_CASE("motion of another convention is read as what it means") {
+    auto const of_motion = [](quell_motion motion, float dx, float dy) {
+        auto settings = settings_of();
+        settings.motion = motion;
+        auto const denoiser = made(settings);
+        Wall wall;
+        quell_camera camera{};
+        camera.view[0] = camera.view[5] = camera.view[10] = camera.view[15] = 1;
+        camera.projection[0] = camera.projection[5] = 1, camera.projection[11] = -1, camera.projection[14] = -1;
+        wall.frame.camera = &camera;
+        for (unsigned i = 0; i < 3; ++i) {
+            camera.jitter[0] = motion.has_jitter != 0 ? 0.5f * static_cast<float>(i % 2) : 0;
+            float const jitter = motion.has_jitter != 0 ? (i % 2 == 0 ? -0.5f : 0.5f) : 0; // before - now, taken off
+            wall.shine(i);
+            for (std::size_t p = 0; p < pixels; ++p) wall.motion[2 * p] = dx + jitter, wall.motion[2 * p + 1] = dy;
+            REQUIRE(quell_run(denoiser.get(), wall.ready()) == QUELL_OK);
+        }
+        return wall.out;
+    };
+    auto const wanted = of_motion({}, 3, -2);
+    auto const same = [&](std::vector<float> const& out) {
+        double worst = 0;
+        for (std::size_t i = 0; i < out.size(); ++i) worst = std::max(worst, std::abs(static_cast<double>(out[i]) - wanted[i]));
+        return worst < 1e-4;
+    };
+    CHECK(of_motion({1, 0, 0, 0}, -3, 2) == wanted);
+    CHECK(of_motion({0, 0, 1, 0}, 3, 2) == wanted);
+    CHECK(same(of_motion({0, 1, 0, 0}, 3.f / width, -2.f / height)));
+    CHECK(same(of_motion({0, 2, 1, 0}, 6.f / width, 4.f / height)));
+    CHECK(same(of_motion({0, 0, 0, 1}, 3, -2)));
+    CHECK_FALSE(same(of_motion({}, 3, 2)));
+}
+
+TEST_CASE("frames after the first make a picture cleaner, with alpha too") {
+    auto settings = settings_of("general");
+    settings.two_sided = 1;
+    auto const noise_with = [&](std::size_t count) {
+        auto const denoiser = made(settings);
+        bool const alpha = settings.alpha != 0;
+        CHECK(quell_output_components(denoiser.get()) == (alpha ? 4 : 3));
+        CHECK(quell_channel_is_optional(denoiser.get(), "motion_next") == 1);
+        CHECK(quell_channel_is_optional(denoiser.get(), "motion") == 0);
+        std::vector<Wall> walls(count);
+        std::vector<std::vector<float>> rgba(count, std::vector<float>(pixels * 4, 0.5f));
+        std::vector<float> out(pixels * 4);
+        std::vector<quell_frame> frames;
+        for (std::size_t i = 0; i < count; ++i) {
+            walls[i].shine(static_cast<unsigned>(i));
+            if (alpha) {
+                for (std::size_t p = 0; p < pixels * 3; ++p) rgba[i][p / 3 * 4 + p % 3] = walls[i].rgb[p];
+                walls[i].channels[0] = {"radiance_alpha", QUELL_PIXELS(rgba[i].data(), 4)};
+            }
+            frames.push_back(*walls[i].ready());
+            frames.back().number = static_cast<int64_t>(i), frames.back().has_number = 1;
+        }
+        frames[0].output = QUELL_PIXELS(out.data(), alpha ? 4 : 3);
+        REQUIRE(quell_run_two_sided(denoiser.get(), frames.data(), count) == QUELL_OK);
+        std::size_t const components = alpha ? 4 : 3;
+        double squares = 0;
+        for (std::size_t p = 0; p < pixels; ++p) {
+            for (std::size_t c = 0; c < 3; ++c) squares += std::pow(out[p * components + c] - 0.5, 2);
+            if (alpha) CHECK(out[p * 4 + 3] == doctest::Approx(0.5));
+        }
+        return squares;
+    };
+    CHECK(noise_with(3) < 0.7 * noise_with(1));
+    settings.alpha = 1;
+    CHECK(noise_with(3) < 0.7 * noise_with(1));
+
+    auto const denoiser = made();
+    Wall wall;
+    check_refused(quell_run_two_sided(denoiser.get(), wall.ready(), 1), QUELL_NOT_SUPPORTED, {"settings.two_sided"});
+    check_refused(quell_run_two_sided(denoiser.get(), nullptr, 1), QUELL_INVALID_ARGUMENT, {"frames"});
+    quell_denoiser* none = nullptr;
+    settings.preset = "svgf";
+    check_refused(quell_create(&settings, &none), QUELL_NOT_SUPPORTED, {"alpha", "svgf", "general"});
+    settings.alpha = 0;
+    check_refused(quell_create(&settings, &none), QUELL_NOT_SUPPORTED, {"two_sided", "svgf"});
+}
+
 TEST_CASE("results depend neither on the number of threads nor on whose they are") {
     Wall wall;
     auto const wanted = third(made().get(), wall);
@@ -202,6 +283,9 @@ TEST_CASE("wrong frames are refused with a sentence, and the denoiser works as b
     wall.frame.output = QUELL_PIXELS(wall.out.data(), 3);
     wall.frame.struct_size = 8, refused({"struct_size", "QUELL_FRAME"}), wall.frame.struct_size = sizeof(quell_frame);
     wall.frame.device = &wall, refused({"device"}), wall.frame.device = nullptr;
+    int32_t const fractions[] = {1, 2, 1, 1, 1};
+    wall.frame.fractions = fractions, refused({"'albedo'", "fraction of 2"}), wall.frame.fractions = nullptr;
+    wall.frame.struct_size += 8, refused({"struct_size"}), wall.frame.struct_size -= 8; // what lies behind it is set
     wall.frame.shutter = -1, refused({"shutter", "-1"}), wall.frame.shutter = 0.5f;
     auto const other = made();
     Wall same;
@@ -218,6 +302,8 @@ TEST_CASE("wrong settings and wrong calls are refused with a sentence") {
     refused(settings_of(nullptr), QUELL_UNKNOWN_PRESET, {"svgf"});
     auto settings = settings_of();
     settings.width = 0, refused(settings, QUELL_INVALID_ARGUMENT, {"0x34"}), settings.width = width;
+    settings.output_width = 5, refused(settings, QUELL_INVALID_ARGUMENT, {"5x0", "output_width"}), settings.output_width = 0;
+    settings.motion.unit = 3, refused(settings, QUELL_INVALID_ARGUMENT, {"motion.unit", "3"}), settings.motion.unit = 0;
     settings.threads = -1, refused(settings, QUELL_INVALID_ARGUMENT, {"threads"}), settings.threads = 0;
     settings.instruction_set = "z80", refused(settings, QUELL_NOT_SUPPORTED, {"'z80'", quell_instruction_set_name(0)});
     settings.instruction_set = nullptr, settings.struct_size = 1, refused(settings, QUELL_INVALID_ARGUMENT, {"struct_size"});

@@ -3,10 +3,11 @@
 #include "../threads.hpp"
 #include "../views.hpp"
 
-#include <quell/execute/outlined.hpp>
 #include <quell/presets/named.hpp>
 
-#include <support/name_list.hpp>
+#include <library/images_of_frame.hpp>
+#include <library/name_list.hpp>
+#include <library/own_threads.hpp>
 
 namespace quell::tests {
 
@@ -14,7 +15,7 @@ namespace quell::tests {
 template <std::size_t unit, std::size_t units> void for_each_tested_preset(auto const& function) {
     for_each_preset_index<unit, units>([&](auto i) {
         constexpr auto const& preset = std::get<i>(named_presets);
-        if constexpr (examples::is_chosen(QUELL_TESTED_PRESETS, preset.name)) function(preset);
+        if constexpr (quell_library::is_chosen(QUELL_TESTED_PRESETS, preset.name)) function(preset);
     });
 }
 
@@ -25,20 +26,43 @@ template <class P> std::vector<float> seen_by_moving_camera(P const& denoise, Ex
     });
 }
 
+/// The same by the compiled preset.
+template <class P>
+std::vector<float> seen_by_moving_camera(quell_library::Way const& compiled, P const& denoise, Extent size, int threads) {
+    quell_library::OwnThreads own(threads);
+    auto const run = threads > 0 ? quell_library::OwnThreads::run : quell_library::run_here;
+    auto const denoiser = compiled.make(size, {.run = run, .user = &own, .threads = 7}, {});
+    Frame frame{size, denoise};
+    std::vector<float> out;
+    for (unsigned i = 0; i < 3; ++i) {
+        fill_randomly(frame, i);
+        frame.camera = View({0.1 * i, 1, 8}, {1, 1, 0}, size).camera();
+        std::vector const window{quell_library::images_of(compiled.channels, frame)};
+        denoiser->run(window, quell_library::image_of(out, compiled.output_components, size));
+    }
+    return out;
+}
+/// Null where QUELL_PRESETS leaves it out.
+inline quell_library::Way const* compiled_preset(std::string_view name) {
+    auto const& all = quell_library::compiled_presets();
+    auto const found = std::ranges::find(all, name, &quell_library::CompiledPreset::name);
+    return found != all.end() ? &found->usual : nullptr;
+}
+
 template <class Preset> void check_same_everywhere(Preset const& preset) {
     CAPTURE(preset.name);
     // Their cones are in half: what differs in the last bit of a float may be rounded to another half.
     double const allowed = preset.name == "dual-cone" || preset.name == "trmv" ? 2e-4 : 2e-5;
     auto const denoise = Preset::usual();
+    auto const* const compiled = compiled_preset(preset.name);
+    if (!compiled) return;
     for (Extent const size : {Extent{61, 24}, Extent{16, 5}, Extent{3, 7}}) {
         CAPTURE(to_string(size));
-        auto const serial = seen_by_moving_camera(denoise, size, Serial{}), simd = seen_by_moving_camera(denoise, size, Outlined<>{});
+        auto const serial = seen_by_moving_camera(denoise, size, Serial{}), simd = seen_by_moving_camera(*compiled, denoise, size, 0);
         CHECK(all_finite(serial));
         CHECK(difference(serial, simd) < allowed);
-#if defined(QUELL_TEST_THREADS)
-        CHECK(seen_by_moving_camera(denoise, size, Threads<Outlined<>>{.count = 3, .tile = {5, 3}}) == simd);
-        CHECK(seen_by_moving_camera(denoise, size, Threads<Outlined<>>{.count = 2, .tile = {256, 32}}) == simd);
-#endif
+        CHECK(seen_by_moving_camera(*compiled, denoise, size, 3) == simd);
+        CHECK(seen_by_moving_camera(*compiled, denoise, size, 2) == simd);
     }
 }
 

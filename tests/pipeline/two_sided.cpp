@@ -148,3 +148,25 @@ TEST_CASE("motion that is not finite towards the next frame, all-zero samples an
     auto const dark = [](int, int, long long) { return 0.f; };
     for (float const a : made(2, 2, dark)) CHECK(a == 0.f);
 }
+
+TEST_CASE("frames in the host's memory give the same, and stay as they are") {
+    using HostFrame = Frame<OneFrame::channels, Borrowed<>>;
+    auto const truth = [](int x, int y, long long) { return still(x, y, 0); };
+    std::deque<OneFrame> own;
+    for (int i = 0; i < 3; ++i) own.push_back(frame_of(i, truth));
+    auto const before = tests::copy_of(own[0][radiance].view());
+    std::deque<HostFrame> borrowed;
+    for (auto& frame : own) {
+        auto& other = borrowed.emplace_back(size);
+        other.number = frame.number;
+        for_each_channel(OneFrame::channels{}, [&](auto c) {
+            auto const view = frame[c].view();
+            auto const apart = c.components > 1 ? view.planes[c.components - 1] - view.planes[c.components - 2] : 1;
+            other[c] = {view.planes[0], size, 1, view.row_stride(), apart};
+        });
+    }
+    TwoSidedHistory history{size, denoise}, host_history{size, denoise};
+    auto const out = tests::copy_of(run_two_sided(denoise, joining, borrowed, host_history, Simd{}));
+    CHECK(tests::copy_of(own[0][radiance].view()) == before);
+    CHECK(out == tests::copy_of(run_two_sided(denoise, joining, own, history, Simd{})));
+}

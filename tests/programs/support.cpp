@@ -3,7 +3,7 @@
 #include <support/csv.hpp>
 #include <support/frame_pattern.hpp>
 #include <support/gnuplot.hpp>
-#include <support/name_list.hpp>
+#include <library/name_list.hpp>
 #include <support/output_folder.hpp>
 #include <support/program.hpp>
 #include <support/size_in.hpp>
@@ -203,7 +203,7 @@ TEST_CASE("gnuplot draws in a folder of any name, and is known not to be there, 
 }
 
 TEST_CASE("a build option that names presets chooses these, whole names only, and all where it is empty") {
-    using examples::any_name, examples::is_chosen;
+    using quell_library::any_name, quell_library::is_chosen;
     static_assert(is_chosen("", "svgf") && is_chosen("svgf", "svgf") && is_chosen("trmv,svgf,blur", "svgf"));
     static_assert(!is_chosen("asvgf", "svgf") && !is_chosen("svgf", "asvgf") && !is_chosen("blur-straight,trmv", "blur"));
     std::vector<std::string> seen;

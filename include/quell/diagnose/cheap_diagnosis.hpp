@@ -31,12 +31,18 @@ public:
             return {};
         };
         seen.depth = look_up(depth), seen.normal = look_up(normal), seen.albedo = look_up(albedo), seen.motion = look_up(motion);
-        bool const follows = size_then == frame.size && (!frame.number || !number_then || *frame.number == *number_then + 1);
-        size_then = frame.size, number_then = frame.number;
+        return look_at(seen);
+    }
+
+    /// @cond
+    [[nodiscard]] std::vector<Finding> look_at(detail::Observation const& seen) {
+        bool const follows = size_then == seen.size && (!seen.number || !number_then || *seen.number == *number_then + 1);
+        size_then = seen.size, number_then = seen.number;
         std::vector<Finding> findings;
         if (seen.depth || seen.normal || seen.albedo) detail::find_motion_by_blocks(seen, notes, follows, findings);
         return findings;
     }
+    /// @endcond
 };
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

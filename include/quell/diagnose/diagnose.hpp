@@ -147,6 +147,28 @@ inline std::vector<Finding> findings_of(Observation seen) {
     seen.notes().camera_before = seen.has_then ? std::optional(seen.camera_then) : std::nullopt;
     return findings;
 }
+/// What diagnose() finds in what a function observes; also what that function throws, as a finding.
+template <class Observe>
+std::vector<Finding> diagnosed(Observe const& observed, std::optional<MotionConvention> const& converted_from,
+                               std::function<float(int c, int x, int y)> factor) {
+    auto const findings = [&] {
+        Observation seen = observed();
+        if (converted_from) seen.convention = *converted_from;
+        seen.factor = std::move(factor);
+        return findings_of(std::move(seen));
+    };
+#if defined(__cpp_exceptions)
+    try {
+        return findings();
+    } catch (Error const& error) {
+        return {{Mistake::frame_refused, error.subject + ": " + error.found, error.remedy}};
+    } catch (std::exception const& error) {
+        return {{Mistake::not_checked, std::string("this frame, since there was an error: ") + error.what(), "look at the host's images"}};
+    }
+#else
+    return findings();
+#endif
+}
 } // namespace detail
 
 /// Finds mistakes of the host in this frame, its past and their cameras. Empty where all is well and where there is no evidence: a static
@@ -174,24 +196,11 @@ template <class P, class Set, class FrameStorage, class Storage>
     static_assert(
         contained_in<typename P::reads, Set>,
         "diagnose(frame, history): the frame lacks a channel that the history's pipeline reads; construct the frame with this pipeline");
-    auto const diagnosed = [&] {
+    auto const observed = [&] {
         detail::check_frame<P>(frame);
-        auto seen = detail::observe<P>(frame, history);
-        if (converted_from) seen.convention = *converted_from;
-        seen.factor = std::move(factor);
-        return detail::findings_of(seen);
+        return detail::observe<P>(frame, history);
     };
-#if defined(__cpp_exceptions)
-    try {
-        return diagnosed();
-    } catch (Error const& error) {
-        return {{Mistake::frame_refused, error.subject + ": " + error.found, error.remedy}};
-    } catch (std::exception const& error) {
-        return {{Mistake::not_checked, std::string("this frame, since there was an error: ") + error.what(), "look at the host's images"}};
-    }
-#else
-    return diagnosed();
-#endif
+    return detail::diagnosed(observed, converted_from, std::move(factor));
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

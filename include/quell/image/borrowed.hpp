@@ -58,6 +58,12 @@ template <class Format = Float32> struct Borrowed {
         /// The view that kernels use.
         [[nodiscard]] auto view() const { return View{data, extent, pixel_stride, row_stride, component_stride}; }
 
+        /// An image of `Copy` that stands in for the host's.
+        [[nodiscard]] static Image of_copy(auto const& copy) {
+            auto const view = View::of_copy(copy);
+            return {view.data, view.size, view.pixel_stride, view.row_stride, view.component_stride};
+        }
+
         /// An ImageView. Writes do nothing.
         struct View {
             /// @cond

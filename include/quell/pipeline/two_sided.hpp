@@ -60,6 +60,46 @@ public:
     Exchanged& operator=(Exchanged const&) = delete;
 };
 
+/// Whether an image of quell's own can stand in for a frame's.
+template <class Storage> constexpr bool has_stand_ins() {
+    if constexpr (owns_memory<Storage>())
+        return true;
+    else
+        return requires { typename Storage::Copy; };
+}
+
+/// An image of quell's own that stands in for one of a frame's for as long as this lives.
+template <class F, ChannelTag C> class StandIn {
+    using Theirs = ImageOf<typename F::storage, C>;
+    using Own = ImageOf<StorageOfCopies<typename F::storage>, C>;
+    Own own;
+    Theirs &in_frame, theirs{};
+
+public:
+    explicit StandIn(F& frame) : own(frame.size), in_frame(frame[C{}]) {
+        if constexpr (std::is_same_v<Own, Theirs>)
+            std::swap(in_frame, own);
+        else
+            theirs = std::exchange(in_frame, Theirs::of_copy(own.view()));
+    }
+    ~StandIn() {
+        if constexpr (std::is_same_v<Own, Theirs>)
+            std::swap(in_frame, own);
+        else
+            in_frame = std::move(theirs);
+    }
+    StandIn(StandIn const&) = delete;
+    StandIn& operator=(StandIn const&) = delete;
+
+    /// To be filled.
+    [[nodiscard]] auto view() const {
+        if constexpr (std::is_same_v<Own, Theirs>)
+            return in_frame.view();
+        else
+            return own.view();
+    }
+};
+
 /// Negates a frame's number for as long as this lives: frames then follow each other backwards in time.
 template <class F> class CountedBackwards {
     F& frame;
@@ -101,7 +141,6 @@ concept Window = requires(W& window) {
 template <class P, class W, class Storage, class E>
 auto run_window(P const& pipeline, P const& joining, W& window, TwoSidedHistory<P, Storage>& history, E const& executor) {
     using F = std::remove_reference_t<decltype(window[0])>;
-    using FrameStorage = typename F::storage;
     using Output = typename P::Output;
     if (std::size(window) == 0)
         raise_error<Failure>("run_two_sided: the window", "no frames", "give the frame to denoise and those after it");
@@ -121,12 +160,10 @@ auto run_window(P const& pipeline, P const& joining, W& window, TwoSidedHistory<
         CountedBackwards const number(window[i]);
         accumulate(pipeline, window[i], history.after, executor);
     }
-    ImageOf<FrameStorage, Output> known_light(frame.size);
-    ImageOf<FrameStorage, SampleCount> known_count(frame.size), known_variance(frame.size);
-    copy_accumulated(accumulated, history.before, known_light.view(), known_count.view(), known_variance.view());
-    Exchanged const of_light(frame[Output{}], known_light);
-    Exchanged const of_count(frame[sample_count], known_count);
-    Exchanged const of_variance(frame[sample_variance], known_variance);
+    StandIn<F, Output> const light(frame);
+    StandIn<F, SampleCount> const count(frame);
+    StandIn<F, SampleVariance> const variance(frame);
+    copy_accumulated(accumulated, history.before, light.view(), count.view(), variance.view());
     Exchanged const backwards(frame[motion], frame[motion_next]);
     CountedBackwards const number(frame);
     return run(joining, frame, history.after, executor);
@@ -143,11 +180,12 @@ auto run_window(P const& pipeline, P const& joining, W& window, TwoSidedHistory<
 ///     auto clean = run_two_sided(denoise, window, history, Threads{});    // window[0] is denoised, the others follow it
 ///
 /// The window ends where frame numbers do not follow each other or the size changes; it may be a single frame. A call costs one run() and,
-/// for each further frame, one accumulate(). The frames are changed during the call and restored.
+/// for each further frame, one accumulate(). The frames are changed during the call and restored; images of the host's that they borrow are
+/// not written.
 /// @param pipeline for accumulating both sides
 /// @param joining  the same pipeline, maybe with other numbers, for joining the two sides. Where light moves, one side lags and the other
 /// leads, so that their mean is better than either: presets::general_joining
-/// @param window   range of frames with operator[], such as std::deque<Frame<...>>; they own their memory and have MotionNext
+/// @param window   range of frames with operator[], such as std::deque<Frame<...>>; they have MotionNext
 /// @param history  state between calls
 /// @param executor what runs the passes
 /// @throws Error for a window without frames, and as run() does
@@ -160,11 +198,13 @@ auto run_two_sided(P const& pipeline, P const& joining, Window& window, TwoSided
         return detail::NoOutput{};
     } else {
         using F = std::remove_reference_t<decltype(window[0])>;
-        constexpr bool has_motion_next = F::channels::template has<MotionNext>, is_owner = owns_memory<typename F::storage>();
+        constexpr bool has_motion_next = F::channels::template has<MotionNext>, has_copies = detail::has_stand_ins<typename F::storage>();
         static_assert(has_motion_next,
                       "run_two_sided(pipeline, window, ...): the frames have no motion_next; construct them with two_sided");
-        static_assert(is_owner, "run_two_sided(pipeline, window, ...): the frames must own their memory (Planar<>)");
-        if constexpr (has_motion_next && is_owner)
+        static_assert(has_copies,
+                      "run_two_sided(pipeline, window, ...): the frames must own their memory (Planar<>), or their storage name one "
+                      "that does, `Copy`, as Borrowed<> does");
+        if constexpr (has_motion_next && has_copies)
             return detail::run_window(pipeline, joining, window, history, executor);
         else
             return detail::NoOutput{};

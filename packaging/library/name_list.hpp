@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace quell::examples {
+namespace quell_library {
 
 /// Calls use(name) for each of some names between commas, until it returns true; whether it did.
 constexpr bool any_name(std::string_view names, auto&& use) {
@@ -18,4 +18,4 @@ constexpr bool is_chosen(std::string_view names, std::string_view name) {
     return names.empty() || any_name(names, [&](auto one) { return one == name; });
 }
 
-} // namespace quell::examples
+} // namespace quell_library

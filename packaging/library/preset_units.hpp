@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace quell::examples {
+namespace quell_library {
 
 /// What several units made of their shares of all presets, in the order of quell::named_presets again: unit i has the presets i, i + units,
 /// and so on. Presets that are not compiled have no name, and are left out.
@@ -16,4 +16,4 @@ template <class Made, std::size_t units> std::vector<Made> in_order(std::array<s
     return all;
 }
 
-} // namespace quell::examples
+} // namespace quell_library

@@ -1,0 +1,176 @@
+/* quell as a library: real-time denoising for C99, and for every language that can call C.
+ *
+ *     quell_settings settings = QUELL_SETTINGS;
+ *     settings.preset = "general", settings.width = 1920, settings.height = 1080;
+ *     quell_denoiser *denoiser;
+ *     if (quell_create(&settings, &denoiser) != QUELL_OK) puts(quell_error());
+ *
+ *     quell_channel channels[] = {{"radiance", QUELL_PIXELS(rgb, 3)}, {"albedo", QUELL_PIXELS(albedo, 3)}, ...};
+ *     quell_frame frame = QUELL_FRAME;
+ *     frame.channels = channels, frame.channel_count = 5, frame.output = QUELL_PIXELS(out, 3);
+ *     if (quell_run(denoiser, &frame) != QUELL_OK) puts(quell_error());
+ *     quell_destroy(denoiser);
+ *
+ * Every function that can fail returns a quell_status, and quell_error() then says in one sentence what is wrong, what was found and what
+ * to do. After an error the denoiser works as before. No exception leaves the library.
+ *
+ * Images are read where they lie, while quell_run() runs; nothing of the caller's is kept. C cannot see: whether memory is as large as its
+ * strides say, whether it is freed or written while quell_run() runs, whether a pointer is of this process. */
+#ifndef QUELL_H
+#define QUELL_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(_WIN32)
+#define QUELL_CALL __declspec(dllimport)
+#else
+#define QUELL_CALL __attribute__((visibility("default")))
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What a function made of a call. */
+typedef enum quell_status {
+    QUELL_OK = 0,
+    QUELL_INVALID_ARGUMENT = 1, /* an argument is wrong: quell_error() names it */
+    QUELL_UNKNOWN_PRESET = 2,   /* there is no such preset in this library */
+    QUELL_NOT_SUPPORTED = 3,    /* the machine or this library cannot do it */
+    QUELL_NO_MEMORY = 4,
+    QUELL_BUSY = 5, /* another thread runs this denoiser */
+    QUELL_FAILED = 6
+} quell_status;
+
+/* How a component lies in memory. */
+typedef enum quell_format {
+    QUELL_FLOAT32 = 0,
+    QUELL_FLOAT16 = 1 /* IEEE binary16 */
+} quell_format;
+
+/* An image in the caller's memory. Strides are in bytes and may be negative; 0 stands for the usual one: components side by side, pixels
+ * side by side, rows without gaps. */
+typedef struct quell_image {
+    void *data; /* component 0 of the top left pixel; inputs are not written */
+    int32_t format;
+    int32_t components;         /* that the memory has at each pixel: as many as the channel, or more, of which the first are used */
+    ptrdiff_t component_stride; /* from a component to the next */
+    ptrdiff_t pixel_stride;     /* from a pixel to the one on the right */
+    ptrdiff_t row_stride;       /* from a pixel to the one below */
+} quell_image;
+/* Floats of so many components side by side, in rows without gaps. */
+#ifdef __cplusplus
+#define QUELL_PIXELS(data, components) quell_image{(void *)(data), QUELL_FLOAT32, (components), 0, 0, 0}
+#else
+#define QUELL_PIXELS(data, components) ((quell_image){(void *)(data), QUELL_FLOAT32, (components), 0, 0, 0})
+#endif
+
+/* An image of a frame, by the name of its channel: radiance, albedo, normal, depth, motion, ... */
+typedef struct quell_channel {
+    const char *name;
+    quell_image image;
+} quell_channel;
+
+/* A perspective camera: column-major 4x4 matrices for column vectors, clip = projection * view * world; view space looks down -z, clip
+ * space has y up. Presets that need none ignore it. */
+typedef struct quell_camera {
+    float view[16];
+    float projection[16]; /* without jitter */
+    float jitter[2];      /* offset of the samples from the pixels' centres, in pixels, y down */
+} quell_camera;
+
+/* One frame. Start from QUELL_FRAME. */
+typedef struct quell_frame {
+    size_t struct_size;
+    const quell_channel *channels; /* all that quell_channel_name() lists, in any order */
+    size_t channel_count;
+    quell_image output;         /* of quell_output_components() components; must not overlap an input */
+    const quell_camera *camera; /* null: none */
+    int64_t number;             /* of the frame in its sequence; where numbers do not follow each other, history starts afresh */
+    int32_t has_number;         /* 0: frames follow each other */
+    float shutter;              /* shutter time as a part of the time between frames, for motion blur */
+    const void *device;         /* null: images are in host memory. Device memory is not supported yet. */
+} quell_frame;
+#ifdef __cplusplus
+#define QUELL_FRAME quell_frame{sizeof(quell_frame), nullptr, 0, {}, nullptr, 0, 0, 0.5f, nullptr}
+#else
+#define QUELL_FRAME ((quell_frame){sizeof(quell_frame), NULL, 0, {0}, NULL, 0, 0, 0.5f, NULL})
+#endif
+
+/* The host's own threads: calls task(context, i) for 0 <= i < count, on any threads, and returns when all are done. */
+typedef void (*quell_parallel)(void *user, int32_t count, void (*task)(void *context, int32_t index), void *context);
+/* The host's own memory, for images: aligned to `alignment`; null where there is none. */
+typedef void *(*quell_allocate)(void *user, size_t bytes, size_t alignment);
+typedef void (*quell_release)(void *user, void *memory);
+
+/* How a denoiser is made. Start from QUELL_SETTINGS. */
+typedef struct quell_settings {
+    size_t struct_size;
+    const char *preset;          /* one that quell_preset_name() lists */
+    int32_t width, height;       /* of all frames */
+    int32_t threads;             /* 0: all that there are. Results do not depend on it. */
+    const char *instruction_set; /* null: the best that the machine has, of those that quell_instruction_set_name() lists */
+    quell_parallel parallel;     /* null: the library's own threads, of which there are `threads` */
+    void *parallel_user;
+    quell_allocate allocate; /* null, as release: the library's own */
+    quell_release release;
+    void *memory_user;
+} quell_settings;
+#ifdef __cplusplus
+#define QUELL_SETTINGS quell_settings{sizeof(quell_settings), nullptr, 0, 0, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr}
+#else
+#define QUELL_SETTINGS ((quell_settings){sizeof(quell_settings), NULL, 0, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL})
+#endif
+
+/* Counts. Start from QUELL_STATISTICS. */
+typedef struct quell_statistics {
+    size_t struct_size;
+    int64_t frames;          /* since the history began */
+    int64_t resets;          /* how often it began */
+    int64_t missing_samples; /* in the last frame: not finite, beyond 1e16, of negative luminance */
+    int64_t repaired_guides; /* pixels of the last frame with impossible normals, albedo, depth or motion */
+    size_t bytes;            /* of history and scratch */
+} quell_statistics;
+#ifdef __cplusplus
+#define QUELL_STATISTICS quell_statistics{sizeof(quell_statistics), 0, 0, 0, 0, 0}
+#else
+#define QUELL_STATISTICS ((quell_statistics){sizeof(quell_statistics), 0, 0, 0, 0, 0})
+#endif
+
+typedef struct quell_denoiser quell_denoiser;
+
+QUELL_CALL const char *quell_version(void);
+/* The last error of the calling thread; "" where there was none. Valid until its next call. */
+QUELL_CALL const char *quell_error(void);
+/* Names of presets; null behind the last. */
+QUELL_CALL const char *quell_preset_name(int32_t index);
+/* Names of instruction sets that the library is compiled for, the best first; null behind the last. */
+QUELL_CALL const char *quell_instruction_set_name(int32_t index);
+
+QUELL_CALL quell_status quell_create(const quell_settings *settings, quell_denoiser **denoiser);
+/* Null is none. */
+QUELL_CALL void quell_destroy(quell_denoiser *denoiser);
+
+/* Names of the channels that a frame must have; null behind the last. */
+QUELL_CALL const char *quell_channel_name(const quell_denoiser *denoiser, int32_t index);
+/* Components of a channel; 0 where the preset has none of that name. */
+QUELL_CALL int32_t quell_channel_components(const quell_denoiser *denoiser, const char *name);
+QUELL_CALL int32_t quell_output_components(const quell_denoiser *denoiser);
+/* Whether frames must have a camera. */
+QUELL_CALL int32_t quell_needs_camera(const quell_denoiser *denoiser);
+/* What it is compiled for. */
+QUELL_CALL const char *quell_instruction_set(const quell_denoiser *denoiser);
+/* Its passes in order, what each reads and writes, and memory: a table in Markdown. Valid as long as the denoiser is. */
+QUELL_CALL const char *quell_plan(const quell_denoiser *denoiser);
+
+/* Denoises a frame. */
+QUELL_CALL quell_status quell_run(quell_denoiser *denoiser, const quell_frame *frame);
+/* Drops the history: for cuts and teleports. */
+QUELL_CALL quell_status quell_forget(quell_denoiser *denoiser);
+QUELL_CALL quell_status quell_get_statistics(const quell_denoiser *denoiser, quell_statistics *statistics);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
