@@ -160,7 +160,7 @@ template <class T> constexpr void with_members(T const& of, auto&& each) {
 template <class T> struct BasesOf { using type = Parts<>; };
 template <class... Edges> struct BasesOf<Product<Edges...>> { using type = Parts<Edges...>; };
 template <class S, class... Cs> struct BasesOf<Views<S, Channels<Cs...>>> { using type = Parts<detail::Slot<Cs, ViewOf<S, Cs>>...>; };
-template <std::size_t... i, class... Ps> struct BasesOf<detail::CompositeParts<std::index_sequence<i...>, Ps...>> {
+template <std::size_t... i, class... Ps> struct BasesOf<detail::NumberedSignals<std::index_sequence<i...>, Ps...>> {
     using type = Parts<detail::Slot<std::integral_constant<std::size_t, i>, Ps>...>;
 };
 

@@ -13,7 +13,7 @@ struct Inspect {
     template <class H> static Camera const& camera(H const& history) { return history.images.then.camera; }
     template <class H> static std::optional<long long> number(H const& history) { return history.images.then.number; }
     template <class H> static Extent size(H const& history) { return history.images.size; }
-    template <class H> static auto& parts(H& composite) { return composite.parts; }
+    template <class H> static auto& histories(H& composite) { return composite.histories; }
 
     // Views, without a size where there is no image.
     template <class P, class Storage> static auto output(History<P, Storage> const& history) {
@@ -41,7 +41,7 @@ struct Inspect {
 /// Calls f(type of the pipeline, history) for a pipeline, or for each pipeline of a composite.
 template <class P, class Storage> void for_each_history(History<P, Storage>& history, auto&& f) { f(std::type_identity<P>{}, history); }
 template <class... Ps, class Storage> void for_each_history(History<Composite<Ps...>, Storage>& history, auto&& f) {
-    [&]<std::size_t... i>(std::index_sequence<i...>) { (f(std::type_identity<Ps>{}, std::get<i>(Inspect::parts(history))), ...); }
+    [&]<std::size_t... i>(std::index_sequence<i...>) { (f(std::type_identity<Ps>{}, std::get<i>(Inspect::histories(history))), ...); }
     (std::index_sequence_for<Ps...>{});
 }
 
