@@ -12,14 +12,14 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// The signal of a preset that denoises any.
 struct AnySignal {};
-/// The signal of a preset that denoises all parts of a picture and puts them together.
+/// The signal of a preset that denoises all signals of a picture and puts them together.
 struct AllSignals {};
 
 /// A preset with its name.
 /// @tparam Signal what it denoises: a channel, AnySignal or AllSignals
-/// @tparam Make   make(signal, parts...) returns the pipeline; of AllSignals make(parts...) returns the Composite. The presets of motion
-/// blur
-///                drop parts.
+/// @tparam Make   make(signal, options...) returns the pipeline; of AllSignals make(options...) returns the Composite. Presets of motion
+/// blur drop
+///                options.
 /// @tparam Join   the same for the second argument of run_two_sided(); nullptr where the preset makes no use of later frames
 template <class Signal, class Make, class Join = std::nullptr_t> struct NamedPreset {
     using signal_type = Signal; ///< what it denoises
@@ -35,18 +35,18 @@ template <class Signal, class Make, class Join = std::nullptr_t> struct NamedPre
     static constexpr bool is_two_sided = !std::is_null_pointer_v<Join>;
 
     /// The pipeline for its own signal. Where that is any, it is for `radiance`, filtered without its albedo.
-    static constexpr auto usual(auto... parts) { return of_usual_signal(Make{}, parts...); }
+    static constexpr auto usual(auto... options) { return of_usual_signal(Make{}, options...); }
     /// The second argument of run_two_sided() for usual().
-    static constexpr auto usual_joining(auto... parts) { return of_usual_signal(Join{}, parts...); }
+    static constexpr auto usual_joining(auto... options) { return of_usual_signal(Join{}, options...); }
 
 private:
-    static constexpr auto of_usual_signal(auto function, auto... parts) {
+    static constexpr auto of_usual_signal(auto function, auto... options) {
         if constexpr (std::is_same_v<Signal, AllSignals>)
-            return function(parts...);
+            return function(options...);
         else if constexpr (std::is_same_v<Signal, AnySignal>)
-            return function(radiance, Demodulate{}, parts...);
+            return function(radiance, Demodulate{}, options...);
         else
-            return function(Signal{}, parts...);
+            return function(Signal{}, options...);
     }
 };
 template <class S, class M> NamedPreset(std::string_view, PresetGroup, S, M) -> NamedPreset<S, M>;
@@ -70,7 +70,7 @@ inline constexpr std::tuple list{
     NamedPreset{"shadow", effects, visibility, [](auto... a) { return shadow(a...); }},
     NamedPreset{"glossy", effects, quell::glossy, [](auto... a) { return presets::glossy(a...); }},
     NamedPreset{"dual-cone", effects, indirect, [](auto... a) { return dual_cone(a...); }},
-    NamedPreset{"trmv", effects, all, [](auto... parts) { return trmv(parts...); }},
+    NamedPreset{"trmv", effects, all, [](auto... options) { return trmv(options...); }},
 
     NamedPreset{"blur", blur, radiance, [](auto signal, auto...) { return presets::blur(signal); }},
     NamedPreset{"blur-straight", blur, radiance, [](auto signal, auto...) { return presets::blur<StraightTrajectories>(signal); }},
@@ -83,7 +83,7 @@ inline constexpr std::tuple list{
     NamedPreset{"shadow-paper", published, visibility, [](auto... a) { return shadow_paper(a...); }},
     NamedPreset{"glossy-paper", published, quell::glossy, [](auto... a) { return glossy_paper(a...); }},
     NamedPreset{"dual-cone-paper", published, indirect, [](auto... a) { return dual_cone_paper(a...); }},
-    NamedPreset{"trmv-paper", published, all, [](auto... parts) { return trmv_paper(parts...); }},
+    NamedPreset{"trmv-paper", published, all, [](auto... options) { return trmv_paper(options...); }},
     NamedPreset{"blur-wavelet", published, radiance, [](auto signal, auto...) { return blur_wavelet(signal); }},
     NamedPreset{"blur-fixed-step", published, radiance, [](auto signal, auto...) { return blur_fixed_step(signal); }},
     NamedPreset{"blur-one-step", published, radiance, [](auto signal, auto...) { return blur_one_step(signal); }},
