@@ -111,7 +111,7 @@ constexpr auto tilemax_blur(auto signal, auto... options) { return Pipeline{sign
 
 /// All three effects of TRMV: direct * visibility + glossy + albedo * indirect.
 template <class... Options> constexpr auto trmv_paper(Options... options) {
-    return Composite{shadow_paper(visibility, options...), glossy_paper(quell::glossy, options...), dual_cone_paper(indirect, options...)};
+    return Composite{shadow_paper(Visibility{}, options...), glossy_paper(Glossy{}, options...), dual_cone_paper(Indirect{}, options...)};
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::presets
