@@ -52,16 +52,16 @@ auto variants_of_any(ChannelTag auto signal, auto... options) {
 /// Charts all presets of a signal on frames of one sharp sample per pixel, and more pipelines.
 /// @param options what presets of any signal get
 template <class... Options>
-void chart_presets(Job const& job, ChannelTag auto signal, std::vector<tracer::Effect> const& effects, std::tuple<Options...> options,
-                   auto const&... more) {
-    tracer::RenderSettings const one_sample{.size = job.options.size, .seed = job.options.seed, .threads = job.options.threads};
+void chart_presets(ChartRequest const& request, ChannelTag auto signal, std::vector<tracer::Effect> const& effects,
+                   std::tuple<Options...> options, auto const&... more) {
+    tracer::RenderSettings const one_sample{.size = request.options.size, .seed = request.options.seed, .threads = request.options.threads};
     auto const methods = std::apply(
         [&](auto... option) {
             return std::tuple_cat(charted_presets<BlurInput::none>(signal, option...), variants_of_any(signal, option...),
                                   std::tuple(more...));
         },
         options);
-    chart_feeds(job, signal, effects, Feed{one_sample, methods});
+    chart_feeds(request, signal, effects, Feed{one_sample, methods});
 }
 
 } // namespace quell::bench
