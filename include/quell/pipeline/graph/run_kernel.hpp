@@ -86,17 +86,17 @@ struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
         auto const made = a.images.made_out.template views<Storage>(Made{});
         auto const scope = scope_of<S, Pass>(a);
         auto const end = finish(a);
-        auto const job = Job<Pass, S, SignalView, std::remove_const_t<decltype(made)>, std::remove_const_t<decltype(end)>,
-                             typename P::remembers, keeps_marks>{.pass = kernel<Pass>(a),
-                                                                 .scope = scope,
-                                                                 .signal = view_in<Storage, typename P::Signal>(a.images.signal_out),
-                                                                 .made = made,
-                                                                 .finish = end,
-                                                                 .store_signal = a.stores.signal,
-                                                                 .store_output = a.stores.output,
-                                                                 .store_remembered = a.stores.guides,
-                                                                 .stored_channels = stored(Made{}, a.images.made_out),
-                                                                 .counts = a.counts};
+        auto const job = PassJob<Pass, S, SignalView, std::remove_const_t<decltype(made)>, std::remove_const_t<decltype(end)>,
+                                 typename P::remembers, keeps_marks>{.pass = kernel<Pass>(a),
+                                                                     .scope = scope,
+                                                                     .signal = view_in<Storage, typename P::Signal>(a.images.signal_out),
+                                                                     .made = made,
+                                                                     .finish = end,
+                                                                     .store_signal = a.stores.signal,
+                                                                     .store_output = a.stores.output,
+                                                                     .store_remembered = a.stores.guides,
+                                                                     .stored_channels = stored(Made{}, a.images.made_out),
+                                                                     .counts = a.counts};
         static_cast<E const*>(a.typed.executor)->for_each_pixel(Region{0, 0, scope.size.width, scope.size.height}, job);
     }
 
