@@ -45,7 +45,7 @@ list_kernels() {
     sed -n "s/.*Compiling entry function '\([^']*\)'.*/name \1/p; s/.*Used \([0-9]*\) registers.*, \([0-9]*\) bytes cumulative stack.*/used \1 \2/p
         s/.*Used \([0-9]*\) registers.*/used \1 0/p" "$@" |
         awk '$1 == "name" { name = $2 } $1 == "used" && name ~ /each_pixel/ { print $2, $3, name }' | c++filt |
-        sed -E 's/^([0-9]+ [0-9]+) void quell::cuda::detail::each_pixel<quell::cuda::detail::(Job<)?/\1 /; s/quell::cuda::(detail::)?//g' |
+        sed -E 's/^([0-9]+ [0-9]+) void quell::cuda::detail::each_pixel<quell::cuda::detail::(PassJob<)?/\1 /; s/quell::cuda::(detail::)?//g' |
         awk '{ depth = 0; pass = ""; text = $0; sub(/^[0-9]+ [0-9]+ /, "", text)
                for (i = 1; i <= length(text); ++i) { c = substr(text, i, 1)
                    if (c == "<") ++depth; if (c == ">") --depth; if (depth < 0 || (depth == 0 && c == ",")) break; pass = pass c }

@@ -24,9 +24,9 @@ auto denoisers() {
 }
 } // namespace
 
-void chart_blur(Job const& job) {
+void chart_blur(ChartRequest const& request) {
     tracer::RenderSettings const blurred{
-        .size = job.options.size, .seed = job.options.seed, .threads = job.options.threads, .shutter = 0.5f};
+        .size = request.options.size, .seed = request.options.seed, .threads = request.options.threads, .shutter = 0.5f};
     auto frozen = blurred;
     frozen.frozen_at = 0.5f;
     auto const input = [&](int samples, char const* name, bool stratified = true) {
@@ -37,7 +37,7 @@ void chart_blur(Job const& job) {
         shown.competes = false;
         return Feed{settings, std::tuple(shown), true};
     };
-    chart_feeds(job, radiance, {tracer::Effect::blur}, Feed{blurred, denoisers()},
+    chart_feeds(request, radiance, {tracer::Effect::blur}, Feed{blurred, denoisers()},
                 Feed{frozen, charted_presets<BlurInput::picture>(radiance)}, input(4, "none-4spp"), input(8, "none-8spp"),
                 input(16, "none-16spp"), input(8, "none-8spp-random", false), input(16, "none-16spp-random", false));
 }

@@ -16,7 +16,7 @@
 namespace quell::bench {
 
 /// What an effect's chart is asked for.
-struct Job {
+struct ChartRequest {
     ChartOptions const& options;
     SceneEffect const& what;
     std::function<void(std::string const& doing)> const& progress; ///< called before each frame and each reference
@@ -44,18 +44,18 @@ inline metrics::Mask mask_of(tracer::PreparedScene& scene, tracer::RenderSetting
 
 /// What the scored frames should be, and where the effects are in them.
 template <ChannelTag Signal>
-std::vector<Wanted> wanted_frames(Job const& job, Signal signal, tracer::PreparedScene& scene, tracer::RenderSettings settings,
+std::vector<Wanted> wanted_frames(ChartRequest const& request, Signal signal, tracer::PreparedScene& scene, tracer::RenderSettings settings,
                                   std::vector<tracer::Effect> const& effects) {
     settings.seed = 0; // the same for any noise
     // What moves is a small part of some blurred pictures; indirect light takes a hundred times the samples.
     bool const slow = std::ranges::find(effects, tracer::Effect::indirect) != effects.end();
     double const usual = settings.shutter > 0 ? 0.005 : slow ? 0.03 : 0.01;
     std::vector<Wanted> all;
-    for (int const frame : job.options.scored_frames()) {
-        job.progress("reference of frame " + std::to_string(frame));
+    for (int const frame : request.options.scored_frames()) {
+        request.progress("reference of frame " + std::to_string(frame));
         settings.frame = frame;
-        auto const reference =
-            tracer::reference<Channels<Signal>>(scene, settings, {.tolerance = job.options.tolerance > 0 ? job.options.tolerance : usual});
+        auto const reference = tracer::reference<Channels<Signal>>(
+            scene, settings, {.tolerance = request.options.tolerance > 0 ? request.options.tolerance : usual});
         all.push_back({frame, metrics::displayed(share(reference, signal)), mask_of(scene, settings, effects)});
     }
     return all;
@@ -75,12 +75,12 @@ template <ChannelTag Signal, class FrameT> io::ExrImage image_of(tracer::Prepare
 
 /// Renders the sequence and runs all methods on it, side by side. What other programs get are the first contest's frames.
 template <class FrameT>
-void run_contests(Job const& job, ChannelTag auto signal, tracer::PreparedScene& scene, std::vector<Contest<FrameT>>& contests,
+void run_contests(ChartRequest const& request, ChannelTag auto signal, tracer::PreparedScene& scene, std::vector<Contest<FrameT>>& contests,
                   Judge const& judge, ExternalRuns& others) {
-    auto const& options = job.options;
+    auto const& options = request.options;
     FrameT frame(options.size);
     for (int i = 0; i < options.frames; ++i) {
-        job.progress("frame " + std::to_string(i));
+        request.progress("frame " + std::to_string(i));
         for (auto& contest : contests) {
             if (contest.scored_frames_only && !options.scores(i)) continue;
             contest.render(scene, i, frame);
@@ -93,36 +93,36 @@ void run_contests(Job const& job, ChannelTag auto signal, tracer::PreparedScene&
 /// Charts the methods of all feeds over a scene. Errors are those of the effect's share of the picture, displayed. Reference and masks
 /// are those of the first feed's frames.
 template <ChannelTag Signal, class... Feeds>
-void chart_feeds(Job const& job, Signal signal, std::vector<tracer::Effect> const& effects, Feeds const&... feeds) {
+void chart_feeds(ChartRequest const& request, Signal signal, std::vector<tracer::Effect> const& effects, Feeds const&... feeds) {
     // Albedo and so on are what other programs expect.
     using FrameT = Frame<decltype(reads_of<Feeds...>{} | Channels<Albedo, Normal, Depth, Motion>{})>;
     std::vector<Contest<FrameT>> contests;
-    (contests.emplace_back(job.options, feeds), ...);
-    tracer::PreparedScene scene(tracer::open_scene(job.what.scene));
-    SceneEffect const shown{std::filesystem::path(job.what.scene).stem().string(), job.what.effect};
-    Judge const judge(job.options, shown, wanted_frames(job, signal, scene, contests.front().rendered, effects),
-                      job.options.pictured_frame());
+    (contests.emplace_back(request.options, feeds), ...);
+    tracer::PreparedScene scene(tracer::open_scene(request.what.scene));
+    SceneEffect const shown{std::filesystem::path(request.what.scene).stem().string(), request.what.effect};
+    Judge const judge(request.options, shown, wanted_frames(request, signal, scene, contests.front().rendered, effects),
+                      request.options.pictured_frame());
     ExternalRuns others;
-    run_contests(job, signal, scene, contests, judge, others);
+    run_contests(request, signal, scene, contests, judge, others);
     std::vector<Row> rows;
     for (auto const& contest : contests) contest.put_rows(judge, rows);
     std::exception_ptr failed;
     try {
-        for (auto const& external : job.options.externals) {
-            job.progress(external.name);
+        for (auto const& external : request.options.externals) {
+            request.progress(external.name);
             rows.push_back(others.run(external, judge));
         }
     } catch (...) { // of another program: what was charted before is kept
         failed = std::current_exception();
     }
-    job.results.add(std::move(rows));
+    request.results.add(std::move(rows));
     if (failed) std::rethrow_exception(failed);
 }
 
-void chart_shadow(Job const& job);
-void chart_glossy(Job const& job); ///< curved too
-void chart_indirect(Job const& job);
-void chart_blur(Job const& job);
-void chart_composite(Job const& job);
+void chart_shadow(ChartRequest const& request);
+void chart_glossy(ChartRequest const& request); ///< curved too
+void chart_indirect(ChartRequest const& request);
+void chart_blur(ChartRequest const& request);
+void chart_composite(ChartRequest const& request);
 
 } // namespace quell::bench

@@ -9,21 +9,21 @@
 namespace quell::bench {
 
 /// The pipeline of a preset for a signal, or that of all signals.
-template <class Preset> constexpr auto pipeline_of(Preset const& preset, ChannelTag auto signal, auto... parts) {
+template <class Preset> constexpr auto pipeline_of(Preset const& preset, ChannelTag auto signal, auto... options) {
     if constexpr (std::is_same_v<typename Preset::signal_type, AllSignals>)
         return preset.make();
     else
-        return preset.make(signal, parts...);
+        return preset.make(signal, options...);
 }
 
 /// The presets for a signal that make motion blur of `input`, as a tuple of pipelines to chart. Presets of all signals are among them where
 /// the signal is `radiance`.
-template <BlurInput input> auto charted_presets(ChannelTag auto signal, auto... parts) {
+template <BlurInput input> auto charted_presets(ChannelTag auto signal, auto... options) {
     using Signal = decltype(signal);
     auto const charted = [&]<class Preset>(Preset const& preset) {
         constexpr bool of_all = std::is_same_v<typename Preset::signal_type, AllSignals> && std::is_same_v<Signal, Radiance>;
         if constexpr (of_all || Preset::template serves<Signal>) {
-            auto const pipeline = pipeline_of(preset, signal, parts...);
+            auto const pipeline = pipeline_of(preset, signal, options...);
             if constexpr (blur_input<std::remove_const_t<decltype(pipeline)>> == input)
                 return std::tuple(Charted{std::string(preset.name), pipeline});
             else
@@ -35,31 +35,33 @@ template <BlurInput input> auto charted_presets(ChannelTag auto signal, auto... 
 }
 
 /// svgf with a wavelet of another shape.
-template <class Spline> constexpr auto svgf_with(Spline, ChannelTag auto signal, auto... parts) {
-    return Pipeline{signal, parts..., Temporal{SurfaceMotion{}, WithMoments{RunningMean{.cap = 5.f}}},
+template <class Spline> constexpr auto svgf_with(Spline, ChannelTag auto signal, auto... options) {
+    return Pipeline{signal, options..., Temporal{SurfaceMotion{}, WithMoments{RunningMean{.cap = 5.f}}},
                     Spatial{VarianceGuidedAtrous<Product<DepthEdge, NormalEdge>, Spline>{}}};
 }
 
 /// Variants of another type than the presets of any signal.
-auto variants_of_any(ChannelTag auto signal, auto... parts) {
-    return std::tuple(
-        variant_of({"atrous", "taps", 3., 5.}, Pipeline{signal, parts..., Spatial{Atrous<Product<DepthEdge, NormalEdge>, LinearSpline>{}}}),
-        Charted{"general", presets::general(signal, parts...)}.in_half(), Charted{"svgf", presets::svgf(signal, parts...)}.in_half(),
-        variant_of({"svgf", "taps", 3., 5.}, svgf_with(LinearSpline{}, signal, parts...)));
+auto variants_of_any(ChannelTag auto signal, auto... options) {
+    return std::tuple(variant_of({"atrous", "taps", 3., 5.},
+                                 Pipeline{signal, options..., Spatial{Atrous<Product<DepthEdge, NormalEdge>, LinearSpline>{}}}),
+                      Charted{"general", presets::general(signal, options...)}.in_half(),
+                      Charted{"svgf", presets::svgf(signal, options...)}.in_half(),
+                      variant_of({"svgf", "taps", 3., 5.}, svgf_with(LinearSpline{}, signal, options...)));
 }
 
 /// Charts all presets of a signal on frames of one sharp sample per pixel, and more pipelines.
-/// @param parts what presets of any signal get
-template <class... Parts>
-void chart_presets(Job const& job, ChannelTag auto signal, std::vector<tracer::Effect> const& effects, std::tuple<Parts...> parts,
-                   auto const&... more) {
-    tracer::RenderSettings const one_sample{.size = job.options.size, .seed = job.options.seed, .threads = job.options.threads};
+/// @param options what presets of any signal get
+template <class... Options>
+void chart_presets(ChartRequest const& request, ChannelTag auto signal, std::vector<tracer::Effect> const& effects,
+                   std::tuple<Options...> options, auto const&... more) {
+    tracer::RenderSettings const one_sample{.size = request.options.size, .seed = request.options.seed, .threads = request.options.threads};
     auto const methods = std::apply(
-        [&](auto... part) {
-            return std::tuple_cat(charted_presets<BlurInput::none>(signal, part...), variants_of_any(signal, part...), std::tuple(more...));
+        [&](auto... option) {
+            return std::tuple_cat(charted_presets<BlurInput::none>(signal, option...), variants_of_any(signal, option...),
+                                  std::tuple(more...));
         },
-        parts);
-    chart_feeds(job, signal, effects, Feed{one_sample, methods});
+        options);
+    chart_feeds(request, signal, effects, Feed{one_sample, methods});
 }
 
 } // namespace quell::bench

@@ -1,7 +1,7 @@
 #include "chart_presets.hpp"
 
-void quell::bench::chart_composite(Job const& job) {
+void quell::bench::chart_composite(ChartRequest const& request) {
     using tracer::Effect;
-    chart_presets(job, radiance, {Effect::shadow, Effect::glossy, Effect::indirect}, std::tuple(Demodulate{}),
+    chart_presets(request, radiance, {Effect::shadow, Effect::glossy, Effect::indirect}, std::tuple(Demodulate{}),
                   Charted{"trmv", presets::trmv()}.in_half());
 }

@@ -1,6 +1,6 @@
 #include "chart_presets.hpp"
 
-void quell::bench::chart_glossy(Job const& job) {
-    auto const effect = job.what.effect == "curved" ? tracer::Effect::curved : tracer::Effect::glossy;
-    chart_presets(job, glossy, {effect}, {}, Charted{"glossy", presets::glossy(glossy)}.in_half());
+void quell::bench::chart_glossy(ChartRequest const& request) {
+    auto const effect = request.what.effect == "curved" ? tracer::Effect::curved : tracer::Effect::glossy;
+    chart_presets(request, glossy, {effect}, {}, Charted{"glossy", presets::glossy(glossy)}.in_half());
 }

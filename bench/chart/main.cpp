@@ -15,13 +15,13 @@ namespace {
 
 using namespace quell::bench;
 
-void chart(Job const& job) {
-    auto const& effect = job.what.effect;
-    if (effect == "shadow") return chart_shadow(job);
-    if (effect == "indirect") return chart_indirect(job);
-    if (effect == "blur") return chart_blur(job);
-    if (effect == "composite") return chart_composite(job);
-    chart_glossy(job);
+void chart(ChartRequest const& request) {
+    auto const& effect = request.what.effect;
+    if (effect == "shadow") return chart_shadow(request);
+    if (effect == "indirect") return chart_indirect(request);
+    if (effect == "blur") return chart_blur(request);
+    if (effect == "composite") return chart_composite(request);
+    chart_glossy(request);
 }
 
 void chart_all(ChartOptions const& options) {

@@ -1,5 +1,5 @@
 #include "chart_presets.hpp"
 
-void quell::bench::chart_shadow(Job const& job) {
-    chart_presets(job, visibility, {tracer::Effect::shadow}, {}, Charted{"shadow", presets::shadow(visibility)}.in_half());
+void quell::bench::chart_shadow(ChartRequest const& request) {
+    chart_presets(request, visibility, {tracer::Effect::shadow}, {}, Charted{"shadow", presets::shadow(visibility)}.in_half());
 }

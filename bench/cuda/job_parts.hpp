@@ -71,7 +71,7 @@ template <class T> inline constexpr std::size_t member_count = count_members<T>(
 // The same, for what jobs are made of, without counting, which takes long to compile. Where a number is wrong, with_members() does not
 // compile.
 template <class P, class S, class V, class M, class F, class R, bool marks>
-inline constexpr std::size_t member_count<detail::Job<P, S, V, M, F, R, marks>> = 10;
+inline constexpr std::size_t member_count<detail::PassJob<P, S, V, M, F, R, marks>> = 10;
 template <class F, class S, class O, class R> inline constexpr std::size_t member_count<detail::Finish<F, S, O, R>> = 4;
 template <class F, class M, class S, class P, class K, class T, PassTraits traits, class V>
 inline constexpr std::size_t member_count<Scope<F, M, S, P, K, T, traits, V>> = 18;
@@ -160,7 +160,7 @@ template <class T> constexpr void with_members(T const& of, auto&& each) {
 template <class T> struct BasesOf { using type = Parts<>; };
 template <class... Edges> struct BasesOf<Product<Edges...>> { using type = Parts<Edges...>; };
 template <class S, class... Cs> struct BasesOf<Views<S, Channels<Cs...>>> { using type = Parts<detail::Slot<Cs, ViewOf<S, Cs>>...>; };
-template <std::size_t... i, class... Ps> struct BasesOf<detail::CompositeParts<std::index_sequence<i...>, Ps...>> {
+template <std::size_t... i, class... Ps> struct BasesOf<detail::NumberedSignals<std::index_sequence<i...>, Ps...>> {
     using type = Parts<detail::Slot<std::integral_constant<std::size_t, i>, Ps>...>;
 };
 

@@ -57,9 +57,8 @@ struct Eye {
 
 /// The values of all channels at a pixel.
 struct Sample {
-    using channels = Channels<Depth, Normal, Motion, Sweep, SweepOf<Visibility>, SweepOf<Glossy>, SweepBend, Time, Position,
-                              ReceiverPrevious, Roughness, Albedo, Radiance, Direct, Glossy, Indirect, Visibility, Light, LightPrevious,
-                              Blocker, BlockerPrevious, GlossyHit, GlossyHitPrevious, IndirectDirection>;
+    /// Gradients would take rays of two frames, and nothing here knows of the next frame or of numbers of samples.
+    using channels = without<AllChannels, Channels<Instance, GradientOf<Radiance>, MotionNext, SampleCount, SampleVariance>>;
     Eye const& now;
     Eye const& then;
     int x, y, number;

@@ -12,7 +12,7 @@ namespace quell::stability {
 namespace {
 
 /// Whatever any preset reads.
-using Traced = decltype(AllChannels{} | Channels<GradientOf<Radiance>, SweepBend, SweepOf<Visibility>, SweepOf<Glossy>>{});
+using Traced = tracer::TracedChannels;
 using TracedFrame = Frame<Traced>;
 
 metrics::Picture times(metrics::Picture a, metrics::Picture const& b) {

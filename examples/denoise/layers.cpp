@@ -156,7 +156,7 @@ void add_up_exactly(DenoisedFrame& frame, std::array<io::SampleType, 3> const& t
             whole = rounded(whole, type[static_cast<std::size_t>(c)]);
             if (frame.signals.empty()) continue;
             frame.added_at(i, c, added);
-            auto const sum = [&] {
+            auto const sum_as_read = [&] {
                 float all = 0;
                 for (auto const& signal : frame.signals) all += signal.pixels[i][c];
                 for (auto const value : added) all += value;
@@ -172,8 +172,11 @@ void add_up_exactly(DenoisedFrame& frame, std::array<io::SampleType, 3> const& t
             }
             for (auto const value : added) rest += static_cast<double>(value);
             *strongest = static_cast<float>(static_cast<double>(whole) - (rest - static_cast<double>(*strongest)));
-            for (int tries = 0; tries < 8 && sum() != whole; ++tries)
-                *strongest = std::nextafter(*strongest, sum() < whole ? INFINITY : -INFINITY);
+            // Whoever adds the layers up rounds after each addition, so that the exact difference may lead to a neighbour of `whole`. Then
+            // the next float or the one after it leads there. There may be none where large signals cancel each other: hence the limit.
+            constexpr int most_steps = 8;
+            for (int step = 0; step < most_steps && sum_as_read() != whole; ++step)
+                *strongest = std::nextafter(*strongest, sum_as_read() < whole ? INFINITY : -INFINITY);
         }
 }
 

@@ -105,51 +105,45 @@ io::Source source_in(Member const& member, Component const& component) {
     return source;
 }
 
-std::vector<io::Source> sources_in(Member const& member, std::string_view channel, int components);
+std::vector<io::Source> sources_in(Member const& member, std::vector<std::string> const& components);
 
 /// The first of several that the frame has; without a frame, the first.
-std::vector<io::Source> first_of(Member const& member, std::string_view channel, int components) {
+std::vector<io::Source> first_of(Member const& member, std::vector<std::string> const& components) {
     check_keys(member, {"first_of"});
     auto const choices = member.at("first_of");
     if (!choices.value.is_array() || choices.value.empty()) choices.fail("write a list of at least one of what may stand in its place");
-    auto const choice = [&](std::size_t i) { return sources_in(choices.at(i), channel, components); };
+    auto const choice = [&](std::size_t i) { return sources_in(choices.at(i), components); };
     for (std::size_t i = 0; i < choices.value.size(); ++i)
         if (auto const sources = choice(i); !member.frame || member.frame->has_all(io::planes_of(sources))) return sources;
     return choice(0); // reading it says what it lacks
 }
 
-std::vector<io::Source> sources_in(Member const& member, std::string_view channel, int components) {
-    if (member.value.is_object() && member.has("first_of")) return first_of(member, channel, components);
-    auto const count = static_cast<std::size_t>(components);
+/// @param components the names of the channel's components
+std::vector<io::Source> sources_in(Member const& member, std::vector<std::string> const& components) {
+    if (member.value.is_object() && member.has("first_of")) return first_of(member, components);
+    auto const count = components.size();
     std::vector<io::Source> sources;
     if (member.value.is_array()) {
-        if (member.value.size() != count) member.fail("write a list of " + std::to_string(components) + ", one for each component");
+        if (member.value.size() != count) member.fail("write a list of " + std::to_string(count) + ", one for each component");
         for (std::size_t c = 0; c < count; ++c) sources.push_back(source_in(member.at(c), {c, "", true}));
     } else
-        for (auto const& letter : io::detail::component_names(channel, components))
-            sources.push_back(source_in(member, {sources.size(), components == 1 ? "" : letter}));
+        for (auto const& name : components) sources.push_back(source_in(member, {sources.size(), count == 1 ? "" : name}));
     return sources;
 }
 
-/// What presets read that isn't in quell's own files always: how paths bend, how signals change by themselves, how they sweep, where things
-/// go next, and what the renderer knows of its samples.
-using MappedChannels =
-    decltype(AllChannels{} |
-             Channels<SweepBend, GradientOf<Radiance>, SweepOf<Visibility>, SweepOf<Glossy>, MotionNext, SampleCount, SampleVariance>{});
-
-/// The number of components of the channel of that name; 0 where there is none.
-int components_of_channel(std::string const& name) {
-    int components = 0;
-    for_each_channel(MappedChannels{}, [&]<class C>(C) {
-        if (C::name == name) components = C::components;
+/// The names of the components of the channel of that name; none where there is no such channel.
+std::vector<std::string> components_of_channel(std::string const& name) {
+    std::vector<std::string> components;
+    for_each_channel(AllChannels{}, [&](auto channel) {
+        if (channel.name == name) components = io::detail::component_names(channel);
     });
     return components;
 }
 
 void add_channel(Member const& object, std::string const& name, io::ChannelNames& names) {
     auto const components = components_of_channel(name);
-    if (components == 0) object.at(name).fail("quell has no such channel; see the table of channels in docs/channels.md");
-    names.sources[name] = sources_in(object.at(name), name, components);
+    if (components.empty()) object.at(name).fail("quell has no such channel; see the table of channels in docs/channels.md");
+    names.sources[name] = sources_in(object.at(name), components);
 }
 
 /// One of several words.
@@ -210,7 +204,7 @@ io::SignalNames signal_in(Member const& object, io::ChannelNames const& guides) 
         if (name != "name" && name != "irradiance") add_channel(object, name, signal.channels);
     if (!object.has("irradiance")) return signal;
     if (object.has("radiance")) object.fail("write \"radiance\" or \"irradiance\", not both");
-    signal.channels.sources["radiance"] = sources_in(object.at("irradiance"), "radiance", 3);
+    signal.channels.sources["radiance"] = sources_in(object.at("irradiance"), io::detail::component_names(radiance));
     signal.factor = io::sources_of(signal.channels, albedo);
     signal.channels.sources["albedo"] = std::vector<io::Source>(3, io::Source{{}, 1.f});
     return signal;
@@ -292,7 +286,7 @@ io::SequenceNames parse_map(std::string const& text, std::string const& name, io
         auto const layer = map.at("picture").text(name_a_layer);
         for (auto const* const component : {"R", "G", "B"}) names.picture.push_back({{layer + (layer.empty() ? "" : ".") + component}});
     }
-    if (map.has("added")) names.added = sources_in(map.at("added"), "radiance", 3);
+    if (map.has("added")) names.added = sources_in(map.at("added"), io::detail::component_names(radiance));
     if (map.has("signals")) {
         auto const signals = map.at("signals");
         if (!signals.value.is_array() || signals.value.empty()) signals.fail("write a list of at least one signal");
@@ -345,7 +339,7 @@ io::FileViews views_in(io::ExrListing const& frame, std::string const& map) {
 }
 
 io::SequenceNames names_in_file(io::FileView const& view, io::ExrListing const& frame) {
-    return io::names_in_file(view, frame, MappedChannels{});
+    return io::names_in_file(view, frame, AllChannels{});
 }
 
 io::SequenceNames recognised(io::ExrListing const& frame) {

@@ -79,7 +79,7 @@ using EffectSweeps =
 template <class Set> RayCounts with_channels(auto const&, auto&& f, Set) {
     if constexpr (Set::size > 0)
         // In one order, so that equal sets are the same type.
-        return f(common_to<AllChannels, Set>{} | without<Set, AllChannels>{} | EffectSweeps<Set>{});
+        return f(common_to<AllChannels, decltype(Set{} | EffectSweeps<Set>{})>{});
     else
         return {};
 }

@@ -219,6 +219,9 @@ private:
 
 } // namespace detail
 
+/// What this tracer can make: it knows nothing of the next frame, and its pixels all have the same number of samples.
+using TracedChannels = without<AllChannels, Channels<MotionNext, SampleCount, SampleVariance>>;
+
 /// Traces the channels in `Wanted`, exactly the rays that they need, and hands every pixel to the sink. Visibility, direct, glossy,
 /// indirect and radiance are means over the samples. So are normal (at unit length), albedo, roughness and motion where Jitter::pixel sends
 /// samples to different places; all other channels are those of the first sample, gradients too. Without it, primary rays go through one

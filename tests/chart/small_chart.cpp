@@ -12,5 +12,6 @@ void quell::bench::chart_small(ChartOptions const& options) {
     Feed const scored_only{rendered, std::tuple(Charted{"input", presets::none(visibility)}), true};
     Results results(options);
     for (auto const& what : options.cases)
-        chart_feeds(Job{options, what, [](std::string const&) {}, results}, visibility, {tracer::Effect::shadow}, feed, scored_only);
+        chart_feeds(ChartRequest{options, what, [](std::string const&) {}, results}, visibility, {tracer::Effect::shadow}, feed,
+                    scored_only);
 }

@@ -10,6 +10,24 @@ static_assert(std::is_same_v<without<Channels<Depth, Normal>, Channels<Normal>>,
 static_assert(contained_in<Channels<Depth>, Channels<Normal, Depth>>);
 static_assert(!contained_in<Channels<Depth, Motion>, Channels<Normal, Depth>>);
 
+// Names in files: a letter for each component, or the whole name of the only one.
+namespace {
+struct Pair : Channel<2> {
+    static constexpr auto name = "pair";
+    static constexpr auto component_names = "X";
+};
+struct Unnamed : Channel<1> {
+    static constexpr auto name = "unnamed";
+    static constexpr auto component_names = "";
+};
+struct Numbered : Channel<5> {
+    static constexpr auto name = "numbered";
+};
+} // namespace
+static_assert(Radiance::component_names == "RGB" && Instance::component_names == "ID" && Visibility::component_names == "V");
+static_assert(detail::SaysRightly<Instance> && detail::SaysRightly<Numbered> && !detail::SaysRightly<Pair> &&
+              !detail::SaysRightly<Unnamed>);
+
 namespace {
 constexpr auto still = Pipeline{radiance, Temporal{StillMotion{}, Exponential{}}};
 constexpr auto bare_surface = Pipeline{visibility, Temporal{SurfaceMotion{SameDepth{}}, RunningMean{}}};

@@ -197,7 +197,7 @@ TEST_CASE("an a-trous level is the sum that the paper writes, computed plainly i
     auto const out = tests::copy_of(run(pipeline, frame, history));
     // With the weights of the house, which another test holds to the exponential: the same but for rounding.
     auto const house = error_of(out, plain_wavelet(size, frame, sigma, [](double weight, double distance) {
-                                    return edge_weight(static_cast<float>(distance), weight_bits(static_cast<float>(weight)));
+                                    return edge_weight(static_cast<float>(distance), WeightBits::of(static_cast<float>(weight)));
                                 }));
     INFO("with edge_weight: ", house.worst, ", ", house.mean);
     CHECK(house.worst < 1e-5);

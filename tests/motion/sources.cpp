@@ -13,8 +13,8 @@ float pattern(float x, float y) { return 2.f + std::sin(0.31f * x) + std::cos(0.
 
 /// Shows the pattern once, then once more moved by `shift`, with a source that should follow it; returns what became of the history alone.
 template <class M, class Fetch = Bilinear>
-std::vector<float> follow(M const& motion_source, glm::vec2 shift, auto&& supply, Fetch fetch = {}, auto... parts) {
-    auto const pipeline = Pipeline{visibility, parts..., Temporal{motion_source, Exponential{.alpha = 0.f}, fetch}};
+std::vector<float> follow(M const& motion_source, glm::vec2 shift, auto&& supply, Fetch fetch = {}, auto... options) {
+    auto const pipeline = Pipeline{visibility, options..., Temporal{motion_source, Exponential{.alpha = 0.f}, fetch}};
     Frame frame{size, pipeline};
     History history{size, pipeline};
     tests::fill_still(frame);

@@ -261,8 +261,8 @@ TEST_CASE("a target of another size, factors of another size and rows without a 
     CHECK(tests::message([&] { run_frame(1); }) == "channel 'direct': 4x4 in a frame of 40x24; give every channel the frame's size");
     lit[direct] = Planar<>::Image<3>(size);
     run_frame(1);
-    CHECK(its_history.part<0>().statistics().resets == 1);
-    CHECK(its_history.part<1>().statistics().resets == 1);
+    CHECK(its_history.of_pipeline<0>().statistics().resets == 1);
+    CHECK(its_history.of_pipeline<1>().statistics().resets == 1);
 
     constexpr auto none = presets::none(visibility);
     std::vector<float> const values(static_cast<std::size_t>(size.pixels()));

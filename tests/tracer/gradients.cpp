@@ -14,7 +14,7 @@ using Wanted = Channels<GradientOf<Visibility>, GradientOf<Glossy>, GradientOf<I
 static_assert(GradientOf<Visibility>::name == "visibility_gradient");
 static_assert(GradientOf<Radiance>::name == "radiance_gradient");
 static_assert(std::is_same_v<gradient_signals<Channels<Depth, GradientOf<Glossy>>>, Channels<Glossy>>);
-static_assert(!wants_gradients<AllChannels> && wants_gradients<Wanted>);
+static_assert(!wants_gradients<Channels<Radiance, Glossy>> && wants_gradients<Wanted>);
 
 /// A floor and a wall of metal under a light whose brightness may change; the camera stands still.
 SceneDescription lit_corner(std::function<float(float)> brightness) {

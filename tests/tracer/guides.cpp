@@ -47,7 +47,7 @@ TEST_CASE("normals face the viewer from either side and are of unit length on sc
 TEST_CASE("a miss has infinite depth, no instance, no position, and shows the background as direct light") {
     auto scene = world({0, 0, 0}, {0, 0, -1});
     scene.background = {{0.1f, 0.2f, 0.3f}, {0.5f, 0.6f, 0.7f}};
-    auto const pictures = pictures_of<AllChannels>(std::move(scene), {.size = {9, 9}});
+    auto const pictures = pictures_of<TracedChannels>(std::move(scene), {.size = {9, 9}});
     CHECK(std::isinf(pixel(pictures[depth], 4, 4).x));
     CHECK(pixel(pictures[instance], 4, 4).x == 0);
     CHECK(!std::isfinite(pixel(pictures[position], 4, 4).x));

@@ -96,11 +96,11 @@ TEST_CASE("ambient light is the mean of the background over the hemisphere, weig
 
 TEST_CASE("a channel's values do not depend on which others are traced") {
     PreparedScene scene{built_in_scene("room")};
-    Pictures<AllChannels> all{size};
+    Pictures<TracedChannels> all{size};
     Pictures<Channels<Visibility>> shadow{size};
     Pictures<Channels<Glossy, Indirect>> light{size};
     RenderSettings const settings{.size = size, .frame = 5, .seed = 3};
-    render<AllChannels>(scene, settings, all);
+    render<TracedChannels>(scene, settings, all);
     render<Channels<Visibility>>(scene, settings, shadow);
     render<Channels<Glossy, Indirect>>(scene, settings, light);
     CHECK(all[visibility].pixels == shadow[visibility].pixels);
@@ -110,11 +110,11 @@ TEST_CASE("a channel's values do not depend on which others are traced") {
 
 TEST_CASE("pictures are the same for any number of threads") {
     PreparedScene scene{built_in_scene("room")};
-    Pictures<AllChannels> one{size}, two{size};
-    auto const first = render<AllChannels>(scene, {.size = size, .frame = 3, .samples_per_pixel = 2, .threads = 1}, one);
-    auto const second = render<AllChannels>(scene, {.size = size, .frame = 3, .samples_per_pixel = 2, .threads = 2}, two);
+    Pictures<TracedChannels> one{size}, two{size};
+    auto const first = render<TracedChannels>(scene, {.size = size, .frame = 3, .samples_per_pixel = 2, .threads = 1}, one);
+    auto const second = render<TracedChannels>(scene, {.size = size, .frame = 3, .samples_per_pixel = 2, .threads = 2}, two);
     CHECK(first == second);
-    for_each_channel(AllChannels{}, [&](auto channel) {
+    for_each_channel(TracedChannels{}, [&](auto channel) {
         auto const &a = one[channel].pixels, &b = two[channel].pixels;
         CHECK_MESSAGE(std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0, decltype(channel)::name);
     });
@@ -133,8 +133,8 @@ TEST_CASE("frames and seeds give different noise") {
 
 TEST_CASE("the composite is made of its parts") {
     PreparedScene scene{built_in_scene("room")};
-    Pictures<AllChannels> all{size};
-    render<AllChannels>(scene, {.size = size, .frame = 9, .samples_per_pixel = 3}, all);
+    Pictures<TracedChannels> all{size};
+    render<TracedChannels>(scene, {.size = size, .frame = 9, .samples_per_pixel = 3}, all);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
             auto const sum = pixel(all[direct], x, y) * pixel(all[visibility], x, y) + pixel(all[glossy], x, y) +

@@ -13,9 +13,13 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// the type: `frame[quell::normal]`, `px[quell::normal]`.
 /// @tparam Components floats per pixel
 template <int Components> struct Channel {
-    static constexpr int components = Components; ///< floats per pixel
-    static constexpr bool full_precision = false; ///< true: never stored in half. Half has steps of 0.5 at 1000.
-    static constexpr int fraction = 1;            ///< image size = frame size / fraction, rounded up. 2: half resolution.
+    static constexpr int components = Components;     ///< floats per pixel
+    static constexpr bool full_precision = false;     ///< true: never stored in half. Half has steps of 0.5 at 1000.
+    static constexpr int fraction = 1;                ///< image size = frame size / fraction, rounded up. 2: half resolution.
+    static constexpr bool finite_on_surfaces = false; ///< true: diagnose() says so where it is not finite on a surface
+    /// Names of the components in files, a letter for each: `normal.X`. Of a single component it is the whole name: `instance.ID`. More
+    /// than four have numbers.
+    static constexpr std::string_view component_names = Components == 1 ? "V" : "XYZW";
 };
 
 /// A channel that stages make and no host supplies. A pipeline that reads it without a stage that makes it does not compile. Memory may
@@ -38,11 +42,21 @@ namespace detail {
 /// Whether the address of a member is that of a `static constexpr T`.
 template <class Address, class T> inline constexpr bool is_constant = std::is_same_v<Address, T const*>;
 
+/// Whether `component_names` has one for each component.
+template <class C> constexpr bool names_components() {
+    if constexpr (requires { std::string_view(C::component_names); }) {
+        constexpr auto letters = std::string_view(C::component_names).size();
+        return C::components == 1 ? letters > 0 : C::components > 4 || letters >= std::size_t{C::components};
+    } else
+        return false;
+}
+
 /// Whether what a channel says of itself, and what it has from Channel, is of the kind that quell reads.
 template <class C>
 concept SaysRightly = requires {
     requires is_constant<decltype(&C::components), int> && is_constant<decltype(&C::fraction), int>;
-    requires is_constant<decltype(&C::full_precision), bool>;
+    requires is_constant<decltype(&C::full_precision), bool> && is_constant<decltype(&C::finite_on_surfaces), bool>;
+    requires names_components<C>();
 }
 &&(
     !requires { C::made_by_stages; } || requires { requires is_constant<decltype(&C::made_by_stages), bool>; }) &&
@@ -59,7 +73,8 @@ template <class... Cs> struct Channels {
     static_assert(
         ((!ChannelTag<Cs> || detail::SaysRightly<Cs>)&&...),
         "a channel must derive from Channel<N> or InternalChannel<N>; `components` and `fraction` must be `static constexpr int`, "
-        "`full_precision`, `made_by_stages`, `squared` and `always_half` `static constexpr bool`");
+        "`full_precision`, `finite_on_surfaces`, `made_by_stages`, `squared` and `always_half` `static constexpr bool`, and "
+        "`component_names` a text with a letter for each component");
     /// Whether C is in the set.
     template <class C> static constexpr bool has = (std::is_same_v<C, Cs> || ...);
     /// The number of channels.

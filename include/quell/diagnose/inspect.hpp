@@ -13,7 +13,7 @@ struct Inspect {
     template <class H> static Camera const& camera(H const& history) { return history.images.then.camera; }
     template <class H> static std::optional<long long> number(H const& history) { return history.images.then.number; }
     template <class H> static Extent size(H const& history) { return history.images.size; }
-    template <class H> static auto& parts(H& composite) { return composite.parts; }
+    template <class H> static auto& histories(H& composite) { return composite.histories; }
 
     // Views, without a size where there is no image.
     template <class P, class Storage> static auto output(History<P, Storage> const& history) {
@@ -41,7 +41,7 @@ struct Inspect {
 /// Calls f(type of the pipeline, history) for a pipeline, or for each pipeline of a composite.
 template <class P, class Storage> void for_each_history(History<P, Storage>& history, auto&& f) { f(std::type_identity<P>{}, history); }
 template <class... Ps, class Storage> void for_each_history(History<Composite<Ps...>, Storage>& history, auto&& f) {
-    [&]<std::size_t... i>(std::index_sequence<i...>) { (f(std::type_identity<Ps>{}, std::get<i>(Inspect::parts(history))), ...); }
+    [&]<std::size_t... i>(std::index_sequence<i...>) { (f(std::type_identity<Ps>{}, std::get<i>(Inspect::histories(history))), ...); }
     (std::index_sequence_for<Ps...>{});
 }
 
@@ -74,24 +74,28 @@ template <class P, class F, class H> SignalSeen signal_seen(F const& frame, H& h
     return seen;
 }
 
-/// Channels that must be finite on every surface. In others, such as Blocker, values that are not finite mean "none".
-using FiniteGuides =
-    Channels<Albedo, Normal, Position, Instance, Roughness, Motion, Direct, ReceiverPrevious, IndirectDirection, Sweep, SweepBend, Time>;
+/// What a pipeline reads and a frame has, quell's channels in the order of AllChannels, then a host's own.
+template <class P, class Set>
+using SeenChannels = common_to<common_to<decltype(AllChannels{} | typename P::reads{}), typename P::reads>, Set>;
 
-/// A surface that was behind the camera may have no motion, so channels of two components may lack 10%.
-template <class P, class Set, class Storage> std::vector<GuideSeen> guides_seen(Frame<Set, Storage> const& frame) {
+/// Channels that must be finite on every surface. In others, such as Blocker, values that are not finite mean "none". A surface that was
+/// behind the camera may have no motion, so channels of two components may lack 10%.
+template <class P, class Set, class Storage> std::vector<GuideSeen> finite_guides(Frame<Set, Storage> const& frame) {
     std::vector<GuideSeen> guides;
-    for_each_channel(common_to<common_to<FiniteGuides, typename P::reads>, Set>{}, [&](auto c) {
-        guides.push_back({std::string(c.name), c.components, lookup(frame[c].view()), c.components == 2 ? 0.1 : 0.001});
+    for_each_channel(SeenChannels<P, Set>{}, [&]<class C>(C c) {
+        if constexpr (C::finite_on_surfaces)
+            guides.push_back({std::string(C::name), C::components, lookup(frame[c].view()), C::components == 2 ? 0.1 : 0.001});
     });
     return guides;
 }
 
-/// Of some channels, those that the frame has and the pipeline reads.
-template <class P, class Some, class Set, class Storage> std::vector<GuideSeen> some_of(Frame<Set, Storage> const& frame) {
+/// Channels that are points in the world.
+/// @tparam hit those of what a ray hit, or the others
+template <class P, bool hit, class Set, class Storage> std::vector<GuideSeen> world_points(Frame<Set, Storage> const& frame) {
     std::vector<GuideSeen> guides;
-    for_each_channel(common_to<common_to<Some, typename P::reads>, Set>{}, [&](auto c) {
-        guides.push_back({std::string(c.name), c.components, lookup(frame[c].view()), 0.});
+    for_each_channel(SeenChannels<P, Set>{}, [&]<class C>(C c) {
+        if constexpr (std::is_base_of_v<WorldPoint, C> && std::is_base_of_v<HitPoint, C> == hit)
+            guides.push_back({std::string(C::name), C::components, lookup(frame[c].view()), 0.});
     });
     return guides;
 }
@@ -120,9 +124,9 @@ template <class P, class Set, class FrameStorage, class H> Observation observe(F
     seen.depth = lookup_of<P>(frame, depth), seen.normal = lookup_of<P>(frame, normal);
     seen.motion = lookup_of<P>(frame, motion), seen.albedo = lookup_of<P>(frame, albedo);
     seen.sweep = lookup_of<P>(frame, sweep), seen.shutter = frame.shutter;
-    seen.guides = guides_seen<P>(frame);
-    seen.positions = some_of<P, Channels<Position, ReceiverPrevious, Light, LightPrevious>>(frame);
-    seen.hit_points = some_of<P, Channels<Blocker, BlockerPrevious, GlossyHit, GlossyHitPrevious>>(frame);
+    seen.guides = finite_guides<P>(frame);
+    seen.positions = world_points<P, false>(frame);
+    seen.hit_points = world_points<P, true>(frame);
     seen.convention = P::motion_convention;
     for_each_history(history, [&]<class Part>(std::type_identity<Part> part, auto& of_part) {
         seen.of_signals.push_back(signal_seen<Part>(frame, of_part));

@@ -29,13 +29,12 @@ template <class Edge, bool guided, class Taps> struct AtrousLevel {
         auto sum = scale(px.signal(), Real(taps.centre));
         Real weights(taps.centre), noise(0.f);
         if constexpr (guided) noise = px[variance] * (weights * weights);
-        auto const add = [&](auto const& neighbour, auto w) QUELL_INLINED {
-            sum = add_scaled(sum, neighbour.signal(), w);
+        for_each_edge_tap<true, Taps::radius>(px, step, around, [&](auto const& tap) QUELL_INLINED {
+            auto const w = tap.weight(taps.at(tap.column, tap.row));
+            sum = add_scaled(sum, tap.px.signal(), w);
             weights = weights + w;
-            if constexpr (guided) noise = fma(neighbour[variance], w * w, noise);
-        };
-        for_each_edge_tap<true, Taps::radius>(
-            px, step, around, [&](int i, int j) QUELL_INLINED { return taps.at(i, j); }, add);
+            if constexpr (guided) noise = fma(tap.px[variance], w * w, noise);
+        });
         auto const inverse = 1.f / weights;
         auto const result = Result{finite_or(scale(sum, inverse), px.signal())};
         if constexpr (guided)

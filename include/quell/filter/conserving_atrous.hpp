@@ -76,14 +76,8 @@ private:
             window.weight[radius + j][radius + i] = w * min(there[history_length], Real(1.f));
         };
         keep(px, Real(1.f), 0, 0);
-        for_each_opposite_taps<radius>(px, 1, edge_offset(around),
-                                       [&](auto const& there, auto start, float row, auto const& opposite, auto its_start, float its_row,
-                                           int dx, int dy, int i, int j) QUELL_INLINED {
-                                           auto const& toward = edge_toward(around, dx, dy);
-                                           float const one = weight_bits(1.f);
-                                           keep(there, edge_weight(toward.distance(there, start), one + row), i, j);
-                                           keep(opposite, edge_weight(toward.distance(opposite, its_start), one + its_row), -i, -j);
-                                       });
+        for_each_edge_tap<false, radius>(
+            px, 1, around, [&](auto const& tap) QUELL_INLINED { keep(tap.px, tap.weight(WeightBits::of(1.f)), tap.column, tap.row); });
         return window;
     }
 };
@@ -113,20 +107,18 @@ template <class Edge> struct ExchangeLevel {
         // Only weights of geometry are normalised. Normalising those of luminance would lose light.
         auto sum = zero<typename Px::Signal>();
         Real weights(taps.centre), taken(0.f), noise(0.f);
-        auto const give_and_take = [&](auto const& neighbour, auto distance, float bits) QUELL_INLINED {
-            weights = weights + edge_weight(distance, bits);
-            auto const there = neighbour.signal();
-            auto const its_noise = neighbour[variance];
+        for_each_edge_tap<true, 1>(px, step, around, [&](auto const& tap) QUELL_INLINED {
+            auto const known = taps.at(tap.column, tap.row);
+            weights = weights + tap.weight(known);
+            auto const there = tap.px.signal();
+            auto const its_noise = tap.px[variance];
             // Symmetric in the two pixels: what one gives the other gets.
             auto const inverse = approximate_inverse_sqrt(fma(its_noise, sigma_squared, tolerated));
-            distance = fma(abs(luminance_plus(there, -light)), inverse, distance);
-            auto const w = edge_weight(distance, bits);
+            auto const w = tap.weight(known, fma(abs(luminance_plus(there, -light)), inverse, tap.distance));
             sum = add_scaled(sum, there, w);
             taken = taken + w;
             noise = fma(its_noise, w * w, noise);
-        };
-        for_each_edge_distance<true, 1>(
-            px, step, around, [&](int i, int j) QUELL_INLINED { return taps.at(i, j); }, give_and_take);
+        });
         // Among equal pixels, a pixel gives all of itself away, but never more, whatever the weights are: the result lies between the taps.
         auto const part = 1.f / max(weights * (1.f - taps.centre), taken);
         auto const kept = max(1.f - taken * part, Real(0.f));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/filter/filter_kernel.hpp>
+#include <quell/filter/edge_taps.hpp>
 #include <quell/frame/cursor/depth_slope.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -58,7 +58,7 @@ struct NormalEdge {
 };
 
 namespace detail {
-/// Distance by luminance: |difference| * inverse.
+/// What LuminanceEdge and VarianceGuidedEdge prepare. The distance is |difference of luminance| * inverse.
 template <class Real> struct AroundLuminance {
     Real minus_centre, inverse;
     QUELL_KERNEL Real distance(auto neighbour, Real sum) const {
@@ -71,11 +71,10 @@ template <class Real> struct AroundLuminance {
 struct LuminanceEdge {
     float sigma = 1.f; ///< difference with weight 1/e, in units of the signal
 
-    template <class Real> struct Around : detail::AroundLuminance<Real> {};
     /// See EdgeWeight.
     QUELL_KERNEL auto around(auto px) const {
         using Real = typename decltype(px)::Real;
-        return Around<Real>{{-luminance(px.signal()), Real(1.f / sigma)}};
+        return detail::AroundLuminance<Real>{-luminance(px.signal()), Real(1.f / sigma)};
     }
 };
 
@@ -85,7 +84,6 @@ struct VarianceGuidedEdge {
     using reads = Channels<Variance>;
     float sigma = 4.f; ///< difference with weight 1/e, in standard deviations
 
-    template <class Real> struct Around : detail::AroundLuminance<Real> {};
     /// See EdgeWeight.
     QUELL_KERNEL auto around(auto px) const {
         using Real = typename decltype(px)::Real;
@@ -96,7 +94,7 @@ struct VarianceGuidedEdge {
             weights = weights + (weight + its_weight);
         });
         auto const deviation = sqrt(max(sum / weights, Real(0.f)));
-        return Around<Real>{{-luminance(px.signal()), 1.f / (deviation * sigma + 1e-4f)}};
+        return detail::AroundLuminance<Real>{-luminance(px.signal()), 1.f / (deviation * sigma + 1e-4f)};
     }
 };
 
@@ -110,24 +108,25 @@ template <class... Edges> struct Product : Edges... {
     using parts = Parts<Edges...>;
 
     /// @cond
-    // A base class for each part's result. Holds references where it can: copies of GLM vectors go through memory.
-    template <class T> struct Held { T held; };
-    template <class... Prepared> struct Toward : Held<Prepared>... {
+    // What each edge has prepared, as a base class by the edge: two edges may prepare the same type. Holds references where it can: copies
+    // of GLM vectors go through memory.
+    template <class Edge, class T> struct Held { T held; };
+    template <class... Prepared> struct Toward : Held<Edges, Prepared>... {
         QUELL_KERNEL auto distance(auto const& neighbour, auto sum) const {
-            ((sum = Held<Prepared>::held.distance(neighbour, sum)), ...);
+            ((sum = Held<Edges, Prepared>::held.distance(neighbour, sum)), ...);
             return sum;
         }
     };
-    template <class... Prepared> struct Around : Prepared... {
-        QUELL_KERNEL float offset() const { return (detail::edge_offset(static_cast<Prepared const&>(*this)) + ... + 0.f); }
+    template <class... Prepared> struct Around : Held<Edges, Prepared>... {
+        QUELL_KERNEL float offset() const { return (detail::edge_offset(Held<Edges, Prepared>::held) + ... + 0.f); }
         QUELL_KERNEL auto toward(int dx, int dy) const {
-            return Toward<decltype(detail::edge_toward(static_cast<Prepared const&>(*this), dx, dy))...>{
-                {detail::edge_toward(static_cast<Prepared const&>(*this), dx, dy)}...};
+            return Toward<decltype(detail::edge_toward(std::declval<Prepared const&>(), dx, dy))...>{
+                {detail::edge_toward(Held<Edges, Prepared>::held, dx, dy)}...};
         }
     };
     /// @endcond
     /// See EdgeWeight.
-    QUELL_KERNEL auto around(auto px) const { return Around<decltype(Edges::around(px))...>{Edges::around(px)...}; }
+    QUELL_KERNEL auto around(auto px) const { return Around<decltype(Edges::around(px))...>{{Edges::around(px)}...}; }
 };
 template <class... Edges> Product(Edges...) -> Product<Edges...>;
 

@@ -66,7 +66,7 @@ template <class Around> QUELL_KERNEL float edge_offset(Around const& around) {
 ///     auto toward(int dx, int dy) const               // prepares what depends on the tap's offset but not its sign; then has distance()
 ///     float offset() const                            // where the sum starts, so that distances may be negative and the total is not
 ///
-/// A filter adds the distances of all its edges and takes one exponential (edge_weight).
+/// A filter adds the distances of all its edges and takes one exponential (edge_weight, for_each_edge_tap).
 template <class W>
 concept EdgeWeight = std::is_trivially_copyable_v<W> && requires(W const w, detail::Probe<W> px) {
     { detail::edge_toward(w.around(px), 1, 1).distance(px, 0.f) } -> std::convertible_to<float>;
@@ -79,58 +79,6 @@ template <class Default, class... Fields> struct EdgeAmong { using type = Defaul
 template <class Default, class First, class... Rest> struct EdgeAmong<Default, First, Rest...> {
     using type = std::conditional_t<std::is_arithmetic_v<First>, typename EdgeAmong<Default, Rest...>::type, First>;
 };
-} // namespace detail
-
-/// The bits of a weight as a number, as edge_weight takes them.
-QUELL_KERNEL float weight_bits(float weight) { return static_cast<float>(std::bit_cast<std::int32_t>(weight)); }
-template <class Real> QUELL_KERNEL Real edge_weight(Real distance, float bits_of_weight);
-
-/// exp(-distance), at most 6.2 % too large, in four operations (Schraudolph 1999). It is monotonic, and exactly 1 at 0. The minimum is
-/// 2^-62, also for NaN, so that its square is no denormal.
-template <class Real> QUELL_KERNEL Real edge_weight(Real distance) { return edge_weight(distance, weight_bits(1.f)); }
-
-/// weight * exp(-distance) at the same cost.
-/// @param distance       sum of distances, at least 0
-/// @param bits_of_weight weight_bits(weight)
-template <class Real> QUELL_KERNEL Real edge_weight(Real distance, float bits_of_weight) {
-    constexpr float per_unit = 12102203.16f, min_bits = 545259520.f; // 2^23 / ln 2, and the bits of 2^-62
-    return from_bits(truncate(max(fma(distance, Real(-per_unit), Real(bits_of_weight)), Real(min_bits))));
-}
-
-namespace detail {
-/// Calls visit(neighbour, distance, bits) for the (2 radius + 1)^2 taps without the centre, `step` pixels apart. edge_weight(distance,
-/// bits) is the tap's edge weight times the weight whose bits are bits_of(|column|, |row|).
-/// @tparam skips_missing missing samples, where they are still marked, get weight 0
-template <bool skips_missing, int radius = 2, class Px, class Around, class Bits, class Visit>
-QUELL_KERNEL void for_each_edge_distance(Px const& px, int step, Around const& around, Bits&& bits_of, Visit&& visit) {
-    static_assert(
-        requires(typename Px::Real sum) { sum = edge_toward(around, 1, 1).distance(px, sum); },
-        "distance(near, sum) of an edge weight must take and return the cursor's Real: `typename decltype(px)::Real`");
-    auto const usable = [](auto const& neighbour, auto start) QUELL_INLINED {
-        if constexpr (skips_missing && Px::Scope::marks_missing)
-            return select(neighbour.missing(), decltype(start)(too_far), start);
-        else
-            return start;
-    };
-    // Both distances first: two independent chains of operations.
-    for_each_opposite_taps<radius>(px, step, edge_offset(around),
-                                   [&](auto const& neighbour, auto start, float row, auto const& opposite, auto its_start, float its_row,
-                                       int dx, int dy, int i, int j) QUELL_INLINED {
-                                       auto const& toward = edge_toward(around, dx, dy);
-                                       float const weight = bits_of(i < 0 ? -i : i, j);
-                                       auto const distance = toward.distance(neighbour, usable(neighbour, start));
-                                       auto const its_distance = toward.distance(opposite, usable(opposite, its_start));
-                                       visit(neighbour, distance, weight + row);
-                                       visit(opposite, its_distance, weight + its_row);
-                                   });
-}
-/// The same with the weight: add(neighbour, w).
-template <bool skips_missing, int radius = 2, class Px, class Around, class Bits, class Add>
-QUELL_KERNEL void for_each_edge_tap(Px const& px, int step, Around const& around, Bits&& bits_of, Add&& add) {
-    for_each_edge_distance<skips_missing, radius>(px, step, around, bits_of,
-                                                  [&](auto const& neighbour, auto distance, float bits)
-                                                      QUELL_INLINED { add(neighbour, edge_weight(distance, bits)); });
-}
 } // namespace detail
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

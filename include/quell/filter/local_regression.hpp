@@ -124,7 +124,7 @@ private:
     }
     /// Adds a square ring of taps. Each stands for stride x stride pixels, and reads light filtered about that wide.
     template <int level, class C, class W> QUELL_KERNEL void add_ring(C const& centre, W& window, int inner, int outer, int stride) const {
-        float const area = weight_bits(static_cast<float>(stride * stride));
+        auto const area = WeightBits::of(static_cast<float>(stride * stride));
         for (int dy = -outer; dy <= outer; dy += stride) {
             auto const beside = centre.px.at(0, dy);
             if (!beside.row_inside) continue;
@@ -133,7 +133,7 @@ private:
                 if (across || dx <= -inner || dx >= inner) add_tap<level>(centre, window, dx, dy, area);
         }
     }
-    template <int level, class C, class W> QUELL_KERNEL void add_tap(C const& centre, W& window, int dx, int dy, float area) const {
+    template <int level, class C, class W> QUELL_KERNEL void add_tap(C const& centre, W& window, int dx, int dy, WeightBits area) const {
         using Real = typename C::Real;
         auto const tap = centre.px.at(dx, dy);
         float const across = static_cast<float>(dx), down = static_cast<float>(dy);

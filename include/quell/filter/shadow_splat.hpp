@@ -80,14 +80,13 @@ template <class Edge> struct SplatLevel {
         auto const around = edge.around(px);
         auto const own = px[shadow_track];
         Value<4, Real> sum{own.x * own.w, own.y * own.w, own.z * own.w, own.w};
-        auto const add = [&](auto const& neighbour, auto w) QUELL_INLINED {
-            auto const track = neighbour[shadow_track];
-            auto const weight = track.w * w;
-            sum = Value<4, Real>{fma(track.x, weight, sum.x), fma(track.y, weight, sum.y), fma(track.z, weight, sum.z), sum.w + weight};
-        };
         // Small weights: a pixel that knows its own motion keeps it. The mean of a moving and a resting shadow is neither.
-        for_each_edge_tap<false>(
-            px, step, around, [](int, int) QUELL_INLINED { return weight_bits(0.01f); }, add);
+        constexpr float of_neighbours = 0.01f;
+        for_each_edge_tap<false, 2>(px, step, around, [&](auto const& tap) QUELL_INLINED {
+            auto const track = tap.px[shadow_track];
+            auto const weight = track.w * tap.weight(WeightBits::of(of_neighbours));
+            sum = Value<4, Real>{fma(track.x, weight, sum.x), fma(track.y, weight, sum.y), fma(track.z, weight, sum.z), sum.w + weight};
+        });
         auto const known = sum.w > Real(1e-5f);
         auto const inverse = 1.f / select(known, sum.w, Real(1.f));
         return emitted<Real>(shadow_track, Value<4, Real>{sum.x * inverse, sum.y * inverse, sum.z * inverse, masked(known, sum.w)});

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <quell/core/kernel.hpp>
+#include <quell/filter/edge_taps.hpp>
 
-#include <bit>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <type_traits>
 
@@ -28,31 +26,32 @@ namespace detail {
 struct BoxSpline {
     static constexpr float weights[] = {1.f / 3.f, 1.f / 3.f};
 };
-/// The bits of a spline's weights (weight_bits), by |column| and |row|.
+/// A spline's weights, by |column| and |row|.
 template <class Spline> struct SplineBits {
     static constexpr int radius = static_cast<int>(std::size(Spline::weights)) - 1;
-    float at[std::size_t{radius + 1}][std::size_t{radius + 1}];
+    WeightBits at[std::size_t{radius + 1}][std::size_t{radius + 1}];
     constexpr SplineBits() : at{} {
         for (int i = 0; i <= radius; ++i)
-            for (int j = 0; j <= radius; ++j)
-                at[i][j] = static_cast<float>(std::bit_cast<std::int32_t>(Spline::weights[i] * Spline::weights[j]));
+            for (int j = 0; j <= radius; ++j) at[i][j] = WeightBits::of(Spline::weights[i] * Spline::weights[j]);
     }
 };
 /// Taps that are the same in all levels: constants of the kernel.
 template <class Spline> struct SplineTaps {
     static constexpr int radius = SplineBits<Spline>::radius;
     static constexpr float centre = Spline::weights[0] * Spline::weights[0];
-    /// The bits of the weight of a tap other than the centre, by |column| and |row|.
-    static constexpr float at(int i, int j) {
+    /// The weight of a tap other than the centre, by column and row from there.
+    static constexpr WeightBits at(int i, int j) {
         constexpr SplineBits<Spline> bits; // in here, since a device cannot read a table of the class
-        return bits.at[i][j];
+        return bits.at[i < 0 ? -i : i][j < 0 ? -j : j];
     }
 };
 /// 3x3 taps as a value, so that levels of different taps are one kernel.
 struct NearestTaps {
     static constexpr int radius = 1;
-    float centre, beside, at_corner;
-    [[nodiscard]] constexpr float at(int i, int j) const { return i != 0 && j != 0 ? at_corner : beside; }
+    float centre;
+    WeightBits beside, at_corner;
+    /// The weight of a tap other than the centre, by column and row from there.
+    [[nodiscard]] constexpr WeightBits at(int i, int j) const { return i != 0 && j != 0 ? at_corner : beside; }
 };
 template <class Spline>
 inline constexpr NearestTaps nearest_taps{SplineTaps<Spline>::centre, SplineTaps<Spline>::at(1, 0), SplineTaps<Spline>::at(1, 1)};

@@ -44,25 +44,22 @@ struct ChannelNames {
 };
 
 namespace detail {
-/// Names of a channel's components in quell's own files, for built-in channels and those of a host.
-inline std::vector<std::string> component_names(std::string_view channel, int components) {
-    static std::map<std::string, std::string, std::less<>> const letters{
-        {"radiance", "RGB"}, {"radiance_alpha", "RGBA"}, {"albedo", "RGB"}, {"direct", "RGB"},   {"glossy", "RGB"},
-        {"indirect", "RGB"}, {"roughness", "R"},         {"depth", "Z"},    {"visibility", "V"}, {"time", "T"}};
-    if (channel == "instance") return {"ID"};
-    auto const found = letters.find(channel);
-    std::string const all = found != letters.end() ? found->second : components == 1 ? "V" : "XYZW";
+/// Names of a channel's components in quell's own files, without the layer.
+template <ChannelTag C> std::vector<std::string> component_names(C) {
+    std::string_view const all = C::component_names;
     std::vector<std::string> names;
-    for (int c = 0; c < components; ++c)
-        names.push_back(components > 4 ? std::to_string(c) : std::string(1, all[static_cast<std::size_t>(c)]));
+    for (int c = 0; c < C::components; ++c)
+        names.push_back(C::components == 1  ? std::string(all)
+                        : C::components > 4 ? std::to_string(c)
+                                            : std::string(1, all[static_cast<std::size_t>(c)]));
     return names;
 }
 } // namespace detail
 
 /// Names of a channel's components in quell's own files. The picture has no layer: R, G, B, A.
 template <ChannelTag C> [[nodiscard]] std::vector<std::string> own_names(C channel) {
-    auto names = detail::component_names(channel.name, C::components);
-    if (std::string_view(channel.name) != radiance.name && std::string_view(channel.name) != radiance_alpha.name)
+    auto names = detail::component_names(channel);
+    if constexpr (!std::is_same_v<C, Radiance> && !std::is_same_v<C, RadianceAlpha>)
         for (auto& each : names) each.insert(0, std::string(channel.name).append("."));
     return names;
 }

@@ -82,7 +82,7 @@ private:
         for_each_channel(AllChannels{}, [&](auto channel) { // also those that go by quell's own names
             auto const own = sources_of(signal.channels, channel);
             if (std::ranges::any_of(planes_of(own), [&](auto const& name) { return parts.is_other(name); }))
-                signal.channels.sources.insert_or_assign(channel.name, own);
+                signal.channels.sources.insert_or_assign(std::string(channel.name), own);
         });
         for (auto& [channel, sources] : signal.channels.sources) parts.resolve(sources);
     }

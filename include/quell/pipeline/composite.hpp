@@ -54,28 +54,28 @@ template <class... Ps, ImageStorage Storage> class History<Composite<Ps...>, Sto
 public:
     /// @throws Error for a size without pixels
     explicit History(Extent size, Composite<Ps...> const&, Storage const& = {})
-        : pool(std::make_shared<detail::ImagePool>(detail::checked(size))), parts(History<Ps, Storage>(pool)...), picture(size) {}
+        : pool(std::make_shared<detail::ImagePool>(detail::checked(size))), histories(History<Ps, Storage>(pool)...), picture(size) {}
 
     /// Drops all history before the next frame: for scene cuts and teleports.
     void forget() {
-        std::apply([](auto&... h) { (h.forget(), ...); }, parts);
+        std::apply([](auto&... h) { (h.forget(), ...); }, histories);
     }
     /// Gives scratch back: for a host of several histories that run in turn. The next frame takes it again.
     void release_scratch() {
-        std::apply([](auto&... h) { (h.release_scratch(), ...); }, parts);
+        std::apply([](auto&... h) { (h.release_scratch(), ...); }, histories);
     }
     /// History of pipeline i, in the composite's order.
-    template <std::size_t i> [[nodiscard]] auto const& part() const { return std::get<i>(parts); }
+    template <std::size_t i> [[nodiscard]] auto const& of_pipeline() const { return std::get<i>(histories); }
     /// Missing samples and suppressed energy are sums over all pipelines, repaired guides the most that one has; frames and resets are
     /// those of the first.
     [[nodiscard]] Statistics statistics() const {
-        Statistics sum = std::get<0>(parts).statistics();
-        sum.missing_samples = std::apply([](auto const&... h) { return (h.statistics().missing_samples + ...); }, parts);
-        sum.suppressed = std::apply([](auto const&... h) { return (h.statistics().suppressed + ...); }, parts);
+        Statistics sum = std::get<0>(histories).statistics();
+        sum.missing_samples = std::apply([](auto const&... h) { return (h.statistics().missing_samples + ...); }, histories);
+        sum.suppressed = std::apply([](auto const&... h) { return (h.statistics().suppressed + ...); }, histories);
         for (auto const count :
              {&RepairedGuides::pixels, &RepairedGuides::albedo, &RepairedGuides::normal, &RepairedGuides::depth, &RepairedGuides::motion})
             sum.repaired_guides.*count =
-                std::apply([&](auto const&... h) { return std::max({h.statistics().repaired_guides.*count...}); }, parts);
+                std::apply([&](auto const&... h) { return std::max({h.statistics().repaired_guides.*count...}); }, histories);
         return sum;
     }
     /// Memory of history, scratch and picture, in bytes. Complete after the second frame.
@@ -88,42 +88,42 @@ private:
     friend struct detail::OpenHistory;
     friend struct detail::Inspect;
 
-    std::shared_ptr<detail::ImagePool> pool; ///< shared: scratch of one part is free for the next
-    std::tuple<History<Ps, Storage>...> parts;
+    std::shared_ptr<detail::ImagePool> pool; ///< shared: scratch of one pipeline is free for the next
+    std::tuple<History<Ps, Storage>...> histories;
     ImageOf<Storage, Radiance> picture;
 };
 
 namespace detail {
 /// Views of the denoised signals, numbered. Not a tuple, which is not trivially copyable.
-template <class Numbers, class... Parts> struct CompositeParts;
-template <std::size_t... i, class... Parts>
-struct CompositeParts<std::index_sequence<i...>, Parts...> : Slot<std::integral_constant<std::size_t, i>, Parts>... {};
+template <class Numbers, class... Signals> struct NumberedSignals;
+template <std::size_t... i, class... Signals>
+struct NumberedSignals<std::index_sequence<i...>, Signals...> : Slot<std::integral_constant<std::size_t, i>, Signals>... {};
 template <std::size_t i, class T> QUELL_KERNEL T const& numbered(Slot<std::integral_constant<std::size_t, i>, T> const& s) {
     return s.held;
 }
 
 /// Adds up the denoised signals.
-template <class FrameViews, class OutputView, class... Parts> struct CompositeJob {
+template <class FrameViews, class OutputView, class... Signals> struct CompositeJob {
     static constexpr auto name = "composite";
     FrameViews frame;
     OutputView output;
-    CompositeParts<std::index_sequence_for<Parts...>, Parts...> parts;
+    NumberedSignals<std::index_sequence_for<Signals...>, Signals...> signals;
 
     template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
         vec3<Real> sum{Real(0.f), Real(0.f), Real(0.f)};
-        [&]<std::size_t... i>(std::index_sequence<i...>) QUELL_INLINED { (add<Real>(sum, numbered<i>(parts), x, y), ...); }
-        (std::index_sequence_for<Parts...>{});
+        [&]<std::size_t... i>(std::index_sequence<i...>) QUELL_INLINED { (add<Real>(sum, numbered<i>(signals), x, y), ...); }
+        (std::index_sequence_for<Signals...>{});
         store_pixels<Real>(output, x, y, sum, count);
     }
 
 private:
-    using AllFactors = FactorsOf<typename Parts::Channel...>;
+    using AllFactors = FactorsOf<typename Signals::Channel...>;
 
-    template <class Real, class Part> QUELL_KERNEL void add(vec3<Real>& sum, Part const& part, int x, int y) const {
-        if constexpr (!AllFactors::template has<typename Part::Channel>) {
-            auto const value = load_pixels<Real>(part.view, x, y);
+    template <class Real, class Signal> QUELL_KERNEL void add(vec3<Real>& sum, Signal const& signal, int x, int y) const {
+        if constexpr (!AllFactors::template has<typename Signal::Channel>) {
+            auto const value = load_pixels<Real>(signal.view, x, y);
             vec3<Real> times{Real(1.f), Real(1.f), Real(1.f)};
-            for_each_channel(typename Share<typename Part::Channel>::factor{},
+            for_each_channel(typename Share<typename Signal::Channel>::factor{},
                              [&]<class C>(C) QUELL_INLINED { times = usable(factor<Real, C>(x, y)); });
             if constexpr (components_of<std::remove_const_t<decltype(value)>> == 1)
                 sum = add_scaled(sum, times, value);
@@ -134,8 +134,8 @@ private:
     /// From its own pipeline where there is one, else from the frame.
     template <class Real, class C> QUELL_KERNEL vec3<Real> factor(int x, int y) const {
         constexpr int which = index_of<C>();
-        if constexpr (which < static_cast<int>(sizeof...(Parts)))
-            return load_pixels<Real>(numbered<std::size_t{which}>(parts).view, x, y);
+        if constexpr (which < static_cast<int>(sizeof...(Signals)))
+            return load_pixels<Real>(numbered<std::size_t{which}>(signals).view, x, y);
         else
             return of_frame<C>(load_pixels<Real>(frame.view(C{}), x, y));
     }
@@ -145,10 +145,10 @@ private:
         else
             return value;
     }
-    /// Index of the part that makes a channel; the number of parts if none does.
+    /// Index of the signal that a channel is; the number of signals if there is none.
     template <class C> static constexpr int index_of() {
         int i = 0;
-        static_cast<void>(((std::is_same_v<C, typename Parts::Channel> || (++i, false)) || ...));
+        static_cast<void>(((std::is_same_v<C, typename Signals::Channel> || (++i, false)) || ...));
         return i;
     }
     /// Factors that are no light, as hosts may leave at misses, count as 0.
@@ -156,7 +156,7 @@ private:
         return select(is_light(f), f, vec3<Real>{Real(0.f), Real(0.f), Real(0.f)});
     }
 };
-template <ChannelTag C, class View> struct CompositePart {
+template <ChannelTag C, class View> struct DenoisedSignal {
     using Channel = C;
     View view;
 };
@@ -166,7 +166,7 @@ namespace detail {
 struct CompositeRun {
     template <class... Ps, class F, class Storage, class E>
     static auto all(Composite<Ps...> const& composite, F const& frame, History<Composite<Ps...>, Storage>& history, E const& executor) {
-        // Checked before any part runs: an error must leave all histories at the same frame.
+        // Checked before any pipeline runs: an error must leave all histories at the same frame.
         check_frame<Composite<Ps...>>(frame);
         follow_size(frame, history);
         auto const output = history.picture.view();
@@ -179,14 +179,14 @@ struct CompositeRun {
                      E const& executor) {
         [&]<std::size_t... i>(std::index_sequence<i...>) {
             auto const factors = frame.views(typename Composite<Ps...>::factors{});
-            auto const sum = [&](auto... parts) {
-                CompositeJob<decltype(frame.views(typename Composite<Ps...>::factors{})), Output, decltype(parts)...> const job{
-                    .frame = factors, .output = output, .parts = {{parts}...}};
+            auto const sum = [&](auto... signals) {
+                CompositeJob<decltype(frame.views(typename Composite<Ps...>::factors{})), Output, decltype(signals)...> const job{
+                    .frame = factors, .output = output, .signals = {{signals}...}};
                 executor.for_each_pixel(Region{0, 0, frame.size.width, frame.size.height}, job);
             };
             // Initialiser lists are evaluated in order.
-            std::apply(sum, std::tuple{part<typename Ps::Output>(
-                                run(std::get<i>(composite.pipelines), frame, std::get<i>(history.parts), executor))...});
+            std::apply(sum, std::tuple{denoised<typename Ps::Output>(
+                                run(std::get<i>(composite.pipelines), frame, std::get<i>(history.histories), executor))...});
         }
         (std::index_sequence_for<Ps...>{});
     }
@@ -196,7 +196,7 @@ struct CompositeRun {
     }
 
 private:
-    template <ChannelTag C, class View> static CompositePart<C, View> part(View const& view) { return {view}; }
+    template <ChannelTag C, class View> static DenoisedSignal<C, View> denoised(View const& view) { return {view}; }
 };
 } // namespace detail
 

@@ -16,7 +16,7 @@ struct DiagnosisNotes;
 /// Access to what a history holds.
 struct OpenHistory {
     template <class H> static auto& images(H& history) { return history.images; }
-    template <std::size_t i, class H> static auto& part(H& composite) { return std::get<i>(composite.parts); }
+    template <std::size_t i, class H> static auto& of_pipeline(H& composite) { return std::get<i>(composite.histories); }
 };
 
 template <class... Parts> std::true_type a_pipeline(Pipeline<Parts...> const*);

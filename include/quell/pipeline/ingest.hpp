@@ -68,9 +68,9 @@ private:
     }
     /// A sample times `factor`, after the modulation; 0 where it is not usable.
     template <class Px> QUELL_KERNEL Sample<Px> sample(Px const& px, typename Px::Real factor = typename Px::Real(1.f)) const {
-        auto const raw = px[Input{}];
-        auto const usable = is_light(raw);
-        auto const given = select(usable, scale(raw, factor), zero<decltype(raw + raw)>());
+        auto const of_host = px[Input{}];
+        auto const usable = is_light(of_host);
+        auto const given = select(usable, scale(of_host, factor), zero<decltype(of_host + of_host)>());
         auto const value = modulation.inward(px, given);
         return {select(usable, value, zero<typename Px::Signal>()), usable, luminance(given)};
     }

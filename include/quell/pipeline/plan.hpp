@@ -67,7 +67,7 @@ void append_passes_of(std::vector<PlannedPass>& passes, Pipeline<S, Parts...> co
 }
 template <class... Ps, class H> void append_passes_of(std::vector<PlannedPass>& passes, Composite<Ps...> const& composite, H& history) {
     [&]<std::size_t... i>(std::index_sequence<i...>) {
-        (append_passes_of(passes, std::get<i>(composite.pipelines), OpenHistory::part<i>(history)), ...);
+        (append_passes_of(passes, std::get<i>(composite.pipelines), OpenHistory::of_pipeline<i>(history)), ...);
     }
     (std::index_sequence_for<Ps...>{});
     PlannedPass sum{.name = "composite"};

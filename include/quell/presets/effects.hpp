@@ -21,16 +21,17 @@
 #include <quell/radiance/with_cones.hpp>
 
 /// Presets for moving shadows, reflections and indirect light. Each effect has motion vectors of its own (Zeng et al. 2021), and reads what
-/// these are computed from: blockers, lights, hits and directions.
+/// these are computed from: blockers, lights, hits and directions. A preset of one effect takes the effect's own channel where none is
+/// given.
 namespace quell::inline QUELL_INSTRUCTION_SET::presets {
 
 /// Shadows with motion vectors of their own (TRMV section 4.1). Visibility is filtered by the width of its penumbra, then accumulated.
 /// Compared with shadow_paper: a narrower filter, a shorter history, a tighter clamp, history that is forgotten where the light changes,
 /// and a sharper fetch, which thin shadows need.
-constexpr auto shadow(auto signal, auto... parts) {
+template <class S = Visibility> constexpr auto shadow(S signal = {}, auto... options) {
     constexpr ForgetChanged<Exponential> accumulated{.inner = {.alpha = 0.4f}, .noise_threshold = 2.f, .sharpness = 0.3f};
     return Pipeline{signal,
-                    parts...,
+                    options...,
                     Spatial{ShadowSplat{}},
                     Spatial{ChangeDetector<ShadowOrSurfaceMotion>{.levels = 1}},
                     Spatial{AdaptiveBilateral<PenumbraWidth>{.radius = 15}},
@@ -43,9 +44,9 @@ constexpr auto shadow(auto signal, auto... parts) {
 /// wide as the GGX lobe follows. The history is short, and shorter where the light changes: one motion vector per pixel cannot follow all
 /// that a rough lobe shows. Its variance comes from few frames and is often too small, so more is tolerated than in svgf.
 /// @tparam Mirror where the virtual image lies: FlatMirror or ThinLens
-template <class Mirror = ThinLens> constexpr auto glossy(auto signal, auto... parts) {
+template <class Mirror = ThinLens, class S = Glossy> constexpr auto glossy(S signal = {}, auto... options) {
     constexpr ForgetChanged<RunningMean> accumulated{.inner = {.cap = 4.f}, .noise_threshold = 2.f, .sharpness = 0.3f};
-    return Pipeline{signal, parts..., Spatial{ChangeDetector<>{.levels = 1}},
+    return Pipeline{signal, options..., Spatial{ChangeDetector<>{.levels = 1}},
                     Temporal{FirstValid{ImageMotion{Mirror{}}, SurfaceMotion{}}, WithMoments{accumulated}},
                     Spatial{VarianceGuidedAtrous<Product<DepthEdge, NormalEdge, LobeEdge>, LinearThenBox>{
                         .levels = 3, .sigma_luminance = 4.f, .feedback = false}}};
@@ -55,7 +56,7 @@ template <class Mirror = ThinLens> constexpr auto glossy(auto signal, auto... pa
 /// normal serves too, and is forgotten where the light changes. Cones are added over the 3x3 around. The colour that they shade to is
 /// filtered, which costs less than filtering cones (dual_cone_paper). The first level tolerates most: the variance of short histories is
 /// often too small.
-constexpr auto dual_cone(auto signal, auto... parts) {
+template <class S = Indirect> constexpr auto dual_cone(S signal = {}, auto... options) {
     constexpr VarianceGuidedAtrous<Product<DepthEdge, NormalEdge>, LinearThenBox> filter{
         .edge = {DepthEdge{}, NormalEdge{.sharpness = 32.f}},
         .levels = 3,
@@ -64,7 +65,7 @@ constexpr auto dual_cone(auto signal, auto... parts) {
         .first_step = 2,
         .first_tolerance = 4.f};
     return Pipeline{signal,
-                    parts...,
+                    options...,
                     Spatial{ChangeDetector<>{}},
                     Temporal{FirstValid{SurfaceMotion{}, DualMotion<>{.trust = 0.25f}},
                              WithCones{WithMoments{ForgetChanged{RunningMean{.cap = 24.f}}}}, ConeFetch{}},
@@ -73,8 +74,8 @@ constexpr auto dual_cone(auto signal, auto... parts) {
 }
 
 /// All three: direct * visibility + glossy + albedo * indirect.
-template <class... Parts> constexpr auto trmv(Parts... parts) {
-    return Composite{shadow(visibility, parts...), glossy(quell::glossy, parts...), dual_cone(indirect, parts...)};
+template <class... Options> constexpr auto trmv(Options... options) {
+    return Composite{shadow(Visibility{}, options...), glossy(Glossy{}, options...), dual_cone(Indirect{}, options...)};
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::presets

@@ -13,31 +13,31 @@
 #include <quell/motion/surface_motion.hpp>
 #include <quell/pipeline/pipeline.hpp>
 
-/// Ready pipelines for any signal: `presets::general(radiance, Demodulate{})`. Further parts go before the stages. The presets of this file
-/// read the signal and guides (albedo, normal, depth, motion).
+/// Ready pipelines for any signal: `presets::general(radiance, Demodulate{})`. Further options go before the stages. The presets of this
+/// file read the signal and guides (albedo, normal, depth, motion).
 namespace quell::inline QUELL_INSTRUCTION_SET::presets {
 
 /// The input as it is.
-constexpr auto none(auto signal, auto... parts) { return Pipeline{signal, parts...}; }
+constexpr auto none(auto signal, auto... options) { return Pipeline{signal, options...}; }
 
 /// Accumulation along surface motion vectors and nothing else: the baseline of all comparisons.
-constexpr auto surface(auto signal, auto... parts) {
-    return Pipeline{signal, parts..., Temporal{SurfaceMotion{}, Exponential{.alpha = 0.1f}}};
+constexpr auto surface(auto signal, auto... options) {
+    return Pipeline{signal, options..., Temporal{SurfaceMotion{}, Exponential{.alpha = 0.1f}}};
 }
 
 /// surface() with the history clamped to mean +- 1 sigma of the 3x3 around (Salvi 2015).
-constexpr auto surface_clamp(auto signal, auto... parts) {
-    return Pipeline{signal, parts..., Temporal{SurfaceMotion{}, Clamped{Exponential{.alpha = 0.1f}, MeanDeviation{.sigmas = 1.f}}}};
+constexpr auto surface_clamp(auto signal, auto... options) {
+    return Pipeline{signal, options..., Temporal{SurfaceMotion{}, Clamped{Exponential{.alpha = 0.1f}, MeanDeviation{.sigmas = 1.f}}}};
 }
 
 /// No history: an edge-avoiding a-trous wavelet of five levels (Dammertz 2010).
-constexpr auto atrous(auto signal, auto... parts) {
-    return Pipeline{signal, parts..., Spatial{Atrous{Product{DepthEdge{}, NormalEdge{}}}}};
+constexpr auto atrous(auto signal, auto... options) {
+    return Pipeline{signal, options..., Spatial{Atrous{Product{DepthEdge{}, NormalEdge{}}}}};
 }
 
 /// Spatiotemporal variance-guided filtering (Schied et al. 2017). A cap of 5 frames is its alpha of 0.2.
-constexpr auto svgf(auto signal, auto... parts) {
-    return Pipeline{signal, parts..., Temporal{SurfaceMotion{}, WithMoments{RunningMean{.cap = 5.f}}},
+constexpr auto svgf(auto signal, auto... options) {
+    return Pipeline{signal, options..., Temporal{SurfaceMotion{}, WithMoments{RunningMean{.cap = 5.f}}},
                     Spatial{VarianceGuidedAtrous{Product{DepthEdge{}, NormalEdge{}}}}};
 }
 
@@ -46,9 +46,9 @@ constexpr auto svgf(auto signal, auto... parts) {
 /// @param accumulated how far the history is trusted
 /// @param filter      the spatial filter: ConservingAtrous, LocalRegression, or another one that reads the variance
 /// @param signal      the channel to denoise
-/// @param parts       further parts of the Pipeline, such as Demodulate{}
-constexpr auto general_with(ForgetBiased<RunningMean> accumulated, auto filter, auto signal, auto... parts) {
-    return Pipeline{signal, parts..., Spatial{BiasEstimate<>{}}, Temporal{SurfaceMotion{}, WithVariance{accumulated}}, Spatial{filter}};
+/// @param options     further options of the Pipeline, such as Demodulate{}
+constexpr auto general_with(ForgetBiased<RunningMean> accumulated, auto filter, auto signal, auto... options) {
+    return Pipeline{signal, options..., Spatial{BiasEstimate<>{}}, Temporal{SurfaceMotion{}, WithVariance{accumulated}}, Spatial{filter}};
 }
 
 /// History of general() and final_frame().
@@ -59,25 +59,27 @@ inline constexpr ForgetBiased<RunningMean> joined_history{.inner = {.cap = 48.f}
 
 /// The preset to start with, for hosts with colour and guides: BiasEstimate, a RunningMean whose biased history is forgotten, and
 /// ConservingAtrous.
-constexpr auto general(auto signal, auto... parts) { return general_with(general_history, ConservingAtrous<>{}, signal, parts...); }
+constexpr auto general(auto signal, auto... options) { return general_with(general_history, ConservingAtrous<>{}, signal, options...); }
 
 /// general() with joined_history: the second argument of run_two_sided().
-constexpr auto general_joining(auto signal, auto... parts) { return general_with(joined_history, ConservingAtrous<>{}, signal, parts...); }
+constexpr auto general_joining(auto signal, auto... options) {
+    return general_with(joined_history, ConservingAtrous<>{}, signal, options...);
+}
 
 /// The filter of final_frame().
 template <ChannelTag S> inline constexpr LocalRegression<Product<DepthEdge, NormalEdge>, S::components> final_frame_filter{};
 
 /// general() for final frames, with a regression on the guides after its filter (LocalRegression): better, and slower.
-template <class S> constexpr auto final_frame(S signal, auto... parts) {
+template <class S> constexpr auto final_frame(S signal, auto... options) {
     if constexpr (ChannelTag<S>)
-        return general_with(general_history, final_frame_filter<S>, signal, parts...);
+        return general_with(general_history, final_frame_filter<S>, signal, options...);
     else
-        return Pipeline{signal, parts...}; // which says that it must be one
+        return Pipeline{signal, options...}; // which says that it must be one
 }
 
 /// final_frame() with joined_history: the second argument of run_two_sided().
-template <ChannelTag S> constexpr auto final_frame_joining(S signal, auto... parts) {
-    return general_with(joined_history, final_frame_filter<S>, signal, parts...);
+template <ChannelTag S> constexpr auto final_frame_joining(S signal, auto... options) {
+    return general_with(joined_history, final_frame_filter<S>, signal, options...);
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::presets

@@ -12,14 +12,14 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// The signal of a preset that denoises any.
 struct AnySignal {};
-/// The signal of a preset that denoises all parts of a picture and puts them together.
+/// The signal of a preset that denoises all signals of a picture and puts them together.
 struct AllSignals {};
 
 /// A preset with its name.
 /// @tparam Signal what it denoises: a channel, AnySignal or AllSignals
-/// @tparam Make   make(signal, parts...) returns the pipeline; of AllSignals make(parts...) returns the Composite. The presets of motion
-/// blur
-///                drop parts.
+/// @tparam Make   make(signal, options...) returns the pipeline; of AllSignals make(options...) returns the Composite. Presets of motion
+/// blur drop
+///                options.
 /// @tparam Join   the same for the second argument of run_two_sided(); nullptr where the preset makes no use of later frames
 template <class Signal, class Make, class Join = std::nullptr_t> struct NamedPreset {
     using signal_type = Signal; ///< what it denoises
@@ -35,67 +35,67 @@ template <class Signal, class Make, class Join = std::nullptr_t> struct NamedPre
     static constexpr bool is_two_sided = !std::is_null_pointer_v<Join>;
 
     /// The pipeline for its own signal. Where that is any, it is for `radiance`, filtered without its albedo.
-    static constexpr auto usual(auto... parts) { return of_usual_signal(Make{}, parts...); }
+    static constexpr auto usual(auto... options) { return of_usual_signal(Make{}, options...); }
     /// The second argument of run_two_sided() for usual().
-    static constexpr auto usual_joining(auto... parts) { return of_usual_signal(Join{}, parts...); }
+    static constexpr auto usual_joining(auto... options) { return of_usual_signal(Join{}, options...); }
 
 private:
-    static constexpr auto of_usual_signal(auto function, auto... parts) {
+    static constexpr auto of_usual_signal(auto function, auto... options) {
         if constexpr (std::is_same_v<Signal, AllSignals>)
-            return function(parts...);
+            return function(options...);
         else if constexpr (std::is_same_v<Signal, AnySignal>)
-            return function(radiance, Demodulate{}, parts...);
+            return function(radiance, Demodulate{}, options...);
         else
-            return function(Signal{}, parts...);
+            return function(Signal{}, options...);
     }
 };
 template <class S, class M> NamedPreset(std::string_view, PresetGroup, S, M) -> NamedPreset<S, M>;
 template <class S, class M, class J> NamedPreset(std::string_view, PresetGroup, S, M, J) -> NamedPreset<S, M, J>;
 
-namespace detail::named {
-using enum PresetGroup;
-using namespace presets;
-inline constexpr AnySignal any;
-inline constexpr AllSignals all;
+// In namespace presets a preset hides the channel of its name, so channels go by their types.
+namespace presets::named {
+inline constexpr AnySignal any_signal;
+inline constexpr AllSignals all_signals;
 inline constexpr std::tuple list{
-    NamedPreset{"none", general, any, [](auto signal, auto...) { return presets::none(signal); }},
-    NamedPreset{"surface", general, any, [](auto... a) { return presets::surface(a...); }},
-    NamedPreset{"surface-clamp", general, any, [](auto... a) { return surface_clamp(a...); }},
-    NamedPreset{"atrous", general, any, [](auto... a) { return atrous(a...); }},
-    NamedPreset{"svgf", general, any, [](auto... a) { return svgf(a...); }},
-    NamedPreset{"general", general, any, [](auto... a) { return presets::general(a...); }, [](auto... a) { return general_joining(a...); }},
-    NamedPreset{"final-frame", general, any, [](auto... a) { return final_frame(a...); },
+    NamedPreset{"none", PresetGroup::general, any_signal, [](auto signal, auto...) { return none(signal); }},
+    NamedPreset{"surface", PresetGroup::general, any_signal, [](auto... a) { return surface(a...); }},
+    NamedPreset{"surface-clamp", PresetGroup::general, any_signal, [](auto... a) { return surface_clamp(a...); }},
+    NamedPreset{"atrous", PresetGroup::general, any_signal, [](auto... a) { return atrous(a...); }},
+    NamedPreset{"svgf", PresetGroup::general, any_signal, [](auto... a) { return svgf(a...); }},
+    NamedPreset{"general", PresetGroup::general, any_signal, [](auto... a) { return general(a...); },
+                [](auto... a) { return general_joining(a...); }},
+    NamedPreset{"final-frame", PresetGroup::general, any_signal, [](auto... a) { return final_frame(a...); },
                 [](auto... a) { return final_frame_joining(a...); }},
 
-    NamedPreset{"shadow", effects, visibility, [](auto... a) { return shadow(a...); }},
-    NamedPreset{"glossy", effects, quell::glossy, [](auto... a) { return presets::glossy(a...); }},
-    NamedPreset{"dual-cone", effects, indirect, [](auto... a) { return dual_cone(a...); }},
-    NamedPreset{"trmv", effects, all, [](auto... parts) { return trmv(parts...); }},
+    NamedPreset{"shadow", PresetGroup::effects, Visibility{}, [](auto... a) { return shadow(a...); }},
+    NamedPreset{"glossy", PresetGroup::effects, Glossy{}, [](auto... a) { return glossy(a...); }},
+    NamedPreset{"dual-cone", PresetGroup::effects, Indirect{}, [](auto... a) { return dual_cone(a...); }},
+    NamedPreset{"trmv", PresetGroup::effects, all_signals, [](auto... options) { return trmv(options...); }},
 
-    NamedPreset{"blur", blur, radiance, [](auto signal, auto...) { return presets::blur(signal); }},
-    NamedPreset{"blur-straight", blur, radiance, [](auto signal, auto...) { return presets::blur<StraightTrajectories>(signal); }},
-    NamedPreset{"blur-bent", blur, radiance, [](auto signal, auto...) { return presets::blur<BentTrajectories>(signal); }},
-    NamedPreset{"blur-split", blur, all, [](auto...) { return blur_split(); }},
+    NamedPreset{"blur", PresetGroup::blur, Radiance{}, [](auto signal, auto...) { return blur(signal); }},
+    NamedPreset{"blur-straight", PresetGroup::blur, Radiance{}, [](auto signal, auto...) { return blur<StraightTrajectories>(signal); }},
+    NamedPreset{"blur-bent", PresetGroup::blur, Radiance{}, [](auto signal, auto...) { return blur<BentTrajectories>(signal); }},
+    NamedPreset{"blur-split", PresetGroup::blur, all_signals, [](auto...) { return blur_split(); }},
 
-    NamedPreset{"asvgf", published, any, [](auto... a) { return asvgf(a...); }},
-    NamedPreset{"dual-color", published, any, [](auto... a) { return dual_color(a...); }},
-    NamedPreset{"mirror-clamp", published, quell::glossy, [](auto... a) { return mirror_clamp(a...); }},
-    NamedPreset{"shadow-paper", published, visibility, [](auto... a) { return shadow_paper(a...); }},
-    NamedPreset{"glossy-paper", published, quell::glossy, [](auto... a) { return glossy_paper(a...); }},
-    NamedPreset{"dual-cone-paper", published, indirect, [](auto... a) { return dual_cone_paper(a...); }},
-    NamedPreset{"trmv-paper", published, all, [](auto... parts) { return trmv_paper(parts...); }},
-    NamedPreset{"blur-wavelet", published, radiance, [](auto signal, auto...) { return blur_wavelet(signal); }},
-    NamedPreset{"blur-fixed-step", published, radiance, [](auto signal, auto...) { return blur_fixed_step(signal); }},
-    NamedPreset{"blur-one-step", published, radiance, [](auto signal, auto...) { return blur_one_step(signal); }},
-    NamedPreset{"blur-paper", published, radiance, [](auto signal, auto...) { return blur_paper(signal); }},
-    NamedPreset{"blur-no-pre-filter", published, radiance, [](auto signal, auto...) { return blur_no_pre_filter(signal); }},
-    NamedPreset{"gather-blur", published, radiance, [](auto... a) { return gather_blur(a...); }},
-    NamedPreset{"tilemax-blur", published, radiance, [](auto... a) { return tilemax_blur(a...); }},
+    NamedPreset{"asvgf", PresetGroup::published, any_signal, [](auto... a) { return asvgf(a...); }},
+    NamedPreset{"dual-color", PresetGroup::published, any_signal, [](auto... a) { return dual_color(a...); }},
+    NamedPreset{"mirror-clamp", PresetGroup::published, Glossy{}, [](auto... a) { return mirror_clamp(a...); }},
+    NamedPreset{"shadow-paper", PresetGroup::published, Visibility{}, [](auto... a) { return shadow_paper(a...); }},
+    NamedPreset{"glossy-paper", PresetGroup::published, Glossy{}, [](auto... a) { return glossy_paper(a...); }},
+    NamedPreset{"dual-cone-paper", PresetGroup::published, Indirect{}, [](auto... a) { return dual_cone_paper(a...); }},
+    NamedPreset{"trmv-paper", PresetGroup::published, all_signals, [](auto... options) { return trmv_paper(options...); }},
+    NamedPreset{"blur-wavelet", PresetGroup::published, Radiance{}, [](auto signal, auto...) { return blur_wavelet(signal); }},
+    NamedPreset{"blur-fixed-step", PresetGroup::published, Radiance{}, [](auto signal, auto...) { return blur_fixed_step(signal); }},
+    NamedPreset{"blur-one-step", PresetGroup::published, Radiance{}, [](auto signal, auto...) { return blur_one_step(signal); }},
+    NamedPreset{"blur-paper", PresetGroup::published, Radiance{}, [](auto signal, auto...) { return blur_paper(signal); }},
+    NamedPreset{"blur-no-pre-filter", PresetGroup::published, Radiance{}, [](auto signal, auto...) { return blur_no_pre_filter(signal); }},
+    NamedPreset{"gather-blur", PresetGroup::published, Radiance{}, [](auto... a) { return gather_blur(a...); }},
+    NamedPreset{"tilemax-blur", PresetGroup::published, Radiance{}, [](auto... a) { return tilemax_blur(a...); }},
 };
-} // namespace detail::named
+} // namespace presets::named
 
 /// All presets, group by group.
-inline constexpr auto& named_presets = detail::named::list;
+inline constexpr auto& named_presets = presets::named::list;
 
 /// How many presets there are.
 inline constexpr std::size_t preset_count = std::tuple_size_v<std::remove_cvref_t<decltype(named_presets)>>;

@@ -18,23 +18,23 @@
 namespace quell::inline QUELL_INSTRUCTION_SET::presets {
 
 /// svgf() whose history shortens where the host's temporal gradients show that the light has changed (Schied et al. 2018).
-template <ChannelTag S> constexpr auto asvgf(S signal, auto... parts) {
-    return Pipeline{signal, parts..., Spatial{TemporalGradient<S>{}},
+template <ChannelTag S> constexpr auto asvgf(S signal, auto... options) {
+    return Pipeline{signal, options..., Spatial{TemporalGradient<S>{}},
                     Temporal{SurfaceMotion{}, WithMoments{Antilag{RunningMean{.cap = 5.f}}}},
                     Spatial{VarianceGuidedAtrous{Product{DepthEdge{}, NormalEdge{}}}}};
 }
 
 /// Accumulation along the motion of the mirror image, clamped (Zimmer 2015, Mara 2017).
-constexpr auto mirror_clamp(auto signal, auto... parts) {
+constexpr auto mirror_clamp(auto signal, auto... options) {
     return Pipeline{
-        signal, parts...,
+        signal, options...,
         Temporal{FirstValid{MirrorMotion{}, SurfaceMotion{}}, Clamped{Exponential{.alpha = 0.1f}, MeanDeviation{.sigmas = 1.f}}}};
 }
 
 /// Shadows as in TRMV section 4.1: shadow() with the numbers of the paper.
-constexpr auto shadow_paper(auto signal, auto... parts) {
+constexpr auto shadow_paper(auto signal, auto... options) {
     return Pipeline{signal,
-                    parts...,
+                    options...,
                     Spatial{ShadowSplat{}},
                     Spatial{AdaptiveBilateral<PenumbraWidth>{.width = {.part = 0.25f, .min_width_part = 1e9f}, .radius = 15}},
                     Temporal{FirstValid{SplattedShadowMotion{}, SurfaceMotion{}},
@@ -43,8 +43,8 @@ constexpr auto shadow_paper(auto signal, auto... parts) {
 }
 
 /// Glossy reflections as in TRMV section 4.2: motion vectors are drawn from the lobe.
-constexpr auto glossy_paper(auto signal, auto... parts) {
-    return Pipeline{signal, parts...,
+constexpr auto glossy_paper(auto signal, auto... options) {
+    return Pipeline{signal, options...,
                     Temporal{FirstValid{GlossyMotion{}, SurfaceMotion{}},
                              Clamped{WithCleanUp{Exponential{.alpha = 0.1f}}, MeanDeviation{.sigmas = 3.f}}},
                     Spatial{CleanUp<>{}}};
@@ -52,16 +52,16 @@ constexpr auto glossy_paper(auto signal, auto... parts) {
 
 /// Diffuse indirect light as a colour: svgf() whose disoccluded pixels take history by dual motion vectors (TRMV section 4.3). It trusts
 /// that history little: a similar surface may have other light.
-constexpr auto dual_color(auto signal, auto... parts) {
+constexpr auto dual_color(auto signal, auto... options) {
     using Alike = AllOf<SimilarDepth, SameNormal>;
-    return Pipeline{signal, parts...,
+    return Pipeline{signal, options...,
                     Temporal{FirstValid{SurfaceMotion{}, DualMotion<Alike>{.trust = 0.1f}}, WithMoments{RunningMean{.cap = 5.f}}},
                     Spatial{VarianceGuidedAtrous{Product{DepthEdge{}, NormalEdge{}}}}};
 }
 
 /// Diffuse indirect light as in TRMV section 4.3: six cones in every pass.
-constexpr auto dual_cone_paper(auto signal, auto... parts) {
-    return Pipeline{signal, Cones{}, parts..., Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, RunningMean{.cap = 32.f}, ConeFetch{}},
+constexpr auto dual_cone_paper(auto signal, auto... options) {
+    return Pipeline{signal, Cones{}, options..., Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, RunningMean{.cap = 32.f}, ConeFetch{}},
                     Spatial{ConeAtrous<Product<DepthEdge, NormalEdge>>{.min_cosine = 0.9f}}};
 }
 
@@ -104,14 +104,14 @@ template <ChannelTag S> constexpr auto blur_fixed_step(S signal, PathSearch sear
 }
 
 /// Motion blur of a sharp picture of the middle of the open shutter, along each pixel's own velocity (GPU Gems 3, ch. 27).
-constexpr auto gather_blur(auto signal, auto... parts) { return Pipeline{signal, parts..., Spatial{GatherBlur{}}}; }
+constexpr auto gather_blur(auto signal, auto... options) { return Pipeline{signal, options..., Spatial{GatherBlur{}}}; }
 
 /// Motion blur of a sharp picture of the middle of the open shutter, along the longest velocity around (McGuire et al. 2012).
-constexpr auto tilemax_blur(auto signal, auto... parts) { return Pipeline{signal, parts..., Spatial{TileMaxBlur{}}}; }
+constexpr auto tilemax_blur(auto signal, auto... options) { return Pipeline{signal, options..., Spatial{TileMaxBlur{}}}; }
 
 /// All three effects of TRMV: direct * visibility + glossy + albedo * indirect.
-template <class... Parts> constexpr auto trmv_paper(Parts... parts) {
-    return Composite{shadow_paper(visibility, parts...), glossy_paper(quell::glossy, parts...), dual_cone_paper(indirect, parts...)};
+template <class... Options> constexpr auto trmv_paper(Options... options) {
+    return Composite{shadow_paper(Visibility{}, options...), glossy_paper(Glossy{}, options...), dual_cone_paper(Indirect{}, options...)};
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::presets

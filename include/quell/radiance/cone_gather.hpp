@@ -28,14 +28,9 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
         constexpr float profile[] = {0.5f, 0.25f};
         Taps<Px> taps;
         taps.add(px, Real(profile[0] * profile[0]));
-        for_each_opposite_taps<1>(px, 1, detail::edge_offset(around),
-                                  [&](auto const& one, auto start, float row, auto const& other, auto its_start, float its_row, int dx,
-                                      int dy, int, int) QUELL_INLINED {
-                                      auto const& toward = detail::edge_toward(around, dx, dy);
-                                      float const bits = weight_bits(profile[dx != 0] * profile[dy != 0]);
-                                      taps.add(one, edge_weight(toward.distance(one, start), bits + row));
-                                      taps.add(other, edge_weight(toward.distance(other, its_start), bits + its_row));
-                                  });
+        for_each_edge_tap<false, 1>(px, 1, around, [&](auto const& tap) QUELL_INLINED {
+            taps.add(tap.px, tap.weight(WeightBits::of(profile[tap.column != 0] * profile[tap.row != 0])));
+        });
         auto colour = zero<typename Px::Signal>();
         detail::Hull<typename Px::Signal> seen(px.signal());
         Real weight(0.f);

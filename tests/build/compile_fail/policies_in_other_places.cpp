@@ -13,15 +13,15 @@
 // error: WithCleanUp{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp
 // error: WithMoments{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp
 // error: WithVariance{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp
-// error: Pipeline{channel, parts...}: each part must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{}, SuppressFireflies{},
-// error: Pipeline{channel, parts...}: one Temporal at most, since there is one history; use FirstValid to combine motion sources
-// error: Pipeline{channel, parts...}: a stage reads what only a later one makes
+// error: Pipeline{channel, options..., stages...}: each must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{}, SuppressFireflies{},
+// error: Pipeline{channel, options..., stages...}: one Temporal at most, since there is one history; use FirstValid
+// error: Pipeline{channel, options..., stages...}: a stage reads what only a later one makes
 // error: a stage looks at what no blend policy keeps
-// error: Pipeline{channel, parts...}: a stage reads what none of them makes
+// error: Pipeline{channel, options..., stages...}: a stage reads what none of them makes
 // error: Temporal{motion, blend, fetch}: `fetch` must have fetch(px, found)
 // error: Clamped{inner, range}: `range` must have a Gatherer with add(value, weight, dx, dy)
 // error: Clamped{inner, range, axes}: `axes` must have from(value) and to(value)
-// error: Pipeline{channel, parts...}: a modulation must have inward(px, sample) and outward(px, value)
+// error: Pipeline{channel, options..., stages...}: a modulation must have inward(px, sample) and outward(px, value)
 #include <quell/quell.hpp>
 using namespace quell;
 

@@ -13,7 +13,7 @@
 // error: Frame{size, pipelines..., storage}: the size comes first
 // error: Frame{size, pipelines..., storage}: what follows the size must be pipelines, and a storage
 // error: History{size, pipeline, storage}: it takes an Extent{width, height}, a pipeline, and maybe a storage
-// error: Pipeline{channel, parts...}: the channel of the signal comes first
+// error: Pipeline{channel, options..., stages...}: the channel of the signal comes first
 // error: run_two_sided(pipeline, window, history): `window` must be a range of frames with operator[]
 #include <quell/pipeline/two_sided.hpp>
 #include <quell/quell.hpp>

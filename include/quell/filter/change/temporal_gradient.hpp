@@ -28,14 +28,12 @@ template <class Source, class Edge> struct GradientLevel {
         auto sum = px[Source{}];
         sum = select(all_finite(sum), sum, zero<vec2<Real>>());
         Real weights(1.f);
-        auto const add = [&](auto const& neighbour, auto w) QUELL_INLINED {
-            auto const there = neighbour[Source{}];
-            auto const usable = masked(all_finite(there), w);
+        for_each_edge_tap<false, 2>(px, step, around, [&](auto const& tap) QUELL_INLINED {
+            auto const there = tap.px[Source{}];
+            auto const usable = masked(all_finite(there), tap.weight(WeightBits::of(1.f)));
             sum = add_scaled(sum, select(all_finite(there), there, zero<vec2<Real>>()), usable);
             weights = weights + usable;
-        };
-        for_each_edge_tap<false>(
-            px, step, around, [](int, int) QUELL_INLINED { return weight_bits(1.f); }, add);
+        });
         return emitted<Real>(filtered_gradient, scale(sum, 1.f / weights));
     }
 };

@@ -89,37 +89,6 @@ template <class Px, class Body> QUELL_KERNEL void for_each_of_five(Px const& px,
     }
 }
 
-/// Taps outside the image get the smallest edge_weight there is.
-inline constexpr float too_far = 1e9f, ///< a distance that gives it
-    too_little = -1e10f;               ///< weight bits that give it
-
-/// Opposite pairs of taps without the centre, for filters by edge_weight: `body(near, start, row, opposite, its start, its row, dx, dy, i,
-/// j)`. Tap (i, j) lies at (dx, dy) = step * (i, j) pixels. Add the tap's distances to `start`: it is `base`, or too_far in columns outside
-/// the image. Add `row` to the weight's bits: it is 0, or too_little in rows outside. Borders then need no test.
-/// @tparam radius in taps
-template <int radius, class Px, class Body> QUELL_KERNEL void for_each_opposite_taps(Px const& px, int step, float base, Body&& body) {
-    static_assert(Px::pack_width == width_of<typename Px::Real>, "a pass of `two_rows` takes taps by for_each_tap");
-    using Real = typename Px::Real;
-    constexpr int side = 2 * radius + 1;
-    Real start[std::size_t{side}];
-    int column[std::size_t{side}];
-    QUELL_UNROLL
-    for (int i = 0; i < side; ++i) {
-        auto const beside = px.at((i - radius) * step, 0);
-        start[i] = select(beside.inside(), Real(base), Real(too_far));
-        column[i] = beside.x;
-    }
-    QUELL_UNROLL
-    for (int j = 0; j <= radius; ++j) {
-        auto const below = px.at(0, j * step), above = px.at(0, -j * step);
-        float const row = below.row_inside ? 0.f : too_little, opposite_row = above.row_inside ? 0.f : too_little;
-        QUELL_UNROLL
-        for (int i = j == 0 ? 1 : -radius; i <= radius; ++i)
-            body(Px{px.scope, column[radius + i], below.y}, start[radius + i], row, Px{px.scope, column[radius - i], above.y},
-                 start[radius - i], opposite_row, i * step, j * step, i, j);
-    }
-}
-
 /// As for_each_tap, with weights 1.
 template <int radius, class Px, class Body> QUELL_KERNEL void for_each_neighbour(Px const& px, int step, Body&& body) {
     float ones[std::size_t{radius + 1}];

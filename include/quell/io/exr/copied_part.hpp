@@ -45,11 +45,11 @@ public:
 };
 
 /// A channel's numbers in the file's own format: not a bit changes on their way.
-struct RawChannel {
+struct UnpackedChannel {
     std::vector<char> bytes;
     Imf::Slice slice;
 
-    RawChannel(Imf::Channel const& channel, Imath::Box2i const& window)
+    UnpackedChannel(Imf::Channel const& channel, Imath::Box2i const& window)
         : bytes(static_cast<std::size_t>(extent_of(window).first * extent_of(window).second) * (channel.type == Imf::HALF ? 2 : 4)),
           slice(Imf::Slice::Make(channel.type, bytes.data(), window, 0, 0, channel.xSampling, channel.ySampling)) {}
 };
@@ -115,30 +115,30 @@ private:
         return std::ranges::any_of(numbers, [&](auto const* each) { return each->channel == channel; });
     }
     /// The channels without new numbers, as a file has them, by name.
-    [[nodiscard]] std::map<std::string, RawChannel> raw_channels(Imf::MultiPartInputFile& file, int part, bool only_data) const;
+    [[nodiscard]] std::map<std::string, UnpackedChannel> unpacked_channels(Imf::MultiPartInputFile& file, int part, bool only_data) const;
     [[nodiscard]] Plane cropped(NewNumbers const& of_channel, ExrOriginal const& original, Region const& canvas) const;
     void copy_packed(Imf::MultiPartInputFile& from, Imf::MultiPartOutputFile& output, int part) const;
     void write_pixels(Imf::FrameBuffer const& buffer, Imf::MultiPartOutputFile& output, int part) const;
 };
 
-inline std::map<std::string, RawChannel> CopiedPart::raw_channels(Imf::MultiPartInputFile& file, int part, bool only_data) const {
-    std::map<std::string, RawChannel> raw;
+inline std::map<std::string, UnpackedChannel> CopiedPart::unpacked_channels(Imf::MultiPartInputFile& file, int part, bool only_data) const {
+    std::map<std::string, UnpackedChannel> unpacked;
     Imf::FrameBuffer buffer;
     auto const window = header.dataWindow();
     for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
         if (is_new(i.name()) || (only_data && !is_data(header, i.name(), i.channel().type))) continue;
-        auto const& made = raw.emplace(i.name(), RawChannel(i.channel(), window)).first->second;
+        auto const& made = unpacked.emplace(i.name(), UnpackedChannel(i.channel(), window)).first->second;
         buffer.insert(i.name(), made.slice);
     }
-    if (raw.empty()) return raw;
+    if (unpacked.empty()) return unpacked;
     Imf::InputPart input(file, part);
     input.setFrameBuffer(buffer);
     input.readPixels(window.min.y, window.max.y);
-    return raw;
+    return unpacked;
 }
 
 inline bool CopiedPart::differs(ExrOriginal const& original, Imf::MultiPartInputFile& copy, int part) const {
-    auto const before = raw_channels(original.library_file(), number, true), after = raw_channels(copy, part, true);
+    auto const before = unpacked_channels(original.library_file(), number, true), after = unpacked_channels(copy, part, true);
     return !std::ranges::equal(before, after, [](auto const& a, auto const& b) { return a.second.bytes == b.second.bytes; });
 }
 
@@ -191,9 +191,9 @@ inline void CopiedPart::write(ExrOriginal const& original, Imf::MultiPartInputFi
     if (!is_touched()) return copy_packed(from, output, part);
     if (original.has_levels(number))
         throw Error(original.listed.name, "its tiles have several levels (a mip map or rip map)", "write frames with one level");
-    auto const raw = raw_channels(from, number, false);
+    auto const unpacked = unpacked_channels(from, number, false);
     Imf::FrameBuffer buffer;
-    for (auto const& [name, channel] : raw) buffer.insert(name, channel.slice);
+    for (auto const& [name, channel] : unpacked) buffer.insert(name, channel.slice);
     std::deque<Plane> planes; // slices point into these
     std::deque<Outgoing> outgoing;
     for (auto const* const each : numbers) {

@@ -31,7 +31,8 @@ template <int fraction, class... Cs> constexpr bool all_of_fraction(Channels<Cs.
 
 /// One pass over one region: what an executor runs. Trivially copyable, so that it can be copied to a device.
 /// @tparam keeps_marks whether the new signal keeps the marks of missing samples
-template <class Pass, class Scope, class SignalView, class MadeViews, class FinishWork, class RememberedSet, bool keeps_marks> struct Job {
+template <class Pass, class Scope, class SignalView, class MadeViews, class FinishWork, class RememberedSet, bool keeps_marks>
+struct PassJob {
     static constexpr auto name = pass_name<Pass>;
     static constexpr bool makes_signal = makes_signal_of<Pass, Scope>;
     static constexpr int max_lanes = max_lanes_of<Pass>;

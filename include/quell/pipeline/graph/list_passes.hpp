@@ -67,8 +67,8 @@ private:
             list.passes.push_back(marked ? pass<true>(PassThrough{}) : pass<false>(PassThrough{}));
     }
 
-    template <bool raw, class Pass> FramePass pass(Pass const& kernel) {
-        using S = typename K::template ScopeOf<Pass, raw>;
+    template <bool marks, class Pass> FramePass pass(Pass const& kernel) {
+        using S = typename K::template ScopeOf<Pass, marks>;
         FramePass made{.name = pass_name<Pass>,
                        .fraction = S::fraction,
                        .reads = ChannelIds(typename S::frame_channels{}),
@@ -79,7 +79,7 @@ private:
                        .reads_past_signal = S::reads_past_signal,
                        .makes_signal = K::template makes_signal<Pass>,
                        .feeds_history = P::has_past && (is_temporal<Pass> || feeds_back(kernel)),
-                       .run = &K::template run<Pass, raw>,
+                       .run = &K::template run<Pass, marks>,
                        .kernel = list.keep(kernel)};
         for_each_channel(decltype(emits_of<Pass>{} | keeps_of<Pass>{}){}, [&]<class C>(C) {
             made.makes.channels[static_cast<std::size_t>(made.makes.count++)] = {&channel_info<C>, format_of<Storage, C>};

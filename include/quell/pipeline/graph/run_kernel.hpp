@@ -61,13 +61,13 @@ struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
     using Vectors = VectorConversion<P::motion_convention>;
 
     /// What a pass sees: views of exactly the channels that it declares.
-    /// @tparam raw whether it sees marks of missing samples
-    template <class Pass, bool raw>
+    /// @tparam marks whether it sees marks of missing samples
+    template <class Pass, bool marks>
     using ScopeOf =
         Scope<Views<FrameStorage, common_to<decltype(reads_of<Pass>{} | typename P::known_samples{}), Set>>,
               Views<Storage, common_to<reads_of<Pass>, typename P::made>>, SignalView, SignalView,
               Views<Storage, decltype(keeps_of<Pass>{} | reads_kept_of<Pass>{})>, RememberedViewsOf<Storage, remembers_of<Pass>>,
-              PassTraits{.marks_missing = raw,
+              PassTraits{.marks_missing = marks,
                          .has_camera = needs_camera_of<Pass>,
                          .reads_past_signal = is_temporal<Pass> || says_reads_past_signal<Pass>,
                          .fraction = fraction_of<Pass>},
@@ -79,24 +79,24 @@ struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
 
     template <class Pass> static constexpr bool makes_signal = makes_signal_of<Pass, ScopeOf<Pass, true>>;
 
-    template <class Pass, bool raw> static void run(PassArguments const& a) {
-        using S = ScopeOf<Pass, raw>;
+    template <class Pass, bool marks> static void run(PassArguments const& a) {
+        using S = ScopeOf<Pass, marks>;
         using Made = decltype(emits_of<Pass>{} | keeps_of<Pass>{});
-        constexpr bool keeps_marks = raw && P::has_past && !is_temporal<Pass> && !std::is_same_v<Pass, FillHoles>;
+        constexpr bool keeps_marks = marks && P::has_past && !is_temporal<Pass> && !std::is_same_v<Pass, FillHoles>;
         auto const made = a.images.made_out.template views<Storage>(Made{});
         auto const scope = scope_of<S, Pass>(a);
         auto const end = finish(a);
-        auto const job = Job<Pass, S, SignalView, std::remove_const_t<decltype(made)>, std::remove_const_t<decltype(end)>,
-                             typename P::remembers, keeps_marks>{.pass = kernel<Pass>(a),
-                                                                 .scope = scope,
-                                                                 .signal = view_in<Storage, typename P::Signal>(a.images.signal_out),
-                                                                 .made = made,
-                                                                 .finish = end,
-                                                                 .store_signal = a.stores.signal,
-                                                                 .store_output = a.stores.output,
-                                                                 .store_remembered = a.stores.guides,
-                                                                 .stored_channels = stored(Made{}, a.images.made_out),
-                                                                 .counts = a.counts};
+        auto const job = PassJob<Pass, S, SignalView, std::remove_const_t<decltype(made)>, std::remove_const_t<decltype(end)>,
+                                 typename P::remembers, keeps_marks>{.pass = kernel<Pass>(a),
+                                                                     .scope = scope,
+                                                                     .signal = view_in<Storage, typename P::Signal>(a.images.signal_out),
+                                                                     .made = made,
+                                                                     .finish = end,
+                                                                     .store_signal = a.stores.signal,
+                                                                     .store_output = a.stores.output,
+                                                                     .store_remembered = a.stores.guides,
+                                                                     .stored_channels = stored(Made{}, a.images.made_out),
+                                                                     .counts = a.counts};
         static_cast<E const*>(a.typed.executor)->for_each_pixel(Region{0, 0, scope.size.width, scope.size.height}, job);
     }
 

@@ -115,38 +115,38 @@ private:
     /// Stratified sums over the open shutter: the mean of the strata's means has less noise than the mean of all samples.
     template <class Px> struct Gathered {
         using Real = typename Px::Real;
-        static constexpr int parts = 8; ///< most strata; each is at least as long as it takes to cross `pixels_a_part`
-        static constexpr float pixels_a_part = 4.f;
+        static constexpr int most_strata = 8; ///< each is at least as long as it takes to cross `pixels_a_stratum`
+        static constexpr float pixels_a_stratum = 4.f;
         /// Sums of one stratum.
-        struct Part {
+        struct Stratum {
             typename Px::Signal signal = zero<typename Px::Signal>(); ///< of moving samples
             Real weight = Real(0.f), all = Real(0.f);                 ///< sums of weights of the moving samples, and of all
         };
         Real count; ///< number of strata, from 1
-        Part part[parts];
+        Stratum strata[most_strata];
         vec2<Real> sweep{Real(0.f), Real(0.f)};
         Real swept = Real(0.f);
 
         QUELL_KERNEL explicit Gathered(Real length)
-            : count(floor(clamp(length * (1.f / pixels_a_part), Real(1.f), Real(static_cast<float>(parts))))) {}
+            : count(floor(clamp(length * (1.f / pixels_a_stratum), Real(1.f), Real(static_cast<float>(most_strata))))) {}
         QUELL_KERNEL void add(typename Px::Signal const& value, auto const& path, Real w, auto moves, Real when) {
             auto const counted = masked(moves, w);
             sweep = add_scaled(sweep, path.sweep, counted);
             swept = swept + counted;
             // The last stratum includes its end.
             auto const which = min(floor(when * count), count - 1.f);
-            for (int i = 0; i < parts; ++i) {
+            for (int i = 0; i < most_strata; ++i) {
                 auto const here = abs(which - static_cast<float>(i)) < Real(0.5f);
                 auto const all_here = masked(here, w), counted_here = masked(here, counted);
-                part[i].all = part[i].all + all_here;
-                part[i].weight = part[i].weight + counted_here;
-                part[i].signal = add_scaled(part[i].signal, value, counted_here);
+                strata[i].all = strata[i].all + all_here;
+                strata[i].weight = strata[i].weight + counted_here;
+                strata[i].signal = add_scaled(strata[i].signal, value, counted_here);
             }
         }
         QUELL_KERNEL auto mean() const {
             auto sum = zero<Value<Signal::components + 1, Real>>();
             Real known(0.f);
-            for (auto const& p : part) {
+            for (auto const& p : strata) {
                 auto const some = p.all > Real(0.f);
                 auto const inverse = masked(some, 1.f / max(p.all, Real(1e-6f)));
                 sum = add_scaled(sum, detail::layer_of(p.signal, p.weight), inverse);

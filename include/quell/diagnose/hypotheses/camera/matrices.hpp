@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/diagnose/hypotheses/camera/static_motion.hpp>
+#include <quell/diagnose/hypotheses/static_motion.hpp>
 #include <quell/diagnose/observation.hpp>
 #include <quell/diagnose/statistics.hpp>
 

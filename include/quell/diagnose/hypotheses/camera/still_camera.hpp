@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/diagnose/hypotheses/motion/motion_hypotheses.hpp>
+#include <quell/diagnose/hypotheses/compared_motion.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
