@@ -60,7 +60,7 @@ void firefly(std::string const& name, Making const& making, Results& results) {
         int alive = 0;
         for (int i = 0; i <= last; ++i) {
             auto const picture = denoiser->denoise(i == flash ? lit : even, {}, i);
-            if (i >= flash - 1) record(results, name, preset.name, i, truth, picture);
+            if (i >= flash - 1) record(results.frames, name, preset.name, i, truth, picture);
             if (i == flash - 1) usual = sum_of(picture), base = brightest(picture);
             if (i < flash) continue;
             most = std::max(most, sum_of(picture) - usual);
@@ -89,7 +89,7 @@ void variance(std::string const& name, Making const& making, Results& results) {
         int number = sequence.scored_from;
         for (auto const& picture : watch(preset, sequence, {}, making.threads)) {
             worst = std::max(worst, sum_of(picture));
-            record(results, name, preset.name, number++, truth, picture);
+            record(results.frames, name, preset.name, number++, truth, picture);
         }
         worst /= static_cast<double>(light * part) * static_cast<double>(making.size.pixels());
         results.promises.push_back({name, preset.name, "worst_frame_energy_over_truth", worst, 1.25});

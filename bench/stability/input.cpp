@@ -87,7 +87,7 @@ Extremes burst(std::string const& name, examples::Preset const& preset, io::ExrI
             }
         auto const picture = denoiser->denoise(frame, {}, i);
         if (i == 3) wanted = picture;
-        if (i >= 3) record(results, name, preset.name, i, wanted, picture);
+        if (i >= 3) record(results.frames, name, preset.name, i, wanted, picture);
         if (i <= 3) continue;
         auto const found = extremes(picture, wanted);
         result.broken += found.broken;
