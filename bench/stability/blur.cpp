@@ -86,13 +86,13 @@ std::vector<Case> blur_cases() {
         {"blur-linear",
          "What those below are held against: motion in straight lines. No holes, the light to 1 %, no frame much worse than others, and "
          "less error than the input.",
-         true, linear},
-        {"blur-crossing", "Something moves before something else that moves another way.", true, crossing},
-        {"blur-panning", "Columns at many depths, past which the camera moves.", true, panning},
-        {"blur-rolling", "The camera rolls.", true, rolling},
-        {"blur-reversing", "Things turn back while the shutter is open.", true, reversing},
-        {"blur-rotating", "A propeller.", true, rotating},
-        {"blur-shadows", "Shadows that move under an open shutter, with the surface's sweep instead of their own.", true, shadows}};
+         linear},
+        {"blur-crossing", "Something moves before something else that moves another way.", crossing},
+        {"blur-panning", "Columns at many depths, past which the camera moves.", panning},
+        {"blur-rolling", "The camera rolls.", rolling},
+        {"blur-reversing", "Things turn back while the shutter is open.", reversing},
+        {"blur-rotating", "A propeller.", rotating},
+        {"blur-shadows", "Shadows that move under an open shutter, with the surface's sweep instead of their own.", shadows}};
 }
 
 } // namespace quell::stability

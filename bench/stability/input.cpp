@@ -135,7 +135,7 @@ void broken_input(std::string const& name, Making const& making, Results& result
 
 std::vector<Case> input_cases() {
     return {{"broken-input", "NaN, infinite, negative, denormal input, missing channels, no motion, no size. Never spreads; a clear error.",
-             true, broken_input}};
+             broken_input}};
 }
 
 } // namespace quell::stability

@@ -64,8 +64,8 @@ void lobes(std::string const& name, Making const& making, Results& results) {
 } // namespace
 
 std::vector<Case> reflection_cases() {
-    return {{"curved", "Moving things seen in curved metal. The thin lens is better than a flat mirror.", true, curved},
-            {"lobes", "A smooth coat over a rough ground: two lobes in a pixel. Bounded by the clamped baseline.", true, lobes}};
+    return {{"curved", "Moving things seen in curved metal. The thin lens is better than a flat mirror.", curved},
+            {"lobes", "A smooth coat over a rough ground: two lobes in a pixel. Bounded by the clamped baseline.", lobes}};
 }
 
 } // namespace quell::stability

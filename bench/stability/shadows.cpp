@@ -91,10 +91,9 @@ void non_planar(std::string const& name, Making const& making, Results& results)
 } // namespace
 
 std::vector<Case> shadow_cases() {
-    return {
-        {"several-shadows", "Shadows of three lights that move apart, in the same pixels. Bounded by the clamped baseline.", true, several},
-        {"thin-shadows", "Rods and beads of a pixel or two. Their shadows keep their contrast.", true, thin},
-        {"non-planar", "Shadows on cloth and fruit. The falloff helps, and no shadow lies on the wrong surface.", true, non_planar}};
+    return {{"several-shadows", "Shadows of three lights that move apart, in the same pixels. Bounded by the clamped baseline.", several},
+            {"thin-shadows", "Rods and beads of a pixel or two. Their shadows keep their contrast.", thin},
+            {"non-planar", "Shadows on cloth and fruit. The falloff helps, and no shadow lies on the wrong surface.", non_planar}};
 }
 
 } // namespace quell::stability
