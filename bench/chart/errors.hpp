@@ -18,8 +18,8 @@ struct Wanted {
 /// @param wanted in order
 void mark_flicker(std::vector<Wanted>& wanted);
 
-/// Sums over the scored frames of one method.
-class ErrorSums {
+/// How far one method is off, over its scored frames.
+class MethodErrors {
 public:
     /// @param shown what the method made, as displayed
     void add(Wanted const& wanted, metrics::Picture const& shown);
@@ -27,9 +27,9 @@ public:
     void put(Row& row) const;
 
 private:
-    double rmse = 0, ssim = 0, flip = 0, flip_median = 0, mask_rmse = 0, mask_ssim = 0, mask_flip = 0;
-    int frames = 0, masked_frames = 0;
-    metrics::Flicker flicker; ///< over those frames that show it
+    metrics::MeanErrors whole, masked; ///< masked: over those frames that have the effect
+    double flip_medians = 0;           ///< their sum
+    metrics::Flicker flicker;          ///< over those frames that show it
 };
 
 } // namespace quell::bench

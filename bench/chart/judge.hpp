@@ -12,7 +12,7 @@ struct Entry {
     std::string method;
     bool competes = true;
     std::optional<Variant> variant{};
-    ErrorSums errors{};
+    MethodErrors errors{};
     std::string picture{}; ///< from the chart's folder
 };
 

@@ -31,7 +31,7 @@ public:
         auto const name = prefix + std::to_string(blocks++);
         data += name + " << END\n";
         for (auto const& row : rows)
-            data += number(row.ms_per_frame) + " " + number(row.rmse) + " " + quoted_for_gnuplot(row.method) + "\n";
+            data += number(row.ms_per_frame) + " " + number(row.errors["rmse"]) + " " + quoted_for_gnuplot(row.method) + "\n";
         data += "END\n";
         for (auto const& look : looks) elements += (elements.empty() ? "plot " : ", ") + name + " using " + look + " notitle";
     }
@@ -59,7 +59,7 @@ std::string ticks() {
     return list;
 }
 
-bool is_known(Row const& row) { return row.ms_per_frame > 0 && !std::isnan(row.rmse); }
+bool is_known(Row const& row) { return row.ms_per_frame > 0 && !std::isnan(row.errors["rmse"]); }
 
 /// With room for names to both sides.
 std::string x_range(std::vector<Row> const& rows) {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <quell/image/extent.hpp>
+#include <quell/metrics/metric.hpp>
 
-#include <array>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -24,9 +24,8 @@ struct Row {
     Extent size;
     int frames = 0, threads = 0;
     double ms_per_frame = unknown;
-    double rmse = unknown, ssim = unknown, flip = unknown, flip_median = unknown;
-    double mask_rmse = unknown, mask_ssim = unknown, mask_flip = unknown;
-    double flicker = unknown, bytes_per_pixel = unknown;
+    metrics::Errors errors = metrics::MeanErrors{}.mean(), mask_errors = errors; ///< of the image, and of where the effect is
+    double flip_median = unknown, flicker = unknown, bytes_per_pixel = unknown;
     bool pareto = false;
 
     bool competes = true; ///< false for inputs of more samples: what these cost to render isn't counted
@@ -36,22 +35,14 @@ struct Row {
 
 /// A number that a chart can show.
 struct Measure {
-    char const* name; ///< its column
-    double Row::*value;
-    char const* description;
+    std::string name; ///< its column
+    std::string description;
+    std::function<double(Row const&)> of;
     bool higher_is_better = false;
+    int digits = 6; ///< behind the point
 };
-inline constexpr std::array measures{
-    Measure{"rmse", &Row::rmse, "root mean square error, displayed"},
-    Measure{"ssim", &Row::ssim, "structural similarity, displayed", true},
-    Measure{"flip", &Row::flip, "FLIP, mean over the image"},
-    Measure{"flip_median", &Row::flip_median, "FLIP, weighted median"},
-    Measure{"mask_rmse", &Row::mask_rmse, "root mean square error where the effect is"},
-    Measure{"mask_ssim", &Row::mask_ssim, "structural similarity where the effect is", true},
-    Measure{"mask_flip", &Row::mask_flip, "FLIP where the effect is"},
-    Measure{"flicker", &Row::flicker, "deviation of the error over up to four successive frames"},
-    Measure{"bytes_per_pixel", &Row::bytes_per_pixel, "bytes per pixel of history and scratch"},
-};
+/// All metrics of the image and of where the effect is, and what only charts have.
+[[nodiscard]] std::vector<Measure> const& measures();
 
 /// Marks the rows of one scene and effect that no other is both faster and more accurate (in RMSE) than.
 void mark_pareto_front(std::vector<Row>& rows);

@@ -35,9 +35,9 @@ double energy_error(ScoredSequence const& sequence, Pictures const& pictures) {
 
 /// The worst frame's FLIP over that of the mean frame.
 double worst_over_mean(FrameErrors const& errors) {
-    double sum = 0;
-    for (auto const each : errors.flip) sum += each;
-    return *std::ranges::max_element(errors.flip) * static_cast<double>(errors.flip.size()) / sum;
+    double sum = 0, worst = 0;
+    for (auto const& each : errors) sum += each.errors["flip"], worst = std::max(worst, each.errors["flip"]);
+    return worst * static_cast<double>(errors.size()) / sum;
 }
 
 bool is_noisy_in_time_only(std::string const& scene) { return !tracer::built_in_scene(scene).secondary_rays; }
@@ -47,12 +47,10 @@ void blurred(std::string const& name, std::string const& scene, std::vector<std:
              Results& results) {
     auto const sequence =
         traced({.scene = scene, .scored_from = event - 4, .last = event + 6, .effect = tracer::Effect::blur, .shutter = 0.5f}, making);
-    auto const input = errors(sequence, watch(examples::preset_of("none"), sequence, {}, making.threads));
-    record(results, name, "none", input);
+    auto const input = record(results, name, examples::preset_of("none"), sequence, making.threads);
     for (auto const& method : methods) {
         auto const pictures = watch(examples::preset_of(method), sequence, {}, making.threads);
-        auto const denoised = errors(sequence, pictures);
-        record(results, name, method, denoised);
+        auto const denoised = record(results, name, method, sequence, pictures);
         auto const promise = [&](char const* metric, double value, double limit) {
             results.promises.push_back({name, method, metric, value, limit});
         };
@@ -88,13 +86,13 @@ std::vector<Case> blur_cases() {
         {"blur-linear",
          "What those below are held against: motion in straight lines. No holes, the light to 1 %, no frame much worse than others, and "
          "less error than the input.",
-         true, linear},
-        {"blur-crossing", "Something moves before something else that moves another way.", true, crossing},
-        {"blur-panning", "Columns at many depths, past which the camera moves.", true, panning},
-        {"blur-rolling", "The camera rolls.", true, rolling},
-        {"blur-reversing", "Things turn back while the shutter is open.", true, reversing},
-        {"blur-rotating", "A propeller.", true, rotating},
-        {"blur-shadows", "Shadows that move under an open shutter, with the surface's sweep instead of their own.", true, shadows}};
+         linear},
+        {"blur-crossing", "Something moves before something else that moves another way.", crossing},
+        {"blur-panning", "Columns at many depths, past which the camera moves.", panning},
+        {"blur-rolling", "The camera rolls.", rolling},
+        {"blur-reversing", "Things turn back while the shutter is open.", reversing},
+        {"blur-rotating", "A propeller.", rotating},
+        {"blur-shadows", "Shadows that move under an open shutter, with the surface's sweep instead of their own.", shadows}};
 }
 
 } // namespace quell::stability

@@ -12,7 +12,6 @@ namespace quell::stability {
 struct Case {
     std::string name;
     std::string about; ///< what happens, and what is promised
-    bool cheap;        ///< takes little time, so that tests run it
     void (*run)(std::string const& name, Making const& making, Results& results);
 };
 

@@ -45,7 +45,7 @@ Means means(std::string const& name, examples::Preset const& preset, std::vector
     Means result;
     for (int i = 0; i < frames; ++i) {
         auto const picture = denoiser->denoise(noisy[static_cast<std::size_t>(i % round)], {}, i);
-        if (i % round == round - 1) record(results, name, preset.name, i, truth, dimmed(picture, part)); // of one noise each time
+        if (i % round == round - 1) record(results.frames, name, preset.name, i, truth, dimmed(picture, part)); // of one noise each time
         bool const early = i >= 100 && i < 100 + counted, late = i >= frames - counted;
         if (!early && !late) continue;
         double sum = 0;
@@ -76,7 +76,7 @@ void drift(std::string const& name, Making const& making, Results& results) {
 } // namespace
 
 std::vector<Case> drift_cases() {
-    return {{"drift", "10,000 frames in which nothing moves, of light of 1,000. No drift, in float and in half.", true, drift}};
+    return {{"drift", "10,000 frames in which nothing moves, of light of 1,000. No drift, in float and in half.", drift}};
 }
 
 } // namespace quell::stability

@@ -14,15 +14,14 @@ constexpr int event = static_cast<int>(tracer::event_frame);
 /// event itself against the input.
 void settle(std::string const& name, ScoredSequence const& sequence, std::vector<std::string> const& methods, int threads,
             Results& results) {
-    auto const input = errors(sequence, watch(examples::preset_of("none"), sequence, {}, threads));
-    record(results, name, "none", input);
+    auto const input = record(results, name, examples::preset_of("none"), sequence, threads);
     for (auto const& method : methods) {
         auto const& preset = examples::preset_of(method);
-        auto const kept = errors(sequence, watch(preset, sequence, {}, threads));
-        auto const fresh = errors(sequence, watch(preset, sequence, {Memory::Kind::since, event}, threads));
-        record(results, name, method, kept);
-        record(results, name, method + "-fresh", fresh);
-        results.promises.push_back({name, method, "first_frame_over_no_history", kept.rmse.front() / input.rmse.front(), no_worse});
+        auto const kept = record(results, name, preset, sequence, threads);
+        auto const forgetful = watch(preset, sequence, {Memory::Kind::since, event}, threads);
+        auto const fresh = record(results, name, method + "-fresh", sequence, forgetful);
+        results.promises.push_back(
+            {name, method, "first_frame_over_no_history", kept.front().errors["rmse"] / input.front().errors["rmse"], no_worse});
         results.promises.push_back({name, method, "worst_frame_over_fresh_start", worst_ratio(kept, fresh), 1.05});
     }
 }
@@ -50,9 +49,9 @@ void lightswitch(std::string const& name, Making const& making, Results& results
 } // namespace
 
 std::vector<Case> event_cases() {
-    return {{"cut", "The camera is somewhere else at once; motion vectors say so. Settles like a fresh start.", true, cut},
-            {"cut-unnoticed", "The same with motion vectors of zero, in a room of the same shape.", true, cut_unnoticed},
-            {"lightswitch", "A light goes on. Settles like a fresh start.", true, lightswitch}};
+    return {{"cut", "The camera is somewhere else at once; motion vectors say so. Settles like a fresh start.", cut},
+            {"cut-unnoticed", "The same with motion vectors of zero, in a room of the same shape.", cut_unnoticed},
+            {"lightswitch", "A light goes on. Settles like a fresh start.", lightswitch}};
 }
 
 } // namespace quell::stability

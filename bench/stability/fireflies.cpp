@@ -60,7 +60,7 @@ void firefly(std::string const& name, Making const& making, Results& results) {
         int alive = 0;
         for (int i = 0; i <= last; ++i) {
             auto const picture = denoiser->denoise(i == flash ? lit : even, {}, i);
-            if (i >= flash - 1) record(results, name, preset.name, i, truth, picture);
+            if (i >= flash - 1) record(results.frames, name, preset.name, i, truth, picture);
             if (i == flash - 1) usual = sum_of(picture), base = brightest(picture);
             if (i < flash) continue;
             most = std::max(most, sum_of(picture) - usual);
@@ -89,7 +89,7 @@ void variance(std::string const& name, Making const& making, Results& results) {
         int number = sequence.scored_from;
         for (auto const& picture : watch(preset, sequence, {}, making.threads)) {
             worst = std::max(worst, sum_of(picture));
-            record(results, name, preset.name, number++, truth, picture);
+            record(results.frames, name, preset.name, number++, truth, picture);
         }
         worst /= static_cast<double>(light * part) * static_cast<double>(making.size.pixels());
         results.promises.push_back({name, preset.name, "worst_frame_energy_over_truth", worst, 1.25});
@@ -144,9 +144,9 @@ void energy(std::string const& name, Making const& making, Results& results) {
 } // namespace
 
 std::vector<Case> firefly_cases() {
-    return {{"firefly", "A single sample of 10,000. Its energy doesn't grow, and it doesn't live on in the history.", true, firefly},
-            {"variance", "One sample in fifty has all the light. Energy stays bounded.", true, variance},
-            {"energy", "A half, a fifth, a 20th and a 100th of the samples have all the light. None is lost, none is won.", true, energy}};
+    return {{"firefly", "A single sample of 10,000. Its energy doesn't grow, and it doesn't live on in the history.", firefly},
+            {"variance", "One sample in fifty has all the light. Energy stays bounded.", variance},
+            {"energy", "A half, a fifth, a 20th and a 100th of the samples have all the light. None is lost, none is won.", energy}};
 }
 
 } // namespace quell::stability

@@ -68,7 +68,7 @@ void motion_of_another_convention(std::string const& name, Making const& making,
 std::vector<Case> host_mistake_cases() {
     return {{"host-mistakes",
              "Motion vectors of the wrong sign, unit or direction of y. quell::diagnose names that first, and says nothing of good ones.",
-             true, motion_of_another_convention}};
+             motion_of_another_convention}};
 }
 
 } // namespace quell::stability

@@ -87,7 +87,7 @@ Extremes burst(std::string const& name, examples::Preset const& preset, io::ExrI
             }
         auto const picture = denoiser->denoise(frame, {}, i);
         if (i == 3) wanted = picture;
-        if (i >= 3) record(results, name, preset.name, i, wanted, picture);
+        if (i >= 3) record(results.frames, name, preset.name, i, wanted, picture);
         if (i <= 3) continue;
         auto const found = extremes(picture, wanted);
         result.broken += found.broken;
@@ -135,7 +135,7 @@ void broken_input(std::string const& name, Making const& making, Results& result
 
 std::vector<Case> input_cases() {
     return {{"broken-input", "NaN, infinite, negative, denormal input, missing channels, no motion, no size. Never spreads; a clear error.",
-             true, broken_input}};
+             broken_input}};
 }
 
 } // namespace quell::stability

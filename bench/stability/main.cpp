@@ -13,7 +13,6 @@
 #include <support/program.hpp>
 #include <support/progress.hpp>
 
-#include <algorithm>
 #include <iostream>
 
 using namespace quell::stability;
@@ -21,10 +20,9 @@ using namespace quell::stability;
 namespace {
 
 std::vector<Case> chosen(StabilityOptions const& options) {
+    if (options.cases.empty()) return cases();
     std::vector<Case> list;
     for (auto const& name : options.cases) list.push_back(case_of(name));
-    if (list.empty())
-        std::ranges::copy_if(cases(), std::back_inserter(list), [&](Case const& each) { return each.cheap || !options.cheap; });
     return list;
 }
 

@@ -22,8 +22,7 @@ void describe(CLI::App& app, StabilityOptions& options) {
         ->check(CLI::Range(1200, 1000000))
         ->capture_default_str();
     app.add_option("--seed", options.making.seed, "Of the noise, in traced frames and in others")->capture_default_str();
-    app.add_flag("--cheap", options.cheap,
-                 "Small pictures, rougher references, and no case that takes long, of which there is none so far: tests run it");
+    app.add_flag("--cheap", options.cheap, "Small pictures and rougher references: tests run it");
     app.add_flag("--check", options.check, "Exit code 1 where a promise is broken that isn't among the known limits");
     app.add_flag("--soak", options.soak, "Many frames of `room` with cuts, bursts and other sizes instead of the cases");
     app.add_flag("--quiet", options.quiet, "No progress");

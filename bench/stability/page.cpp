@@ -34,7 +34,7 @@ void write_page(Results const& results, std::filesystem::path const& folder) {
     examples::Report report{.title = "quell: where methods fail"};
     auto const held = std::ranges::count_if(results.promises, &Promise::held);
     report.subtitle = std::to_string(held) + " of " + std::to_string(results.promises.size()) + " promises hold";
-    for (auto const& f : results.frames) report.add_value(f.subject + ": RMSE", f.method, f.frame, f.rmse);
+    for (auto const& f : results.frames) report.add_value(f.subject + ": RMSE", f.method, f.frame, f.errors["rmse"]);
     for (auto const& each : cases()) {
         examples::ReportTable table{
             .caption = each.name + ": " + each.about, .columns = {"method", "what", "value", "limit", ""}, .rows = {}};

@@ -17,7 +17,7 @@ std::map<std::string, Curves> curves_of(Results const& results) {
     std::map<std::string, Curves> cases;
     for (auto const& f : results.frames) {
         std::ostringstream line;
-        line << f.frame << ' ' << f.rmse << '\n';
+        line << f.frame << ' ' << f.errors["rmse"] << '\n';
         cases[f.subject][f.method] += line.str();
     }
     return cases;

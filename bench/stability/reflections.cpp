@@ -10,10 +10,8 @@ namespace {
 void curved(std::string const& name, Making const& making, Results& results) {
     auto const sequence =
         traced({.scene = "restaurant", .signal = Signal::glossy, .scored_from = 28, .last = 34, .effect = tracer::Effect::curved}, making);
-    auto const lens = errors(sequence, watch(examples::preset_of("glossy"), sequence, {}, making.threads));
-    auto const flat = errors(sequence, watch(glossy_of_flat_mirrors(), sequence, {}, making.threads));
-    record(results, name, "glossy", lens);
-    record(results, name, "glossy-flat-mirror", flat);
+    auto const lens = record(results, name, examples::preset_of("glossy"), sequence, making.threads);
+    auto const flat = record(results, name, glossy_of_flat_mirrors(), sequence, making.threads);
     results.promises.push_back({name, "glossy", "over_flat_mirror", mean_ratio(lens, flat), no_worse});
 }
 
@@ -58,18 +56,16 @@ ScoredSequence coated(Making const& making) {
 
 void lobes(std::string const& name, Making const& making, Results& results) {
     auto const sequence = coated(making);
-    auto const clamped = errors(sequence, watch(examples::preset_of("surface-clamp"), sequence, {}, making.threads));
-    auto const followed = errors(sequence, watch(examples::preset_of("glossy"), sequence, {}, making.threads));
-    record(results, name, "surface-clamp", clamped);
-    record(results, name, "glossy", followed);
+    auto const clamped = record(results, name, examples::preset_of("surface-clamp"), sequence, making.threads);
+    auto const followed = record(results, name, examples::preset_of("glossy"), sequence, making.threads);
     results.promises.push_back({name, "glossy", "worst_frame_over_surface-clamp", worst_ratio(followed, clamped), no_worse});
 }
 
 } // namespace
 
 std::vector<Case> reflection_cases() {
-    return {{"curved", "Moving things seen in curved metal. The thin lens is better than a flat mirror.", true, curved},
-            {"lobes", "A smooth coat over a rough ground: two lobes in a pixel. Bounded by the clamped baseline.", true, lobes}};
+    return {{"curved", "Moving things seen in curved metal. The thin lens is better than a flat mirror.", curved},
+            {"lobes", "A smooth coat over a rough ground: two lobes in a pixel. Bounded by the clamped baseline.", lobes}};
 }
 
 } // namespace quell::stability

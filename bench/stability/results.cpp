@@ -36,8 +36,8 @@ void write_tables(Results const& results, std::filesystem::path const& folder) {
     finish(file, promises);
     file = file_for(frames, "case,method,frame,rmse,flip");
     for (auto const& f : results.frames)
-        file << csv_cell(f.subject) << ',' << csv_cell(f.method) << ',' << f.frame << ',' << number(f.rmse) << ',' << number(f.flip)
-             << '\n';
+        file << csv_cell(f.subject) << ',' << csv_cell(f.method) << ',' << f.frame << ',' << number(f.errors["rmse"]) << ','
+             << number(f.errors["flip"]) << '\n';
     finish(file, frames);
 }
 

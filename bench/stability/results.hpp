@@ -1,5 +1,7 @@
 #pragma once
 
+#include <quell/metrics/metric.hpp>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,13 +22,15 @@ struct Promise {
 struct FrameError {
     std::string subject, method;
     int frame = 0;
-    double rmse = 0, flip = 0;
+    metrics::Errors errors{};
 };
+
+using FrameErrors = std::vector<FrameError>;
 
 /// What all cases have found.
 struct Results {
     std::vector<Promise> promises;
-    std::vector<FrameError> frames;
+    FrameErrors frames;
 };
 
 /// Writes stability.csv and frames.csv, with columns that other tools rely on.

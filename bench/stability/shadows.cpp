@@ -26,10 +26,8 @@ Shot shot_of(std::string const& scene) {
 /// Several shadows of different motion in one pixel: no vector is right for all.
 void several(std::string const& name, Making const& making, Results& results) {
     auto const sequence = traced(shot_of("fence-lights"), making);
-    auto const clamped = errors(sequence, watch(examples::preset_of("surface-clamp"), sequence, {}, making.threads));
-    record(results, name, "surface-clamp", clamped);
-    auto const followed = errors(sequence, watch(examples::preset_of("shadow"), sequence, {}, making.threads));
-    record(results, name, "shadow", followed);
+    auto const clamped = record(results, name, examples::preset_of("surface-clamp"), sequence, making.threads);
+    auto const followed = record(results, name, examples::preset_of("shadow"), sequence, making.threads);
     results.promises.push_back({name, "shadow", "worst_frame_over_surface-clamp", worst_ratio(followed, clamped), no_worse});
 }
 
@@ -54,7 +52,7 @@ void thin(std::string const& name, Making const& making, Results& results) {
     auto const sequence = traced(shot_of("thinshadows"), finer);
     for (std::string const method : {"surface", "surface-clamp", "svgf", "general", "final-frame", "shadow"}) {
         auto const pictures = watch(examples::preset_of(method), sequence, {}, making.threads);
-        record(results, name, method, errors(sequence, pictures));
+        record(results, name, method, sequence, pictures);
         // Kept: no more than a tenth is lost.
         results.promises.push_back({name, method, "contrast_over_reference", contrast_kept(sequence, pictures), 0.9, true});
     }
@@ -84,9 +82,8 @@ double wrongly_dark(ScoredSequence const& sequence, Pictures const& pictures) {
 void non_planar(std::string const& name, Making const& making, Results& results) {
     auto const sequence = traced(shot_of("apples"), making);
     auto const pictures = watch(examples::preset_of("shadow"), sequence, {}, making.threads);
-    auto const without = errors(sequence, watch(shadow_without_falloff(), sequence, {}, making.threads)), with = errors(sequence, pictures);
-    record(results, name, "shadow", with);
-    record(results, name, "shadow-without-falloff", without);
+    auto const with = record(results, name, "shadow", sequence, pictures);
+    auto const without = record(results, name, shadow_without_falloff(), sequence, making.threads);
     results.promises.push_back({name, "shadow", "over_without_falloff", mean_ratio(with, without), no_worse});
     results.promises.push_back({name, "shadow", "lit_pixels_drawn_dark", wrongly_dark(sequence, pictures), 0.005});
 }
@@ -94,10 +91,9 @@ void non_planar(std::string const& name, Making const& making, Results& results)
 } // namespace
 
 std::vector<Case> shadow_cases() {
-    return {
-        {"several-shadows", "Shadows of three lights that move apart, in the same pixels. Bounded by the clamped baseline.", true, several},
-        {"thin-shadows", "Rods and beads of a pixel or two. Their shadows keep their contrast.", true, thin},
-        {"non-planar", "Shadows on cloth and fruit. The falloff helps, and no shadow lies on the wrong surface.", true, non_planar}};
+    return {{"several-shadows", "Shadows of three lights that move apart, in the same pixels. Bounded by the clamped baseline.", several},
+            {"thin-shadows", "Rods and beads of a pixel or two. Their shadows keep their contrast.", thin},
+            {"non-planar", "Shadows on cloth and fruit. The falloff helps, and no shadow lies on the wrong surface.", non_planar}};
 }
 
 } // namespace quell::stability

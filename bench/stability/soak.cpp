@@ -3,7 +3,6 @@
 #include "watch.hpp"
 
 #include <quell/core/real.hpp>
-#include <quell/metrics/rmse.hpp>
 #include <support/progress.hpp>
 
 #include <algorithm>
@@ -65,13 +64,13 @@ io::ExrImage frame_at(int number, ScoredSequence const& sequence, std::mt19937& 
 
 /// Of one method.
 struct Log {
-    std::vector<double> errors, memory;
+    FrameErrors errors;
+    std::vector<double> memory;
     double broken = 0;
 };
 
 Log run(examples::Preset const& preset, ScoredSequence const& sequence, Making const& making, bool quiet) {
     auto const denoiser = examples::denoiser_of(preset, sequence.size, making.threads);
-    auto const wanted = metrics::displayed(sequence.reference(loop - 1));
     std::mt19937 random(making.seed + 7);
     Log log;
     examples::Progress progress(preset.name, making.long_run, !quiet);
@@ -80,7 +79,7 @@ Log run(examples::Preset const& preset, ScoredSequence const& sequence, Making c
         auto const picture = denoiser->denoise(frame_at(i, sequence, random), {}, i);
         for (auto const& p : picture.pixels) log.broken += is_finite(p.x) && is_finite(p.y) && is_finite(p.z) ? 0 : 1;
         if (!Round(i).is_scored()) continue;
-        log.errors.push_back(metrics::rmse(wanted, metrics::displayed(picture)));
+        record(log.errors, "soak", preset.name, i, sequence.reference(loop - 1), picture);
         log.memory.push_back(resident_memory());
     }
     return log;
@@ -92,13 +91,13 @@ void soak(Making const& making, bool quiet, Results& results) {
     auto const sequence = traced({.scene = "room", .scored_from = loop - 1, .last = loop - 1}, making);
     for (std::string const method : {"surface-clamp", "svgf", "trmv"}) {
         auto const log = run(examples::preset_of(method), sequence, making, quiet);
-        for (std::size_t i = 0; i < log.errors.size(); ++i)
-            results.frames.push_back({"soak", method, static_cast<int>(i + 1) * round - 1, log.errors[i], 0});
+        results.frames.insert(results.frames.end(), log.errors.begin(), log.errors.end());
         results.promises.push_back({"soak", method, "broken_pixels", log.broken, 0});
         // The same frames have the same error, however many came before; both are far from a change of size.
         auto last = log.errors.size() - 1;
         if (Round(static_cast<int>(last) * round).changes_size()) --last;
-        results.promises.push_back({"soak", method, "drift_of_error", std::abs(log.errors[last] / log.errors[3] - 1), 1e-3});
+        auto const rmse = [&](std::size_t i) { return log.errors[i].errors["rmse"]; };
+        results.promises.push_back({"soak", method, "drift_of_error", std::abs(rmse(last) / rmse(3) - 1), 1e-3});
         // A leak goes on; that the allocator finds its final layout late does not.
         auto const half = log.memory.begin() + static_cast<std::ptrdiff_t>(log.memory.size() / 2);
         auto const more = *std::max_element(half, log.memory.end()) - *std::max_element(log.memory.begin(), half);

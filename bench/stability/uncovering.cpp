@@ -16,10 +16,9 @@ constexpr int event = static_cast<int>(tracer::event_frame);
 /// One method against another, in every frame.
 void never_worse(std::string const& name, ScoredSequence const& sequence, std::string const& method, std::string const& than, int threads,
                  Results& results) {
-    auto const a = errors(sequence, watch(examples::preset_of(method), sequence, {}, threads));
-    auto const b = errors(sequence, watch(examples::preset_of(than), sequence, {}, threads));
-    record(results, name, method, a);
-    record(results, name, than + "-beside-" + method, b);
+    auto const a = record(results, name, examples::preset_of(method), sequence, threads);
+    auto const other = watch(examples::preset_of(than), sequence, {}, threads);
+    auto const b = record(results, name, than + "-beside-" + method, sequence, other);
     results.promises.push_back({name, method, "worst_frame_over_" + than, worst_ratio(a, b), no_worse});
 }
 
@@ -53,10 +52,9 @@ void pan(std::string const& name, Making const& making, Results& results) {
     std::map<std::string, FrameErrors> kept;
     for (std::string const method : {"surface", "surface-clamp", "svgf", "general", "dual-color", "dual-cone"}) {
         auto const& preset = examples::preset_of(method);
-        kept[method] = errors(sequence, watch(preset, sequence, {}, making.threads));
-        auto const none = errors(sequence, watch(preset, sequence, {Memory::Kind::none}, making.threads));
-        record(results, name, method, kept[method]);
-        record(results, name, method + "-no-history", none);
+        kept[method] = record(results, name, preset, sequence, making.threads);
+        auto const forgetful = watch(preset, sequence, {Memory::Kind::none}, making.threads);
+        auto const none = record(results, name, method + "-no-history", sequence, forgetful);
         results.promises.push_back({name, method, "strip_over_no_history", mean_ratio(kept[method], none), no_worse});
     }
     results.promises.push_back({name, "dual-color", "strip_over_svgf", mean_ratio(kept["dual-color"], kept["svgf"]), no_worse});
@@ -103,7 +101,7 @@ void bright_box(std::string const& name, Making const& making, Results& results)
     auto const sequence = traced({.scene = "boxes", .signal = Signal::indirect, .scored_from = 24, .last = 36}, making);
     for (std::string const method : {"surface", "surface-clamp", "svgf", "general", "dual-color", "dual-cone"}) {
         auto const pictures = watch(examples::preset_of(method), sequence, {}, making.threads);
-        record(results, name, method, errors(sequence, pictures));
+        record(results, name, method, sequence, pictures);
         // A ghost of which a tenth is left after ten frames has a lag of 10 / log(10) frames.
         results.promises.push_back({name, method, "frames_until_a_tenth", std::log(10.) * lag_in_frames(sequence, pictures), 10});
     }
@@ -112,9 +110,9 @@ void bright_box(std::string const& name, Making const& making, Results& results)
 } // namespace
 
 std::vector<Case> uncovering_cases() {
-    return {{"leaves", "Dense leaves open suddenly. Never worse than surface motion.", true, leaves},
-            {"pan", "The camera turns: in the strip that comes into the image nothing is smeared, and a second source helps.", true, pan},
-            {"bright-box", "A bright box slides over a dark region. Its ghost decays.", true, bright_box}};
+    return {{"leaves", "Dense leaves open suddenly. Never worse than surface motion.", leaves},
+            {"pan", "The camera turns: in the strip that comes into the image nothing is smeared, and a second source helps.", pan},
+            {"bright-box", "A bright box slides over a dark region. Its ghost decays.", bright_box}};
 }
 
 } // namespace quell::stability

@@ -1,8 +1,6 @@
 #include "watch.hpp"
 
 #include <quell/core/real.hpp>
-#include <quell/metrics/flip.hpp>
-#include <quell/metrics/rmse.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -19,42 +17,51 @@ Pictures watch(examples::Preset const& preset, ScoredSequence const& sequence, M
     return pictures;
 }
 
-FrameErrors errors(ScoredSequence const& sequence, Pictures const& pictures) {
-    FrameErrors result;
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-        int const number = sequence.scored_from + static_cast<int>(i);
+namespace {
+
+metrics::Errors errors_of(metrics::Picture const& wanted, metrics::Picture const& shown, metrics::Mask const& mask = {}) {
+    auto const truth = metrics::displayed(wanted), picture = metrics::displayed(shown);
+    return metrics::errors_of({truth, picture}, mask);
+}
+
+} // namespace
+
+FrameErrors record(Results& results, std::string const& subject, std::string const& method, ScoredSequence const& sequence,
+                   Pictures const& pictures) {
+    FrameErrors errors;
+    for (int number = sequence.scored_from; auto const& picture : pictures) {
         auto const mask = sequence.mask(number);
-        if (!mask.empty() && std::ranges::none_of(mask, [](auto m) { return m != 0; })) continue;
-        auto const wanted = metrics::displayed(sequence.reference(number)), shown = metrics::displayed(pictures[i]);
-        result.frames.push_back(number);
-        result.rmse.push_back(metrics::rmse(wanted, shown, mask));
-        result.flip.push_back(metrics::flip(wanted, shown).mean(mask));
+        if (mask.empty() || std::ranges::any_of(mask, [](auto m) { return m != 0; }))
+            errors.push_back({subject, method, number, errors_of(sequence.reference(number), picture, mask)});
+        ++number;
     }
-    return result;
+    results.frames.insert(results.frames.end(), errors.begin(), errors.end());
+    return errors;
 }
 
-void record(Results& results, std::string const& subject, std::string const& method, FrameErrors const& errors) {
-    for (std::size_t i = 0; i < errors.frames.size(); ++i)
-        results.frames.push_back({subject, method, errors.frames[i], errors.rmse[i], errors.flip[i]});
+FrameErrors record(Results& results, std::string const& subject, examples::Preset const& preset, ScoredSequence const& sequence,
+                   int threads) {
+    return record(results, subject, preset.name, sequence, watch(preset, sequence, {}, threads));
 }
 
-void record(Results& results, std::string const& subject, std::string const& method, int frame, metrics::Picture const& wanted,
+void record(FrameErrors& errors, std::string const& subject, std::string const& method, int frame, metrics::Picture const& wanted,
             metrics::Picture const& shown) {
     auto const finite = [](glm::vec3 const& p) { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); };
-    if (!std::ranges::all_of(shown.pixels, finite)) return;
-    auto const truth = metrics::displayed(wanted), picture = metrics::displayed(shown);
-    results.frames.push_back({subject, method, frame, metrics::rmse(truth, picture), metrics::flip(truth, picture).mean()});
+    if (std::ranges::all_of(shown.pixels, finite)) errors.push_back({subject, method, frame, errors_of(wanted, shown)});
 }
 
 double worst_ratio(FrameErrors const& a, FrameErrors const& b, int from) {
     double worst = 0;
-    for (std::size_t i = 0; i < a.frames.size(); ++i)
-        if (a.frames[i] >= from) worst = std::max(worst, a.rmse[i] / b.rmse[i]);
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (a[i].frame >= from) worst = std::max(worst, a[i].errors["rmse"] / b[i].errors["rmse"]);
     return worst;
 }
 
 double mean_ratio(FrameErrors const& a, FrameErrors const& b) {
-    return std::accumulate(a.rmse.begin(), a.rmse.end(), 0.) / std::accumulate(b.rmse.begin(), b.rmse.end(), 0.);
+    auto const sum = [](FrameErrors const& errors) {
+        return std::accumulate(errors.begin(), errors.end(), 0., [](double s, FrameError const& e) { return s + e.errors["rmse"]; });
+    };
+    return sum(a) / sum(b);
 }
 
 } // namespace quell::stability

@@ -26,15 +26,14 @@ struct Memory {
 using Pictures = std::vector<metrics::Picture>;
 [[nodiscard]] Pictures watch(examples::Preset const& preset, ScoredSequence const& sequence, Memory memory = {}, int threads = 0);
 
-/// Errors of the scored frames, displayed, in the sequence's masks. Frames without a single pixel that counts are left out.
-struct FrameErrors {
-    std::vector<int> frames;
-    std::vector<double> rmse, flip;
-};
-[[nodiscard]] FrameErrors errors(ScoredSequence const& sequence, Pictures const& pictures);
-void record(Results& results, std::string const& subject, std::string const& method, FrameErrors const& errors);
-/// The error of one frame. A picture that isn't finite has none, and is left out. @param wanted, @param shown linear
-void record(Results& results, std::string const& subject, std::string const& method, int frame, metrics::Picture const& wanted,
+/// Compares the scored frames in the sequence's masks. The results get them too. Frames without a single pixel that counts are left out.
+FrameErrors record(Results& results, std::string const& subject, std::string const& method, ScoredSequence const& sequence,
+                   Pictures const& pictures);
+/// The same of what a preset makes of the sequence, under the preset's name.
+FrameErrors record(Results& results, std::string const& subject, examples::Preset const& preset, ScoredSequence const& sequence,
+                   int threads);
+/// Compares one frame. A picture that isn't finite has no error, and is left out. @param wanted, @param shown linear
+void record(FrameErrors& errors, std::string const& subject, std::string const& method, int frame, metrics::Picture const& wanted,
             metrics::Picture const& shown);
 
 /// The limit of a ratio that promises "no worse": 1, but for rounding.

@@ -5,10 +5,9 @@
 #include <quell/image/planar.hpp>
 #include <quell/io/exr.hpp>
 #include <quell/metrics/error_map.hpp>
-#include <quell/metrics/flip.hpp>
+#include <quell/metrics/metric.hpp>
 #include <report/report.hpp>
 #include <support/frame_pattern.hpp>
-#include <support/image_errors.hpp>
 #include <support/median.hpp>
 #include <support/output_folder.hpp>
 #include <support/png.hpp>
@@ -18,6 +17,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <thread>
 
 namespace quell::examples {
@@ -32,7 +32,7 @@ public:
         : options(options_), folder(folder_), scene_name(scene_), scene(tracer::open_scene(scene_)),
           // What has no noise but that of time was made to be blurred.
           blurs(!scene.description().secondary_rays), method(blurs ? motion_blur(options_) : all_effects(options_)), kinds(method->kinds()),
-          sums(kinds.size()) {
+          means(kinds.size()) {
         make_output_folder(folder);
         report.title = "quell: " + std::filesystem::path(scene_).stem().string();
         report.subtitle = to_string(options.size) + ", 1 sample per pixel, " + std::to_string(options.frames) + " frames";
@@ -62,8 +62,7 @@ private:
     std::unique_ptr<DemoMethod> method;
     std::vector<DemoMethod::Kind> kinds;
     Report report;
-    std::vector<ImageErrors> sums; ///< of each kind, over the frames that have a reference
-    int referenced = 0;            ///< frames that have one
+    std::vector<metrics::MeanErrors> means; ///< of each kind, over the frames that have a reference
     std::vector<double> milliseconds;
 
     [[nodiscard]] tracer::RenderSettings settings_of(int i) const {
@@ -107,24 +106,23 @@ private:
         write(entry, "reference", i, converged[radiance]);
         for (std::size_t k = 0; k < kinds.size(); ++k) {
             auto const shown = metrics::displayed(pictures[k]);
-            auto const errors = image_errors(reference, shown);
-            sums[k] += errors;
-            report.add_value("FLIP", kinds[k].name, i, errors.flip);
-            report.add_value("RMSE", kinds[k].name, i, errors.rmse);
-            report.add_value("SSIM", kinds[k].name, i, errors.ssim);
-            if (kinds[k].name == "denoised")
-                entry.pictures["error (FLIP)"] = encode_png(metrics::error_map(metrics::flip(reference, shown)));
+            metrics::Comparison const compared{reference, shown};
+            auto const errors = metrics::errors_of(compared);
+            means[k].add(errors);
+            errors.for_each(
+                [&](auto const& metric, double value) { report.add_value(std::string(metric.title), kinds[k].name, i, value); });
+            if (kinds[k].name == "denoised") entry.pictures["error (FLIP)"] = encode_png(metrics::error_map(compared.difference));
         }
-        ++referenced;
     }
 
     void summarise() {
-        if (referenced > 0) {
-            auto& table = report.tables.emplace_back(ReportTable{
-                "Mean over the " + std::to_string(referenced) + " frames that have a reference", {"image", "RMSE", "SSIM", "FLIP"}, {}});
+        if (int const referenced = means.front().count; referenced > 0) {
+            auto& table = report.tables.emplace_back(
+                ReportTable{"Mean over the " + std::to_string(referenced) + " frames that have a reference", {"image"}, {}});
+            for (auto const& metric : metrics::all_metrics) table.columns.emplace_back(metric.title);
             for (std::size_t k = 0; k < kinds.size(); ++k) {
-                auto const mean = sums[k] / referenced;
-                table.rows.push_back({kinds[k].name, number(mean.rmse, 4), number(mean.ssim, 4), number(mean.flip, 4)});
+                auto& row = table.rows.emplace_back(std::vector{kinds[k].name});
+                means[k].mean().for_each([&](auto const&, double value) { row.push_back(number(value, 4)); });
             }
         }
         report.notes = {
@@ -135,7 +133,11 @@ private:
             {"command",
              "quell-demo --scene " + scene_name + " --size " + to_string(options.size) + " --frames " + std::to_string(options.frames),
              true}};
-        for (auto& metric : report.metrics) metric.hint = metric.name == "SSIM" ? "higher is better" : "lower is better";
+        for (auto const& metric : metrics::all_metrics)
+            for (auto& plotted : report.metrics)
+                if (plotted.name == metric.title) plotted.hint = metric.higher_is_better ? "higher is better" : "lower is better";
+        // What a viewer sees comes first.
+        std::ranges::stable_partition(report.metrics, [](auto const& plotted) { return plotted.name == "FLIP"; });
     }
 };
 

@@ -46,14 +46,15 @@ public:
     [[nodiscard]] bool has(long long number) const { return pattern && std::filesystem::exists(pattern->path(number)); }
     /// Scores the first view, with a row of the table.
     void add(long long number, metrics::Picture const& picture, ReferenceNames const& names, FrameScores& rows) {
-        if (has(number)) rows.emplace_back(number, scores->add(number, reference(number, names, picture.size), picture));
+        if (!has(number)) return;
+        rows.emplace_back(number, Scores::compare(reference(number, names, picture.size), picture));
+        scores->add(number, rows.back().second);
     }
     /// Scores another view. Returns whether the reference has it.
     [[nodiscard]] bool add_beside(long long number, metrics::Picture const& picture, ReferenceNames const& names, FrameScores& rows) const {
         if (!has(number)) return true;
         try {
-            auto const expected = reference(number, names, picture.size);
-            rows.emplace_back(number, image_errors(metrics::displayed(expected), metrics::displayed(picture)));
+            rows.emplace_back(number, Scores::compare(reference(number, names, picture.size), picture));
             return true;
         } catch (Error const&) {
             return false;

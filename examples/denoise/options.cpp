@@ -3,6 +3,7 @@
 #include <denoise/options.hpp>
 #include <denoise/presets.hpp>
 #include <denoise/renderer_maps.hpp>
+#include <denoise/scores.hpp>
 #include <support/program.hpp>
 
 #include <quell/core/error.hpp>
@@ -72,7 +73,7 @@ void describe(CLI::App& app, DenoiseOptions& options) {
     app.add_option("--frames", options.frames, "The frames in place of --first and --last: numbers and ranges, as in 1-48,60 or 1-99x2");
     app.add_option("--chunk", options.chunk, "A part of the frames, for a farm's jobs: 2/6 is the second of six in a row");
     app.add_flag("--skip-existing", options.skip_existing, "Leave out frames whose output is there already and is whole");
-    app.add_option("--reference", options.reference, "Converged frames, e.g. 'dir/ref.%04d.exr': prints frame,rmse,ssim,flip as CSV");
+    app.add_option("--reference", options.reference, "Converged frames, e.g. 'dir/ref.%04d.exr': prints " + Scores::header() + " as CSV");
     app.add_option("--map", options.map,
                    "How another renderer names its channels: a JSON file, see below, or else one of " + names_of_renderers());
     app.add_option("--field-of-view", options.field_of_view,

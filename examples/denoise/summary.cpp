@@ -9,20 +9,21 @@ namespace quell::examples {
 namespace {
 using Json = nlohmann::ordered_json;
 
-Json json_of(ImageErrors const& errors) { return {{"rmse", errors.rmse}, {"ssim", errors.ssim}, {"flip", errors.flip}}; }
+Json with_errors(Json json, metrics::Errors const& errors) {
+    errors.for_each([&](auto const& metric, double value) { json[std::string(metric.name)] = value; });
+    return json;
+}
 
 /// Adds the members "scores" and "mean", where there are any.
 void add_scores(Json& json, FrameScores const& scores) {
     if (scores.empty()) return;
-    ImageErrors sum;
+    metrics::MeanErrors mean;
     auto& rows = json["scores"] = Json::array();
     for (auto const& [frame, errors] : scores) {
-        Json row{{"frame", frame}};
-        row.update(json_of(errors));
-        rows.push_back(row);
-        sum += errors;
+        rows.push_back(with_errors({{"frame", frame}}, errors));
+        mean.add(errors);
     }
-    json["mean"] = json_of(sum / static_cast<int>(scores.size()));
+    json["mean"] = with_errors({}, mean.mean());
 }
 } // namespace
 

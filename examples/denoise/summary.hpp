@@ -1,6 +1,6 @@
 #pragma once
 
-#include <support/image_errors.hpp>
+#include <quell/metrics/metric.hpp>
 
 #include <optional>
 #include <string>
@@ -9,7 +9,7 @@
 namespace quell::examples {
 
 /// Scores of the frames that have a reference.
-using FrameScores = std::vector<std::pair<long long, ImageErrors>>;
+using FrameScores = std::vector<std::pair<long long, metrics::Errors>>;
 
 /// One of several views of the files.
 struct SummaryOfView {

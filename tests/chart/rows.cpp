@@ -17,7 +17,7 @@ namespace {
 
 Row point(std::string method, double ms, double rmse, bool competes = true) {
     Row row{.scene = "s", .effect = "e", .method = std::move(method), .size = {2, 1}};
-    row.ms_per_frame = ms, row.rmse = rmse, row.competes = competes;
+    row.ms_per_frame = ms, row.errors["rmse"] = rmse, row.competes = competes;
     return row;
 }
 

@@ -2,7 +2,7 @@
 
 #include "../shared_data.hpp"
 
-#include <support/image_errors.hpp>
+#include <quell/metrics/rmse.hpp>
 
 #include <bit>
 #include <set>
@@ -82,7 +82,7 @@ TEST_CASE("visibility alone is denoised by any preset of one signal, scored, and
     metrics::Picture shown{out.size, {}}, expected{out.size, {}};
     for (auto const v : out["visibility.V"].values) shown.pixels.emplace_back(v);
     for (auto const v : truth["visibility.V"].values) expected.pixels.emplace_back(v);
-    auto const rmse = examples::image_errors(metrics::displayed(expected), metrics::displayed(shown)).rmse;
+    auto const rmse = metrics::rmse(metrics::displayed(expected), metrics::displayed(shown));
     CHECK(shot.rmse("--signal visibility --preset svgf") == doctest::Approx(rmse).epsilon(0.001)); // halves in the file
 }
 

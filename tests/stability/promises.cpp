@@ -24,6 +24,11 @@ StabilityOptions options_of(std::vector<char const*> words) {
     words.insert(words.begin(), "quell-stability");
     return stability_options(static_cast<int>(words.size()), words.data()).value();
 }
+FrameError frame_error(std::string subject, std::string method, int frame, double rmse) {
+    FrameError error{std::move(subject), std::move(method), frame};
+    error.errors["rmse"] = rmse, error.errors["flip"] = 2 * rmse;
+    return error;
+}
 } // namespace
 
 TEST_CASE("a promise holds up to its limit, and never with a value that is no number") {
@@ -57,7 +62,7 @@ TEST_CASE("tables have the columns that other tools rely on") {
     tests::Folder const folder;
     Results results;
     results.promises = {{"cut", "svgf", "metric", 0.5, 1}, {"cut", "none", "other", 0.5, 0.9, true}};
-    results.frames = {{"cut", "svgf", 24, 0.125, 0.25}};
+    results.frames = {frame_error("cut", "svgf", 24, 0.125)};
     write_tables(results, folder.path);
     CHECK(tests::bytes_of(folder / "stability.csv") ==
           "case,method,metric,value,limit,held\ncut,svgf,metric,0.5,1,1\ncut,none,other,0.5,0.9,0\n");
@@ -68,7 +73,8 @@ TEST_CASE("tables have the columns that other tools rely on") {
 }
 
 TEST_CASE("ratios are of one frame, and of means") {
-    FrameErrors const a{{24, 25}, {0.2, 0.1}, {0, 0}}, b{{24, 25}, {0.1, 0.2}, {0, 0}};
+    FrameErrors const a{frame_error("", "", 24, 0.2), frame_error("", "", 25, 0.1)};
+    FrameErrors const b{frame_error("", "", 24, 0.1), frame_error("", "", 25, 0.2)};
     CHECK(worst_ratio(a, b) == doctest::Approx(2));
     CHECK(worst_ratio(a, b, 25) == doctest::Approx(0.5));
     CHECK(mean_ratio(a, b) == doctest::Approx(1));
@@ -116,14 +122,14 @@ TEST_CASE("cases whose truth is known have an error over time") {
         std::map<std::string, int> frames;
         for (auto const& each : results.frames) {
             CHECK(each.subject == name);
-            CHECK(each.rmse >= 0);
+            CHECK(each.errors["rmse"] >= 0);
             ++frames[each.method];
         }
         for (auto const& promise : results.promises) CHECK(frames[promise.method] >= 10);
         if (name != "firefly") continue;
         auto const of = [&](std::string const& method, int frame) {
             auto const same = [&](FrameError const& each) { return each.method == method && each.frame == frame; };
-            return std::ranges::find_if(results.frames, same)->rmse;
+            return std::ranges::find_if(results.frames, same)->errors["rmse"];
         };
         CHECK(of("surface", 11) < 1e-3);
         CHECK(of("surface", 12) > 1e-2);
@@ -135,7 +141,8 @@ TEST_CASE("plots are drawn into a folder of any name, and what can't be drawn is
     if (!examples::has_gnuplot()) return;
     tests::Folder const folder;
     Results results;
-    results.frames = {{"cut", "svgf", 24, 0.125, 0.25}, {"cut", "it's \"own\"", 25, 0.125, 0.25}, {"pan", "svgf", 25, 0.125, 0.25}};
+    results.frames = {frame_error("cut", "svgf", 24, 0.125), frame_error("cut", "it's \"own\"", 25, 0.125),
+                      frame_error("pan", "svgf", 25, 0.125)};
     auto const odd = folder / "it's";
     draw_plots(results, odd);
     for (auto const* file : {"stability.svg", "plots/cut.svg", "plots/pan.svg"})

@@ -15,6 +15,11 @@
 // error: History{size, pipeline, storage}: it takes an Extent{width, height}, a pipeline, and maybe a storage
 // error: Pipeline{channel, options..., stages...}: the channel of the signal comes first
 // error: run_two_sided(pipeline, window, history): `window` must be a range of frames with operator[]
+// error: run(pipeline, frame, ...): the frame lacks a channel that the pipeline reads; construct the frame with this pipeline
+// error: run_into(target, pipeline, frame, ...): the frame lacks a channel that the pipeline reads; construct the frame with this pipeline
+// error: run_into(target, pipeline, frame, ...): the target has another number of components than the pipeline's signal
+// error: History<P, Storage>: what quell remembers needs memory of its own
+// error: what several frames have in common counts as several samples
 #include <quell/pipeline/two_sided.hpp>
 #include <quell/quell.hpp>
 
@@ -75,6 +80,16 @@ void run_them(Frame<Channels<Radiance, Motion, Depth, Normal>>& frame, Planar<>:
     static_cast<void>(run(denoise, frame, history).get(0, 0).x + run(denoise, frame, history).get(2, 0, 0));
     static_cast<void>(frame[radiance].get(0, 0).x + frame[radiance].get(2, 0, 0) + frame[depth].get(0, 0));
 }
+void run_on_a_frame_that_lacks_channels(Frame<Channels<Radiance, Motion, Depth, Normal>>& frame, Planar<>::Image<3>& picture) {
+    Frame<Channels<Radiance>> bare{size};
+    static_cast<void>(bare);
+    History history{size, denoise};
+    CALL(run(denoise, frame, history), run(denoise, bare, history));
+    CALL(run_into(picture.view(), denoise, frame, history), run_into(picture.view(), denoise, bare, history));
+    Planar<>::Image<1> grey{size};
+    static_cast<void>(grey);
+    CALL(run_into(picture.view(), denoise, frame, history), run_into(grey.view(), denoise, frame, history));
+}
 void run_with_later_frames() {
     constexpr auto general = presets::general(radiance, KnownSamples{});
     std::vector<decltype(Frame{size, general, two_sided})> window{Frame{size, general, two_sided}};
@@ -82,6 +97,8 @@ void run_with_later_frames() {
     CALL(run_two_sided(general, window, history), run_two_sided(general, window[0], history));
 }
 void construct() {
+    CALL((History{size, denoise}), History{size, denoise, Borrowed<>{}});
+    CALL((TwoSidedHistory{size, presets::general(radiance, KnownSamples{})}), TwoSidedHistory{size, presets::general(radiance)});
     CALL((Frame{size, denoise}), Frame{denoise, size});
     CALL((Frame{size, denoise}), Frame{8, 8, denoise});
     CALL((Frame{size, denoise, Planar<Float16>{}}), Frame{size, denoise, ReadOnly{}});
