@@ -44,7 +44,7 @@ concept Executor = requires(E const e, Region region, detail::AnyJob job) {
 /// Runs one pixel at a time on the calling thread. It is the reference that other executors are tested against.
 struct Serial {
     /// See Executor.
-    void for_each_pixel(Region r, auto const& job) const {
+    QUELL_FLATTENED void for_each_pixel(Region r, auto const& job) const {
         for (int y = r.y0; y < r.y1; ++y)
             for (int x = r.x0; x < r.x1; ++x) job(at_once<float>, x, y, 1);
     }
@@ -71,7 +71,7 @@ inline constexpr bool pairs_rows<P, Job> = true;
 /// with `max_lanes`: two instruction sets may share a narrower pack.
 template <class P = Pack> struct SimdOf {
     /// See Executor.
-    template <class Job> void for_each_pixel(Region r, Job const& job) const {
+    template <class Job> QUELL_FLATTENED void for_each_pixel(Region r, Job const& job) const {
         using Real = typename detail::PackFor<P, Job>::type;
         constexpr int width = width_of<Real>;
         auto const along_row = [&](auto pack, int y) QUELL_INLINED {

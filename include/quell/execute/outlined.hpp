@@ -11,7 +11,7 @@ template <class Each = Simd> struct Outlined {
     Each each{}; ///< the other executor
 
     /// See Executor.
-    QUELL_OUTLINED void for_each_pixel(Region region, auto const& job) const { each.for_each_pixel(region, job); }
+    QUELL_NOINLINE void for_each_pixel(Region region, auto const& job) const { each.for_each_pixel(region, job); }
 };
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -52,7 +52,7 @@ struct PassJob {
     unsigned stored_channels; ///< a bit for each channel of MadeViews: whether anything reads it
     Counts* counts = nullptr; ///< of the ingest; else null
 
-    template <class Real, int rows> QUELL_KERNEL void operator()(AtOnce<Real, rows>, int x, int y, int count) const {
+    template <class Real, int rows> QUELL_FLATTENED QUELL_KERNEL void operator()(AtOnce<Real, rows>, int x, int y, int count) const {
         auto const result = result_of([&]() QUELL_INLINED { return evaluate(Pixel<Real, Scope, rows>{scope, x, y}); });
         static_assert(contained_in<typename decltype(result.more)::channels,
                                    decltype(typename MadeViews::channels{} | Channels<Suppressed, ImpossibleGuides>{})>,
