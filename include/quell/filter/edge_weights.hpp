@@ -9,6 +9,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// 2017). A miss has no neighbours.
 struct DepthEdge {
     using reads = Channels<Depth>;
+    static constexpr int farthest_tap = 1;
     float sigma = 1.f;            ///< multiple of the slope that has weight 1/e
     float relative_floor = 0.01f; ///< difference with weight 1/e on a surface without slope, as a part of depth
 
@@ -37,6 +38,7 @@ struct DepthEdge {
 /// to within 0.003.
 struct NormalEdge {
     using reads = Channels<Normal>;
+    static constexpr int farthest_tap = 0;
     float sharpness = 128.f; ///< larger: normals must agree better; 0: they do not matter
 
     /// @cond
@@ -69,6 +71,7 @@ template <class Real> struct AroundLuminance {
 
 /// Neighbours of another luminance weigh less: exp(-|dl| / sigma).
 struct LuminanceEdge {
+    static constexpr int farthest_tap = 0;
     float sigma = 1.f; ///< difference with weight 1/e, in units of the signal
 
     template <class Real> struct Around : detail::AroundLuminance<Real> {};
@@ -83,6 +86,7 @@ struct LuminanceEdge {
 /// 3x3 Gaussian (w_l of Schied et al. 2017).
 struct VarianceGuidedEdge {
     using reads = Channels<Variance>;
+    static constexpr int farthest_tap = 1;
     float sigma = 4.f; ///< difference with weight 1/e, in standard deviations
 
     template <class Real> struct Around : detail::AroundLuminance<Real> {};
@@ -108,6 +112,7 @@ struct VarianceGuidedEdge {
 template <class... Edges> struct Product : Edges... {
     static_assert((EdgeWeight<Edges> && ...), "Product{edges...}: each must have around(px), see quell/filter/filter_kernel.hpp");
     using parts = Parts<Edges...>;
+    static constexpr int farthest_tap = 0;
 
     /// @cond
     // A base class for each part's result. Holds references where it can: copies of GLM vectors go through memory.

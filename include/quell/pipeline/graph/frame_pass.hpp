@@ -95,6 +95,7 @@ struct MadeChannels {
 struct FramePass {
     std::string_view name;
     int fraction = 1;               ///< runs at 1/fraction of the frame's width and height
+    int farthest_tap = 0;           ///< largest distance at which it looks at images of this frame, in its own pixels; or `anywhere`
     ChannelIds reads{};             ///< of the host's frame
     ChannelIds reads_made{};        ///< made by earlier passes of this frame
     ChannelIds reads_kept{};        ///< made in the last frame

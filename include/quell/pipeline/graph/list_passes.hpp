@@ -71,6 +71,7 @@ private:
         using S = typename K::template ScopeOf<Pass, raw>;
         FramePass made{.name = pass_name<Pass>,
                        .fraction = S::fraction,
+                       .farthest_tap = farthest_tap_of(kernel),
                        .reads = ChannelIds(typename S::frame_channels{}),
                        .reads_made = ChannelIds(typename S::made_channels{}),
                        .reads_kept = ChannelIds(typename S::kept_channels{}),
