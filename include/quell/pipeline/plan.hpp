@@ -63,7 +63,7 @@ inline void append_passes(std::vector<PlannedPass>& passes, PassList const& list
 }
 template <ChannelTag S, class... Parts, class H>
 void append_passes_of(std::vector<PlannedPass>& passes, Pipeline<S, Parts...> const&, H& history) {
-    append_passes(passes, OpenHistory::images(history).list, S::name);
+    append_passes(passes, OpenHistory::images(history).passes.list(), S::name);
 }
 template <class... Ps, class H> void append_passes_of(std::vector<PlannedPass>& passes, Composite<Ps...> const& composite, H& history) {
     [&]<std::size_t... i>(std::index_sequence<i...>) {
