@@ -112,7 +112,6 @@ struct VarianceGuidedEdge {
 template <class... Edges> struct Product : Edges... {
     static_assert((EdgeWeight<Edges> && ...), "Product{edges...}: each must have around(px), see quell/filter/filter_kernel.hpp");
     using parts = Parts<Edges...>;
-    static constexpr int farthest_tap = 0;
 
     /// @cond
     // A base class for each part's result. Holds references where it can: copies of GLM vectors go through memory.
@@ -135,5 +134,6 @@ template <class... Edges> struct Product : Edges... {
     QUELL_KERNEL auto around(auto px) const { return Around<decltype(Edges::around(px))...>{Edges::around(px)...}; }
 };
 template <class... Edges> Product(Edges...) -> Product<Edges...>;
+template <class... Edges> inline constexpr bool detail::adds_no_tap<Product<Edges...>> = true;
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -107,7 +107,6 @@ struct SameInstance {
 /// @tparam Tests any surface tests
 template <class... Tests> struct AllOf : Tests... {
     using parts = Parts<Tests...>; ///< what it is made of
-    static constexpr int farthest_tap = 0;
 
     /// @cond
     template <class... Prepared> struct Every : Prepared... {
@@ -121,6 +120,7 @@ template <class... Tests> struct AllOf : Tests... {
     /// @endcond
 };
 template <class... Tests> AllOf(Tests...) -> AllOf<Tests...>;
+template <class... Tests> inline constexpr bool detail::adds_no_tap<AllOf<Tests...>> = true;
 /// @cond
 template <class... Tests> inline constexpr bool detail::is_surface_test<AllOf<Tests...>> = (SurfaceTest<Tests> && ...);
 /// @endcond
