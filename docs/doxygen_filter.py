@@ -20,6 +20,7 @@ CONTRACT = {
     "parts": "Policies that it is made of; what they declare counts as declared by it.",
     "name": "Name in plans and error messages.",
     "Signal": "The signal that it works on.",
+    "farthest_tap": "Largest distance, in pixels along x or y, at which it looks at images of this frame.",
     "leaves_signal": "It makes channels and leaves the signal as it is.",
     "needs_camera": "Frame::camera must be set.",
     "emit_channels": "Makes the channels of `emits` for a pixel, or for a pack of neighbours (filter/filter_kernel.hpp).",
@@ -30,7 +31,7 @@ CONTRACT = {
     "blend": "Joins the present with the past (blend/blend_policy.hpp).",
 }
 INLINE_NAMESPACE = "::inline QUELL_INSTRUCTION_SET"  # users write quell::Frame
-TYPE_OR_CONSTANT = re.compile(r"(?:using|static constexpr (?:auto|bool)) (\w+) = ")
+TYPE_OR_CONSTANT = re.compile(r"(?:using|static constexpr (?:auto|bool|int)) (\w+) = ")
 FUNCTION = re.compile(r"(?:template <[^<>]*> )?(?:QUELL_KERNEL|constexpr) (?:[\w:]+(?: [\w:]+)*) (\w+)\(")
 CHANNEL = re.compile(r"inline constexpr ([A-Z]\w*)(?:<[^;]*>)? \w+;$")
 DEDUCTION_GUIDE = re.compile(r"(?:template <.*> )?\w+\(.*\) -> .*;$")

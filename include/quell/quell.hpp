@@ -11,6 +11,7 @@
 #include <quell/blend/with_clean_up.hpp>
 #include <quell/blend/with_moments.hpp>
 #include <quell/execute/executor.hpp>
+#include <quell/execute/list_executor.hpp>
 #include <quell/filter/atrous.hpp>
 #include <quell/filter/bilateral.hpp>
 #include <quell/filter/shadow_splat.hpp>

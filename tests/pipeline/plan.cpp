@@ -1,6 +1,6 @@
 #include "../frames.hpp"
 
-#include <quell/pipeline/plan.hpp>
+#include <quell/pipeline/draw_plan.hpp>
 #include <quell/presets/blur.hpp>
 
 #include <algorithm>
@@ -97,4 +97,25 @@ TEST_CASE("the pipelines of a composite run in order and share what is scratch")
     CHECK(text.find(heading) != std::string::npos);
     CHECK(to_string(plan_of(one)).find("**") == std::string::npos);
     CHECK(plan.bytes_per_pixel < plan_of(one).bytes_per_pixel + plan_of(other).bytes_per_pixel);
+}
+
+TEST_CASE("a drawing has a box for each pass, and arrows for what goes from one to another, and to the next frame") {
+    auto const text = to_graphviz(plan_of(presets::svgf(radiance, Demodulate{})));
+    auto const has_line = [&](std::string_view line) { return text.find("\n  " + std::string(line) + "\n") != std::string::npos; };
+    CHECK(has_line("pass1 [label=<<b>temporal</b><br/><font point-size=\"9\">motion<br/>depth<br/>normal</font>>];"));
+    CHECK(has_line("pass0 -> pass1 [label=\"signal\"];"));
+    CHECK(has_line("pass2 -> pass3 [label=\"variance\"];"));
+    CHECK(has_line("pass6 -> pass7 [label=\"signal\\nvariance\"];"));
+    CHECK(has_line("pass7 -> output;"));
+    // The first level's output goes into the history, the last pass copies guides.
+    CHECK(has_line("pass3 -> pass1 [label=\"signal\", style=dashed, constraint=false];"));
+    CHECK(has_line("pass7 -> pass1 [label=\"depth\\nnormal\", style=dashed, constraint=false];"));
+    CHECK(text.find("pass8") == std::string::npos);
+    CHECK(to_graphviz(Plan{}) == "digraph plan {}\n");
+
+    auto const both = to_graphviz(plan_of(Composite{presets::surface(glossy), presets::surface(indirect)}));
+    CHECK(both.find("subgraph cluster_glossy {") != std::string::npos);
+    CHECK(both.find("pass3 -> pass4 [label=\"indirect\"];") != std::string::npos);
+    CHECK(both.find("pass1 -> pass4 [label=\"glossy\"];") != std::string::npos);
+    CHECK(std::ranges::count(both, '{') == std::ranges::count(both, '}'));
 }

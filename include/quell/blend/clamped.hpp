@@ -146,6 +146,7 @@ template <class Inner, class Range = MeanDeviation, class Axes = Rgb, int radius
                                                 "finish(range), and `low` and `high` or clip(past), see quell/blend/clamped.hpp");
     static_assert(detail::IsAxes<Axes>, "Clamped{inner, range, axes}: `axes` must have from(value) and to(value), such as YCoCg{}");
     using parts = Parts<Inner>;
+    static constexpr int farthest_tap = radius;
 
     Inner inner{}; ///< blends the clamped history
     Range range{}; ///< how wide the box is

@@ -7,6 +7,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// Exponential moving average with a fixed alpha (TRMV eq. 2). The first sample has weight 1, so its noise lasts for about 1 / alpha
 /// frames. RunningMean avoids this, for one more number per pixel.
 struct Exponential {
+    static constexpr int farthest_tap = 0;
     float alpha = 0.1f; ///< weight of the newest frame, in (0, 1]
 
     /// 1 / alpha frames.

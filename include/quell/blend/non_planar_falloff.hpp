@@ -18,6 +18,7 @@ template <class Inner> struct NonPlanarFalloff {
     using reads = decltype(detail::TangentPlaneChannels{} | Channels<Depth>{});
     using remembers = Channels<Depth>;
     static constexpr bool needs_camera = true;
+    static constexpr int farthest_tap = 1;
     Inner inner{};          ///< blends with the reduced weight
     float deviation = 0.1f; ///< of G, in radians
 

@@ -8,6 +8,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// the start, and old light fades.
 struct RunningMean {
     using keeps = Channels<HistoryLength>;
+    static constexpr int farthest_tap = 0;
     float cap = 32.f; ///< in frames, at least 1; in samples where the host says how many a pixel has (KnownSamples{})
 
     /// `cap` frames.
@@ -26,6 +27,7 @@ struct RunningMean {
 /// Counts every frame as one sample, also with KnownSamples{}.
 struct Adaptive {
     using keeps = Channels<HistoryLength>;
+    static constexpr int farthest_tap = 0;
     float cap = 32.f;         ///< in frames, at least 1
     float sensitivity = 0.5f; ///< share of the clamp's relative change that is added to alpha
 

@@ -14,6 +14,7 @@ template <class Inner> struct WithCleanUp {
     static_assert(BlendPolicy<Inner>, "WithCleanUp{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
     using parts = Parts<Inner>;
     using emits = Channels<CleanUpDeviation>;
+    static constexpr int farthest_tap = 0;
     Inner inner{};            ///< blends, and says alpha
     float usual_alpha = 0.1f; ///< up to this alpha no clean-up is needed
     float widest = 5.f;       ///< pixels

@@ -10,6 +10,7 @@ template <class Inner> struct WithMoments {
     static_assert(BlendPolicy<Inner>, "WithMoments{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
     using parts = Parts<Inner>;
     using keeps = Channels<LuminanceMean, LuminanceVariance>;
+    static constexpr int farthest_tap = 0;
     Inner inner{}; ///< blends, and says alpha
 
     /// The inner result, with luminance_mean and luminance_variance.

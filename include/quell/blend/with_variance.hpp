@@ -11,6 +11,7 @@ template <class Inner> struct WithVariance {
     static_assert(BlendPolicy<Inner>, "WithVariance{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
     using parts = Parts<Inner>;
     using keeps = Channels<LuminanceVariance>;
+    static constexpr int farthest_tap = 0;
     Inner inner{}; ///< blends, and says alpha
 
     /// The inner policy's: what is left of it is hidden sooner, by the filter as wide as the remaining noise that follows.

@@ -28,6 +28,7 @@ template <class SweepChannel, class Real> struct PathFound {
 template <ChannelTag SweepChannel> struct PathSearchOf {
     using reads = Channels<SweepChannel>;
     using keeps = Channels<SweepChannel>;
+    static constexpr int farthest_tap = 0;
     int iterations = 4;   ///< further iterations (MB: 2); 0: the place is moved once, and rejected where it missed
     float accept = 0.25f; ///< pixels; the search ends at a smaller difference
     float give_up = 32.f; ///< pixels; the search fails at a larger difference

@@ -3,6 +3,7 @@
 #include <quell/core/channel.hpp>
 
 #include <concepts>
+#include <limits>
 
 // What a policy may say beside its one function: members that quell looks for by name. One of the right kind is read, whether or not other
 // policies have it. One of another kind is refused with a sentence: a number that happens to have such a name changes nothing in silence.
@@ -11,6 +12,10 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// The policies that a policy is made of: `using parts = Parts<Inner>`. Declarations of the parts (`reads`, `keeps`, ...) count as
 /// declarations of the whole, which lists only what it adds.
 template <class... Ps> struct Parts {};
+
+/// As the `farthest_tap` of a policy: it looks at pixels of this frame that no number bounds, as along a motion vector. Also what counts
+/// for a policy that says nothing.
+inline constexpr int anywhere = std::numeric_limits<int>::max();
 
 namespace detail {
 template <class T> inline constexpr bool is_channels = false;
@@ -80,6 +85,9 @@ template <class P> struct Hooks {
     QUELL_HOOK(
         fraction, requires { requires is_constant<decltype(&P::fraction), int>; });
     QUELL_HOOK(
+        farthest_tap, requires { requires is_constant<decltype(&P::farthest_tap), int>; } ||
+                          requires(P const& p) { requires std::is_same_v<decltype(p.farthest_tap()), int>; });
+    QUELL_HOOK(
         feedback, HasPasses<P> || requires(P const& p) { requires std::is_same_v<decltype(p.feedback()), bool>; });
     QUELL_HOOK(
         memory, requires(P const& p) { requires std::is_class_v<decltype(p.memory())>; });
@@ -107,6 +115,9 @@ template <class P> constexpr bool check_hooks() {
     static_assert(Right::two_rows, "`two_rows` of a policy must be a `static constexpr bool`; any other member needs another name");
     static_assert(Right::max_lanes, "`max_lanes` of a policy must be a `static constexpr int`; any other member needs another name");
     static_assert(Right::fraction, "`fraction` of a policy must be a `static constexpr int`; any other member needs another name");
+    static_assert(Right::farthest_tap,
+                  "`farthest_tap` of a policy must be a `static constexpr int` or `constexpr int farthest_tap() const`; "
+                  "any other member needs another name");
     static_assert(Right::feedback, "`feedback` of a policy must be `constexpr bool feedback() const`; any other member needs another name");
     static_assert(Right::memory,
                   "`memory` of a policy must be `constexpr BlendMemory memory() const`; any other member needs another name");

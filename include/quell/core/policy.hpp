@@ -67,6 +67,49 @@ template <class Pass>
     requires is_text<decltype(&Pass::name)>
 inline constexpr auto pass_name<Pass> = Pass::name;
 
+/// Whether a policy derives from its parts and looks at nothing else. It cannot say so by a member that its bases have, too: nvcc takes
+/// that for ambiguous.
+template <class P> inline constexpr bool adds_no_tap = false;
+
+/// Whether a policy says `static constexpr int farthest_tap`.
+template <class P> inline constexpr bool says_farthest_tap = false;
+template <class P>
+    requires is_constant<decltype(&P::farthest_tap), int>
+inline constexpr bool says_farthest_tap<P> = true;
+
+/// The largest distance, in pixels along x or y, at which a policy without its parts looks at images of this frame.
+template <class P> constexpr int own_farthest_tap(P const& policy) {
+    if constexpr (adds_no_tap<P>)
+        return 0;
+    else if constexpr (says_farthest_tap<P>)
+        return P::farthest_tap;
+    else if constexpr (requires { policy.farthest_tap(); })
+        return policy.farthest_tap();
+    else
+        return anywhere;
+}
+template <class... Ps> constexpr int farthest_tap_of_parts(Parts<Ps...>);
+/// That of a part with its parts. A list of parts has types only, so a distance that depends on numbers counts as any.
+template <class P> constexpr int farthest_tap_of_part() {
+    int const of_parts = farthest_tap_of_parts(typename PartsOf<P>::type{});
+    if constexpr (adds_no_tap<P>)
+        return of_parts;
+    else if constexpr (says_farthest_tap<P>)
+        return P::farthest_tap > of_parts ? P::farthest_tap : of_parts;
+    else
+        return anywhere;
+}
+template <class... Ps> constexpr int farthest_tap_of_parts(Parts<Ps...>) {
+    int farthest = 0;
+    (static_cast<void>(farthest = farthest_tap_of_part<Ps>() > farthest ? farthest_tap_of_part<Ps>() : farthest), ...);
+    return farthest;
+}
+/// That of a pass: of its policy and all parts.
+template <class Pass> constexpr int farthest_tap_of(Pass const& pass) {
+    int const own = own_farthest_tap(pass), of_parts = farthest_tap_of_parts(typename PartsOf<Pass>::type{});
+    return own > of_parts ? own : of_parts;
+}
+
 /// Whether what a pass makes goes into the history.
 template <class Pass> constexpr bool feeds_back(Pass const& pass) {
     if constexpr (requires { requires std::is_same_v<decltype(pass.feedback()), bool>; })

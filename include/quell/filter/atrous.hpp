@@ -21,6 +21,8 @@ template <class Edge, bool guided, class Taps> struct AtrousLevel {
     Taps taps{};
     bool into_history = false;
 
+    constexpr int farthest_tap() const { return Taps::radius * step; }
+
     constexpr bool feedback() const { return into_history; }
     QUELL_KERNEL auto filter(auto px) const {
         using Px = decltype(px);

@@ -6,6 +6,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// An EdgeWeight of 1 everywhere.
 struct NoEdge {
+    static constexpr int farthest_tap = 0;
     /// @cond
     struct Around {
         QUELL_KERNEL auto distance(auto, auto sum) const { return sum; }
@@ -37,6 +38,8 @@ template <class Edge, class Deviation> struct BilateralLine {
     int radius;
     bool vertical;
 
+    constexpr int farthest_tap() const { return radius; }
+
     QUELL_KERNEL auto filter(auto px) const {
         using Px = decltype(px);
         using Real = typename Px::Real;
@@ -66,11 +69,13 @@ template <class Edge, class Deviation> struct BilateralLine {
 };
 
 struct EvenDeviation {
+    static constexpr int farthest_tap = 0;
     float pixels;
     QUELL_KERNEL auto of(auto px) const { return typename decltype(px)::Real(pixels); }
 };
 struct DeviationChannel {
     using reads = Channels<CleanUpDeviation>;
+    static constexpr int farthest_tap = 0;
     QUELL_KERNEL auto of(auto px) const { return max(px[clean_up_deviation], typename decltype(px)::Real(0.05f)); }
 };
 } // namespace detail

@@ -11,6 +11,7 @@ template <class Edge> struct VarianceOfMean {
     using parts = Parts<Edge>;
     using reads = Channels<HistoryLength, LuminanceVariance>;
     using emits = Channels<Variance>;
+    static constexpr int farthest_tap = 1;
     Edge edge;
     float enough;
 
@@ -92,6 +93,8 @@ template <class Edge> struct ExchangeLevel {
     int step;
     float sigma_luminance;
     NearestTaps taps;
+
+    constexpr int farthest_tap() const { return step; }
 
     QUELL_KERNEL auto filter(auto px) const {
         using Px = decltype(px);

@@ -9,6 +9,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// 2017). A miss has no neighbours.
 struct DepthEdge {
     using reads = Channels<Depth>;
+    static constexpr int farthest_tap = 1;
     float sigma = 1.f;            ///< multiple of the slope that has weight 1/e
     float relative_floor = 0.01f; ///< difference with weight 1/e on a surface without slope, as a part of depth
 
@@ -37,6 +38,7 @@ struct DepthEdge {
 /// to within 0.003.
 struct NormalEdge {
     using reads = Channels<Normal>;
+    static constexpr int farthest_tap = 0;
     float sharpness = 128.f; ///< larger: normals must agree better; 0: they do not matter
 
     /// @cond
@@ -69,6 +71,7 @@ template <class Real> struct AroundLuminance {
 
 /// Neighbours of another luminance weigh less: exp(-|dl| / sigma).
 struct LuminanceEdge {
+    static constexpr int farthest_tap = 0;
     float sigma = 1.f; ///< difference with weight 1/e, in units of the signal
 
     /// See EdgeWeight.
@@ -82,6 +85,7 @@ struct LuminanceEdge {
 /// 3x3 Gaussian (w_l of Schied et al. 2017).
 struct VarianceGuidedEdge {
     using reads = Channels<Variance>;
+    static constexpr int farthest_tap = 1;
     float sigma = 4.f; ///< difference with weight 1/e, in standard deviations
 
     /// See EdgeWeight.
@@ -129,5 +133,6 @@ template <class... Edges> struct Product : Edges... {
     QUELL_KERNEL auto around(auto px) const { return Around<decltype(Edges::around(px))...>{{Edges::around(px)}...}; }
 };
 template <class... Edges> Product(Edges...) -> Product<Edges...>;
+template <class... Edges> inline constexpr bool detail::adds_no_tap<Product<Edges...>> = true;
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -12,6 +12,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 struct LobeEdge {
     using reads = Channels<Roughness, GlossyHit, Position, Depth>;
     static constexpr bool needs_camera = true;
+    static constexpr int farthest_tap = 0;
     float width = 2.f;      ///< w in GGX alphas (squared roughness) times the distance to the hit
     float min_width = 0.3f; ///< least w, in pixels
 

@@ -25,6 +25,7 @@ template <int level, int n> struct KeepLight {
     using Light = LessFilteredLight<level, n>;
     using reads = std::conditional_t<level == 0, Channels<Variance>, Channels<>>;
     using emits = std::conditional_t<level == 0, Channels<Light, UnfilteredVariance>, Channels<Light>>;
+    static constexpr int farthest_tap = 0;
 
     QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
@@ -49,6 +50,7 @@ template <class V> QUELL_KERNEL auto largest_difference(V const& a, V const& b) 
 /// The fit of LocalRegression.
 template <class Edge, int n> struct RegressionOnGuides {
     static constexpr auto name = "local regression";
+    static constexpr int farthest_tap = 24;
     template <int level> using Light = LessFilteredLight<level, n>;
     using parts = Parts<Edge>;
     using reads = Channels<Normal, HistoryLength, Variance, UnfilteredVariance, Light<0>, Light<1>, Light<2>>;

@@ -26,6 +26,8 @@ struct LightLine {
     int step;
     bool vertical;
 
+    constexpr int farthest_tap() const { return 2 * step; }
+
     QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
         Real pilot(0.f), fit(0.f);
@@ -41,6 +43,7 @@ struct LightLine {
 struct RestoreLight {
     static constexpr auto name = "restore light";
     using reads = Channels<LightOfPilotAndFit, FreedomOfFit>;
+    static constexpr int farthest_tap = 0;
 
     QUELL_KERNEL auto filter(auto px) const {
         using Real = typename decltype(px)::Real;

@@ -24,6 +24,7 @@ template <class Source> struct OwnShadowTrack {
     using reads = Channels<Position, Depth, Light, Blocker>;
     static constexpr bool needs_camera = true;
     using emits = Channels<ShadowTrack>;
+    static constexpr int farthest_tap = 1;
     Source source;
     float light_size;
 
@@ -75,6 +76,8 @@ template <class Edge> struct SplatLevel {
     Edge edge;
     int step;
 
+    constexpr int farthest_tap() const { return 2 * step; }
+
     QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const around = edge.around(px);
@@ -122,6 +125,7 @@ template <class Source = ShadowMotion, class Edge = DepthEdge> struct ShadowSpla
 /// is 0.1 pixels, which filters nothing; it holds where no shadow is near.
 struct PenumbraWidth {
     using reads = Channels<ShadowTrack>;
+    static constexpr int farthest_tap = 0;
     float part = 0.15f;           ///< standard deviation of the Gaussian, as a part of the penumbra
     float min_width = 0.5f;       ///< in pixels; wide enough to reach the next pixels
     float max_width = 7.5f;       ///< in pixels
@@ -141,6 +145,7 @@ struct PenumbraWidth {
 struct SplattedShadowMotion {
     using reads = Channels<ShadowTrack>;
     static constexpr bool needs_camera = true;
+    static constexpr int farthest_tap = 0;
 
     /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
@@ -154,6 +159,7 @@ struct SplattedShadowMotion {
 /// A history fetch for shadows: CatmullRom along shadows, whose edges bilinear interpolation would blur over time, and Bilinear along
 /// surfaces. It takes a source without a surface test for a shadow's.
 struct ShadowFetch {
+    static constexpr int farthest_tap = 0;
     CatmullRom along_shadows{}; ///< its `elsewhere` serves surfaces
 
     /// See quell/motion/history_fetch.hpp.
@@ -168,6 +174,7 @@ struct ShadowFetch {
 /// A MotionSource: the motion of ShadowTrack where there is one, else that of the surface, without a surface test. For a ChangeDetector.
 struct ShadowOrSurfaceMotion {
     using reads = Channels<ShadowTrack, Motion>;
+    static constexpr int farthest_tap = 0;
 
     /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {

@@ -12,6 +12,7 @@ template <class Edge> struct VarianceEstimate {
     using parts = Parts<Edge>;
     using reads = Channels<HistoryLength, LuminanceMean, LuminanceVariance>;
     using emits = Channels<Variance>;
+    static constexpr int farthest_tap = 3;
     Edge edge;
     float enough = 4.f; ///< history length from which the variance over time is trusted
 

@@ -27,7 +27,8 @@ concept Converts = requires(M const& m, Probe<M> px, vec3<float> sample) {
 /// Divides the signal's colour by the albedo before denoising and multiplies by the same divisor afterwards, so texture is not filtered.
 /// Black surfaces and invalid albedos (a component negative or not finite) have the divisor 1.
 struct Demodulate {
-    using reads = Channels<Albedo>;           ///< of this frame
+    using reads = Channels<Albedo>; ///< of this frame
+    static constexpr int farthest_tap = 0;
     template <ChannelTag S> using Signal = S; ///< the same channel
     float min_divisor = 0.02f;                ///< least divisor of a component; a surface with a luminance below it counts as black
 
@@ -70,6 +71,7 @@ struct KnownSamples {
 
 /// Leaves the signal unchanged.
 struct NoModulation {
+    static constexpr int farthest_tap = 0;
     /// @cond
     template <ChannelTag S> using Signal = S;
     QUELL_KERNEL auto inward(auto const&, auto const& sample) const { return sample; }

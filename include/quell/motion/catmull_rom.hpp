@@ -9,6 +9,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// mean, so outlines stay sharp too. The result is limited to what the taps hold, since a spline overshoots at bright edges. Kept channels
 /// (history length, moments) are interpolated bilinearly: negative lobes have no meaning for them.
 struct CatmullRom {
+    static constexpr int farthest_tap = 0;
     Bilinear elsewhere{}; ///< fetches kept channels, and the replacement of rejected taps
 
     /// The HistorySample at the position that a motion source found.

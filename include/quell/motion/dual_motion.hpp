@@ -10,7 +10,8 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 struct SimilarDepth {
     using reads = Channels<Depth>;     ///< of this frame
     using remembers = Channels<Depth>; ///< of the previous frame
-    float tolerance = 0.2f;            ///< allowed difference, as a part of this pixel's depth
+    static constexpr int farthest_tap = 0;
+    float tolerance = 0.2f; ///< allowed difference, as a part of this pixel's depth
 
     /// @cond
     template <class Real> struct Around {
@@ -33,9 +34,10 @@ template <class Test = SimilarDepth> struct DualMotion {
     using parts = Parts<Test>;                 ///< what it is made of
     using reads = Channels<Motion, Depth>;     ///< of this frame
     using remembers = Channels<Motion, Depth>; ///< of the previous frame
-    Test test{};                               ///< what a past pixel must pass
-    float trust = 0.5f;                        ///< validity of the history: similar, not the same surface
-    float reach = 0.125f;                      ///< largest distance outside the image, as a part of its longer side
+    static constexpr int farthest_tap = anywhere;
+    Test test{};          ///< what a past pixel must pass
+    float trust = 0.5f;   ///< validity of the history: similar, not the same surface
+    float reach = 0.125f; ///< largest distance outside the image, as a part of its longer side
 
     /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {

@@ -24,6 +24,7 @@ template <class Real, class A, class B> struct FirstFound {
 template <class First, class... Rest> struct FirstValid {
     static_assert(MotionSource<First>, "FirstValid{sources...}: each must have previous(px), see quell/motion/motion_source.hpp");
     using parts = Parts<First, Rest...>; ///< what it is made of
+    static constexpr int farthest_tap = 0;
 
     First first;              ///< the preferred source
     FirstValid<Rest...> rest; ///< the other sources, in order

@@ -131,6 +131,7 @@ template <class V, class Mask> Interpolated(V, Mask) -> Interpolated<V, Mask>; /
 /// Bilinear history fetch. Rejected taps are left out and the weights renormalised. Where less than 1 % of the weight is accepted, the mean
 /// of the accepted pixels in the 3x3 around the position is used.
 struct Bilinear {
+    static constexpr int farthest_tap = 0;
     bool use_3x3 = true; ///< whether the 3x3 is used
 
     /// The HistorySample at the position that a motion source found.
@@ -186,6 +187,7 @@ private:
 
 /// History fetch from the one pixel that contains the position, if it is accepted. The cheapest; positions are off by up to half a pixel.
 struct Nearest {
+    static constexpr int farthest_tap = 0;
     /// The HistorySample at the position that a motion source found.
     template <class Px, class FoundPlace> QUELL_KERNEL auto fetch(Px const& px, FoundPlace const& unchecked) const {
         using Real = typename Px::Real;

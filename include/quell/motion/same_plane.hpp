@@ -8,8 +8,9 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// of surface_test.hpp demand the same point.
 struct SamePlane {
     using remembers = Channels<Depth, Normal>; ///< of the previous frame
-    float tolerance = 0.02f;                   ///< allowed distance from the plane, as a part of the past pixel's depth
-    float min_cosine = 0.9f;                   ///< least cosine of the angle between the normals, now and then
+    static constexpr int farthest_tap = 0;
+    float tolerance = 0.02f; ///< allowed distance from the plane, as a part of the past pixel's depth
+    float min_cosine = 0.9f; ///< least cosine of the angle between the normals, now and then
 
     /// @cond
     template <class Real> struct Found {

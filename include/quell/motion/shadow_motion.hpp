@@ -11,6 +11,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 struct ShadowMotion {
     using reads = decltype(detail::TangentPlaneChannels{} | Channels<Light, LightPrevious, Blocker, BlockerPrevious>{}); ///< of this frame
     static constexpr bool needs_camera = true;                                                                           ///< to project
+    static constexpr int farthest_tap = 1;
     float min_sine = 0.02f; ///< least sine of the angle between line and plane
 
     /// See MotionSource.

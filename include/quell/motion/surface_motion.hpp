@@ -12,7 +12,8 @@ template <class Test = AllOf<SameDepth, SameNormal>> struct SurfaceMotion {
                   "see quell/motion/surface_test.hpp");
     using parts = Parts<Test>;      ///< what it is made of
     using reads = Channels<Motion>; ///< of this frame
-    Test test{};                    ///< what a past pixel must pass
+    static constexpr int farthest_tap = 0;
+    Test test{}; ///< what a past pixel must pass
 
     /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
@@ -33,7 +34,8 @@ template <class Test = AllOf<SameDepth, SameNormal>> struct PositionMotion {
     using parts = Parts<Test>;                 ///< what it is made of
     using reads = Channels<ReceiverPrevious>;  ///< of this frame
     static constexpr bool needs_camera = true; ///< to project
-    Test test{};                               ///< what a past pixel must pass
+    static constexpr int farthest_tap = 0;
+    Test test{}; ///< what a past pixel must pass
 
     /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
@@ -48,6 +50,7 @@ template <class Test> PositionMotion(Test) -> PositionMotion<Test>;
 
 /// For a still camera and still objects: the same pixel, validity 1. It has no test.
 struct StillMotion {
+    static constexpr int farthest_tap = 0;
     /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;

@@ -41,6 +41,7 @@ template <class Real, class Prepared> struct TestedReprojection {
 struct SameDepth {
     using reads = Channels<Depth>;     ///< of this frame
     using remembers = Channels<Depth>; ///< of the previous frame
+    static constexpr int farthest_tap = 1;
     /// Allowed difference from the plane, as a part of the depth. Sources that do not know the depth in the previous frame use this
     /// frame's: it then also limits how much depth may change in a frame.
     float tolerance = 0.05f;
@@ -69,7 +70,8 @@ struct SameDepth {
 struct SameNormal {
     using reads = Channels<Normal>;     ///< of this frame
     using remembers = Channels<Normal>; ///< of the previous frame
-    float min_cosine = 0.8f;            ///< of the angle between the normals
+    static constexpr int farthest_tap = 0;
+    float min_cosine = 0.8f; ///< of the angle between the normals
 
     /// @cond
     template <class Real> struct Facing {
@@ -90,6 +92,7 @@ struct SameNormal {
 struct SameInstance {
     using reads = Channels<Instance>;     ///< of this frame
     using remembers = Channels<Instance>; ///< of the previous frame
+    static constexpr int farthest_tap = 0;
 
     /// @cond
     template <class Real> struct Object {
@@ -117,6 +120,7 @@ template <class... Tests> struct AllOf : Tests... {
     /// @endcond
 };
 template <class... Tests> AllOf(Tests...) -> AllOf<Tests...>;
+template <class... Tests> inline constexpr bool detail::adds_no_tap<AllOf<Tests...>> = true;
 /// @cond
 template <class... Tests> inline constexpr bool detail::is_surface_test<AllOf<Tests...>> = (SurfaceTest<Tests> && ...);
 /// @endcond

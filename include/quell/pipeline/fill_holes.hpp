@@ -12,6 +12,8 @@ struct FillHoles {
     static constexpr bool reads_past_signal = true;
     int step; ///< 0: from the history
 
+    constexpr int farthest_tap() const { return step; }
+
     QUELL_KERNEL auto operator()(auto px) const {
         using Px = decltype(px);
         using Real = typename Px::Real;

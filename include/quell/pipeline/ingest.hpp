@@ -29,6 +29,7 @@ template <ChannelTag Input, Modulation Form, class Suppression, class Guides> st
     static constexpr auto name = "ingest";
     using parts = Parts<Form>;
     using reads = decltype(Channels<Input>{} | Guides{});
+    static constexpr int farthest_tap = farthest_tap_of_part<Form>() == 0 ? 1 : anywhere; // it modulates neighbours too
     Form modulation;
     Suppression suppression;
 

@@ -20,6 +20,7 @@ struct PlannedPass {
     Names reads{};                               ///< of this frame: from the host and from earlier passes
     Names reads_past{};                          ///< of the last frame
     Names writes{};                              ///< for later passes, the next frame and the host
+    Names keeps{};                               ///< those of `writes` that the next frame reads
 };
 
 /// What run() does with each frame after the first, and how much memory that takes.
@@ -48,6 +49,17 @@ inline PlannedPass planned(FramePass const& pass, std::string_view denoises) {
     add(made.reads_past, pass.reads_kept), add(made.reads_past, pass.reads_remembered);
     return made;
 }
+/// Adds what the next frame reads of what pass i writes.
+inline void add_kept(PlannedPass& made, PassList const& list, std::size_t i) {
+    auto const feeds = [](FramePass const& pass) { return pass.feeds_history; };
+    auto const later = std::span(list.passes).subspan(i + 1);
+    if (list.passes[i].feeds_history && std::ranges::none_of(later, feeds)) add(made.keeps, "signal");
+    for (auto const& each : list.passes[i].makes) {
+        bool const again = std::ranges::any_of(later, [&](FramePass const& pass) { return pass.makes.has(each.id); });
+        if (list.keeps.has(each.id) && !again) add(made.keeps, each.id->name);
+    }
+    if (later.empty()) add(made.keeps, list.remembers);
+}
 /// The passes that a history has run in its last frame.
 inline void append_passes(std::vector<PlannedPass>& passes, PassList const& list, std::string_view denoises) {
     passes.push_back(planned(list.ingest, denoises));
@@ -58,12 +70,13 @@ inline void append_passes(std::vector<PlannedPass>& passes, PassList const& list
         for (auto const& each : list.passes[i].makes)
             if (list.is_wanted(each.id, i)) add(made.writes, each.id->name);
         if (i + 1 == list.passes.size()) add(made.writes, "output"), add(made.writes, list.remembers);
+        add_kept(made, list, i);
         passes.push_back(std::move(made));
     }
 }
 template <ChannelTag S, class... Parts, class H>
 void append_passes_of(std::vector<PlannedPass>& passes, Pipeline<S, Parts...> const&, H& history) {
-    append_passes(passes, OpenHistory::images(history).list, S::name);
+    append_passes(passes, OpenHistory::images(history).passes.list(), S::name);
 }
 template <class... Ps, class H> void append_passes_of(std::vector<PlannedPass>& passes, Composite<Ps...> const& composite, H& history) {
     [&]<std::size_t... i>(std::index_sequence<i...>) {

@@ -8,6 +8,19 @@
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
+/// Its address tells the types that a list of passes depends on. Not const: linkers may merge equal constants.
+template <class K, std::size_t stages> inline char maker_of_list = 0;
+
+/// Hands a list to a ListExecutor; null for other executors.
+template <class E> constexpr auto run_list_of() {
+    using Function = void (*)(void const*, std::span<ListedPass const>);
+    if constexpr (ListExecutor<E>)
+        return Function(
+            [](void const* executor, std::span<ListedPass const> passes) { static_cast<E const*>(executor)->run_list(passes); });
+    else
+        return Function(nullptr);
+}
+
 /// Runs the first `stages` stages of a pipeline. Returns a view of the output; empty where it went to a target.
 template <std::size_t stages, class P, class Set, class FrameStorage, class Storage, class E, class Into>
 auto run_stages(P const& pipeline, Frame<Set, FrameStorage> const& frame, History<P, Storage>& history, E const& executor,
@@ -15,9 +28,10 @@ auto run_stages(P const& pipeline, Frame<Set, FrameStorage> const& frame, Histor
     check_frame<P>(frame);
     auto& images = OpenHistory::images(history);
     using K = Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into>;
-    PassLister<P, FrameStorage, Storage, K>(pipeline, images.list).through(std::integral_constant<std::size_t, stages>{});
-    images.list.has_target = !std::is_same_v<Into, NoTarget>;
-    TypedByKernel const typed{&pipeline, &frame, &executor, &into};
+    images.passes.update(&maker_of_list<K, stages>, pipeline, [&](PassList& list) {
+        list_passes<stages, FrameStorage, Storage, K>(pipeline, list, !std::is_same_v<Into, NoTarget>);
+    });
+    TypedByKernel const typed{&pipeline, &frame, &executor, &into, run_list_of<E>()};
     PassRunner(images, typed, {frame.size, frame.camera, frame.number, frame.shutter, P::needs_camera}).run();
     return view_in<Storage, typename P::Output>(images.output);
 }

@@ -28,6 +28,7 @@ template <class M, class B, class Fetch = Bilinear> struct Temporal {
 
     using parts = Parts<M, B, Fetch>;
     static constexpr auto name = "temporal";
+    static constexpr int farthest_tap = 0;
 
     M motion{};    ///< finds the history
     B blending{};  ///< blends it with the new sample

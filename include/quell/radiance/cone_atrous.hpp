@@ -15,6 +15,8 @@ template <class Edge> struct ConeLevel {
     int step = 1;
     float min_cosine = 0.f;
 
+    constexpr int farthest_tap() const { return 2 * step; }
+
     QUELL_KERNEL auto filter(auto px) const {
         using Px = decltype(px);
         using Real = typename Px::Real;

@@ -14,6 +14,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 struct ConeFetch {
     using reads = Channels<Normal>;
     using remembers = Channels<Normal>;
+    static constexpr int farthest_tap = 1;
     Bilinear inner{}; ///< interpolates the history
 
     /// See quell/motion/history_fetch.hpp.

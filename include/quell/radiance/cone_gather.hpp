@@ -18,6 +18,7 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
     static constexpr auto name = "cone gather";
     using parts = Parts<Edge>;
     using reads = Channels<ConeLuminance>;
+    static constexpr int farthest_tap = 1;
     Edge edge{}; ///< which neighbours count
 
     /// The shaded colour; the signal as it is where there are no samples.

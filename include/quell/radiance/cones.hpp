@@ -213,6 +213,7 @@ template <int n, class Real> QUELL_KERNEL auto shade(Components<n, Real> const& 
 struct Cones {
     /// @cond
     using reads = Channels<Normal, IndirectDirection>;
+    static constexpr int farthest_tap = 0;
     template <ChannelTag S> using Signal = ConeRadiance;
     /// @endcond
 

@@ -20,6 +20,7 @@ template <class Inner> struct WithCones {
     using parts = Parts<Inner>;
     using reads = Channels<Normal, IndirectDirection>;
     using keeps = Channels<ConeLuminance>;
+    static constexpr int farthest_tap = 0;
     Inner inner{}; ///< says alpha
 
     /// The inner policy's mean, with cone_luminance.

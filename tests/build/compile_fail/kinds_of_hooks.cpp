@@ -2,6 +2,7 @@
 // error: `parts` of a policy must be `using parts = Parts<...>`
 // error: `fraction` of a policy must be a `static constexpr int`
 // error: `needs_camera` of a policy must be a `static constexpr bool`
+// error: `farthest_tap` of a policy must be a `static constexpr int` or `constexpr int farthest_tap() const`
 // error: `feedback` of a policy must be `constexpr bool feedback() const`
 // error: `memory` of a policy must be `constexpr BlendMemory memory() const`
 // error: `owns_memory` of a storage must be `static constexpr bool`
@@ -43,6 +44,9 @@ struct NeedsCamera : Base {
 struct Feedback : Base {
     constexpr KIND(bool, float) feedback() const { return true; }
 };
+struct FarthestTap : Base {
+    constexpr KIND(int, float) farthest_tap() const { return 1; }
+};
 struct Memory {
     KIND(
         constexpr BlendMemory memory() const { return {}; }, float memory = 4.f;)
@@ -68,6 +72,7 @@ constexpr Spatial parts{PartsOf{}};
 constexpr Spatial fraction{Fraction{}};
 constexpr Spatial camera{NeedsCamera{}};
 constexpr Spatial feedback{Feedback{}};
+constexpr Spatial farthest_tap{FarthestTap{}};
 constexpr Temporal memory{StillMotion{}, Memory{}};
 constexpr Spatial both{Both{}};
 constexpr Spatial leaves{Leaves{}};

@@ -12,6 +12,7 @@
 // error: `two_rows` of a policy must be a `static constexpr bool`
 // error: `max_lanes` of a policy must be a `static constexpr int`
 // error: `fraction` of a policy must be a `static constexpr int`
+// error: `farthest_tap` of a policy must be a `static constexpr int`
 // error: `feedback` of a policy must be `constexpr bool feedback() const`
 // error: `memory` of a policy must be `constexpr BlendMemory memory() const`
 #include <quell/quell.hpp>
@@ -47,5 +48,6 @@ FILTER_WITH(leaves_signal);
 FILTER_WITH(two_rows);
 FILTER_WITH(max_lanes);
 FILTER_WITH(fraction);
+FILTER_WITH(farthest_tap);
 FILTER_WITH(feedback);
 FILTER_WITH(memory);

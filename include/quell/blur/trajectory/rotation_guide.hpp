@@ -39,6 +39,8 @@ struct TurnEvidenceOf {
     OneThing one_thing;
     int step;
 
+    constexpr int farthest_tap() const { return radius * step; }
+
     /// Regression of the sweep's direction over the position of the sweep's middle, with one term along the motion and one across it. Only
     /// the first is rotation: across the motion, directions differ without rotation, too.
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
@@ -81,6 +83,8 @@ struct TurningPathOf {
     OneThing one_thing;
     int step;
     float min_evidence, min_bend;
+
+    constexpr int farthest_tap() const { return radius * step; }
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;

@@ -128,6 +128,7 @@ template <class Trajectories> struct SampleTrajectoryOf {
     using parts = Parts<Trajectories>;
     using reads = Channels<Depth>;
     using emits = Channels<SampleTrajectory<Trajectories>>;
+    static constexpr int farthest_tap = 0;
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;

@@ -100,6 +100,7 @@ template <ChannelTag SweepChannel> struct StraightTrajectoriesAlong {
     /// Whether trajectories have a bend.
     static constexpr bool bent = false;
     using reads = Channels<SweepChannel, Time>;
+    static constexpr int farthest_tap = 0;
     /// Trajectory of this pixel's sample.
     template <class Px> QUELL_KERNEL static auto here(Px const& px) {
         return Trajectory<typename Px::Real>::of(px[SweepChannel{}], px[time]);
@@ -115,6 +116,7 @@ using StraightTrajectories = StraightTrajectoriesAlong<Sweep>;
 struct BentTrajectories {
     static constexpr bool bent = true; ///< trajectories have a bend
     using reads = Channels<Sweep, SweepBend, Time>;
+    static constexpr int farthest_tap = 0;
     /// Trajectory of this pixel's sample.
     template <class Px> QUELL_KERNEL static auto here(Px const& px) {
         return BentTrajectory<typename Px::Real>::of(StraightTrajectories::here(px), px[sweep_bend]);

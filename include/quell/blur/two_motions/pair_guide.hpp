@@ -84,6 +84,8 @@ template <class Trajectories> struct RowExtremesOf {
     using emits = Channels<RowExtremes<Trajectories>>;
     int radius;
 
+    constexpr int farthest_tap() const { return radius; }
+
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
         auto const own = placed_mover<Trajectories>(px);
@@ -114,6 +116,8 @@ template <class Trajectories> struct LocalPairOf {
     using emits = Channels<LocalPair<Trajectories>>;
     int radius;
     float min_difference, relative, depth_gap, unlike, unlike_minimum;
+
+    constexpr int farthest_tap() const { return radius; }
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
@@ -168,6 +172,8 @@ template <class Trajectories> struct NearestPair {
     using emits = Channels<LayerMotions<Trajectories>>;
     int across, down; ///< pixels between windows; `down` is even, as only such rows hold a pair
     float likeness;
+
+    constexpr int farthest_tap() const { return across > down ? across : down; }
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;

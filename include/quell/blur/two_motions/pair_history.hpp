@@ -25,6 +25,7 @@ template <ChannelTag Layer, class FoundPlace> struct WhereSeen : FoundPlace {
 template <ChannelTag S> struct PairFetch {
     using Signal = S;
     using reads = Channels<ForegroundLayer<Signal>, ForegroundSweep, BackgroundLayer<Signal>>;
+    static constexpr int farthest_tap = 0;
     PathSearchOf<ForegroundSweep> front{}; ///< motion source of the foreground layer
     /// Samples in a frame. A layer of fewer has its past interpolated by a Catmull-Rom spline; a foreground of more or as many has no past.
     float often = 10.f;
@@ -79,6 +80,7 @@ template <ChannelTag S> struct PairBlend {
     using Signal = S;
     using reads = Channels<ForegroundLayer<Signal>, ForegroundSweep, BackgroundLayer<Signal>, MeanSweep>;
     using keeps = reads;
+    static constexpr int farthest_tap = 0;
     float cap = 6.f; ///< samples that the background's past counts as, at most
     /// The same of the foreground: fewer, since its parts move differently, and a lagging outline is more visible than its noise.
     float front_cap = 4.f;

@@ -58,6 +58,7 @@ template <class Source> struct OwnHistoryDistance {
     using reads_kept = Channels<HistoryLength, LuminanceVariance>;
     using emits = WindowChannels;
     static constexpr bool reads_past_signal = true;
+    static constexpr int farthest_tap = 0;
     Source source;
 
     QUELL_KERNEL auto emit_channels(auto px) const {
@@ -84,6 +85,8 @@ struct HistoryDistanceLine {
     using emits = WindowChannels;
     int step;
     bool vertical;
+
+    constexpr int farthest_tap() const { return 2 * step; }
 
     QUELL_KERNEL auto emit_channels(auto px) const { return mean(px).emitted(); }
     QUELL_KERNEL auto mean(auto px) const {
@@ -123,6 +126,7 @@ struct NarrowBias {
     static constexpr auto name = "history bias";
     using reads = WindowChannels;
     using emits = decltype(WindowChannels{} | Channels<HistoryBias>{});
+    static constexpr int farthest_tap = 10;
     float noise_threshold;
 
     QUELL_KERNEL auto emit_channels(auto px) const {
@@ -135,6 +139,7 @@ struct WideBias {
     static constexpr auto name = "history bias";
     using reads = decltype(WindowChannels{} | Channels<HistoryBias>{});
     using emits = Channels<HistoryBias, HistoryDeviation>;
+    static constexpr int farthest_tap = 10;
     float noise_threshold;
 
     QUELL_KERNEL auto emit_channels(auto px) const {
@@ -183,6 +188,7 @@ template <class Inner> struct ForgetBiased {
     static_assert(BlendPolicy<Inner>, "ForgetBiased{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
     using parts = Parts<Inner>;
     using reads = Channels<HistoryBias, HistoryDeviation>;
+    static constexpr int farthest_tap = 0;
     static_assert(keeps_of<Inner>::template has<HistoryLength>,
                   "ForgetBiased{inner}: `inner` must keep the history's length, as RunningMean does");
     Inner inner{};                ///< blends with the reduced validity

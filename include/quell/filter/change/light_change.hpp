@@ -34,6 +34,7 @@ template <class Source> struct OwnLightChange {
     using parts = Parts<Source>;
     using emits = Channels<LightChange>;
     static constexpr bool reads_past_signal = true;
+    static constexpr int farthest_tap = 0;
     Source source;
 
     QUELL_KERNEL auto emit_channels(auto px) const {
@@ -54,6 +55,8 @@ struct LightChangeLine {
     using emits = Channels<LightChange>;
     int step;
     bool vertical;
+
+    constexpr int farthest_tap() const { return 2 * step; }
 
     QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
@@ -102,6 +105,7 @@ template <class Inner> struct ForgetChanged {
     static_assert(BlendPolicy<Inner>, "ForgetChanged{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
     using parts = Parts<Inner>;
     using reads = Channels<LightChange>;
+    static constexpr int farthest_tap = 0;
     Inner inner{};                ///< blends with the reduced validity
     float noise_threshold = 16.f; ///< values of the statistic up to this are noise
     float sharpness = 400.f;      ///< validity is divided by 1 + sharpness * (statistic - noise_threshold); longer histories need more

@@ -22,6 +22,8 @@ template <class Source, class Edge> struct GradientLevel {
     Edge edge;
     int step;
 
+    constexpr int farthest_tap() const { return 2 * step; }
+
     QUELL_KERNEL auto emit_channels(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const around = edge.around(px);
@@ -66,6 +68,7 @@ template <class Inner> struct Antilag {
     static_assert(BlendPolicy<Inner>, "Antilag{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp");
     using parts = Parts<Inner>;
     using reads = Channels<FilteredGradient>;
+    static constexpr int farthest_tap = 0;
     Inner inner{}; ///< says alpha_0
 
     /// The inner policy's result with alpha.

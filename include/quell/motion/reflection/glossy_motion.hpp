@@ -13,8 +13,9 @@ template <class Mirror = FlatMirror> struct GlossyMotion {
     using parts = Parts<Mirror, SamePlane>;                                         ///< what it is made of
     using reads = decltype(detail::VirtualImageChannels{} | Channels<Roughness>{}); ///< of this frame
     static constexpr bool needs_camera = true;                                      ///< to project
-    Mirror mirror{};                                                                ///< computes the virtual image
-    SamePlane test{};                                                               ///< what a past pixel must pass
+    static constexpr int farthest_tap = 1;
+    Mirror mirror{};    ///< computes the virtual image
+    SamePlane test{};   ///< what a past pixel must pass
     float spread = 1.f; ///< standard deviation of the tangent of the lobe's angle, as a multiple of GGX alpha
 
     /// See MotionSource.

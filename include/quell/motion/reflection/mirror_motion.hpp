@@ -7,6 +7,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// The virtual image in a flat mirror: the point reflected at the tangent plane.
 struct FlatMirror {
+    static constexpr int farthest_tap = 0;
     /// The virtual image of `point`. All in world space.
     QUELL_KERNEL auto image(auto const&, auto const& plane, auto const& point) const {
         auto const height = dot(point - plane.point, plane.normal);
@@ -46,8 +47,9 @@ template <class Mirror = FlatMirror> struct MirrorMotion {
     using parts = Parts<Mirror, SamePlane>;     ///< what it is made of
     using reads = detail::VirtualImageChannels; ///< of this frame
     static constexpr bool needs_camera = true;  ///< to project
-    Mirror mirror{};                            ///< computes the virtual image
-    SamePlane test{};                           ///< what a past pixel must pass
+    static constexpr int farthest_tap = 1;
+    Mirror mirror{};  ///< computes the virtual image
+    SamePlane test{}; ///< what a past pixel must pass
 
     /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {
@@ -66,9 +68,10 @@ template <class Mirror = FlatMirror> struct ImageMotion {
     using parts = Parts<Mirror, SamePlane>;     ///< what it is made of
     using reads = detail::VirtualImageChannels; ///< of this frame
     static constexpr bool needs_camera = true;  ///< to project
-    Mirror mirror{};                            ///< computes the virtual image
-    SamePlane test{};                           ///< what a past pixel must pass
-    float among_moving = 0.5f;                  ///< validity where something reflected in the 3x3 moves: no single vector fits the mixture
+    static constexpr int farthest_tap = 1;
+    Mirror mirror{};           ///< computes the virtual image
+    SamePlane test{};          ///< what a past pixel must pass
+    float among_moving = 0.5f; ///< validity where something reflected in the 3x3 moves: no single vector fits the mixture
 
     /// See MotionSource.
     QUELL_KERNEL auto previous(auto px) const {

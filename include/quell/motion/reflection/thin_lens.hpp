@@ -9,7 +9,8 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// the normals of neighbouring pixels in this frame and are used for the previous frame too. Convex mirrors bring the image closer.
 struct ThinLens {
     using reads = Channels<Position, ReceiverPrevious, Normal>; ///< of this frame
-    float max_curvature = 50.f;                                 ///< limit of the absolute curvature, in 1 / world units
+    static constexpr int farthest_tap = 1;
+    float max_curvature = 50.f; ///< limit of the absolute curvature, in 1 / world units
 
     /// The virtual image of `point`. All in world space.
     template <class Px, class Plane, class V> QUELL_KERNEL V image(Px const& px, Plane const& plane, V const& point) const {

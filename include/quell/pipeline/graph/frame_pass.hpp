@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/execute/list_executor.hpp>
 #include <quell/frame/camera.hpp>
 #include <quell/frame/pixel_rays.hpp>
 #include <quell/pipeline/graph/image_pool.hpp>
@@ -38,9 +39,11 @@ struct FrameFacts {
     bool has_past = false;
 };
 
-/// What only the function of a kernel knows the types of. `target` is the image that the host wants the output in, if any.
+/// What only the function of a kernel knows the types of. `target` is the image that the host wants the output in, if any. `run_list` is of
+/// a ListExecutor; else null.
 struct TypedByKernel {
     void const *pipeline = nullptr, *frame = nullptr, *executor = nullptr, *target = nullptr;
+    void (*run_list)(void const* executor, std::span<ListedPass const>) = nullptr;
 };
 
 /// What a pass reads and writes, as images.
@@ -95,6 +98,7 @@ struct MadeChannels {
 struct FramePass {
     std::string_view name;
     int fraction = 1;               ///< runs at 1/fraction of the frame's width and height
+    int farthest_tap = 0;           ///< largest distance at which it looks at images of this frame, in its own pixels; or `anywhere`
     ChannelIds reads{};             ///< of the host's frame
     ChannelIds reads_made{};        ///< made by earlier passes of this frame
     ChannelIds reads_kept{};        ///< made in the last frame
@@ -105,7 +109,9 @@ struct FramePass {
     bool makes_signal = false;
     bool feeds_history = false; ///< the signal behind it is the past of the next frame
 
-    void (*run)(PassArguments const&) = nullptr;
+    void (*make_job)(PassArguments const&, std::byte* job) = nullptr; ///< writes its arguments in one frame
+    void (*run)(Region, std::byte const* job, void const* executor) = nullptr;
+    std::size_t job_bytes = 0;
     std::size_t kernel = 0; ///< where its kernel lies in PassList::kernels
 
     [[nodiscard]] constexpr bool reads_past() const { return reads_past_signal || reads_kept.size() > 0 || reads_remembered.size() > 0; }
@@ -120,7 +126,8 @@ struct GuideRepair {
     void (*run)(TypedByKernel const&, PooledImage const& copy) = nullptr;
 };
 
-/// Everything that run() does with a frame, in order: plain data that the pipeline's type and its numbers give.
+/// Everything that run() does with a frame, in order: plain data that the pipeline's type and its numbers give. What differs from frame to
+/// frame is none of it.
 struct PassList {
     FramePass ingest, fill_holes;
     std::vector<FramePass> passes; ///< after them
@@ -135,18 +142,18 @@ struct PassList {
     bool demodulates = false; ///< the output is another image than the signal
     bool has_target = false;  ///< the host gives an image for the output
 
-    void clear() {
+    constexpr void clear() {
         passes.clear(), repairs.clear(), kernels.clear();
         guide_count = 0;
     }
     /// Whether a pass behind pass i reads a channel.
-    [[nodiscard]] bool is_read_behind(ChannelId made, std::size_t i) const {
+    [[nodiscard]] constexpr bool is_read_behind(ChannelId made, std::size_t i) const {
         for (auto next = i + 1; next < passes.size(); ++next)
             if (passes[next].reads_made.has(made)) return true;
         return false;
     }
     /// Whether anything reads what pass i makes of a channel.
-    [[nodiscard]] bool is_wanted(ChannelId made, std::size_t i) const {
+    [[nodiscard]] constexpr bool is_wanted(ChannelId made, std::size_t i) const {
         for (auto next = i + 1; next < passes.size(); ++next) {
             if (passes[next].reads_made.has(made)) return true;
             if (passes[next].makes.has(made)) return false;
@@ -154,11 +161,12 @@ struct PassList {
         return keeps.has(made);
     }
     /// Whether a later pass or the next frame reads the signal that pass i makes.
-    [[nodiscard]] bool stores_signal(std::size_t i) const {
+    [[nodiscard]] constexpr bool stores_signal(std::size_t i) const {
         return passes[i].makes_signal && (i + 1 < passes.size() || passes[i].feeds_history);
     }
-    /// Stores a kernel, and returns its place.
-    template <class Kernel> std::size_t keep(Kernel const& kernel) {
+    /// Stores a kernel, and returns its place. A list that a compiler makes has no numbers: it is looked at, not run.
+    template <class Kernel> constexpr std::size_t keep(Kernel const& kernel) {
+        if (std::is_constant_evaluated()) return 0;
         auto const at = kernels.size();
         kernels.resize(at + sizeof(Kernel));
         std::memcpy(kernels.data() + at, &kernel, sizeof(Kernel));

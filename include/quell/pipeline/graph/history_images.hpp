@@ -2,9 +2,32 @@
 
 #include <quell/pipeline/graph/counts.hpp>
 #include <quell/pipeline/graph/frame_pass.hpp>
+#include <quell/pipeline/graph/listed_passes.hpp>
 #include <quell/pipeline/statistics.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
+
+/// A list of passes that is made again only where a frame is run otherwise than the last: with other numbers in the pipeline, another type
+/// of executor or of the frame, or up to another stage.
+class ListOnce {
+    PassList held;
+    void const* made_by = nullptr;
+    std::vector<std::byte> made_of;
+
+public:
+    [[nodiscard]] PassList const& list() const { return held; }
+    /// @param maker    its address tells all types that a list depends on
+    /// @param pipeline whose bytes tell its numbers. Other bytes in its gaps make another list of the same passes.
+    /// @param make     make(list)
+    template <class P> void update(void const* maker, P const& pipeline, auto const& make) {
+        if (made_by == maker && std::memcmp(made_of.data(), static_cast<void const*>(&pipeline), sizeof(P)) == 0) return;
+        made_by = nullptr; // until it is complete
+        make(held);
+        made_of.resize(sizeof(P));
+        std::memcpy(made_of.data(), static_cast<void const*>(&pipeline), sizeof(P));
+        made_by = maker;
+    }
+};
 
 /// What a history holds, whatever its pipeline.
 struct HistoryImages {
@@ -17,7 +40,9 @@ struct HistoryImages {
     PooledImage output{}; ///< for the host; may be the signal's image
     bool empty = true;    ///< whether `then` is no past of the next frame
     Statistics counted{};
-    PassList list{};                           ///< of the running frame
+    ListOnce passes{};                         ///< of the last frame, and of the next if it is run like the last
+    ListedPasses listed{};                     ///< of the running frame, for a ListExecutor
+    std::vector<std::byte> job{};              ///< of the running pass
     ImageTable made{}, made_out{}, repaired{}; ///< of the running frame
 
     /// Drops all history before the next frame.

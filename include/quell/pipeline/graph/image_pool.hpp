@@ -79,6 +79,9 @@ public:
         for (auto& [channel, image] : images)
             if (unwanted(channel)) image = {};
     }
+    void for_each(auto&& visit) const {
+        for (auto const& [channel, image] : images) visit(image);
+    }
     void swap(ImageTable& other) { images.swap(other.images); }
 
     /// The view of a channel's image; empty where there is none.

@@ -127,6 +127,7 @@ private:
 /// Stores the signal as it is. The last pass where no other one makes a signal.
 struct PassThrough {
     static constexpr auto name = "pass through";
+    static constexpr int farthest_tap = 0;
     QUELL_KERNEL auto filter(auto px) const { return px.signal(); }
 };
 

@@ -79,25 +79,34 @@ struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
 
     template <class Pass> static constexpr bool makes_signal = makes_signal_of<Pass, ScopeOf<Pass, true>>;
 
-    template <class Pass, bool marks> static void run(PassArguments const& a) {
+    template <class Pass, bool marks> static auto job_of(PassArguments const& a) {
         using S = ScopeOf<Pass, marks>;
         using Made = decltype(emits_of<Pass>{} | keeps_of<Pass>{});
         constexpr bool keeps_marks = marks && P::has_past && !is_temporal<Pass> && !std::is_same_v<Pass, FillHoles>;
         auto const made = a.images.made_out.template views<Storage>(Made{});
         auto const scope = scope_of<S, Pass>(a);
         auto const end = finish(a);
-        auto const job = PassJob<Pass, S, SignalView, std::remove_const_t<decltype(made)>, std::remove_const_t<decltype(end)>,
-                                 typename P::remembers, keeps_marks>{.pass = kernel<Pass>(a),
-                                                                     .scope = scope,
-                                                                     .signal = view_in<Storage, typename P::Signal>(a.images.signal_out),
-                                                                     .made = made,
-                                                                     .finish = end,
-                                                                     .store_signal = a.stores.signal,
-                                                                     .store_output = a.stores.output,
-                                                                     .store_remembered = a.stores.guides,
-                                                                     .stored_channels = stored(Made{}, a.images.made_out),
-                                                                     .counts = a.counts};
-        static_cast<E const*>(a.typed.executor)->for_each_pixel(Region{0, 0, scope.size.width, scope.size.height}, job);
+        return PassJob<Pass, S, SignalView, std::remove_const_t<decltype(made)>, std::remove_const_t<decltype(end)>, typename P::remembers,
+                       keeps_marks>{.pass = kernel<Pass>(a),
+                                    .scope = scope,
+                                    .signal = view_in<Storage, typename P::Signal>(a.images.signal_out),
+                                    .made = made,
+                                    .finish = end,
+                                    .store_signal = a.stores.signal,
+                                    .store_output = a.stores.output,
+                                    .store_remembered = a.stores.guides,
+                                    .stored_channels = stored(Made{}, a.images.made_out),
+                                    .counts = a.counts};
+    }
+    template <class Pass, bool marks> using JobOf = decltype(job_of<Pass, marks>(std::declval<PassArguments const&>()));
+
+    template <class Pass, bool marks> static void make_job(PassArguments const& a, std::byte* to) {
+        auto const job = job_of<Pass, marks>(a);
+        static_assert(std::is_trivially_copyable_v<JobOf<Pass, marks>>, "views, policies and camera of a pass are plain data");
+        std::memcpy(to, &job, sizeof(job));
+    }
+    template <class Pass, bool marks> static void run(Region region, std::byte const* job, void const* executor) {
+        static_cast<E const*>(executor)->for_each_pixel(region, from_bytes<JobOf<Pass, marks>>(job));
     }
 
     template <ChannelTag C> static void repair(TypedByKernel const& typed, PooledImage const& copy) {
@@ -113,11 +122,13 @@ private:
     template <class Pass> static Pass kernel(PassArguments const& a) {
         if constexpr (std::is_same_v<Pass, FillHoles>)
             return {a.step};
-        else {
-            alignas(Pass) std::array<std::byte, sizeof(Pass)> bytes;
-            std::memcpy(bytes.data(), a.kernel, sizeof(Pass));
-            return std::bit_cast<Pass>(bytes);
-        }
+        else
+            return from_bytes<Pass>(a.kernel);
+    }
+    template <class T> static T from_bytes(std::byte const* memory) {
+        alignas(T) std::array<std::byte, sizeof(T)> bytes;
+        std::memcpy(bytes.data(), memory, sizeof(T));
+        return std::bit_cast<T>(bytes);
     }
     /// A bit for each channel, in order: whether it has an image.
     template <class... Cs> static unsigned stored(Channels<Cs...>, ImageTable const& images) {

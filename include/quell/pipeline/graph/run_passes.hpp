@@ -23,7 +23,7 @@ class PassRunner {
     bool nothing_seen = false; ///< whether all samples are missing
 
 public:
-    PassRunner(HistoryImages& h, TypedByKernel const& t, FrameInput const& frame) : list(h.list), history(h), typed(t) {
+    PassRunner(HistoryImages& h, TypedByKernel const& t, FrameInput const& frame) : list(h.passes.list()), history(h), typed(t) {
         facts.has_past = history.start(frame.size, frame.number);
         auto const& then = history.then;
         auto const& camera_then = facts.has_past ? then.camera : frame.camera;
@@ -41,7 +41,9 @@ public:
 
     void run() {
         ingest();
+        history.listed.clear();
         for (std::size_t i = 0; i < list.passes.size(); ++i) run_listed(i);
+        if (typed.run_list) typed.run_list(typed.executor, history.listed.complete());
         end();
     }
 
@@ -82,12 +84,13 @@ private:
             take_guides(pass);
             stores.guides = list.guide_count > 0;
         }
-        run_pass(pass, stores, nullptr, 0, last);
+        run_pass(pass, stores, nullptr, 0, true, last);
         if (pass.feeds_history) history.now.signal = signal;
         for (auto const& each : pass.makes) history.made[each.id] = std::exchange(history.made_out[each.id], {});
         drop_unread(i);
     }
-    void run_pass(FramePass const& pass, PassStores stores, Counts* counts, int step = 0, bool last = false) {
+    /// @param listed whether a ListExecutor may run it later
+    void run_pass(FramePass const& pass, PassStores stores, Counts* counts, int step = 0, bool listed = false, bool last = false) {
         auto next = signal;
         if (pass.makes_signal) next = stores.signal ? history.pool->take(list.signal) : PooledImage{};
         if (last) take_output(next, stores);
@@ -99,8 +102,18 @@ private:
                                 .made_out = history.made_out,
                                 .guides_out = history.now.guides,
                                 .output = history.output};
-        pass.run({list.kernels.data() + pass.kernel, facts, typed, images, stores, counts, step});
+        PassArguments const arguments{list.kernels.data() + pass.kernel, facts, typed, images, stores, counts, step};
+        if (listed && typed.run_list)
+            history.listed.add(pass, arguments);
+        else
+            run_now(pass, arguments);
         signal = next;
+    }
+    void run_now(FramePass const& pass, PassArguments const& arguments) {
+        history.job.resize(std::max(history.job.size(), pass.job_bytes));
+        pass.make_job(arguments, history.job.data());
+        auto const size = divided(facts.size, pass.fraction);
+        pass.run({0, 0, size.width, size.height}, history.job.data(), typed.executor);
     }
     /// The last pass also writes the guides for the next frame. Those of the last frame that it doesn't read are overwritten in place.
     void take_guides(FramePass const& last) {

@@ -9,6 +9,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// History fetch for two layers: the moving one from where the motion source says, the static one from the same pixel.
 /// @tparam S the pipeline's signal
 template <ChannelTag S> struct LayerFetch {
+    static constexpr int farthest_tap = 0;
     using Signal = S;
     bool sharp = true; ///< Catmull-Rom interpolation of the moving layer; false: bilinear, which blurs a little more in each frame
 
@@ -36,6 +37,7 @@ template <ChannelTag S> struct LayerBlend {
     using Signal = S;
     using reads = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep>;
     using keeps = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep, HistoryLength>;
+    static constexpr int farthest_tap = 0;
     float cap = 8.f; ///< frames that the moving layer averages at most; at least 1
 
     /// Of the moving layer. Once over, since layers leave the image.

@@ -20,8 +20,9 @@ template <ChannelTag S, class Trajectories = StraightTrajectories> struct LayerS
     using reads = Channels<Depth, GuideSweep>;
     using emits = Channels<MovingLayer<Signal>, StaticLayer<Signal>, MeanSweep>;
     static constexpr int radius = 2; ///< pixels: MB's 5x5
-    PathWeight weight{};             ///< by closest approach
-    float depth_tolerance = 0.02f;   ///< relative difference of depth from which on a surface is behind another
+    static constexpr int farthest_tap = radius;
+    PathWeight weight{};           ///< by closest approach
+    float depth_tolerance = 0.02f; ///< relative difference of depth from which on a surface is behind another
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;

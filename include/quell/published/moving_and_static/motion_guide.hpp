@@ -72,6 +72,8 @@ template <class Trajectories> struct MotionRow {
     int radius;
     float depth_tolerance;
 
+    constexpr int farthest_tap() const { return radius; }
+
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
         auto const nearest = still_depth<Trajectories>(px);
@@ -115,6 +117,8 @@ template <class Trajectories> struct MotionColumn {
                                      Channels<GuideSweep, GuideAxis, GuideSpread>>;
     int radius;
     float depth_tolerance;
+
+    constexpr int farthest_tap() const { return radius; }
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;

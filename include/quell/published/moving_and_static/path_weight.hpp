@@ -8,6 +8,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// 4 where the velocities around vary; 0 where it passes while the shutter is closed.
 struct PathWeight {
     using reads = Channels<GuideSpread>;
+    static constexpr int farthest_tap = 0;
     float length_influence = 10.f; ///< beta_l of the paper
     float angle_influence = 1.f;   ///< beta_a of the paper
     float max_increase = 1.f;      ///< largest increase of the reach by each of the two variances: 1 doubles it

@@ -23,6 +23,8 @@ template <ChannelTag From> struct LongestSweep {
     using emits = Channels<DominantSweep>;
     int right, down; ///< the step, in pixels
 
+    constexpr int farthest_tap() const { return right > down ? right : down; }
+
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
         auto longest = Trajectory<Real>::of(px[From{}], Real(0.5f));
