@@ -57,6 +57,8 @@ def write(path: Path, planes: Mapping[str, Any], attributes: Optional[Mapping[st
             listed += [(prefix + letter, kind, _floats(array[:, :, c])) for c, letter in enumerate("RGBA"[: array.shape[2]])]
         else:
             raise Error(f"plane '{name}': its shape is {array.shape}; give (height, width), or (height, width, 3 or 4)")
+    if not listed:
+        raise Error(f"{os.fspath(path)}: it has no planes; give at least one")
     for name, _, array in listed:
         if array.shape != listed[0][2].shape:
             raise Error(f"plane '{name}': its shape is {array.shape}, that of '{listed[0][0]}' {listed[0][2].shape}; give planes of one size")
