@@ -13,10 +13,13 @@ _DEVICE_NAMES = {2: "CUDA", 4: "OpenCL", 7: "Vulkan", 8: "Metal", 10: "ROCm", 14
 _DLPACK_SAYS_READ_ONLY = tuple(int(part) for part in np.__version__.split(".")[:2]) >= (2, 1)
 
 
+Array = np.ndarray[Any, Any]
+
+
 class Lent(NamedTuple):
     """Memory of another's."""
 
-    array: np.ndarray
+    array: Array
     is_writable: bool
 
 

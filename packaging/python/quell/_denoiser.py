@@ -1,10 +1,10 @@
 import operator
-from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, Mapping, NamedTuple, Optional, Sequence
 
 import numpy as np
 
 from . import _library
-from ._arrays import lent
+from ._arrays import Array, lent
 from ._errors import Error
 
 
@@ -106,12 +106,12 @@ class Denoiser:
         return self._preset
 
     @property
-    def size(self) -> Tuple[int, int]:
+    def size(self) -> tuple[int, int]:
         """Height and width."""
         return self._size
 
     @property
-    def reads(self) -> Dict[str, int]:
+    def reads(self) -> dict[str, int]:
         """The channels that a frame must have, and how many components each has. docs/channels.md says what they hold."""
         return dict(self._reads)
 
@@ -138,22 +138,22 @@ class Denoiser:
     def __repr__(self) -> str:
         return f"Denoiser({self._preset!r}, {self._size})"
 
-    def _output_shape(self) -> Tuple[int, ...]:
+    def _output_shape(self) -> tuple[int, ...]:
         components = self._denoiser.output_components()
         return self._size if components == 1 else (*self._size, components)
 
 
-def presets() -> List[str]:
+def presets() -> list[str]:
     """Names of presets: docs/presets.md says what they are for."""
     return _library.presets()
 
 
-def instruction_sets() -> List[str]:
+def instruction_sets() -> list[str]:
     """Names of instruction sets that quell is compiled for, the best first."""
     return _library.instruction_sets()
 
 
-def _packed(camera: Optional[Camera]) -> Optional[np.ndarray]:
+def _packed(camera: Optional[Camera]) -> Optional[Array]:
     if camera is None or isinstance(camera, Camera):
         return None if camera is None else camera._packed
     raise Error(f"camera: it is a {type(camera).__name__}; give a quell.Camera")
@@ -166,7 +166,7 @@ def _whole(what: str, value: Any, bits: int) -> int:
     return number
 
 
-def _numbers(what: str, values: Any, shape: Tuple[int, ...]) -> np.ndarray:
+def _numbers(what: str, values: Any, shape: tuple[int, ...]) -> Array:
     """A few numbers of any type as floats: a copy."""
     try:
         numbers = np.array(values, np.float32)

@@ -1,4 +1,5 @@
 from enum import IntEnum
+from typing import Any
 
 
 class Status(IntEnum):
@@ -21,5 +22,5 @@ class Error(ValueError):
         super().__init__(sentence)
         self.status = Status(status)
 
-    def __reduce__(self):  # for processes that send it to others
+    def __reduce__(self) -> tuple[Any, ...]:  # for processes that send it to others
         return type(self), (str(self), int(self.status))

@@ -1,8 +1,6 @@
-from typing import Any, Callable, Iterable, Iterator, Mapping, Optional
+from typing import Any, Callable, Iterable, Iterator, Mapping, Optional, Sized
 
-import numpy as np
-
-from ._arrays import lent
+from ._arrays import Array, lent
 from ._denoiser import Denoiser
 from ._errors import Error
 
@@ -14,14 +12,14 @@ def denoise(
     progress: Optional[Callable[[int, Optional[int]], None]] = None,
     threads: int = 0,
     instruction_set: Optional[str] = None,
-) -> Iterator[np.ndarray]:
+) -> Iterator[Array]:
     """Denoises a sequence and yields a new array for each frame.
 
     Each frame is a dict as Denoiser takes it. Frames are taken from `frames` as they are needed, and let go of when they are done with.
     After each, progress(done, total) is called; the total is None where `frames` has no length. Ctrl-C and exceptions of `progress` end
     it between two frames.
     """
-    total = len(frames) if hasattr(frames, "__len__") else None
+    total = len(frames) if isinstance(frames, Sized) else None
     denoiser: Optional[Denoiser] = None
     for done, frame in enumerate(frames, 1):
         if denoiser is None:

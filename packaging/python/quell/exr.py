@@ -1,18 +1,18 @@
 """OpenEXR files, by the names that quell's programs have for channels."""
 
 import os
-from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Union
+from typing import Any, Iterable, Mapping, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 
-from ._arrays import lent
+from ._arrays import Array, lent
 from ._denoiser import Camera
 from ._errors import Error, Status
 
 try:
     from . import _exr
 except ImportError:
-    _exr = None  # built without OpenEXR
+    _exr = None  # type: ignore[assignment] # built without OpenEXR
 
 __all__ = ["Image", "read", "read_frame", "signals", "write"]
 
@@ -24,8 +24,8 @@ _NAMES = {np.dtype(number): name for name, number in _TYPES.items()}
 class Image(NamedTuple):
     """Contents of a file."""
 
-    planes: Dict[str, np.ndarray]  #: by name, such as "albedo.R": shape (height, width), of the type that the file has
-    attributes: Dict[str, Any]  #: str, int, float, (x, y), or a 4x4 matrix that is indexed by row and column
+    planes: dict[str, Array]  #: by name, such as "albedo.R": shape (height, width), of the type that the file has
+    attributes: dict[str, Any]  #: str, int, float, (x, y), or a 4x4 matrix that is indexed by row and column
 
 
 def read(path: Path, names: Optional[Iterable[str]] = None) -> Image:
@@ -65,9 +65,10 @@ def write(path: Path, planes: Mapping[str, Any], attributes: Optional[Mapping[st
     _module().write(os.fspath(path), listed, dict(attributes or {}))
 
 
-def signals(path: Path) -> List[str]:
+def signals(path: Path) -> list[str]:
     """The signals of a file of quell's or of Blender's: each is denoised by itself."""
-    return _module().signals(os.fspath(path))
+    names: list[str] = _module().signals(os.fspath(path))
+    return names
 
 
 def read_frame(
@@ -76,13 +77,14 @@ def read_frame(
     *,
     names: Optional[Mapping[str, Sequence[str]]] = None,
     signal: Optional[str] = None,
-) -> Dict[str, Any]:
+) -> dict[str, Any]:
     """Reads a frame: the dict that a Denoiser takes, with "camera" and "shutter" where the file has them.
 
     channels: those to read, such as denoiser.reads; None: all that the file has.
     names: planes of the file by channel, one for each component, as {"depth": ["Z"]}. The rest goes by quell's names or by Blender's.
     signal: which of several, see signals().
     """
+    found: dict[str, Any]
     found, camera, shutter = _module().read_frame(
         os.fspath(path),
         None if channels is None else list(channels),
@@ -96,7 +98,7 @@ def read_frame(
     return found
 
 
-def _floats(array: np.ndarray) -> np.ndarray:
+def _floats(array: Array) -> Array:
     floats = np.ascontiguousarray(array, np.float32)
     if array.dtype == np.uint32 and array.size and array.max() > 2**24:
         raise Error(f"a plane of integers: one is {array.max()}; give at most 2^24")

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple, Optional
 import numpy as np
 
 from . import _metrics
-from ._arrays import lent
+from ._arrays import Array, lent
 from ._errors import Error
 
 __all__ = ["Flip", "displayed", "flip", "rmse", "ssim"]
@@ -19,10 +19,10 @@ class Flip(NamedTuple):
     """What flip() returns."""
 
     mean: float  #: over the pixels that count
-    errors: np.ndarray  #: of each pixel, from 0 (none) to 1; shape (height, width)
+    errors: Array  #: of each pixel, from 0 (none) to 1; shape (height, width)
 
 
-def displayed(linear: Any) -> np.ndarray:
+def displayed(linear: Any) -> Array:
     """What a screen shows of linear light: components clamped to [0, 1] and sRGB-encoded."""
     return _metrics.displayed(_picture("linear", linear))
 
@@ -42,7 +42,7 @@ def flip(reference: Any, test: Any, mask: Any = None, pixels_per_degree: float =
     return Flip(*_metrics.flip(_picture("reference", reference), _picture("test", test), _mask(mask), pixels_per_degree))
 
 
-def _picture(what: str, value: Any) -> np.ndarray:
+def _picture(what: str, value: Any) -> Array:
     array = lent(what, value).array
     if array.dtype.kind != "f" or array.dtype.itemsize > 4:
         raise Error(f"{what}: its numbers are {array.dtype}; give float32 or float16, components of 8 bits divided by 255")
@@ -51,5 +51,5 @@ def _picture(what: str, value: Any) -> np.ndarray:
     return np.ascontiguousarray(array[:, :, :3], np.float32)
 
 
-def _mask(value: Any) -> Optional[np.ndarray]:
+def _mask(value: Any) -> Optional[Array]:
     return None if value is None else np.ascontiguousarray(lent("mask", value).array != 0).view(np.uint8)
