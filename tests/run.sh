@@ -46,10 +46,10 @@ build_and_test() {
 }
 
 step_gcc() {
-    # One storage and a preset of each kind are enough to see that the benchmarks run, and two presets that libquell does. The compiler goes by CXX, which a folder that the
+    # One storage and a preset of each kind are enough to see that the benchmarks run, and two presets that libquell and Python do. The compiler goes by CXX, which a folder that the
     # demo has configured already ignores: CMake would start such a folder afresh for another CMAKE_CXX_COMPILER, and forget all that
     # stands on this line.
-    CXX=g++ cmake --preset release -D "QUELL_BENCH_STORAGES=Planar<>" -D "QUELL_BENCH_PRESETS=svgf;trmv;blur" -D QUELL_LIBRARY=ON \
+    CXX=g++ cmake --preset release -D "QUELL_BENCH_STORAGES=Planar<>" -D "QUELL_BENCH_PRESETS=svgf;trmv;blur" -D QUELL_LIBRARY=ON -D QUELL_PYTHON=ON \
         -D "QUELL_PRESETS=svgf;general"
     if [ ${#only[@]} -gt 0 ]; then
         build_and_test build/release "${only[@]}"
@@ -109,7 +109,7 @@ step_cuda() {
     [ "$status" = 77 ] || return "$status" # 77: without nvcc
 }
 
-need_packages "${build_packages[@]}" "${library_packages[@]}" "${program_packages[@]}" "${test_packages[@]}"
+need_packages "${build_packages[@]}" "${library_packages[@]}" "${program_packages[@]}" "${python_packages[@]}" "${test_packages[@]}"
 wish_for_browser
 wish_for_slurm
 steps=()

@@ -29,6 +29,7 @@ def _build_modules(build_folder: pathlib.Path, package_folder: pathlib.Path) -> 
 
     options = {
         "CMAKE_BUILD_TYPE": "Release",
+        "CMAKE_CXX_FLAGS_RELEASE": "-O2 -DNDEBUG",  # as all of quell's programs
         "CMAKE_INSTALL_PREFIX": package_folder,
         "QUELL_DEVELOP": "OFF",
         "QUELL_INSTALL": "ON",

@@ -129,10 +129,10 @@ class Memory(unittest.TestCase):
         program = """
 import resource, numpy as np, quell
 from walls import wall, same_bits
-frame, small = wall(720, 1280), wall(16, 16)
-out = np.empty((720, 1280, 3), np.float32)
+frame, small = wall(360, 640), wall(16, 16)
+out = np.empty((360, 640, 3), np.float32)
 quell.Denoiser("svgf", (16, 16))(small)  # threads have their stacks
-denoiser = quell.Denoiser("svgf", (720, 1280))
+denoiser = quell.Denoiser("svgf", (360, 640))
 used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
 resource.setrlimit(resource.RLIMIT_AS, (used + (8 << 20), resource.RLIM_INFINITY))
 try:
@@ -142,7 +142,7 @@ except MemoryError as error:
     print(error)
 resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
 denoiser(frame, out=out)
-print(same_bits(out, quell.Denoiser("svgf", (720, 1280))(frame)))
+print(same_bits(out, quell.Denoiser("svgf", (360, 640))(frame)))
 """
         ran = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, cwd=pathlib.Path(__file__).parent)
         self.assertEqual(ran.returncode, 0, ran.stderr + ran.stdout)
@@ -153,8 +153,8 @@ print(same_bits(out, quell.Denoiser("svgf", (720, 1280))(frame)))
 
 class Threads(unittest.TestCase):
     def test_two_threads_with_one_denoiser(self):
-        frame = wall(720, 1280)
-        denoiser = quell.Denoiser("svgf", (720, 1280))
+        frame = wall(360, 640)
+        denoiser = quell.Denoiser("svgf", (360, 640))
         errors, stop = [], threading.Event()
 
         def run():
@@ -177,7 +177,7 @@ class Threads(unittest.TestCase):
         self.assertEqual(errors[0].status, quell.Status.BUSY)
         self.assertIn("another thread runs this denoiser", str(errors[0]))
         denoiser.forget()
-        self.assertTrue(same_bits(denoiser(frame), quell.Denoiser("svgf", (720, 1280))(frame)))
+        self.assertTrue(same_bits(denoiser(frame), quell.Denoiser("svgf", (360, 640))(frame)))
 
     def test_two_denoisers_in_two_threads_do_not_meet(self):
         frames = [wall(HEIGHT, WIDTH, seed) for seed in range(8)]
@@ -195,8 +195,8 @@ class Threads(unittest.TestCase):
         self.assertTrue(same_bits(made["a"], wanted) and same_bits(made["b"], wanted))
 
     def test_other_threads_run_meanwhile(self):
-        frame = wall(1080, 1920)
-        denoiser = quell.Denoiser("svgf", (1080, 1920))
+        frame = wall(720, 1280)
+        denoiser = quell.Denoiser("svgf", (720, 1280))
         denoiser(frame)
         times = {}
 
@@ -219,8 +219,8 @@ class Threads(unittest.TestCase):
 
 class Interrupts(unittest.TestCase):
     def test_ctrl_c_while_a_frame_runs_ends_behind_it(self):
-        frame = wall(720, 1280)
-        denoiser = quell.Denoiser("svgf", (720, 1280))
+        frame = wall(360, 640)
+        denoiser = quell.Denoiser("svgf", (360, 640))
         first = denoiser(frame)
         timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
         began = time.monotonic()

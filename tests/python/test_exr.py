@@ -8,22 +8,9 @@ import numpy as np
 
 import quell
 from quell import exr
-from walls import same_bits, wall
+from walls import planes_of, same_bits, wall
 
 HEIGHT, WIDTH = 20, 30
-LETTERS = {"radiance": "RGB", "albedo": "RGB", "normal": "XYZ", "depth": "Z", "motion": "XY"}
-
-
-def planes_of(frame):
-    """As quell's programs name them."""
-    planes = {}
-    for name, letters in LETTERS.items():
-        for c, letter in enumerate(letters):
-            plane = frame[name] if frame[name].ndim == 2 else frame[name][..., c]
-            planes[letter if name == "radiance" else f"{name}.{letter}"] = plane
-    return planes
-
-
 @unittest.skipUnless(exr._exr, "skipped: quell was built without OpenEXR (apt install libopenexr-dev)")
 class Files(unittest.TestCase):
     def setUp(self):

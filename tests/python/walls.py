@@ -24,6 +24,19 @@ def wall(height, width, seed=1):
     }
 
 
+LETTERS = {"radiance": "RGB", "albedo": "RGB", "normal": "XYZ", "depth": "Z", "motion": "XY"}
+
+
+def planes_of(frame):
+    """As quell's programs name them."""
+    planes = {}
+    for name, letters in LETTERS.items():
+        for c, letter in enumerate(letters):
+            plane = frame[name] if frame[name].ndim == 2 else frame[name][..., c]
+            planes[letter if name == "radiance" else f"{name}.{letter}"] = plane
+    return planes
+
+
 def in_c(preset, frames):
     """The pictures that C makes of these frames."""
     height, width = frames[0]["radiance"].shape[:2]
