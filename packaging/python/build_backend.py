@@ -76,9 +76,9 @@ class BdistWheel(bdist_wheel):
 class Sdist(sdist):
     """The sources that CMake wants."""
 
-    def add_defaults(self) -> None:
-        super().add_defaults()
-        self.filelist.process_template_line("include CMakeLists.txt LICENSE docs/python.md")
+    def make_distribution(self) -> None:
+        self.filelist.process_template_line("include CMakeLists.txt docs/python.md")
         for folder in ("include", "packaging", "examples/dispatch", "examples/support"):
             self.filelist.process_template_line(f"graft {folder}")
-        self.filelist.process_template_line("global-exclude __pycache__/* *.pyc")
+        self.filelist.process_template_line("global-exclude *.pyc")
+        super().make_distribution()
