@@ -1,6 +1,7 @@
 /* What the tests compare with: denoises frames of a file by quell.h alone.
  *     in_c PRESET WIDTH HEIGHT FRAMES IN OUT
- * IN has floats: of each frame all channels in the preset's order, each pixel by pixel. OUT gets the pictures one after another. */
+ * IN has floats: a quell_camera; then of each frame all channels in the preset's order, each pixel by pixel. OUT gets the pictures one after
+ * another. */
 #include <quell.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,6 +15,7 @@ int main(int argc, char **argv) {
     quell_settings settings = QUELL_SETTINGS;
     quell_frame frame = QUELL_FRAME;
     quell_denoiser *denoiser;
+    quell_camera camera;
     quell_channel channels[16];
     float *memory[17];
     size_t sizes[17], count = 0, i;
@@ -35,6 +37,8 @@ int main(int argc, char **argv) {
     frame.output = QUELL_PIXELS(memory[count], quell_output_components(denoiser));
     in = fopen(argv[5], "rb"), out = fopen(argv[6], "wb");
     if (in == NULL || out == NULL) return fails("open");
+    if (fread(&camera, sizeof(camera), 1, in) != 1) return fails("read");
+    frame.camera = &camera;
     for (n = 0; n < atol(argv[4]); ++n) {
         for (i = 0; i < count; ++i)
             if (fread(memory[i], sizeof(float), sizes[i], in) != sizes[i]) return fails("read");

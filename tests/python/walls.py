@@ -37,16 +37,33 @@ def planes_of(frame):
     return planes
 
 
+def some_camera():
+    """A camera that no transposition leaves as it is."""
+    view = np.eye(4, dtype=np.float32)
+    view[:3, 3] = 0.5, 0.25, -1
+    return quell.Camera(view, [[1.5, 0, 0, 0], [0, 2, 0, 0], [0, 0, -1, -0.2], [0, 0, -1, 0]], (0.25, -0.125))
+
+
+def of_all_channels(denoiser, seed):
+    """A frame of noise in all channels that a preset reads, seen by some_camera()."""
+    random = np.random.default_rng(seed)
+    frame = {name: random.random((*denoiser.size, components), np.float32) for name, components in denoiser.reads.items()}
+    return {**frame, "camera": some_camera()}
+
+
 def in_c(preset, frames):
-    """The pictures that C makes of these frames."""
-    height, width = frames[0]["radiance"].shape[:2]
+    """The pictures that C makes of these frames, seen by some_camera()."""
+    height, width = frames[0]["depth"].shape[:2]
     denoiser = quell.Denoiser(preset, (height, width))
+    camera = some_camera()
+    columns = [camera.view.ravel(order="F"), camera.projection.ravel(order="F"), camera.jitter]
     with tempfile.TemporaryDirectory() as folder:
         given, made = pathlib.Path(folder) / "in", pathlib.Path(folder) / "out"
-        given.write_bytes(b"".join(np.ascontiguousarray(frame[name], np.float32).tobytes() for frame in frames for name in denoiser.reads))
+        channels = b"".join(np.ascontiguousarray(frame[name], np.float32).tobytes() for frame in frames for name in denoiser.reads)
+        given.write_bytes(np.concatenate(columns).tobytes() + channels)
         command = [os.environ["QUELL_IN_C"], preset, str(width), str(height), str(len(frames)), str(given), str(made)]
         subprocess.run(command, check=True)
-        return np.fromfile(made, np.float32).reshape(len(frames), height, width, 3)
+        return np.fromfile(made, np.float32).reshape(len(frames), height, width, -1)
 
 
 def pictures(denoiser, frames, **options):
