@@ -16,15 +16,15 @@ int main(int argc, char **argv) {
     quell_frame frame = QUELL_FRAME;
     quell_denoiser *denoiser;
     quell_camera camera;
-    quell_channel channels[16];
-    float *memory[17];
-    size_t sizes[17], count = 0, i;
+    quell_channel channels[32];
+    float *memory[33];
+    size_t sizes[33], count = 0, i;
     long n;
     FILE *in, *out;
     if (argc != 7) return fails("in_c PRESET WIDTH HEIGHT FRAMES IN OUT");
     settings.preset = argv[1], settings.width = atoi(argv[2]), settings.height = atoi(argv[3]);
     if (quell_create(&settings, &denoiser) != QUELL_OK) return fails("create");
-    for (; count < 16 && quell_channel_name(denoiser, (int)count) != NULL; ++count) {
+    for (; count < 32 && quell_channel_name(denoiser, (int)count) != NULL; ++count) {
         const char *const name = quell_channel_name(denoiser, (int)count);
         const int components = quell_channel_components(denoiser, name);
         sizes[count] = (size_t)(settings.width * settings.height * components);

@@ -53,7 +53,7 @@ def of_all_channels(denoiser, seed):
 
 def in_c(preset, frames):
     """The pictures that C makes of these frames, seen by some_camera()."""
-    height, width = frames[0]["depth"].shape[:2]
+    height, width = next(iter(frames[0].values())).shape[:2]
     denoiser = quell.Denoiser(preset, (height, width))
     camera = some_camera()
     columns = [camera.view.ravel(order="F"), camera.projection.ravel(order="F"), camera.jitter]
