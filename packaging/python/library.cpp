@@ -59,6 +59,13 @@ quell_image image_of(std::string const& what, py::array const& array, int compon
             has_components ? stride(2) : 0,  stride(1), stride(0)};
 }
 
+/// A frame in the words of quell.h, and what it points to. The arrays are Python's.
+struct Given {
+    quell_frame frame = QUELL_FRAME;
+    std::vector<quell_channel> channels{};
+    quell_camera seen_by{};
+};
+
 /// A denoiser of the library's. Python holds it, and the arrays of a call, for as long as a call runs.
 class Denoiser {
     struct Destroy {
@@ -66,37 +73,38 @@ class Denoiser {
     };
     std::unique_ptr<quell_denoiser, Destroy> denoiser;
     int width, height;
+    bool is_two_sided;
 
 public:
-    Denoiser(std::string const& preset, int w, int h, int threads, char const* instruction_set) : width(w), height(h) {
+    /// @param motion the four numbers of quell_motion
+    Denoiser(std::string const& preset, int w, int h, int threads, char const* instruction_set, bool two_sided, bool alpha,
+             py::tuple const& motion)
+        : width(w), height(h), is_two_sided(two_sided) {
         quell_settings settings = QUELL_SETTINGS;
         settings.preset = preset.c_str(), settings.width = w, settings.height = h;
         settings.threads = threads, settings.instruction_set = instruction_set;
+        settings.two_sided = two_sided, settings.alpha = alpha;
+        settings.motion = {motion[0].cast<int>(), motion[1].cast<int>(), motion[2].cast<int>(), motion[3].cast<int>()};
         quell_denoiser* made = nullptr;
         check(quell_create(&settings, &made));
         denoiser.reset(made);
     }
 
-    /// @param channels arrays by name
-    /// @param camera 34 floats as quell_camera has them, or None
-    /// @param number an int, or None
-    void run(py::dict const& channels, py::array const& out, py::object const& camera, py::object const& number, float shutter) {
-        quell_camera seen_by{};
-        quell_frame frame = QUELL_FRAME;
-        auto const images = images_of(channels);
-        frame.channels = images.data(), frame.channel_count = images.size();
-        frame.output = image_of("out", out, quell_output_components(denoiser.get()), width, height);
-        if (!camera.is_none()) {
-            auto const numbers = camera.cast<py::array_t<float, py::array::c_style>>();
-            static_assert(sizeof(quell_camera) == 34 * sizeof(float));
-            if (numbers.size() == 34) std::memcpy(&seen_by, numbers.data(), sizeof(seen_by)), frame.camera = &seen_by;
+    /// Denoises the first of some frames.
+    /// @param frames (channels, camera, number, shutter) each: arrays by name; 34 floats as quell_camera has them, or None; an int, or None
+    void run(py::list const& frames, py::array const& out) {
+        auto const given = std::make_unique<Given[]>(frames.size()); // its frames point into it
+        std::vector<quell_frame> all;
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            take(given[i], frames[i].cast<py::tuple>(), i == 0 ? "" : "later[" + std::to_string(i - 1) + "]: ");
+            all.push_back(given[i].frame);
         }
-        if (!number.is_none()) frame.number = number.cast<std::int64_t>(), frame.has_number = 1;
-        frame.shutter = shutter;
+        all[0].output = image_of("out", out, quell_output_components(denoiser.get()), width, height);
         quell_status status = QUELL_OK;
         {
             py::gil_scoped_release const released;
-            status = quell_run(denoiser.get(), &frame);
+            status = is_two_sided || all.size() > 1 ? quell_run_two_sided(denoiser.get(), all.data(), all.size())
+                                                    : quell_run(denoiser.get(), all.data());
         }
         check(status);
         if (PyErr_CheckSignals() != 0) throw py::error_already_set(); // Ctrl-C while it ran
@@ -107,11 +115,13 @@ public:
         check(quell_get_statistics(denoiser.get(), &counted));
         return py::make_tuple(counted.frames, counted.resets, counted.missing_samples, counted.repaired_guides, counted.bytes);
     }
-    [[nodiscard]] py::dict reads() const {
-        py::dict components;
+    /// (name, components, whether frames may lack it) each.
+    [[nodiscard]] py::list channels() const {
+        py::list all;
         for (std::int32_t i = 0; char const* const name = quell_channel_name(denoiser.get(), i); ++i)
-            components[name] = quell_channel_components(denoiser.get(), name);
-        return components;
+            all.append(
+                py::make_tuple(name, quell_channel_components(denoiser.get(), name), quell_channel_is_optional(denoiser.get(), name) != 0));
+        return all;
     }
     [[nodiscard]] int output_components() const { return quell_output_components(denoiser.get()); }
     [[nodiscard]] bool needs_camera() const { return quell_needs_camera(denoiser.get()) != 0; }
@@ -119,14 +129,27 @@ public:
     [[nodiscard]] std::string plan() const { return quell_plan(denoiser.get()); }
 
 private:
+    /// @param prefix of what errors name
+    void take(Given& given, py::tuple const& frame, std::string const& prefix) const {
+        given.channels = images_of(frame[0].cast<py::dict>(), prefix);
+        given.frame.channels = given.channels.data(), given.frame.channel_count = given.channels.size();
+        if (!frame[1].is_none()) {
+            auto const numbers = frame[1].cast<py::array_t<float, py::array::c_style>>();
+            static_assert(sizeof(quell_camera) == 34 * sizeof(float));
+            if (numbers.size() == 34)
+                std::memcpy(&given.seen_by, numbers.data(), sizeof(given.seen_by)), given.frame.camera = &given.seen_by;
+        }
+        if (!frame[2].is_none()) given.frame.number = frame[2].cast<std::int64_t>(), given.frame.has_number = 1;
+        given.frame.shutter = frame[3].cast<float>();
+    }
     /// Their names are those of the dict's strings.
-    [[nodiscard]] std::vector<quell_channel> images_of(py::dict const& channels) const {
+    [[nodiscard]] std::vector<quell_channel> images_of(py::dict const& arrays, std::string const& prefix) const {
         std::vector<quell_channel> images;
-        for (auto const& [key, value] : channels) {
+        for (auto const& [key, value] : arrays) {
             char const* const name = PyUnicode_AsUTF8(key.ptr());
             if (name == nullptr) throw py::error_already_set();
             auto const components = quell_channel_components(denoiser.get(), name);
-            auto const what = "channel '" + std::string(name) + "'";
+            auto const what = prefix + "channel '" + name + "'";
             // The library has a sentence for names that the preset does not read.
             auto const array = py::reinterpret_borrow<py::array>(value);
             images.push_back({name, components > 0 ? image_of(what, array, components, width, height) : quell_image{}});
@@ -149,11 +172,11 @@ PYBIND11_MODULE(_library, module) {
     module.def("presets", [] { return names(quell_preset_name); });
     module.def("instruction_sets", [] { return names(quell_instruction_set_name); });
     py::class_<Denoiser>(module, "Denoiser")
-        .def(py::init<std::string const&, int, int, int, char const*>())
+        .def(py::init<std::string const&, int, int, int, char const*, bool, bool, py::tuple const&>())
         .def("run", &Denoiser::run)
         .def("forget", &Denoiser::forget)
         .def("statistics", &Denoiser::statistics)
-        .def("reads", &Denoiser::reads)
+        .def("channels", &Denoiser::channels)
         .def("output_components", &Denoiser::output_components)
         .def("needs_camera", &Denoiser::needs_camera)
         .def("instruction_set", &Denoiser::instruction_set)

@@ -1,5 +1,5 @@
 import operator
-from typing import Any, Mapping, NamedTuple, Optional, Sequence
+from typing import Any, Iterable, Mapping, NamedTuple, Optional, Sequence
 
 import numpy as np
 
@@ -42,18 +42,33 @@ class Statistics(NamedTuple):
 class Denoiser:
     """Denoises the frames of one view, which has a history.
 
-    `preset` is one of presets(), `size` is (height, width). `threads`: 0 for all that there are; results do not depend on it.
-    `instruction_set`: one of instruction_sets(), or None for the best that the machine has.
+    preset: one of presets(). size: (height, width). threads: 0 for all that there are; results do not depend on it.
+    instruction_set: one of instruction_sets(), or None for the best that the machine has.
+    two_sided: for calls with `later`, which the presets general and final-frame can.
+    alpha: for radiance with alpha, the channel radiance_alpha, which the same presets can.
+    motion: what motion vectors mean where it is not quell's convention, in the words of channel maps:
+    {"points": "from_previous", "unit": "uv" or "ndc", "y": "up", "jitter": "left_in"}, or some of these.
 
     A denoiser is for one thread of Python at a time; another one gets an Error of Status.BUSY. While it runs, other threads do.
     """
 
-    def __init__(self, preset: str, size: Sequence[int], *, threads: int = 0, instruction_set: Optional[str] = None) -> None:
+    def __init__(
+        self,
+        preset: str,
+        size: Sequence[int],
+        *,
+        threads: int = 0,
+        instruction_set: Optional[str] = None,
+        two_sided: bool = False,
+        alpha: bool = False,
+        motion: Mapping[str, str] = {},
+    ) -> None:
         if len(size) != 2:
             raise Error(f"size: it is {tuple(size)}; give (height, width)")
         height, width = (_whole("size", each, 32) for each in size)
-        self._denoiser = _library.Denoiser(preset, width, height, _whole("threads", threads, 32), instruction_set)
-        self._reads = self._denoiser.reads()
+        count = _whole("threads", threads, 32)
+        self._denoiser = _library.Denoiser(preset, width, height, count, instruction_set, two_sided, alpha, _motion(motion))
+        self._channels = {name: (components, is_optional) for name, components, is_optional in self._denoiser.channels()}
         self._preset = preset
         self._size = (height, width)
 
@@ -62,6 +77,7 @@ class Denoiser:
         frame: Optional[Mapping[str, Any]] = None,
         /,
         *,
+        later: Iterable[Mapping[str, Any]] = (),
         camera: Optional[Camera] = None,
         number: Optional[int] = None,
         shutter: Optional[float] = None,
@@ -74,26 +90,22 @@ class Denoiser:
         may hold more channels than the preset reads.
 
         camera: where needs_camera. number: of the frame; where numbers do not follow each other, history starts afresh. shutter: the time
-        that it is open as a part of the frame time, for motion blur; 0.5 if it is not said.
+        that it is open as a part of the frame time, for motion blur; 0.5 if it is not said. later: the frames after it, as dicts, where
+        the denoiser is two-sided; two are enough. Each call moves one frame on.
         """
-        if frame is not None:
-            camera = frame.get("camera") if camera is None else camera
-            number = frame.get("number") if number is None else number
-            shutter = frame.get("shutter") if shutter is None else shutter
-            channels = {**{name: frame[name] for name in self._reads if name in frame}, **channels}
+        given = dict(frame or {}, **channels)
+        for name, value in (("camera", camera), ("number", number), ("shutter", shutter)):
+            if value is not None:
+                given[name] = value
+        frames = [self._given(given, "", [*self._channels, *channels])]
+        frames += [self._given(each, f"later[{i}]: ", self._channels) for i, each in enumerate(later)]
         if out is None:
             written = out = np.empty(self._output_shape(), np.float32)
         else:
             written, is_writable = lent("out", out)
             if not is_writable:
                 raise Error("out: its memory is read-only; give memory that may be written, such as a new array")
-        self._denoiser.run(
-            {name: lent(f"channel '{name}'", value).array for name, value in channels.items()},
-            written,
-            _packed(camera),
-            None if number is None else _whole("number", number, 64),
-            0.5 if shutter is None else float(shutter),
-        )
+        self._denoiser.run(frames, written)
         return out
 
     def forget(self) -> None:
@@ -113,7 +125,12 @@ class Denoiser:
     @property
     def reads(self) -> dict[str, int]:
         """The channels that a frame must have, and how many components each has. docs/channels.md says what they hold."""
-        return dict(self._reads)
+        return {name: components for name, (components, is_optional) in self._channels.items() if not is_optional}
+
+    @property
+    def may_read(self) -> dict[str, int]:
+        """The channels that a frame may have too."""
+        return {name: components for name, (components, is_optional) in self._channels.items() if is_optional}
 
     @property
     def needs_camera(self) -> bool:
@@ -138,6 +155,18 @@ class Denoiser:
     def __repr__(self) -> str:
         return f"Denoiser({self._preset!r}, {self._size})"
 
+    def _given(
+        self, frame: Mapping[str, Any], prefix: str, names: Iterable[str]
+    ) -> tuple[dict[str, Array], Optional[Array], Optional[int], float]:
+        """What the library takes of a frame. `prefix` stands before what errors name."""
+        number, shutter = frame.get("number"), frame.get("shutter")
+        return (
+            {name: lent(f"{prefix}channel '{name}'", frame[name]).array for name in names if name in frame},
+            _packed(f"{prefix}camera", frame.get("camera")),
+            None if number is None else _whole(f"{prefix}number", number, 64),
+            0.5 if shutter is None else float(shutter),
+        )
+
     def _output_shape(self) -> tuple[int, ...]:
         components = self._denoiser.output_components()
         return self._size if components == 1 else (*self._size, components)
@@ -153,10 +182,27 @@ def instruction_sets() -> list[str]:
     return _library.instruction_sets()
 
 
-def _packed(camera: Optional[Camera]) -> Optional[Array]:
+def _packed(what: str, camera: Optional[Camera]) -> Optional[Array]:
     if camera is None or isinstance(camera, Camera):
         return None if camera is None else camera._packed
-    raise Error(f"camera: it is a {type(camera).__name__}; give a quell.Camera")
+    raise Error(f"{what}: it is a {type(camera).__name__}; give a quell.Camera")
+
+
+# Each member's words, in the order of quell_motion's numbers.
+_MOTION = {
+    "points": ("to_previous", "from_previous"),
+    "unit": ("pixel", "uv", "ndc"),
+    "y": ("down", "up"),
+    "jitter": ("left_out", "left_in"),
+}
+
+
+def _motion(convention: Mapping[str, str]) -> tuple[int, int, int, int]:
+    for name, word in convention.items():
+        if word not in _MOTION.get(name, ()):
+            raise Error(f"motion: {{{name!r}: {word!r}}}; give some of: " + "; ".join(f"{n}: {', '.join(w)}" for n, w in _MOTION.items()))
+    points, unit, y, jitter = (words.index(convention.get(name, words[0])) for name, words in _MOTION.items())
+    return points, unit, y, jitter
 
 
 def _whole(what: str, value: Any, bits: int) -> int:

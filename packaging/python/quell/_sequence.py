@@ -1,3 +1,5 @@
+from collections import deque
+from itertools import count, islice
 from typing import Any, Callable, Iterable, Iterator, Mapping, Optional, Sized
 
 from ._arrays import Array, lent
@@ -9,24 +11,37 @@ def denoise(
     frames: Iterable[Mapping[str, Any]],
     preset: str = "final-frame",
     *,
+    later_frames: int = 2,
     progress: Optional[Callable[[int, Optional[int]], None]] = None,
     threads: int = 0,
     instruction_set: Optional[str] = None,
+    alpha: bool = False,
+    motion: Mapping[str, str] = {},
 ) -> Iterator[Array]:
     """Denoises a sequence and yields a new array for each frame.
 
-    Each frame is a dict as Denoiser takes it. Frames are taken from `frames` as they are needed, and let go of when they are done with.
-    After each, progress(done, total) is called; the total is None where `frames` has no length. Ctrl-C and exceptions of `progress` end
-    it between two frames.
+    Each frame is a dict as Denoiser takes it, and is denoised with those before it and `later_frames` after it; 0 for presets that make no
+    use of later frames. Frames are taken from `frames` as they are needed, and let go of when they are done with: only 1 + `later_frames`
+    are held. When a picture has been used, progress(done, total) is called; the total is None where `frames` has no length. Ctrl-C and
+    exceptions of `progress` end it between two frames.
     """
+    if later_frames < 0:
+        raise Error(f"later_frames: {later_frames}; give 0 or more")
     total = len(frames) if isinstance(frames, Sized) else None
-    denoiser: Optional[Denoiser] = None
-    for done, frame in enumerate(frames, 1):
-        if denoiser is None:
-            denoiser = Denoiser(preset, _size_of(frame), threads=threads, instruction_set=instruction_set)
-        yield denoiser(frame)
+    coming = iter(frames)
+    held = deque(islice(coming, 1 + later_frames))
+    if not held:
+        return
+    options: dict[str, Any] = {"threads": threads, "instruction_set": instruction_set, "alpha": alpha, "motion": motion}
+    denoiser = Denoiser(preset, _size_of(held[0]), two_sided=later_frames > 0, **options)
+    for done in count(1):
+        yield denoiser(held[0], later=islice(held, 1, None))
+        held.popleft()
+        held.extend(islice(coming, 1))
         if progress is not None:
             progress(done, total)
+        if not held:
+            return
 
 
 def _size_of(frame: Mapping[str, Any]) -> Any:
