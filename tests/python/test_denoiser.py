@@ -64,16 +64,51 @@ class Results(unittest.TestCase):
                 taken.append(number)
                 yield frame
 
-        made = quell.denoise(lazily(), "svgf", progress=lambda done, total: steps.append((done, total)))
+        made = quell.denoise(lazily(), "svgf", later_frames=0, progress=lambda done, total: steps.append((done, total)))
         next(made)
         self.assertEqual(taken, [0])
         rest = list(made)
         self.assertEqual(steps, [(1, None), (2, None), (3, None), (4, None)])
         self.assertTrue(same_bits(rest[-1], pictures(quell.Denoiser("svgf", (HEIGHT, WIDTH)), frames)[-1]))
         totals = []
-        for _ in quell.denoise(frames, "svgf", progress=lambda done, total: totals.append(total)):
+        for _ in quell.denoise(frames, "svgf", later_frames=0, progress=lambda done, total: totals.append(total)):
             pass
         self.assertEqual(totals, [4] * 4)
+
+    @unittest.skipUnless("general" in quell.presets(), "skipped: frames from before and after, which want the preset general")
+    def test_frames_after_are_taken_as_they_are_needed(self):
+        frames = [wall(HEIGHT, WIDTH, seed) for seed in range(6)]
+        taken = []
+
+        def lazily():
+            for number, frame in enumerate(frames):
+                taken.append(number)
+                yield frame
+
+        made = quell.denoise(lazily(), "general")
+        first = next(made)
+        self.assertEqual(taken, [0, 1, 2])
+        found = np.stack([first, *made])
+        denoiser = quell.Denoiser("general", (HEIGHT, WIDTH), two_sided=True)
+        self.assertTrue(same_bits(found, np.stack([denoiser(frames[i], later=frames[i + 1 : i + 3]) for i in range(6)])))
+        # The last one has none after it.
+        alone = np.stack(list(quell.denoise(frames, "general", later_frames=0)))
+        self.assertTrue(same_bits(alone, pictures(quell.Denoiser("general", (HEIGHT, WIDTH)), frames)))
+        self.assertTrue(same_bits(found[-1], alone[-1]) and not same_bits(found[0], alone[0]))
+        self.assertLess(found[0].std(), alone[0].std())
+        self.assertEqual(list(quell.denoise([])), [])
+
+    @unittest.skipUnless("general" in quell.presets(), "skipped: alpha, which wants the preset general")
+    def test_alpha_and_conventions_of_motion(self):
+        frame = wall(HEIGHT, WIDTH)
+        denoiser = quell.Denoiser("general", (HEIGHT, WIDTH), alpha=True)
+        self.assertEqual(denoiser.reads["radiance_alpha"], 4)
+        self.assertEqual(denoiser(frame, radiance_alpha=np.ones((HEIGHT, WIDTH, 4), np.float32)).shape, (HEIGHT, WIDTH, 4))
+        own = quell.Denoiser("svgf", (HEIGHT, WIDTH))
+        self.assertEqual(own.may_read, {})
+        other = quell.Denoiser("svgf", (HEIGHT, WIDTH), motion={"points": "from_previous", "y": "up"})
+        for _ in range(2):
+            self.assertTrue(same_bits(own(frame), other({**frame, "motion": frame["motion"] * np.float32([-1, 1])})))
 
     def test_numbers_that_do_not_follow_each_other_and_forget_begin_afresh(self):
         frame = wall(HEIGHT, WIDTH)
@@ -257,7 +292,7 @@ class Interrupts(unittest.TestCase):
 
         steps = []
         with self.assertRaises(KeyboardInterrupt):
-            for picture in quell.denoise(frames, "svgf", progress=interrupted):
+            for picture in quell.denoise(frames, "svgf", later_frames=0, progress=interrupted):
                 steps.append(picture)
         self.assertEqual(len(steps), 3)
 
@@ -265,7 +300,7 @@ class Interrupts(unittest.TestCase):
             raise RuntimeError("enough")
 
         with self.assertRaisesRegex(RuntimeError, "enough"):
-            list(quell.denoise(frames, "svgf", progress=fails))
+            list(quell.denoise(frames, "svgf", later_frames=0, progress=fails))
 
 
 class Errors(unittest.TestCase):

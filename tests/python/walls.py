@@ -47,7 +47,7 @@ def some_camera():
 def of_all_channels(denoiser, seed):
     """A frame of noise in all channels that a preset reads, seen by some_camera()."""
     random = np.random.default_rng(seed)
-    frame = {name: random.random((*denoiser.size, components), np.float32) for name, components in denoiser.reads.items()}
+    frame = {name: random.random((*denoiser.size, components), np.float32) for name, components in {**denoiser.reads, **denoiser.may_read}.items()}
     return {**frame, "camera": some_camera()}
 
 
@@ -59,7 +59,7 @@ def in_c(preset, frames):
     columns = [camera.view.ravel(order="F"), camera.projection.ravel(order="F"), camera.jitter]
     with tempfile.TemporaryDirectory() as folder:
         given, made = pathlib.Path(folder) / "in", pathlib.Path(folder) / "out"
-        channels = b"".join(np.ascontiguousarray(frame[name], np.float32).tobytes() for frame in frames for name in denoiser.reads)
+        channels = b"".join(np.ascontiguousarray(frame[name], np.float32).tobytes() for frame in frames for name in denoiser._channels)
         given.write_bytes(np.concatenate(columns).tobytes() + channels)
         command = [os.environ["QUELL_IN_C"], preset, str(width), str(height), str(len(frames)), str(given), str(made)]
         subprocess.run(command, check=True)

@@ -5,7 +5,7 @@ import numpy as np
 
 from . import _library
 from ._arrays import Array, lent
-from ._errors import Error
+from ._errors import Error, Status
 
 
 class Camera:
@@ -70,6 +70,7 @@ class Denoiser:
         self._denoiser = _library.Denoiser(preset, width, height, count, instruction_set, two_sided, alpha, _motion(motion))
         self._channels = {name: (components, is_optional) for name, components, is_optional in self._denoiser.channels()}
         self._preset = preset
+        self._is_two_sided = two_sided
         self._size = (height, width)
 
     def __call__(
@@ -99,6 +100,8 @@ class Denoiser:
                 given[name] = value
         frames = [self._given(given, "", [*self._channels, *channels])]
         frames += [self._given(each, f"later[{i}]: ", self._channels) for i, each in enumerate(later)]
+        if len(frames) > 1 and not self._is_two_sided:
+            raise Error("later: the denoiser takes one frame at a time; make it by Denoiser(..., two_sided=True)", Status.NOT_SUPPORTED)
         if out is None:
             written = out = np.empty(self._output_shape(), np.float32)
         else:

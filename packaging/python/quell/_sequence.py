@@ -33,7 +33,12 @@ def denoise(
     if not held:
         return
     options: dict[str, Any] = {"threads": threads, "instruction_set": instruction_set, "alpha": alpha, "motion": motion}
-    denoiser = Denoiser(preset, _size_of(held[0]), two_sided=later_frames > 0, **options)
+    try:
+        denoiser = Denoiser(preset, _size_of(held[0]), two_sided=later_frames > 0, **options)
+    except Error as error:
+        if "two_sided" in str(error):
+            raise Error(f"later_frames: {later_frames}, of which '{preset}' makes no use; give 0", error.status) from error
+        raise
     for done in count(1):
         yield denoiser(held[0], later=islice(held, 1, None))
         held.popleft()
