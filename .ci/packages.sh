@@ -6,6 +6,7 @@
 build_packages=(g++ cmake ninja-build)
 library_packages=(libglm-dev libxsimd-dev libtbb-dev)
 program_packages=(libembree-dev libopenexr-dev libtinygltf-dev libstb-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpng-dev zlib1g-dev gnuplot-nox)
+python_packages=(python3-dev python3-numpy python3-pip python3-setuptools python3-wheel pybind11-dev python3-pybind11)
 test_packages=(doctest-dev libbenchmark-dev clang doxygen python3 pkgconf)
 
 # oldest_version package: the oldest one that will do. Ubuntu 22.04 has xsimd 7 and OpenEXR 2, with other interfaces.
@@ -35,6 +36,8 @@ project_of() {
     gnuplot-nox) echo "gnuplot (gnuplot.info)" ;;
     doctest-dev) echo "doctest (github.com/doctest/doctest)" ;;
     libbenchmark-dev) echo "Google Benchmark (github.com/google/benchmark)" ;;
+    python3-numpy) echo "NumPy (numpy.org)" ;;
+    pybind11-dev | python3-pybind11) echo "pybind11 (github.com/pybind/pybind11)" ;;
     doxygen) echo "Doxygen (doxygen.nl)" ;;
     cmake) echo "CMake (cmake.org)" ;;
     *) echo "$1" ;;

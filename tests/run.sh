@@ -48,7 +48,7 @@ build_and_test() {
 step_gcc() {
     # That benchmarks run is seen by compiled presets. The compiler goes by CXX, which a folder that the demo has configured already
     # ignores: CMake would start such a folder afresh for another CMAKE_CXX_COMPILER, and forget all that stands on this line.
-    CXX=g++ cmake --preset release -D QUELL_BENCH_STORAGES= -D QUELL_LIBRARY=ON
+    CXX=g++ cmake --preset release -D QUELL_BENCH_STORAGES= -D QUELL_LIBRARY=ON -D QUELL_PYTHON=ON
     if [ ${#only[@]} -gt 0 ]; then
         build_and_test build/release "${only[@]}"
         return
@@ -107,7 +107,7 @@ step_cuda() {
     [ "$status" = 77 ] || return "$status" # 77: without nvcc
 }
 
-need_packages "${build_packages[@]}" "${library_packages[@]}" "${program_packages[@]}" "${test_packages[@]}"
+need_packages "${build_packages[@]}" "${library_packages[@]}" "${program_packages[@]}" "${python_packages[@]}" "${test_packages[@]}"
 wish_for_browser
 wish_for_slurm
 steps=()

@@ -1,0 +1,184 @@
+// quell.h for Python: the module quell._library. It turns arrays into quell_image and errors into exceptions; the rest is Python.
+#include "errors.hpp"
+
+#include <quell.h>
+
+#include <pybind11/numpy.h>
+
+#include <cstring>
+#include <memory>
+#include <vector>
+
+namespace py = pybind11;
+
+namespace {
+
+using namespace quell_python;
+
+void check(quell_status status) {
+    if (status == QUELL_OK) return;
+    std::string const sentence = quell_error();
+    if (status == QUELL_NO_MEMORY) raise_no_memory(sentence.empty() ? "memory: there is no more; let go of other arrays" : sentence);
+    raise(sentence, status);
+}
+[[noreturn]] void refuse(std::string const& sentence) { raise(sentence, QUELL_INVALID_ARGUMENT); }
+
+std::string shape_of(py::array const& array) { return py::str(array.attr("shape")); }
+
+/// What quell.h calls the type of the array's numbers.
+quell_format format_of(std::string const& what, py::array const& array) {
+    auto const dtype = array.dtype();
+    bool const is_native = dtype.attr("isnative").cast<bool>();
+    if (dtype.kind() == 'f' && is_native && dtype.itemsize() == 4) return QUELL_FLOAT32;
+    if (dtype.kind() == 'f' && is_native && dtype.itemsize() == 2) return QUELL_FLOAT16;
+    refuse(what + ": its numbers are " + std::string(py::str(py::handle(dtype))) +
+           "; give float32 or float16 of this machine's byte order, as array.astype(numpy.float32) makes them");
+}
+
+/// The array as an image of at least so many components. Its memory is the array's own.
+quell_image image_of(std::string const& what, py::array const& array, int components, int width, int height) {
+    auto const format = format_of(what, array);
+    bool const has_components = array.ndim() == 3;
+    if ((!has_components && !(array.ndim() == 2 && components == 1)) || array.shape(0) != height || array.shape(1) != width ||
+        (has_components && array.shape(2) < components)) {
+        auto const size = std::to_string(height) + ", " + std::to_string(width);
+        auto const wanted = components == 1 ? "(" + size + ")" : "(" + size + ", " + std::to_string(components) + ")";
+        bool const is_planar = has_components && array.shape(0) >= components && array.shape(1) == height && array.shape(2) == width;
+        refuse(what + ": its shape is " + shape_of(array) + "; give " + wanted +
+               (is_planar ? ", which array.transpose(1, 2, 0) is, without a copy" : ""));
+    }
+    // quell.h takes a stride of 0 for the usual one. NumPy has it where an array is broadcast; of one alone it does not matter.
+    auto const stride = [&](py::ssize_t axis) -> std::ptrdiff_t {
+        if (array.shape(axis) == 1) return 0;
+        if (array.strides(axis) == 0)
+            refuse(what + ": it is broadcast: its stride " + std::to_string(axis) +
+                   " is 0; give one with memory for every pixel, as numpy.ascontiguousarray(array) makes it");
+        return array.strides(axis);
+    };
+    return {const_cast<void*>(array.data()), format,    has_components ? static_cast<std::int32_t>(array.shape(2)) : 1,
+            has_components ? stride(2) : 0,  stride(1), stride(0)};
+}
+
+/// A frame in the words of quell.h, and what it points to. The arrays are Python's.
+struct Given {
+    quell_frame frame = QUELL_FRAME;
+    std::vector<quell_channel> channels{};
+    quell_camera seen_by{};
+};
+
+/// A denoiser of the library's. Python holds it, and the arrays of a call, for as long as a call runs.
+class Denoiser {
+    struct Destroy {
+        void operator()(quell_denoiser* denoiser) const { quell_destroy(denoiser); }
+    };
+    std::unique_ptr<quell_denoiser, Destroy> denoiser;
+    int width, height;
+    bool is_two_sided;
+
+public:
+    /// @param motion the four numbers of quell_motion
+    Denoiser(std::string const& preset, int w, int h, int threads, char const* instruction_set, bool two_sided, bool alpha,
+             py::tuple const& motion)
+        : width(w), height(h), is_two_sided(two_sided) {
+        quell_settings settings = QUELL_SETTINGS;
+        settings.preset = preset.c_str(), settings.width = w, settings.height = h;
+        settings.threads = threads, settings.instruction_set = instruction_set;
+        settings.two_sided = two_sided, settings.alpha = alpha;
+        settings.motion = {motion[0].cast<int>(), motion[1].cast<int>(), motion[2].cast<int>(), motion[3].cast<int>()};
+        quell_denoiser* made = nullptr;
+        check(quell_create(&settings, &made));
+        denoiser.reset(made);
+    }
+
+    /// Denoises the first of some frames.
+    /// @param frames (channels, camera, number, shutter) each: arrays by name; 34 floats as quell_camera has them, or None; an int, or None
+    void run(py::list const& frames, py::array const& out) {
+        auto const given = std::make_unique<Given[]>(frames.size()); // its frames point into it
+        std::vector<quell_frame> all;
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            take(given[i], frames[i].cast<py::tuple>(), i == 0 ? "" : "later[" + std::to_string(i - 1) + "]: ");
+            all.push_back(given[i].frame);
+        }
+        all[0].output = image_of("out", out, quell_output_components(denoiser.get()), width, height);
+        quell_status status = QUELL_OK;
+        {
+            py::gil_scoped_release const released;
+            status = is_two_sided || all.size() > 1 ? quell_run_two_sided(denoiser.get(), all.data(), all.size())
+                                                    : quell_run(denoiser.get(), all.data());
+        }
+        check(status);
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set(); // Ctrl-C while it ran
+    }
+    void forget() { check(quell_forget(denoiser.get())); }
+    [[nodiscard]] py::tuple statistics() const {
+        quell_statistics counted = QUELL_STATISTICS;
+        check(quell_get_statistics(denoiser.get(), &counted));
+        return py::make_tuple(counted.frames, counted.resets, counted.missing_samples, counted.repaired_guides, counted.bytes);
+    }
+    /// (name, components, whether frames may lack it) each.
+    [[nodiscard]] py::list channels() const {
+        py::list all;
+        for (std::int32_t i = 0; char const* const name = quell_channel_name(denoiser.get(), i); ++i)
+            all.append(
+                py::make_tuple(name, quell_channel_components(denoiser.get(), name), quell_channel_is_optional(denoiser.get(), name) != 0));
+        return all;
+    }
+    [[nodiscard]] int output_components() const { return quell_output_components(denoiser.get()); }
+    [[nodiscard]] bool needs_camera() const { return quell_needs_camera(denoiser.get()) != 0; }
+    [[nodiscard]] std::string instruction_set() const { return quell_instruction_set(denoiser.get()); }
+    [[nodiscard]] std::string plan() const { return quell_plan(denoiser.get()); }
+
+private:
+    /// @param prefix of what errors name
+    void take(Given& given, py::tuple const& frame, std::string const& prefix) const {
+        given.channels = images_of(frame[0].cast<py::dict>(), prefix);
+        given.frame.channels = given.channels.data(), given.frame.channel_count = given.channels.size();
+        if (!frame[1].is_none()) {
+            auto const numbers = frame[1].cast<py::array_t<float, py::array::c_style>>();
+            static_assert(sizeof(quell_camera) == 34 * sizeof(float));
+            if (numbers.size() == 34)
+                std::memcpy(&given.seen_by, numbers.data(), sizeof(given.seen_by)), given.frame.camera = &given.seen_by;
+        }
+        if (!frame[2].is_none()) given.frame.number = frame[2].cast<std::int64_t>(), given.frame.has_number = 1;
+        given.frame.shutter = frame[3].cast<float>();
+    }
+    /// Their names are those of the dict's strings.
+    [[nodiscard]] std::vector<quell_channel> images_of(py::dict const& arrays, std::string const& prefix) const {
+        std::vector<quell_channel> images;
+        for (auto const& [key, value] : arrays) {
+            char const* const name = PyUnicode_AsUTF8(key.ptr());
+            if (name == nullptr) throw py::error_already_set();
+            auto const components = quell_channel_components(denoiser.get(), name);
+            auto const what = prefix + "channel '" + name + "'";
+            // The library has a sentence for names that the preset does not read.
+            auto const array = py::reinterpret_borrow<py::array>(value);
+            images.push_back({name, components > 0 ? image_of(what, array, components, width, height) : quell_image{}});
+        }
+        return images;
+    }
+};
+
+/// What a function of quell.h lists by index.
+py::list names(char const* (*name_of)(std::int32_t)) {
+    py::list all;
+    for (std::int32_t i = 0; char const* const name = name_of(i); ++i) all.append(name);
+    return all;
+}
+
+} // namespace
+
+PYBIND11_MODULE(_library, module) {
+    module.attr("version") = quell_version();
+    module.def("presets", [] { return names(quell_preset_name); });
+    module.def("instruction_sets", [] { return names(quell_instruction_set_name); });
+    py::class_<Denoiser>(module, "Denoiser")
+        .def(py::init<std::string const&, int, int, int, char const*, bool, bool, py::tuple const&>())
+        .def("run", &Denoiser::run)
+        .def("forget", &Denoiser::forget)
+        .def("statistics", &Denoiser::statistics)
+        .def("channels", &Denoiser::channels)
+        .def("output_components", &Denoiser::output_components)
+        .def("needs_camera", &Denoiser::needs_camera)
+        .def("instruction_set", &Denoiser::instruction_set)
+        .def("plan", &Denoiser::plan);
+}

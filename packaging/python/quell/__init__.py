@@ -1,0 +1,19 @@
+"""quell: real-time denoising of ray-traced images.
+
+    import quell
+    denoiser = quell.Denoiser("general", (1080, 1920))
+    picture = denoiser(radiance=rgb, albedo=albedo, normal=normal, depth=depth, motion=motion)
+
+Arrays are NumPy's, or any object that lends its memory (DLPack, __array_interface__, buffers). They are read where they lie: shape
+(height, width, components), float32 or float16, any strides. docs/python.md says more.
+"""
+
+from . import metrics
+from ._denoiser import Camera, Denoiser, Statistics, instruction_sets, presets
+from ._errors import Error, Status
+from ._library import version
+from ._sequence import denoise
+from . import exr
+
+__version__ = version
+__all__ = ["Camera", "Denoiser", "Error", "Statistics", "Status", "denoise", "exr", "instruction_sets", "metrics", "presets", "version"]

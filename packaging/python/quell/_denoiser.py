@@ -1,0 +1,226 @@
+import operator
+from typing import Any, Iterable, Mapping, NamedTuple, Optional, Sequence
+
+import numpy as np
+
+from . import _library
+from ._arrays import Array, lent
+from ._errors import Error, Status
+
+
+class Camera:
+    """A perspective camera.
+
+    `view` (world to camera) and `projection` (without jitter) are 4x4 matrices for column vectors, indexed by row and column:
+    clip = projection @ view @ world. The camera looks down -z; y is up. `jitter` is the offset of the samples from the pixels' centres,
+    in pixels, x and y, y down.
+    """
+
+    __slots__ = ("view", "projection", "jitter", "_packed")
+
+    def __init__(self, view: Any, projection: Any, jitter: Sequence[float] = (0.0, 0.0)) -> None:
+        self.view = _numbers("camera.view", view, (4, 4))
+        self.projection = _numbers("camera.projection", projection, (4, 4))
+        self.jitter = _numbers("camera.jitter", jitter, (2,))
+        # As quell.h has it: columns one after another.
+        self._packed = np.concatenate([self.view.T.ravel(), self.projection.T.ravel(), self.jitter])
+
+    def __repr__(self) -> str:
+        return f"Camera({self.view.tolist()}, {self.projection.tolist()}, {self.jitter.tolist()})"
+
+
+class Statistics(NamedTuple):
+    """Counts of a denoiser."""
+
+    frames: int  #: since the history began
+    resets: int  #: how often it began
+    missing_samples: int  #: in the last frame: not finite, beyond 1e16, of negative luminance
+    repaired_guides: int  #: pixels of the last frame with impossible normals, albedo, depth or motion
+    bytes: int  #: of history and scratch
+
+
+class Denoiser:
+    """Denoises the frames of one view, which has a history.
+
+    preset: one of presets(). size: (height, width). threads: 0 for all that there are; results do not depend on it.
+    instruction_set: one of instruction_sets(), or None for the best that the machine has.
+    two_sided: for calls with `later`, which the presets general and final-frame can.
+    alpha: for radiance with alpha, the channel radiance_alpha, which the same presets can.
+    motion: what motion vectors mean where it is not quell's convention, in the words of channel maps:
+    {"points": "from_previous", "unit": "uv" or "ndc", "y": "up", "jitter": "left_in"}, or some of these.
+
+    A denoiser is for one thread of Python at a time; another one gets an Error of Status.BUSY. While it runs, other threads do.
+    """
+
+    def __init__(
+        self,
+        preset: str,
+        size: Sequence[int],
+        *,
+        threads: int = 0,
+        instruction_set: Optional[str] = None,
+        two_sided: bool = False,
+        alpha: bool = False,
+        motion: Mapping[str, str] = {},
+    ) -> None:
+        if len(size) != 2:
+            raise Error(f"size: it is {tuple(size)}; give (height, width)")
+        height, width = (_whole("size", each, 32) for each in size)
+        count = _whole("threads", threads, 32)
+        self._denoiser = _library.Denoiser(preset, width, height, count, instruction_set, two_sided, alpha, _motion(motion))
+        self._channels = {name: (components, is_optional) for name, components, is_optional in self._denoiser.channels()}
+        self._preset = preset
+        self._is_two_sided = two_sided
+        self._size = (height, width)
+
+    def __call__(
+        self,
+        frame: Optional[Mapping[str, Any]] = None,
+        /,
+        *,
+        later: Iterable[Mapping[str, Any]] = (),
+        camera: Optional[Camera] = None,
+        number: Optional[int] = None,
+        shutter: Optional[float] = None,
+        out: Any = None,
+        **channels: Any,
+    ) -> Any:
+        """Denoises a frame and returns a new array, or `out`, which it then writes.
+
+        Channels are given by name: radiance=..., albedo=..., or as a dict, which may also have "camera", "number" and "shutter". A dict
+        may hold more channels than the preset reads.
+
+        camera: where needs_camera. number: of the frame; where numbers do not follow each other, history starts afresh. shutter: the time
+        that it is open as a part of the frame time, for motion blur; 0.5 if it is not said. later: the frames after it, as dicts, where
+        the denoiser is two-sided; two are enough. Each call moves one frame on.
+        """
+        given = dict(frame or {}, **channels)
+        for name, value in (("camera", camera), ("number", number), ("shutter", shutter)):
+            if value is not None:
+                given[name] = value
+        frames = [self._given(given, "", [*self._channels, *channels])]
+        frames += [self._given(each, f"later[{i}]: ", self._channels) for i, each in enumerate(later)]
+        if len(frames) > 1 and not self._is_two_sided:
+            raise Error("later: the denoiser takes one frame at a time; make it by Denoiser(..., two_sided=True)", Status.NOT_SUPPORTED)
+        if out is None:
+            written = out = np.empty(self._output_shape(), np.float32)
+        else:
+            written, is_writable = lent("out", out)
+            if not is_writable:
+                raise Error("out: its memory is read-only; give memory that may be written, such as a new array")
+        self._denoiser.run(frames, written)
+        return out
+
+    def forget(self) -> None:
+        """Drops the history: for cuts and teleports."""
+        self._denoiser.forget()
+
+    @property
+    def preset(self) -> str:
+        """The name of the preset."""
+        return self._preset
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Height and width."""
+        return self._size
+
+    @property
+    def reads(self) -> dict[str, int]:
+        """The channels that a frame must have, and how many components each has. docs/channels.md says what they hold."""
+        return {name: components for name, (components, is_optional) in self._channels.items() if not is_optional}
+
+    @property
+    def may_read(self) -> dict[str, int]:
+        """The channels that a frame may have too."""
+        return {name: components for name, (components, is_optional) in self._channels.items() if is_optional}
+
+    @property
+    def needs_camera(self) -> bool:
+        """Whether frames must have a camera."""
+        return self._denoiser.needs_camera()
+
+    @property
+    def instruction_set(self) -> str:
+        """What it is compiled for."""
+        return self._denoiser.instruction_set()
+
+    @property
+    def plan(self) -> str:
+        """Its passes in order, what each reads and writes, and memory: a table in Markdown."""
+        return self._denoiser.plan()
+
+    @property
+    def statistics(self) -> Statistics:
+        """Counts so far."""
+        return Statistics(*self._denoiser.statistics())
+
+    def __repr__(self) -> str:
+        return f"Denoiser({self._preset!r}, {self._size})"
+
+    def _given(
+        self, frame: Mapping[str, Any], prefix: str, names: Iterable[str]
+    ) -> tuple[dict[str, Array], Optional[Array], Optional[int], float]:
+        """What the library takes of a frame. `prefix` stands before what errors name."""
+        number, shutter = frame.get("number"), frame.get("shutter")
+        return (
+            {name: lent(f"{prefix}channel '{name}'", frame[name]).array for name in names if name in frame},
+            _packed(f"{prefix}camera", frame.get("camera")),
+            None if number is None else _whole(f"{prefix}number", number, 64),
+            0.5 if shutter is None else float(shutter),
+        )
+
+    def _output_shape(self) -> tuple[int, ...]:
+        components = self._denoiser.output_components()
+        return self._size if components == 1 else (*self._size, components)
+
+
+def presets() -> list[str]:
+    """Names of presets: docs/presets.md says what they are for."""
+    return _library.presets()
+
+
+def instruction_sets() -> list[str]:
+    """Names of instruction sets that quell is compiled for, the best first."""
+    return _library.instruction_sets()
+
+
+def _packed(what: str, camera: Optional[Camera]) -> Optional[Array]:
+    if camera is None or isinstance(camera, Camera):
+        return None if camera is None else camera._packed
+    raise Error(f"{what}: it is a {type(camera).__name__}; give a quell.Camera")
+
+
+# Each member's words, in the order of quell_motion's numbers.
+_MOTION = {
+    "points": ("to_previous", "from_previous"),
+    "unit": ("pixel", "uv", "ndc"),
+    "y": ("down", "up"),
+    "jitter": ("left_out", "left_in"),
+}
+
+
+def _motion(convention: Mapping[str, str]) -> tuple[int, int, int, int]:
+    for name, word in convention.items():
+        if word not in _MOTION.get(name, ()):
+            raise Error(f"motion: {{{name!r}: {word!r}}}; give some of: " + "; ".join(f"{n}: {', '.join(w)}" for n, w in _MOTION.items()))
+    points, unit, y, jitter = (words.index(convention.get(name, words[0])) for name, words in _MOTION.items())
+    return points, unit, y, jitter
+
+
+def _whole(what: str, value: Any, bits: int) -> int:
+    number = operator.index(value)
+    if not -(2 ** (bits - 1)) <= number < 2 ** (bits - 1):
+        raise Error(f"{what}: {number} is no integer of {bits} bits; give a smaller one")
+    return number
+
+
+def _numbers(what: str, values: Any, shape: tuple[int, ...]) -> Array:
+    """A few numbers of any type as floats: a copy."""
+    try:
+        numbers = np.array(values, np.float32)
+    except (TypeError, ValueError) as error:
+        raise Error(f"{what}: it holds no numbers ({error}); give an array of shape {shape}") from error
+    if numbers.shape != shape:
+        raise Error(f"{what}: its shape is {numbers.shape}; give {shape}")
+    return numbers

@@ -1,0 +1,316 @@
+"""Results, memory, threads and interrupts of quell.Denoiser and quell.denoise."""
+
+import gc
+import os
+import pathlib
+import pickle
+import resource
+import runpy
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import tracemalloc
+import unittest
+import weakref
+
+import numpy as np
+
+import quell
+from walls import in_c, of_all_channels, pictures, planes_of, same_bits, wall
+
+HEIGHT, WIDTH = 34, 61
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples" / "python"
+
+
+class Results(unittest.TestCase):
+    def test_python_gives_the_bits_of_c(self):
+        for preset in quell.presets():
+            with self.subTest(preset):
+                denoiser = quell.Denoiser(preset, (HEIGHT, WIDTH))
+                frames = [of_all_channels(denoiser, seed) for seed in range(3)]
+                made = pictures(denoiser, frames)
+                self.assertTrue(same_bits(made.reshape(3, HEIGHT, WIDTH, -1), in_c(preset, frames)))
+
+    def test_the_example_gives_the_bits_of_c(self):
+        example = runpy.run_path(str(EXAMPLES / "denoise.py"))
+        random = np.random.default_rng(1)
+        frames = [{**example["guides"], "radiance": random.random((180, 320, 3), np.float32)} for _ in range(8)]
+        self.assertTrue(same_bits(example["picture"], in_c("svgf", frames)[-1]))
+
+    @unittest.skipUnless(quell.exr._exr, "skipped: examples/python/denoise_files.py, as quell was built without OpenEXR")
+    @unittest.skipUnless("general" in quell.presets(), "skipped: examples/python/denoise_files.py, which wants the preset general")
+    def test_the_example_denoises_files(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            for number in range(3):
+                frame = wall(HEIGHT, WIDTH, number)
+                quell.exr.write(folder / f"frame.{number}.exr", planes_of(frame))
+                quell.exr.write(folder / f"reference.{number}.exr", {"": np.full_like(frame["radiance"], 0.5)})
+            command = [sys.executable, EXAMPLES / "denoise_files.py", folder, folder / "clean"]
+            said = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
+            self.assertEqual(len(said), 3)
+            self.assertRegex(said[2], r"^frame.2.exr: FLIP 0.\d+, SSIM 0.\d+$")
+            self.assertEqual(sorted(quell.exr.read(folder / "clean" / "frame.2.exr").planes), ["B", "G", "R"])
+
+    def test_a_sequence_is_denoised_lazily_and_says_how_far_it_is(self):
+        frames = [wall(HEIGHT, WIDTH, seed) for seed in range(4)]
+        taken, steps = [], []
+
+        def lazily():
+            for number, frame in enumerate(frames):
+                taken.append(number)
+                yield frame
+
+        made = quell.denoise(lazily(), "svgf", later_frames=0, progress=lambda done, total: steps.append((done, total)))
+        next(made)
+        self.assertEqual(taken, [0])
+        rest = list(made)
+        self.assertEqual(steps, [(1, None), (2, None), (3, None), (4, None)])
+        self.assertTrue(same_bits(rest[-1], pictures(quell.Denoiser("svgf", (HEIGHT, WIDTH)), frames)[-1]))
+        totals = []
+        for _ in quell.denoise(frames, "svgf", later_frames=0, progress=lambda done, total: totals.append(total)):
+            pass
+        self.assertEqual(totals, [4] * 4)
+
+    @unittest.skipUnless("general" in quell.presets(), "skipped: frames from before and after, which want the preset general")
+    def test_frames_after_are_taken_as_they_are_needed(self):
+        frames = [wall(HEIGHT, WIDTH, seed) for seed in range(6)]
+        taken = []
+
+        def lazily():
+            for number, frame in enumerate(frames):
+                taken.append(number)
+                yield frame
+
+        made = quell.denoise(lazily(), "general")
+        first = next(made)
+        self.assertEqual(taken, [0, 1, 2])
+        found = np.stack([first, *made])
+        denoiser = quell.Denoiser("general", (HEIGHT, WIDTH), two_sided=True)
+        self.assertTrue(same_bits(found, np.stack([denoiser(frames[i], later=frames[i + 1 : i + 3]) for i in range(6)])))
+        # The last one has none after it.
+        alone = np.stack(list(quell.denoise(frames, "general", later_frames=0)))
+        self.assertTrue(same_bits(alone, pictures(quell.Denoiser("general", (HEIGHT, WIDTH)), frames)))
+        self.assertTrue(same_bits(found[-1], alone[-1]) and not same_bits(found[0], alone[0]))
+        self.assertLess(found[0].std(), alone[0].std())
+        self.assertEqual(list(quell.denoise([])), [])
+
+    @unittest.skipUnless("general" in quell.presets(), "skipped: alpha, which wants the preset general")
+    def test_alpha_and_conventions_of_motion(self):
+        frame = wall(HEIGHT, WIDTH)
+        denoiser = quell.Denoiser("general", (HEIGHT, WIDTH), alpha=True)
+        self.assertEqual(denoiser.reads["radiance_alpha"], 4)
+        self.assertEqual(denoiser(frame, radiance_alpha=np.ones((HEIGHT, WIDTH, 4), np.float32)).shape, (HEIGHT, WIDTH, 4))
+        own = quell.Denoiser("svgf", (HEIGHT, WIDTH))
+        self.assertEqual(own.may_read, {})
+        other = quell.Denoiser("svgf", (HEIGHT, WIDTH), motion={"points": "from_previous", "y": "up"})
+        for _ in range(2):
+            self.assertTrue(same_bits(own(frame), other({**frame, "motion": frame["motion"] * np.float32([-1, 1])})))
+
+    def test_numbers_that_do_not_follow_each_other_and_forget_begin_afresh(self):
+        frame = wall(HEIGHT, WIDTH)
+        denoiser = quell.Denoiser("svgf", (HEIGHT, WIDTH))
+        first = denoiser(frame, number=1)
+        self.assertFalse(same_bits(denoiser(frame, number=2), first))
+        self.assertTrue(same_bits(denoiser(frame, number=7), first))
+        self.assertFalse(same_bits(denoiser({**frame, "number": 8}), first))
+        denoiser.forget()
+        self.assertTrue(same_bits(denoiser(frame), first))
+        frame["radiance"][0, 0, 0] = np.nan
+        denoiser(frame)
+        counted = denoiser.statistics
+        self.assertEqual((counted.frames, counted.resets, counted.missing_samples, counted.repaired_guides), (2, 3, 1, 0))
+        self.assertGreater(counted.bytes, HEIGHT * WIDTH * 50)
+
+    def test_it_says_what_it_is(self):
+        denoiser = quell.Denoiser("svgf", (HEIGHT, WIDTH))
+        self.assertEqual(denoiser.reads, {"radiance": 3, "albedo": 3, "motion": 2, "depth": 1, "normal": 3})
+        self.assertIn("| temporal |", denoiser.plan)
+        self.assertEqual((denoiser.preset, denoiser.size, denoiser.needs_camera), ("svgf", (HEIGHT, WIDTH), False))
+        self.assertIn(denoiser.instruction_set, quell.instruction_sets())
+        self.assertRegex(quell.version, r"^\d+\.\d+\.\d+$")
+
+
+class Memory(unittest.TestCase):
+    def test_a_call_takes_no_memory_of_an_images_size(self):
+        height, width = 540, 960
+        denoiser = quell.Denoiser("svgf", (height, width))
+        frame = wall(height, width)
+        out = np.empty((height, width, 3), np.float32)
+        frame["radiance"] = np.ascontiguousarray(frame["radiance"].transpose(2, 0, 1)).transpose(1, 2, 0)[::-1]
+        for _ in range(3):
+            denoiser(frame, out=out)
+        most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        tracemalloc.start()
+        for _ in range(3):
+            denoiser(frame, out=out)
+        peak = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        one_component = height * width * 4
+        self.assertLess(peak, one_component / 16)
+        self.assertLess((resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - most) * 1024, one_component)
+
+    def test_what_is_in_use_lives_as_long_and_no_longer(self):
+        height, width = 720, 1280
+        denoiser = quell.Denoiser("svgf", (height, width))
+        alive, done = [], threading.Event()
+        frame = wall(height, width)
+        watched = [weakref.ref(array) for array in frame.values()] + [weakref.ref(denoiser)]
+
+        def run(denoiser, arguments):
+            denoiser(**arguments.pop())
+            done.set()
+
+        thread = threading.Thread(target=run, args=(denoiser, [frame]))
+        del denoiser, frame
+        thread.start()
+        while not done.is_set():
+            alive.append(all(reference() is not None for reference in watched))
+            time.sleep(0.001)
+        thread.join()
+        del thread
+        gc.collect()
+        self.assertTrue(alive[0])
+        self.assertTrue(all(reference() is None for reference in watched))
+
+    def test_no_memory_is_a_memory_error_after_which_it_works(self):
+        program = """
+import resource, numpy as np, quell
+from walls import wall, same_bits
+frame, small = wall(360, 640), wall(16, 16)
+out = np.empty((360, 640, 3), np.float32)
+quell.Denoiser("svgf", (16, 16))(small)  # threads have their stacks
+denoiser = quell.Denoiser("svgf", (360, 640))
+used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (used + (8 << 20), resource.RLIM_INFINITY))
+try:
+    denoiser(frame, out=out)
+    raise SystemExit("it had enough")
+except MemoryError as error:
+    print(error)
+resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
+denoiser(frame, out=out)
+print(same_bits(out, quell.Denoiser("svgf", (360, 640))(frame)))
+"""
+        ran = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, cwd=pathlib.Path(__file__).parent)
+        self.assertEqual(ran.returncode, 0, ran.stderr + ran.stdout)
+        sentence, same = ran.stdout.splitlines()
+        self.assertIn("memory", sentence)
+        self.assertEqual(same, "True")
+
+
+class Threads(unittest.TestCase):
+    def test_two_threads_with_one_denoiser(self):
+        frame = wall(360, 640)
+        denoiser = quell.Denoiser("svgf", (360, 640))
+        errors, stop = [], threading.Event()
+
+        def run():
+            while not stop.is_set():
+                try:
+                    denoiser(frame)
+                except quell.Error as error:
+                    errors.append(error)
+
+        thread = threading.Thread(target=run)
+        thread.start()
+        deadline = time.monotonic() + 60
+        while not errors and time.monotonic() < deadline:
+            try:
+                denoiser(frame)
+            except quell.Error as error:
+                errors.append(error)
+        stop.set()
+        thread.join()
+        self.assertEqual(errors[0].status, quell.Status.BUSY)
+        self.assertIn("another thread runs this denoiser", str(errors[0]))
+        denoiser.forget()
+        self.assertTrue(same_bits(denoiser(frame), quell.Denoiser("svgf", (360, 640))(frame)))
+
+    def test_two_denoisers_in_two_threads_do_not_meet(self):
+        frames = [wall(HEIGHT, WIDTH, seed) for seed in range(8)]
+        made = {}
+
+        def run(name):
+            made[name] = pictures(quell.Denoiser("svgf", (HEIGHT, WIDTH), threads=1), frames)
+
+        threads = [threading.Thread(target=run, args=(name,)) for name in "ab"]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        wanted = pictures(quell.Denoiser("svgf", (HEIGHT, WIDTH)), frames)
+        self.assertTrue(same_bits(made["a"], wanted) and same_bits(made["b"], wanted))
+
+    def test_other_threads_run_meanwhile(self):
+        frame = wall(720, 1280)
+        denoiser = quell.Denoiser("svgf", (720, 1280))
+        denoiser(frame)
+        times = {}
+
+        def run():
+            times["begin"] = time.monotonic()
+            denoiser(frame)
+            times["end"] = time.monotonic()
+
+        thread = threading.Thread(target=run)
+        thread.start()
+        seen = []
+        while thread.is_alive():
+            seen.append(time.monotonic())
+            time.sleep(0)
+        thread.join()
+        third = (times["end"] - times["begin"]) / 3
+        within = [t for t in seen if times["begin"] + third < t < times["end"] - third]
+        self.assertGreater(len(within), 10)
+
+
+class Interrupts(unittest.TestCase):
+    def test_ctrl_c_while_a_frame_runs_ends_behind_it(self):
+        frame = wall(360, 640)
+        denoiser = quell.Denoiser("svgf", (360, 640))
+        first = denoiser(frame)
+        timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+        began = time.monotonic()
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            while time.monotonic() < began + 60:
+                denoiser(frame)
+        timer.join()
+        denoiser.forget()
+        self.assertTrue(same_bits(denoiser(frame), first))
+
+    def test_ctrl_c_and_errors_of_progress_end_a_sequence(self):
+        frames = [wall(HEIGHT, WIDTH)] * 100
+
+        def interrupted(done, total):
+            if done == 3:
+                signal.raise_signal(signal.SIGINT)
+
+        steps = []
+        with self.assertRaises(KeyboardInterrupt):
+            for picture in quell.denoise(frames, "svgf", later_frames=0, progress=interrupted):
+                steps.append(picture)
+        self.assertEqual(len(steps), 3)
+
+        def fails(done, total):
+            raise RuntimeError("enough")
+
+        with self.assertRaisesRegex(RuntimeError, "enough"):
+            list(quell.denoise(frames, "svgf", later_frames=0, progress=fails))
+
+
+class Errors(unittest.TestCase):
+    def test_errors_are_values_that_can_be_sent(self):
+        with self.assertRaises(quell.Error) as caught:
+            quell.Denoiser("best", (HEIGHT, WIDTH))
+        sent = pickle.loads(pickle.dumps(caught.exception))
+        self.assertEqual((str(sent), sent.status), (str(caught.exception), quell.Status.UNKNOWN_PRESET))
+        self.assertIsInstance(sent, ValueError)
+
+
+if __name__ == "__main__":
+    unittest.main()
