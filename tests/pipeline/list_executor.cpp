@@ -4,6 +4,8 @@
 #include <quell/presets/effects.hpp>
 #include <quell/presets/general.hpp>
 
+#include <algorithm>
+
 using namespace quell;
 
 // An executor that takes the whole list may run it in any order that the list allows.

@@ -2,7 +2,6 @@
 
 #include <quell/execute/executor.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -46,29 +45,32 @@ concept ListExecutor = Executor<E> && requires(E const e, std::span<ListedPass c
 };
 
 namespace detail {
-/// How many rows of an image one pass must be ahead of another. Negative where the image is none of both's.
+inline bool writes(ListedPass const& pass, void const* image) {
+    for (void const* const written : pass.writes)
+        if (written == image) return true;
+    return false;
+}
+/// How many rows one pass must be ahead of another that reads what it writes. Negative where that reads none of it.
 inline int rows_ahead(ListedPass const& writer, ListedPass const& reader) {
     int rows = -1;
     for (auto const& read : reader.reads)
-        if (std::ranges::find(writer.writes, read.image) != writer.writes.end()) rows = std::max(rows, read.rows);
+        if (read.rows > rows && writes(writer, read.image)) rows = read.rows;
     return rows;
-}
-inline int rows_ahead_to_write(ListedPass const& earlier, ListedPass const& later) {
-    bool const both = std::ranges::any_of(
-        later.writes, [&](void const* image) { return std::ranges::find(earlier.writes, image) != earlier.writes.end(); });
-    return both ? 0 : -1;
 }
 } // namespace detail
 
 /// How many rows of an earlier pass must be done before a later one may compute its row y: 0 where they share no image. A later pass waits
 /// for what it reads to be written, and for what it overwrites to be read.
 [[nodiscard]] inline int rows_before(ListedPass const& earlier, ListedPass const& later, int y) {
-    int const ahead =
-        std::max({detail::rows_ahead(earlier, later), detail::rows_ahead(later, earlier), detail::rows_ahead_to_write(earlier, later)});
+    int const to_read = detail::rows_ahead(earlier, later), to_overwrite = detail::rows_ahead(later, earlier);
+    int ahead = to_read > to_overwrite ? to_read : to_overwrite;
+    for (void const* const image : later.writes)
+        if (ahead < 0 && detail::writes(earlier, image)) ahead = 0;
     if (ahead < 0) return 0;
     if (ahead == std::numeric_limits<int>::max()) return earlier.size.height;
     int const last_of_frame = (y + 1) * later.fraction - 1 + ahead;
-    return std::min(last_of_frame / earlier.fraction + 1, earlier.size.height);
+    int const rows = last_of_frame / earlier.fraction + 1;
+    return rows < earlier.size.height ? rows : earlier.size.height;
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET
