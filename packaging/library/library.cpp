@@ -401,9 +401,12 @@ quell_status quell_get_statistics(quell_denoiser const* denoiser, quell_statisti
                                            sizeof(quell_statistics));
             !wrong.empty())
             return fail(QUELL_INVALID_ARGUMENT, wrong);
+        Running const running(*const_cast<quell_denoiser*>(denoiser));
+        if (!running.first) return fail(QUELL_BUSY, "quell_get_statistics: another thread runs this denoiser; wait for it");
         auto const counted = denoiser->instance->statistics();
-        *statistics = {sizeof(quell_statistics), counted.frames,          counted.resets,
-                       counted.missing_samples,  counted.repaired_guides, counted.bytes};
+        auto const size = std::min(statistics->struct_size, sizeof(own)); // an earlier version's is shorter
+        own = {size, counted.frames, counted.resets, counted.missing_samples, counted.repaired_guides, counted.bytes};
+        std::memcpy(statistics, &own, size);
         return QUELL_OK;
     });
 }
