@@ -107,11 +107,11 @@ template <class FrameViews, class OutputView, class... Signals> struct Composite
     static constexpr auto name = "composite";
     FrameViews frame;
     OutputView output;
-    NumberedSignals<std::index_sequence_for<Signals...>, Signals...> signals;
+    NumberedSignals<std::index_sequence_for<Signals...>, Signals...> denoised;
 
     template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
         vec3<Real> sum{Real(0.f), Real(0.f), Real(0.f)};
-        [&]<std::size_t... i>(std::index_sequence<i...>) QUELL_INLINED { (add<Real>(sum, numbered<i>(signals), x, y), ...); }
+        [&]<std::size_t... i>(std::index_sequence<i...>) QUELL_INLINED { (add<Real>(sum, numbered<i>(denoised), x, y), ...); }
         (std::index_sequence_for<Signals...>{});
         store_pixels<Real>(output, x, y, sum, count);
     }
@@ -135,7 +135,7 @@ private:
     template <class Real, class C> QUELL_KERNEL vec3<Real> factor(int x, int y) const {
         constexpr int which = index_of<C>();
         if constexpr (which < static_cast<int>(sizeof...(Signals)))
-            return load_pixels<Real>(numbered<std::size_t{which}>(signals).view, x, y);
+            return load_pixels<Real>(numbered<std::size_t{which}>(denoised).view, x, y);
         else
             return of_frame<C>(load_pixels<Real>(frame.view(C{}), x, y));
     }
@@ -179,9 +179,9 @@ struct CompositeRun {
                      E const& executor) {
         [&]<std::size_t... i>(std::index_sequence<i...>) {
             auto const factors = frame.views(typename Composite<Ps...>::factors{});
-            auto const sum = [&](auto... signals) {
-                CompositeJob<decltype(frame.views(typename Composite<Ps...>::factors{})), Output, decltype(signals)...> const job{
-                    .frame = factors, .output = output, .signals = {{signals}...}};
+            auto const sum = [&](auto... denoised) {
+                CompositeJob<decltype(frame.views(typename Composite<Ps...>::factors{})), Output, decltype(denoised)...> const job{
+                    .frame = factors, .output = output, .denoised = {{denoised}...}};
                 executor.for_each_pixel(Region{0, 0, frame.size.width, frame.size.height}, job);
             };
             // Initialiser lists are evaluated in order.
