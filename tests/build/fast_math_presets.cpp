@@ -15,8 +15,8 @@ std::vector<FuzzedPreset>& cases() {
 }
 } // namespace quell::fuzz
 
-TEST_CASE("under -ffast-math, output and history of every preset are finite for any bits") {
-    REQUIRE(quell::fuzz::cases().size() > 30);
+TEST_CASE("under -ffast-math, output and history of every policy are finite for any bits") {
+    REQUIRE(quell::fuzz::cases().size() > 13);
     for (auto const& preset : quell::fuzz::cases()) {
         CAPTURE(preset.name);
         std::mt19937 random(7);

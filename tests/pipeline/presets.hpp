@@ -52,7 +52,9 @@ inline quell_library::Way const* compiled_preset(std::string_view name) {
 template <class Preset> void check_same_everywhere(Preset const& preset) {
     CAPTURE(preset.name);
     // Their cones are in half: what differs in the last bit of a float may be rounded to another half.
-    double const allowed = preset.name == "dual-cone" || preset.name == "trmv" ? 2e-4 : 2e-5;
+    bool const is_coarse = preset.name == "dual-cone" || preset.name == "trmv";
+    // Tests are compiled at -O1, which joins other products and sums than -O2.
+    double const allowed = is_coarse ? 2e-4 : 1e-4;
     auto const denoise = Preset::usual();
     auto const* const compiled = compiled_preset(preset.name);
     if (!compiled) return;

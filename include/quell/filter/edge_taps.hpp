@@ -59,7 +59,10 @@ template <bool skips_missing, class Px> QUELL_KERNEL auto start_at(Px const& tap
 /// other: what depends on their distance only is computed once for two.
 /// @tparam skips_missing missing samples, where they are still marked, get the smallest weight
 /// @tparam radius        in taps; it is unrolled: use small ones
+/// @param px             the centre, a cursor
+/// @param step           from a tap to the next, in pixels
 /// @param around         what around(px) of an EdgeWeight returns
+/// @param body           body(tap)
 template <bool skips_missing, int radius, class Px, class Around, class Body>
 QUELL_KERNEL void for_each_edge_tap(Px const& px, int step, Around const& around, Body&& body) {
     using Real = typename Px::Real;

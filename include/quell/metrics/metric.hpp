@@ -15,9 +15,9 @@ namespace quell::inline QUELL_INSTRUCTION_SET::metrics {
 /// A displayed picture beside what it should be, and the FLIP between them: it takes longest, and serves more than one purpose.
 /// @throws Error where sizes differ or a component is outside [0, 1]
 struct Comparison {
-    Picture const& reference;
-    Picture const& test;
-    Flip difference = flip(reference, test);
+    Picture const& reference;                ///< what it should be
+    Picture const& test;                     ///< what is judged
+    Flip difference = flip(reference, test); ///< by pixel
 };
 
 /// A number that says how far a picture is from its reference.
@@ -27,7 +27,7 @@ struct Metric {
     std::string_view meaning;                     ///< in words
     std::string_view remark;                      ///< what else there is to say where it is one of the whole picture
     double (*of)(Comparison const&, Mask const&); ///< over the selected pixels
-    bool higher_is_better = false;
+    bool higher_is_better = false;                ///< as of SSIM; else lower is
 };
 
 /// All metrics, in the order in which programs show them. A new one is a line here: columns, keys, reports and charts go by this table.
@@ -41,7 +41,8 @@ inline constexpr std::array all_metrics{
 
 /// A metric's place in the table, by its name. A name that isn't there does not compile.
 struct MetricName {
-    std::size_t place = 0;
+    std::size_t place = 0; ///< in all_metrics
+    /// @param name of a metric
     consteval MetricName(char const* name) {
         while (all_metrics[place].name != name) ++place;
     }
@@ -49,9 +50,11 @@ struct MetricName {
 
 /// A number for each metric: of one picture, or means over several.
 struct Errors {
-    std::array<double, all_metrics.size()> values{};
+    std::array<double, all_metrics.size()> values{}; ///< in the order of all_metrics
 
+    /// That of a metric, as in errors["rmse"].
     double& operator[](MetricName name) { return values[name.place]; }
+    /// The same to read.
     [[nodiscard]] double operator[](MetricName name) const { return values[name.place]; }
     /// Calls visit(metric, value) for each.
     void for_each(auto const& visit) const {
@@ -69,9 +72,10 @@ struct Errors {
 
 /// Means of pictures' errors. Pictures are added one by one.
 struct MeanErrors {
-    Errors sum{};
-    int count = 0;
+    Errors sum{};  ///< so far
+    int count = 0; ///< of pictures
 
+    /// Adds those of a picture.
     void add(Errors const& errors) {
         std::ranges::transform(sum.values, errors.values, sum.values.begin(), std::plus{});
         ++count;
