@@ -62,7 +62,7 @@ public:
           denoiser(way.make(s, {.run = Running::run, .user = &running, .threads = max_threads(), .pass_done = Running::pass_done}, {})) {}
     void run(std::size_t frame, How how) override {
         std::array const window{frame_at(frame)};
-        auto const output = image_of(out, way.output_components, size);
+        auto const output = planes_of(out, way.output_components, size);
         running.how = how, running.last = Seconds::now();
         denoiser->run(window, output);
     }

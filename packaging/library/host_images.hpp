@@ -4,7 +4,6 @@
 
 #include <quell/image/planar.hpp>
 
-#include <cstring>
 #include <new>
 #include <optional>
 
@@ -141,20 +140,20 @@ private:
     /// Whatever the layout. Not inlined: it would make each kernel longer.
     template <class Real> QUELL_OUTLINED static void store_any(HostTarget const& to, int x, int y, quell::Value<N, Real> const& value) {
         constexpr int width = quell::width_of<Real>;
-        alignas(64) float apart[std::size_t{N}][std::size_t{width}], run[std::size_t{N * width}];
+        alignas(64) float apart[std::size_t{N}][std::size_t{width}];
         each([&](auto c) {
             if constexpr (width > 1)
                 quell::component<c>(value).store_aligned(apart[c]);
             else
                 apart[c][0] = quell::component<c>(value);
         });
-        for (int i = 0; i < width; ++i)
-            for (int c = 0; c < N; ++c) run[i * N + c] = apart[c][i];
-        if (!to.is_half && to.component_stride == sizeof(float) && to.pixel_stride == N * to.component_stride)
-            std::memcpy(to.address(0, x, y), run, sizeof(run));
-        else
+        if (!to.is_half && to.component_stride == sizeof(float) && to.pixel_stride == N * to.component_stride) {
+            auto* const pixels = reinterpret_cast<float*>(to.address(0, x, y));
             for (int i = 0; i < width; ++i)
-                for (int c = 0; c < N; ++c) to.set(c, x + i, y, run[i * N + c]);
+                for (int c = 0; c < N; ++c) pixels[i * N + c] = apart[c][i];
+        } else
+            for (int i = 0; i < width; ++i)
+                for (int c = 0; c < N; ++c) to.set(c, x + i, y, apart[c][i]);
     }
 };
 

@@ -37,6 +37,13 @@ inline Image image_of(std::vector<float>& pixels, int components, quell::Extent 
             .pixel_stride = components * element,
             .row_stride = components * element * size.width};
 }
+/// The same, plane by plane.
+inline Image planes_of(std::vector<float>& pixels, int components, quell::Extent size) {
+    auto image = image_of(pixels, components, size);
+    image.pixel_stride = image.component_stride, image.row_stride = image.pixel_stride * size.width;
+    image.component_stride = image.row_stride * size.height;
+    return image;
+}
 
 /// Runs all tasks on the calling thread.
 inline void run_here(void*, std::int32_t count, void (*task)(void* context, std::int32_t index), void* context) {
