@@ -9,15 +9,17 @@ add_library(quell_loaded_frame OBJECT loaded_frame.cpp)
 target_link_libraries(quell_loaded_frame PRIVATE quell_develop_portable quell_exr)
 # Thirty channels compile in two thirds of the time; reading waits for the file's compression anyway.
 target_compile_options(quell_loaded_frame PRIVATE -O1)
-set_target_properties(quell_loaded_frame PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+add_library(quell_exr_code OBJECT exr_library.cpp)
+target_link_libraries(quell_exr_code PRIVATE quell_develop_portable quell_exr)
+set_target_properties(quell_loaded_frame quell_exr_code PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
+    VISIBILITY_INLINES_HIDDEN ON)
 
 foreach(kind SHARED STATIC)
     string(TOLOWER quell_library_exr_${kind} target)
-    add_library(${target} ${kind} exr_library.cpp $<TARGET_OBJECTS:quell_loaded_frame>)
-    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:quell_develop_portable> OpenEXR::OpenEXR)
+    add_library(${target} ${kind} $<TARGET_OBJECTS:quell_exr_code> $<TARGET_OBJECTS:quell_loaded_frame>)
+    target_link_libraries(${target} PRIVATE OpenEXR::OpenEXR)
     target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-    set_target_properties(${target} PROPERTIES OUTPUT_NAME quell-exr CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
-        POSITION_INDEPENDENT_CODE ON VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR} LINK_DEPENDS
+    set_target_properties(${target} PROPERTIES OUTPUT_NAME quell-exr LINKER_LANGUAGE CXX VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR} LINK_DEPENDS
         ${CMAKE_CURRENT_SOURCE_DIR}/exr_names.map)
 endforeach()
 target_link_options(quell_library_exr_shared PRIVATE -Wl,--version-script=${CMAKE_CURRENT_SOURCE_DIR}/exr_names.map)

@@ -76,7 +76,7 @@ QUELL_CALL quell_status quell_exr_choose_signal(quell_exr *file, const char *nam
  * @param channel  quell's name of it: one that quell_channel_name() lists
  * @param optional 1: frames may lack it, as quell_channel_is_optional() says. It is left out where the file lacks it.
  * @param planes   names of the file's channels for its components, as many as it has; null: those by which quell knows the file */
-QUELL_CALL quell_status quell_exr_want(quell_exr *file, const char *channel, int32_t optional, const char *const * planes);
+QUELL_CALL quell_status quell_exr_want(quell_exr *file, const char *channel, int32_t optional, const char *const *planes);
 /* Reads the channels that are wanted, all at once. Sets frame->channels and channel_count; camera, to null where the file has none; shutter,
  * where it has one. All else of the frame stays. What is set lies in memory of the file's, until it is read again or closed.
  * Motion vectors, depth and misses are in quell's own conventions then.
