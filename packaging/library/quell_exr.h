@@ -116,7 +116,8 @@ typedef struct quell_exr_output {
     size_t channel_count;
     int32_t format;        /* of the numbers in the file: QUELL_FLOAT16 or QUELL_FLOAT32 */
     int32_t compression;   /* a quell_exr_compression */
-    const quell_exr *like; /* the file whose attributes are written too, those that quell_exr_attribute_name() lists; null: none */
+    const quell_exr *like; /* the file whose attributes are written too: those that quell_exr_attribute_name() lists, less those that say how
+                              that file is laid out; null: none */
 } quell_exr_output;
 #ifdef __cplusplus
 #define QUELL_EXR_OUTPUT                                                                                                                   \
