@@ -226,11 +226,12 @@ quell_status quell_exr_get_info(quell_exr const* file, quell_exr_info* info) {
             !wrong.empty())
             return fail(QUELL_INVALID_ARGUMENT, wrong);
         own = QUELL_EXR_INFO;
+        own.struct_size = std::min(info->struct_size, sizeof(own)); // an earlier version's is shorter
         own.width = file->file.size.width, own.height = file->file.size.height;
         auto const header = file->header();
         if (auto const camera = io::camera_of(header)) own.has_camera = 1, own.camera = in_c(*camera);
         if (auto const shutter = io::shutter_of(header)) own.has_shutter = 1, own.shutter = *shutter;
-        *info = own;
+        std::memcpy(info, &own, own.struct_size);
         return QUELL_OK;
     });
 }

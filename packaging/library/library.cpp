@@ -212,7 +212,7 @@ char const* quell_error(void) { return last_error().c_str(); }
 char const* quell_preset_name(int32_t index) {
     auto const* const code = std::ranges::find_if(codes, runs_here);
     if (code == std::end(codes) || index < 0) return nullptr;
-    auto const& all = code->presets();
+    auto const& all = *code->presets();
     return static_cast<std::size_t>(index) < all.size() ? all[static_cast<std::size_t>(index)].name.c_str() : nullptr;
 }
 char const* quell_instruction_set_name(int32_t index) {
@@ -233,7 +233,7 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
         quell_status status = QUELL_OK;
         auto const* const code = code_for(settings->instruction_set, status);
         if (code == nullptr) return status;
-        auto const& all = code->presets();
+        auto const& all = *code->presets();
         auto const wanted = std::string(settings->preset != nullptr ? settings->preset : "");
         auto const preset = std::ranges::find(all, wanted, &PresetCode::name);
         if (preset == all.end())

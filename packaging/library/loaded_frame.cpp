@@ -14,7 +14,7 @@ namespace {
 
 using namespace quell;
 using Planes = FileChannel::Memory;
-template <int N> using PlanesView = Planar<>::Image<N>::View;
+template <int N> using PlanesView = typename Planar<>::template Image<N>::View;
 
 /// Planes of N components in padded rows, one after the other.
 template <int N> PlanesView<N> planes_in(Planes& memory, Extent size) {
