@@ -1,6 +1,6 @@
 #pragma once
 
-#include <denoise/loaded_frame.hpp>
+#include <library/loaded_frame.hpp>
 #include <library/own_threads.hpp>
 
 #include <quell/diagnose/cheap_diagnosis.hpp>
@@ -84,8 +84,8 @@ private:
     Extent size; ///< of the last frame
     quell_library::OwnThreads threads;
     std::unique_ptr<quell_library::CompiledDenoiser> code;
-    std::deque<LoadedFrame> window;                 ///< frames that it was shown and has not denoised
-    std::vector<LoadedFrame> spare;                 ///< memory of frames that it has denoised
+    std::deque<quell_library::LoadedFrame> window;  ///< frames that it was shown and has not denoised
+    std::vector<quell_library::LoadedFrame> spare;  ///< memory of frames that it has denoised
     std::vector<quell_library::FrameImages> images; ///< the window's
     double taken = 0;                               ///< milliseconds
     bool looks = false;                             ///< whether frames are looked at

@@ -2,6 +2,7 @@
 #define QUELL_CALL __attribute__((visibility("default")))
 #include "quell.h"
 
+#include "calls.hpp"
 #include "own_threads.hpp"
 #include "preset_code.hpp"
 
@@ -9,8 +10,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstring>
-#include <new>
 
 extern "C" quell_library::PresetCodes QUELL_ENTRIES;
 
@@ -27,30 +26,6 @@ struct Code {
 constexpr Code codes[] = {QUELL_CODES}; // the best first
 
 bool runs_here(Code const& code) { return code.runs_anywhere || machine_runs(code.name); }
-
-std::string& last_error() {
-    static thread_local std::string text;
-    return text;
-}
-quell_status fail(quell_status status, std::string const& sentence) {
-    last_error() = sentence;
-    return status;
-}
-/// Calls f, which may run out of memory.
-template <class F> quell_status guarded(F&& f) noexcept {
-    try {
-        last_error().clear();
-        return f();
-    } catch (std::bad_alloc const&) {
-        return QUELL_NO_MEMORY; // no memory for a sentence either
-    } catch (std::exception const& thrown) {
-        try {
-            return fail(QUELL_FAILED, thrown.what());
-        } catch (...) {
-            return QUELL_FAILED;
-        }
-    }
-}
 
 std::string joined(auto const& list, auto&& name) {
     std::string text;
@@ -120,46 +95,6 @@ public:
     Running& operator=(Running const&) = delete;
 };
 
-/// Takes a structure that begins with its size. What an earlier version of it lacks keeps its default; of a later version's further members
-/// none may be set.
-/// @param first size of the first version
-template <class T>
-std::string take_struct(T& to, std::byte const* from, std::string const& name, std::string const& start, std::size_t first) {
-    std::size_t size = 0;
-    std::memcpy(&size, from, sizeof(size));
-    auto const known = std::min(size, sizeof(T));
-    bool const is_set =
-        size < sizeof(T) + 4096 && std::any_of(from + known, from + std::max(size, known), [](std::byte b) { return b != std::byte{}; });
-    if (size < first || size >= sizeof(T) + 4096 || is_set)
-        return name + ".struct_size: " + std::to_string(size) + (is_set ? ", with members that this library does not know" : "") +
-               "; start from " + start + " of this library's quell.h";
-    std::memcpy(&to, from, known);
-    to.struct_size = sizeof(T);
-    return {};
-}
-
-/// Takes an image of the caller's; a sentence where it can't be.
-std::string take(Image& image, quell_image const& given, std::string const& what, int components, quell_denoiser const& denoiser) {
-    if (given.data == nullptr) return what + ": no memory (null); point it at its pixels";
-    if (given.format != QUELL_FLOAT32 && given.format != QUELL_FLOAT16)
-        return what + ": format " + std::to_string(given.format) + "; give QUELL_FLOAT32 or QUELL_FLOAT16";
-    if (given.components < components)
-        return what + ": " + std::to_string(given.components) + " components; it has " + std::to_string(components);
-    image.is_half = given.format == QUELL_FLOAT16;
-    std::ptrdiff_t const element = image.is_half ? 2 : 4;
-    image.data = static_cast<std::byte*>(given.data);
-    image.component_stride = given.component_stride != 0 ? given.component_stride : element;
-    image.pixel_stride = given.pixel_stride != 0 ? given.pixel_stride : element * given.components;
-    image.row_stride = given.row_stride != 0 ? given.row_stride : image.pixel_stride * denoiser.width;
-    for (auto const stride : {image.component_stride, image.pixel_stride, image.row_stride})
-        if (stride % element != 0)
-            return what + ": a stride of " + std::to_string(stride) + " bytes; give a multiple of " + std::to_string(element) +
-                   ", the size of a component";
-    if (reinterpret_cast<std::uintptr_t>(image.data) % static_cast<std::uintptr_t>(element) != 0)
-        return what + ": its memory is not aligned to " + std::to_string(element) + " bytes, the size of a component; align it";
-    return {};
-}
-
 std::string take_channels(quell_denoiser& denoiser, Frame& to, quell_frame const& frame) {
     auto const& wanted = denoiser.way->channels;
     to.channels.assign(wanted.size(), {});
@@ -177,7 +112,7 @@ std::string take_channels(quell_denoiser& denoiser, Frame& to, quell_frame const
         there[index] = true;
         if (frame.fractions != nullptr && frame.fractions[i] != 1)
             return what + ": a fraction of " + std::to_string(frame.fractions[i]) + "; give 1: other sizes are not supported yet";
-        if (auto const wrong = take(to.channels[index], given.image, what, found->components, denoiser); !wrong.empty()) return wrong;
+        if (auto const wrong = take(to.channels[index], given.image, what, found->components, denoiser.width); !wrong.empty()) return wrong;
     }
     for (std::size_t i = 0; i < there.size(); ++i)
         if (!there[i] && !wanted[i].optional)
@@ -187,7 +122,7 @@ std::string take_channels(quell_denoiser& denoiser, Frame& to, quell_frame const
 
 std::string take_output(quell_denoiser& denoiser, quell_frame const& frame) {
     int const components = denoiser.way->output_components;
-    if (auto const wrong = take(denoiser.output, frame.output, "output", components, denoiser); !wrong.empty()) return wrong;
+    if (auto const wrong = take(denoiser.output, frame.output, "output", components, denoiser.width); !wrong.empty()) return wrong;
     for (auto const stride : {denoiser.output.component_stride, denoiser.output.pixel_stride, denoiser.output.row_stride})
         if (stride == 0) return "output: a stride of 0 bytes; pixels must not lie on each other";
     auto const out = range_of(denoiser.output, components, denoiser.width, denoiser.height);
@@ -277,7 +212,7 @@ char const* quell_error(void) { return last_error().c_str(); }
 char const* quell_preset_name(int32_t index) {
     auto const* const code = std::ranges::find_if(codes, runs_here);
     if (code == std::end(codes) || index < 0) return nullptr;
-    auto const& all = code->presets();
+    auto const& all = *code->presets();
     return static_cast<std::size_t>(index) < all.size() ? all[static_cast<std::size_t>(index)].name.c_str() : nullptr;
 }
 char const* quell_instruction_set_name(int32_t index) {
@@ -298,7 +233,7 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
         quell_status status = QUELL_OK;
         auto const* const code = code_for(settings->instruction_set, status);
         if (code == nullptr) return status;
-        auto const& all = code->presets();
+        auto const& all = *code->presets();
         auto const wanted = std::string(settings->preset != nullptr ? settings->preset : "");
         auto const preset = std::ranges::find(all, wanted, &PresetCode::name);
         if (preset == all.end())
@@ -336,6 +271,8 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
 }
 void quell_destroy(quell_denoiser* denoiser) { delete denoiser; }
 
+int32_t quell_width(quell_denoiser const* denoiser) { return denoiser != nullptr ? denoiser->width : 0; }
+int32_t quell_height(quell_denoiser const* denoiser) { return denoiser != nullptr ? denoiser->height : 0; }
 char const* quell_channel_name(quell_denoiser const* denoiser, int32_t index) {
     if (denoiser == nullptr || index < 0) return nullptr;
     auto const& all = denoiser->way->channels;

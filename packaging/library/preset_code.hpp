@@ -101,6 +101,6 @@ struct PresetCode {
 };
 
 /// All presets, compiled for one instruction set.
-using PresetCodes = std::vector<PresetCode> const&();
+using PresetCodes = std::vector<PresetCode> const*();
 
 } // namespace quell_library

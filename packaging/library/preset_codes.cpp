@@ -126,7 +126,7 @@ std::vector<PresetCode> all_codes() {
 } // namespace quell_library
 
 extern "C" quell_library::PresetCodes QUELL_CODE_ENTRY;
-extern "C" std::vector<quell_library::PresetCode> const& QUELL_CODE_ENTRY() {
+extern "C" std::vector<quell_library::PresetCode> const* QUELL_CODE_ENTRY() {
     static std::vector<quell_library::PresetCode> const all = quell_library::all_codes();
-    return all;
+    return &all;
 }

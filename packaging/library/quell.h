@@ -170,6 +170,9 @@ QUELL_CALL quell_status quell_create(const quell_settings *settings, quell_denoi
 /* Null is none. */
 QUELL_CALL void quell_destroy(quell_denoiser *denoiser);
 
+/* Size of the frames. */
+QUELL_CALL int32_t quell_width(const quell_denoiser *denoiser);
+QUELL_CALL int32_t quell_height(const quell_denoiser *denoiser);
 /* Names of the channels that it reads; null behind the last. */
 QUELL_CALL const char *quell_channel_name(const quell_denoiser *denoiser, int32_t index);
 /* Whether frames may lack a channel. */

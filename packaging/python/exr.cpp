@@ -1,7 +1,8 @@
 // quell/io for Python: the module quell._exr.
 #include "errors.hpp"
 
-#include <quell/frame/frame.hpp>
+#include <library/loaded_frame.hpp>
+
 #include <quell/io/exr.hpp>
 
 #include <pybind11/numpy.h>
@@ -15,11 +16,6 @@ namespace {
 
 using namespace quell::io;
 using Floats = py::array_t<float, py::array::c_style>;
-
-/// What frames of files may have.
-using FileChannels = decltype(quell::AllChannels{} |
-                              quell::Channels<quell::RadianceAlpha, quell::SweepBend, quell::MotionNext, quell::SampleCount,
-                                              quell::SampleVariance, quell::SweepOf<quell::Visibility>, quell::SweepOf<quell::Glossy>>{});
 
 /// Calls f while other threads of Python run.
 template <class F> auto released(F const& f) {
@@ -132,19 +128,17 @@ SignalNames signal_of(ExrFile const& file, std::optional<std::string> const& wan
 }
 
 /// A channel in Python's memory, a plane for each component.
-template <class C>
-py::array read_channel(C channel, ExrImage const& image, ChannelNames const& names, quell::Frame<quell::Channels<C>>& frame) {
-    released([&] { return load(frame, image, names), true; });
-    py::array_t<float> planes({C::components, image.size.height, image.size.width});
+py::array read_channel(quell_library::FileChannel const& channel, ExrImage const& image, ChannelNames const& names) {
+    quell_library::FileChannel::Memory memory;
+    auto const loaded = released([&] { return channel.load(memory, image, names); });
+    auto const width = static_cast<std::size_t>(image.size.width);
+    py::array_t<float> planes({channel.components, image.size.height, image.size.width});
     auto* to = planes.mutable_data();
-    auto const view = frame[channel].view();
-    for (int c = 0; c < C::components; ++c)
-        for (int y = 0; y < image.size.height; ++y)
-            for (int x = 0; x < image.size.width; ++x) *to++ = view.get(c, x, y);
-    if constexpr (C::components == 1)
-        return planes.attr("__getitem__")(0);
-    else
-        return planes.attr("transpose")(1, 2, 0);
+    for (int c = 0; c < channel.components; ++c)
+        for (int y = 0; y < image.size.height; ++y, to += width)
+            std::memcpy(to, loaded.data + (c * loaded.component_stride + y * loaded.row_stride), width * sizeof(float));
+    if (channel.components == 1) return planes.attr("__getitem__")(0);
+    return planes.attr("transpose")(1, 2, 0);
 }
 
 /// @param channels those to read; None: those that the file has
@@ -172,15 +166,14 @@ py::tuple read_frame(std::string const& path, std::optional<std::vector<std::str
     };
     released([&] { return shutter_of({file->name, file->size, {}, file->attributes}, names); }); // its errors
     take_attributes({file->name, file->size, {}, file->attributes});
-    quell::for_each_channel(FileChannels{}, [&]<class C>(C channel) {
-        bool const is_wanted = !channels || std::ranges::find(*channels, C::name) != channels->end();
-        if (!is_wanted) return;
-        auto const planes = released([&] { return planes_of(sources_of(names, channel)); });
-        if (!channels && !file->has_all(planes)) return;
+    for (auto const& channel : quell_library::file_channels()) {
+        bool const is_wanted = !channels || std::ranges::find(*channels, channel.name) != channels->end();
+        if (!is_wanted) continue;
+        auto const planes = released([&] { return channel.planes(names); });
+        if (!channels && !file->has_all(planes)) continue;
         auto const image = released([&] { return file->read(planes); });
-        quell::Frame<quell::Channels<C>> frame(file->size);
-        read[py::str(std::string(C::name))] = read_channel(channel, image, names, frame);
-    });
+        read[py::str(std::string(channel.name))] = read_channel(channel, image, names);
+    }
     if (channels)
         for (auto const& each : *channels)
             if (!read.contains(each.c_str()))

@@ -11,6 +11,9 @@ if("library" IN_LIST FEATURES AND VCPKG_TARGET_ARCHITECTURE STREQUAL "x64")
     # Of these the best that a machine has is chosen at the start.
     list(APPEND features "-DQUELL_LIBRARY_INSTRUCTION_SETS=x86-64\;x86-64-v3\;x86-64-v4")
 endif()
+if(NOT "exr" IN_LIST FEATURES)
+    list(APPEND features -DCMAKE_DISABLE_FIND_PACKAGE_OpenEXR=ON) # libquell-exr would be built wherever it happens to be
+endif()
 vcpkg_cmake_configure(
     SOURCE_PATH "${SOURCE_PATH}"
     OPTIONS

@@ -7,6 +7,7 @@
 #include <quell/io/replace_file.hpp>
 
 #include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfCompression.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfOutputFile.h>
@@ -90,9 +91,9 @@ inline void check_writable(std::string const& file, ExrImage const& image) {
     }
 }
 
-inline void encode(Imf::OStream& stream, std::string const& file, ExrImage const& image) {
+inline void encode(Imf::OStream& stream, std::string const& file, ExrImage const& image, Imf::Compression compression) {
     Imf::Header header(image.size.width, image.size.height);
-    header.compression() = Imf::ZIP_COMPRESSION;
+    header.compression() = compression;
     for (auto const& [name, value] : image.attributes) insert_attribute(header, name, value);
     Imf::FrameBuffer buffer;
     std::deque<Outgoing> numbers; // slices point into it
@@ -108,13 +109,14 @@ inline void encode(Imf::OStream& stream, std::string const& file, ExrImage const
 
 } // namespace detail
 
-/// Writes a file with one part, ZIP-compressed scan lines, and each plane in its own format. The file is replaced atomically.
+/// Writes a file with one part, scan lines, and each plane in its own format. The file is replaced atomically.
+/// @param compression of the pixels; a lossy one also changes numbers that are no colours
 /// @throws Failure naming the file and, where it is at fault, the channel
-inline void write_exr(std::filesystem::path const& path, ExrImage const& image) {
+inline void write_exr(std::filesystem::path const& path, ExrImage const& image, Imf::Compression compression = Imf::ZIP_COMPRESSION) {
     auto const file = path.string();
     detail::check_writable(file, image);
     detail::MemoryStream stream(file);
-    detail::naming_file<Failure>(file, "it can't be encoded", [&] { detail::encode(stream, file, image); });
+    detail::naming_file<Failure>(file, "it can't be encoded", [&] { detail::encode(stream, file, image, compression); });
     replace_file(path, stream.contents());
 }
 
