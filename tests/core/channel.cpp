@@ -11,7 +11,7 @@ static_assert(contained_in<Channels<Depth>, Channels<Normal, Depth>>);
 static_assert(!contained_in<Channels<Depth, Motion>, Channels<Normal, Depth>>);
 
 // Names in files: a letter for each component, or the whole name of the only one.
-namespace {
+namespace of_files {
 struct Pair : Channel<2> {
     static constexpr auto name = "pair";
     static constexpr auto component_names = "X";
@@ -23,7 +23,8 @@ struct Unnamed : Channel<1> {
 struct Numbered : Channel<5> {
     static constexpr auto name = "numbered";
 };
-} // namespace
+} // namespace of_files
+using namespace of_files;
 static_assert(Radiance::component_names == "RGB" && Instance::component_names == "ID" && Visibility::component_names == "V");
 static_assert(detail::SaysRightly<Instance> && detail::SaysRightly<Numbered> && !detail::SaysRightly<Pair> &&
               !detail::SaysRightly<Unnamed>);
