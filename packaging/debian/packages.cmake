@@ -48,9 +48,19 @@ It has quell's presets, compiled, for C and all languages that call it." quell_l
 file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/shlibs CONTENT "libquell ${PROJECT_VERSION_MAJOR} ${library} (>= ${PROJECT_VERSION})\n")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_BINARY_DIR}/shlibs)
 
+set(exr_library)
+if(TARGET quell_library_exr_shared)
+    set(exr_library "libquell-exr${PROJECT_VERSION_MAJOR} (= ${PROJECT_VERSION}), ")
+    quell_debian_package(library_exr libquell-exr${PROJECT_VERSION_MAJOR} libs "" "Real-time denoising of ray-traced images, EXR files
+It reads and writes EXR files for hosts of libquell." quell_library_exr_shared)
+    file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/exr/shlibs
+        CONTENT "libquell-exr ${PROJECT_VERSION_MAJOR} libquell-exr${PROJECT_VERSION_MAJOR} (>= ${PROJECT_VERSION})\n")
+    set(CPACK_DEBIAN_LIBRARY_EXR_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_BINARY_DIR}/exr/shlibs)
+endif()
+
 # oneTBB: the static library is linked with it, and CMake's file of both libraries names it.
 quell_debian_package(library_development libquell-dev libdevel
-    "${library} (= ${PROJECT_VERSION}), libquell-headers (= ${PROJECT_VERSION}), libtbb-dev (>= 2021)"
+    "${library} (= ${PROJECT_VERSION}), ${exr_library}libquell-headers (= ${PROJECT_VERSION}), libtbb-dev (>= 2021)"
     "Real-time denoising of ray-traced images, development files
 Headers for C and C++, the static library, and what CMake and pkg-config
 find libquell by." quell_library_shared quell_library_static)
