@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Seconds and peak memory to compile an empty file that includes quell/quell.hpp, and each example that is one file; with g++ also with
-# flags that shorten it:
+# Seconds and peak memory to compile an empty file that includes quell/quell.hpp, each example that is one file, and a host of libquell;
+# with g++ also with flags that shorten it:
 #   bench/compile_time.sh [g++ or another compiler]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -34,4 +34,6 @@ for flags in "${all_flags[@]}"; do
         # shellcheck disable=SC2086
         [ ! -f "$example" ] || measure "$example" "$example" $flags
     done
+    # shellcheck disable=SC2086
+    measure "examples/library/denoise.cpp" examples/library/denoise.cpp -I packaging/library $flags
 done

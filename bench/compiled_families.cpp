@@ -38,33 +38,30 @@ struct Running {
     }
 };
 
-bool has_channels(std::vector<ReadChannel> const& channels, auto set) {
-    return std::ranges::all_of(channels, [&](auto const& channel) {
+bool reads_only(Way const& way, auto set) {
+    return std::ranges::all_of(way.channels, [&](auto const& channel) {
         bool has = false;
         for_each_channel(set, [&](auto c) { has = has || channel.name == c.name; });
         return has;
     });
 }
-bool reads(Way const& way, std::string_view name) {
-    return std::ranges::find(way.channels, name, &ReadChannel::name) != way.channels.end();
-}
-
 class CompiledWorkload final : public Workload {
     Way const& way;
     Extent size;
     Running running;
+    Planar<>::Image<4> out; ///< of which the first components are used
     std::unique_ptr<CompiledDenoiser> denoiser;
-    std::vector<float> out;
+    std::vector<FrameImages> frames; ///< of the sequence
 
 public:
     CompiledWorkload(Way const& w, Extent s)
-        : way(w), size(s), running{{}, &taken},
-          denoiser(way.make(s, {.run = Running::run, .user = &running, .threads = max_threads(), .pass_done = Running::pass_done}, {})) {}
+        : way(w), size(s), running{{}, &taken}, out(s),
+          denoiser(way.make(s, {.run = Running::run, .user = &running, .threads = max_threads(), .pass_done = Running::pass_done}, {})) {
+        for (std::size_t i = 0; i < sequence_frames; ++i) frames.push_back(frame_at(i));
+    }
     void run(std::size_t frame, How how) override {
-        std::array const window{frame_at(frame)};
-        auto const output = planes_of(out, way.output_components, size);
         running.how = how, running.last = Seconds::now();
-        denoiser->run(window, output);
+        denoiser->run({&frames[frame], 1}, image_of_view(out.view()));
     }
     [[nodiscard]] double bytes_per_pixel() const override {
         return static_cast<double>(denoiser->bytes()) / static_cast<double>(size.pixels());
@@ -72,10 +69,10 @@ public:
 
 private:
     [[nodiscard]] FrameImages frame_at(std::size_t i) const {
-        if (has_channels(way.channels, Input::channels{})) return images_of(way.channels, sequence(size)[i]);
+        if (reads_only(way, Input::channels{})) return images_of(way, sequence(size)[i]);
 #if QUELL_BENCH_TRACES
-        if (reads(way, time.name) || reads(way, sweep.name)) return images_of(way.channels, traced_sequence<true>(size)[i]);
-        return images_of(way.channels, traced_sequence<false>(size)[i]);
+        if (way.place_of(time.name) || way.place_of(sweep.name)) return images_of(way, traced_sequence<true>(size)[i]);
+        return images_of(way, traced_sequence<false>(size)[i]);
 #else
         return {};
 #endif
@@ -86,12 +83,10 @@ private:
 
 std::vector<Family> compiled_families() {
     std::vector<Family> made;
-    for (std::size_t order = 0; auto const& preset : compiled_presets()) {
+    for (auto const& preset : compiled_presets()) {
         auto const& way = preset.usual;
-        auto const place = order++;
-        if (!is_chosen(QUELL_BENCH_PRESETS, preset.name) || !(QUELL_BENCH_TRACES || has_channels(way.channels, Input::channels{})))
-            continue;
-        made.push_back({preset.name, place, reference_storage, pass_names(way.passes()),
+        if (!is_chosen(QUELL_BENCH_PRESETS, preset.name) || !(QUELL_BENCH_TRACES || reads_only(way, Input::channels{}))) continue;
+        made.push_back({preset.name, reference_storage, pass_names(way.passes()),
                         [&way](Extent size) { return std::make_unique<CompiledWorkload>(way, size); }});
     }
     return made;

@@ -35,13 +35,13 @@ template <class... Storages> std::vector<Family> families_with() {
     std::vector<Family> others, all = compiled_families();
     (append_families<Storages>(others, std::make_index_sequence<QUELL_BENCH_UNITS>{}), ...);
     for (auto& family : others) {
-        auto const same = [&](Family const& f) { return f.order == family.order && f.storage == family.storage; };
+        auto const same = [&](Family const& f) { return f.preset == family.preset && f.storage == family.storage; };
+        auto const behind = std::ranges::find(all.rbegin(), all.rend(), family.preset, &Family::preset).base();
         if (auto const found = std::ranges::find_if(all, same); found != all.end())
             found->make_serial = family.make_serial;
-        else if (family.make)
-            all.push_back(std::move(family));
+        else if (behind != all.begin()) // QUELL_PRESETS has the preset
+            all.insert(behind, std::move(family));
     }
-    std::ranges::stable_sort(all, {}, &Family::order);
     return all;
 }
 } // namespace

@@ -38,7 +38,6 @@ private:
 /// A preset with a storage for its history. All else is common code.
 struct Family {
     std::string preset;
-    std::size_t order = 0; ///< the preset's place in quell::named_presets
     std::string storage;
     std::vector<std::string> passes;
     /// In packs; null where generated code has one pixel after the other alone.

@@ -40,13 +40,13 @@ public:
     [[nodiscard]] double bytes_per_pixel() const override { return history.bytes_per_pixel(); }
 };
 
-template <class Storage, class Preset> Family make_family(Preset const& preset, std::size_t order) {
+template <class Storage, class Preset> Family make_family(Preset const& preset) {
     using P = decltype(Preset::usual());
     using Format = typename Storage::format;
     constexpr bool with_serial = std::is_same_v<Storage, Planar<>>;
     std::vector<std::string> passes;
     for (auto const& pass : plan_of(Preset::usual()).passes) passes.emplace_back(pass.name);
-    Family family{std::string(preset.name), order, std::string(Storage::name) + "-" + Format::name, pass_names(passes)};
+    Family family{std::string(preset.name), std::string(Storage::name) + "-" + Format::name, pass_names(passes)};
     auto const make = [](Extent size) -> std::unique_ptr<Workload> {
         return std::make_unique<PresetWorkload<P, Storage, with_serial>>(Preset::usual(), size);
     };
@@ -67,7 +67,7 @@ template <class Storage, std::size_t unit, std::size_t units> std::vector<Family
         // One pixel at a time is a reference: of what reads more, it would take minutes to compile.
         constexpr bool wanted = !std::is_same_v<Storage, Planar<>> || reads_input<decltype(preset.usual())>;
         if constexpr (wanted && quell_library::is_chosen(QUELL_BENCH_PRESETS, preset.name) && is_measured<decltype(preset.usual())>)
-            made.push_back(make_family<Storage>(preset, i));
+            made.push_back(make_family<Storage>(preset));
     });
     return made;
 }

@@ -46,6 +46,7 @@ metrics::Picture Denoiser::denoise(io::ExrImage const& image, io::ChannelNames c
     if (window.empty()) look_ahead(image, names, number);
     images.clear();
     for (auto const& frame : window) images.push_back(frame.images);
+    drop_first(); // its memory stays; an error must not leave it to be denoised again
     found = findings_in(images.front(), image, names.motion);
     size = images.front().size;
 
@@ -57,7 +58,6 @@ metrics::Picture Denoiser::denoise(io::ExrImage const& image, io::ChannelNames c
     auto const begin = std::chrono::steady_clock::now();
     code->run(images, {.data = to, .component_stride = sizeof(float), .pixel_stride = pixel, .row_stride = pixel * size.width});
     taken += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-    drop_first();
     denoised_alpha.clear();
     for (std::size_t i = 0; i < with_alpha.size(); ++i) picture.pixels[i] = with_alpha[i], denoised_alpha.push_back(with_alpha[i].a);
     return picture;
@@ -80,9 +80,9 @@ std::vector<Finding> Denoiser::checked(FrameImages const& frame, MotionConventio
     --to_check;
     detail::Observation seen{.size = frame.size, .number = frame.number, .convention = converted_from, .camera = frame.camera};
     auto const look_up = [&](auto channel) -> detail::Lookup {
-        auto const read = std::ranges::find(way.channels, std::string_view(channel.name), &ReadChannel::name);
-        if (read == way.channels.end()) return {};
-        return [image = frame.channels[static_cast<std::size_t>(read - way.channels.begin())]](int c, int x, int y) {
+        auto const place = way.place_of(channel.name);
+        if (!place) return {};
+        return [image = frame.channels[*place]](int c, int x, int y) {
             return *reinterpret_cast<float const*>(image.data + c * image.component_stride + x * image.pixel_stride + y * image.row_stride);
         };
     };

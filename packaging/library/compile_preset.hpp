@@ -14,7 +14,6 @@
 #include <quell/quell.hpp>
 
 #include <algorithm>
-#include <deque>
 
 // Compiles presets: what generated files, and programs with presets of their own, instantiate.
 namespace quell_library {
@@ -171,12 +170,12 @@ public:
     void run(std::span<FrameImages const> given, Image const& output) override {
         this->use_memory();
         while (window.size() > given.size()) window.pop_back();
+        bool has_next = true; // whether the frame before says where its pixels go
         for (std::size_t i = 0; i < given.size(); ++i) {
             if (i == window.size()) window.emplace_back(given[i].size);
-            take_frame(window[i], given[i]);
+            bool const last_has_next = std::exchange(has_next, take_frame(window[i], given[i]));
+            if (!last_has_next) put_motion_next(window[i - 1], window[i]);
         }
-        for (std::size_t i = 0; i < given.size(); ++i)
-            if (given[i].channels[index_of_motion_next()].data == nullptr) put_motion_next(i);
         this->copy(run_two_sided(this->pipeline, joining, window, history, this->executor), output);
     }
     void forget() override { history.forget(); }
@@ -206,20 +205,14 @@ public:
     }
 
 private:
-    /// The place of a channel among those that it reads.
-    static std::size_t index_of_motion_next() {
-        std::size_t at = 0, found = 0;
-        for_each_channel(reads{}, [&]<class C>(C) {
-            if (std::is_same_v<C, quell::MotionNext>) found = at;
-            ++at;
-        });
-        return found;
-    }
-    void take_frame(OneFrame& frame, FrameImages const& given) const {
+    /// Returns whether the frame says where its pixels go in the next one.
+    bool take_frame(OneFrame& frame, FrameImages const& given) const {
         this->template take<Optional>(frame, given);
+        bool const has_next = frame[quell::motion_next].has_memory();
         fill_missing(frame[quell::sample_count], 1.f);
         fill_missing(frame[quell::sample_variance], 0.f);
         fill_missing(frame[quell::motion_next], std::numeric_limits<float>::quiet_NaN());
+        return has_next;
     }
     static void fill_missing(auto& image, float value) {
         if (image.has_memory()) return;
@@ -228,10 +221,9 @@ private:
             for (int x = 0; x < pixels.size.width; ++x)
                 for (int c = 0; c < pixels.components; ++c) pixels.set(c, x, y, value);
     }
-    /// That of a frame that lacks it, from the motion of the next one.
-    void put_motion_next(std::size_t i) {
-        if (i + 1 == window.size() || !(window[i].size == window[i + 1].size)) return;
-        quell::invert_motion(window[i][quell::motion_next].make(), window[i + 1][quell::motion].view(), window[i + 1][quell::depth].view());
+    static void put_motion_next(OneFrame& frame, OneFrame const& next) {
+        if (frame.size == next.size)
+            quell::invert_motion(frame[quell::motion_next].make(), next[quell::motion].view(), next[quell::depth].view());
     }
 };
 

@@ -75,6 +75,12 @@ struct Way {
     std::unique_ptr<CompiledDenoiser> (*make)(quell::Extent size, Parallel const&, Memory const&) = nullptr;
 
     explicit operator bool() const { return make != nullptr; }
+    /// The place of a channel among those that it reads; none where it does not read it.
+    [[nodiscard]] std::optional<std::size_t> place_of(std::string_view channel) const {
+        for (std::size_t i = 0; i < channels.size(); ++i)
+            if (channels[i].name == channel) return i;
+        return std::nullopt;
+    }
 };
 
 /// A channel that a preset denoises.

@@ -4,8 +4,8 @@
 
 #include "calls.hpp"
 #include "loaded_frame.hpp"
+#include "take_rows.hpp"
 
-#include <quell/core/half.hpp>
 #include <quell/io/camera_attributes.hpp>
 #include <quell/io/exr_file.hpp>
 #include <quell/io/frame_image.hpp>
@@ -88,11 +88,6 @@ quell_image in_c(Image const& image, int components) {
     return {image.data, QUELL_FLOAT32, components, image.component_stride, image.pixel_stride, image.row_stride};
 }
 
-FileChannel const* file_channel(std::string_view name) {
-    auto const found = std::ranges::find(file_channels(), name, &FileChannel::name);
-    return found != file_channels().end() ? &*found : nullptr;
-}
-
 /// The names by which the wanted channels are read.
 io::ChannelNames names_for(quell_exr const& file) {
     io::ChannelNames names;
@@ -140,7 +135,7 @@ void read(quell_exr& file, quell_frame& frame) {
 
 /// What files call the components of an image.
 std::vector<std::string> names_in_file(std::string const& name, int components) {
-    if (auto const* const known = file_channel(name)) return known->planes({});
+    if (auto const* const known = find_file_channel(name)) return known->planes({});
     if (components == 1) return {name};
     std::vector<std::string> names;
     for (int c = 0; c < components; ++c)
@@ -148,29 +143,23 @@ std::vector<std::string> names_in_file(std::string const& name, int components) 
     return names;
 }
 
-float number_at(Image const& image, std::ptrdiff_t c, std::ptrdiff_t x, std::ptrdiff_t y) {
-    auto const* const at = image.data + (c * image.component_stride + x * image.pixel_stride + y * image.row_stride);
-    if (image.is_half) return quell::float_from_half(*reinterpret_cast<std::uint16_t const*>(at));
-    return *reinterpret_cast<float const*>(at);
-}
-
 /// Adds the planes of an image; a sentence where it can't be.
 std::string add(io::ExrImage& to, quell_channel const& channel, std::string const& what, io::SampleType type) {
     if (channel.name == nullptr || *channel.name == '\0') return what + ": no name; give it one, such as radiance";
     auto const subject = "channel '" + std::string(channel.name) + "'";
-    auto const* const known = file_channel(channel.name);
+    auto const* const known = find_file_channel(channel.name);
     int const components = known != nullptr ? known->components : channel.image.components;
     if (components < 1) return subject + ": " + std::to_string(components) + " components; give at least one";
     Image image;
     if (auto const wrong = take(image, channel.image, subject, components, to.size.width); !wrong.empty()) return wrong;
-    for (std::ptrdiff_t c = 0; auto const& name : names_in_file(channel.name, components)) {
-        if (to.find(name) != nullptr) return subject + ": the file has '" + name + "' twice; give each image a name of its own";
-        io::Plane plane{.name = name, .type = type, .values = {}};
-        plane.values.reserve(to.pixels());
-        for (std::ptrdiff_t y = 0; y < to.size.height; ++y)
-            for (std::ptrdiff_t x = 0; x < to.size.width; ++x) plane.values.push_back(number_at(image, c, x, y));
-        to.planes.push_back(std::move(plane));
-        ++c;
+    auto const names = names_in_file(channel.name, components);
+    std::vector<std::vector<float>> planes(names.size(), std::vector<float>(to.pixels()));
+    std::vector<float*> rows;
+    for (auto& plane : planes) rows.push_back(plane.data());
+    take_rows(image, components, rows.data(), to.size.width, to.size.width, 0, to.size.height);
+    for (std::size_t c = 0; c < names.size(); ++c) {
+        if (to.find(names[c]) != nullptr) return subject + ": the file has '" + names[c] + "' twice; give each image a name of its own";
+        to.planes.push_back({.name = names[c], .type = type, .values = std::move(planes[c])});
     }
     return {};
 }
@@ -287,7 +276,7 @@ quell_status quell_exr_want(quell_exr* file, char const* channel, int32_t option
     return with_files([&]() -> quell_status {
         if (file == nullptr) return null_argument("quell_exr_want", "file", open_one);
         if (channel == nullptr) return null_argument("quell_exr_want", "channel", "give one that quell_channel_name lists");
-        auto const* const known = file_channel(channel);
+        auto const* const known = find_file_channel(channel);
         if (known == nullptr)
             throw Error("channel '" + std::string(channel) + "'", "files have none of that name",
                         "name one of: " + io::detail::list_of_names([] {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "strips.hpp"
+#include "take_rows.hpp"
 
 #include <quell/image/planar.hpp>
 
@@ -39,10 +40,6 @@ private:
     static_assert(sizeof(Memory) <= head);
 };
 using OwnImages = quell::Planar<quell::Float32, CallersMemory>;
-
-/// Copies rows of an image of the caller's to planes.
-/// @param to the planes' first pixels, and the distance from a row to the next in elements
-void take_rows(Image const& from, int components, float* const* to, std::ptrdiff_t to_row, int width, int y0, int y1);
 
 /// Image storage of a frame: planes of floats in padded rows, as kernels read them fastest. Images that the caller has so are read where
 /// they lie. Others are taken: copied to planes of the denoiser's own.

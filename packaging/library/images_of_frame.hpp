@@ -4,8 +4,6 @@
 
 #include <quell/frame/frame.hpp>
 
-#include <algorithm>
-
 namespace quell_library {
 
 /// A planar image of quell's own, for compiled code, which reads it where it lies.
@@ -17,14 +15,12 @@ template <class View> Image image_of_view(View const& view) {
     image.is_padded = true;
     return image;
 }
-/// The images of a frame of planar floats, for compiled code. They stay in the frame.
-/// @param channels those that the frame has are pointed at; the others have no data
-template <class Set> FrameImages images_of(std::vector<ReadChannel> const& channels, quell::Frame<Set> const& frame) {
+/// The images of a frame of planar floats, for compiled code. They stay in the frame. Channels that it lacks have no data.
+template <class Set> FrameImages images_of(Way const& way, quell::Frame<Set> const& frame) {
     FrameImages images{.size = frame.size, .camera = frame.camera, .number = frame.number, .shutter = frame.shutter};
-    images.channels.resize(channels.size());
+    images.channels.resize(way.channels.size());
     for_each_channel(Set{}, [&](auto c) {
-        auto const read = std::ranges::find(channels, std::string_view(c.name), &ReadChannel::name);
-        if (read != channels.end()) images.channels[static_cast<std::size_t>(read - channels.begin())] = image_of_view(frame[c].view());
+        if (auto const place = way.place_of(c.name)) images.channels[*place] = image_of_view(frame[c].view());
     });
     return images;
 }
@@ -37,14 +33,6 @@ inline Image image_of(std::vector<float>& pixels, int components, quell::Extent 
             .pixel_stride = components * element,
             .row_stride = components * element * size.width};
 }
-/// The same, plane by plane.
-inline Image planes_of(std::vector<float>& pixels, int components, quell::Extent size) {
-    auto image = image_of(pixels, components, size);
-    image.pixel_stride = image.component_stride, image.row_stride = image.pixel_stride * size.width;
-    image.component_stride = image.row_stride * size.height;
-    return image;
-}
-
 /// Runs all tasks on the calling thread.
 inline void run_here(void*, std::int32_t count, void (*task)(void* context, std::int32_t index), void* context) {
     for (std::int32_t i = 0; i < count; ++i) task(context, i);

@@ -76,7 +76,11 @@ struct quell_denoiser {
     std::vector<Frame> frames;
     Image output;
 
-    [[nodiscard]] std::string size() const { return std::to_string(width) + "x" + std::to_string(height); }
+    /// A channel that it reads; null where it reads none of that name.
+    [[nodiscard]] Channel const* channel(std::string_view name) const {
+        auto const found = std::ranges::find(way->channels, name, &Channel::name);
+        return found != way->channels.end() ? &*found : nullptr;
+    }
 };
 
 namespace {
@@ -104,10 +108,10 @@ std::string take_channels(quell_denoiser& denoiser, Frame& to, quell_frame const
     for (std::size_t i = 0; i < frame.channel_count; ++i) {
         auto const& given = frame.channels[i];
         if (given.name == nullptr) return "channels[" + std::to_string(i) + "]: no name (null); name one of " + all();
-        auto const found = std::ranges::find(wanted, std::string_view(given.name), &Channel::name);
+        auto const* const found = denoiser.channel(given.name);
         auto const what = "channel '" + std::string(given.name) + "'";
-        if (found == wanted.end()) return what + ": '" + denoiser.preset->name + "' has none of that name; it reads " + all();
-        auto const index = static_cast<std::size_t>(found - wanted.begin());
+        if (found == nullptr) return what + ": '" + denoiser.preset->name + "' has none of that name; it reads " + all();
+        auto const index = static_cast<std::size_t>(found - wanted.data());
         if (there[index]) return what + ": it is there twice; give it once";
         there[index] = true;
         if (frame.fractions != nullptr && frame.fractions[i] != 1)
@@ -123,8 +127,6 @@ std::string take_channels(quell_denoiser& denoiser, Frame& to, quell_frame const
 std::string take_output(quell_denoiser& denoiser, quell_frame const& frame) {
     int const components = denoiser.way->output_components;
     if (auto const wrong = take(denoiser.output, frame.output, "output", components, denoiser.width); !wrong.empty()) return wrong;
-    for (auto const stride : {denoiser.output.component_stride, denoiser.output.pixel_stride, denoiser.output.row_stride})
-        if (stride == 0) return "output: a stride of 0 bytes; pixels must not lie on each other";
     auto const out = range_of(denoiser.output, components, denoiser.width, denoiser.height);
     for (auto const& each : denoiser.frames)
         for (std::size_t i = 0; i < denoiser.way->channels.size(); ++i) {
@@ -170,17 +172,17 @@ quell_status run(quell_denoiser& denoiser, quell_frame const* frames, std::size_
     if (!running.first) return fail(QUELL_BUSY, "quell_run: another thread runs this denoiser; make one for each thread");
     denoiser.frames.resize(count);
     auto const* at = reinterpret_cast<std::byte const*>(frames);
-    for (std::size_t i = 0; i < count; ++i) {
+    std::string wrong;
+    quell_frame first = QUELL_FRAME;
+    for (std::size_t i = 0; i < count; ++i, at += frames->struct_size) {
         quell_frame frame = QUELL_FRAME;
-        auto wrong = take_struct(frame, at, "frame", "QUELL_FRAME", offsetof(quell_frame, fractions));
+        wrong = take_struct(frame, at, "frame", "QUELL_FRAME", offsetof(quell_frame, fractions));
         if (wrong.empty()) wrong = take_frame(denoiser, denoiser.frames[i], frame);
-        if (wrong.empty() && i == count - 1) {
-            take_struct(frame, reinterpret_cast<std::byte const*>(frames), "frame", "QUELL_FRAME", 0);
-            wrong = take_output(denoiser, frame);
-        }
         if (!wrong.empty()) return fail(QUELL_INVALID_ARGUMENT, (count > 1 ? "frames[" + std::to_string(i) + "]: " : "") + wrong);
-        at += frames->struct_size;
+        if (i == 0) first = frame;
     }
+    wrong = take_output(denoiser, first);
+    if (!wrong.empty()) return fail(QUELL_INVALID_ARGUMENT, wrong);
     std::string error;
     auto const outcome = denoiser.instance->run(denoiser.frames, denoiser.output, error);
     return outcome == Outcome::ok ? QUELL_OK : fail(status_of(outcome), error);
@@ -279,16 +281,12 @@ char const* quell_channel_name(quell_denoiser const* denoiser, int32_t index) {
     return static_cast<std::size_t>(index) < all.size() ? all[static_cast<std::size_t>(index)].name.c_str() : nullptr;
 }
 int32_t quell_channel_components(quell_denoiser const* denoiser, char const* name) {
-    if (denoiser == nullptr || name == nullptr) return 0;
-    auto const& all = denoiser->way->channels;
-    auto const found = std::ranges::find(all, std::string_view(name), &Channel::name);
-    return found != all.end() ? found->components : 0;
+    auto const* const found = denoiser != nullptr && name != nullptr ? denoiser->channel(name) : nullptr;
+    return found != nullptr ? found->components : 0;
 }
 int32_t quell_channel_is_optional(quell_denoiser const* denoiser, char const* name) {
-    if (denoiser == nullptr || name == nullptr) return 0;
-    auto const& all = denoiser->way->channels;
-    auto const found = std::ranges::find(all, std::string_view(name), &Channel::name);
-    return found != all.end() && found->optional ? 1 : 0;
+    auto const* const found = denoiser != nullptr && name != nullptr ? denoiser->channel(name) : nullptr;
+    return found != nullptr && found->optional ? 1 : 0;
 }
 int32_t quell_output_components(quell_denoiser const* denoiser) { return denoiser != nullptr ? denoiser->way->output_components : 0; }
 int32_t quell_needs_camera(quell_denoiser const* denoiser) { return denoiser != nullptr && denoiser->way->needs_camera ? 1 : 0; }

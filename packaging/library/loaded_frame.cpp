@@ -3,8 +3,6 @@
 #include "images_of_frame.hpp"
 
 #include <quell/io/frame_image.hpp>
-#include <quell/pipeline/two_sided.hpp>
-#include <quell/presets/named.hpp>
 
 #include <algorithm>
 
@@ -22,15 +20,9 @@ template <int N> PlanesView<N> planes_in(Planes& memory, Extent size) {
     return PlanesView<N>::of(memory.view().planes[0] - quell::detail::padding, size);
 }
 
-template <class P> struct ChannelsRead { using type = decltype(typename P::reads{} | TwoSided::reads{}); };
-template <class... Named> auto channels_of_files(std::tuple<Named...> const&) {
-    return union_of<AllChannels, Channels<RadianceAlpha>, typename ChannelsRead<std::remove_const_t<decltype(Named::usual())>>::type...>{};
-}
-
 FileChannel const& in_files(ReadChannel const& channel) {
-    auto const& all = file_channels();
-    auto const found = std::ranges::find(all, std::string_view(channel.name), &FileChannel::name);
-    if (found == all.end() || channel.fraction != 1)
+    auto const* const found = find_file_channel(channel.name);
+    if (found == nullptr || channel.fraction != 1)
         throw Error("channel '" + channel.name + "'", "no file holds it", "choose a preset that does not read it");
     return *found;
 }
@@ -40,7 +32,7 @@ FileChannel const& in_files(ReadChannel const& channel) {
 std::vector<FileChannel> const& file_channels() {
     static auto const all = [] {
         std::vector<FileChannel> made;
-        for_each_channel(decltype(channels_of_files(named_presets)){}, [&]<class C>(C) {
+        for_each_channel(AllChannels{} | Channels<RadianceAlpha>{}, [&]<class C>(C) {
             made.push_back({C::name, C::components, [](io::ChannelNames const& names) { return io::planes_of(Channels<C>{}, names); },
                             [](Planes& memory, io::ExrImage const& image, io::ChannelNames const& names) {
                                 auto const view = planes_in<C::components>(memory, image.size);
@@ -51,6 +43,12 @@ std::vector<FileChannel> const& file_channels() {
         return made;
     }();
     return all;
+}
+
+FileChannel const* find_file_channel(std::string_view name) {
+    auto const& all = file_channels();
+    auto const found = std::ranges::find(all, name, &FileChannel::name);
+    return found != all.end() ? &*found : nullptr;
 }
 
 std::vector<std::string> planes_of(ReadChannel const& channel, io::ChannelNames const& names) { return in_files(channel).planes(names); }

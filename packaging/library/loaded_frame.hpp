@@ -23,8 +23,11 @@ struct FileChannel {
     Image (*load)(Memory& memory, quell::io::ExrImage const& image, quell::io::ChannelNames const& names);
 };
 
-/// All that files can hold, and all that presets read of them.
+/// All that files can hold.
 [[nodiscard]] std::vector<FileChannel> const& file_channels();
+
+/// Null where no file holds a channel of that name.
+[[nodiscard]] FileChannel const* find_file_channel(std::string_view name);
 
 /// The planes of a file that a channel is read from.
 /// @throws quell::Error where `names` has another number of components, or where no file holds the channel

@@ -6,6 +6,8 @@
 #include <quell/frame/channels.hpp>
 #include <quell/frame/motion_convention.hpp>
 
+#include <glm/gtc/type_ptr.hpp>
+
 namespace quell_library {
 
 namespace {
@@ -75,11 +77,8 @@ private:
         images.size = size, images.channels = given.channels, images.shutter = given.shutter;
         images.number = given.has_number ? std::optional<long long>(given.number) : std::nullopt;
         if (given.camera == nullptr) return; // that of the last frame
-        for (int i = 0; i < 16; ++i) {
-            images.camera.view[i / 4][i % 4] = given.camera->view[i];
-            images.camera.projection[i / 4][i % 4] = given.camera->projection[i];
-        }
-        images.camera.jitter = {given.camera->jitter[0], given.camera->jitter[1]};
+        images.camera = {glm::make_mat4(given.camera->view), glm::make_mat4(given.camera->projection),
+                         glm::make_vec2(given.camera->jitter)};
     }
     /// A sample offset by +jitter shifts the image by -jitter. A vector between jittered images is therefore off by the change of jitter.
     void convert_motion(FrameImages& images, glm::vec2 before) const {

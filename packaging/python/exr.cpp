@@ -1,5 +1,5 @@
 // quell/io for Python: the module quell._exr.
-#include "errors.hpp"
+#include "released.hpp"
 
 #include <library/loaded_frame.hpp>
 
@@ -15,19 +15,8 @@ namespace py = pybind11;
 namespace {
 
 using namespace quell::io;
+using quell_python::released;
 using Floats = py::array_t<float, py::array::c_style>;
-
-/// Calls f while other threads of Python run.
-template <class F> auto released(F const& f) {
-    try {
-        py::gil_scoped_release const other_threads_run;
-        return f();
-    } catch (quell::Failure const& error) {
-        quell_python::raise(error.what(), 6);
-    } catch (quell::Error const& error) {
-        quell_python::raise(error.what(), 1);
-    }
-}
 
 /// Matrices of Python's are indexed by row and column.
 Floats matrix_of(glm::mat4 const& matrix) {

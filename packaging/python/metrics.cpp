@@ -1,5 +1,5 @@
 // quell/metrics for Python: the module quell._metrics.
-#include "errors.hpp"
+#include "released.hpp"
 
 #include <quell/metrics/flip.hpp>
 #include <quell/metrics/rmse.hpp>
@@ -14,6 +14,7 @@ namespace py = pybind11;
 namespace {
 
 using namespace quell::metrics;
+using quell_python::released;
 using Floats = py::array_t<float, py::array::c_style>;
 
 /// Of an array of shape (height, width, 3).
@@ -31,34 +32,24 @@ Mask mask_of(py::object const& given) {
     return {bytes.data(), bytes.data() + bytes.size()};
 }
 
-/// Calls f while other threads of Python run.
-template <class F> auto measured(F const& f) {
-    try {
-        py::gil_scoped_release const released;
-        return f();
-    } catch (quell::Error const& error) {
-        quell_python::raise(error.what(), 1);
-    }
-}
-
 } // namespace
 
 PYBIND11_MODULE(_metrics, module) {
     module.def("rmse", [](Floats const& reference, Floats const& test, py::object const& mask) {
         auto const a = picture_of(reference), b = picture_of(test);
         auto const counted = mask_of(mask);
-        return measured([&] { return rmse(a, b, counted); });
+        return released([&] { return rmse(a, b, counted); });
     });
     module.def("ssim", [](Floats const& reference, Floats const& test, py::object const& mask) {
         auto const a = picture_of(reference), b = picture_of(test);
         auto const counted = mask_of(mask);
-        return measured([&] { return ssim(a, b, counted); });
+        return released([&] { return ssim(a, b, counted); });
     });
     module.def("flip", [](Floats const& reference, Floats const& test, py::object const& mask, float pixels_per_degree) {
         auto const a = picture_of(reference), b = picture_of(test);
         auto const counted = mask_of(mask);
         double mean = 0;
-        auto const errors = measured([&] {
+        auto const errors = released([&] {
             auto const made = flip(a, b, pixels_per_degree);
             mean = made.mean(counted);
             return made.error;
@@ -69,7 +60,7 @@ PYBIND11_MODULE(_metrics, module) {
     });
     module.def("displayed", [](Floats const& linear) {
         auto const picture = picture_of(linear);
-        auto const shown = measured([&] { return displayed(picture); });
+        auto const shown = released([&] { return displayed(picture); });
         Floats result({picture.size.height, picture.size.width, 3});
         std::memcpy(result.mutable_data(), shown.pixels.data(), static_cast<std::size_t>(result.nbytes()));
         return result;

@@ -1,9 +1,12 @@
+#include "../frames.hpp"
 #include "programs.hpp"
 
 #include <denoise/frame_list.hpp>
 #include <denoise/presets.hpp>
 
+#include <quell/io/frame_image.hpp>
 #include <quell/metrics/flip.hpp>
+#include <quell/presets/general.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -112,6 +115,22 @@ TEST_CASE("the warm-up of a preset follows from its history") {
     CHECK(examples::preset_of("surface-clamp").warm_up == 40);
     CHECK(examples::preset_of("trmv").warm_up == 216); // the longest of its parts
     for (auto const& preset : examples::presets()) CHECK(preset.warm_up <= 288);
+}
+
+TEST_CASE("a frame that could not be denoised is read anew") {
+    auto const image = [](float light, float shutter) {
+        constexpr auto denoise = presets::surface(radiance, Demodulate{});
+        Frame frame{{24, 16}, denoise};
+        fill_still(frame);
+        fill(frame[radiance], [&](int x, int) { return glm::vec3(light + 0.01f * static_cast<float>(x)); });
+        auto made = io::image_of(frame);
+        made.attributes["quell:shutter"] = shutter;
+        return made;
+    };
+    auto const& preset = examples::preset_of("surface");
+    auto const denoiser = examples::denoiser_of(preset, {24, 16}, 1), fresh = examples::denoiser_of(preset, {24, 16}, 1);
+    CHECK(contains(message([&] { static_cast<void>(denoiser->denoise(image(5, -1), {}, 0)); }), "shutter"));
+    CHECK(denoiser->denoise(image(1, 0.5f), {}, 0).pixels == fresh->denoise(image(1, 0.5f), {}, 0).pixels);
 }
 
 TEST_CASE("chunks without --warmup make the frames of the whole run, to 0.1 % of FLIP") {

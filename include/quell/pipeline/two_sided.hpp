@@ -60,14 +60,6 @@ public:
     Exchanged& operator=(Exchanged const&) = delete;
 };
 
-/// Whether an image of quell's own can stand in for a frame's.
-template <class Storage> constexpr bool has_stand_ins() {
-    if constexpr (owns_memory<Storage>())
-        return true;
-    else
-        return requires { typename Storage::Copy; };
-}
-
 /// An image of quell's own that stands in for one of a frame's for as long as this lives.
 template <class F, ChannelTag C> class StandIn {
     using Theirs = ImageOf<typename F::storage, C>;
@@ -198,7 +190,8 @@ auto run_two_sided(P const& pipeline, P const& joining, Window& window, TwoSided
         return detail::NoOutput{};
     } else {
         using F = std::remove_reference_t<decltype(window[0])>;
-        constexpr bool has_motion_next = F::channels::template has<MotionNext>, has_copies = detail::has_stand_ins<typename F::storage>();
+        constexpr bool has_motion_next = F::channels::template has<MotionNext>,
+                       has_copies = !std::is_void_v<detail::StorageOfCopies<typename F::storage>>;
         static_assert(has_motion_next,
                       "run_two_sided(pipeline, window, ...): the frames have no motion_next; construct them with two_sided");
         static_assert(has_copies,
