@@ -1,8 +1,7 @@
 #pragma once
 
 #include "compiled_preset.hpp"
-#include "host_images.hpp"
-#include "strips.hpp"
+#include "host_strips.hpp"
 
 #include <quell/diagnose/debug_images.hpp>
 #include <quell/diagnose/inspect.hpp>
@@ -52,9 +51,12 @@ template <class P> class DenoiserBase : public CompiledDenoiser {
 
 protected:
     P pipeline;
+    StripPool strips;
     Strips executor;
 
-    DenoiserBase(P const& p, Parallel const& parallel, Memory const& m) : memory(m), pipeline(p), executor{parallel} { use_memory(); }
+    DenoiserBase(P const& p, Parallel const& parallel, Memory const& m) : memory(m), pipeline(p), executor{parallel, &strips} {
+        use_memory();
+    }
     /// From now on images that this thread makes lie in the caller's memory.
     void use_memory() const { CallersMemory::current() = memory; }
 
@@ -68,18 +70,21 @@ protected:
                                 CopyJob<std::remove_cvref_t<decltype(from)>, std::remove_const_t<decltype(to)>>{from, to});
     }
     /// Makes a frame of the caller's images.
+    /// @param is_whole is_whole(channel): whether an image has to be there as a whole
     /// @throws quell::Error for one without memory that is not optional
-    template <class Optional, class Set> void take(quell::Frame<Set, HostImages>& frame, FrameImages const& given) const {
+    template <class Optional, class Set>
+    void take(quell::Frame<Set, HostImages>& frame, FrameImages const& given, auto const& is_whole) const {
         if (!(frame.size == given.size)) frame = quell::Frame<Set, HostImages>(given.size);
         std::size_t next = 0;
         for_each_channel(Set{}, [&]<class C>(C c) {
             auto const& image = given.channels[next++];
             if (image.data == nullptr && !Optional::template has<C>)
                 throw quell::Error("channel '" + std::string(c.name) + "'", "no memory", "point it at its pixels");
-            frame[c].take(image, executor.parallel);
+            if (frame[c].refer_to(image) && (c.fraction > 1 || is_whole(c))) frame[c].take_whole(executor.parallel);
         });
         frame.camera = given.camera, frame.number = given.number, frame.shutter = given.shutter;
     }
+    static constexpr auto all = [](auto) { return true; };
     template <class Set> static std::size_t bytes_of(quell::Frame<Set, HostImages> const& frame) {
         std::size_t sum = 0;
         for_each_channel(Set{}, [&](auto c) { sum += frame[c].bytes(); });
@@ -93,17 +98,19 @@ template <class P, quell::ImageStorage Storage = OwnImages> class OneSided final
     using Base = DenoiserBase<P>;
     quell::Frame<typename P::reads, HostImages> frame;
     quell::History<P, Storage> history;
+    std::vector<std::string_view> whole; ///< channels that are copied where they are not planes of floats in padded rows
 
 public:
     using reads = typename P::reads;
     using Optional = quell::Channels<>;
 
     OneSided(P const& p, quell::Extent size, Parallel const& parallel, Memory const& m)
-        : Base(p, parallel, m), frame(size), history(size, p, Storage{}) {}
+        : Base(p, parallel, m), frame(size), history(size, p, Storage{}), whole(read_from_afar(quell::plan_of(p))) {}
 
     void run(std::span<FrameImages const> window, Image const& output) override {
         this->use_memory();
-        this->template take<Optional>(frame, window.front());
+        this->template take<Optional>(frame, window.front(),
+                                      [&](auto channel) { return std::ranges::find(whole, channel.name) != whole.end(); });
         if constexpr (writes_output<P>)
             run_into(this->target_of(output, frame.size), this->pipeline, frame, history, this->executor);
         else
@@ -112,13 +119,14 @@ public:
     void forget() override { history.forget(); }
     void release_scratch() override {
         frame = decltype(frame)({1, 1});
+        this->strips.release();
         history.release_scratch();
     }
     [[nodiscard]] quell::Statistics statistics() const override { return history.statistics(); }
-    [[nodiscard]] std::size_t bytes() const override { return history.bytes() + this->bytes_of(frame); }
+    [[nodiscard]] std::size_t bytes() const override { return history.bytes() + this->bytes_of(frame) + this->strips.bytes(); }
     [[nodiscard]] quell::detail::Observation observe(FrameImages const& given) override {
         this->use_memory();
-        this->template take<Optional>(frame, given);
+        this->template take<Optional>(frame, given, this->all);
         quell::detail::check_frame<P>(frame);
         return quell::detail::observe<P>(frame, history);
     }
@@ -207,7 +215,7 @@ public:
 private:
     /// Returns whether the frame says where its pixels go in the next one.
     bool take_frame(OneFrame& frame, FrameImages const& given) const {
-        this->template take<Optional>(frame, given);
+        this->template take<Optional>(frame, given, this->all);
         bool const has_next = frame[quell::motion_next].has_memory();
         fill_missing(frame[quell::sample_count], 1.f);
         fill_missing(frame[quell::sample_variance], 0.f);

@@ -41,8 +41,8 @@ private:
 };
 using OwnImages = quell::Planar<quell::Float32, CallersMemory>;
 
-/// Image storage of a frame: planes of floats in padded rows, as kernels read them fastest. Images that the caller has so are read where
-/// they lie. Others are taken: copied to planes of the denoiser's own.
+/// Image storage of a frame, in memory of the caller's. Kernels read planes of floats in padded rows: they read images that the caller has
+/// so where they lie. Of others, a pass takes some rows at a time (host_strips.hpp), or they are copied as a whole.
 struct HostImages {
     using Exact = HostImages;
     using Copy = OwnImages;
@@ -52,10 +52,13 @@ struct HostImages {
     template <int N> class Image {
         using Own = typename OwnImages::template Image<N>;
         quell::Extent extent;
+        quell_library::Image given{};
         std::optional<Own> own;
 
     public:
         struct View : Own::View {
+            /// What rows are taken of before they are read; null for an image that is there as a whole.
+            quell_library::Image const* in_strips = nullptr;
             static View of_copy(typename Own::View const& copy) { return {copy}; }
         };
         static constexpr int components = N;
@@ -69,16 +72,16 @@ struct HostImages {
             return made;
         }
 
-        /// From now on it is this one. A channel that is optional may stay without memory.
-        void take(quell_library::Image const& given, Parallel const& parallel) {
-            pixels = {}, pixels.size = extent;
-            if (given.data == nullptr) return;
-            bool is_scaled = false;
-            for (int c = 0; c < 2; ++c) is_scaled = is_scaled || given.scale[c] != 1.f || given.offset[c] != 0.f;
-            if (given.is_padded && !is_scaled) {
-                for (int c = 0; c < N; ++c) pixels.planes[c] = reinterpret_cast<float*>(given.data + c * given.component_stride);
-                return;
-            }
+        /// From now on it is this one, which may stay without memory. Returns whether passes must take its rows.
+        bool refer_to(quell_library::Image const& image) {
+            given = image, pixels = {}, pixels.size = extent;
+            if (given.data == nullptr) return false;
+            if (!given.is_padded || is_scaled()) return true;
+            for (int c = 0; c < N; ++c) pixels.planes[c] = reinterpret_cast<float*>(given.data + c * given.component_stride);
+            return false;
+        }
+        /// Copies it, so that it is there as a whole.
+        void take_whole(Parallel const& parallel) {
             make();
             auto const row = pixels.row_stride();
             for_each_strip(parallel, extent.height, [&](int y0, int y1) { take_rows(given, N, pixels.planes, row, extent.width, y0, y1); });
@@ -89,8 +92,12 @@ struct HostImages {
             return pixels = {own->view()};
         }
 
-        [[nodiscard]] View view() const { return pixels; }
-        [[nodiscard]] bool has_memory() const { return pixels.planes[0] != nullptr; }
+        [[nodiscard]] View view() const {
+            auto made = pixels;
+            if (made.planes[0] == nullptr && given.data != nullptr) made.in_strips = &given;
+            return made;
+        }
+        [[nodiscard]] bool has_memory() const { return pixels.planes[0] != nullptr || given.data != nullptr; }
         [[nodiscard]] quell::Extent size() const { return extent; }
         [[nodiscard]] std::size_t bytes() const { return own ? own->bytes() : 0; }
         [[nodiscard]] auto get(int x, int y) const { return pixels.template load<float>(x, y); }
@@ -98,6 +105,10 @@ struct HostImages {
 
     private:
         View pixels{};
+
+        [[nodiscard]] bool is_scaled() const {
+            return given.scale[0] != 1.f || given.scale[1] != 1.f || given.offset[0] != 0.f || given.offset[1] != 0.f;
+        }
     };
 };
 

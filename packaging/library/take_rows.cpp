@@ -5,14 +5,28 @@
 namespace quell_library {
 
 namespace {
-/// One row of a component.
-template <class Element, class Get> void take_row(Image const& from, int c, int y, float* to, int width, Get const& get) {
-    float const scale = c < 2 ? from.scale[c] : 1.f, offset = c < 2 ? from.offset[c] : 0.f; // of vectors
-    auto const* at = from.data + (c * from.component_stride + y * from.row_stride);
-    if (scale == 1.f && offset == 0.f)
-        for (int x = 0; x < width; ++x, at += from.pixel_stride) to[x] = get(reinterpret_cast<Element const*>(at));
-    else
-        for (int x = 0; x < width; ++x, at += from.pixel_stride) to[x] = get(reinterpret_cast<Element const*>(at)) * scale + offset;
+/// One row of floats that lie `stride` after each other, a constant of the compiler's where that is fastest.
+template <int stride> void take_floats(float const* from, std::ptrdiff_t any_stride, float* to, int width) {
+    std::ptrdiff_t const step = stride > 0 ? stride : any_stride;
+    for (int x = 0; x < width; ++x) to[x] = from[x * step];
+}
+void take_floats(std::byte const* at, std::ptrdiff_t bytes, float* to, int width) {
+    auto const* const from = reinterpret_cast<float const*>(at);
+    constexpr std::ptrdiff_t element = sizeof(float);
+    switch (bytes) {
+    case element:
+        return take_floats<1>(from, 1, to, width);
+    case 2 * element:
+        return take_floats<2>(from, 2, to, width);
+    case 3 * element:
+        return take_floats<3>(from, 3, to, width);
+    case 4 * element:
+        return take_floats<4>(from, 4, to, width);
+    default:
+        break;
+    }
+    if (bytes % element == 0) return take_floats<0>(from, bytes / element, to, width);
+    for (int x = 0; x < width; ++x, at += bytes) to[x] = *reinterpret_cast<float const*>(at);
 }
 } // namespace
 
@@ -21,10 +35,14 @@ void take_rows(Image const& from, int components, float* const* to, std::ptrdiff
     for (int y = y0; y < y1; ++y)
         for (int c = 0; c < components; ++c) {
             auto* const row = to[c] + y * to_row;
-            if (from.is_half)
-                take_row<std::uint16_t>(from, c, y, row, width, [](std::uint16_t const* half) { return quell::Float16::get(half); });
+            auto const* at = from.data + (c * from.component_stride + y * from.row_stride);
+            if (!from.is_half)
+                take_floats(at, from.pixel_stride, row, width);
             else
-                take_row<float>(from, c, y, row, width, [](float const* value) { return *value; });
+                for (int x = 0; x < width; ++x, at += from.pixel_stride)
+                    row[x] = quell::Float16::get(reinterpret_cast<std::uint16_t const*>(at));
+            if (c < 2 && (from.scale[c] != 1.f || from.offset[c] != 0.f)) // of vectors
+                for (int x = 0; x < width; ++x) row[x] = row[x] * from.scale[c] + from.offset[c];
         }
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <memory>
 #include <new>
 #include <random>
@@ -258,6 +259,54 @@ TEST_CASE("images lie in the caller's memory, a warm frame takes none, and all g
         CHECK(third(other.get(), wall) == wanted);
     }
     CHECK(counted.now == 0);
+}
+
+TEST_CASE("no image of the caller's is copied as a whole, except guides that passes look at from afar") {
+    // Tall, so that one component of an image is more than all strips.
+    constexpr int across = 64, down = 4096;
+    constexpr std::size_t count = std::size_t{across} * down;
+    constexpr double bytes_of_component = (across + 16) * down * 4.;
+    struct Counted {
+        std::map<void*, std::size_t> blocks;
+        std::size_t bytes = 0;
+    } counted;
+    auto settings = settings_of();
+    settings.width = across, settings.height = down, settings.threads = 1;
+    settings.memory_user = &counted;
+    settings.allocate = [](void* user, size_t bytes, size_t alignment) -> void* {
+        auto& its = *static_cast<Counted*>(user);
+        auto* const block = ::operator new[](bytes, std::align_val_t{alignment}, std::nothrow);
+        its.blocks[block] = bytes, its.bytes += bytes;
+        return block;
+    };
+    settings.release = [](void* user, void* memory) {
+        auto& its = *static_cast<Counted*>(user);
+        its.bytes -= its.blocks[memory];
+        ::operator delete[](memory, std::align_val_t{64});
+    };
+    std::vector<float> const light(count * 3, 0.5f), depth(count, 4.f), motion(count * 2);
+    std::vector<float> normal(count * 3), output(count * 3);
+    for (std::size_t i = 2; i < normal.size(); i += 3) normal[i] = 1;
+    quell_channel const channels[] = {{"radiance", QUELL_PIXELS(light.data(), 3)},
+                                      {"albedo", QUELL_PIXELS(light.data(), 3)},
+                                      {"normal", QUELL_PIXELS(normal.data(), 3)},
+                                      {"depth", QUELL_PIXELS(depth.data(), 1)},
+                                      {"motion", QUELL_PIXELS(motion.data(), 2)}};
+    quell_frame frame = QUELL_FRAME;
+    frame.channels = channels, frame.channel_count = std::size(channels), frame.output = QUELL_PIXELS(output.data(), 3);
+    // How many components more than the plan says of a frame in planes of quell's own.
+    auto const copied = [&](char const* preset) {
+        settings.preset = preset;
+        auto const denoiser = made(settings);
+        for (int i = 0; i < 3; ++i) REQUIRE(quell_run(denoiser.get(), &frame) == QUELL_OK);
+        CHECK(std::ranges::all_of(output, [](float value) { return std::abs(value - 0.5f) < 1e-6f; }));
+        std::string const plan = quell_plan(denoiser.get());
+        auto const planned = std::stod(plan.substr(plan.rfind(':') + 1)) / 4.;
+        return static_cast<double>(counted.bytes) / bytes_of_component - planned;
+    };
+    CHECK(copied("surface-clamp") < 0.5 - 3); // the plan has an output of three
+    CHECK(copied("svgf") < 0.5 + 4);          // depth and normal
+    CHECK(counted.bytes == 0);
 }
 
 TEST_CASE("wrong frames are refused with a sentence, and the denoiser works as before") {

@@ -17,6 +17,7 @@ struct PlannedPass {
     std::string_view name;                       ///< of the pass
     std::string_view denoises{};                 ///< the channel that its pipeline denoises; empty: it adds up what several have made
     int fraction = 1;                            ///< the pass runs at 1/fraction of the frame's width and height
+    int farthest_tap = 0;                        ///< how far it looks at images of this frame, in its own pixels; may be `anywhere`
     Names reads{};                               ///< of this frame: from the host and from earlier passes
     Names reads_past{};                          ///< of the last frame
     Names writes{};                              ///< for later passes, the next frame and the host
@@ -42,7 +43,7 @@ inline void add(PlannedPass::Names& to, ChannelIds const& channels) {
     for (ChannelId const channel : channels) add(to, channel->name);
 }
 inline PlannedPass planned(FramePass const& pass, std::string_view denoises) {
-    PlannedPass made{.name = pass.name, .denoises = denoises, .fraction = pass.fraction};
+    PlannedPass made{.name = pass.name, .denoises = denoises, .fraction = pass.fraction, .farthest_tap = pass.farthest_tap};
     if (pass.reads_signal) add(made.reads, "signal");
     add(made.reads, pass.reads), add(made.reads, pass.reads_made);
     if (pass.reads_past_signal) add(made.reads_past, "signal");
