@@ -3,6 +3,8 @@
 #include <tracer/scenes/scenes.hpp>
 
 #include <cstring>
+#include <map>
+#include <mutex>
 
 using namespace quell;
 using namespace quell::tracer;
@@ -16,6 +18,16 @@ template <class Wanted> RayCounts counts_for(PreparedScene& scene) {
     Pictures<Wanted> pictures{size};
     return render<Wanted>(scene, {.size = size, .frame = 32}, pictures);
 }
+
+/// Counts how often each channel is made.
+struct Puts {
+    std::map<std::string_view, int> of_channel{};
+    std::mutex mutex{};
+    template <class C> void put(C, int, int, Value<C::components, float> const&) {
+        std::scoped_lock const lock(mutex);
+        ++of_channel[C::name];
+    }
+};
 
 static_assert(!Rays<Channels<Depth, Normal, Motion, Direct>>::shadow);
 static_assert(!Rays<Channels<Depth, Light>>::shadow);
@@ -106,6 +118,16 @@ TEST_CASE("a channel's values do not depend on which others are traced") {
     CHECK(all[visibility].pixels == shadow[visibility].pixels);
     CHECK(all[glossy].pixels == light[glossy].pixels);
     CHECK(all[indirect].pixels == light[indirect].pixels);
+}
+
+TEST_CASE("each channel is made once at each pixel") {
+    Puts puts;
+    PreparedScene scene{built_in_scene("room")};
+    render<TracedChannels>(scene, {.size = size, .frame = 3, .samples_per_pixel = 2, .shutter = 0.5f}, puts);
+    for_each_channel(TracedChannels{}, [&](auto channel) {
+        INFO(channel.name); // put it in render.hpp, or leave it out of TracedChannels
+        CHECK(puts.of_channel[channel.name] == size.width * size.height);
+    });
 }
 
 TEST_CASE("pictures are the same for any number of threads") {
