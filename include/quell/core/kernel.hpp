@@ -71,6 +71,15 @@
 #define QUELL_UNROLL _Pragma("GCC unroll 8")
 #endif
 
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
+/// Whether this is compiled for a device. A thread there has registers for what a CPU's kernel keeps in arrays, and little local memory.
+#if defined(__CUDA_ARCH__)
+inline constexpr bool on_device = true;
+#else
+inline constexpr bool on_device = false;
+#endif
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail
+
 /// Before a kernel's argument: threads read it where it lies. Without it, each would make a copy in its local memory. Devices before
 /// compute capability 7.0 do not have it.
 #if defined(__CUDA_ARCH__) && __CUDA_ARCH__ < 700

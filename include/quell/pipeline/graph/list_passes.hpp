@@ -67,6 +67,7 @@ private:
         list.keeps = ChannelIds(typename P::keeps{}), list.remembers = ChannelIds(typename P::remembers{});
         list.signal = format_of<Storage, typename P::Signal>, list.output = format_of<Storage, typename P::Output>;
         list.has_past = P::has_past;
+        list.complete_ingest = K::complete_ingest_of();
         list.demodulates = !std::is_same_v<typename P::Form, NoModulation>;
         static_assert(P::remembers::size <= std::tuple_size_v<decltype(list.guides)>, "a pipeline remembers more than 8 channels");
         for_each_channel(typename StoredChannels<typename P::remembers>::type{}, [&]<class C>(C) {

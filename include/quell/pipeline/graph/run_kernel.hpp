@@ -3,6 +3,7 @@
 #include <quell/frame/repair.hpp>
 #include <quell/pipeline/fill_holes.hpp>
 #include <quell/pipeline/graph/check_frame.hpp>
+#include <quell/pipeline/graph/complete_ingest.hpp>
 #include <quell/pipeline/graph/frame_pass.hpp>
 #include <quell/pipeline/graph/job.hpp>
 #include <quell/pipeline/pipeline.hpp>
@@ -32,14 +33,28 @@ template <class Storage> constexpr auto storage_of_copies() {
 template <class Storage> using StorageOfCopies = typename decltype(storage_of_copies<Storage>())::type;
 
 /// Views of a frame's images, or of the copies that stand in for them.
-template <class Set, class Storage> struct FrameViews {
+/// @tparam chosen_late whether passes choose between the two
+template <class Set, class Storage, bool chosen_late> struct FrameViews {
     Frame<Set, Storage> const& frame;
     ImageTable const& repaired;
+    FrameCounts const* counts; ///< of a queue
 
-    template <class... Ds> [[nodiscard]] auto of(Channels<Ds...>) const { return Views<Storage, Channels<Ds...>>{{view<Ds>()}...}; }
+    template <class... Ds> [[nodiscard]] auto of(Channels<Ds...>) const {
+        if constexpr (chosen_late)
+            return Views<ChosenLate<Storage>, Channels<Ds...>>{{late_view<Ds>()}...};
+        else
+            return Views<Storage, Channels<Ds...>>{{view<Ds>()}...};
+    }
 
 private:
     using Copy = StorageOfCopies<Storage>;
+    template <ChannelTag C> auto late_view() const {
+        using View = LateViewOf<Storage, C>;
+        if constexpr (std::is_same_v<View, ViewOf<Storage, C>>)
+            return frame[C{}].view();
+        else
+            return View{frame[C{}].view(), view<C>(), repaired.find(&channel_info<C>) ? &counts->first.guides : nullptr};
+    }
     template <ChannelTag C> ViewOf<Storage, C> view() const {
         if constexpr (CopiedGuides::has<C> && !std::is_void_v<Copy>)
             if (auto const* const copy = repaired.find(&channel_info<C>)) {
@@ -58,13 +73,15 @@ template <class P, class Set, class FrameStorage, class Storage, class E, class 
 struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
     using FrameT = Frame<Set, FrameStorage>;
     using SignalView = ViewOf<Storage, typename P::Signal>;
+    static constexpr bool queued = QueueExecutor<E>;
+    template <class Wanted> using FrameViewsOf = Views<std::conditional_t<queued, ChosenLate<FrameStorage>, FrameStorage>, Wanted>;
     using Vectors = VectorConversion<P::motion_convention>;
 
     /// What a pass sees: views of exactly the channels that it declares.
     /// @tparam marks whether it sees marks of missing samples
     template <class Pass, bool marks>
     using ScopeOf =
-        Scope<Views<FrameStorage, common_to<decltype(reads_of<Pass>{} | typename P::known_samples{}), Set>>,
+        Scope<FrameViewsOf<common_to<decltype(reads_of<Pass>{} | typename P::known_samples{}), Set>>,
               Views<Storage, common_to<reads_of<Pass>, typename P::made>>, SignalView, SignalView,
               Views<Storage, decltype(keeps_of<Pass>{} | reads_kept_of<Pass>{})>, RememberedViewsOf<Storage, remembers_of<Pass>>,
               PassTraits{.marks_missing = marks,
@@ -74,7 +91,7 @@ struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
               Vectors>;
     /// For the end of the last pass: what demodulation reads, and what the history remembers.
     using EndScope =
-        Scope<Views<FrameStorage, decltype(reads_of<typename P::Form>{} | typename P::remembers{})>, Views<Storage, Channels<>>, SignalView,
+        Scope<FrameViewsOf<decltype(reads_of<typename P::Form>{} | typename P::remembers{})>, Views<Storage, Channels<>>, SignalView,
               SignalView, Views<Storage, Channels<>>, RememberedViewsOf<Storage, Channels<>>, PassTraits{}, Vectors>;
 
     template <class Pass> static constexpr bool makes_signal = makes_signal_of<Pass, ScopeOf<Pass, true>>;
@@ -106,17 +123,50 @@ struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
         std::memcpy(to, &job, sizeof(job));
     }
     template <class Pass, bool marks> static void run(Region region, std::byte const* job, void const* executor) {
-        static_cast<E const*>(executor)->for_each_pixel(region, from_bytes<JobOf<Pass, marks>>(job));
+        run_or_enqueue(*static_cast<E const*>(executor), region, from_bytes<JobOf<Pass, marks>>(job));
     }
 
     template <ChannelTag C> static void repair(TypedByKernel const& typed, PooledImage const& copy) {
         auto const& frame = frame_in(typed);
-        auto const to = view_in<StorageOfCopies<FrameStorage>, C>(copy);
-        RepairJob<C, ViewOf<FrameStorage, C>, std::remove_const_t<decltype(to)>> const job{frame[C{}].view(), to};
-        static_cast<E const*>(typed.executor)->for_each_pixel(Region{0, 0, frame.size.width, frame.size.height}, job);
+        static_cast<E const*>(typed.executor)
+            ->for_each_pixel(Region{0, 0, frame.size.width, frame.size.height}, repair_job<C>(typed, copy));
+    }
+
+    /// What completes the ingest in a queue; null for other executors.
+    static constexpr auto complete_ingest_of() -> void (*)(IngestCompletionArguments const&) {
+        if constexpr (queued)
+            return &complete_ingest;
+        else
+            return nullptr;
     }
 
 private:
+    static void complete_ingest(IngestCompletionArguments const& a) {
+        auto const again = job_of<decltype(P::ingest), false>(a.ingest);
+        auto const fill = job_of<FillHoles, true>(a.fill), fill_back = job_of<FillHoles, true>(a.fill_back);
+        auto const enqueue = [&](auto const& repairs) {
+            auto const size = a.ingest.facts.size;
+            static_cast<E const*>(a.ingest.typed.executor)
+                ->enqueue_grid(Region{0, 0, size.width, size.height},
+                               IngestCompletion<std::remove_const_t<decltype(again)>, std::remove_const_t<decltype(fill)>,
+                                                std::remove_cvref_t<decltype(repairs)>>{repairs, again, fill, fill_back, a.ingest.queued,
+                                                                                        size.pixels(), a.ingest.facts.has_past});
+        };
+        if constexpr (std::is_void_v<StorageOfCopies<FrameStorage>>)
+            enqueue(guide_repairs());
+        else
+            [&]<class... Cs>(Channels<Cs...>) {
+                enqueue(guide_repairs(listed_repair<Cs>(a.ingest)...));
+            }(common_to<CopiedGuides, typename P::reads>{});
+    }
+    template <ChannelTag C> static auto listed_repair(PassArguments const& a) {
+        auto const job = repair_job<C>(a.typed, *a.images.repaired.find(&channel_info<C>));
+        return ListedRepair<std::remove_const_t<decltype(job)>>{job, number_of_guide<C>(), reads_of<typename P::Form>::template has<C>};
+    }
+    template <ChannelTag C> static auto repair_job(TypedByKernel const& typed, PooledImage const& copy) {
+        auto const to = view_in<StorageOfCopies<FrameStorage>, C>(copy);
+        return RepairJob<C, ViewOf<FrameStorage, C>, std::remove_const_t<decltype(to)>>{frame_in(typed)[C{}].view(), to};
+    }
     static FrameT const& frame_in(TypedByKernel const& typed) { return *static_cast<FrameT const*>(typed.frame); }
 
     template <class Pass> static Pass kernel(PassArguments const& a) {
@@ -139,7 +189,7 @@ private:
     template <class S, class Pass> static S scope_of(PassArguments const& a) {
         auto const& facts = a.facts;
         auto const& then = a.images.then;
-        FrameViews<Set, FrameStorage> const given{frame_in(a.typed), a.images.repaired};
+        FrameViews<Set, FrameStorage, queued> const given{frame_in(a.typed), a.images.repaired, a.queued};
         return {.size = divided(facts.size, S::fraction),
                 .frame = given.of(typename S::frame_channels{}),
                 .made = a.images.made.template views<Storage>(typename S::made_channels{}),
@@ -162,7 +212,7 @@ private:
     static Vectors vectors(FrameFacts const& facts) { return {facts.size, facts.jitter, facts.jitter_then}; }
 
     static auto finish(PassArguments const& a) {
-        FrameViews<Set, FrameStorage> const given{frame_in(a.typed), a.images.repaired};
+        FrameViews<Set, FrameStorage, queued> const given{frame_in(a.typed), a.images.repaired, a.queued};
         EndScope const scope{.size = a.facts.size, .frame = given.of(typename EndScope::frame_channels{}), .vectors = vectors(a.facts)};
         auto const guides = a.images.guides_out.template views<Storage>(typename StoredChannels<typename P::remembers>::type{});
         auto const ending = [&]<class Target>(Target const& target) {
