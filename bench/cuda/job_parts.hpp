@@ -77,7 +77,7 @@ template <class F, class M, class S, class P, class K, class T, PassTraits trait
 inline constexpr std::size_t member_count<Scope<F, M, S, P, K, T, traits, V>> = 18;
 template <class F, int N, class M> inline constexpr std::size_t member_count<detail::PlanarView<F, N, M>> = 2;
 template <class C, class T> inline constexpr std::size_t member_count<detail::Slot<C, T>> = 1;
-template <class C, class V> inline constexpr std::size_t member_count<detail::LateView<C, V>> = 3;
+template <class Job> inline constexpr std::size_t member_count<detail::LateJob<Job>> = 2;
 /// Calls each(members...) with all members of an aggregate without base classes.
 template <class T> constexpr void with_members(T const& of, auto&& each) {
     constexpr std::size_t n = member_count<T>;
@@ -161,9 +161,6 @@ template <class T> constexpr void with_members(T const& of, auto&& each) {
 template <class T> struct BasesOf { using type = Parts<>; };
 template <class... Edges> struct BasesOf<Product<Edges...>> { using type = Parts<Edges...>; };
 template <class S, class... Cs> struct BasesOf<Views<S, Channels<Cs...>>> { using type = Parts<detail::Slot<Cs, ViewOf<S, Cs>>...>; };
-template <class S, class... Cs> struct BasesOf<Views<detail::ChosenLate<S>, Channels<Cs...>>> {
-    using type = Parts<detail::Slot<Cs, detail::LateViewOf<S, Cs>>...>;
-};
 template <std::size_t... i, class... Ps> struct BasesOf<detail::NumberedSignals<std::index_sequence<i...>, Ps...>> {
     using type = Parts<detail::Slot<std::integral_constant<std::size_t, i>, Ps>...>;
 };

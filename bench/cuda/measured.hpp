@@ -32,6 +32,12 @@ struct Cost {
     std::vector<PassCost> passes;
 };
 
+/// Threads of a block.
+struct Block {
+    int width = 32, height = 4;
+};
+inline Block block_of_all;
+
 struct Measured {
     std::string name;
     std::size_t order; ///< among named_presets

@@ -160,11 +160,13 @@ template <class V, int max_samples> struct StratifiedMean {
         Filled const filled(weight);
         Real nearest(0.f);
         Strata before;
+        QUELL_UNROLL_ON_DEVICE
         for (int i = 0; i < max_parts; ++i) {
             mean.at[i] = mean.at[i] / max(weight.at[i], Real(1e-12f));
             before.at[i] = nearest = select(filled.is[i], mean.at[i], nearest);
         }
         nearest = Real(0.f);
+        QUELL_UNROLL_ON_DEVICE
         for (int i = max_parts - 1; i >= 0; --i) {
             nearest = select(filled.is[i], mean.at[i], nearest);
             mean.at[i] = select(filled.is[i], mean.at[i], fma(before.at[i], filled.to_previous(i), nearest * filled.to_next(i)));
@@ -183,11 +185,13 @@ private:
         Real before[max_parts], after[max_parts]; ///< 1 where one of the strata up to here, or from here on, is filled; otherwise 0
         QUELL_KERNEL explicit Filled(Strata const& weight) {
             Real some(0.f);
+            QUELL_UNROLL_ON_DEVICE
             for (int i = 0; i < max_parts; ++i) {
                 is[i] = weight.at[i] > Real(0.f);
                 before[i] = some = select(is[i], Real(1.f), some);
             }
             some = Real(0.f);
+            QUELL_UNROLL_ON_DEVICE
             for (int i = max_parts - 1; i >= 0; --i) after[i] = some = select(is[i], Real(1.f), some);
         }
         /// Share of an empty stratum that belongs to the next filled one before it; the rest belongs to the one after it.
@@ -201,11 +205,13 @@ private:
         Filled const filled(weight);
         Strata share;
         Real carried(0.f);
+        QUELL_UNROLL_ON_DEVICE
         for (int i = 0; i < max_parts; ++i) {
             share.at[i] = exposed.at[i] + carried;
             carried = masked(invert(filled.is[i]), fma(exposed.at[i], filled.to_next(i), carried));
         }
         carried = Real(0.f);
+        QUELL_UNROLL_ON_DEVICE
         for (int i = max_parts - 1; i >= 0; --i) {
             share.at[i] = masked(filled.is[i], (share.at[i] + carried) / max(weight.at[i], Real(1e-30f)));
             carried = masked(invert(filled.is[i]), fma(exposed.at[i], filled.to_previous(i), carried));

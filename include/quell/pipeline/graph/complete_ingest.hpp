@@ -4,55 +4,21 @@
 #include <quell/pipeline/graph/counts.hpp>
 
 // What hangs on the ingest's counts, for a queue: the host does not know them when it enqueues the passes. A grid of threads looks at them
-// on the device, and passes choose between the host's guides and the repaired copies.
-namespace quell::inline QUELL_INSTRUCTION_SET {
+// on the device, and each pass takes the host's guides or the repaired copies.
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
-namespace detail {
-/// A view of the host's guide, and one of its copy, which stands in where an impossible value has been counted.
-template <ChannelTag C, class View> struct LateView {
-    View given, copy;
-    GuideCounts const* counts; ///< null: as the host gave it
+/// A job that looks where it runs whether guides were impossible: one of two that differ in the images that they read.
+template <class Job> struct LateJob {
+    static constexpr auto name = Job::name;
+    Job jobs[2];               ///< with the host's guides, and with the copies
+    GuideCounts const* counts; ///< of the ingest
 
-    QUELL_KERNEL View chosen() const {
-        View view = given;
-        if (counts && counts->of(number_of_guide<C>()) > 0) view = copy;
-        return view;
-    }
-};
-template <ChannelTag C, class View> struct LateViewOfGuide { using type = View; };
-template <ChannelTag C, class View>
-    requires(CopiedGuides::has<C>)
-struct LateViewOfGuide<C, View> {
-    using type = LateView<C, View>;
-};
-/// What passes in a queue hold of a channel of the host's.
-template <class Storage, ChannelTag C> using LateViewOf = typename LateViewOfGuide<C, ViewOf<Storage, C>>::type;
-
-/// Stands for a storage in Views, whose guides are then chosen where they are read.
-template <class Storage> struct ChosenLate {};
-} // namespace detail
-
-/// Views of a frame for passes in a queue.
-template <class Storage, class... Cs>
-struct Views<detail::ChosenLate<Storage>, Channels<Cs...>> : detail::Slot<Cs, detail::LateViewOf<Storage, Cs>>... {
-    using channels = Channels<Cs...>; ///< those that it has
-    /// The view of a channel of the set.
-    template <ChannelTag C> QUELL_KERNEL auto view(C) const {
-        auto const& held = detail::slot<C>(*this);
-        if constexpr (requires { held.chosen(); })
-            return held.chosen();
-        else
-            return held;
+    template <class At> QUELL_KERNEL void operator()(At at, int x, int y, int count) const {
+        jobs[read_count(counts->pixels) > 0 ? 1 : 0](at, x, y, count);
     }
 };
 
-namespace detail {
-/// Repairs a guide, if need be.
-template <class Job> struct ListedRepair {
-    Job job;
-    int number;           ///< of CheckedGuides
-    bool changes_samples; ///< whether the ingest reads it for the samples
-};
+/// Makes the copies of all guides.
 template <class... Repairs> struct GuideRepairs;
 template <> struct GuideRepairs<> {
     QUELL_KERNEL void for_each(auto const&) const {}
@@ -78,16 +44,13 @@ template <class IngestJob, class FillJob, class Repairs> struct IngestCompletion
     IngestJob again;         ///< with repaired guides
     FillJob fill, fill_back; ///< from the ingest's image to another, and back
     FrameCounts* counts;
+    int changing_guide; ///< the number of the one that changes samples; -1: there is none
     long long pixels;
     bool has_past;
 
     QUELL_KERNEL void operator()(auto const& for_all) const {
-        bool repeat = false;
-        repairs.for_each([&](auto const& repair) {
-            if (counts->first.guides.of(repair.number) == 0) return;
-            for_all(repair.job);
-            repeat = repeat || repair.changes_samples;
-        });
+        if (read_count(counts->first.guides.pixels) > 0) repairs.for_each(for_all);
+        bool const repeat = changing_guide >= 0 && counts->first.guides.of(changing_guide) > 0;
         if (repeat) for_all(again);
         auto const& found = repeat ? counts->again : counts->first;
         auto holes = read_count(found.holes);
@@ -113,6 +76,4 @@ private:
         for_all(job);
     }
 };
-} // namespace detail
-
-} // namespace quell::inline QUELL_INSTRUCTION_SET
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

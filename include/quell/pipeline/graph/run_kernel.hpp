@@ -33,28 +33,14 @@ template <class Storage> constexpr auto storage_of_copies() {
 template <class Storage> using StorageOfCopies = typename decltype(storage_of_copies<Storage>())::type;
 
 /// Views of a frame's images, or of the copies that stand in for them.
-/// @tparam chosen_late whether passes choose between the two
-template <class Set, class Storage, bool chosen_late> struct FrameViews {
+template <class Set, class Storage> struct FrameViews {
     Frame<Set, Storage> const& frame;
     ImageTable const& repaired;
-    FrameCounts const* counts; ///< of a queue
 
-    template <class... Ds> [[nodiscard]] auto of(Channels<Ds...>) const {
-        if constexpr (chosen_late)
-            return Views<ChosenLate<Storage>, Channels<Ds...>>{{late_view<Ds>()}...};
-        else
-            return Views<Storage, Channels<Ds...>>{{view<Ds>()}...};
-    }
+    template <class... Ds> [[nodiscard]] auto of(Channels<Ds...>) const { return Views<Storage, Channels<Ds...>>{{view<Ds>()}...}; }
 
 private:
     using Copy = StorageOfCopies<Storage>;
-    template <ChannelTag C> auto late_view() const {
-        using View = LateViewOf<Storage, C>;
-        if constexpr (std::is_same_v<View, ViewOf<Storage, C>>)
-            return frame[C{}].view();
-        else
-            return View{frame[C{}].view(), view<C>(), repaired.find(&channel_info<C>) ? &counts->first.guides : nullptr};
-    }
     template <ChannelTag C> ViewOf<Storage, C> view() const {
         if constexpr (CopiedGuides::has<C> && !std::is_void_v<Copy>)
             if (auto const* const copy = repaired.find(&channel_info<C>)) {
@@ -74,14 +60,13 @@ struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
     using FrameT = Frame<Set, FrameStorage>;
     using SignalView = ViewOf<Storage, typename P::Signal>;
     static constexpr bool queued = QueueExecutor<E>;
-    template <class Wanted> using FrameViewsOf = Views<std::conditional_t<queued, ChosenLate<FrameStorage>, FrameStorage>, Wanted>;
     using Vectors = VectorConversion<P::motion_convention>;
 
     /// What a pass sees: views of exactly the channels that it declares.
     /// @tparam marks whether it sees marks of missing samples
     template <class Pass, bool marks>
     using ScopeOf =
-        Scope<FrameViewsOf<common_to<decltype(reads_of<Pass>{} | typename P::known_samples{}), Set>>,
+        Scope<Views<FrameStorage, common_to<decltype(reads_of<Pass>{} | typename P::known_samples{}), Set>>,
               Views<Storage, common_to<reads_of<Pass>, typename P::made>>, SignalView, SignalView,
               Views<Storage, decltype(keeps_of<Pass>{} | reads_kept_of<Pass>{})>, RememberedViewsOf<Storage, remembers_of<Pass>>,
               PassTraits{.marks_missing = marks,
@@ -91,18 +76,19 @@ struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
               Vectors>;
     /// For the end of the last pass: what demodulation reads, and what the history remembers.
     using EndScope =
-        Scope<FrameViewsOf<decltype(reads_of<typename P::Form>{} | typename P::remembers{})>, Views<Storage, Channels<>>, SignalView,
+        Scope<Views<FrameStorage, decltype(reads_of<typename P::Form>{} | typename P::remembers{})>, Views<Storage, Channels<>>, SignalView,
               SignalView, Views<Storage, Channels<>>, RememberedViewsOf<Storage, Channels<>>, PassTraits{}, Vectors>;
 
     template <class Pass> static constexpr bool makes_signal = makes_signal_of<Pass, ScopeOf<Pass, true>>;
 
-    template <class Pass, bool marks> static auto job_of(PassArguments const& a) {
+    /// @param repaired copies that stand in for the host's guides
+    template <class Pass, bool marks> static auto job_of(PassArguments const& a, ImageTable const& repaired) {
         using S = ScopeOf<Pass, marks>;
         using Made = decltype(emits_of<Pass>{} | keeps_of<Pass>{});
         constexpr bool keeps_marks = marks && P::has_past && !is_temporal<Pass> && !std::is_same_v<Pass, FillHoles>;
         auto const made = a.images.made_out.template views<Storage>(Made{});
-        auto const scope = scope_of<S, Pass>(a);
-        auto const end = finish(a);
+        auto const scope = scope_of<S, Pass>(a, repaired);
+        auto const end = finish(a, repaired);
         return PassJob<Pass, S, SignalView, std::remove_const_t<decltype(made)>, std::remove_const_t<decltype(end)>, typename P::remembers,
                        keeps_marks>{.pass = kernel<Pass>(a),
                                     .scope = scope,
@@ -115,10 +101,24 @@ struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
                                     .stored_channels = stored(Made{}, a.images.made_out),
                                     .counts = a.counts};
     }
-    template <class Pass, bool marks> using JobOf = decltype(job_of<Pass, marks>(std::declval<PassArguments const&>()));
+    /// Whether only the device knows what a pass reads: it reads guides, itself or in the last pass's end, in a queue. The ingest reads the
+    /// host's.
+    template <class Pass>
+    static constexpr bool is_late =
+        queued && !std::is_same_v<Pass, decltype(P::ingest)> &&
+        (common_to<CopiedGuides, reads_of<Pass>>::size > 0 ||
+         (makes_signal<Pass> && common_to<CopiedGuides, decltype(reads_of<typename P::Form>{} | typename P::remembers{})>::size > 0));
+    template <class Pass, bool marks> static auto listed_job_of(PassArguments const& a) {
+        auto const job = job_of<Pass, marks>(a, a.images.repaired);
+        if constexpr (is_late<Pass>)
+            return LateJob<std::remove_const_t<decltype(job)>>{{job_of<Pass, marks>(a, ImageTable{}), job}, &a.queued->first.guides};
+        else
+            return job;
+    }
+    template <class Pass, bool marks> using JobOf = decltype(listed_job_of<Pass, marks>(std::declval<PassArguments const&>()));
 
     template <class Pass, bool marks> static void make_job(PassArguments const& a, std::byte* to) {
-        auto const job = job_of<Pass, marks>(a);
+        auto const job = listed_job_of<Pass, marks>(a);
         static_assert(std::is_trivially_copyable_v<JobOf<Pass, marks>>, "views, policies and camera of a pass are plain data");
         std::memcpy(to, &job, sizeof(job));
     }
@@ -142,26 +142,24 @@ struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
 
 private:
     static void complete_ingest(IngestCompletionArguments const& a) {
-        auto const again = job_of<decltype(P::ingest), false>(a.ingest);
-        auto const fill = job_of<FillHoles, true>(a.fill), fill_back = job_of<FillHoles, true>(a.fill_back);
+        auto const again = job_of<decltype(P::ingest), false>(a.ingest, a.ingest.images.repaired);
+        auto const fill = job_of<FillHoles, true>(a.fill, ImageTable{}), fill_back = job_of<FillHoles, true>(a.fill_back, ImageTable{});
+        constexpr bool changes_samples = reads_of<typename P::Form>::template has<Albedo>;
         auto const enqueue = [&](auto const& repairs) {
             auto const size = a.ingest.facts.size;
             static_cast<E const*>(a.ingest.typed.executor)
                 ->enqueue_grid(Region{0, 0, size.width, size.height},
                                IngestCompletion<std::remove_const_t<decltype(again)>, std::remove_const_t<decltype(fill)>,
                                                 std::remove_cvref_t<decltype(repairs)>>{repairs, again, fill, fill_back, a.ingest.queued,
+                                                                                        changes_samples ? number_of_guide<Albedo>() : -1,
                                                                                         size.pixels(), a.ingest.facts.has_past});
         };
         if constexpr (std::is_void_v<StorageOfCopies<FrameStorage>>)
             enqueue(guide_repairs());
         else
             [&]<class... Cs>(Channels<Cs...>) {
-                enqueue(guide_repairs(listed_repair<Cs>(a.ingest)...));
+                enqueue(guide_repairs(repair_job<Cs>(a.ingest.typed, *a.ingest.images.repaired.find(&channel_info<Cs>))...));
             }(common_to<CopiedGuides, typename P::reads>{});
-    }
-    template <ChannelTag C> static auto listed_repair(PassArguments const& a) {
-        auto const job = repair_job<C>(a.typed, *a.images.repaired.find(&channel_info<C>));
-        return ListedRepair<std::remove_const_t<decltype(job)>>{job, number_of_guide<C>(), reads_of<typename P::Form>::template has<C>};
     }
     template <ChannelTag C> static auto repair_job(TypedByKernel const& typed, PooledImage const& copy) {
         auto const to = view_in<StorageOfCopies<FrameStorage>, C>(copy);
@@ -186,10 +184,10 @@ private:
         ((bits |= images.find(&channel_info<Cs>) ? next : 0, next <<= 1), ...);
         return bits;
     }
-    template <class S, class Pass> static S scope_of(PassArguments const& a) {
+    template <class S, class Pass> static S scope_of(PassArguments const& a, ImageTable const& repaired) {
         auto const& facts = a.facts;
         auto const& then = a.images.then;
-        FrameViews<Set, FrameStorage, queued> const given{frame_in(a.typed), a.images.repaired, a.queued};
+        FrameViews<Set, FrameStorage> const given{frame_in(a.typed), repaired};
         return {.size = divided(facts.size, S::fraction),
                 .frame = given.of(typename S::frame_channels{}),
                 .made = a.images.made.template views<Storage>(typename S::made_channels{}),
@@ -211,8 +209,8 @@ private:
     }
     static Vectors vectors(FrameFacts const& facts) { return {facts.size, facts.jitter, facts.jitter_then}; }
 
-    static auto finish(PassArguments const& a) {
-        FrameViews<Set, FrameStorage, queued> const given{frame_in(a.typed), a.images.repaired, a.queued};
+    static auto finish(PassArguments const& a, ImageTable const& repaired) {
+        FrameViews<Set, FrameStorage> const given{frame_in(a.typed), repaired};
         EndScope const scope{.size = a.facts.size, .frame = given.of(typename EndScope::frame_channels{}), .vectors = vectors(a.facts)};
         auto const guides = a.images.guides_out.template views<Storage>(typename StoredChannels<typename P::remembers>::type{});
         auto const ending = [&]<class Target>(Target const& target) {
