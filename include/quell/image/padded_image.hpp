@@ -20,6 +20,7 @@ static_assert(width_of<Pack> <= padding, "quell: packs of more than 16 floats ar
 /// Distance from a pixel to the one below, in pixels. It follows from the size: a kernel that reads many images of one size computes each
 /// address once (see Pixel::load).
 QUELL_KERNEL std::ptrdiff_t padded_width(Extent size) {
+    if constexpr (on_device) return ((size.width + padding - 1) & -padding) + padding; // in 32 bits
     // Rounds up by a bit mask. With a division, compilers would compute the address of each component anew.
     return ((static_cast<std::ptrdiff_t>(size.width) + padding - 1) & -padding) + padding;
 }
@@ -48,7 +49,7 @@ public:
 
     /// @throws Error where offsets within a component exceed 31 bits
     explicit PaddedImage(Extent size = {}) : extent(size) {
-        if (size.height > 0 && View::row_stride(size) > std::numeric_limits<std::int32_t>::max() / size.height)
+        if (size.height > 0 && View::row_stride(size) > most_offset / size.height)
             raise_error<Failure>("image size", to_string(size) + " pixels, " + std::to_string(View::pixel_step) + " floats apart",
                                  View::pixel_step > 1 ? "use Planar storage or smaller images" : "use smaller images");
         allocate();
@@ -118,6 +119,11 @@ public:
     }
 
 private:
+#if defined(__CUDACC__) // a device adds offsets of 32 bits, in bytes
+    static constexpr std::int32_t most_offset = std::numeric_limits<std::int32_t>::max() / 4;
+#else
+    static constexpr std::int32_t most_offset = std::numeric_limits<std::int32_t>::max();
+#endif
     // The members that call it are compiled only where they are used.
     static void require_host() {
         static_assert(on_host, "image.get() and image.set(): the image lies in the device's memory: use upload() and download() of "

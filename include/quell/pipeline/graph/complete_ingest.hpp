@@ -14,7 +14,11 @@ template <class Job> struct LateJob {
     GuideCounts const* counts; ///< of the ingest
 
     template <class At> QUELL_KERNEL void operator()(At at, int x, int y, int count) const {
-        jobs[read_count(counts->pixels) > 0 ? 1 : 0](at, x, y, count);
+        // Two calls: what a pass reads then lies in constants, by known addresses.
+        if (read_count(counts->pixels) > 0)
+            jobs[1](at, x, y, count);
+        else
+            jobs[0](at, x, y, count);
     }
 };
 
