@@ -56,13 +56,13 @@ double device_time(Cost const& cost) {
 }
 
 void print_times(int width, int height, bool with_passes) {
-    std::printf("\n%dx%d, milliseconds a frame\n| preset | passes on the device | frames in a row | the host waits | run() returns |\n"
-                "| --- | --- | --- | --- | --- |\n", width, height);
+    std::printf("\n%dx%d, milliseconds a frame\n| preset | passes on the device | frames in a row | the host waits | run() returns | as graphs, in a row | run() returns |\n"
+                "| --- | --- | --- | --- | --- | --- | --- |\n", width, height);
     std::vector<Cost> costs;
     for (auto const& preset : measured_presets()) {
         auto const& cost = costs.emplace_back(preset.cost(width, height, 12));
-        std::printf("| %s | %.3f | %.3f | %.3f | %.3f |\n", preset.name.c_str(), device_time(cost), cost.milliseconds_in_row,
-                    cost.milliseconds, cost.host_milliseconds);
+        std::printf("| %s | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f |\n", preset.name.c_str(), device_time(cost), cost.milliseconds_in_row,
+                    cost.milliseconds, cost.host_milliseconds, cost.graph_milliseconds_in_row, cost.graph_host_milliseconds);
         std::fflush(stdout);
     }
     if (!with_passes) return;

@@ -29,6 +29,7 @@ struct Chosen {
     template <class Work> void enqueue_grid(Region r, Work const& work) const {
         timed(work.name, quell::detail::whole_grid<Work>, [&] { cuda.enqueue_grid(r, work); });
     }
+    void submit() const { cuda.submit(); }
     void clear(void* memory, std::size_t bytes) const { cuda.clear(memory, bytes); }
     void read(void* to, void const* from, std::size_t bytes) const { cuda.read(to, from, bytes); }
 
@@ -124,6 +125,17 @@ template <class Preset> Cost cost(int width, int height, int rounds) {
     found.host_milliseconds = (now() - begun) / rounds;
     cuda.synchronize();
     found.milliseconds_in_row = (now() - begun) / rounds;
+
+    CudaGraphs graphs;
+    Chosen by_graph;
+    by_graph.cuda.graphs = &graphs;
+    run_frames(6, by_graph, nothing);
+    cuda.synchronize();
+    begun = now();
+    run_frames(rounds, by_graph, nothing);
+    found.graph_host_milliseconds = (now() - begun) / rounds;
+    cuda.synchronize();
+    found.graph_milliseconds_in_row = (now() - begun) / rounds;
 
     std::vector<PassCost> all;
     Chosen timed{.passes = &all};

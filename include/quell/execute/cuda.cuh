@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/core/error.hpp>
+#include <quell/execute/cuda_graphs.cuh>
 #include <quell/execute/queue_executor.hpp>
 
 #include <cooperative_groups.h>
@@ -46,6 +47,7 @@ template <class Work> __global__ void __launch_bounds__(256) whole_grid(Region c
 struct Cuda {
     cudaStream_t stream = nullptr;          ///< passes are launched here
     int block_width = 32, block_height = 4; ///< threads; a warp is one row of 32 pixels, so its loads coalesce
+    CudaGraphs* graphs = nullptr;           ///< where frames become graphs; null: each pass is launched by itself
 
     /// See Executor: returns when the pass is complete.
     /// @throws Error where the launch or the pass fails
@@ -60,8 +62,9 @@ struct Cuda {
         if (r.x1 <= r.x0 || r.y1 <= r.y0) return;
         dim3 const block(count(block_width), count(block_height)),
             grid(blocks(r.x1 - r.x0, block_width), blocks(r.y1 - r.y0, block_height));
+        if (graphs) return graphs->add({reinterpret_cast<void const*>(detail::each_pixel<Job>), job.name, grid, block, false}, r, job);
         detail::each_pixel<<<grid, block, 0, stream>>>(r, job);
-        check(cudaGetLastError(), job.name, "compile for this device's architecture");
+        check(cudaGetLastError(), job.name, compile_remedy);
     }
     /// See QueueExecutor.
     /// @throws Error where the launch fails
@@ -70,14 +73,24 @@ struct Cuda {
         int device = 0, multiprocessors = 0;
         check(cudaGetDevice(&device), work.name, "select a device");
         check(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, device), work.name, "select a device");
-        void* arguments[] = {&r, const_cast<Work*>(&work)};
+        auto const* const kernel = reinterpret_cast<void const*>(detail::whole_grid<Work>);
         // One block on each multiprocessor: all run at once, whatever they need.
-        check(cudaLaunchCooperativeKernel(reinterpret_cast<void const*>(detail::whole_grid<Work>), dim3(count(multiprocessors)), dim3(256),
-                                          arguments, 0, stream),
-              work.name, "compile for this device's architecture");
+        dim3 const grid(count(multiprocessors)), block(256);
+        if (graphs) return graphs->add({kernel, work.name, grid, block, true}, r, work);
+        void* arguments[] = {&r, const_cast<Work*>(&work)};
+        check(cudaLaunchCooperativeKernel(kernel, grid, block, arguments, 0, stream), work.name, compile_remedy);
     }
     /// See QueueExecutor.
-    void clear(void* memory, std::size_t bytes) const { check(cudaMemsetAsync(memory, 0, bytes, stream), "counts", remedy); }
+    void clear(void* memory, std::size_t bytes) const {
+        if (graphs) return graphs->add_clear(memory, bytes);
+        check(cudaMemsetAsync(memory, 0, bytes, stream), "counts", remedy);
+    }
+    /// See QueueExecutor.
+    /// @throws Error where the graph cannot be made or launched
+    void submit() const {
+        char const* pass = nullptr;
+        if (graphs) check(graphs->submit(stream, pass), pass, compile_remedy);
+    }
     /// See QueueExecutor.
     void read(void* to, void const* from, std::size_t bytes) const {
         copy(to, from, bytes);
@@ -85,6 +98,7 @@ struct Cuda {
     }
     /// Copies between any two places, behind what is in the stream.
     void copy(void* to, void const* from, std::size_t bytes) const {
+        submit();
         check(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDefault, stream), "copy", remedy);
     }
     /// Waits for all that is in the stream.
@@ -93,7 +107,11 @@ struct Cuda {
 
 private:
     static constexpr auto remedy = "keep frame, history and target in memory that the device can reach: Device<> or Managed<>";
-    void wait_for(char const* pass) const { check(cudaStreamSynchronize(stream), pass, remedy); }
+    static constexpr auto compile_remedy = "compile for this device's architecture";
+    void wait_for(char const* pass) const {
+        submit();
+        check(cudaStreamSynchronize(stream), pass, remedy);
+    }
     static unsigned count(int threads) { return static_cast<unsigned>(threads); }
     static unsigned blocks(int pixels, int threads) { return count((pixels + threads - 1) / threads); }
     static void check(cudaError_t status, char const* pass, char const* advice) {

@@ -47,6 +47,7 @@ public:
         history.listed.clear();
         for (std::size_t i = 0; i < list.passes.size(); ++i) run_listed(i);
         if (typed.run_list) typed.run_list(typed.executor, history.listed.complete());
+        if (typed.queue) typed.queue->submit(typed.executor);
         end();
     }
 
