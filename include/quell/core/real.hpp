@@ -46,16 +46,10 @@ template <class Real> struct IndexOf { using type = std::int32_t; };
 /// The 32-bit integer of the same width as a Real: pixel coordinates, bit patterns.
 template <class Real> using Index = typename detail::IndexOf<Real>::type;
 
-#if defined(__CUDA_ARCH__)
-// One instruction each, which gives the other number where either is NaN.
-QUELL_KERNEL float min(float a, float b) { return ::fminf(a, b); }
-QUELL_KERNEL float max(float a, float b) { return ::fmaxf(a, b); }
-#else
 /// The smaller one; b if either is NaN.
 QUELL_KERNEL float min(float a, float b) { return a < b ? a : b; }
 /// The larger one; b if either is NaN.
 QUELL_KERNEL float max(float a, float b) { return a > b ? a : b; }
-#endif
 /// a with its sign bit cleared.
 QUELL_KERNEL float abs(float a) { return std::bit_cast<float>(std::bit_cast<std::uint32_t>(a) & 0x7fffffffu); }
 /// a where the mask is true, else b.

@@ -4,8 +4,6 @@
 #include <quell/execute/cuda_graphs.cuh>
 #include <quell/execute/queue_executor.hpp>
 
-#include <cooperative_groups.h>
-
 #include <type_traits>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -18,20 +16,36 @@ template <class Job> __global__ void each_pixel(Region const region, QUELL_GRID_
     if (x < region.x1 && y < region.y1) job(at_once<float>, x, y, 1);
 }
 
-/// Runs jobs by all threads of a grid, one after the other.
+/// Runs jobs by all threads of a grid, one after the other. All blocks must run at once.
 struct WholeGrid {
     Region region;
+    unsigned* barrier; ///< how often blocks have come to a barrier; 0 at the beginning
 
     template <class Job> __device__ void operator()(Job const& job) const {
         int const width = region.x1 - region.x0, height = region.y1 - region.y0;
         int const threads = static_cast<int>(gridDim.x * blockDim.x);
         for (int i = static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x); i < width * height; i += threads)
             job(at_once<float>, region.x0 + i % width, region.y0 + i / width, 1);
-        cooperative_groups::this_grid().sync();
+        meet();
+    }
+
+private:
+    /// Returns when all threads have come here, with what they have written. cooperative_groups has the same, and traps in code that tests
+    /// could not tell from a compiler's trap.
+    __device__ void meet() const {
+        __syncthreads();
+        if (threadIdx.x == 0) {
+            __threadfence();
+            auto const all = (atomicAdd(barrier, 1u) / gridDim.x + 1) * gridDim.x;
+            while (*static_cast<unsigned volatile*>(barrier) < all) {
+            }
+            __threadfence();
+        }
+        __syncthreads();
     }
 };
 template <class Work> __global__ void __launch_bounds__(256) whole_grid(Region const region, QUELL_GRID_CONSTANT Work const work) {
-    work(WholeGrid{region});
+    work(WholeGrid{region, work.barrier()});
 }
 } // namespace detail
 

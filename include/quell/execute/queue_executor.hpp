@@ -11,6 +11,7 @@ namespace detail {
 struct AnyGridWork {
     static constexpr auto name = "any";
     void operator()(auto const&) const {}
+    unsigned* barrier() const { return nullptr; }
 };
 } // namespace detail
 
@@ -23,7 +24,7 @@ struct AnyGridWork {
 ///     void submit() const                                                      // the frame is complete: what was put in may run
 ///
 /// What is put in runs in that order. `work(for_all)` runs once in every thread of a grid; `for_all(job)` there runs a job for every pixel
-/// of the region, by all threads together, and returns when all are done. run() with such an executor returns before the frame is done. It
+/// of the region, by all threads together, and returns when all are done; `work.barrier()` is a zero of the device for that. run() with such an executor returns before the frame is done. It
 /// waits only in the first frame of a history. A history keeps a copy of the executor, for statistics(). Model: Cuda.
 template <class E>
 concept QueueExecutor = Executor<E> && std::is_trivially_copyable_v<E> &&

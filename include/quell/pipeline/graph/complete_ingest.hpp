@@ -52,6 +52,7 @@ template <class IngestJob, class FillJob, class Repairs> struct IngestCompletion
     long long pixels;
     bool has_past;
 
+    QUELL_KERNEL unsigned* barrier() const { return &counts->barrier; }
     QUELL_KERNEL void operator()(auto const& for_all) const {
         if (read_count(counts->first.guides.pixels) > 0) repairs.for_each(for_all);
         bool const repeat = changing_guide >= 0 && counts->first.guides.of(changing_guide) > 0;

@@ -97,6 +97,7 @@ struct FrameCounts {
     Counts first;      ///< of the ingest
     Counts again;      ///< of a second one, with repaired guides
     Counts filled[16]; ///< of each pass of FillHoles in a queue
+    unsigned barrier;  ///< of a queue's grid
 };
 
 /// Counts that lie where kernels can write them.

@@ -77,7 +77,7 @@ private:
         if constexpr (!std::is_void_v<Copy>)
             for_each_channel(common_to<CopiedGuides, typename P::reads>{}, [&]<class C>(C) {
                 list.repairs.push_back({&channel_info<C>, format_of<Copy, C>, number_of_guide<C>(),
-                                        reads_of<typename P::Form>::template has<C>, &K::template repair<C>});
+                                        reads_of<typename P::Form>::template has<C>, K::template repair_of<C>()});
             });
     }
 

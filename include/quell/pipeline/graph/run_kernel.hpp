@@ -132,6 +132,13 @@ struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
             ->for_each_pixel(Region{0, 0, frame.size.width, frame.size.height}, repair_job<C>(typed, copy));
     }
 
+    /// What repairs a guide; null for a queue, which does it on the device.
+    template <ChannelTag C> static constexpr auto repair_of() -> void (*)(TypedByKernel const&, PooledImage const&) {
+        if constexpr (queued)
+            return nullptr;
+        else
+            return &repair<C>;
+    }
     /// What completes the ingest in a queue; null for other executors.
     static constexpr auto complete_ingest_of() -> void (*)(IngestCompletionArguments const&) {
         if constexpr (queued)
