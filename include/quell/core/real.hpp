@@ -67,9 +67,8 @@ template <class Mask, class... Masks> QUELL_KERNEL Mask both(Mask first, Masks..
 template <class Mask, class... Masks> QUELL_KERNEL Mask either(Mask first, Masks... more) { return (first | ... | more); }
 QUELL_KERNEL std::int32_t bits(float a) { return std::bit_cast<std::int32_t>(a); } ///< the bit pattern of a float
 QUELL_KERNEL float from_bits(std::int32_t a) { return std::bit_cast<float>(a); }   ///< the float of a bit pattern
-/// Rounds toward zero. Out of range and NaN: INT32_MIN for float, machine-dependent for packs and on a device.
+/// Rounds toward zero. Out of range and NaN: INT32_MIN for float, machine-dependent for packs.
 QUELL_KERNEL std::int32_t truncate(float a) {
-    if constexpr (detail::on_device) return static_cast<std::int32_t>(a); // one instruction, for any a
     return abs(a) < 0x1p31f ? static_cast<std::int32_t>(a) : std::numeric_limits<std::int32_t>::min();
 }
 QUELL_KERNEL float to_real(std::int32_t a) { return static_cast<float>(a); } ///< converts an Index to Real

@@ -59,13 +59,14 @@ public:
     cudaError_t submit(cudaStream_t stream, char const*& pass) {
         if (nodes.empty() && clears.empty()) return cudaSuccess;
         pass = "of a graph";
-        auto const same = std::find_if(made.begin(), made.end(), [&](Made const& each) { return is_like(each); });
+        auto same = std::find_if(made.begin(), made.end(), [&](Made const& each) { return is_like(each); });
         auto status = cudaSuccess;
-        if (same == made.end())
+        if (same == made.end()) {
             status = make();
-        else
+            if (status == cudaSuccess) same = made.end() - 1;
+        } else
             status = update(*same, pass);
-        if (status == cudaSuccess) status = cudaGraphLaunch(same == made.end() ? made.back().runnable : same->runnable, stream);
+        if (status == cudaSuccess) status = cudaGraphLaunch(same->runnable, stream);
         nodes.clear(), clears.clear(), arguments.clear();
         return status;
     }

@@ -10,15 +10,15 @@ namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 /// A job that looks where it runs whether guides were impossible: one of two that differ in the images that they read.
 template <class Job> struct LateJob {
     static constexpr auto name = Job::name;
-    Job jobs[2];               ///< with the host's guides, and with the copies
+    Job as_given, as_repaired; ///< with the host's guides, and with the copies
     GuideCounts const* counts; ///< of the ingest
 
     template <class At> QUELL_KERNEL void operator()(At at, int x, int y, int count) const {
         // Two calls: what a pass reads then lies in constants, by known addresses.
         if (read_count(counts->pixels) > 0)
-            jobs[1](at, x, y, count);
+            as_repaired(at, x, y, count);
         else
-            jobs[0](at, x, y, count);
+            as_given(at, x, y, count);
     }
 };
 

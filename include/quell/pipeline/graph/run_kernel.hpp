@@ -111,7 +111,7 @@ struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
     template <class Pass, bool marks> static auto listed_job_of(PassArguments const& a) {
         auto const job = job_of<Pass, marks>(a, a.images.repaired);
         if constexpr (is_late<Pass>)
-            return LateJob<std::remove_const_t<decltype(job)>>{{job_of<Pass, marks>(a, ImageTable{}), job}, &a.queued->first.guides};
+            return LateJob<std::remove_const_t<decltype(job)>>{job_of<Pass, marks>(a, ImageTable{}), job, &a.queued->first.guides};
         else
             return job;
     }
