@@ -35,9 +35,8 @@ void print_device() {
 bool print_agreement() {
     constexpr int width = 256, height = 144, frames = 8;
     std::printf("Cuda against Serial, %d frames of %dx%d: greatest difference relative to max(1, value)\n", frames, width, height);
-    std::printf(
-        "| preset | greatest difference | components apart by more than %g | counts |\n| --- | --- | --- | --- |\n",
-        Agreement::allowed);
+    std::printf("| preset | greatest difference | components apart by more than %g | counts |\n| --- | --- | --- | --- |\n",
+                Agreement::allowed);
     bool good = true;
     for (auto const& preset : measured_presets()) {
         auto const found = preset.agreement(width, height, frames);
@@ -56,8 +55,10 @@ double device_time(Cost const& cost) {
 }
 
 void print_times(int width, int height, bool with_passes) {
-    std::printf("\n%dx%d, milliseconds a frame\n| preset | passes on the device | frames in a row | the host waits | run() returns | as graphs, in a row | run() returns |\n"
-                "| --- | --- | --- | --- | --- | --- | --- |\n", width, height);
+    std::printf("\n%dx%d, milliseconds a frame\n| preset | passes on the device | frames in a row | the host waits | run() returns | as "
+                "graphs, in a row | run() returns |\n"
+                "| --- | --- | --- | --- | --- | --- | --- |\n",
+                width, height);
     std::vector<Cost> costs;
     for (auto const& preset : measured_presets()) {
         auto const& cost = costs.emplace_back(preset.cost(width, height, 12));

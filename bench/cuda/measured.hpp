@@ -26,9 +26,9 @@ struct PassCost {
     std::size_t local_bytes = 0; ///< per thread
 };
 struct Cost {
-    double milliseconds = 0;        ///< by the host's clock, which waits for each frame
-    double host_milliseconds = 0;   ///< until run() returns
-    double milliseconds_in_row = 0; ///< a frame of many that are enqueued one behind the other
+    double milliseconds = 0;                                           ///< by the host's clock, which waits for each frame
+    double host_milliseconds = 0;                                      ///< until run() returns
+    double milliseconds_in_row = 0;                                    ///< a frame of many that are enqueued one behind the other
     double graph_host_milliseconds = 0, graph_milliseconds_in_row = 0; ///< the same with CudaGraphs
     std::vector<PassCost> passes;
 };

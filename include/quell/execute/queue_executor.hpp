@@ -24,8 +24,9 @@ struct AnyGridWork {
 ///     void submit() const                                                      // the frame is complete: what was put in may run
 ///
 /// What is put in runs in that order. `work(for_all)` runs once in every thread of a grid; `for_all(job)` there runs a job for every pixel
-/// of the region, by all threads together, and returns when all are done; `work.barrier()` is a zero of the device for that. run() with such an executor returns before the frame is done. It
-/// waits only in the first frame of a history. A history keeps a copy of the executor, for statistics(). Model: Cuda.
+/// of the region, by all threads together, and returns when all are done; `work.barrier()` is a zero of the device for that. run() with
+/// such an executor returns before the frame is done. It waits only in the first frame of a history. A history keeps a copy of the
+/// executor, for statistics(). Model: Cuda.
 template <class E>
 concept QueueExecutor = Executor<E> && std::is_trivially_copyable_v<E> &&
     requires(E const e, Region region, detail::AnyJob job, detail::AnyGridWork work, void* memory, std::size_t bytes) {
@@ -54,8 +55,7 @@ template <class E> constexpr QueueCalls const* queue_of() {
     if constexpr (QueueExecutor<E>) {
         static_assert(sizeof(E) <= 64, "an executor with a queue is copied into histories: it must have at most 64 bytes");
         return &queue_calls<E>;
-    }
-    else
+    } else
         return nullptr;
 }
 

@@ -55,7 +55,8 @@ template <class To, class From> void copy_planes(To const& to, From const& from,
     static_assert(To::components == From::components && std::is_same_v<typename To::Element, typename From::Element>,
                   "upload() and download(): the two images must have the same components and the same format");
     if (!(to.size == from.size))
-        raise_error<Failure>("a copy to or from the device", to_string(from.size) + " to " + to_string(to.size), "give both images one size");
+        raise_error<Failure>("a copy to or from the device", to_string(from.size) + " to " + to_string(to.size),
+                             "give both images one size");
     auto const bytes = static_cast<std::size_t>(to.row_stride() * to.size.height) * sizeof(typename To::Element);
     for (int c = 0; c < To::components; ++c) cuda.copy(to.planes[c], from.planes[c], bytes);
 }
@@ -69,8 +70,7 @@ template <class To, class From> void upload(To const& to, From const& from, Cuda
 
 /// Waits for what is in the stream, and returns an image of the host's.
 /// @param view what run() returned, or of an image of a Device<> frame or of a history
-template <class Format, int N>
-auto download(detail::PlanarView<Format, N, DeviceMemory> const& view, Cuda const& cuda = {}) {
+template <class Format, int N> auto download(detail::PlanarView<Format, N, DeviceMemory> const& view, Cuda const& cuda = {}) {
     typename Planar<Format>::template Image<N> image(view.size);
     detail::copy_planes(image.view(), view, cuda);
     cuda.synchronize();

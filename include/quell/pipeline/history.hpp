@@ -104,8 +104,7 @@ private:
     detail::HistoryImages images;
     std::shared_ptr<detail::DiagnosisNotes> notes; ///< of quell::diagnose
 
-    explicit History(std::shared_ptr<detail::ImagePool> shared)
-        : images{std::move(shared), detail::counts_in<MemoryOf<Storage>>()} {}
+    explicit History(std::shared_ptr<detail::ImagePool> shared) : images{std::move(shared), detail::counts_in<MemoryOf<Storage>>()} {}
 };
 /// @cond
 template <class P, ImageStorage Storage>

@@ -30,8 +30,8 @@ template <class V, int max_samples> struct StrataSamples {
             for_each_stratum<components>([&](auto c) QUELL_INLINED { place.value[c] = component<c>(weighted); });
             place.weight = w, place.part = part;
         } else {
-            for_each_stratum<components>(
-                [&](auto c) QUELL_INLINED { place.value[c] = select(counts, component<c>(weighted), place.value[c]); });
+            for_each_stratum<components>([&](auto c)
+                                             QUELL_INLINED { place.value[c] = select(counts, component<c>(weighted), place.value[c]); });
             place.weight = select(counts, w, place.weight), place.part = select(counts, part, place.part);
         }
     }
@@ -66,8 +66,8 @@ private:
         for_each_stratum<max_strata>([&](auto i) QUELL_INLINED { sum.at[i] = Real(0.f); });
         for (int k = 0; k < size; ++k) {
             auto const part = held[k].part, one = of(held[k]);
-            for_each_stratum<max_strata>(
-                [&](auto i) QUELL_INLINED { sum.at[i] = sum.at[i] + masked(part == Real(static_cast<float>(i)), one); });
+            for_each_stratum<max_strata>([&](auto i)
+                                             QUELL_INLINED { sum.at[i] = sum.at[i] + masked(part == Real(static_cast<float>(i)), one); });
         }
         return sum;
     }
@@ -218,9 +218,7 @@ private:
         }
         return share;
     }
-    QUELL_KERNEL V mean_with(Strata const& share, Real total) const {
-        return scale(samples.sum_with(share), 1.f / total);
-    }
+    QUELL_KERNEL V mean_with(Strata const& share, Real total) const { return scale(samples.sum_with(share), 1.f / total); }
 };
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -73,8 +73,8 @@ struct PassArguments {
     TypedByKernel const& typed;
     PassImages const& images;
     PassStores stores;
-    Counts* counts; ///< of the ingest; else null
-    int step;       ///< of FillHoles
+    Counts* counts;                ///< of the ingest; else null
+    int step;                      ///< of FillHoles
     FrameCounts* queued = nullptr; ///< of a queue, whose passes look there whether copies stand in for the host's guides
 };
 
@@ -150,9 +150,9 @@ struct PassList {
     int guide_count = 0; ///< what is copied for the next frame, as the history stores it
     ImageFormat signal, output;
     void (*complete_ingest)(IngestCompletionArguments const&) = nullptr; ///< of a queue
-    bool has_past = false;    ///< there is a history
-    bool demodulates = false; ///< the output is another image than the signal
-    bool has_target = false;  ///< the host gives an image for the output
+    bool has_past = false;                                               ///< there is a history
+    bool demodulates = false;                                            ///< the output is another image than the signal
+    bool has_target = false;                                             ///< the host gives an image for the output
 
     constexpr void clear() {
         passes.clear(), repairs.clear(), kernels.clear();

@@ -46,10 +46,10 @@ struct HistoryImages {
     std::shared_ptr<ImagePool> pool;     ///< this history's own, or shared by a composite
     std::shared_ptr<FrameCounts> counts; ///< of the running frame
     Extent size = pool->size();
-    FrameState then{};    ///< of the last frame: passes read it. Images that no later pass reads go back to the pool, or to `now`.
-    FrameState now{};     ///< of the running frame: passes write it. advance() makes it `then`.
-    PooledImage output{}; ///< for the host; may be the signal's image
-    bool empty = true;    ///< whether `then` is no past of the next frame
+    FrameState then{};            ///< of the last frame: passes read it. Images that no later pass reads go back to the pool, or to `now`.
+    FrameState now{};             ///< of the running frame: passes write it. advance() makes it `then`.
+    PooledImage output{};         ///< for the host; may be the signal's image
+    bool empty = true;            ///< whether `then` is no past of the next frame
     mutable Statistics counted{}; ///< without `late`
     mutable LateCounts late{};
     ListOnce passes{};                         ///< of the last frame, and of the next if it is run like the last

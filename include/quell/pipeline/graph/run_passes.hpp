@@ -137,8 +137,8 @@ private:
                                 .made_out = history.made_out,
                                 .guides_out = history.now.guides,
                                 .output = history.output};
-        PassArguments const arguments{
-            list.kernels.data() + pass.kernel, facts, typed, images, stores, counts, step, typed.queue ? history.counts.get() : nullptr};
+        PassArguments const arguments{list.kernels.data() + pass.kernel,           facts, typed, images, stores, counts, step,
+                                      typed.queue ? history.counts.get() : nullptr};
         if (listed && typed.run_list)
             history.listed.add(pass, arguments);
         else
