@@ -35,7 +35,7 @@ struct Cost {
 
 /// Threads of a block.
 struct Block {
-    int width = 32, height = 4;
+    int width = 0, height = 0; ///< 0: as suits a pass
 };
 inline Block block_of_all;
 

@@ -59,9 +59,9 @@ template <class Work> __global__ void __launch_bounds__(256) whole_grid(Region c
 /// Managed<> (image/managed.cuh). All frames of a history go into one stream, or into streams between which the host waits. See
 /// QueueExecutor.
 struct Cuda {
-    cudaStream_t stream = nullptr;          ///< passes are launched here
-    int block_width = 32, block_height = 4; ///< threads; a warp is one row of 32 pixels, so its loads coalesce
-    CudaGraphs* graphs = nullptr;           ///< where frames become graphs; null: each pass is launched by itself
+    cudaStream_t stream = nullptr;         ///< passes are launched here
+    int block_width = 0, block_height = 0; ///< threads; 0: as suits a pass
+    CudaGraphs* graphs = nullptr;          ///< where frames become graphs; null: each pass is launched by itself
 
     /// See Executor: returns when the pass is complete.
     /// @throws Error where the launch or the pass fails
@@ -74,8 +74,17 @@ struct Cuda {
     template <class Job> void enqueue(Region r, Job const& job) const {
         static_assert(std::is_trivially_copyable_v<Job>, "a job is copied to the device: policies and views must be trivially copyable");
         if (r.x1 <= r.x0 || r.y1 <= r.y0) return;
-        dim3 const block(count(block_width), count(block_height)),
-            grid(blocks(r.x1 - r.x0, block_width), blocks(r.y1 - r.y0, block_height));
+        // Measured on an H100. A warp of one row loads whole lines of the cache; in squares, pixels that look at scattered places share
+        // them.
+        constexpr bool in_squares = [] {
+            if constexpr (requires { Job::in_squares; })
+                return Job::in_squares;
+            else
+                return false;
+        }();
+        bool const given = block_width > 0 && block_height > 0;
+        int const width = given ? block_width : in_squares ? 16 : 64, height = given ? block_height : in_squares ? 8 : 2;
+        dim3 const block(count(width), count(height)), grid(blocks(r.x1 - r.x0, width), blocks(r.y1 - r.y0, height));
         if (graphs) return graphs->add({reinterpret_cast<void const*>(detail::each_pixel<Job>), job.name, grid, block, false}, r, job);
         detail::each_pixel<<<grid, block, 0, stream>>>(r, job);
         check(cudaGetLastError(), job.name, compile_remedy);

@@ -27,6 +27,12 @@ template <class Format, int N, class MemoryT> struct PlanarView {
     }
     /// An image of planes.
     static PlanarView of(std::array<std::shared_ptr<Plane>, std::size_t{N}> const& each) {
+        std::array<Plane const*, std::size_t{N}> planes;
+        for (std::size_t c = 0; c < each.size(); ++c) planes[c] = each[c].get();
+        return of(planes);
+    }
+    /// The same without owners.
+    static PlanarView of(std::array<Plane const*, std::size_t{N}> const& each) {
         PlanarView view{{}, each[0]->size()};
         for (std::size_t c = 0; c < each.size(); ++c) view.planes[c] = each[c]->view().planes[0];
         return view;

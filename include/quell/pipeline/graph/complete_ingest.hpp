@@ -10,6 +10,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 /// A job that looks where it runs whether guides were impossible: one of two that differ in the images that they read.
 template <class Job> struct LateJob {
     static constexpr auto name = Job::name;
+    static constexpr bool in_squares = Job::in_squares;
     Job as_given, as_repaired; ///< with the host's guides, and with the copies
     GuideCounts const* counts; ///< of the ingest
 
