@@ -3,8 +3,10 @@
 #include <quell/presets/effects.hpp>
 #include <quell/presets/general.hpp>
 
+#include <cstring>
 #include <functional>
 #include <limits>
+#include <vector>
 
 using namespace quell;
 

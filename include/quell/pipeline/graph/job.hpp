@@ -3,6 +3,7 @@
 #include <quell/execute/executor.hpp>
 #include <quell/pipeline/graph/counts.hpp>
 #include <quell/pipeline/ingest.hpp>
+#include <quell/pipeline/stage.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
