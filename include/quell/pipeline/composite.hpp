@@ -182,7 +182,8 @@ struct CompositeRun {
             auto const sum = [&](auto... denoised) {
                 CompositeJob<decltype(frame.views(typename Composite<Ps...>::factors{})), Output, decltype(denoised)...> const job{
                     .frame = factors, .output = output, .denoised = {{denoised}...}};
-                executor.for_each_pixel(Region{0, 0, frame.size.width, frame.size.height}, job);
+                run_or_enqueue(executor, Region{0, 0, frame.size.width, frame.size.height}, job);
+                if constexpr (QueueExecutor<E>) executor.submit();
             };
             // Initialiser lists are evaluated in order.
             std::apply(sum, std::tuple{denoised<typename Ps::Output>(
