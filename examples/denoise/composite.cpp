@@ -41,13 +41,22 @@ io::SequenceNames names_of_reference(io::ExrListing const& file, ReferenceNames 
 } // namespace
 
 metrics::Picture composite(io::ExrImage const& image, LightSplit const& split, std::function<metrics::Picture(std::size_t)> const& signal,
-                           long long& missing, std::vector<metrics::Picture>& parts) {
+                           long long& missing, std::vector<metrics::Picture>& parts, Resolve const& resolve) {
     parts.clear();
     auto sum = picture_of(image, split.added, 0.f);
+    if (resolve && !split.added.empty())
+        if (auto resolved = resolve(split.signals.size() - 1, nullptr)) sum = std::move(*resolved);
     drop_non_finite(sum, missing);
     for (std::size_t s = 0; s < split.signals.size(); ++s) {
         auto& part = parts.emplace_back(split.active[s] ? signal(s) : picture_of(image, {}, 0.f));
         if (!split.active[s]) continue;
+        if (resolve && !split.signals[s].factor.empty())
+            if (auto resolved = resolve(s, &part)) {
+                part = std::move(*resolved);
+                drop_non_finite(part, missing);
+                for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += part.pixels[i];
+                continue;
+            }
         auto factor = picture_of(image, split.signals[s].factor, 1.f);
         drop_non_finite(factor, missing);
         for (std::size_t i = 0; i < sum.pixels.size(); ++i) {

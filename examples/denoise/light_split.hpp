@@ -12,6 +12,7 @@ namespace quell::examples {
 struct SplitRule {
     bool by_albedo = false; ///< whether signals are divided by their albedo before they are denoised
     std::string alpha = {}; ///< the plane of the film's alpha, where it is denoised; else empty
+    float samples_of_guides = 1.f; ///< by which the variance of guides is divided before they are multiplied by
 };
 
 /// How the light of one frame is divided among the signals that are denoised.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <denoise/anti_alias.hpp>
 #include <denoise/denoiser.hpp>
 #include <denoise/film_alpha.hpp>
 #include <denoise/light_split.hpp>
@@ -115,9 +116,11 @@ private:
         io::ExrImage image;
         bool as_one;                                   ///< whether it is better filtered as one picture
         std::array<std::optional<LightSplit>, 2> ways; ///< its light by signals, and as one: where it was wanted
+        std::shared_ptr<FrameAround const> around;     ///< what frames around it see
     };
     [[nodiscard]] LightSplit const& split(Seen& seen, bool as_one) const;
     std::deque<Seen> window;
+    std::deque<std::shared_ptr<FrameAround const>> earlier; ///< frames that have been denoised
 
     void begin(io::ExrOriginal const& file);
     [[nodiscard]] SplitRule rule() const;
