@@ -68,12 +68,12 @@ int samples_in(io::ExrListing const& file) {
     return 0;
 }
 
-std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::SequenceNames const& names, long long number,
-                                                int samples) {
+std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::SequenceNames const& names, long long number, int samples) {
     auto const& channels = names.of_signals[0].channels;
     if (samples < 1 || !has_planes(image, io::planes_of(Channels<Depth, Motion, Normal>{}, channels))) return nullptr;
     if (samples > 1 && !has_mixed_normals(image, channels)) return nullptr;
-    auto made = std::make_shared<FrameAround>(FrameAround{number, policy_for(samples), Frame<Channels<Depth, Motion, MotionNext>>(image.size), {}});
+    auto made =
+        std::make_shared<FrameAround>(FrameAround{number, policy_for(samples), Frame<Channels<Depth, Motion, MotionNext>>(image.size), {}});
     io::load_channels(Channels<Depth, Motion>{}, made->guides, image, channels);
     if (has_planes(image, io::planes_of(Channels<MotionNext>{}, channels)))
         io::load_channels(Channels<MotionNext>{}, made->guides, image, channels);
@@ -113,8 +113,8 @@ std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metric
     if (!here || here->colours[colour].pixels.empty()) return std::nullopt;
     auto const size = here->guides.size;
     auto const colour_image = image_of(here->colours[colour]);
-    auto const light_image =
-        image_of(light != nullptr ? *light : metrics::Picture{size, std::vector<glm::vec3>(here->colours[colour].pixels.size(), glm::vec3(1.f))});
+    auto const light_image = image_of(
+        light != nullptr ? *light : metrics::Picture{size, std::vector<glm::vec3>(here->colours[colour].pixels.size(), glm::vec3(1.f))});
     Colours to(size);
     std::deque<Colours> kept;
     auto policy = here->policy;
@@ -135,7 +135,7 @@ std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metric
             if (frame->colours[colour].pixels.empty() || !(frame->guides.size == size) || count == AntiAliased::most_frames) break;
             kept.push_back(image_of(frame->colours[colour]));
             array[static_cast<std::size_t>(count++)] = {kept.back().view(), frame->guides[depth].view(), frame->guides[onward].view(),
-                                                       frame->guides[toward].view()};
+                                                        frame->guides[toward].view()};
         }
     };
     put(before, job.before, job.count_before, motion, motion_next);
@@ -143,7 +143,8 @@ std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metric
     Threads{}.for_each_pixel({0, 0, size.width, size.height}, job);
     metrics::Picture result{size, {}};
     for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) result.pixels.emplace_back(to.view().get(0, x, y), to.view().get(1, x, y), to.view().get(2, x, y));
+        for (int x = 0; x < size.width; ++x)
+            result.pixels.emplace_back(to.view().get(0, x, y), to.view().get(1, x, y), to.view().get(2, x, y));
     return result;
 }
 

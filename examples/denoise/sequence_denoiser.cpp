@@ -7,6 +7,7 @@
 #include <quell/core/real.hpp>
 #include <quell/io/frame_image.hpp>
 #include <quell/io/part_names.hpp>
+#include <quell/resolve/evidence.hpp>
 
 #include <algorithm>
 
@@ -231,8 +232,7 @@ void SequenceDenoiser::read(FramePattern const& in, long long number) {
 
 SequenceDenoiser::Seen SequenceDenoiser::seen(io::ExrOriginal const& file, long long number) const {
     Seen frame{number, file.read(planes(file.listed), canvas), false, {}, {}};
-    if (looks_ahead(settings.preset))
-        frame.around = frame_around(frame.image, on_canvas, number, samples_in(file.listed));
+    if (looks_ahead(settings.preset)) frame.around = frame_around(frame.image, on_canvas, number, samples_in(file.listed));
     if (!on_canvas.view.empty()) frame.image.attributes = attributes_of_view(file, on_canvas);
     put_cameras_on_canvas(frame.image, size, canvas);
     auto split_by = rule();
@@ -283,6 +283,42 @@ void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
     }
 }
 
+/// A signal's light with its history, or by itself, or in between: what its samples speak for.
+metrics::Picture SequenceDenoiser::chosen(std::size_t signal, io::ExrImage const& image, io::ChannelNames const& names, long long number,
+                                          std::optional<HistoryContents> const& before, metrics::Picture const& with_history) {
+    if (!before || before->number != number - 1) return with_history;
+    auto& with = denoiser(signal);
+    without_history.resize(denoisers.size());
+    auto& alone = without_history[signal];
+    if (!alone)
+        alone = std::make_unique<Denoiser>(
+            way_of(settings.preset, rule().alpha.empty() || !has_alpha(signal) ? Purpose::picture : Purpose::with_alpha),
+            io::detail::size_of(canvas), settings.threads);
+    auto const after = with.remembered();
+    Evidence const by{};
+    EvidenceSums sums(image.size);
+    auto const samples = picture_of(image, io::sources_of(names, radiance), 0.f);
+    for (int const left_out : {0, 1}) {
+        with.remember(*before);
+        auto const a = with.denoise_again(image, names, number, left_out, false);
+        alone->forget();
+        auto const b = alone->denoise_again(image, names, number, left_out, true);
+        for (int y = 0, i = 0; y < image.size.height; ++y)
+            for (int x = 0; x < image.size.width; ++x, ++i)
+                if ((x + y) % 2 == left_out) {
+                    auto const at = static_cast<std::size_t>(i);
+                    auto const of = [at](metrics::Picture const& picture) { return std::span<float const, 3>(&picture.pixels[at].x, 3); };
+                    sums.add(by, at, of(samples), of(a), of(b));
+                }
+    }
+    if (after) with.remember(*after);
+    alone->forget();
+    auto result = alone->denoise_again(image, names, number, -1, true);
+    auto const parts = sums.parts(by);
+    for (std::size_t i = 0; i < parts.size(); ++i) result.pixels[i] += (with_history.pixels[i] - result.pixels[i]) * parts[i];
+    return result;
+}
+
 DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long number) {
     while (!window.empty() && window.front().number != number) {
         earlier.push_back(window.front().around);
@@ -306,7 +342,11 @@ DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long num
     DenoisedFrame frame;
     frame.canvas = canvas;
     auto const denoised = [&](std::size_t s) {
-        auto result = denoiser(s).denoise(image, split.signals[s].channels, number);
+        auto const& channels = split.signals[s].channels;
+        bool const chooses = settings.chooses && looks_ahead(settings.preset) && settings.debug_views.empty();
+        auto const before = chooses ? denoiser(s).remembered() : std::nullopt;
+        auto result = denoiser(s).denoise(image, channels, number);
+        if (chooses) result = chosen(s, image, channels, number, before, result);
         auto const counted = denoiser(s).statistics();
         missing += counted.missing_samples;
         // Guides are the same for all signals.
@@ -318,9 +358,8 @@ DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long num
     auto around = earlier;
     for (auto const& seen : window) around.push_back(seen.around);
     AntiAliasing const anti_aliasing(around, number);
-    frame.picture = composite(image, split, denoised, missing, frame.signals, [&](std::size_t s, metrics::Picture const* light) {
-        return anti_aliasing.product(s, light);
-    });
+    frame.picture = composite(image, split, denoised, missing, frame.signals,
+                              [&](std::size_t s, metrics::Picture const* light) { return anti_aliasing.product(s, light); });
     if (!has_several_signals(on_canvas)) frame.signals.clear(); // it is the picture
     if (!alpha.empty()) denoise_alpha(frame, front, split);
     add_as_in_file(frame, image, split);

@@ -13,10 +13,10 @@ constexpr Extent size{24, 9};
 
 /// A thing in front of a wall, and what moves it: samples at the pixels' centres.
 struct Scene {
-    float edge = 12.f;         ///< the thing lies left of it, in frame 0
-    float speed = 0.5f;        ///< pixels per frame, of the thing
+    float edge = 12.f;                  ///< the thing lies left of it, in frame 0
+    float speed = 0.5f;                 ///< pixels per frame, of the thing
     float in_front = 2.f, behind = 4.f; ///< depths
-    float brightness = 1.f;    ///< of the wall
+    float brightness = 1.f;             ///< of the wall
 };
 
 struct TestFrame {

@@ -72,6 +72,7 @@ struct AntiAliasJob {
         // The surface that the pixel shows has the light that the pixel has.
         auto const own_light = load_pixels<Real>(light, x, y);
         near.finish_own(own_light, policy), far.finish_own(own_light, policy);
+        near.behind = far.high;
         auto const visit = [&](Surface<Real>& surface) QUELL_INLINED {
             if (!any(surface.pixels > Real(0.f))) return;
             follow(surface, centre, surface.motion, before, count_before, size);
@@ -82,19 +83,21 @@ struct AntiAliasJob {
         auto const covered = select(far.weights > Real(0.f), near.weights / max(near.whole, Real(1e-20f)), Real(1.f));
         auto const around = mix(shown(far), shown(near), min(covered, Real(1.f)));
         auto const others = near.whole;
-        auto const value = policy.by_surface ? around
-                                             : scale(add_scaled(scale(around, others), load_pixels<Real>(colour, x, y) * own_light, Real(policy.own)),
-                                                     1.f / (others + policy.own));
+        auto const value = policy.by_surface
+                               ? around
+                               : scale(add_scaled(scale(around, others), load_pixels<Real>(colour, x, y) * own_light, Real(policy.own)),
+                                       1.f / (others + policy.own));
         auto const plain = load_pixels<Real>(colour, x, y) * own_light;
         store_pixels<Real>(to, x, y, select(both(all_finite(value), others > Real(0.f)), value, plain), count);
     }
 
 private:
     template <class Real> struct Surface {
-        Real nearness = Real(0.f);         ///< of the pixel that it starts from
+        Real nearness = Real(0.f); ///< of the pixel that it starts from
         vec2<Real> motion = zero<vec2<Real>>(), motion_next = zero<vec2<Real>>();
         Real low = Real(1e38f), high = Real(-1.f); ///< nearness, over the pixels of the 3x3
         vec3<Real> colours = zero<vec3<Real>>(), lights = zero<vec3<Real>>(), plain = zero<vec3<Real>>();
+        Real behind = Real(-1.f); ///< nearness, up to which a sample is of the other surface
         Real light_weights = Real(0.f);
         Real weights = Real(0.f); ///< of the colours
         Real whole = Real(0.f);   ///< what they would be if it covered the pixel
@@ -126,9 +129,7 @@ private:
     template <class Real> QUELL_KERNEL static vec3<Real> shown(Surface<Real> const& s) {
         return scale(s.colours, 1.f / max(s.weights, Real(1e-20f))) * s.lights;
     }
-    template <class Real> QUELL_KERNEL static Real nearness(Real depth) {
-        return masked(is_finite(depth), 1.f / max(depth, Real(1e-20f)));
-    }
+    template <class Real> QUELL_KERNEL static Real nearness(Real depth) { return masked(is_finite(depth), 1.f / max(depth, Real(1e-20f))); }
     QUELL_KERNEL float weight_at(float dx, float dy) const {
         return exp(-(dx * dx + dy * dy) * (0.5f / (policy.deviation * policy.deviation)));
     }
@@ -174,10 +175,10 @@ private:
                     auto const goes_there = either(invert(is_finite(amiss)), amiss <= allowed);
                     auto const found = both(inside, goes_there, all_finite(c), d >= surface.low, d <= surface.high);
                     auto const off_x = column + 0.5f - safe.x, off_y = row + 0.5f - safe.y;
-                    auto const any_w = masked(
-                        inside, exp((off_x * off_x + off_y * off_y) * (-0.5f / (policy.deviation * policy.deviation))));
-                    // What lies behind is a gap in the surface; what hides it, or goes elsewhere, says nothing.
-                    whole = whole + masked(either(found, d < surface.low), any_w);
+                    auto const any_w =
+                        masked(inside, exp((off_x * off_x + off_y * off_y) * (-0.5f / (policy.deviation * policy.deviation))));
+                    // The other surface is a gap in this one. What hides both, lies between them or goes elsewhere says nothing.
+                    whole = whole + masked(either(found, d <= surface.behind), any_w);
                     auto const w = masked(found, any_w);
                     auto const colour_there = select(found, c, zero<vec3<Real>>());
                     sum = add_scaled(sum, colour_there, w);

@@ -19,11 +19,11 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// bright count alike, and samples are limited to a multiple of it. Samples are held out by a checkerboard: A and B are made once without
 /// the even pixels, and once without the odd ones.
 struct Evidence {
-    int radius = 12;          ///< of the window
-    float dark = 0.01f;       ///< added to the luminance that terms are divided by
-    float most = 20.f;        ///< samples are at most so many times that luminance
-    float at_first = 1.f;     ///< the part where nothing is known
-    float trust = 1e-3f;      ///< terms that speak for it, per pixel of the window
+    int radius = 12;      ///< of the window
+    float dark = 0.01f;   ///< added to the luminance that terms are divided by
+    float most = 20.f;    ///< samples are at most so many times that luminance
+    float at_first = 1.f; ///< the part where nothing is known
+    float trust = 1e-3f;  ///< terms that speak for it, per pixel of the window
 };
 
 /// Sums over windows, and what follows from them.
