@@ -89,6 +89,10 @@ void describe(CLI::App& app, DenoiseOptions& options) {
         "make use of them; 0 is what a host has in real time)");
     add_threads(app, options.threads);
     app.add_flag("--keep-alpha", options.keep_alpha, "Leave the film's alpha as it is (default: denoised by the weights of the picture)");
+    app.add_flag(
+        "--choose", options.choose,
+        "Denoise each frame with and without its history, and take of both what its samples speak for, with the presets final-frame "
+        "and general: six times as slow");
     app.add_flag("--diagnose", options.diagnose,
                  "Say on stderr what the renderer seems to have got wrong (motion, cameras, depth, normals, albedo, samples) and in which "
                  "frame that first shows");

@@ -7,6 +7,7 @@
 #include <quell/core/real.hpp>
 #include <quell/io/frame_image.hpp>
 #include <quell/io/part_names.hpp>
+#include <quell/resolve/evidence.hpp>
 
 #include <algorithm>
 
@@ -156,6 +157,7 @@ void SequenceDenoiser::release_scratch() {
 }
 
 void SequenceDenoiser::forget() {
+    earlier.clear();
     earlier_milliseconds = milliseconds();
     denoisers.clear();
     window.clear();
@@ -172,6 +174,7 @@ void SequenceDenoiser::collect(std::vector<Finding> const& findings) {
 
 std::vector<std::string> SequenceDenoiser::planes(io::ExrListing const& file) const {
     auto planes = split_planes(file, on_canvas);
+    for (auto const& plane : planes_of_frame_around(file, on_canvas)) planes.push_back(plane);
     if (!alpha.empty()) planes.push_back(alpha);
     for (auto const& signal : on_canvas.of_signals) {
         auto const more = any->planes(signal.channels);
@@ -228,10 +231,14 @@ void SequenceDenoiser::read(FramePattern const& in, long long number) {
 }
 
 SequenceDenoiser::Seen SequenceDenoiser::seen(io::ExrOriginal const& file, long long number) const {
-    Seen frame{number, file.read(planes(file.listed), canvas), false, {}};
+    Seen frame{number, file.read(planes(file.listed), canvas), false, {}, {}};
+    if (looks_ahead(settings.preset)) frame.around = frame_around(frame.image, on_canvas, number, samples_in(file.listed));
     if (!on_canvas.view.empty()) frame.image.attributes = attributes_of_view(file, on_canvas);
     put_cameras_on_canvas(frame.image, size, canvas);
-    frame.as_one = is_better_as_one(frame.image, on_canvas, rule());
+    auto split_by = rule();
+    // Anti-aliasing takes the mean of several samples.
+    if (frame.around) split_by.samples_of_guides = frame.around->policy.by_surface ? 4.f : 2.f;
+    frame.as_one = is_better_as_one(frame.image, on_canvas, split_by);
     return frame;
 }
 
@@ -265,7 +272,8 @@ void SequenceDenoiser::hand_over(FramePattern const& in) {
 /// A frame that is missing, broken or larger ends the window, and is dealt with when it is its turn: those before it are written whole.
 void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
     if (!looks_ahead(settings.preset) || !settings.debug_views.empty()) return;
-    for (auto later = window.back().number + 1; later <= number + settings.later_frames; ++later) {
+    auto const farthest = settings.later_frames > 0 ? std::max(settings.later_frames, AntiAliased::most_frames) : 0;
+    for (auto later = window.back().number + 1; later <= number + farthest; ++later) {
         if (!std::filesystem::exists(in.path(later))) return;
         try {
             read(in, later);
@@ -275,24 +283,70 @@ void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
     }
 }
 
+/// A signal's light with its history, or by itself, or in between: what its samples speak for.
+metrics::Picture SequenceDenoiser::chosen(std::size_t signal, io::ExrImage const& image, io::ChannelNames const& names, long long number,
+                                          std::optional<HistoryContents> const& before, metrics::Picture const& with_history) {
+    if (!before || before->number != number - 1) return with_history;
+    auto& with = denoiser(signal);
+    without_history.resize(denoisers.size());
+    auto& alone = without_history[signal];
+    if (!alone)
+        alone = std::make_unique<Denoiser>(
+            way_of(settings.preset, rule().alpha.empty() || !has_alpha(signal) ? Purpose::picture : Purpose::with_alpha),
+            io::detail::size_of(canvas), settings.threads);
+    auto const after = with.remembered();
+    Evidence const by{};
+    EvidenceSums sums(image.size);
+    auto const samples = picture_of(image, io::sources_of(names, radiance), 0.f);
+    for (int const left_out : {0, 1}) {
+        with.remember(*before);
+        auto const a = with.denoise_again(image, names, number, left_out, false);
+        alone->forget();
+        auto const b = alone->denoise_again(image, names, number, left_out, true);
+        for (int y = 0, i = 0; y < image.size.height; ++y)
+            for (int x = 0; x < image.size.width; ++x, ++i)
+                if ((x + y) % 2 == left_out) {
+                    auto const at = static_cast<std::size_t>(i);
+                    auto const of = [at](metrics::Picture const& picture) { return std::span<float const, 3>(&picture.pixels[at].x, 3); };
+                    sums.add(by, at, of(samples), of(a), of(b));
+                }
+    }
+    if (after) with.remember(*after);
+    alone->forget();
+    auto result = alone->denoise_again(image, names, number, -1, true);
+    auto const parts = sums.parts(by);
+    for (std::size_t i = 0; i < parts.size(); ++i) result.pixels[i] += (with_history.pixels[i] - result.pixels[i]) * parts[i];
+    return result;
+}
+
 DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long number) {
-    while (!window.empty() && window.front().number != number) window.pop_front();
+    while (!window.empty() && window.front().number != number) {
+        earlier.push_back(window.front().around);
+        if (earlier.size() > AntiAliased::most_frames) earlier.pop_front();
+        window.pop_front();
+    }
     if (window.empty()) read(in, number);
     read_ahead(in, number);
     auto& front = window.front();
     bool const as_one = front.as_one;
     if (last && *last + 1 == number && as_one != was_as_one) hand_over(in);
-    for (auto& seen : window)
+    for (auto& seen : window) {
+        if (seen.number > number + settings.later_frames) break; // it is there for its guides
         for (std::size_t s = 0; auto const& signal : split(seen, as_one).signals)
             if (auto const signal_number = s++; split(seen, as_one).active[signal_number])
                 denoiser(signal_number).look_ahead(seen.image, signal.channels, seen.number);
+    }
     auto const& image = front.image;
     auto const& split = *front.ways[as_one ? 1 : 0];
     found.clear();
     DenoisedFrame frame;
     frame.canvas = canvas;
     auto const denoised = [&](std::size_t s) {
-        auto result = denoiser(s).denoise(image, split.signals[s].channels, number);
+        auto const& channels = split.signals[s].channels;
+        bool const chooses = settings.chooses && looks_ahead(settings.preset) && settings.debug_views.empty();
+        auto const before = chooses ? denoiser(s).remembered() : std::nullopt;
+        auto result = denoiser(s).denoise(image, channels, number);
+        if (chooses) result = chosen(s, image, channels, number, before, result);
         auto const counted = denoiser(s).statistics();
         missing += counted.missing_samples;
         // Guides are the same for all signals.
@@ -301,7 +355,11 @@ DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long num
         collect(denoiser(s).findings());
         return result;
     };
-    frame.picture = composite(image, split, denoised, missing, frame.signals);
+    auto around = earlier;
+    for (auto const& seen : window) around.push_back(seen.around);
+    AntiAliasing const anti_aliasing(around, number);
+    frame.picture = composite(image, split, denoised, missing, frame.signals,
+                              [&](std::size_t s, metrics::Picture const* light) { return anti_aliasing.product(s, light); });
     if (!has_several_signals(on_canvas)) frame.signals.clear(); // it is the picture
     if (!alpha.empty()) denoise_alpha(frame, front, split);
     add_as_in_file(frame, image, split);

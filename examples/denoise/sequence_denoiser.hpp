@@ -1,5 +1,6 @@
 #pragma once
 
+#include <denoise/anti_alias.hpp>
 #include <denoise/denoiser.hpp>
 #include <denoise/film_alpha.hpp>
 #include <denoise/light_split.hpp>
@@ -25,6 +26,7 @@ struct SequenceSettings {
     std::optional<float> field_of_view{}; ///< vertical, degrees: of files whose depth is the length of rays, where they have no camera
     int later_frames = 0;                 ///< that each frame is denoised with, where the preset makes use of them and the files are there
     bool keeps_alpha = false;             ///< leave alpha as the files have it
+    bool chooses = false;                 ///< choose between light with and without history by held-out samples: six times as slow
     bool diagnose = false;                ///< look at each frame for what its renderer got wrong
     std::vector<std::string> debug_views{}; ///< names of DebugChannels that debug_images() will be asked for: slower, and on one thread
 };
@@ -95,12 +97,13 @@ private:
     Region canvas;               ///< what is denoised
     io::SequenceNames on_canvas; ///< the names for images of the canvas
     int changes = 0;
-    double earlier_milliseconds = 0;                  ///< of denoisers that are gone
-    std::unique_ptr<Denoiser> any;                    ///< says what each of them wants
-    std::vector<std::unique_ptr<Denoiser>> denoisers; ///< one per signal, and one of the rest; null before there was light for it
-    bool was_as_one = false;                          ///< whether the last frame was filtered as one picture
-    std::optional<long long> last;                    ///< number of the frame that was denoised last
-    std::string alpha;                                ///< the plane of the film's alpha; empty: none
+    double earlier_milliseconds = 0;                        ///< of denoisers that are gone
+    std::unique_ptr<Denoiser> any;                          ///< says what each of them wants
+    std::vector<std::unique_ptr<Denoiser>> denoisers;       ///< one per signal, and one of the rest; null before there was light for it
+    std::vector<std::unique_ptr<Denoiser>> without_history; ///< the same for frames by themselves
+    bool was_as_one = false;                                ///< whether the last frame was filtered as one picture
+    std::optional<long long> last;                          ///< number of the frame that was denoised last
+    std::string alpha;                                      ///< the plane of the film's alpha; empty: none
     FilmAlpha film;
     bool alpha_stays = false; ///< whether some film was transparent whose alpha the preset can't denoise
     long long missing = 0;
@@ -115,9 +118,11 @@ private:
         io::ExrImage image;
         bool as_one;                                   ///< whether it is better filtered as one picture
         std::array<std::optional<LightSplit>, 2> ways; ///< its light by signals, and as one: where it was wanted
+        std::shared_ptr<FrameAround const> around;     ///< what frames around it see
     };
     [[nodiscard]] LightSplit const& split(Seen& seen, bool as_one) const;
     std::deque<Seen> window;
+    std::deque<std::shared_ptr<FrameAround const>> earlier; ///< frames that have been denoised
 
     void begin(io::ExrOriginal const& file);
     [[nodiscard]] SplitRule rule() const;
@@ -125,6 +130,8 @@ private:
     void denoise_alpha(DenoisedFrame& frame, Seen const& seen, LightSplit const& split);
     void add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const;
     [[nodiscard]] Denoiser& denoiser(std::size_t signal);
+    [[nodiscard]] metrics::Picture chosen(std::size_t signal, io::ExrImage const& image, io::ChannelNames const& names, long long number,
+                                          std::optional<HistoryContents> const& before, metrics::Picture const& with_history);
     [[nodiscard]] Seen seen(io::ExrOriginal const& file, long long number) const;
     void hand_over(FramePattern const& in);
     [[nodiscard]] bool is_inside(Region const& other) const;

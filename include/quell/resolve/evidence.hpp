@@ -1,0 +1,86 @@
+#pragma once
+
+#include <quell/core/real.hpp>
+#include <quell/image/extent.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace quell::inline QUELL_INSTRUCTION_SET {
+
+/// Chooses between two estimates of a picture by samples that neither has used: the part of the first that brings the sum of both nearest
+/// to what is true, without bias whatever the noise is. Let I be the samples, A and B the estimates. Over a window, the part is
+///
+///     w = sum (I - B)(A - B) / sum (A - B)^2
+///
+/// limited to [0, 1]: the least squares of I - B by A - B. Terms are divided by the square of the luminance of A and B, so that dark and
+/// bright count alike, and samples are limited to a multiple of it. Samples are held out by a checkerboard: A and B are made once without
+/// the even pixels, and once without the odd ones.
+struct Evidence {
+    int radius = 12;      ///< of the window
+    float dark = 0.01f;   ///< added to the luminance that terms are divided by
+    float most = 20.f;    ///< samples are at most so many times that luminance
+    float at_first = 1.f; ///< the part where nothing is known
+    float trust = 1e-3f;  ///< terms that speak for it, per pixel of the window
+};
+
+/// Sums over windows, and what follows from them.
+class EvidenceSums {
+    Extent size;
+    std::vector<double> of_product, of_square;
+
+public:
+    /// @throws std::bad_alloc
+    explicit EvidenceSums(Extent s)
+        : size(s), of_product(static_cast<std::size_t>(s.pixels()), 0.), of_square(static_cast<std::size_t>(s.pixels()), 0.) {}
+
+    /// Adds a held-out sample. What is not finite says nothing.
+    /// @param sample, a, b three components each
+    void add(Evidence const& rule, std::size_t pixel, std::span<float const, 3> sample, std::span<float const, 3> a,
+             std::span<float const, 3> b) {
+        auto const luminance_of = [](std::span<float const, 3> v) { return 0.2126f * v[0] + 0.7152f * v[1] + 0.0722f * v[2]; };
+        float const bright = 0.5f * abs(luminance_of(a) + luminance_of(b)) + rule.dark, per = 1.f / (bright * bright);
+        for (std::size_t c = 0; c < 3; ++c) {
+            float const product = (std::min(sample[c], rule.most * bright) - b[c]) * (a[c] - b[c]) * per,
+                        square = (a[c] - b[c]) * (a[c] - b[c]) * per;
+            if (!is_finite(product) || !is_finite(square)) continue;
+            of_product[pixel] += static_cast<double>(product), of_square[pixel] += static_cast<double>(square);
+        }
+    }
+    /// The part of A for each pixel, row by row.
+    [[nodiscard]] std::vector<float> parts(Evidence const& rule) {
+        box_sums(of_product, rule.radius), box_sums(of_square, rule.radius);
+        std::vector<float> result(of_square.size());
+        double const little = static_cast<double>(rule.trust) * (2 * rule.radius + 1) * (2 * rule.radius + 1);
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            // As if terms of size `little` had spoken for `at_first`.
+            double const w = (of_product[i] + little * static_cast<double>(rule.at_first)) / (of_square[i] + little);
+            result[i] = static_cast<float>(std::clamp(w, 0., 1.));
+        }
+        return result;
+    }
+
+private:
+    /// Over squares, as far as they lie in the image.
+    void box_sums(std::vector<double>& values, int radius) const {
+        auto const along = [&](int lines, int length, std::size_t line_step, std::size_t step) {
+            std::vector<double> before(static_cast<std::size_t>(length) + 1);
+            for (int line = 0; line < lines; ++line) {
+                auto const first = static_cast<std::size_t>(line) * line_step;
+                before[0] = 0;
+                for (std::size_t i = 0; i < static_cast<std::size_t>(length); ++i) before[i + 1] = before[i] + values[first + i * step];
+                for (int i = 0; i < length; ++i) {
+                    auto const low = static_cast<std::size_t>(std::max(i - radius, 0)),
+                               high = static_cast<std::size_t>(std::min(i + radius + 1, length));
+                    values[first + static_cast<std::size_t>(i) * step] = before[high] - before[low];
+                }
+            }
+        };
+        auto const width = static_cast<std::size_t>(size.width);
+        along(size.height, size.width, width, 1), along(size.width, size.height, 1, width);
+    }
+};
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET
