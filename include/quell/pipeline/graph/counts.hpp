@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/frame/repair.hpp>
+#include <quell/pipeline/statistics.hpp>
 
 #include <atomic>
 #include <memory>
@@ -38,16 +38,6 @@ public:
     }
 };
 
-/// The place of a channel among CheckedGuides.
-template <ChannelTag C> constexpr int number_of_guide() {
-    int number = 0, found = 0;
-    for_each_channel(CheckedGuides{}, [&]<class D>(D) {
-        if (std::is_same_v<C, D>) found = number;
-        ++number;
-    });
-    return found;
-}
-
 /// Pixels with impossible guides, by the guide.
 class GuideCounts {
     std::atomic<long long> by_guide[CheckedGuides::size] = {};
@@ -69,7 +59,11 @@ public:
     }
     /// Of the guide with a number among CheckedGuides.
     [[nodiscard]] long long of(int number) const { return by_guide[number]; }
-    template <ChannelTag C> [[nodiscard]] long long of(C) const { return of(number_of_guide<C>()); }
+    [[nodiscard]] RepairedGuides total() const {
+        RepairedGuides all{.pixels = pixels};
+        std::ranges::copy(by_guide, all.by_guide.begin());
+        return all;
+    }
 };
 
 /// Counts of the ingest, from any number of threads.
