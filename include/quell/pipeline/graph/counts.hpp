@@ -1,7 +1,7 @@
 #pragma once
 
-#include <quell/frame/repair.hpp>
 #include <quell/image/memory.hpp>
+#include <quell/pipeline/statistics.hpp>
 
 #include <atomic>
 #include <memory>
@@ -48,16 +48,6 @@ public:
     }
 };
 
-/// The place of a channel among CheckedGuides.
-template <ChannelTag C> constexpr int number_of_guide() {
-    int number = 0, found = 0;
-    for_each_channel(CheckedGuides{}, [&]<class D>(D) {
-        if (std::is_same_v<C, D>) found = number;
-        ++number;
-    });
-    return found;
-}
-
 /// Pixels with impossible guides, by the guide.
 class GuideCounts {
     std::atomic<long long> by_guide[CheckedGuides::size] = {};
@@ -79,7 +69,11 @@ public:
     }
     /// Of the guide with a number among CheckedGuides.
     [[nodiscard]] QUELL_KERNEL long long of(int number) const { return read_count(by_guide[number]); }
-    template <ChannelTag C> [[nodiscard]] long long of(C) const { return of(number_of_guide<C>()); }
+    [[nodiscard]] RepairedGuides total() const {
+        RepairedGuides all{.pixels = read_count(pixels)};
+        for (std::size_t i = 0; i < all.by_guide.size(); ++i) all.by_guide[i] = read_count(by_guide[i]);
+        return all;
+    }
 };
 
 /// Counts of the ingest, from any number of threads.

@@ -3,7 +3,6 @@
 #include <quell/pipeline/graph/counts.hpp>
 #include <quell/pipeline/graph/frame_pass.hpp>
 #include <quell/pipeline/graph/listed_passes.hpp>
-#include <quell/pipeline/statistics.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
@@ -96,7 +95,7 @@ struct HistoryImages {
     void note(GuideCounts const& guides, Counts const& samples) const {
         counted.missing_samples = samples.missing;
         counted.suppressed = samples.suppressed.total();
-        counted.repaired_guides = {guides.pixels, guides.of(albedo), guides.of(normal), guides.of(depth), guides.of(motion)};
+        counted.repaired_guides = guides.total();
     }
     /// Ends a frame: what it has written is what the next one reads.
     void advance() {
