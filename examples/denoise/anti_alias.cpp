@@ -44,6 +44,13 @@ bool has_mixed_normals(io::ExrImage const& image, io::ChannelNames const& names)
         }
     return mixed * 10 > edges;
 }
+/// Whether no pixel moves: no frame then has samples of other places. Cycles writes such vectors where it renders motion blur.
+bool is_still(ImageView auto const& motions) {
+    for (int y = 0; y < motions.size.height; ++y)
+        for (int x = 0; x < motions.size.width; ++x)
+            if (motions.get(0, x, y) != 0.f || motions.get(1, x, y) != 0.f) return false;
+    return true;
+}
 /// Of one sample per pixel each surface has its light, and a pixel's own sample is one among others. What is the mean of many has the
 /// pixel's filter already, and less noise.
 AntiAliased policy_for(int samples) {
@@ -75,6 +82,7 @@ std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::S
     auto made =
         std::make_shared<FrameAround>(FrameAround{number, policy_for(samples), Frame<Channels<Depth, Motion, MotionNext>>(image.size), {}});
     io::load_channels(Channels<Depth, Motion>{}, made->guides, image, channels);
+    if (is_still(made->guides[motion].view())) return nullptr;
     if (has_planes(image, io::planes_of(Channels<MotionNext>{}, channels)))
         io::load_channels(Channels<MotionNext>{}, made->guides, image, channels);
     else { // to do: invert the next frame's

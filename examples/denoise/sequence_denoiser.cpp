@@ -237,6 +237,8 @@ SequenceDenoiser::Seen SequenceDenoiser::seen(io::ExrOriginal const& file, long 
     put_cameras_on_canvas(frame.image, size, canvas);
     auto split_by = rule();
     // Anti-aliasing takes the mean of several samples.
+    bool const is_opaque = alpha.empty() || std::ranges::all_of(frame.image[alpha].values, [](float a) { return a == 1.f; });
+    if (!is_opaque) frame.around.reset(); // colours of transparent film are those of what is hit, times its alpha
     if (frame.around) split_by.samples_of_guides = frame.around->policy.by_surface ? 4.f : 2.f;
     frame.as_one = is_better_as_one(frame.image, on_canvas, split_by);
     return frame;
