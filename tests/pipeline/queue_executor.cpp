@@ -68,7 +68,7 @@ template <class P> void check_same(P const& denoise) {
         CHECK(queue.empty());
         CHECK(counts.missing_samples == same.missing_samples);
         CHECK(counts.repaired_guides.pixels == same.repaired_guides.pixels);
-        CHECK(counts.repaired_guides.depth == (i == 3 ? 1 : 0));
+        CHECK(counts.repaired_guides.of(depth) == (i == 3 ? 1 : 0));
         CHECK(counts.suppressed == same.suppressed);
         bool equal = true;
         for (int y = 0; y < size.height; ++y)
