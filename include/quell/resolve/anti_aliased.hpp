@@ -48,41 +48,41 @@ struct AntiAliasJob {
     template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
         auto const size = depth.size;
         vec2<Real> const centre{Real(static_cast<float>(x) + 0.5f) + lanes<Real>(), Real(static_cast<float>(y) + 0.5f)};
-        Surface<Real> near, far;
-        near.nearness = Real(-1.f), far.nearness = Real(1e38f);
+        Surface<Real> front, back;
+        front.nearness = Real(-1.f), back.nearness = Real(1e38f);
         each_neighbour<Real>(x, y, [&](auto inside, int column, int row, int, int) QUELL_INLINED {
             auto const d = masked(inside, nearness(load_pixels<Real>(depth, column, row)));
-            auto const nearer = both(inside, d > near.nearness), farther = both(inside, d < far.nearness);
-            if (any(nearer)) near.take(nearer, d, column, row, *this);
-            if (any(farther)) far.take(farther, d, column, row, *this);
+            auto const nearer = both(inside, d > front.nearness), farther = both(inside, d < back.nearness);
+            if (any(nearer)) front.take(nearer, d, column, row, *this);
+            if (any(farther)) back.take(farther, d, column, row, *this);
         });
-        auto const middle = (near.nearness + far.nearness) * 0.5f;
-        auto const is_two = near.nearness > far.nearness * (1.f + policy.range) + Real(1e-20f);
+        auto const middle = (front.nearness + back.nearness) * 0.5f;
+        auto const is_two = front.nearness > back.nearness * (1.f + policy.range) + Real(1e-20f);
         auto const here = nearness(load_pixels<Real>(depth, x, y));
-        near.is_here = either(invert(is_two), here > middle), far.is_here = both(is_two, here <= middle);
+        front.is_here = either(invert(is_two), here > middle), back.is_here = both(is_two, here <= middle);
         each_neighbour<Real>(x, y, [&](auto inside, int column, int row, int dx, int dy) QUELL_INLINED {
             auto const d = nearness(load_pixels<Real>(depth, column, row));
-            auto const of_near = both(inside, either(invert(is_two), d > middle)), of_far = both(inside, is_two, d <= middle);
+            auto const of_front = both(inside, either(invert(is_two), d > middle)), of_back = both(inside, is_two, d <= middle);
             auto const c = load_pixels<Real>(colour, column, row), l = load_pixels<Real>(light, column, row);
             Real const w(weight_at(static_cast<float>(dx), static_cast<float>(dy)));
-            near.add_own(of_near, d, c, l, w), far.add_own(of_far, d, c, l, w);
-            near.whole = near.whole + masked(inside, w);
+            front.add_own(of_front, d, c, l, w), back.add_own(of_back, d, c, l, w);
+            front.whole = front.whole + masked(inside, w);
         });
-        if (!policy.by_surface) near.drop_own(), far.drop_own();
+        if (!policy.by_surface) front.drop_own(), back.drop_own();
         // The surface that the pixel shows has the light that the pixel has.
         auto const own_light = load_pixels<Real>(light, x, y);
-        near.finish_own(own_light, policy), far.finish_own(own_light, policy);
-        near.behind = far.high;
+        front.finish_own(own_light, policy), back.finish_own(own_light, policy);
+        front.behind = back.high;
         auto const visit = [&](Surface<Real>& surface) QUELL_INLINED {
             if (!any(surface.pixels > Real(0.f))) return;
             follow(surface, centre, surface.motion, before, count_before, size);
             follow(surface, centre, surface.motion_next, after, count_after, size);
         };
-        visit(near), visit(far);
+        visit(front), visit(back);
         // What the surface in front leaves of the pixel is the other's.
-        auto const covered = select(far.weights > Real(0.f), near.weights / max(near.whole, Real(1e-20f)), Real(1.f));
-        auto const around = mix(shown(far), shown(near), min(covered, Real(1.f)));
-        auto const others = near.whole;
+        auto const covered = select(back.weights > Real(0.f), front.weights / max(front.whole, Real(1e-20f)), Real(1.f));
+        auto const around = mix(shown(back), shown(front), min(covered, Real(1.f)));
+        auto const others = front.whole;
         auto const value = policy.by_surface
                                ? around
                                : scale(add_scaled(scale(around, others), load_pixels<Real>(colour, x, y) * own_light, Real(policy.own)),
