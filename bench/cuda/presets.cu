@@ -3,7 +3,7 @@
 #include "scene.hpp"
 
 #include <quell/execute/cuda.cuh>
-#include <quell/image/device.cuh>
+#include <quell/execute/device.cuh>
 #include <quell/presets/named.hpp>
 
 #include <chrono>

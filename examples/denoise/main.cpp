@@ -197,6 +197,7 @@ private:
                 .field_of_view = options.field_of_view,
                 .later_frames = later_frames(options, *choice.preset),
                 .keeps_alpha = options.keep_alpha,
+                .anti_aliases = options.anti_alias,
                 .chooses = options.choose,
                 .diagnose = options.diagnose,
                 .debug_views = options.debug_views};

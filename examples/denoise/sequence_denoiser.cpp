@@ -174,7 +174,8 @@ void SequenceDenoiser::collect(std::vector<Finding> const& findings) {
 
 std::vector<std::string> SequenceDenoiser::planes(io::ExrListing const& file) const {
     auto planes = split_planes(file, on_canvas);
-    for (auto const& plane : planes_of_frame_around(file, on_canvas)) planes.push_back(plane);
+    if (settings.anti_aliases)
+        for (auto const& plane : planes_of_frame_around(file, on_canvas)) planes.push_back(plane);
     if (!alpha.empty()) planes.push_back(alpha);
     for (auto const& signal : on_canvas.of_signals) {
         auto const more = any->planes(signal.channels);
@@ -232,7 +233,8 @@ void SequenceDenoiser::read(FramePattern const& in, long long number) {
 
 SequenceDenoiser::Seen SequenceDenoiser::seen(io::ExrOriginal const& file, long long number) const {
     Seen frame{number, file.read(planes(file.listed), canvas), false, {}, {}};
-    if (looks_ahead(settings.preset)) frame.around = frame_around(frame.image, on_canvas, number, samples_in(file.listed));
+    if (settings.anti_aliases && looks_ahead(settings.preset))
+        frame.around = frame_around(frame.image, on_canvas, number, samples_in(file.listed));
     if (!on_canvas.view.empty()) frame.image.attributes = attributes_of_view(file, on_canvas);
     put_cameras_on_canvas(frame.image, size, canvas);
     auto split_by = rule();
@@ -274,7 +276,8 @@ void SequenceDenoiser::hand_over(FramePattern const& in) {
 /// A frame that is missing, broken or larger ends the window, and is dealt with when it is its turn: those before it are written whole.
 void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
     if (!looks_ahead(settings.preset) || !settings.debug_views.empty()) return;
-    auto const farthest = settings.later_frames > 0 ? std::max(settings.later_frames, AntiAliased::most_frames) : 0;
+    auto const farthest = settings.anti_aliases && settings.later_frames > 0 ? std::max(settings.later_frames, AntiAliased::most_frames)
+                                                                             : settings.later_frames;
     for (auto later = window.back().number + 1; later <= number + farthest; ++later) {
         if (!std::filesystem::exists(in.path(later))) return;
         try {

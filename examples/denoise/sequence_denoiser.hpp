@@ -26,6 +26,7 @@ struct SequenceSettings {
     std::optional<float> field_of_view{}; ///< vertical, degrees: of files whose depth is the length of rays, where they have no camera
     int later_frames = 0;                 ///< that each frame is denoised with, where the preset makes use of them and the files are there
     bool keeps_alpha = false;             ///< leave alpha as the files have it
+    bool anti_aliases = false;            ///< whether colours are put together from samples of the frames around
     bool chooses = false;                 ///< choose between light with and without history by held-out samples: six times as slow
     bool diagnose = false;                ///< look at each frame for what its renderer got wrong
     std::vector<std::string> debug_views{}; ///< names of DebugChannels that debug_images() will be asked for: slower, and on one thread

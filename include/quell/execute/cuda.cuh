@@ -55,7 +55,7 @@ template <class Work> __global__ void __launch_bounds__(256) whole_grid(Region c
 ///
 /// run() puts the frame's passes into the stream and returns: what it returns is complete when the stream has come there. Only the first
 /// frame of a history waits. Kernels read and write the images of the frame and of the history, the history's counts and, with run_into(),
-/// the host's target: all in memory of their storage, which the device must be able to reach, such as Device<> (image/device.cuh) and
+/// the host's target: all in memory of their storage, which the device must be able to reach, such as Device<> (execute/device.cuh) and
 /// Managed<> (image/managed.cuh). All frames of a history go into one stream, or into streams between which the host waits. See
 /// QueueExecutor.
 struct Cuda {

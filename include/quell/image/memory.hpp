@@ -17,7 +17,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 ///     static constexpr bool on_host = false;
 ///     static void clear(void* memory, std::size_t bytes);   static void copy(void* to, void const* from, std::size_t bytes);
 ///
-/// Models: HostMemory, ManagedMemory (image/managed.cuh), DeviceMemory (image/device.cuh).
+/// Models: HostMemory, ManagedMemory (image/managed.cuh), DeviceMemory (execute/device.cuh).
 template <class M>
 concept ImageMemory = requires(std::size_t bytes, void* memory) {
     { M::allocate(bytes) } -> std::same_as<void*>;

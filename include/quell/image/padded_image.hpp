@@ -127,7 +127,7 @@ private:
     // The members that call it are compiled only where they are used.
     static void require_host() {
         static_assert(on_host, "image.get() and image.set(): the image lies in the device's memory: use upload() and download() of "
-                               "quell/image/device.cuh");
+                               "quell/execute/device.cuh");
     }
     void allocate() { memory.reset(static_cast<Element*>(Memory::allocate(bytes()))); }
     [[nodiscard]] std::size_t elements() const { return static_cast<std::size_t>(View::elements(extent)); }

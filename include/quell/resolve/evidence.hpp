@@ -37,7 +37,11 @@ public:
         : size(s), of_product(static_cast<std::size_t>(s.pixels()), 0.), of_square(static_cast<std::size_t>(s.pixels()), 0.) {}
 
     /// Adds a held-out sample. What is not finite says nothing.
-    /// @param sample, a, b three components each
+    /// @param rule   how terms weigh
+    /// @param pixel  its place, row by row
+    /// @param sample three components
+    /// @param a      the first estimate
+    /// @param b      the second one
     void add(Evidence const& rule, std::size_t pixel, std::span<float const, 3> sample, std::span<float const, 3> a,
              std::span<float const, 3> b) {
         auto const luminance_of = [](std::span<float const, 3> v) { return 0.2126f * v[0] + 0.7152f * v[1] + 0.0722f * v[2]; };
