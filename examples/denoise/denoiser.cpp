@@ -68,8 +68,8 @@ metrics::Picture Denoiser::run_images() {
     return picture;
 }
 
-metrics::Picture Denoiser::denoise_again(io::ExrImage const& image, io::ChannelNames const& names, long long number, int left_out,
-                                         bool alone) {
+metrics::Picture Denoiser::estimate(io::ExrImage const& image, io::ChannelNames const& names, long long number, int left_out,
+                                    Denoiser const* shown) {
     LoadedFrame frame;
     frame.load(way.channels, image, names, number);
     auto const place = way.place_of(way.output_components == 4 ? radiance_alpha.name : radiance.name);
@@ -81,9 +81,10 @@ metrics::Picture Denoiser::denoise_again(io::ExrImage const& image, io::ChannelN
                     *reinterpret_cast<float*>(samples.data + x * samples.pixel_stride + y * samples.row_stride) =
                         std::numeric_limits<float>::quiet_NaN();
     }
+    size = image.size;
     images.assign(1, frame.images);
-    for (auto const& later : window)
-        if (!alone) images.push_back(later.images);
+    if (shown != nullptr)
+        for (auto const& later : shown->window) images.push_back(later.images);
     auto picture = run_images();
     images.clear(); // the frame's memory goes
     return picture;

@@ -64,12 +64,12 @@ public:
     [[nodiscard]] std::vector<DebugImage> debug_images(std::string const& view) { return code->debug_images(view); }
     /// The next frame, denoised: linear, row by row. Where its size is another one, history starts afresh.
     [[nodiscard]] metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number);
-    /// The frame that was denoised last, once more, after what it remembers now, with the samples of half of its pixels left out, and with
-    /// the later frames that it was shown. What it remembers is of no use afterwards.
+    /// Denoises a frame after what it remembers, with the samples of half of its pixels left out or not, and with the later frames that
+    /// another denoiser of the same channels was shown. What it remembers is of no use afterwards.
     /// @param left_out pixels whose x + y is even (0) or odd (1); another number: none
-    /// @param alone    without the later frames
-    [[nodiscard]] metrics::Picture denoise_again(io::ExrImage const& image, io::ChannelNames const& names, long long number, int left_out,
-                                                 bool alone);
+    /// @param shown    null: without later frames
+    [[nodiscard]] metrics::Picture estimate(io::ExrImage const& image, io::ChannelNames const& names, long long number, int left_out,
+                                            Denoiser const* shown);
     /// Forgets all frames so far.
     void forget() { code->forget(); }
     /// What it remembers; nothing where that is nothing, or not of one signal.

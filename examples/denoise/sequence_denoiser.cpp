@@ -7,7 +7,6 @@
 #include <quell/core/real.hpp>
 #include <quell/io/frame_image.hpp>
 #include <quell/io/part_names.hpp>
-#include <quell/resolve/evidence.hpp>
 
 #include <algorithm>
 
@@ -132,14 +131,16 @@ void SequenceDenoiser::begin(io::ExrOriginal const& file) {
     denoisers.resize(on_canvas.of_signals.size() + 1);
 }
 
+Purpose SequenceDenoiser::purpose_of(std::size_t signal) const {
+    if (!settings.debug_views.empty()) return Purpose::watched;
+    return !rule().alpha.empty() && has_alpha(signal) ? Purpose::with_alpha : Purpose::picture;
+}
+
 Denoiser& SequenceDenoiser::denoiser(std::size_t signal) {
     auto& made = denoisers[signal];
     if (made) return *made;
     auto const whole = io::detail::size_of(canvas);
-    auto const purpose = !settings.debug_views.empty()                ? Purpose::watched
-                         : !rule().alpha.empty() && has_alpha(signal) ? Purpose::with_alpha
-                                                                      : Purpose::picture;
-    made = std::make_unique<Denoiser>(way_of(settings.preset, purpose), whole, settings.threads);
+    made = std::make_unique<Denoiser>(way_of(settings.preset, purpose_of(signal)), whole, settings.threads);
     if (!settings.diagnose && !checks) made->check_first_frames(), checks = true;
     if (settings.diagnose)
         made->diagnose(signal < on_canvas.of_signals.size() ? on_canvas.of_signals[signal].factor : std::vector<io::Source>());
@@ -288,40 +289,15 @@ void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
     }
 }
 
-/// A signal's light with its history, or by itself, or in between: what its samples speak for.
+/// A signal's light with its history, or by itself, or in between.
 metrics::Picture SequenceDenoiser::chosen(std::size_t signal, io::ExrImage const& image, io::ChannelNames const& names, long long number,
                                           std::optional<HistoryContents> const& before, metrics::Picture const& with_history) {
     if (!before || before->number != number - 1) return with_history;
-    auto& with = denoiser(signal);
-    without_history.resize(denoisers.size());
-    auto& alone = without_history[signal];
-    if (!alone)
-        alone = std::make_unique<Denoiser>(
-            way_of(settings.preset, rule().alpha.empty() || !has_alpha(signal) ? Purpose::picture : Purpose::with_alpha),
-            io::detail::size_of(canvas), settings.threads);
-    auto const after = with.remembered();
-    Evidence const by{};
-    EvidenceSums sums(image.size);
-    auto const samples = picture_of(image, io::sources_of(names, radiance), 0.f);
-    for (int const left_out : {0, 1}) {
-        with.remember(*before);
-        auto const a = with.denoise_again(image, names, number, left_out, false);
-        alone->forget();
-        auto const b = alone->denoise_again(image, names, number, left_out, true);
-        for (int y = 0, i = 0; y < image.size.height; ++y)
-            for (int x = 0; x < image.size.width; ++x, ++i)
-                if ((x + y) % 2 == left_out) {
-                    auto const at = static_cast<std::size_t>(i);
-                    auto const of = [at](metrics::Picture const& picture) { return std::span<float const, 3>(&picture.pixels[at].x, 3); };
-                    sums.add(by, at, of(samples), of(a), of(b));
-                }
-    }
-    if (after) with.remember(*after);
-    alone->forget();
-    auto result = alone->denoise_again(image, names, number, -1, true);
-    auto const parts = sums.parts(by);
-    for (std::size_t i = 0; i < parts.size(); ++i) result.pixels[i] += (with_history.pixels[i] - result.pixels[i]) * parts[i];
-    return result;
+    choices.resize(denoisers.size());
+    auto& choice = choices[signal];
+    if (!choice)
+        choice = std::make_unique<HistoryChoice>(settings.preset, purpose_of(signal), io::detail::size_of(canvas), settings.threads);
+    return choice->choose(denoiser(signal), image, names, number, *before, with_history);
 }
 
 DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long number) {

@@ -3,6 +3,7 @@
 #include <denoise/anti_alias.hpp>
 #include <denoise/denoiser.hpp>
 #include <denoise/film_alpha.hpp>
+#include <denoise/history_choice.hpp>
 #include <denoise/light_split.hpp>
 #include <support/frame_pattern.hpp>
 
@@ -98,13 +99,13 @@ private:
     Region canvas;               ///< what is denoised
     io::SequenceNames on_canvas; ///< the names for images of the canvas
     int changes = 0;
-    double earlier_milliseconds = 0;                        ///< of denoisers that are gone
-    std::unique_ptr<Denoiser> any;                          ///< says what each of them wants
-    std::vector<std::unique_ptr<Denoiser>> denoisers;       ///< one per signal, and one of the rest; null before there was light for it
-    std::vector<std::unique_ptr<Denoiser>> without_history; ///< the same for frames by themselves
-    bool was_as_one = false;                                ///< whether the last frame was filtered as one picture
-    std::optional<long long> last;                          ///< number of the frame that was denoised last
-    std::string alpha;                                      ///< the plane of the film's alpha; empty: none
+    double earlier_milliseconds = 0;                     ///< of denoisers that are gone
+    std::unique_ptr<Denoiser> any;                       ///< says what each of them wants
+    std::vector<std::unique_ptr<Denoiser>> denoisers;    ///< one per signal, and one of the rest; null before there was light for it
+    std::vector<std::unique_ptr<HistoryChoice>> choices; ///< the same: between light with and without history
+    bool was_as_one = false;                             ///< whether the last frame was filtered as one picture
+    std::optional<long long> last;                       ///< number of the frame that was denoised last
+    std::string alpha;                                   ///< the plane of the film's alpha; empty: none
     FilmAlpha film;
     bool alpha_stays = false; ///< whether some film was transparent whose alpha the preset can't denoise
     long long missing = 0;
@@ -130,6 +131,7 @@ private:
     [[nodiscard]] bool has_alpha(std::size_t signal) const;
     void denoise_alpha(DenoisedFrame& frame, Seen const& seen, LightSplit const& split);
     void add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const;
+    [[nodiscard]] Purpose purpose_of(std::size_t signal) const;
     [[nodiscard]] Denoiser& denoiser(std::size_t signal);
     [[nodiscard]] metrics::Picture chosen(std::size_t signal, io::ExrImage const& image, io::ChannelNames const& names, long long number,
                                           std::optional<HistoryContents> const& before, metrics::Picture const& with_history);
