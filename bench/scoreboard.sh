@@ -37,9 +37,9 @@ row() {
         fi
         cat "$kept"
         ;;
-    real-time) score "$reference" "$frames" "$at/frame_%04d.exr" --preset general --extra-frames 0 --anti-alias ;;
-    final-alone) score "$reference" "$frames" "$at/frame_%04d.exr" --preset final-frame --extra-frames 0 --anti-alias ;;
-    quell) score "$reference" "$frames" "$at/frame_%04d.exr" --anti-alias ;;
+    real-time) score "$reference" "$frames" "$at/frame_%04d.exr" --preset general --extra-frames 0 ;;
+    final-alone) score "$reference" "$frames" "$at/frame_%04d.exr" --preset final-frame --extra-frames 0 ;;
+    quell) score "$reference" "$frames" "$at/frame_%04d.exr" ;;
     esac
 }
 for scene in "$@"; do

@@ -2,7 +2,6 @@
 #include <denoise/light_split.hpp>
 #include <denoise/presets.hpp>
 
-#include <quell/io/frame_image.hpp>
 #include <quell/resolve/evidence.hpp>
 
 namespace quell::examples {
@@ -22,21 +21,25 @@ metrics::Picture HistoryChoice::choose(Denoiser const& with, io::ExrImage const&
     Evidence const rule{};
     EvidenceSums sums(image.size);
     auto const samples = picture_of(image, io::sources_of(names, radiance), 0.f);
+    auto const by_itself = [&](Denoiser& denoiser, int left_out) {
+        denoiser.forget();
+        return denoiser.estimate(image, names, number, left_out, nullptr);
+    };
+    constexpr int none = -1;
+    auto const with_sample = by_itself(judge, none);
     for (int const left_out : {0, 1}) {
         judge.remember(before);
         auto const a = judge.estimate(image, names, number, left_out, &with);
-        judge.forget();
-        auto const b = judge.estimate(image, names, number, left_out, nullptr);
+        auto const b = by_itself(judge, left_out);
         for (int y = 0, i = 0; y < image.size.height; ++y)
-            for (int x = 0; x < image.size.width; ++x, ++i)
-                if ((x + y) % 2 == left_out) {
-                    auto const at = static_cast<std::size_t>(i);
-                    auto const of = [at](metrics::Picture const& picture) { return std::span<float const, 3>(&picture.pixels[at].x, 3); };
-                    sums.add(rule, at, of(samples), of(a), of(b));
-                }
+            for (int x = 0; x < image.size.width; ++x, ++i) {
+                if ((x + y) % 2 != left_out) continue;
+                auto const at = static_cast<std::size_t>(i);
+                auto const of = [at](metrics::Picture const& picture) { return std::span<float const, 3>(&picture.pixels[at].x, 3); };
+                sums.add(rule, at, of(samples), of(a), of(b), of(with_sample));
+            }
     }
-    alone.forget();
-    auto result = alone.estimate(image, names, number, -1, nullptr);
+    auto result = by_itself(alone, none);
     auto const parts = sums.parts(rule);
     for (std::size_t i = 0; i < parts.size(); ++i) result.pixels[i] += (with_history.pixels[i] - result.pixels[i]) * parts[i];
     return result;

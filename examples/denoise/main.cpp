@@ -197,8 +197,7 @@ private:
                 .field_of_view = options.field_of_view,
                 .later_frames = later_frames(options, *choice.preset),
                 .keeps_alpha = options.keep_alpha,
-                .anti_aliases = options.anti_alias,
-                .chooses = options.choose,
+                .refines = !options.quick && choice.preset->name == "final-frame",
                 .diagnose = options.diagnose,
                 .debug_views = options.debug_views};
     }
@@ -230,7 +229,7 @@ private:
     void warm_up_with(long long number, Progress& progress) {
         for (std::size_t view = 0; view < denoisers.size(); ++view) {
             try {
-                static_cast<void>(denoisers[view].next_whole(in, number));
+                denoisers[view].warm_up(in, number);
             } catch (Error const&) {
                 if (options.warmup) throw;
                 denoisers[view].forget();

@@ -89,13 +89,9 @@ void describe(CLI::App& app, DenoiseOptions& options) {
         "make use of them; 0 is what a host has in real time)");
     add_threads(app, options.threads);
     app.add_flag("--keep-alpha", options.keep_alpha, "Leave the film's alpha as it is (default: denoised by the weights of the picture)");
-    app.add_flag("--anti-alias", options.anti_alias,
-                 "Put colours and emission together from samples of the frames around, with the presets final-frame and general, in files "
-                 "that say how many samples they have");
-    app.add_flag(
-        "--choose", options.choose,
-        "Denoise each frame with and without its history, and take of both what its samples speak for, with the presets final-frame "
-        "and general: six times as slow");
+    app.add_flag("--quick", options.quick,
+                 "final-frame's own result in about two thirds of the time, without what is best of several estimates: light with history "
+                 "and without, as each frame's samples speak for, and colours and emission from the samples of frames around");
     app.add_flag("--diagnose", options.diagnose,
                  "Say on stderr what the renderer seems to have got wrong (motion, cameras, depth, normals, albedo, samples) and in which "
                  "frame that first shows");

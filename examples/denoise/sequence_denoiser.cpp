@@ -155,12 +155,17 @@ void SequenceDenoiser::release_scratch() {
     window.clear();
     for (auto const& each : denoisers)
         if (each) each->release_scratch();
+    for (auto const& each : choices)
+        if (each) each->release_scratch();
+    if (whole) whole->release_scratch();
 }
 
 void SequenceDenoiser::forget() {
     earlier.clear();
     earlier_milliseconds = milliseconds();
     denoisers.clear();
+    choices.clear();
+    whole.reset();
     window.clear();
     last.reset();
     film.forget();
@@ -175,7 +180,7 @@ void SequenceDenoiser::collect(std::vector<Finding> const& findings) {
 
 std::vector<std::string> SequenceDenoiser::planes(io::ExrListing const& file) const {
     auto planes = split_planes(file, on_canvas);
-    if (settings.anti_aliases)
+    if (refines())
         for (auto const& plane : planes_of_frame_around(file, on_canvas)) planes.push_back(plane);
     if (!alpha.empty()) planes.push_back(alpha);
     for (auto const& signal : on_canvas.of_signals) {
@@ -206,14 +211,18 @@ double SequenceDenoiser::milliseconds() const {
     double sum = earlier_milliseconds;
     for (auto const& denoiser : denoisers)
         if (denoiser) sum += denoiser->milliseconds();
-    return sum;
+    for (auto const& choice : choices)
+        if (choice) sum += choice->milliseconds();
+    return whole ? sum + whole->milliseconds() : sum;
 }
 
 double SequenceDenoiser::bytes_per_pixel() const {
     double sum = 0;
     for (auto const& denoiser : denoisers)
         if (denoiser) sum += denoiser->bytes_per_pixel();
-    return sum;
+    for (auto const& choice : choices)
+        if (choice) sum += choice->bytes_per_pixel();
+    return whole ? sum + whole->bytes_per_pixel() : sum;
 }
 
 void SequenceDenoiser::read(FramePattern const& in, long long number) {
@@ -234,8 +243,7 @@ void SequenceDenoiser::read(FramePattern const& in, long long number) {
 
 SequenceDenoiser::Seen SequenceDenoiser::seen(io::ExrOriginal const& file, long long number) const {
     Seen frame{number, file.read(planes(file.listed), canvas), false, {}, {}};
-    if (settings.anti_aliases && looks_ahead(settings.preset))
-        frame.around = frame_around(frame.image, on_canvas, number, samples_in(file.listed));
+    if (refines()) frame.around = frame_around(frame.image, on_canvas, number, samples_in(file.listed));
     if (!on_canvas.view.empty()) frame.image.attributes = attributes_of_view(file, on_canvas);
     put_cameras_on_canvas(frame.image, size, canvas);
     auto split_by = rule();
@@ -244,6 +252,7 @@ SequenceDenoiser::Seen SequenceDenoiser::seen(io::ExrOriginal const& file, long 
     if (!is_opaque) frame.around.reset(); // colours of transparent film are those of what is hit, times its alpha
     if (frame.around) split_by.samples_of_guides = frame.around->policy.by_surface ? 4.f : 2.f;
     frame.as_one = is_better_as_one(frame.image, on_canvas, split_by);
+    frame.mixes = frame.around && !frame.as_one && is_better_as_one(frame.image, on_canvas, rule());
     return frame;
 }
 
@@ -277,8 +286,8 @@ void SequenceDenoiser::hand_over(FramePattern const& in) {
 /// A frame that is missing, broken or larger ends the window, and is dealt with when it is its turn: those before it are written whole.
 void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
     if (!looks_ahead(settings.preset) || !settings.debug_views.empty()) return;
-    auto const farthest = settings.anti_aliases && settings.later_frames > 0 ? std::max(settings.later_frames, AntiAliased::most_frames)
-                                                                             : settings.later_frames;
+    auto const farthest =
+        refines() && settings.later_frames > 0 ? std::max(settings.later_frames, AntiAliased::most_frames) : settings.later_frames;
     for (auto later = window.back().number + 1; later <= number + farthest; ++later) {
         if (!std::filesystem::exists(in.path(later))) return;
         try {
@@ -300,7 +309,7 @@ metrics::Picture SequenceDenoiser::chosen(std::size_t signal, io::ExrImage const
     return choice->choose(denoiser(signal), image, names, number, *before, with_history);
 }
 
-DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long number) {
+DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long number, bool is_wanted) {
     while (!window.empty() && window.front().number != number) {
         earlier.push_back(window.front().around);
         if (earlier.size() > AntiAliased::most_frames) earlier.pop_front();
@@ -324,7 +333,7 @@ DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long num
     frame.canvas = canvas;
     auto const denoised = [&](std::size_t s) {
         auto const& channels = split.signals[s].channels;
-        bool const chooses = settings.chooses && looks_ahead(settings.preset) && settings.debug_views.empty();
+        bool const chooses = refines() && is_wanted;
         auto const before = chooses ? denoiser(s).remembered() : std::nullopt;
         auto result = denoiser(s).denoise(image, channels, number);
         if (chooses) result = chosen(s, image, channels, number, before, result);
@@ -341,11 +350,30 @@ DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long num
     AntiAliasing const anti_aliasing(around, number);
     frame.picture = composite(image, split, denoised, missing, frame.signals,
                               [&](std::size_t s, metrics::Picture const* light) { return anti_aliasing.product(s, light); });
+    if (front.mixes && !as_one) mix_with_picture(frame);
     if (!has_several_signals(on_canvas)) frame.signals.clear(); // it is the picture
     if (!alpha.empty()) denoise_alpha(frame, front, split);
     add_as_in_file(frame, image, split);
     was_as_one = as_one, last = number;
     return frame;
+}
+
+/// The picture as one is filtered by its own noisy samples, the signals by theirs and by noisy guides: the mean of both has less error than
+/// either.
+void SequenceDenoiser::mix_with_picture(DenoisedFrame& frame) {
+    if (!whole) whole = std::make_unique<Denoiser>(way_of(settings.preset), io::detail::size_of(canvas), settings.threads);
+    auto const number = window.front().number;
+    for (auto& seen : window) {
+        if (seen.number > number + settings.later_frames) break;
+        auto const& channels = split(seen, true).signals.back().channels;
+        whole->look_ahead(seen.image, channels, seen.number);
+    }
+    auto const as_one = whole->denoise(window.front().image, split(window.front(), true).signals.back().channels, number);
+    auto& rest = frame.signals.back().pixels;
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        auto const off = (as_one.pixels[i] - frame.picture.pixels[i]) * 0.5f;
+        if (is_finite(off.x) && is_finite(off.y) && is_finite(off.z)) frame.picture.pixels[i] += off, rest[i] += off;
+    }
 }
 
 /// Layers are added up with what the file adds: of what a split takes of that, or scales down, the rest has the difference.

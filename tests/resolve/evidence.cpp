@@ -7,8 +7,9 @@
 using namespace quell;
 
 namespace {
-/// The part of A over an image where the truth is 1, A and B are off by so much, and samples have skewed noise of mean 1.
-double part(float a, float b, Evidence const& rule = {}) {
+/// The part of A over an image where the truth is 1, A and B are off by so much, samples have skewed noise of mean 1, and B has that part
+/// of a pixel's own sample.
+double part(float a, float b, Evidence const& rule = {}, float own = 0.f) {
     constexpr Extent size{48, 40};
     EvidenceSums sums(size);
     std::mt19937 random(7);
@@ -16,7 +17,9 @@ double part(float a, float b, Evidence const& rule = {}) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(size.pixels()); ++i) {
         std::array<float, 3> const sample{noise(random), noise(random), noise(random)}, first{1.f + a, 1.f + a, 1.f + a},
             second{1.f + b, 1.f + b, 1.f + b};
-        sums.add(rule, i, sample, first, second);
+        std::array<float, 3> with_sample{};
+        for (std::size_t c = 0; c < 3; ++c) with_sample[c] = second[c] + own * (sample[c] - second[c]);
+        sums.add(rule, i, sample, first, second, with_sample);
     }
     double sum = 0;
     auto const parts = sums.parts(rule);
@@ -32,6 +35,17 @@ TEST_CASE("samples choose what is true") {
     CHECK(part(-.6f, .2f) == doctest::Approx(.25).epsilon(.3));
 }
 
+TEST_CASE("an estimate that follows its pixels' own noise is not taken for one that does not") {
+    CHECK(part(.2f, 0.f) < .2);
+    CHECK(part(.2f, 0.f, {.caution = 1.f}, .5f) == doctest::Approx(.25 / (.25 + .04)).epsilon(.1)); // error .04 of A, .25 of B
+    CHECK(part(.2f, 0.f, {}, .5f) > .85);
+}
+
+TEST_CASE("little evidence changes little") {
+    CHECK(part(.05f, 0.f, {.radius = 1, .spread = .1f}) > .9);
+    CHECK(part(.05f, 0.f, {.radius = 1, .spread = 1e4f}) < .7);
+}
+
 TEST_CASE("where both agree nothing is changed") {
     CHECK(part(.2f, .2f) == doctest::Approx(1.));
     CHECK(part(.2f, .2f, {.at_first = .25f}) == doctest::Approx(.25));
@@ -41,6 +55,6 @@ TEST_CASE("a sample that is not finite says nothing") {
     EvidenceSums sums({3, 3});
     std::array<float, 3> const none{std::numeric_limits<float>::quiet_NaN(), 1.f, std::numeric_limits<float>::infinity()}, a{2.f, 2.f, 2.f},
         b{1.f, 1.f, 1.f};
-    sums.add({}, 4, none, a, b);
-    for (float const p : sums.parts({.radius = 1, .trust = 1e-6f})) CHECK((p >= 0.f && p <= 1.f));
+    sums.add({}, 4, none, a, b, b);
+    for (float const p : sums.parts({.radius = 1})) CHECK((p >= 0.f && p <= 1.f));
 }

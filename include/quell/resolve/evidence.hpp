@@ -18,23 +18,31 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// limited to [0, 1]: the least squares of I - B by A - B. Terms are divided by the square of the luminance of A and B, so that dark and
 /// bright count alike, and samples are limited to a multiple of it. Samples are held out by a checkerboard: A and B are made once without
 /// the even pixels, and once without the odd ones.
+///
+/// What is chosen for are estimates that do use a pixel's own sample, and have a part of its noise. In A, which has many samples, that is
+/// little. In B it is d, what the sample changes of B. sum d^2 is added above and below: it is the error that comes with 1 - w.
+///
+/// The part's own variance, n / (sum (A - B)^2)^2 with n = sum ((I - (A + B) / 2)(A - B))^2, says how far it is to be trusted over what was
+/// taken before any sample was seen: a normal distribution about `at_first`.
 struct Evidence {
     int radius = 12;      ///< of the window
     float dark = 0.01f;   ///< added to the luminance that terms are divided by
     float most = 20.f;    ///< samples are at most so many times that luminance
+    float caution = 2.f;  ///< how often sum d^2 counts
     float at_first = 1.f; ///< the part where nothing is known
-    float trust = 1e-3f;  ///< terms that speak for it, per pixel of the window
+    float spread = 1.f;   ///< standard deviation of the part about that, before samples are seen
 };
 
 /// Sums over windows, and what follows from them.
 class EvidenceSums {
     Extent size;
-    std::vector<double> of_product, of_square;
+    std::vector<double> of_product, of_square, of_noise;
 
 public:
     /// @throws std::bad_alloc
     explicit EvidenceSums(Extent s)
-        : size(s), of_product(static_cast<std::size_t>(s.pixels()), 0.), of_square(static_cast<std::size_t>(s.pixels()), 0.) {}
+        : size(s), of_product(static_cast<std::size_t>(s.pixels()), 0.), of_square(static_cast<std::size_t>(s.pixels()), 0.),
+          of_noise(static_cast<std::size_t>(s.pixels()), 0.) {}
 
     /// Adds a held-out sample. What is not finite says nothing.
     /// @param rule   how terms weigh
@@ -42,25 +50,33 @@ public:
     /// @param sample three components
     /// @param a      the first estimate
     /// @param b      the second one
+    /// @param b_with the second one with this sample
     void add(Evidence const& rule, std::size_t pixel, std::span<float const, 3> sample, std::span<float const, 3> a,
-             std::span<float const, 3> b) {
+             std::span<float const, 3> b, std::span<float const, 3> b_with) {
         auto const luminance_of = [](std::span<float const, 3> v) { return 0.2126f * v[0] + 0.7152f * v[1] + 0.0722f * v[2]; };
         float const bright = 0.5f * abs(luminance_of(a) + luminance_of(b)) + rule.dark, per = 1.f / (bright * bright);
+        float product = 0, square = 0, noise = 0;
         for (std::size_t c = 0; c < 3; ++c) {
-            float const product = (std::min(sample[c], rule.most * bright) - b[c]) * (a[c] - b[c]) * per,
-                        square = (a[c] - b[c]) * (a[c] - b[c]) * per;
-            if (!is_finite(product) || !is_finite(square)) continue;
-            of_product[pixel] += static_cast<double>(product), of_square[pixel] += static_cast<double>(square);
+            float const limited = std::min(sample[c], rule.most * bright), off = a[c] - b[c], own = b_with[c] - b[c];
+            float const of_own = rule.caution * own * own;
+            product += (limited - b[c]) * off + of_own;
+            square += off * off + of_own;
+            noise += (limited - 0.5f * (a[c] + b[c])) * off;
         }
+        product *= per, square *= per, noise = noise * noise * per * per;
+        if (!is_finite(product) || !is_finite(square) || !is_finite(noise)) return;
+        of_product[pixel] += static_cast<double>(product), of_square[pixel] += static_cast<double>(square);
+        of_noise[pixel] += static_cast<double>(noise);
     }
     /// The part of A for each pixel, row by row.
     [[nodiscard]] std::vector<float> parts(Evidence const& rule) {
-        box_sums(of_product, rule.radius), box_sums(of_square, rule.radius);
+        for (auto* const sums : {&of_product, &of_square, &of_noise}) box_sums(*sums, rule.radius);
         std::vector<float> result(of_square.size());
-        double const little = static_cast<double>(rule.trust) * (2 * rule.radius + 1) * (2 * rule.radius + 1);
+        double const per_spread = 1. / (static_cast<double>(rule.spread) * static_cast<double>(rule.spread));
         for (std::size_t i = 0; i < result.size(); ++i) {
-            // As if terms of size `little` had spoken for `at_first`.
-            double const w = (of_product[i] + little * static_cast<double>(rule.at_first)) / (of_square[i] + little);
+            double const before = of_noise[i] * per_spread + 1e-30;
+            double const w =
+                (of_product[i] * of_square[i] + before * static_cast<double>(rule.at_first)) / (of_square[i] * of_square[i] + before);
             result[i] = static_cast<float>(std::clamp(w, 0., 1.));
         }
         return result;
