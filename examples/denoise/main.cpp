@@ -306,5 +306,6 @@ int main(int argc, char** argv) {
         if (!options->list) return denoise(*options);
         for (auto const& preset : presets()) std::cout << preset.name << '\n';
     };
-    return exit_code_of("quell-denoise", body, "choose a --preset that takes less (--plan says how much), or give --extra-frames 0");
+    return exit_code_of("quell-denoise", body,
+                        "choose a --preset that takes less (--plan says how much), or give --quick or --extra-frames 0");
 }

@@ -164,7 +164,7 @@ void SequenceDenoiser::forget() {
     earlier.clear();
     earlier_milliseconds = milliseconds();
     denoisers.clear();
-    choices.clear();
+    choices = {};
     whole.reset();
     window.clear();
     last.reset();
@@ -302,10 +302,9 @@ void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
 metrics::Picture SequenceDenoiser::chosen(std::size_t signal, io::ExrImage const& image, io::ChannelNames const& names, long long number,
                                           std::optional<HistoryContents> const& before, metrics::Picture const& with_history) {
     if (!before || before->number != number - 1) return with_history;
-    choices.resize(denoisers.size());
-    auto& choice = choices[signal];
-    if (!choice)
-        choice = std::make_unique<HistoryChoice>(settings.preset, purpose_of(signal), io::detail::size_of(canvas), settings.threads);
+    auto const purpose = purpose_of(signal);
+    auto& choice = choices[purpose == Purpose::with_alpha ? 1 : 0];
+    if (!choice) choice = std::make_unique<HistoryChoice>(settings.preset, purpose, io::detail::size_of(canvas), settings.threads);
     return choice->choose(denoiser(signal), image, names, number, *before, with_history);
 }
 

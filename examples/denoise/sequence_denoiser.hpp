@@ -101,14 +101,15 @@ private:
     Region canvas;               ///< what is denoised
     io::SequenceNames on_canvas; ///< the names for images of the canvas
     int changes = 0;
-    double earlier_milliseconds = 0;                     ///< of denoisers that are gone
-    std::unique_ptr<Denoiser> any;                       ///< says what each of them wants
-    std::vector<std::unique_ptr<Denoiser>> denoisers;    ///< one per signal, and one of the rest; null before there was light for it
-    std::vector<std::unique_ptr<HistoryChoice>> choices; ///< the same: between light with and without history
-    std::unique_ptr<Denoiser> whole;                     ///< of the picture beside its signals; null before it was wanted
-    bool was_as_one = false;                             ///< whether the last frame was filtered as one picture
-    std::optional<long long> last;                       ///< number of the frame that was denoised last
-    std::string alpha;                                   ///< the plane of the film's alpha; empty: none
+    double earlier_milliseconds = 0;                  ///< of denoisers that are gone
+    std::unique_ptr<Denoiser> any;                    ///< says what each of them wants
+    std::vector<std::unique_ptr<Denoiser>> denoisers; ///< one per signal, and one of the rest; null before there was light for it
+    /// Between light with history and without, for all signals: without alpha, and with it. Null before they were wanted.
+    std::array<std::unique_ptr<HistoryChoice>, 2> choices;
+    std::unique_ptr<Denoiser> whole; ///< of the picture beside its signals; null before it was wanted
+    bool was_as_one = false;         ///< whether the last frame was filtered as one picture
+    std::optional<long long> last;   ///< number of the frame that was denoised last
+    std::string alpha;               ///< the plane of the film's alpha; empty: none
     FilmAlpha film;
     bool alpha_stays = false; ///< whether some film was transparent whose alpha the preset can't denoise
     long long missing = 0;
