@@ -3,7 +3,6 @@
 
 #include <quell/execute/threads.hpp>
 #include <quell/io/frame_image.hpp>
-#include <quell/motion/invert_motion.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +84,7 @@ std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::S
     if (is_still(made->guides[motion].view())) return nullptr;
     if (has_planes(image, io::planes_of(Channels<MotionNext>{}, channels)))
         io::load_channels(Channels<MotionNext>{}, made->guides, image, channels);
-    else { // not known
+    else { // frames after it are then not followed
         auto const view = made->guides[motion_next].view();
         for (int y = 0; y < image.size.height; ++y)
             for (int x = 0; x < image.size.width; ++x)

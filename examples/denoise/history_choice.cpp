@@ -35,8 +35,7 @@ metrics::Picture HistoryChoice::choose(Denoiser const& with, io::ExrImage const&
             for (int x = 0; x < image.size.width; ++x, ++i) {
                 if ((x + y) % 2 != left_out) continue;
                 auto const at = static_cast<std::size_t>(i);
-                auto const of = [at](metrics::Picture const& picture) { return std::span<float const, 3>(&picture.pixels[at].x, 3); };
-                sums.add(rule, at, of(samples), of(a), of(b), of(with_sample));
+                sums.add(rule, at, samples.pixels[at], a.pixels[at], b.pixels[at], with_sample.pixels[at]);
             }
     }
     auto result = by_itself(alone, none);

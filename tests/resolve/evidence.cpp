@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 #include <quell/resolve/evidence.hpp>
 
-#include <array>
+#include <limits>
 #include <random>
 
 using namespace quell;
@@ -15,11 +15,8 @@ double part(float a, float b, Evidence const& rule = {}, float own = 0.f) {
     std::mt19937 random(7);
     std::exponential_distribution<float> noise(1.f);
     for (std::size_t i = 0; i < static_cast<std::size_t>(size.pixels()); ++i) {
-        std::array<float, 3> const sample{noise(random), noise(random), noise(random)}, first{1.f + a, 1.f + a, 1.f + a},
-            second{1.f + b, 1.f + b, 1.f + b};
-        std::array<float, 3> with_sample{};
-        for (std::size_t c = 0; c < 3; ++c) with_sample[c] = second[c] + own * (sample[c] - second[c]);
-        sums.add(rule, i, sample, first, second, with_sample);
+        glm::vec3 const sample{noise(random), noise(random), noise(random)}, first(1.f + a), second(1.f + b);
+        sums.add(rule, i, sample, first, second, second + own * (sample - second));
     }
     double sum = 0;
     auto const parts = sums.parts(rule);
@@ -53,8 +50,7 @@ TEST_CASE("where both agree nothing is changed") {
 
 TEST_CASE("a sample that is not finite says nothing") {
     EvidenceSums sums({3, 3});
-    std::array<float, 3> const none{std::numeric_limits<float>::quiet_NaN(), 1.f, std::numeric_limits<float>::infinity()}, a{2.f, 2.f, 2.f},
-        b{1.f, 1.f, 1.f};
+    glm::vec3 const none{std::numeric_limits<float>::quiet_NaN(), 1.f, std::numeric_limits<float>::infinity()}, a(2.f), b(1.f);
     sums.add({}, 4, none, a, b, b);
     for (float const p : sums.parts({.radius = 1})) CHECK((p >= 0.f && p <= 1.f));
 }

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <quell/core/real.hpp>
+#include <quell/core/value.hpp>
 #include <quell/image/extent.hpp>
 
 #include <algorithm>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -47,16 +47,15 @@ public:
     /// Adds a held-out sample. What is not finite says nothing.
     /// @param rule   how terms weigh
     /// @param pixel  its place, row by row
-    /// @param sample three components
+    /// @param sample linear, as are the estimates
     /// @param a      the first estimate
     /// @param b      the second one
     /// @param b_with the second one with this sample
-    void add(Evidence const& rule, std::size_t pixel, std::span<float const, 3> sample, std::span<float const, 3> a,
-             std::span<float const, 3> b, std::span<float const, 3> b_with) {
-        auto const luminance_of = [](std::span<float const, 3> v) { return 0.2126f * v[0] + 0.7152f * v[1] + 0.0722f * v[2]; };
-        float const bright = 0.5f * abs(luminance_of(a) + luminance_of(b)) + rule.dark, per = 1.f / (bright * bright);
+    void add(Evidence const& rule, std::size_t pixel, vec3<float> const& sample, vec3<float> const& a, vec3<float> const& b,
+             vec3<float> const& b_with) {
+        float const bright = 0.5f * abs(luminance(a) + luminance(b)) + rule.dark, per = 1.f / (bright * bright);
         float product = 0, square = 0, noise = 0;
-        for (std::size_t c = 0; c < 3; ++c) {
+        for (int c = 0; c < 3; ++c) {
             float const limited = std::min(sample[c], rule.most * bright), off = a[c] - b[c], own = b_with[c] - b[c];
             float const of_own = rule.caution * own * own;
             product += (limited - b[c]) * off + of_own;
