@@ -349,7 +349,7 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
     AntiAliasing const anti_aliasing(around, number);
     frame.picture = composite(image, split, denoised, missing, frame.signals,
                               [&](std::size_t s, metrics::Picture const* light) { return anti_aliasing.product(s, light); });
-    if (front.mixes && !as_one) mix_with_picture(frame);
+    if (front.mixes) mix_with_picture(frame);
     if (!has_several_signals(on_canvas)) frame.signals.clear(); // it is the picture
     if (!alpha.empty()) denoise_alpha(frame, front, split);
     add_as_in_file(frame, image, split);
