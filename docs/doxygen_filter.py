@@ -1,14 +1,10 @@
 #!/usr/bin/env python3
-"""Input filter of docs/Doxyfile: writes the file it is given to standard output, as doxygen 1.9 needs it.
+"""Input filter of docs/Doxyfile: writes the header it is given to standard output, as doxygen 1.9 needs it.
 
-Pages: headings get the anchors that GitHub gives them, with the page's name before, and links are rewritten to match. Links to
-what isn't a page of the site become plain text.
-Headers: members that are the same in every policy get the sentence of CONTRACT where the header says nothing of them, as do the
-values of channels and deduction guides. Of variables that are declared together, each gets their comment. The inline namespace that
-is named for the instruction set is left out.
-No line is added or removed, so that warnings name the right line.
+Members that are the same in every policy get the sentence of CONTRACT where the header says nothing of them, as do the values of
+channels and deduction guides. Of variables that are declared together, each gets their comment. The inline namespace that is named for
+the instruction set is left out. No line is added or removed, so that warnings name the right line.
 """
-import os
 import re
 import sys
 
@@ -81,79 +77,11 @@ def header(lines):
         before = code
 
 
-def slug(heading):
-    """The anchor of a heading on GitHub."""
-    return re.sub(r"[^a-z0-9 _-]", "", heading.lower()).replace(" ", "-")
-
-
-def anchor(page, name):
-    return f"{os.path.splitext(os.path.basename(page))[0].lower()}_{name}"
-
-
-def titles(page):
-    """Anchors of the page's first heading: doxygen makes it the page's title, which has no anchor but the page itself."""
-    with open(page, encoding="utf-8") as text:
-        return {slug(line[2:].strip()) for line in text if line.startswith("# ")}
-
-
-def link(page, root):
-    def rewritten(match):
-        text, target = match.group(1), match.group(2)
-        if re.match(r"[a-z]+:", target):
-            return match.group(0)
-        file, _, name = target.partition("#")
-        path = os.path.normpath(os.path.join(os.path.dirname(page), file)) if file else page
-        if not is_page(path, root):
-            return text
-        if name and name not in titles(path):
-            return f"[{text}](#{anchor(path, name)})"
-        return f"[{text}]({os.path.relpath(path, os.path.dirname(page))})"
-
-    return rewritten
-
-
-def is_page(path, root):
-    return path.endswith(".md") and os.path.dirname(path) in (root, os.path.join(root, "docs")) and os.path.exists(path)
-
-
-def page_of_the_site(page, lines):
-    root = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-    page = os.path.abspath(page)
-    used, in_code = {}, False
-    for line in lines:
-        if line.startswith("```"):
-            in_code = not in_code
-        if in_code or line.startswith("```"):
-            yield line
-            continue
-        heading = re.match(r"(#+) (.*)", line)
-        if heading:
-            name = slug(heading.group(2))
-            again = used.get(name, 0)
-            used[name] = again + 1
-            name += f"-{again}" if again else ""
-            title = len(heading.group(1)) == 1
-            yield line if title else f"{line.rstrip()} {{#{anchor(page, name)}}}\n"
-            continue
-        code = re.findall(r"`[^`]*`", line)
-        line = re.sub(r"`[^`]*`", "`", line)
-        line = re.sub(r"(?<!!)\[([^\]]*)\]\(([^)\s]*)\)", link(page, root), line)
-        yield re.sub("`", lambda _: code_span(code.pop(0), line.startswith("|")) if code else "`", line)
-
-
-def code_span(code, in_table):
-    """Doxygen 1.9 ends code at a bar in a table's cell, and takes a # there for a link: escaped HTML in its place."""
-    if not in_table or not ("\\|" in code or "#" in code):
-        return code
-    return "<tt>" + code[1:-1].replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("#", "\\#") + "</tt>"
-
-
 def main():
-    path = sys.argv[1]
-    with open(path, encoding="utf-8") as text:
+    with open(sys.argv[1], encoding="utf-8") as text:
         lines = text.readlines()
     sys.stdout.reconfigure(encoding="utf-8", newline="\n")
-    sys.stdout.writelines(page_of_the_site(path, lines) if path.endswith(".md") else header(lines))
+    sys.stdout.writelines(header(lines))
 
 
 main()
