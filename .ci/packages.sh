@@ -7,7 +7,7 @@ build_packages=(g++ cmake ninja-build)
 library_packages=(libglm-dev libxsimd-dev libtbb-dev)
 program_packages=(libembree-dev libopenexr-dev libtinygltf-dev libstb-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpng-dev zlib1g-dev gnuplot-nox)
 python_packages=(python3-dev python3-numpy python3-pip python3-setuptools python3-wheel pybind11-dev python3-pybind11)
-test_packages=(doctest-dev libbenchmark-dev clang doxygen python3 pkgconf dpkg-dev file)
+test_packages=(doctest-dev libbenchmark-dev clang doxygen cmark-gfm python3 pkgconf dpkg-dev file)
 
 # oldest_version package: the oldest one that will do. Ubuntu 22.04 has xsimd 7 and OpenEXR 2, with other interfaces.
 oldest_version() {
@@ -39,6 +39,7 @@ project_of() {
     python3-numpy) echo "NumPy (numpy.org)" ;;
     pybind11-dev | python3-pybind11) echo "pybind11 (github.com/pybind/pybind11)" ;;
     doxygen) echo "Doxygen (doxygen.nl)" ;;
+    cmark-gfm) echo "cmark-gfm (github.com/github/cmark-gfm)" ;;
     cmake) echo "CMake (cmake.org)" ;;
     *) echo "$1" ;;
     esac

@@ -3,7 +3,7 @@
 
 Members that are the same in every policy get the sentence of CONTRACT where the header says nothing of them, as do the values of
 channels and deduction guides. Of variables that are declared together, each gets their comment. The inline namespace that is named for
-the instruction set is left out. No line is added or removed, so that warnings name the right line.
+the instruction set is left out, as are comments of whole files. No line is added or removed, so that warnings name the right line.
 """
 import re
 import sys
@@ -56,6 +56,17 @@ def separate(code, comment):
     return " ".join(f"/** {text} */ {found.group(1)} {name};" for name in names) if len(names) > 1 else code
 
 
+def without_file_comments(lines):
+    """What stands above `namespace quell` is about the file: doxygen would take it for what the namespace is."""
+    lines = list(lines)
+    for i, line in enumerate(lines):
+        above = i - 1
+        while line.startswith("namespace quell") and above >= 0 and lines[above].startswith("///"):
+            lines[above] = lines[above][1:]
+            above -= 1
+    return lines
+
+
 def header(lines):
     before, comment = "", ""
     for line in lines:
@@ -81,7 +92,7 @@ def main():
     with open(sys.argv[1], encoding="utf-8") as text:
         lines = text.readlines()
     sys.stdout.reconfigure(encoding="utf-8", newline="\n")
-    sys.stdout.writelines(header(lines))
+    sys.stdout.writelines(header(without_file_comments(lines)))
 
 
 main()

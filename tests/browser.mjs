@@ -1,7 +1,7 @@
 // What the tests that drive a page in Chromium share. Where no Chromium is installed they say so in one line and exit with 77, which CTest
 // takes for skipped.
 import {execFileSync} from "node:child_process";
-import {existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync} from "node:fs";
+import {existsSync, mkdirSync, mkdtempSync, rmSync, statSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
 import {pathToFileURL} from "node:url";
@@ -16,18 +16,21 @@ function find_chromium() {
     return process.exit(77);
 }
 
-/// Lets the program write sample pages, then calls check(open): open(name, options) opens one of them. A folder for screenshots may be the
-/// second argument; page.save(name) and page.save_whole(name) then leave some there.
+/// Lets the program write sample pages, or takes those of a folder, then calls check(open): open(name, options) opens one of them. A folder
+/// for screenshots may be the second argument; page.save(name) and page.save_whole(name) then leave some there.
 export async function with_pages(check) {
     const [program, screenshots] = process.argv.slice(2);
     const chromium_program = find_chromium();
     const folder = mkdtempSync(join(tmpdir(), "quell_browser_"));
-    const pages = join(folder, "pages");
+    const are_there = statSync(program).isDirectory();
+    const pages = are_there ? program : join(folder, "pages");
     let chromium = null;
     try {
-        mkdirSync(pages);
         if (screenshots) mkdirSync(screenshots, {recursive: true});
-        execFileSync(program, [pages]);
+        if (!are_there) {
+            mkdirSync(pages);
+            execFileSync(program, [pages]);
+        }
         chromium = new Chromium(chromium_program, join(folder, "profile"));
         await check(async (name, options) => {
             const page = await Page.open(chromium, pathToFileURL(join(pages, name)).href, options);

@@ -3,7 +3,7 @@ colours are classes of the style sheet: `input`, `quell`, `other` and so on."""
 import html
 import math
 
-WIDTHS = (("wide", 680, 380), ("narrow", 340, 330))
+WIDTHS = (("wide", 520, 340), ("narrow", 330, 330))
 
 
 def shown(value, digits):

@@ -1,4 +1,5 @@
-"""Checks the links of a site's folder: every address leads to a file in it, and every #anchor to an element that has it."""
+"""Checks the links of a site's folder: every address leads to a file in it, and every #anchor to an element that has it.
+Pages load nothing from elsewhere."""
 import os
 import re
 import sys
@@ -9,7 +10,7 @@ from urllib.parse import unquote
 class Page(HTMLParser):
     def __init__(self, path):
         super().__init__()
-        self.links, self.anchors, self.without_alt = [], set(), []
+        self.links, self.anchors, self.loaded, self.without_alt = [], set(), [], []
         with open(path, encoding="utf-8") as text:
             self.feed(text.read())
 
@@ -17,12 +18,14 @@ class Page(HTMLParser):
         given = dict(attributes)
         self.anchors |= {given[key] for key in ("id", "name") if given.get(key)}
         self.links += [given[key] for key in ("href", "src") if given.get(key)]
+        if tag in ("script", "img", "link", "iframe"):
+            self.loaded += [given[key] for key in ("href", "src") if given.get(key)]
         if tag == "img" and "alt" not in given:
             self.without_alt.append(given.get("src"))
 
 
 def mistakes(folder):
-    """A line for each link that leads nowhere or out onto the network for what a page loads, and for each picture without words."""
+    """A line for each link that leads nowhere, for what is loaded from elsewhere, and for each picture without words."""
     pages = {}
     for where, _, files in os.walk(folder):
         for name in files:
@@ -34,6 +37,9 @@ def mistakes(folder):
         shown = os.path.relpath(path, folder)
         for source in page.without_alt:
             yield f"{shown}: the picture {source} has no alt"
+        for address in page.loaded:
+            if re.match(r"(?:https?:)?//", address):
+                yield f"{shown}: loads {address} from elsewhere"
         for link in page.links:
             if re.match(r"[a-z]+:", link):
                 continue

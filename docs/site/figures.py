@@ -68,6 +68,7 @@ class Figures:
             "Error over samples per pixel",
             "scenes of Blender's Cycles; lower is better",
             charts.legend(wanted) + f'<div class="several">{"".join(drawings)}</div>',
+            "whole",
         )
 
     @staticmethod

@@ -107,6 +107,7 @@ class Front:
             + self.figures.of("beside-open-image-denoise")
             + self.figures.of("cycles-three-scenes")
             + self.figures.of("on-a-gpu")
+            + self.figures.of("motion-blur")
         )
         body = f"""<main id="content">
 <section class="hero"><div><h1>Ray-traced pictures without the noise, <em>while they are rendered</em></h1>

@@ -6,7 +6,7 @@ import shutil
 import subprocess
 
 import highlight
-from tables import slug
+from tables import plain, slug
 
 # Where pages go that don't stand in docs/.
 ELSEWHERE = {
@@ -45,7 +45,7 @@ class Pages:
 
     def _title(self, page):
         with open(os.path.join(self.root, page), encoding="utf-8") as text:
-            return next((line[2:].strip() for line in text if line.startswith("# ")), page)
+            return next((plain(line[2:]) for line in text if line.startswith("# ")), page)
 
     def write(self):
         os.makedirs(os.path.join(self.out, "docs/media"), exist_ok=True)

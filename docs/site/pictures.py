@@ -38,6 +38,7 @@ GALLERY = [
     Shot("temple"),
     Shot("restaurant"),
     Shot("boxes"),
+    Shot("disk"),
     Shot("leaves", moves="at frame 24 leaves open, and the light falls through them"),
     Shot("mixed", preset="blur", effects="blur", moves="things with several motions, while the shutter is open"),
     Shot("propeller", preset="blur", effects="blur", moves="something turns while the shutter is open"),
