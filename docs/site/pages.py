@@ -125,7 +125,13 @@ class Pages:
             place = self.names.place_of(html.unescape(found.group(1)))
             return f'<a class="name" href="../{place}">{found.group(0)}</a>' if place else found.group(0)
 
-        return "".join(piece if i % 2 else re.sub(r"<code>([^<]*)</code>", named, piece) for i, piece in enumerate(pieces))
+        linked = "".join(piece if i % 2 else re.sub(r"<code>([^<]*)</code>", named, piece) for i, piece in enumerate(pieces))
+        return re.sub(r"(?<!<pre tabindex=\"0\">)<code>[^<]*</code>", self._with_whole_options, linked)
+
+    @staticmethod
+    def _with_whole_options(found):
+        """No line ends within an option: between its dashes is none of its places."""
+        return re.sub(r"--[\w-]+", r'<span class="option">\g<0></span>', found.group(0))
 
     def _link(self, page, found, start="docs"):
         """The link, as it is on a page of the folder `start`."""
