@@ -67,7 +67,7 @@ def main():
     figures = Figures(tables)
     pages = Pages(ROOT, out, skin, names, figures)
     pages.write()
-    guide = Guide(tables, names, lambda words: pages.inline("docs/presets.md", words))
+    guide = Guide(tables, lambda words: pages.inline("docs/presets.md", words))
     front = Front(ROOT, tables, skin, figures, guide, pages, has_live)
     with open(os.path.join(out, "index.html"), "w", encoding="utf-8", newline="\n") as file:
         file.write(front.html(with_pictures))

@@ -111,8 +111,8 @@ class Front:
         )
         body = f"""<main id="content">
 <section class="hero"><div><h1>Ray-traced pictures without the noise, <em>while they are rendered</em></h1>
-<p>quell is a header-only C++20 toolkit that cleans what one path per pixel leaves, by reusing earlier frames. No training, no driver, no
-vendor: CPU and CUDA, from C++, C and Python, or as a program for the files of any renderer.</p>
+<p>quell is a header-only C++20 toolkit that cleans what one path per pixel leaves, by reusing earlier frames. Nothing is trained. It runs
+on CPUs and on CUDA, from C++, C and Python, and as a program on the files of any renderer.</p>
 <p class="buttons"><a class="button" href="docs/readme.html">Get started</a><a class="button quiet" href="#which">Which preset do I need?</a></p>
 </div></section>
 {self.first_picture(kept)}

@@ -46,8 +46,10 @@ class Result:
     preset: str
     case: str  # rows of docs/figures.md that say what it costs
     command: str = ""  # what to run, where it is a program
+    header: str = "quell/quell.hpp"
 
 
+BLUR = "quell/presets/blur.hpp"
 RESULTS = {
     "files": Result("final-frame", "room, composite", "quell-denoise --in 'shot/frame.%04d.exr' --out 'shot/clean.%04d.exr'"),
     "general": Result("general", "room, composite"),
@@ -55,24 +57,30 @@ RESULTS = {
     "shadow": Result("shadow", "fence, shadow"),
     "glossy": Result("glossy", "temple, glossy"),
     "dual-cone": Result("dual-cone", "boxes, indirect"),
-    "tilemax-blur": Result("tilemax-blur", "spheres, blur"),
-    "blur": Result("blur", "spheres, blur"),
-    "blur-straight": Result("blur-straight", "spheres, blur"),
-    "blur-bent": Result("blur-bent", "spheres, blur"),
-    "blur-split": Result("blur-split", "spheres, blur"),
+    "tilemax-blur": Result("tilemax-blur", "spheres, blur", header="quell/presets/published.hpp"),
+    "blur": Result("blur", "spheres, blur", header=BLUR),
+    "blur-straight": Result("blur-straight", "spheres, blur", header=BLUR),
+    "blur-bent": Result("blur-bent", "spheres, blur", header=BLUR),
+    "blur-split": Result("blur-split", "spheres, blur", header=BLUR),
 }
 
 
 class Guide:
-    def __init__(self, tables, names, link):
+    def __init__(self, tables, link):
         """`link` makes HTML of Markdown."""
-        self.tables, self.names, self.link = tables, names, link
+        self.tables, self.link = tables, link
 
     def html(self):
         """All questions and results; the script shows those on the way, and without it they stand one below the other."""
         questions = "".join(self._question(key, *QUESTIONS[key]) for key in QUESTIONS)
         results = "".join(self._result(key, RESULTS[key]) for key in RESULTS)
         return f'<form class="guide">{questions}{results}</form>'
+
+    def code(self, result):
+        """C++ that makes the result's pipeline."""
+        call = plain(self.tables.row_about(PRESETS, result.preset).get("call", ""))
+        includes = ["quell/quell.hpp"] + ([result.header] if result.header != "quell/quell.hpp" else [])
+        return "".join(f"#include <{header}>\n" for header in includes) + f"using namespace quell;\nconstexpr auto denoise = presets::{call};"
 
     @staticmethod
     def _question(key, words, answers):
@@ -87,20 +95,15 @@ class Guide:
 
     def _result(self, key, result):
         row = self.tables.row_about(PRESETS, result.preset)
-        call = plain(row.get("call", "")) or f"{result.preset.replace('-', '_')}(radiance, Demodulate{{}})"
         reads = plain(row["reads"])
         # The row says how far it differs from the one above it.
         if reads == "the same":
             reads = plain(self.tables.row_about(PRESETS, "general" if "frame" in result.preset else "blur")["reads"])
         elif reads.startswith("and "):
             reads = plain(self.tables.row_about(PRESETS, "blur")["reads"]) + ", " + reads.removeprefix("and ")
-        shown = (
-            f"<pre><code>{html.escape(result.command)}</code></pre>"
-            if result.command
-            else f"<pre><code>{highlight.highlighted(f'constexpr auto denoise = quell::presets::{call};', 'cpp')}</code></pre>"
-        )
+        shown = html.escape(result.command) if result.command else highlight.highlighted(self.code(result), "cpp")
         return f"""<article class="result" data-step="{key}" tabindex="-1"><p class="take">Take</p><h3><code>{result.preset}</code></h3>
-<p>{self.link(row["what it does"])}</p>{shown}
+<p>{self.link(row["what it does"])}</p><pre tabindex="0"><code>{shown}</code></pre>
 <dl><dt>It reads</dt><dd>{self._channels(reads)}</dd>{self._cost(result)}</dl>
 <p class="more">All presets: <a href="docs/presets.html">presets</a>. What the channels hold: <a href="docs/channels.html">channels</a>.</p></article>"""
 

@@ -22,21 +22,24 @@ def write(root, out, work, skin, doxygen):
     for name in os.listdir(folder):
         path = os.path.join(folder, name)
         if name.endswith(".html"):
-            _mend(path)
+            _mend(path, folder)
         # Doxygen's own look and search, which no page uses.
         elif not name.endswith(".svg"):
             os.remove(path)
     return Names(settings["GENERATE_TAGFILE"], "interface")
 
 
-def _mend(path):
-    """Takes out doxygen's scripts, and what needs them."""
+def _mend(path, folder):
+    """Takes out doxygen's scripts, and what needs them, and links to lists that this doxygen doesn't write."""
     with open(path, encoding="utf-8") as file:
         text = file.read()
     text = re.sub(r"<script(?![^>]*site\.js)[^>]*>.*?</script>\n?", "", text, flags=re.DOTALL)
     text = re.sub(r' on(?:click|mouseover|keydown)="[^"]*"', "", text)
     text = text.replace('style="display:none;"', "")
     text = re.sub(r'<img src="(?:closed|open)\.png"[^>]*>(?:&#160;)?', "", text)
+    for list_of in ("annotated.html", "concepts.html", "files.html"):
+        if not os.path.exists(os.path.join(folder, list_of)):
+            text = re.sub(rf'<a href="{list_of}">[^<]*</a>', "", text)
     # A section of private members, which isn't there, is named above too.
     text = re.sub(r'<a href="#(nested-classes)">[^<]*</a> &#124;\s*', lambda found: found.group(0) if f'id="{found.group(1)}"' in text else "", text)
     with open(path, "w", encoding="utf-8", newline="\n") as file:

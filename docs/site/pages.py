@@ -95,7 +95,7 @@ class Pages:
             rows.append(f'<li><a href="{os.path.basename(place_of(other))}"{" aria-current=page" if here else ""}>{html.escape(title)}</a>')
             inner = [f'<li><a href="#{anchor}">{text_of(heading)}</a></li>' for level, anchor, heading in headings if level == 2]
             rows.append(f"<ul>{''.join(inner)}</ul></li>" if here and inner else "</li>")
-        return f'<details class="side"><summary>Pages and contents</summary><nav aria-label="Pages"><ul>{"".join(rows)}</ul></nav></details>'
+        return f'<details class="side" open><summary>Pages and contents</summary><nav aria-label="Pages"><ul>{"".join(rows)}</ul></nav></details>'
 
     def _with_anchors(self, body, headings):
         used = {}

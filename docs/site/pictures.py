@@ -31,7 +31,7 @@ class Shot:
 
 
 # The first is what the front begins with.
-FRONT = Shot("room", size="960x540", reference=384)
+FRONT = Shot("room", size="960x540", reference=128)
 GALLERY = [
     Shot("pinkroom"),
     Shot("apples"),

@@ -75,6 +75,16 @@ await with_pages(async open => {
     assert.deepEqual(await visible_steps(), ["start", "files"]);
     assert.match(await front.text("article[data-step=files]"), /quell-denoise --in '/); // with the signs that a shell takes
 
+    // Each of its results has room on a telephone.
+    const narrow = await open("index.html", {width: 380, dark: true});
+    for (const to of await narrow.all("input[data-to]", inputs => inputs.map(input => input.dataset.to))) {
+        const way = [to];
+        while (await narrow.on(`[data-to='${way[0]}']`, input => input.name) !== "start") way.unshift(await narrow.on(`[data-to='${way[0]}']`, input => input.name));
+        for (const step of way) await narrow.on(`[data-to='${step}']`, input => input.click());
+        assert.ok(await narrow.is_visible(`[data-step='${to}']`), to);
+        assert.ok(await narrow.evaluate(() => document.documentElement.scrollWidth) <= 380, `the result ${to} runs out of the page`);
+    }
+
     // One drawing of several is shown, and another one by choice.
     const drawn = () => front.all(".choice > div", parts => parts.filter(part => part.checkVisibility()).map(part => part.dataset.title));
     const [first] = await drawn();

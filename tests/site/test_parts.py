@@ -12,6 +12,7 @@ import highlight
 from figures import Figures
 from pages import Pages, place_of
 from pictures import FRONT, GALLERY, Programs, paths, small
+from skin import Skin
 from tables import Tables, number, plain, slug
 
 
@@ -104,6 +105,15 @@ class PagesTest(unittest.TestCase):
         made = Pages._with_anchors(None, "<h2>A <code>b-c</code>, d</h2><h2>A <code>b-c</code>, d</h2>", found)
         self.assertEqual([anchor for _, anchor, _ in found], ["a-b-c-d", "a-b-c-d-1"])
         self.assertIn('id="a-b-c-d-1"', made)
+
+
+class SkinTest(unittest.TestCase):
+    def test_the_live_page_is_linked_where_there_is_one(self):
+        self.assertIn('href="../live/index.html"', Skin(True).top("../"))
+        self.assertNotIn("live", Skin(False).top("../"))
+
+    def test_the_page_that_is_shown_is_marked(self):
+        self.assertEqual(Skin(False).top("", "Docs").count("aria-current"), 1)
 
 
 class CheckTest(unittest.TestCase):
