@@ -79,7 +79,7 @@ class Figures:
         rows = [(scene_name(plain(row[0])), [number(row[i]) for i, _ in picked]) for row in table.rows if row[0].split(", ")[-1].isdigit()]
         return charts.figure(
             "Error beside Open Image Denoise's networks",
-            "FLIP, scenes of Blender's Cycles; lower is better",
+            "FLIP, scenes of Blender's Cycles; the networks see one frame at a time; lower is better",
             charts.dots([(title, kinds[title]) for _, title in picked], rows, 4, "FLIP"),
         )
 

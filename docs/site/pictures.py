@@ -1,4 +1,5 @@
 """The pictures of the site: built-in scenes, traced and denoised by quell's own programs, and kept for the next time."""
+import hashlib
 import os
 import shutil
 import subprocess
@@ -59,18 +60,27 @@ class Programs:
     write_png: str
 
     def make(self, shot, kept):
-        """Leaves the shot's pictures in the folder `kept`, unless the last run left just these there."""
+        """Leaves the shot's pictures in the folder `kept`, unless the same programs left them there."""
+        made_by = f"{shot.settings()} {self._version()}"
         stamp = os.path.join(kept, shot.name() + ".txt")
         if all(os.path.exists(path) for path in [stamp, *paths(shot, kept)]):
             with open(stamp, encoding="utf-8") as text:
-                if text.read() == shot.settings():
+                if text.read() == made_by:
                     return
         print(f"site: pictures of {shot.scene}, {shot.size}", flush=True)
         os.makedirs(kept, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=kept) as work:
             self._run(shot, work, kept)
         with open(stamp, "w", encoding="utf-8") as text:
-            text.write(shot.settings())
+            text.write(made_by)
+
+    def _version(self):
+        """Another one where the programs' code is."""
+        version = hashlib.sha256()
+        for program in (self.trace, self.denoise, self.write_png):
+            with open(program, "rb") as file:
+                version.update(file.read())
+        return version.hexdigest()
 
     def _run(self, shot, work, kept):
         frames = os.path.join(work, "frame.%04d.exr")

@@ -158,6 +158,10 @@ class PicturesTest(unittest.TestCase):
             self.assertEqual(calls(), 6)
             programs.make(FRONT, kept)
             self.assertEqual(calls(), 12)  # another size
+            with open(program, "a", encoding="utf-8") as text:
+                text.write("# newer\n")
+            programs.make(FRONT, kept)
+            self.assertEqual(calls(), 18)  # another program
 
     def test_names_of_pictures_differ(self):
         self.assertEqual(len({shot.name() for shot in [FRONT, *GALLERY]}), 1 + len(GALLERY))
