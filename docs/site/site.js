@@ -5,7 +5,10 @@
 // The slider. Each border is a range, so that keys work; the border nearest to the pointer goes along with it, and pushes the other.
 for (const stage of document.querySelectorAll(".compare .stage")) {
     const handles = [...stage.querySelectorAll(".handle")];
-    const show = () => handles.forEach((handle, i) => stage.style.setProperty(`--${"ab"[i]}`, `${handle.value}%`));
+    const show = () => handles.forEach((handle, i) => {
+        stage.style.setProperty(`--${"ab"[i]}`, `${handle.value}%`);
+        handle.setAttribute("aria-valuetext", `${Math.round(handle.valueAsNumber)} %`);
+    });
     const move = (moved, value) => {
         handles[moved].value = value;
         handles.forEach((other, i) => {
