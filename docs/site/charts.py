@@ -109,7 +109,7 @@ class Labels:
 
     def place(self, x, y, words):
         """(x, y, anchor) of the words beside the point (x, y), or None where there is no room."""
-        wide = 6.3 * len(words)
+        wide = 7.2 * len(words)  # of bold letters
         for dx, dy, anchor in ((9, 4, "start"), (-9, 4, "end"), (0, -10, "middle"), (0, 18, "middle"), (7, -7, "start"), (7, 16, "start"),
                                (-7, -7, "end"), (-7, 16, "end")):
             left = x + dx - {"start": 0, "middle": wide / 2, "end": wide}[anchor]
@@ -136,14 +136,15 @@ def scatter(points, x_title, y_title, label):
                 least = y
         plot.parts.append(f'<path class="front" d="M{"L".join(front)}"/>')
         labels = Labels(width, [(plot.x(x), plot.y(y)) for _, x, y, _ in points])
-        # What matters most gets its words first.
-        for name, x, y, mark in sorted(points, key=lambda p: (p[3] != "quell", p[3] != "input")):
-            px, py = plot.x(x), plot.y(y)
-            plot.parts.append(
-                f'<circle class="{mark}" cx="{px:.1f}" cy="{py:.1f}" r="5"><title>{html.escape(name)}: {x:g}, {y:g}</title></circle>'
-            )
-            if placed := labels.place(px, py, name):
+        # What matters most gets its words first, and all words lie below the points.
+        ordered = sorted(points, key=lambda p: (p[3] != "quell", p[3] != "input"))
+        for name, x, y, mark in ordered:
+            if placed := labels.place(plot.x(x), plot.y(y), name):
                 plot.text(placed[0], placed[1], name, mark, placed[2])
+        for name, x, y, mark in reversed(ordered):
+            plot.parts.append(
+                f'<circle class="{mark}" cx="{plot.x(x):.1f}" cy="{plot.y(y):.1f}" r="5"><title>{html.escape(name)}: {x:g}, {y:g}</title></circle>'
+            )
         made.append(plot.svg(kind, label))
     return "".join(made)
 

@@ -49,7 +49,7 @@ def alt(shot, kind):
     what = {
         "noisy": f"with the noise of {samples(shot)}",
         "denoised": f"denoised by {shot.preset}",
-        "reference": f"the reference of {shot.reference} samples per pixel",
+        "reference": f"the reference of up to {shot.reference} samples per pixel",
     }[kind]
     return f"The scene {shot.scene}, {what}"
 
