@@ -128,6 +128,12 @@ inline std::optional<double> threshold_above_noise(std::vector<double> const& z,
     return found;
 }
 
+inline double product_of(glm::vec3 const& a, glm::vec3 const& b) {
+    double sum = 0.;
+    for (int c = 0; c < 3; ++c) sum += static_cast<double>(a[c]) * static_cast<double>(b[c]);
+    return sum;
+}
+
 /// What one band adds.
 struct ResidualBand {
     std::vector<glm::vec3> value; ///< made of all samples
@@ -142,8 +148,8 @@ inline void add_band(Twicing const& rule, Extent size, ResidualBand const& band,
     double all_products = 0., all_squares = 0., all_noise = 0.;
     for (std::size_t i = 0; i < pixels; ++i) {
         if (!(mean_square[i] > 0.)) continue;
-        auto const b = glm::dvec3(band.held[i]);
-        products[i] = glm::dot(glm::dvec3(left[i]), b) / mean_square[i], squares[i] = glm::dot(b, b) / mean_square[i];
+        products[i] = product_of(left[i], band.held[i]) / mean_square[i];
+        squares[i] = product_of(band.held[i], band.held[i]) / mean_square[i];
         noise[i] = products[i] * products[i];
         all_products += products[i], all_squares += squares[i], all_noise += noise[i];
     }
@@ -209,11 +215,14 @@ void add_back_residual(Twicing const& rule, E const& executor, std::vector<glm::
         second[2]{detail::ResidualHalf(size), detail::ResidualHalf(size)};
     for (std::size_t i = 0; i < pixels; ++i) {
         float const bright = std::abs(luminance(vec3<float>(picture[i]))) + dark;
-        auto const off = glm::min(samples[i], glm::vec3(rule.most * bright)) - picture[i];
-        bool const is_known = is_finite(off.x) && is_finite(off.y) && is_finite(off.z) && is_finite(samples[i].x) &&
-                              is_finite(samples[i].y) && is_finite(samples[i].z);
+        glm::vec3 off(0.f);
+        bool is_known = true;
+        for (int c = 0; c < 3; ++c) {
+            off[c] = std::min(samples[i][c], rule.most * bright) - picture[i][c];
+            is_known = is_known && is_finite(samples[i][c]) && is_finite(off[c]);
+        }
         if (is_known) residual[i] = off;
-        mean_square[i] = is_known ? glm::dot(glm::dvec3(off), glm::dvec3(off)) : 0., known[i] = is_known ? 1. : 0.;
+        mean_square[i] = is_known ? detail::product_of(off, off) : 0., known[i] = is_known ? 1. : 0.;
         int const x = static_cast<int>(i % static_cast<std::size_t>(size.width)),
                   y = static_cast<int>(i / static_cast<std::size_t>(size.width));
         for (std::size_t half = 0; half < 2; ++half) {
