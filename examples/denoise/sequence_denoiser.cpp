@@ -5,10 +5,13 @@
 #include <denoise/sequence_denoiser.hpp>
 
 #include <quell/core/real.hpp>
+#include <quell/execute/threads.hpp>
 #include <quell/io/frame_image.hpp>
 #include <quell/io/part_names.hpp>
+#include <quell/resolve/twicing.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace quell::examples {
 
@@ -308,6 +311,17 @@ metrics::Picture SequenceDenoiser::chosen(std::size_t signal, io::ExrImage const
     return choice->choose(denoiser(signal), image, names, number, *before, with_history);
 }
 
+/// What the filter took out of a signal's light by mistake.
+void SequenceDenoiser::add_back_residual(io::ExrImage const& image, io::ChannelNames const& names, metrics::Picture& light) const {
+    auto const planes = io::planes_of(Channels<Normal, Depth>{}, names);
+    if (!std::ranges::all_of(planes, [&](auto const& plane) { return image.find(plane) != nullptr; })) return;
+    Frame<Channels<Normal, Depth>> guides(image.size);
+    io::load_channels(Channels<Normal, Depth>{}, guides, image, names);
+    auto const samples = picture_of(image, io::sources_of(names, radiance), std::numeric_limits<float>::quiet_NaN());
+    quell::add_back_residual(Twicing{}, Threads{settings.threads}, samples.pixels, guides[normal].view(), guides[depth].view(),
+                             light.pixels);
+}
+
 DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long number, bool is_wanted) {
     while (!window.empty() && window.front().number != number) {
         earlier.push_back(window.front().around);
@@ -335,7 +349,10 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
         bool const chooses = refines() && is_wanted;
         auto const before = chooses ? denoiser(s).remembered() : std::nullopt;
         auto result = denoiser(s).denoise(image, channels, number);
-        if (chooses) result = chosen(s, image, channels, number, before, result);
+        if (chooses) {
+            result = chosen(s, image, channels, number, before, result);
+            add_back_residual(image, channels, result);
+        }
         auto const counted = denoiser(s).statistics();
         missing += counted.missing_samples;
         // Guides are the same for all signals.

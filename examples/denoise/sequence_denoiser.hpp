@@ -137,6 +137,7 @@ private:
     void begin(io::ExrOriginal const& file);
     [[nodiscard]] SplitRule rule() const;
     [[nodiscard]] bool has_alpha(std::size_t signal) const;
+    void add_back_residual(io::ExrImage const& image, io::ChannelNames const& names, metrics::Picture& light) const;
     void denoise_alpha(DenoisedFrame& frame, Seen const& seen, LightSplit const& split);
     void add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const;
     [[nodiscard]] Purpose purpose_of(std::size_t signal) const;

@@ -2,7 +2,7 @@
 
 #include <quell/core/real.hpp>
 #include <quell/core/value.hpp>
-#include <quell/image/extent.hpp>
+#include <quell/resolve/box_sums.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -69,7 +69,7 @@ public:
     }
     /// The part of A for each pixel, row by row.
     [[nodiscard]] std::vector<float> parts(Evidence const& rule) {
-        for (auto* const sums : {&of_product, &of_square, &of_noise}) box_sums(*sums, rule.radius);
+        for (auto* const sums : {&of_product, &of_square, &of_noise}) box_sums(size, *sums, rule.radius);
         std::vector<float> result(of_square.size());
         double const per_spread = 1. / (static_cast<double>(rule.spread) * static_cast<double>(rule.spread));
         for (std::size_t i = 0; i < result.size(); ++i) {
@@ -79,26 +79,6 @@ public:
             result[i] = static_cast<float>(std::clamp(w, 0., 1.));
         }
         return result;
-    }
-
-private:
-    /// Over squares, as far as they lie in the image.
-    void box_sums(std::vector<double>& values, int radius) const {
-        auto const along = [&](int lines, int length, std::size_t line_step, std::size_t step) {
-            std::vector<double> before(static_cast<std::size_t>(length) + 1);
-            for (int line = 0; line < lines; ++line) {
-                auto const first = static_cast<std::size_t>(line) * line_step;
-                before[0] = 0;
-                for (std::size_t i = 0; i < static_cast<std::size_t>(length); ++i) before[i + 1] = before[i] + values[first + i * step];
-                for (int i = 0; i < length; ++i) {
-                    auto const low = static_cast<std::size_t>(std::max(i - radius, 0)),
-                               high = static_cast<std::size_t>(std::min(i + radius + 1, length));
-                    values[first + static_cast<std::size_t>(i) * step] = before[high] - before[low];
-                }
-            }
-        };
-        auto const width = static_cast<std::size_t>(size.width);
-        along(size.height, size.width, width, 1), along(size.width, size.height, 1, width);
     }
 };
 
