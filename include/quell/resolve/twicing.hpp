@@ -35,6 +35,7 @@ struct Twicing {
     float wide_certainty = 3.f; ///< standard deviations taken off the sums over larger windows
     float certainty = 2.f;      ///< standard deviations taken off the sums over all the image
     float most = 20.f;          ///< samples are at most so many times the picture's luminance
+    float spike = 3.f;          ///< a residual is at most so many times the root mean square around; what is more is spread there
     float dark = 0.02f;         ///< part of the image's mean luminance that is added to that
     float depth_range = 0.05f;  ///< part by which depths of one surface differ
     static constexpr int bands = 3;
@@ -134,6 +135,32 @@ inline double product_of(glm::vec3 const& a, glm::vec3 const& b) {
     return sum;
 }
 
+/// Noise of few bright samples is skewed. What a residual has more than its surroundings is spread over pixels of its half of the
+/// checkerboard, so that the mean stays and the halves know nothing of each other.
+void spread_spikes(Twicing const& rule, Extent size, std::vector<double> const& mean_square, auto const& is_of_half,
+                   std::vector<glm::vec3>& residual) {
+    auto const pixels = residual.size();
+    std::vector<double> count(pixels);
+    std::array<std::vector<double>, 3> excess{count, count, count};
+    for (std::size_t i = 0; i < pixels; ++i) {
+        if (!is_of_half(i)) continue;
+        count[i] = 1.;
+        double const square = product_of(residual[i], residual[i]);
+        double const limit = static_cast<double>(rule.spike) * static_cast<double>(rule.spike) * mean_square[i];
+        if (!(square > limit)) continue;
+        auto const kept = residual[i] * static_cast<float>(std::sqrt(limit / square));
+        for (int c = 0; c < 3; ++c) excess[static_cast<std::size_t>(c)][i] = static_cast<double>(residual[i][c] - kept[c]);
+        residual[i] = kept;
+    }
+    box_sums(size, count, rule.noise_radius);
+    for (int c = 0; c < 3; ++c) {
+        auto& spread = excess[static_cast<std::size_t>(c)];
+        box_sums(size, spread, rule.noise_radius);
+        for (std::size_t i = 0; i < pixels; ++i)
+            if (is_of_half(i)) residual[i][c] += static_cast<float>(spread[i] / count[i]);
+    }
+}
+
 /// What one band adds.
 struct ResidualBand {
     std::vector<glm::vec3> value; ///< made of all samples
@@ -223,19 +250,25 @@ void add_back_residual(Twicing const& rule, E const& executor, std::vector<glm::
         }
         if (is_known) residual[i] = off;
         mean_square[i] = is_known ? detail::product_of(off, off) : 0., known[i] = is_known ? 1. : 0.;
-        int const x = static_cast<int>(i % static_cast<std::size_t>(size.width)),
-                  y = static_cast<int>(i / static_cast<std::size_t>(size.width));
-        for (std::size_t half = 0; half < 2; ++half) {
-            bool const here = is_known && is_even(i) == (half == 0);
-            for (int c = 0; c < 3; ++c) first[half].sum.view().set(c, x, y, here ? off[c] : 0.f);
-            first[half].weight.view().set(0, x, y, here ? 1.f : 0.f);
-        }
     }
     auto const is_sample = known;
     box_sums(size, mean_square, rule.noise_radius), box_sums(size, known, rule.noise_radius);
     for (std::size_t i = 0; i < pixels; ++i) {
         double const bright = .01 * (std::abs(static_cast<double>(luminance(vec3<float>(picture[i])))) + static_cast<double>(dark));
         mean_square[i] = is_sample[i] > 0. ? mean_square[i] / known[i] + bright * bright : 0.;
+    }
+    for (int half = 0; half < 2; ++half) {
+        auto const is_of_half = [&](std::size_t i) { return is_sample[i] > 0. && is_even(i) == (half == 0); };
+        detail::spread_spikes(rule, size, mean_square, is_of_half, residual);
+    }
+    for (std::size_t i = 0; i < pixels; ++i) {
+        int const x = static_cast<int>(i % static_cast<std::size_t>(size.width)),
+                  y = static_cast<int>(i / static_cast<std::size_t>(size.width));
+        for (std::size_t half = 0; half < 2; ++half) {
+            bool const here = is_sample[i] > 0. && is_even(i) == (half == 0);
+            for (int c = 0; c < 3; ++c) first[half].sum.view().set(c, x, y, here ? residual[i][c] : 0.f);
+            first[half].weight.view().set(0, x, y, here ? 1.f : 0.f);
+        }
     }
 
     std::array<detail::ResidualBand, Twicing::bands> bands;
@@ -271,7 +304,11 @@ void add_back_residual(Twicing const& rule, E const& executor, std::vector<glm::
     for (std::size_t band = 0; band + 1 < bands.size(); ++band)
         for (std::size_t i = 0; i < pixels; ++i)
             bands[band].value[i] -= bands[band + 1].value[i], bands[band].held[i] -= bands[band + 1].held[i];
+    auto const before = picture;
     for (std::size_t band = bands.size(); band-- > 0;) detail::add_band(rule, size, bands[band], mean_square, residual, picture);
+    for (std::size_t i = 0; i < pixels; ++i)
+        for (int c = 0; c < 3; ++c)
+            if (before[i][c] >= 0.f) picture[i][c] = std::max(picture[i][c], 0.f);
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET
