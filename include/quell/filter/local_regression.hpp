@@ -73,7 +73,7 @@ template <class Edge, int n> struct RegressionOnGuides {
             inverse_square_width(noise, light)};
         Window<typename Px::Signal> window{{}, Hull<typename Px::Signal>(pilot)};
         add_square<0, 2, 1>(centre, window, 1.f);
-        add_square<2, 1, 5>(centre, window, 15.f);
+        add_square<2, 1, 5>(centre, window, 20.f);
         add_square<3, 2, 12>(centre, window, 80.f);
         constexpr float ridge[] = {0.02f, 0.02f, 2e-5f, 2e-5f, 2e-5f};
         auto const value = window.fit.constant(ridge);
@@ -152,6 +152,7 @@ private:
             weights[(radius + tap.row) * side + radius + tap.column] = tap.weight(known, distance) * frames(tap.px);
         });
         auto seen = window.seen;
+        QUELL_UNROLL_ON_DEVICE
         for (int j = 0; j < side; ++j) {
             typename decltype(window.fit)::OfRow row;
             int const dy = (j - radius) * stride;
@@ -218,10 +219,10 @@ template <class Edge = Product<DepthEdge, NormalEdge>, int n = 3> struct LocalRe
     float width = 25.f;                     ///< distance in pixels at which taps have weight 1/e where the noise is as large as the light
     float min_width = 4.f;                  ///< minimum of that distance
     float max_width = 24.f;                 ///< maximum of that distance
-    float tolerance = 0.01625f; ///< the square of the difference in the pilot with weight 1/e is the sum of the squares of: this part
-                                ///< of twice the luminance,
-    float sigma_light = 1.3f;   ///< this many standard deviations of the pilot's noise, in both pixels,
-    float sigma_noise = 0.26f;  ///< and this many of the accumulated light's noise
+    float tolerance =
+        0.03f; ///< difference in the pilot with weight 1/e, the root of a sum of squares: of this part of twice the luminance,
+    float sigma_light = 1.3f;  ///< of this many standard deviations of the pilot's noise, whose variances in both pixels are added,
+    float sigma_noise = 0.26f; ///< and of this many of the accumulated light's noise
 
     /// The pilot's passes, the fit, and the scaling to the pilot's luminance.
     constexpr void for_each_pass(auto&& pass) const {
