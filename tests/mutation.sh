@@ -78,7 +78,7 @@ mutant "rare bright samples that the history has seen" filter/conserving_atrous 
 mutant "light exchanged by the noise of both pixels" filter/conserving_atrous filter/conserving_atrous.hpp \
     'fma(its_noise, sigma_squared, tolerated)' 'tolerated'
 mutant "regressors of a fit" filter/local_regression filter/local_regression.hpp \
-    'n_there.x - centre.n_here.x' 'n_there.x'
+    'there.x - centre.n_here.x' 'there.x'
 mutant "a window as wide as there is noise" filter/local_regression filter/local_regression.hpp \
     'auto const w = clamp(root * width' 'auto const w = clamp(root * 0.f'
 mutant "what is in front in the next frame" motion/invert_motion motion/invert_motion.hpp \

@@ -39,6 +39,29 @@ glm::vec3 cylinder(int x, int) {
 }
 } // namespace
 
+TEST_CASE("least squares find the constant of what is affine in place and vector, whatever the weights are") {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> uniform(-1.f, 1.f);
+    auto const next = [&] { return uniform(random); };
+    glm::vec3 const constant{0.7f, -2.f, 5.f}, across{1.f, 0.3f, -2.f}, down{-0.4f, 2.f, 1.f};
+    glm::vec3 const by_vector[] = {{3.f, 1.f, 0.2f}, {-1.f, 0.5f, 4.f}, {0.3f, -2.f, 1.f}};
+    detail::LeastSquares<glm::vec3> fit;
+    for (int row = 0; row < 6; ++row) {
+        detail::LeastSquares<glm::vec3>::OfRow sums;
+        float const y = next();
+        for (int i = 0; i < 6; ++i) {
+            float const x = next(), w = 0.5f * next() + 0.6f;
+            glm::vec3 const v{next(), next(), next()};
+            sums.add_regressors(x, v, w);
+            sums.add_value(x, v, constant + across * x + down * y + by_vector[0] * v.x + by_vector[1] * v.y + by_vector[2] * v.z, w);
+        }
+        fit.add(sums, y);
+    }
+    float const ridge[] = {0.f, 0.f, 0.f, 0.f, 0.f};
+    auto const found = fit.constant(ridge);
+    for (int c = 0; c < 3; ++c) CHECK(found[c] == doctest::Approx(constant[c]).epsilon(1e-4));
+}
+
 TEST_CASE("a regression leaves even light as it is, to rounding") {
     auto const even = [](int, int) { return 0.7f; };
     for (float const a : denoised(denoise, even, 0.f, cylinder)) CHECK(a == doctest::Approx(0.7f).epsilon(1e-5));

@@ -53,7 +53,7 @@ template <class Edge, int n> struct RegressionOnGuides {
     static constexpr int farthest_tap = 24;
     template <int level> using Light = LessFilteredLight<level, n>;
     using parts = Parts<Edge>;
-    using reads = Channels<Normal, HistoryLength, Variance, UnfilteredVariance, Light<0>, Light<1>, Light<2>>;
+    using reads = Channels<Normal, HistoryLength, Variance, UnfilteredVariance, Light<0>, Light<2>, Light<3>>;
     using emits = Channels<LightOfPilotAndFit, FreedomOfFit>;
     Edge edge;
     float width, min_width, max_width, tolerance, sigma_light, sigma_noise;
@@ -63,12 +63,18 @@ template <class Edge, int n> struct RegressionOnGuides {
         using Real = typename Px::Real;
         auto const pilot = px.signal();
         auto const noise = deviation_around(px);
+        auto const light = luminance(pilot), tolerated = light * (2.f * tolerance), expected = noise * sigma_noise;
         Centre<Px, decltype(edge.around(px))> const centre{
-            px, edge.around(px), pilot, px[normal], px[variance], noise, inverse_square_width(noise, luminance(pilot))};
+            px,
+            edge.around(px),
+            pilot,
+            px[normal],
+            fma(tolerated, tolerated, fma(expected, expected, fma(px[variance], Real(sigma_light * sigma_light), Real(1e-36f)))),
+            inverse_square_width(noise, light)};
         Window<typename Px::Signal> window{{}, Hull<typename Px::Signal>(pilot)};
-        add_ring<0>(centre, window, 0, 2, 1);
-        add_ring<1>(centre, window, 3, 9, 3);
-        add_ring<2>(centre, window, 12, 24, 6);
+        add_square<0, 2, 1>(centre, window, 1.f);
+        add_square<2, 1, 5>(centre, window, 20.f);
+        add_square<3, 2, 12>(centre, window, 80.f);
         constexpr float ridge[] = {0.02f, 0.02f, 2e-5f, 2e-5f, 2e-5f};
         auto const value = window.fit.constant(ridge);
         auto const known = both(window.fit.weights > Real(1e-6f), all_finite(value));
@@ -85,7 +91,7 @@ private:
         Around around;
         typename Px::Signal pilot;
         vec3<Real> n_here;
-        Real pilot_variance, noise, per_square;
+        Real allowed_squared, per_square;
     };
     /// What a fit is of, and the range of its values.
     template <class V> struct Window {
@@ -124,39 +130,59 @@ private:
         auto const w = clamp(root * width, Real(min_width), Real(max_width));
         return 1.f / (w * w);
     }
-    /// Adds a square ring of taps. Each stands for stride x stride pixels, and reads light filtered about that wide.
-    template <int level, class C, class W> QUELL_KERNEL void add_ring(C const& centre, W& window, int inner, int outer, int stride) const {
-        auto const area = WeightBits::of(static_cast<float>(stride * stride));
-        for (int dy = -outer; dy <= outer; dy += stride) {
-            auto const beside = centre.px.at(0, dy);
-            if (!beside.row_inside) continue;
-            bool const across = dy <= -inner || dy >= inner;
-            for (int dx = -outer; dx <= outer; dx += stride)
-                if (across || dx <= -inner || dx >= inner) add_tap<level>(centre, window, dx, dy, area);
-        }
-    }
-    template <int level, class C, class W> QUELL_KERNEL void add_tap(C const& centre, W& window, int dx, int dy, WeightBits area) const {
+    /// Adds (2 radius + 1)^2 taps, `stride` pixels apart. Only where they are all pixels, one is at the centre.
+    /// @tparam level  how often the light was filtered: over about as many pixels as lie between two taps
+    /// @param  weight of a tap that is like the centre, and one frame
+    template <int level, int radius, int stride, class C, class W>
+    QUELL_KERNEL void add_square(C const& centre, W& window, float weight) const {
         using Real = typename C::Real;
-        auto const tap = centre.px.at(dx, dy);
-        float const across = static_cast<float>(dx), down = static_cast<float>(dy);
-        auto const start = select(
-            tap.inside(), fma(centre.per_square, Real(across * across + down * down), Real(edge_offset(centre.around))), Real(too_far));
-        auto distance = edge_toward(centre.around, dx, dy).distance(tap, start);
-        // The pilot is compared, not the samples that are weighed: weights that depend on them bias the fit.
-        auto const there = tap.signal();
-        auto const of_pilot = sqrt(centre.pilot_variance + tap[variance]) * sigma_light;
-        auto const allowed =
-            fma(abs(luminance(centre.pilot) + luminance(there)), Real(tolerance), fma(centre.noise, Real(sigma_noise), of_pilot));
-        distance = fma(largest_difference(there, centre.pilot), 1.f / (allowed + 1e-20f), distance);
-        auto const w = edge_weight(distance, area) * min(tap[history_length], Real(1e4f));
-        auto const n_there = tap[normal];
-        Real const at[] = {Real(across / 12.f), Real(down / 12.f), n_there.x - centre.n_here.x, n_there.y - centre.n_here.y,
-                           n_there.z - centre.n_here.z};
-        auto const light = tap[Light<level>{}];
-        window.fit.add(at, light, w);
-        // Less is of another surface, or outside the image.
-        window.seen.add(light, w > Real(1e-9f));
+        constexpr int side = 2 * radius + 1;
+        Real weights[std::size_t{side * side}];
+        auto const known = WeightBits::of(weight);
+        weights[side * side / 2] =
+            stride > 1 ? Real(0.f)
+                       : edge_weight(edge_toward(centre.around, 0, 0).distance(centre.px, Real(edge_offset(centre.around))), known) *
+                             frames(centre.px);
+        for_each_edge_tap<true, radius>(centre.px, stride, centre.around, [&](auto const& tap) QUELL_INLINED {
+            auto const away = static_cast<float>(stride * stride * (tap.column * tap.column + tap.row * tap.row));
+            auto const by_place = fma(centre.per_square, Real(away), tap.distance);
+            // The pilot is compared, not the samples that are weighed: weights that depend on them bias the fit.
+            auto const inverse = approximate_inverse_sqrt(fma(tap.px[variance], Real(sigma_light * sigma_light), centre.allowed_squared));
+            auto const distance = fma(largest_difference(tap.px.signal(), centre.pilot), inverse, by_place);
+            weights[(radius + tap.row) * side + radius + tap.column] = tap.weight(known, distance) * frames(tap.px);
+        });
+        auto seen = window.seen;
+        QUELL_UNROLL_ON_DEVICE
+        for (int j = 0; j < side; ++j) {
+            typename decltype(window.fit)::OfRow row;
+            int const dy = (j - radius) * stride;
+            // One loop for each kind of sums: all at once would not fit into registers.
+            QUELL_UNROLL_ON_DEVICE
+            for (int i = 0; i < side; ++i) {
+                auto const tap = centre.px.at((i - radius) * stride, dy);
+                row.add_regressors(place<Real>((i - radius) * stride), turned(centre, tap), weights[j * side + i]);
+            }
+            QUELL_UNROLL_ON_DEVICE
+            for (int i = 0; i < side; ++i) {
+                auto const tap = centre.px.at((i - radius) * stride, dy);
+                auto const light = tap[Light<level>{}];
+                auto const w = weights[j * side + i];
+                row.add_value(place<Real>((i - radius) * stride), turned(centre, tap), light, w);
+                // Less is of another surface, or outside the image.
+                seen.add(light, w > Real(1e-9f));
+            }
+            window.fit.add(row, place<Real>(dy));
+        }
+        window.seen = seen;
     }
+    template <class Real> QUELL_KERNEL static Real place(int pixels) { return Real(static_cast<float>(pixels) * (1.f / 12.f)); }
+    /// How the normal differs from the centre's.
+    template <class C, class Px> QUELL_KERNEL static auto turned(C const& centre, Px const& tap) {
+        auto const there = tap[normal];
+        return vec3<typename C::Real>{there.x - centre.n_here.x, there.y - centre.n_here.y, there.z - centre.n_here.z};
+    }
+    /// How many frames a pixel's light is the mean of.
+    template <class Px> QUELL_KERNEL static auto frames(Px const& px) { return min(px[history_length], typename Px::Real(1e4f)); }
 };
 
 /// Slopes need differing normals, so the default edge is 16 times looser on them than NormalEdge.
@@ -172,41 +198,43 @@ template <class Edge> constexpr Edge loose_edge() {
 /// light by a linear function of pixel position and normal, and takes its value at the pixel. This does not blur gradients, curved surfaces
 /// and antialiased edges, as means do.
 ///
-/// A ConservingAtrous runs first; its result is the pilot. Taps weigh by geometry and by their difference in the pilot. The window is 49x49
-/// pixels at most, with 145 taps: 5x5, and two sparse rings that read light of the pilot's first levels. Its width follows the noise.
-/// Finally the fit is scaled to the pilot's luminance over 25x25 pixels, so that no light is lost: with skewed noise, pixels that look
-/// alike are darker than their surroundings.
+/// A ConservingAtrous runs first; its result is the pilot. Taps weigh by geometry, by their difference in the pilot, and by how many
+/// frames they are the mean of. The window is 49x49 pixels at most, with 57 taps: all of 5x5 pixels, then 3x3 taps 5 pixels apart and 5x5
+/// taps 12 pixels apart, which read the light after two and after three levels of the pilot, as wide as they are far apart. Its width
+/// follows the noise. Finally the fit is scaled to the pilot's luminance over 25x25 pixels, so that no light is lost: with skewed noise,
+/// pixels that look alike are darker than their surroundings.
 ///
-/// For offline use: it costs several times the pilot. Like ConservingAtrous it goes after a Temporal{motion, WithVariance{...}} whose
-/// policy keeps the history length.
+/// It costs a few times the pilot. Like ConservingAtrous it goes after a Temporal{motion, WithVariance{...}} whose policy keeps the
+/// history length.
 /// @tparam Edge an EdgeWeight for geometry; keep it loose on normals, which are regressors
 /// @tparam n    the signal's components
 template <class Edge = Product<DepthEdge, NormalEdge>, int n = 3> struct LocalRegression {
     static_assert(EdgeWeight<Edge>, "LocalRegression{...}: `edge` must have around(px), see quell/filter/filter_kernel.hpp");
     /// @cond
     using Fit = detail::RegressionOnGuides<Edge, n>;
-    using parts = Parts<ConservingAtrous<>, detail::KeepLight<0, n>, detail::KeepLight<1, n>, detail::KeepLight<2, n>, Fit>;
+    using parts = Parts<ConservingAtrous<>, detail::KeepLight<0, n>, detail::KeepLight<2, n>, detail::KeepLight<3, n>, Fit>;
     /// @endcond
     ConservingAtrous<> pilot{};             ///< runs first
     Edge edge = detail::loose_edge<Edge>(); ///< which neighbours belong to the same surface
     float width = 25.f;                     ///< distance in pixels at which taps have weight 1/e where the noise is as large as the light
     float min_width = 4.f;                  ///< minimum of that distance
     float max_width = 24.f;                 ///< maximum of that distance
-    float tolerance = 0.0125f;              ///< difference in the pilot with weight 1/e is the sum of: this part of both pixels' luminance,
-    float sigma_light = 1.f;                ///< this many standard deviations of the pilot's noise,
-    float sigma_noise = 0.2f;               ///< and this many of the accumulated light's noise
+    float tolerance =
+        0.03f; ///< difference in the pilot with weight 1/e, the root of a sum of squares: of this part of twice the luminance,
+    float sigma_light = 1.3f;  ///< of this many standard deviations of the pilot's noise, whose variances in both pixels are added,
+    float sigma_noise = 0.26f; ///< and of this many of the accumulated light's noise
 
     /// The pilot's passes, the fit, and the scaling to the pilot's luminance.
     constexpr void for_each_pass(auto&& pass) const {
         int done = 0;
         auto const keep_light = [&] {
             if (done == 0) pass(detail::KeepLight<0, n>{});
-            if (done == 1) pass(detail::KeepLight<1, n>{});
             if (done == 2) pass(detail::KeepLight<2, n>{});
+            if (done == 3) pass(detail::KeepLight<3, n>{});
             ++done;
         };
         pilot.for_each_pass([&](auto const& kernel) { pass(kernel), keep_light(); });
-        while (done <= 2) keep_light();
+        while (done <= 3) keep_light();
         pass(Fit{edge, width, min_width, max_width, tolerance, sigma_light, sigma_noise});
         for (int const step : {1, 5}) {
             pass(detail::LightLine{step, false});
