@@ -4,10 +4,10 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
-/// Also keeps mean albedo and mean normal, updated with the inner policy's alpha. For a denoiser behind quell that is guided by them, such as
-/// a network: `history[mean_albedo]`, `history[mean_normal]` of the frame that was run last. Guides of one ray per pixel are ragged at edges;
-/// their means show how much of a pixel each surface covers, as far as rays hit different places of it. A missing sample has guides all the
-/// same: where there is no history, they are those of the frame.
+/// Also keeps mean albedo and mean normal, updated with the inner policy's alpha. For a denoiser behind quell that is guided by them, such
+/// as a network: `history[mean_albedo]`, `history[mean_normal]` of the frame that was run last. Guides of one ray per pixel are ragged at
+/// edges; their means show how much of a pixel each surface covers, as far as rays hit different places of it. A missing sample has guides
+/// all the same: where there is no history, they are those of the frame.
 ///
 ///     Temporal{SurfaceMotion{}, WithGuides{RunningMean{}}}
 ///

@@ -69,8 +69,8 @@ private:
         }
     }
     /// Missing samples: the history goes on, as far as it is valid. Without a history the neighbours' mean stands in, and what is kept
-    /// becomes 0, so that the next sample counts fully. (Exponential keeps no length: it blends the next sample with alpha as ever.) What is
-    /// kept of guides is there without a sample.
+    /// becomes 0, so that the next sample counts fully. (Exponential keeps no length: it blends the next sample with alpha as ever.) What
+    /// is kept of guides is there without a sample.
     template <class R> QUELL_KERNEL static void keep_past(auto missing, auto const& px, auto const& past, R& result) {
         auto const present = past.validity > decltype(past.validity)(0.f);
         result.value = select(missing, select(present, past.signal, px.signal()), result.value);

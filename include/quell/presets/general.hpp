@@ -83,8 +83,8 @@ template <ChannelTag S> constexpr auto final_frame_joining(S signal, auto... opt
     return general_with(joined_history, final_frame_filter<S>, signal, options...);
 }
 
-/// general() up to its history, for a denoiser behind quell, such as a network: light as it was accumulated, multiplied by the albedo again,
-/// and guides accumulated with it (WithGuides), which the history holds: `history[mean_albedo]`, `history[mean_normal]`.
+/// general() up to its history, for a denoiser behind quell, such as a network: light as it was accumulated, multiplied by the albedo
+/// again, and guides accumulated with it (WithGuides), which the history holds: `history[mean_albedo]`, `history[mean_normal]`.
 constexpr auto accumulated(auto signal, auto... options) {
     return Pipeline{signal, options..., Spatial{BiasEstimate<>{}}, Temporal{SurfaceMotion{}, WithGuides{WithVariance{general_history}}}};
 }
