@@ -83,10 +83,14 @@ template <ChannelTag S> constexpr auto final_frame_joining(S signal, auto... opt
     return general_with(joined_history, final_frame_filter<S>, signal, options...);
 }
 
+/// History of accumulated(). A network removes more noise than the wavelet of general() does, but no bias: less of that is accepted.
+inline constexpr ForgetBiased<RunningMean> accumulated_history{.inner = {.cap = 24.f}, .gain = 1000.f};
+
 /// general() up to its history, for a denoiser behind quell, such as a network: light as it was accumulated, multiplied by the albedo
 /// again, and guides accumulated with it (WithGuides), which the history holds: `history[mean_albedo]`, `history[mean_normal]`.
 constexpr auto accumulated(auto signal, auto... options) {
-    return Pipeline{signal, options..., Spatial{BiasEstimate<>{}}, Temporal{SurfaceMotion{}, WithGuides{WithVariance{general_history}}}};
+    return Pipeline{signal, options..., Spatial{BiasEstimate<>{}},
+                    Temporal{SurfaceMotion{}, WithGuides{WithVariance{accumulated_history}}}};
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::presets
