@@ -2,7 +2,8 @@
 # Prints quell beside Open Image Denoise: FLIP (RMSE) on sequences, and geometric means of the ratios to OIDN's large network.
 #   bench/scoreboard.sh FOLDER [SCENE...]       SAMPLES="1 16" DENOISE=other/quell-denoise bench/scoreboard.sh /work/renders/big office lamp
 # A sequence is FOLDER/SCENE/SAMPLES/frame_0001.exr and so on, its references FOLDER/SCENE/512 or 2048 of some of the frames, which are
-# measured. What the networks made, and what they and the input scored, is kept in FOLDER/SCENE/SAMPLES/oidn; ROWS="input quell" limits rows.
+# measured. What the networks made, and what they and the input scored, is kept in FOLDER/SCENE/SAMPLES/oidn; ROWS="input svgf quell" chooses
+# rows, of which those that are not named below are presets.
 # The row "accumulated" is the large network on light and guides that quell has accumulated (--preset accumulated).
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")
@@ -49,6 +50,7 @@ row() {
     real-time) score "$reference" "$frames" "$at/frame_%04d.exr" --preset general --extra-frames 0 ;;
     final-alone) score "$reference" "$frames" "$at/frame_%04d.exr" --preset final-frame --extra-frames 0 ;;
     quell) score "$reference" "$frames" "$at/frame_%04d.exr" ;;
+    *) score "$reference" "$frames" "$at/frame_%04d.exr" --preset "$name" ;;
     esac
 }
 for scene in "$@"; do
