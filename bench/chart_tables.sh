@@ -3,6 +3,7 @@
 # effects, and motion blur. What the folder has already is not charted again. It took 27 minutes on 2 cores of a Zen 4 where all
 # references were cached:
 #   bench/chart_tables.sh [folder for the charts] [folder of the built programs] [threads]
+# With OIDN=1 Open Image Denoise's networks (bench/oidn.sh) are charted on the scene room too, at all sizes.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -18,7 +19,11 @@ cases=("fence shadow 0.02" "temple glossy 0.02" "restaurant glossy 0.02" "boxes 
 run() {
     local folder=$1
     shift
-    [ -f "$folder/done" ] || { "$chart" --quiet --threads "$threads" --out "$folder" "$@" >&2 && touch "$folder/done"; }
+    local networks=() kind
+    if [ -n "${OIDN:-}" ] && [[ $folder == */room ]]; then
+        for kind in base large; do networks+=(--external "oidn-$kind=$PWD/bench/oidn.sh $kind {in} {out}"); done
+    fi
+    [ -f "$folder/done" ] || { "$chart" --quiet --threads "$threads" --out "$folder" "$@" "${networks[@]}" >&2 && touch "$folder/done"; }
 }
 for scene in $("$chart" --list); do
     run "$work/480x270/$scene" --few --scene "$scene"

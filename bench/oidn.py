@@ -4,6 +4,7 @@
 # The network is a U-Net of 3x3 convolutions with ReLU, maxima of 2x2 on the way down and the nearest sample on the way up (Afra 2019 to 2024,
 # "Intel Open Image Denoise", openimagedenoise.org): the weights' names say which layers there are. Colour goes through a fit to the PU2 curve
 # (Aydin et al. 2008) at an exposure that brings the mean of log luminance to .18; the fit's constants are part of the trained weights.
+# Guides that quell-denoise --preset accumulated has accumulated (mean_albedo, mean_normal) are taken before those of the renderer.
 # Wants apt's python3-torch, python3-numpy and python3-openimageio. Prints "milliseconds per frame: N" at the end, files not counted.
 import os, struct, sys, time
 import numpy, torch
@@ -109,7 +110,8 @@ def read(path):
         return None
     nothing = torch.zeros(1, 3, spec.height, spec.width)
     cycles = lambda *names: sum((x for x in (layer(['ViewLayer.' + n]) for n in names) if x is not None), nothing)
-    color, albedo, normal = layer(['ViewLayer.Combined', '']), layer(['albedo']), layer(['ViewLayer.Normal', 'normal', 'N'], 'XYZ')
+    color, albedo = layer(['ViewLayer.Combined', '']), layer(['ViewLayer.mean_albedo', 'mean_albedo', 'albedo'])
+    normal = layer(['ViewLayer.mean_normal', 'mean_normal', 'ViewLayer.Normal', 'normal', 'N'], 'XYZ')
     if color is None: sys.exit('oidn.py: no R, G, B in ' + path)
     # What shines, and what lies behind everything, is its own albedo.
     if albedo is None: albedo = cycles('DiffCol', 'GlossCol', 'TransCol') + cycles('Emit', 'Env').clamp(0, 1)

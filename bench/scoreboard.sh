@@ -2,14 +2,16 @@
 # Prints quell beside Open Image Denoise: FLIP (RMSE) on sequences, and geometric means of the ratios to OIDN's large network.
 #   bench/scoreboard.sh FOLDER [SCENE...]       SAMPLES="1 16" DENOISE=other/quell-denoise bench/scoreboard.sh /work/renders/big office lamp
 # A sequence is FOLDER/SCENE/SAMPLES/frame_0001.exr and so on, its references FOLDER/SCENE/512 or 2048 of some of the frames, which are
-# measured. What the networks made, and what they and the input scored, is kept in FOLDER/SCENE/SAMPLES/oidn; ROWS="input final" limits rows.
+# measured. What the networks made, and what they and the input scored, is kept in FOLDER/SCENE/SAMPLES/oidn; ROWS="input svgf quell" chooses
+# rows, of which those that are not named below are presets.
+# The row "accumulated" is the large network on light and guides that quell has accumulated (--preset accumulated).
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")
 folder=$(realpath "${1:?a folder of sequences}")
 shift
 denoise=${DENOISE:-$here/../build/release/examples/denoise/quell-denoise}
 read -ra counts <<<"${SAMPLES:-1 16}"
-read -ra rows <<<"${ROWS:-input real-time final-alone quell base large}"
+read -ra rows <<<"${ROWS:-input real-time final-alone quell accumulated base large}"
 [ $# -gt 0 ] || { cd "$folder" && set -- */ && set -- "${@%/}"; }
 echo '{"signals": [{"radiance": "ViewLayer.Combined"}], "picture": "ViewLayer.Combined", "channels": {}}' >"${TMPDIR:-/tmp}/scoreboard_plain.json"
 
@@ -37,9 +39,18 @@ row() {
         fi
         cat "$kept"
         ;;
+    accumulated)
+        local made n
+        made=$(mktemp -d)
+        "$denoise" --quiet --preset accumulated --in "$at/frame_%04d.exr" --out "$made/light_%04d.exr" --frames "$frames"
+        for n in ${frames//,/ }; do "$here/oidn.sh" large "$made/light_%04d.exr" "$made/%04d.exr" "$n" "$n" >/dev/null; done
+        score "$reference" "$frames" "$made/%04d.exr" --preset none
+        rm -r "$made"
+        ;;
     real-time) score "$reference" "$frames" "$at/frame_%04d.exr" --preset general --extra-frames 0 ;;
     final-alone) score "$reference" "$frames" "$at/frame_%04d.exr" --preset final-frame --extra-frames 0 ;;
     quell) score "$reference" "$frames" "$at/frame_%04d.exr" ;;
+    *) score "$reference" "$frames" "$at/frame_%04d.exr" --preset "$name" ;;
     esac
 }
 for scene in "$@"; do

@@ -90,6 +90,22 @@ metrics::Picture Denoiser::estimate(io::ExrImage const& image, io::ChannelNames 
     return picture;
 }
 
+std::vector<std::string> Denoiser::guides() const {
+    std::vector<std::string> names;
+    for (auto const& guide : way.guides) names.push_back(guide.name);
+    return names;
+}
+
+metrics::Picture Denoiser::guide(std::string const& name) {
+    metrics::Picture picture{size, std::vector<glm::vec3>(static_cast<std::size_t>(size.pixels()))};
+    std::ptrdiff_t constexpr pixel = sizeof(glm::vec3);
+    code->copy_guide(name, {.data = reinterpret_cast<std::byte*>(picture.pixels.data()),
+                            .component_stride = sizeof(float),
+                            .pixel_stride = pixel,
+                            .row_stride = pixel * size.width});
+    return picture;
+}
+
 void Denoiser::release_scratch() {
     window.clear(), spare.clear(), images.clear();
     code->release_scratch();

@@ -70,6 +70,10 @@ public:
     /// @param shown    null: without later frames
     [[nodiscard]] metrics::Picture estimate(io::ExrImage const& image, io::ChannelNames const& names, long long number, int left_out,
                                             Denoiser const* shown);
+    /// Names of the guides that it accumulates with the light.
+    [[nodiscard]] std::vector<std::string> guides() const;
+    /// One of them, of the frame that it has denoised last.
+    [[nodiscard]] metrics::Picture guide(std::string const& name);
     /// Forgets all frames so far.
     void forget() { code->forget(); }
     /// What it remembers; nothing where that is nothing, or not of one signal.

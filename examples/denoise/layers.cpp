@@ -82,10 +82,10 @@ bool LayerChoice::keeps(std::string const& part, std::string const& channel) con
 
 void LayerChoice::check(io::ExrListing const& file) const {
     for (auto const& name : names) {
-        if (name == "all" || name == "picture" || name == "signals") continue;
+        if (name == "all" || name == "picture" || name == "signals" || name == "guides") continue;
         if (std::ranges::none_of(file.channels, [&](auto const& c) { return is_named(name, c.part_name, c.in_part); }))
             throw Error("--layers", "there is no layer '" + name + "' in " + file.name,
-                        "choose any of: all, picture, signals" + list_of_layers(file));
+                        "choose any of: all, picture, signals, guides" + list_of_layers(file));
     }
 }
 
@@ -217,6 +217,11 @@ io::ExrChanges changes_for(DenoisedFrame& frame, io::ExrListing const& file, io:
         if (layers.has_picture() || layers.keeps(name_of(places[c].part), places[c].name)) put(places[c], frame.picture, c);
     if (alpha && !frame.alpha.empty() && layers.has_picture())
         changes.numbers.push_back({alpha->part, alpha->name, alpha->type, frame.alpha});
+    for (auto const& guide : frame.guides)
+        for (std::size_t c = 0; c < 3 && layers.has_guides(); ++c) {
+            auto const name = io::detail::with_eye(names.layer + guide.name + "." + guide.components[c], names.eye);
+            put(place_of(name, file, names, io::SampleType::half), guide.values, c);
+        }
     auto const signals = signal_channels(names);
     for (std::size_t s = 0; s < signals.size() && layers.has_signals(); ++s)
         for (std::size_t c = 0; c < 3; ++c) put(place_of(signals[s][c], file, names, io::SampleType::float32), frame.signals[s], c);

@@ -17,11 +17,13 @@ class LayerChoice {
     std::vector<std::string> names;
 
 public:
-    /// Any of: all, picture, signals, and names of layers, channels or parts. Empty: all.
+    /// Any of: all, picture, signals, guides, and names of layers, channels or parts. Empty: all.
     explicit LayerChoice(std::vector<std::string> names_) : names(std::move(names_)) {}
 
     [[nodiscard]] bool has_picture() const { return has("picture"); }
     [[nodiscard]] bool has_signals() const { return has("signals"); }
+    /// Whether guides that were accumulated are written.
+    [[nodiscard]] bool has_guides() const { return has("guides"); }
     [[nodiscard]] bool is_signals_only() const { return names == std::vector<std::string>{"signals"}; }
     /// Whether a channel of the input goes on into the output.
     [[nodiscard]] bool keeps(std::string const& part, std::string const& channel) const;

@@ -60,7 +60,8 @@ void describe(CLI::App& app, DenoiseOptions& options) {
     app.add_option(
            "--layers", options.layers,
            "Which layers to write: any of all, picture (the denoised image and its alpha), signals (what each denoised signal adds to "
-           "it), and names of the input's layers, channels or parts (default: all)")
+           "it), guides (mean_albedo and mean_normal, of the preset accumulated), and names of the input's layers, channels or parts "
+           "(default: all)")
         ->delimiter(',');
     app.add_option("--preset", options.preset,
                    "How to denoise; --list names them (default: what suits the files' channels: blur where they have "

@@ -161,6 +161,7 @@ void SequenceDenoiser::release_scratch() {
     for (auto const& each : choices)
         if (each) each->release_scratch();
     if (whole) whole->release_scratch();
+    if (guides) guides->release_scratch();
 }
 
 void SequenceDenoiser::forget() {
@@ -169,6 +170,7 @@ void SequenceDenoiser::forget() {
     denoisers.clear();
     choices = {};
     whole.reset();
+    guides.reset();
     window.clear();
     last.reset();
     film.forget();
@@ -216,6 +218,7 @@ double SequenceDenoiser::milliseconds() const {
         if (denoiser) sum += denoiser->milliseconds();
     for (auto const& choice : choices)
         if (choice) sum += choice->milliseconds();
+    if (guides) sum += guides->milliseconds();
     return whole ? sum + whole->milliseconds() : sum;
 }
 
@@ -225,6 +228,7 @@ double SequenceDenoiser::bytes_per_pixel() const {
         if (denoiser) sum += denoiser->bytes_per_pixel();
     for (auto const& choice : choices)
         if (choice) sum += choice->bytes_per_pixel();
+    if (guides) sum += guides->bytes_per_pixel();
     return whole ? sum + whole->bytes_per_pixel() : sum;
 }
 
@@ -367,6 +371,7 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
     frame.picture = composite(image, split, denoised, missing, frame.signals,
                               [&](std::size_t s, metrics::Picture const* light) { return anti_aliasing.product(s, light); });
     if (front.mixes) mix_with_picture(frame);
+    if (accumulates_guides(settings.preset)) accumulate_guides(frame);
     if (!has_several_signals(on_canvas)) frame.signals.clear(); // it is the picture
     if (!alpha.empty()) denoise_alpha(frame, front, split);
     add_as_in_file(frame, image, split);
@@ -390,6 +395,12 @@ void SequenceDenoiser::mix_with_picture(DenoisedFrame& frame) {
         auto const off = (as_one.pixels[i] - frame.picture.pixels[i]) * 0.5f;
         if (is_finite(off.x) && is_finite(off.y) && is_finite(off.z)) frame.picture.pixels[i] += off, rest[i] += off;
     }
+}
+
+/// Frames that follow want those before, whether or not they are shown.
+void SequenceDenoiser::accumulate_guides(DenoisedFrame& frame) {
+    if (!guides) guides.emplace(settings.preset, settings.threads);
+    frame.guides = guides->next(window.front().image, on_canvas, window.front().number);
 }
 
 /// Layers are added up with what the file adds: of what a split takes of that, or scales down, the rest has the difference.

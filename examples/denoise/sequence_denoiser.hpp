@@ -1,5 +1,6 @@
 #pragma once
 
+#include <denoise/accumulated_guides.hpp>
 #include <denoise/anti_alias.hpp>
 #include <denoise/denoiser.hpp>
 #include <denoise/film_alpha.hpp>
@@ -38,6 +39,7 @@ struct DenoisedFrame {
     metrics::Picture picture;              ///< linear
     std::vector<metrics::Picture> signals; ///< times their factors: what each adds to the picture
     std::vector<float> alpha;              ///< of the film; empty where the files have none
+    std::vector<AccumulatedGuide> guides;  ///< where the preset accumulates them
 
     /// What is added to the signals at a pixel, in order; zeros where some of it is not finite.
     /// @param component from 0 to 2
@@ -106,10 +108,11 @@ private:
     std::vector<std::unique_ptr<Denoiser>> denoisers; ///< one per signal, and one of the rest; null before there was light for it
     /// Between light with history and without, for all signals: without alpha, and with it. Null before they were wanted.
     std::array<std::unique_ptr<HistoryChoice>, 2> choices;
-    std::unique_ptr<Denoiser> whole; ///< of the picture beside its signals; null before it was wanted
-    bool was_as_one = false;         ///< whether the last frame was filtered as one picture
-    std::optional<long long> last;   ///< number of the frame that was denoised last
-    std::string alpha;               ///< the plane of the film's alpha; empty: none
+    std::optional<PictureGuides> guides; ///< where the preset accumulates them; none before the first frame
+    std::unique_ptr<Denoiser> whole;     ///< of the picture beside its signals; null before it was wanted
+    bool was_as_one = false;             ///< whether the last frame was filtered as one picture
+    std::optional<long long> last;       ///< number of the frame that was denoised last
+    std::string alpha;                   ///< the plane of the film's alpha; empty: none
     FilmAlpha film;
     bool alpha_stays = false; ///< whether some film was transparent whose alpha the preset can't denoise
     long long missing = 0;
@@ -145,6 +148,7 @@ private:
     [[nodiscard]] metrics::Picture chosen(std::size_t signal, io::ExrImage const& image, io::ChannelNames const& names, long long number,
                                           std::optional<HistoryContents> const& before, metrics::Picture const& with_history);
     void mix_with_picture(DenoisedFrame& frame);
+    void accumulate_guides(DenoisedFrame& frame);
     [[nodiscard]] Seen seen(io::ExrOriginal const& file, long long number) const;
     void hand_over(FramePattern const& in);
     [[nodiscard]] bool is_inside(Region const& other) const;

@@ -32,6 +32,12 @@ template <class From, class To> struct CopyJob {
 template <class P> struct KeptChannels { using type = typename P::keeps; };
 template <class... Ps> struct KeptChannels<quell::Composite<Ps...>> { using type = quell::union_of<typename Ps::keeps...>; };
 
+/// The guides that a pipeline accumulates; of composites none.
+template <class P> struct GuidesOf {
+    using type = quell::common_to<quell::Channels<quell::MeanAlbedo, quell::MeanNormal>, typename P::keeps>;
+};
+template <class... Ps> struct GuidesOf<quell::Composite<Ps...>> { using type = quell::Channels<>; };
+
 /// Whether it is a pipeline, with a history, and no composite.
 template <class P> inline constexpr bool has_one_history = false;
 template <quell::ChannelTag S, class... Parts>
@@ -60,14 +66,12 @@ protected:
     /// From now on images that this thread makes lie in the caller's memory.
     void use_memory() const { CallersMemory::current() = memory; }
 
-    static auto target_of(Image const& image, quell::Extent size) {
-        return HostTarget<P::Output::components>{image.data,       size,         image.component_stride, image.pixel_stride,
-                                                 image.row_stride, image.is_half};
+    template <int N = P::Output::components> static auto target_of(Image const& image, quell::Extent size) {
+        return HostTarget<N>{image.data, size, image.component_stride, image.pixel_stride, image.row_stride, image.is_half};
     }
-    void copy(quell::ImageView auto const& from, Image const& output) const {
-        auto const to = target_of(output, from.size);
-        executor.for_each_pixel({0, 0, from.size.width, from.size.height},
-                                CopyJob<std::remove_cvref_t<decltype(from)>, std::remove_const_t<decltype(to)>>{from, to});
+    template <quell::ImageView From> void copy(From const& from, Image const& output) const {
+        auto const to = target_of<From::components>(output, from.size);
+        executor.for_each_pixel({0, 0, from.size.width, from.size.height}, CopyJob<From, std::remove_const_t<decltype(to)>>{from, to});
     }
     /// Makes a frame of the caller's images.
     /// @param is_whole is_whole(channel): whether an image has to be there as a whole
@@ -103,6 +107,7 @@ template <class P, quell::ImageStorage Storage = OwnImages> class OneSided final
 public:
     using reads = typename P::reads;
     using Optional = quell::Channels<>;
+    using Guides = typename GuidesOf<P>::type;
 
     OneSided(P const& p, quell::Extent size, Parallel const& parallel, Memory const& m)
         : Base(p, parallel, m), frame(size), history(size, p, Storage{}), whole(read_from_afar(quell::plan_of(p))) {}
@@ -143,6 +148,14 @@ public:
         });
         return images;
     }
+    bool copy_guide([[maybe_unused]] std::string_view name, [[maybe_unused]] Image const& output) override {
+        bool found = false;
+        if (history.statistics().frames > 0)
+            for_each_channel(Guides{}, [&](auto guide) {
+                if (name == guide.name) this->copy(history[guide], output), found = true;
+            });
+        return found;
+    }
     [[nodiscard]] std::optional<quell::HistoryContents> remembered() const override {
         if constexpr (has_one_history<P>)
             return contents_of(history);
@@ -163,6 +176,7 @@ template <class P> class TwoSided final : public DenoiserBase<P> {
 public:
     using reads = decltype(typename P::reads{} | quell::TwoSided::reads{});
     using Optional = quell::Channels<quell::MotionNext, quell::SampleCount, quell::SampleVariance>;
+    using Guides = quell::Channels<>;
 
 private:
     using OneFrame = quell::Frame<reads, HostImages>;
@@ -248,6 +262,9 @@ template <class Made, class P> Way way_of() {
     Way way{.output_components = P::Output::components, .needs_camera = P::needs_camera};
     quell::for_each_channel(typename Made::reads{}, [&]<class C>(C c) {
         way.channels.push_back({std::string(c.name), c.components, c.fraction, Made::Optional::template has<C>});
+    });
+    quell::for_each_channel(typename Made::Guides{}, [&](auto guide) {
+        way.guides.push_back({std::string(guide.name), guide.components});
     });
     return way;
 }

@@ -50,6 +50,10 @@ public:
     [[nodiscard]] virtual bool has_debug_view(std::string_view view) const = 0;
     /// What that channel shows of the last frame.
     [[nodiscard]] virtual std::vector<quell::DebugImage> debug_images(std::string_view view) = 0;
+    /// Copies a guide that it has accumulated, of the frame that was denoised last, by its channel's name: one of Way::guides. Returns
+    /// false where there is none, as before the first frame.
+    /// @param output written; of the frame's size
+    virtual bool copy_guide(std::string_view /*name*/, Image const& /*output*/) { return false; }
     /// What it remembers; nothing where that is nothing, or not of one signal.
     [[nodiscard]] virtual std::optional<quell::HistoryContents> remembered() const = 0;
     /// Makes it remember what another one of the same preset did, of a picture with or without alpha.
@@ -64,9 +68,16 @@ struct ReadChannel {
     bool optional = false; ///< frames may lack it
 };
 
+/// A guide that a denoiser accumulates, for what comes behind it.
+struct MadeGuide {
+    std::string name{};
+    int components = 0;
+};
+
 /// A preset compiled for one purpose.
 struct Way {
     std::vector<ReadChannel> channels{};
+    std::vector<MadeGuide> guides{}; ///< that it accumulates
     int output_components = 0;
     bool needs_camera = false;
     std::vector<std::string> (*passes)() = nullptr; ///< their names, in order

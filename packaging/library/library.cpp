@@ -290,6 +290,31 @@ int32_t quell_channel_is_optional(quell_denoiser const* denoiser, char const* na
 }
 int32_t quell_output_components(quell_denoiser const* denoiser) { return denoiser != nullptr ? denoiser->way->output_components : 0; }
 int32_t quell_needs_camera(quell_denoiser const* denoiser) { return denoiser != nullptr && denoiser->way->needs_camera ? 1 : 0; }
+char const* quell_guide_name(quell_denoiser const* denoiser, int32_t index) {
+    if (denoiser == nullptr || index < 0) return nullptr;
+    auto const& all = denoiser->way->guides;
+    return static_cast<std::size_t>(index) < all.size() ? all[static_cast<std::size_t>(index)].name.c_str() : nullptr;
+}
+quell_status quell_copy_guide(quell_denoiser* denoiser, char const* name, quell_image const* image) {
+    return guarded([&]() -> quell_status {
+        if (denoiser == nullptr || name == nullptr || image == nullptr)
+            return fail(QUELL_INVALID_ARGUMENT, "quell_copy_guide: an argument is null; give a denoiser, a name and an image");
+        auto const& all = denoiser->way->guides;
+        auto const found = std::ranges::find(all, name, &Channel::name);
+        if (found == all.end())
+            return fail(QUELL_NOT_SUPPORTED, "quell_copy_guide: '" + denoiser->preset->name + "' accumulates no '" + name + "'; " +
+                                                 (all.empty() ? "the preset accumulated does"
+                                                              : "give one of: " + joined(all, [](auto const& each) { return each.name; })));
+        Running const running(*denoiser);
+        if (!running.first) return fail(QUELL_BUSY, "quell_copy_guide: another thread runs this denoiser; wait for it");
+        Image to;
+        if (auto const wrong = take(to, *image, "guide '" + found->name + "'", found->components, denoiser->width); !wrong.empty())
+            return fail(QUELL_INVALID_ARGUMENT, wrong);
+        std::string error;
+        auto const outcome = denoiser->instance->copy_guide(found->name, to, error);
+        return outcome == Outcome::ok ? QUELL_OK : fail(status_of(outcome), "quell_copy_guide: " + error);
+    });
+}
 char const* quell_instruction_set(quell_denoiser const* denoiser) { return denoiser != nullptr ? denoiser->code->name : ""; }
 char const* quell_plan(quell_denoiser const* denoiser) {
     if (denoiser == nullptr) return "";

@@ -75,6 +75,8 @@ public:
     /// Denoises the first of some frames, with those after it where it makes use of them.
     /// @param error what is wrong, where it is not ok
     virtual Outcome run(std::vector<Frame> const& frames, Image const& output, std::string& error) noexcept = 0;
+    /// Copies a guide that it has accumulated, of the frame that was denoised last. Invalid where there is none.
+    virtual Outcome copy_guide(std::string const& name, Image const& output, std::string& error) noexcept = 0;
     virtual void forget() noexcept = 0;
     [[nodiscard]] virtual Statistics statistics() const noexcept = 0;
 };
@@ -82,6 +84,7 @@ public:
 /// A preset as code for one purpose.
 struct PresetWay {
     std::vector<Channel> channels{};
+    std::vector<Channel> guides{}; ///< that it accumulates
     int output_components = 0;
     bool needs_camera = false;
     std::string (*plan)() = nullptr;

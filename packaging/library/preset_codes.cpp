@@ -66,6 +66,12 @@ public:
             jitter_then = window.front().camera.jitter;
         });
     }
+    Outcome copy_guide(std::string const& name, Image const& output, std::string& error) noexcept override {
+        bool is_there = false;
+        auto const outcome = caught(error, [&] { is_there = denoiser->copy_guide(name, output); });
+        if (is_there || outcome != Outcome::ok) return outcome;
+        return failed(error, "no frame has been run: run one, whose guides are then there", Outcome::invalid);
+    }
     void forget() noexcept override { denoiser->forget(); }
     [[nodiscard]] Statistics statistics() const noexcept override {
         auto const counted = denoiser->statistics();
@@ -99,6 +105,7 @@ private:
 PresetWay way_of(Way const& way) {
     PresetWay code{.output_components = way.output_components, .needs_camera = way.needs_camera, .plan = way.plan};
     for (auto const& channel : way.channels) code.channels.push_back({channel.name, channel.components, channel.optional});
+    for (auto const& guide : way.guides) code.guides.push_back({guide.name, guide.components});
     code.make = [&way](int width, int height, Motion const& motion, Parallel const& parallel, Memory const& memory, Outcome& outcome,
                        std::string& error) {
         std::unique_ptr<Instance> made;

@@ -182,6 +182,9 @@ QUELL_CALL int32_t quell_channel_components(const quell_denoiser *denoiser, cons
 QUELL_CALL int32_t quell_output_components(const quell_denoiser *denoiser);
 /* Whether frames must have a camera. */
 QUELL_CALL int32_t quell_needs_camera(const quell_denoiser *denoiser);
+/* Names of the guides that it accumulates with the light, for a denoiser behind it; null behind the last. The preset accumulated has
+ * mean_albedo and mean_normal, of three components each. */
+QUELL_CALL const char *quell_guide_name(const quell_denoiser *denoiser, int32_t index);
 /* What it is compiled for. */
 QUELL_CALL const char *quell_instruction_set(const quell_denoiser *denoiser);
 /* Its passes in order, what each reads and writes, and memory: a table in Markdown. Valid as long as the denoiser is. */
@@ -194,6 +197,8 @@ QUELL_CALL quell_status quell_run(quell_denoiser *denoiser, const quell_frame *f
  * last ones have fewer frames after them. Two frames after the first are enough. Where frames lack the optional channel motion_next, it is
  * made of the next frame's motion. The denoiser was made with settings.two_sided. */
 QUELL_CALL quell_status quell_run_two_sided(quell_denoiser *denoiser, const quell_frame *frames, size_t count);
+/* Copies a guide of the frame that was run last to an image of its size. */
+QUELL_CALL quell_status quell_copy_guide(quell_denoiser *denoiser, const char *name, const quell_image *image);
 /* Drops the history: for cuts and teleports. */
 QUELL_CALL quell_status quell_forget(quell_denoiser *denoiser);
 QUELL_CALL quell_status quell_get_statistics(const quell_denoiser *denoiser, quell_statistics *statistics);

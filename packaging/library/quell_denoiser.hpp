@@ -76,6 +76,12 @@ public:
     /// To floats, so many components of a pixel side by side, rows without gaps.
     void run(float* output, int components) { run(QUELL_PIXELS(output, components)); }
 
+    /// Copies a guide that was accumulated with the light to an image of the frame's size: mean_albedo or mean_normal of the preset
+    /// accumulated. @throws DenoiserError
+    void copy_guide(char const* name, quell_image const& image) { check(quell_copy_guide(denoiser, name, &image)); }
+    /// To floats, three components of a pixel side by side, rows without gaps.
+    void copy_guide(char const* name, float* pixels) { copy_guide(name, QUELL_PIXELS(pixels, 3)); }
+
     /// Drops the history: for cuts and teleports.
     void forget() { check(quell_forget(denoiser)); }
     /// Counts so far.

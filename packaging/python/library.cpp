@@ -110,6 +110,10 @@ public:
         if (PyErr_CheckSignals() != 0) throw py::error_already_set(); // Ctrl-C while it ran
     }
     void forget() { check(quell_forget(denoiser.get())); }
+    void copy_guide(std::string const& name, py::array const& out) {
+        auto const image = image_of("guide", out, 3, width, height);
+        check(quell_copy_guide(denoiser.get(), name.c_str(), &image));
+    }
     [[nodiscard]] py::tuple statistics() const {
         quell_statistics counted = QUELL_STATISTICS;
         check(quell_get_statistics(denoiser.get(), &counted));
@@ -175,6 +179,7 @@ PYBIND11_MODULE(_library, module) {
         .def(py::init<std::string const&, int, int, int, char const*, bool, bool, py::tuple const&>())
         .def("run", &Denoiser::run)
         .def("forget", &Denoiser::forget)
+        .def("copy_guide", &Denoiser::copy_guide)
         .def("statistics", &Denoiser::statistics)
         .def("channels", &Denoiser::channels)
         .def("output_components", &Denoiser::output_components)

@@ -79,6 +79,17 @@ TEST_CASE("another program's output is measured as a method's") {
     CHECK(rows["copy"]["bytes_per_pixel"].empty());
 }
 
+TEST_CASE("another program's time is what it says, or that of its run") {
+    Folder const folder;
+    auto const milliseconds = [&](std::string const& said) {
+        chart_small(small_options(folder.path, {"--external", std::string("copy=") + copy_frames + said}));
+        return std::stod(chart_in(folder.path)["copy"]["ms_per_frame"]);
+    };
+    CHECK(milliseconds("; echo 'milliseconds per frame: 1234.5'; echo done") == doctest::Approx(1234.5));
+    CHECK(milliseconds("; echo 'milliseconds per frame: 9'; echo 'milliseconds per frame: 2345'") == doctest::Approx(2345));
+    CHECK(milliseconds("; echo 'milliseconds per frame: few'; echo 'it took milliseconds per frame: 3456'") != doctest::Approx(3456));
+}
+
 TEST_CASE("another program that fails is named with what it said last, and so is one that writes nothing") {
     Folder const folder;
     auto const run = [&](std::string const& command) { return small_options(folder.path, {"--external", "other=" + command}); };

@@ -417,3 +417,37 @@ TEST_CASE("the C++ class: channels, plan, statistics, cuts, errors, moves") {
     CHECK((counted.frames == 1 && counted.resets == 2 && counted.missing_samples == 1 && counted.repaired_guides == 1));
     CHECK(counted.bytes > pixels * 50);
 }
+
+TEST_CASE("guides that a preset accumulates are copied: the means of the frames so far") {
+    auto const settings = settings_of("accumulated");
+    quell_denoiser* created = nullptr;
+    auto const status = quell_create(&settings, &created);
+    Owned const denoiser(created);
+    if (status == QUELL_UNKNOWN_PRESET) return; // the library was built for others
+    REQUIRE(status == QUELL_OK);
+    CHECK(quell_guide_name(denoiser.get(), 0) == std::string("mean_albedo"));
+    CHECK(quell_guide_name(denoiser.get(), 1) == std::string("mean_normal"));
+    CHECK(quell_guide_name(denoiser.get(), 2) == nullptr);
+    Wall wall;
+    std::vector<float> guide(pixels * 4, -1.f);
+    auto const image = QUELL_PIXELS(guide.data(), 4);
+    check_refused(quell_copy_guide(denoiser.get(), "mean_albedo", &image), QUELL_INVALID_ARGUMENT, {"no frame"});
+    for (float const albedo : {0.5f, 0.25f}) {
+        std::ranges::fill(wall.albedo, albedo);
+        std::ranges::fill(wall.rgb, albedo); // light of 1, which does not change
+        REQUIRE(quell_run(denoiser.get(), wall.ready()) == QUELL_OK);
+    }
+    REQUIRE(quell_copy_guide(denoiser.get(), "mean_albedo", &image) == QUELL_OK);
+    CHECK(guide[4 * 700 + 1] == doctest::Approx(0.375));
+    CHECK(guide[4 * 700 + 3] == -1.f);
+    REQUIRE(quell_copy_guide(denoiser.get(), "mean_normal", &image) == QUELL_OK);
+    CHECK(guide[4 * 700 + 2] == 1.f);
+
+    auto const two = QUELL_PIXELS(guide.data(), 2);
+    check_refused(quell_copy_guide(denoiser.get(), "mean_normal", &two), QUELL_INVALID_ARGUMENT, {"mean_normal", "2 components"});
+    check_refused(quell_copy_guide(denoiser.get(), "depth", &image), QUELL_NOT_SUPPORTED, {"depth", "mean_albedo"});
+    check_refused(quell_copy_guide(made().get(), "mean_normal", &image), QUELL_NOT_SUPPORTED, {"svgf", "the preset accumulated"});
+    check_refused(quell_copy_guide(denoiser.get(), nullptr, &image), QUELL_INVALID_ARGUMENT, {"null"});
+    CHECK(quell_guide_name(nullptr, 0) == nullptr);
+    CHECK(quell_guide_name(made().get(), 0) == nullptr);
+}

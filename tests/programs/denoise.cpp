@@ -515,3 +515,35 @@ TEST_CASE("svgf at least halves the FLIP of the Cycles sequence, and general lea
     CHECK(clean <= 0.5 * noisy);
     CHECK(best <= 0.85 * clean);
 }
+
+TEST_CASE("the preset accumulated writes guides beside its light, for a denoiser behind it") {
+    Folder const folder;
+    REQUIRE(trace("--scene room --size 48x32 --frames 4 --quiet --out '" + folder.path.string() + "'").code == 0);
+    auto const layers = std::array<std::string, 2>{"mean_albedo.R", "mean_normal.Z"};
+    auto const run = [&](std::string const& name, std::string const& options) {
+        auto const ran = denoise(input(folder) + output(folder, name + ".") + options);
+        INFO(ran.err);
+        REQUIRE(ran.code == 0);
+    };
+    run("light", "--preset accumulated");
+    auto const first = io::read_exr(folder / "light.0000.exr"), last = io::read_exr(folder / "light.0003.exr");
+    // Of one frame the means are that frame's guides.
+    for (auto const& [mean, own] : {std::pair{"mean_albedo.G", "albedo.G"}, {"mean_normal.X", "normal.X"}, {"mean_normal.Y", "normal.Y"}})
+        for (std::size_t i = 0; i < first.pixels(); ++i)
+            REQUIRE(first[mean].values[i] == doctest::Approx(first[own].values[i]).epsilon(0.002));
+    double change = 0;
+    for (std::size_t i = 0; i < last.pixels(); ++i)
+        change += static_cast<double>(std::abs(last["mean_normal.X"].values[i] - last["normal.X"].values[i]));
+    CHECK(change > 0); // the camera moves
+
+    run("picture", "--preset accumulated --layers picture");
+    run("guides", "--preset accumulated --layers guides");
+    run("none", "--preset none");
+    for (auto const& layer : layers) {
+        CHECK(last.find(layer));
+        CHECK(io::read_exr(folder / "guides.0003.exr").find(layer));
+        CHECK(!io::read_exr(folder / "picture.0003.exr").find(layer));
+        CHECK(!io::read_exr(folder / "none.0003.exr").find(layer));
+    }
+    CHECK(!io::read_exr(folder / "guides.0003.exr").find("R"));
+}

@@ -34,6 +34,19 @@ class Results(unittest.TestCase):
                 made = pictures(denoiser, frames)
                 self.assertTrue(same_bits(made.reshape(3, HEIGHT, WIDTH, -1), in_c(preset, frames)))
 
+    @unittest.skipUnless("accumulated" in quell.presets(), "skipped: guides, which want the preset accumulated")
+    def test_guides_are_the_means_of_the_frames(self):
+        denoiser = quell.Denoiser("accumulated", (HEIGHT, WIDTH))
+        with self.assertRaisesRegex(quell.Error, "no frame"):
+            denoiser.guide("mean_albedo")
+        for albedo in (0.5, 0.25):
+            colour = np.full((HEIGHT, WIDTH, 3), albedo, np.float32)
+            denoiser(dict(wall(HEIGHT, WIDTH), radiance=colour, albedo=colour))
+        self.assertEqual(denoiser.guide("mean_normal").shape, (HEIGHT, WIDTH, 3))
+        self.assertAlmostEqual(float(denoiser.guide("mean_albedo")[20, 30, 1]), 0.375, places=4)
+        with self.assertRaisesRegex(quell.Error, "mean_normal"):
+            denoiser.guide("depth")
+
     def test_the_example_gives_the_bits_of_c(self):
         example = runpy.run_path(str(EXAMPLES / "denoise.py"))
         random = np.random.default_rng(1)

@@ -28,6 +28,16 @@ struct Variance : InternalChannel<1> {
 struct CleanUpDeviation : InternalChannel<1> {
     static constexpr auto name = "clean_up_deviation"; ///< for messages
 };
+/// Mean of the albedo of the frames that a pixel's history is the mean of.
+struct MeanAlbedo : InternalChannel<3> {
+    static constexpr auto name = "mean_albedo"; ///< for messages
+    static constexpr bool of_guides = true;     ///< there where the sample is missing
+};
+/// Mean of their normals: shorter than 1 where they differ, as at edges. 0 for misses.
+struct MeanNormal : InternalChannel<3> {
+    static constexpr auto name = "mean_normal"; ///< for messages
+    static constexpr bool of_guides = true;     ///< there where the sample is missing
+};
 
 // What code indexes with: px[history_length].
 /// @cond
@@ -36,6 +46,8 @@ inline constexpr LuminanceMean luminance_mean;
 inline constexpr LuminanceVariance luminance_variance;
 inline constexpr Variance variance;
 inline constexpr CleanUpDeviation clean_up_deviation;
+inline constexpr MeanAlbedo mean_albedo;
+inline constexpr MeanNormal mean_normal;
 /// @endcond
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -8,6 +8,12 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 struct Missing {}; ///< stands for a policy that was forgotten
+
+/// Whether a kept channel is of guides, which a pixel has where its sample is missing.
+template <class C> inline constexpr bool is_of_guides = false;
+template <class C>
+    requires is_constant<decltype(&C::of_guides), bool>
+inline constexpr bool is_of_guides<C> = C::of_guides;
 } // namespace detail
 
 /// The temporal stage: a motion source finds the history, a fetch interpolates it, a blend policy blends it with the new sample.
@@ -63,12 +69,17 @@ private:
         }
     }
     /// Missing samples: the history goes on, as far as it is valid. Without a history the neighbours' mean stands in, and what is kept
-    /// becomes 0, so that the next sample counts fully. (Exponential keeps no length: it blends the next sample with alpha as ever.)
+    /// becomes 0, so that the next sample counts fully. (Exponential keeps no length: it blends the next sample with alpha as ever.) What
+    /// is kept of guides is there without a sample.
     template <class R> QUELL_KERNEL static void keep_past(auto missing, auto const& px, auto const& past, R& result) {
         auto const present = past.validity > decltype(past.validity)(0.f);
         result.value = select(missing, select(present, past.signal, px.signal()), result.value);
         for_each_channel(typename decltype(past.kept)::channels{}, [&](auto c) QUELL_INLINED {
-            if constexpr (decltype(result.more)::channels::template has<decltype(c)>)
+            if constexpr (!decltype(result.more)::channels::template has<decltype(c)>)
+                return;
+            else if constexpr (detail::is_of_guides<decltype(c)>)
+                result.more.set(c, select(both(missing, present), past[c], result.more[c]));
+            else
                 result.more.set(c, select(missing, select(present, gone_on(c, past), zero<decltype(past[c])>()), result.more[c]));
         });
     }

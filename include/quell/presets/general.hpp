@@ -3,6 +3,7 @@
 #include <quell/blend/clamped.hpp>
 #include <quell/blend/exponential.hpp>
 #include <quell/blend/running_mean.hpp>
+#include <quell/blend/with_guides.hpp>
 #include <quell/blend/with_moments.hpp>
 #include <quell/blend/with_variance.hpp>
 #include <quell/filter/atrous.hpp>
@@ -80,6 +81,16 @@ template <class S> constexpr auto final_frame(S signal, auto... options) {
 /// final_frame() with joined_history: the second argument of run_two_sided().
 template <ChannelTag S> constexpr auto final_frame_joining(S signal, auto... options) {
     return general_with(joined_history, final_frame_filter<S>, signal, options...);
+}
+
+/// History of accumulated(). A network removes more noise than the wavelet of general() does, but no bias: less of that is accepted.
+inline constexpr ForgetBiased<RunningMean> accumulated_history{.inner = {.cap = 24.f}, .gain = 1000.f};
+
+/// general() up to its history, for a denoiser behind quell, such as a network: light as it was accumulated, multiplied by the albedo
+/// again, and guides accumulated with it (WithGuides), which the history holds: `history[mean_albedo]`, `history[mean_normal]`.
+constexpr auto accumulated(auto signal, auto... options) {
+    return Pipeline{signal, options..., Spatial{BiasEstimate<>{}},
+                    Temporal{SurfaceMotion{}, WithGuides{WithVariance{accumulated_history}}}};
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::presets

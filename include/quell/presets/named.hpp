@@ -66,6 +66,7 @@ inline constexpr std::tuple list{
                 [](auto... a) { return general_joining(a...); }},
     NamedPreset{"final-frame", PresetGroup::general, any_signal, [](auto... a) { return final_frame(a...); },
                 [](auto... a) { return final_frame_joining(a...); }},
+    NamedPreset{"accumulated", PresetGroup::general, any_signal, [](auto... a) { return accumulated(a...); }},
 
     NamedPreset{"shadow", PresetGroup::effects, Visibility{}, [](auto... a) { return shadow(a...); }},
     NamedPreset{"glossy", PresetGroup::effects, Glossy{}, [](auto... a) { return glossy(a...); }},

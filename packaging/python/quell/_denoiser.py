@@ -111,6 +111,15 @@ class Denoiser:
         self._denoiser.run(frames, written)
         return out
 
+    def guide(self, name: str) -> Array:
+        """A guide that was accumulated with the light of the last frame, for a denoiser behind this one: a new array of three components.
+
+        name: mean_albedo or mean_normal of the preset accumulated.
+        """
+        out = np.empty((*self._size, 3), np.float32)
+        self._denoiser.copy_guide(name, out)
+        return out
+
     def forget(self) -> None:
         """Drops the history: for cuts and teleports."""
         self._denoiser.forget()

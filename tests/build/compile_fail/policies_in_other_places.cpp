@@ -11,6 +11,7 @@
 // error: Temporal{motion, blend}: `blend` must have blend(px, past), see quell/blend/blend_policy.hpp
 // error: Temporal{motion, blend}: `motion` must have previous(px), see quell/motion/motion_source.hpp
 // error: WithCleanUp{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp
+// error: WithGuides{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp
 // error: WithMoments{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp
 // error: WithVariance{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp
 // error: Pipeline{channel, options..., stages...}: each must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{}, SuppressFireflies{},
@@ -40,6 +41,7 @@ constexpr VarianceGuidedAtrous guided{PART(NormalEdge, RunningMean){}};
 constexpr Product edges{NormalEdge{}, PART(DepthEdge, RunningMean){}};
 constexpr Clamped clamped{PART(RunningMean, StillMotion){}};
 constexpr WithCleanUp with_clean_up{PART(RunningMean, StillMotion){}};
+constexpr WithGuides with_guides{PART(RunningMean, StillMotion){}};
 constexpr WithMoments with_moments{PART(RunningMean, StillMotion){}};
 constexpr WithVariance with_variance{PART(RunningMean, StillMotion){}};
 constexpr ForgetBiased forgetting{PART(RunningMean, Exponential){}};

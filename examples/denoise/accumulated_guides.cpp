@@ -1,0 +1,71 @@
+#include <denoise/accumulated_guides.hpp>
+#include <denoise/light_split.hpp>
+
+#include <quell/core/real.hpp>
+#include <quell/frame/kept_channels.hpp>
+
+#include <algorithm>
+
+namespace quell::examples {
+
+namespace {
+
+/// Puts a picture among an image's planes.
+std::vector<io::Source> put(io::ExrImage& image, std::string const& name, metrics::Picture const& picture) {
+    std::vector<io::Source> sources;
+    for (int c = 0; c < 3; ++c) {
+        io::Plane plane{.name = "quell:" + name + "." + "RGB"[c], .values = {}};
+        for (auto const& pixel : picture.pixels) plane.values.push_back(pixel[c]);
+        sources.push_back({{plane.name}});
+        image.planes.push_back(std::move(plane));
+    }
+    return sources;
+}
+bool has(io::ExrImage const& image, std::vector<io::Source> const& sources) {
+    return std::ranges::all_of(io::planes_of(sources), [&](auto const& plane) { return image.find(plane) != nullptr; });
+}
+/// What a signal's light is multiplied by: its factor, or else the albedo that it holds.
+metrics::Picture colour_of(io::ExrImage const& image, io::SignalNames const& signal) {
+    if (!signal.factor.empty()) return picture_of(image, signal.factor, 1.f);
+    return picture_of(image, io::sources_of(signal.channels, albedo), 1.f);
+}
+/// A signal without a colour, such as light in a volume, says nothing of the surface.
+bool has_colour(io::SignalNames const& signal) {
+    auto const own = io::sources_of(signal.channels, albedo);
+    return !signal.factor.empty() || !std::ranges::all_of(own, [](auto const& source) { return source.sum.empty(); });
+}
+
+} // namespace
+
+PictureGuides::PictureGuides(Preset p, int t) : preset(std::move(p)), threads(t) {}
+
+std::vector<AccumulatedGuide> PictureGuides::next(io::ExrImage& image, io::SequenceNames const& names, long long number) {
+    auto colours = picture_of(image, names.added, 0.f); // what shines, and what lies behind everything, is its own albedo
+    for (auto& pixel : colours.pixels) pixel = glm::clamp(pixel, 0.f, 1.f);
+    auto light = picture_of(image, names.added, 0.f);
+    for (auto const& signal : names.of_signals) {
+        auto const colour = colour_of(image, signal), of_signal = picture_of(image, io::sources_of(signal.channels, radiance), 0.f);
+        bool const is_factor = !signal.factor.empty(), counts = has_colour(signal);
+        for (std::size_t i = 0; i < light.pixels.size(); ++i) {
+            light.pixels[i] += is_factor ? of_signal.pixels[i] * colour.pixels[i] : of_signal.pixels[i];
+            if (counts) colours.pixels[i] += colour.pixels[i];
+        }
+    }
+    bool const has_none = names.added.empty() && std::ranges::none_of(names.of_signals, has_colour);
+    for (auto& pixel : colours.pixels) pixel = has_none ? glm::vec3(1.f) : glm::min(pixel, glm::vec3(1.f));
+    auto channels = names.of_signals[0].channels;
+    channels.sources["radiance"] = !names.picture.empty() && has(image, names.picture) ? names.picture : put(image, "guided light", light);
+    channels.sources["albedo"] = put(image, "guided albedo", colours);
+    if (!denoiser) denoiser = std::make_unique<Denoiser>(way_of(preset), image.size, threads);
+    static_cast<void>(denoiser->denoise(image, channels, number));
+    std::vector<AccumulatedGuide> guides;
+    for (auto const& name : denoiser->guides())
+        guides.push_back({name, name == mean_normal.name ? std::array{"X", "Y", "Z"} : std::array{"R", "G", "B"}, denoiser->guide(name)});
+    return guides;
+}
+
+void PictureGuides::release_scratch() {
+    if (denoiser) denoiser->release_scratch();
+}
+
+} // namespace quell::examples
