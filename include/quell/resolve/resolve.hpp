@@ -10,7 +10,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// How much a sample tells about an output pixel: a Gaussian of the distance between the two. Kernels of a Resolve have weight(d2).
 struct GaussianKernel {
-    float deviation = 0.5f; ///< in output pixels, > 0
+    float deviation = 0.4f; ///< in output pixels, > 0
 
     /// 1 at the pixel's centre.
     /// @param squared_distance in output pixels
@@ -39,7 +39,7 @@ concept WeighsDistance = requires(K const& kernel) {
 /// @tparam Axes       the colour space in which the past is clamped: YCoCg or Rgb
 /// @tparam Sharpening what happens to the output: NoSharpening or Sharpen
 /// @tparam frames     how many frames of the past are kept, 1 to 15
-template <class Kernel = GaussianKernel, class Range = MeanDeviation, class Axes = YCoCg, class Sharpening = NoSharpening, int frames = 6>
+template <class Kernel = GaussianKernel, class Range = MeanDeviation, class Axes = YCoCg, class Sharpening = NoSharpening, int frames = 8>
 struct Resolve {
     static_assert(detail::WeighsDistance<Kernel>,
                   "Resolve{kernel, range, axes, sharpening}: `kernel` must have weight(squared distance), such as GaussianKernel{}");
@@ -211,7 +211,7 @@ template <class Policies, class Kept, class Ranges, class Target> struct Resolve
             auto const there = nearest_sample(then, where);
             Real const its_depth = there.at(then.depth, 0, 0);
             Real const weight = masked(both(known, its_depth >= nearest, its_depth <= farthest), sample_weight(then, where));
-            auto const colour = Axes::from(V(interpolate_bilinearly<Real>(then.colour, then.size, where)));
+            auto const colour = Axes::from(V(there.at(then.colour, 0, 0)));
             auto const clamped = map([](auto a, auto l, auto h) QUELL_INLINED { return clamp(a, l, h); }, colour, low, high);
             sum = add_scaled(sum, V(Axes::to(clamped)), weight);
             total = total + weight;
