@@ -2,8 +2,8 @@
 # The presets on an NVIDIA GPU: whether they agree with Serial over 8 frames, and what they cost.
 #   bench/cuda.sh build [folder]    with nvcc and without a GPU: makes folder/quell-cuda (and folder/example, the program of
 #                                   docs/using.md), which run on any machine with an NVIDIA driver, and folder/kernels.txt
-#   bench/cuda.sh run [folder]      on a machine with a GPU; minutes. The folder is build/cuda unless it is given.
-# NVCC names another compiler.
+#   bench/cuda.sh run [folder]      on a machine with a GPU; a minute. The folder is build/cuda unless it is given.
+# NVCC names another compiler, NVCC_FLAGS has more flags for it.
 set -euo pipefail
 command=${1:-}
 folder=$(realpath -m "${2:-$(dirname "$0")/../build/cuda}")
@@ -11,8 +11,9 @@ cd "$(dirname "$0")/.."
 units=2
 # One PTX for all GPUs since Ampere, and machine code for Hopper. 20012: GLM marks defaulted functions for the device, which nvcc remarks
 # on and ignores.
-flags=(-std=c++20 --expt-relaxed-constexpr -diag-suppress 20012 -Werror all-warnings -O1 -Iinclude -Xptxas -v
-    -gencode "arch=compute_80,code=[compute_80,sm_90]")
+flags=(-std=c++20 --expt-relaxed-constexpr -ftz=true -prec-div=false -prec-sqrt=false -diag-suppress 20012 -Werror all-warnings -O1
+    -Iinclude -Xptxas -v
+    -gencode "arch=compute_80,code=[compute_80,sm_90]" ${NVCC_FLAGS:-})
 static=(-cudart static -Xcompiler -static-libstdc++ -Xcompiler -static-libgcc)
 
 find_nvcc() {
@@ -45,7 +46,7 @@ list_kernels() {
     sed -n "s/.*Compiling entry function '\([^']*\)'.*/name \1/p; s/.*Used \([0-9]*\) registers.*, \([0-9]*\) bytes cumulative stack.*/used \1 \2/p
         s/.*Used \([0-9]*\) registers.*/used \1 0/p" "$@" |
         awk '$1 == "name" { name = $2 } $1 == "used" && name ~ /each_pixel/ { print $2, $3, name }' | c++filt |
-        sed -E 's/^([0-9]+ [0-9]+) void quell::cuda::detail::each_pixel<quell::cuda::detail::(PassJob<)?/\1 /; s/quell::cuda::(detail::)?//g' |
+        sed -E 's/^([0-9]+ [0-9]+) void quell::cuda::detail::each_pixel<quell::cuda::detail::(LateJob<quell::cuda::detail::)?(PassJob<)?/\1 /; s/quell::cuda::(detail::)?//g' |
         awk '{ depth = 0; pass = ""; text = $0; sub(/^[0-9]+ [0-9]+ /, "", text)
                for (i = 1; i <= length(text); ++i) { c = substr(text, i, 1)
                    if (c == "<") ++depth; if (c == ">") --depth; if (depth < 0 || (depth == 0 && c == ",")) break; pass = pass c }

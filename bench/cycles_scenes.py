@@ -5,6 +5,7 @@
 # lamp, train, brass have Position and IndexOB too; their passes are clean and complete. In the others colour passes, alpha or sums are not:
 #   fog (volume passes), dof (depth of field), film (transparent film), glass (no transmission passes), mblur (motion blur: Vector is 0),
 #   gamut (components below 0, wants python3-openimageio), and as controls leaves (outdoors) and tiles (indoors, fine textures).
+# Of bench/scoreboard.sh: street, office, crossing, night, fur, chrome.
 # bench/cycles.sh calls this.
 import bpy, sys, math, os, random
 name, out, spp, first, last, width, height = (lambda a: (a[0], a[1], *map(int, a[2:7])))(sys.argv[sys.argv.index("--") + 1:])
@@ -296,6 +297,105 @@ elif name == 'gamut':   # grey textures, and one red ball, under lamps of pure c
         move(l, 'location', [(1, (-3 + 3 * i, -1.5, 3)), (48, (-2 + 3 * i, -.5, 3))])
     eye, _ = camera((0, -5, 2), (0, .3, .7))
     move(eye, 'location', [(1, (-.2, -5, 2)), (48, (1, -5, 2))])
+elif name == 'street':  # outdoors under a pan: house fronts of fine texture, wires, poles, a fence, a tree, people-sized things walk
+    sky(.55, .7, .95)
+    add(P.primitive_plane_add, pattern('asphalt', (.1, .1, .11), (.3, .29, .28), 40), (0, 4, 0), (16, 12, 1))
+    for i, c in enumerate(((.7, .35, .25), (.75, .7, .55), (.45, .55, .65), (.65, .6, .3))):
+        add(P.primitive_cube_add, material('front%d' % i, c, .8, checker=22 + 6 * i), (-6 + 4 * i, 7 + .5 * (i % 2), 2), (1.9, .6, 2 + .4 * i))
+    for i in range(9): add(P.primitive_cylinder_add, material('pole', (.35, .33, .3), .6), (-6 + 1.5 * i, 2.4 + .6 * (i % 3), 1.3), (.025, .025, 1.3))
+    for i in range(5): add(P.primitive_cylinder_add, material('wire', (.05, .05, .05), .6), (0, 2.4 + .3 * i, 2.1 + .12 * i), (.008, .008, 9), (0, half, .02 * i))
+    for i in range(40): add(P.primitive_cube_add, material('fence', (.8, .78, .7), .7), (-5 + .25 * i, 1.4, .28), (.03, .02, .28))
+    for i in range(2):
+        o = strips('crown%d' % i, pattern('leaf%d' % i, (.04, .15, .03), ((.35, .5, .1), (.6, .45, .1))[i], 8), [(x + 2.4, y + 3, z) for x, y, z in places(200, 40 + i, (-1, -1, 1.4), (1, 1, 3))], .1, .26, i + 7)
+        move(o, 'rotation_euler', [(1 + 5 * k, (.02 * (-1) ** (k + i), .015 * (-1) ** k, 0)) for k in range(10)])
+    for i, c in enumerate(((.8, .2, .15), (.2, .4, .8), (.85, .75, .3))):
+        o = add(P.primitive_cylinder_add, material('walker%d' % i, c, .7, checker=5), (-2 + i, .6 + .5 * i, .5), (.16, .16, .5))
+        move(o, 'location', [(1, (-2.4 + 1.6 * i, .6 + .5 * i, .5)), (48, (1.2 + (-1.4) ** i, .6 + .5 * i, .5))])
+    light('SUN', (0, 0, 5), 3.2, .01, (math.radians(50), math.radians(30), 0), (1, .95, .85))
+    eye, target = camera((0, -4.4, 1.5), (0, 1, 1), 30)
+    move(eye, 'location', [(1, (.6, -4.4, 1.5)), (48, (-.8, -4.2, 1.5))])
+    move(target, 'location', [(1, (1.6, 1, 1)), (48, (-2.4, 1, 1.1))])
+elif name == 'office':  # indoors: a lamp swings, a screen flickers (and is dark from frame 15 to 17), a fan turns before a light
+    sky(.05, .06, .08)
+    add(P.primitive_plane_add, material('floor', (.5, .42, .34), .7, checker=14), (0, 0, 0), (4, 4, 1))
+    add(P.primitive_plane_add, material('back', (.78, .76, .7), .9), (0, 3, 1.5), (4, 1.5, 1), (half, 0, 0))
+    add(P.primitive_plane_add, material('left', (.7, .5, .42), .9), (-3, 0, 1.5), (1.5, 4, 1), (0, half, 0))
+    add(P.primitive_plane_add, material('top', (.8, .8, .8), .9), (0, 0, 3), (4, 4, 1))
+    add(P.primitive_cube_add, material('desk', (.5, .32, .2), .4), (-.3, 1.2, .75), (1.4, .6, .04))
+    for x in (-1.6, 1): add(P.primitive_cube_add, material('leg', (.3, .3, .3), .5), (x, 1.2, .36), (.05, .5, .36))
+    add(P.primitive_monkey_add, material('head', (.7, .6, .5), .5), (.6, 1.1, 1), (.25, .25, .25), (0, 0, .5))
+    add(P.primitive_cube_add, material('chair', (.2, .3, .5), .8), (.2, -.1, .4), (.3, .3, .4), (0, 0, .4))
+    screen = material('screen', (.5, .7, 1), emit=1)
+    add(P.primitive_plane_add, screen, (-.7, 1.4, 1.2), (.55, .34, 1), (half, 0, .15))
+    e = screen.node_tree.nodes['Principled BSDF'].inputs['Emission Strength']
+    for f in range(1, 49): e.default_value = 0 if f % 16 in (15, 0, 1) and f > 1 else 2 + 1.5 * (f * 7 % 5) / 4; e.keyframe_insert('default_value', frame=f)
+    for b in range(4):
+        o = add(P.primitive_cube_add, material('blade', (.6, .6, .62), .5), (1.6, .6, 2.2), (.62, .09, .015), (0, 0, b * half))
+        move(o, 'rotation_euler', [(1, (0, 0, b * half)), (48, (0, 0, b * half + 16))])
+    light('AREA', (1.6, .6, 2.9), 60, .35, color=(1, .95, .9))
+    lamp = light('POINT', (0, 0, 2), 45, .08, color=(1, .78, .5))
+    move(lamp, 'location', [(1, (-1.8, .2, 1.9)), (12, (.2, .2, 1.7)), (24, (-1.8, .2, 1.9)), (36, (.2, .2, 1.7)), (48, (-1.8, .2, 1.9))])
+    eye, _ = camera((1.4, -3.4, 1.7), (-.4, 1, 1), 26)
+    move(eye, 'location', [(1, (1.2, -3.4, 1.7)), (48, (1.9, -3.2, 1.7))])
+elif name == 'crossing':    # things pass before others in both directions, near and far, under one area light
+    sky(.12, .14, .18)
+    add(P.primitive_plane_add, material('floor', (.6, .6, .55), .8, checker=10), (0, 0, 0), (6, 6, 1))
+    add(P.primitive_plane_add, pattern('wall', (.3, .2, .15), (.75, .65, .5), 4), (0, 3, 0), (6, 6, 1), (half, 0, 0))
+    for i in range(3): add(P.primitive_monkey_add, material('head%d' % i, ((.8, .6, .3), (.4, .6, .7), (.7, .4, .5))[i], .5), (-1.8 + 1.8 * i, 1.6, .75), (.55, .55, .55), (0, 0, .4 * i - .4))
+    for i, (y, c) in enumerate(((-.9, (.2, .6, .3)), (-.2, (.75, .7, .2)), (.6, (.7, .25, .2)), (1, (.3, .35, .8)))):
+        o = add((P.primitive_cube_add, P.primitive_uv_sphere_add, P.primitive_torus_add, P.primitive_cylinder_add)[i], material('mover%d' % i, c, .6, checker=(0, 8, 0, 6)[i]), (0, y, .7), ((.25, .08, .7), (.35, .35, .35), (.4, .4, .4), (.15, .15, .7))[i], (0, 0, 0) if i != 2 else (half, 0, 0))
+        a = (-2.6, 2.4, -2, 3)[i]
+        move(o, 'location', [(1, (a, y, .7)), (24, (-a, y, .7)), (48, (a, y, .7))])
+    light('AREA', (-1.5, -2, 4), 220, 1.2, (math.radians(28), math.radians(-20), 0), (1, .95, .9))
+    camera((0, -4.8, 1.7), (0, .4, .75))
+elif name == 'night':   # a room at night: small lamps of many colours, one blinks, one sweeps like a lighthouse; the camera walks
+    sky(.004, .006, .012)
+    add(P.primitive_plane_add, pattern('floor', (.25, .15, .1), (.5, .35, .22), 12, 'Wave'), (0, 0, 0), (4, 4, 1))
+    add(P.primitive_plane_add, material('back', (.65, .65, .7), .9), (0, 3.2, 1.5), (4, 1.6, 1), (half, 0, 0))
+    add(P.primitive_plane_add, material('right', (.55, .65, .55), .9), (3, 0, 1.5), (1.5, 4, 1), (0, half, 0))
+    for i in range(6): add(P.primitive_cube_add, material('book%d' % i, ((.7, .2, .2), (.2, .3, .7), (.8, .7, .4))[i % 3], .7), (-2 + .5 * i, 2.4, .25 + .1 * (i % 3)), (.14, .3, .25 + .1 * (i % 3)), (0, 0, .1 * i))
+    add(P.primitive_monkey_add, material('head', (.8, .75, .7), .35), (.9, .8, .6), (.5, .5, .5), (0, 0, -.3))
+    add(P.primitive_torus_add, material('ring', (.8, .6, .3), .3, 1), (-1, .3, .5), (.45, .45, .45), (half, 0, .4))
+    for i in range(12): add(P.primitive_uv_sphere_add, material('bulb%d' % i, ((1, .6, .3), (.4, .6, 1), (.5, 1, .5))[i % 3], emit=6), (-2.6 + .45 * i, 2.9, 2 + .25 * math.sin(i)), (.05, .05, .05))
+    blink = material('blink', (1, .25, .2), emit=1)
+    add(P.primitive_cube_add, blink, (2.2, 1.8, .9), (.12, .12, .12))
+    e = blink.node_tree.nodes['Principled BSDF'].inputs['Emission Strength']
+    for f in range(1, 49): e.default_value = 12 * (f // 4 % 2); e.keyframe_insert('default_value', frame=f)
+    spot = light('SPOT', (0, -.5, 2.6), 260, .05, color=(1, .9, .7))
+    spot.data.spot_size = .8
+    move(spot, 'rotation_euler', [(1, (.9, 0, -1.2)), (24, (.9, 0, 1.2)), (48, (.9, 0, -1.2))])
+    eye, _ = camera((0, -3.6, 1.6), (.2, 1, .9), 28)
+    move(eye, 'location', [(1, (-.6, -3.6, 1.6)), (48, (.8, -3.4, 1.6))])
+elif name == 'fur':     # a hairy ball rolls past a hairy rug's edge; sunlight through a lattice that moves
+    sky(.3, .36, .45)
+    add(P.primitive_plane_add, pattern('floor', (.35, .25, .18), (.65, .5, .36), 9), (0, 1, 0), (7, 6, 1))
+    add(P.primitive_plane_add, material('wall', (.7, .72, .7), .9), (0, 3.4, 0), (7, 4, 1), (half, 0, 0))
+    strips('rug', material('rug', (.6, .2, .22), .9), places(2600, 3, (-2.2, -1, 0), (1.2, 1.6, 0)), .008, .22, 3)
+    ball = add(P.primitive_uv_sphere_add, material('skin', (.5, .35, .2), .8), (0, 0, .6), (.5, .5, .5))
+    o = strips('coat', material('coat', (.85, .6, .3), .6), [(.95 * math.cos(a) * math.cos(b), .95 * math.sin(a) * math.cos(b), .95 * math.sin(b) - .1) for a, b, _ in places(1500, 5, (0, -1.5, 0), (6.283, 1.5, 1))], .012, .45, 6)
+    o.parent = ball
+    move(ball, 'location', [(1, (-1.6, .2, .6)), (48, (1.8, .2, .6))])
+    move(ball, 'rotation_euler', [(1, (0, 0, 0)), (48, (0, 5, 0))])
+    add(P.primitive_monkey_add, material('head', (.3, .5, .6), .4), (1.5, 1.6, .6), (.6, .6, .6), (0, 0, -.4))
+    for i in range(12):
+        slat = add(P.primitive_cube_add, material('slat', (.4, .3, .2), .7), (-3 + .5 * i, -1, 4), (.12, 3, .05))
+        move(slat, 'location', [(1, (-3 + .5 * i, -1, 4)), (48, (-1.4 + .5 * i, -1, 4))])
+    light('SUN', (0, 0, 5), 4, .01, (math.radians(30), math.radians(-14), 0), (1, .94, .82))
+    eye, _ = camera((0, -4.6, 1.8), (0, .6, .6))
+    move(eye, 'location', [(1, (.3, -4.6, 1.8)), (48, (-.5, -4.6, 1.8))])
+elif name == 'chrome':  # rough metal plates and balls of several roughnesses reflect moving things; the camera circles
+    sky(.15, .18, .24)
+    add(P.primitive_plane_add, material('floor', (.5, .52, .55), .18, 1, checker=6), (0, 0, 0), (6, 6, 1))
+    add(P.primitive_plane_add, pattern('wall', (.2, .35, .3), (.75, .7, .5), 3), (0, 3.2, 0), (6, 4, 1), (half, 0, 0))
+    for i in range(5): add(P.primitive_uv_sphere_add, material('ball%d' % i, ((.9, .9, .9), (.95, .7, .3), (.9, .5, .4))[i % 3], .05 + .1 * i, 1), (-2.2 + 1.1 * i, .9 - .3 * (i % 2), .5), (.45, .45, .45)), bpy.ops.object.shade_smooth()
+    o = add(P.primitive_cube_add, material('box', (.2, .45, .8), .5, checker=4), (0, -.9, .35), (.3, .3, .3))
+    move(o, 'location', [(1, (-1.8, -.9, .35)), (48, (1.8, -.9, .35))])
+    move(o, 'rotation_euler', [(1, (0, 0, 0)), (48, (0, 0, 3))])
+    lamp = add(P.primitive_uv_sphere_add, material('bulb', (1, .8, .5), emit=14), (0, 0, 2), (.14, .14, .14))
+    move(lamp, 'location', [(1, (1.5, .2, 1.9)), (24, (-1.5, .2, 1.9)), (48, (1.5, .2, 1.9))])
+    light('AREA', (1.5, -2.5, 4), 140, .8, (math.radians(30), math.radians(20), 0), (.9, .95, 1))
+    eye, _ = camera((0, -4.6, 1.7), (0, .5, .6))
+    move(eye, 'location', [(1, (1, -4.5, 1.7)), (48, (-1, -4.5, 1.6))])
 else: sys.exit('cycles_scenes.py: no scene ' + name)
 
 def out_of_gamut(file):     # takes the linear colours for Rec.2020 and writes them as Rec.709, where pure ones have components below 0

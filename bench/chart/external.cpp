@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <optional>
 #include <sys/wait.h>
 #include <system_error>
 
@@ -52,6 +53,20 @@ std::string last_line_of(fs::path const& file) {
 std::string how_it_ended(int status) {
     if (WIFEXITED(status)) return "it ended with " + std::to_string(WEXITSTATUS(status));
     return "it ended by signal " + std::to_string(WTERMSIG(status));
+}
+
+/// What the program says of its own time, in the last line "milliseconds per frame: N" that it prints.
+std::optional<double> said_milliseconds(fs::path const& file) {
+    static std::string const words = "milliseconds per frame: ";
+    std::ifstream in(file);
+    std::optional<double> said;
+    for (std::string line; std::getline(in, line);) {
+        if (!line.starts_with(words)) continue;
+        char* end = nullptr;
+        double const number = std::strtod(line.c_str() + words.size(), &end);
+        if (end != line.c_str() + words.size() && number > 0.) said = number;
+    }
+    return said;
 }
 
 std::string subject_of(External const& external) { return "--external '" + external.name + "'"; }
@@ -108,13 +123,13 @@ void ExternalRuns::write(int frame, io::ExrImage const& image) {
     ++frames;
 }
 
-double ExternalRuns::seconds_of(External const& external, fs::path const& out) const {
+double ExternalRuns::milliseconds_of(External const& external, fs::path const& out) const {
     auto const command = filled_in(external.command, pattern_in(folder).text(), pattern_in(out).text());
     auto const log = out / "log";
     auto const begin = std::chrono::steady_clock::now();
     int const status = std::system(("(" + command + "\n) > " + quoted(log.string()) + " 2>&1 < /dev/null").c_str());
     std::chrono::duration<double> const taken = std::chrono::steady_clock::now() - begin;
-    if (status == 0) return taken.count();
+    if (status == 0) return said_milliseconds(log).value_or(1e3 * taken.count() / frames);
     auto const said = last_line_of(log);
     throw Failure(subject_of(external), how_it_ended(status) + (said.empty() ? "" : " and said '" + said + "'"),
                   "try it on frames of quell-trace first: " + external.command);
@@ -123,14 +138,14 @@ double ExternalRuns::seconds_of(External const& external, fs::path const& out) c
 Row ExternalRuns::run(External const& external, Judge const& judge) {
     auto const out = folder / std::to_string(++runs); // not by its name: that is what somebody typed, and the folder is removed
     fs::create_directory(out);
-    double const seconds = seconds_of(external, out);
+    double const milliseconds = milliseconds_of(external, out);
     Entry entry{external.name};
     for (int const frame : judge.frames()) {
         auto const picture = picture_in(pattern_in(out).path(frame), external, judge.size());
         judge.measure(frame, std::span(&entry, 1), std::span(&picture, 1));
     }
     fs::remove_all(out);
-    return judge.row_of(entry, 1e3 * seconds / frames, Row::unknown);
+    return judge.row_of(entry, milliseconds, Row::unknown);
 }
 
 } // namespace quell::bench

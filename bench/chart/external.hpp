@@ -16,8 +16,9 @@ public:
 
     /// Writes the next noisy frame.
     void write(int frame, io::ExrImage const& image);
-    /// Runs a program over all frames written and measures R, G, B of its output. Its time is that of the whole run, start and files
-    /// included, over the number of frames; what memory it takes isn't known.
+    /// Runs a program over all frames written and measures R, G, B of its output. Its time is what it says
+    /// in a line "milliseconds per frame: N", or else that of the whole run, start and files included, over the number of frames; what
+    /// memory it takes isn't known.
     /// @throws Error where it fails, or leaves out a scored frame
     [[nodiscard]] Row run(External const& external, Judge const& judge);
 
@@ -25,7 +26,7 @@ private:
     std::filesystem::path folder{};
     int frames = 0, runs = 0;
 
-    [[nodiscard]] double seconds_of(External const& external, std::filesystem::path const& out) const;
+    [[nodiscard]] double milliseconds_of(External const& external, std::filesystem::path const& out) const;
 };
 
 /// @throws Error where one of them has a method's name, or its picture that of a method

@@ -77,6 +77,7 @@ template <class F, class M, class S, class P, class K, class T, PassTraits trait
 inline constexpr std::size_t member_count<Scope<F, M, S, P, K, T, traits, V>> = 18;
 template <class F, int N, class M> inline constexpr std::size_t member_count<detail::PlanarView<F, N, M>> = 2;
 template <class C, class T> inline constexpr std::size_t member_count<detail::Slot<C, T>> = 1;
+template <class Job> inline constexpr std::size_t member_count<detail::LateJob<Job>> = 3;
 /// Calls each(members...) with all members of an aggregate without base classes.
 template <class T> constexpr void with_members(T const& of, auto&& each) {
     constexpr std::size_t n = member_count<T>;

@@ -9,6 +9,7 @@
 #include <exception>
 
 // quell-cuda                       runs each preset by Cuda and by Serial, then measures it
+// quell-cuda --block 16x8          measures them with blocks of that many threads, at 1920x1080 only
 // quell-cuda --layouts FILE.ptx... compares how jobs are laid out by the host's and by the device's compiler; needs no GPU
 namespace quell::bench {
 namespace {
@@ -34,9 +35,8 @@ void print_device() {
 bool print_agreement() {
     constexpr int width = 256, height = 144, frames = 8;
     std::printf("Cuda against Serial, %d frames of %dx%d: greatest difference relative to max(1, value)\n", frames, width, height);
-    std::printf(
-        "| preset | greatest difference | components apart by more than %g | counts of missing samples |\n| --- | --- | --- | --- |\n",
-        Agreement::allowed);
+    std::printf("| preset | greatest difference | components apart by more than %g | counts |\n| --- | --- | --- | --- |\n",
+                Agreement::allowed);
     bool good = true;
     for (auto const& preset : measured_presets()) {
         auto const found = preset.agreement(width, height, frames);
@@ -55,11 +55,15 @@ double device_time(Cost const& cost) {
 }
 
 void print_times(int width, int height, bool with_passes) {
-    std::printf("\n%dx%d, milliseconds a frame\n| preset | passes on the device | the host waits |\n| --- | --- | --- |\n", width, height);
+    std::printf("\n%dx%d, milliseconds a frame\n| preset | passes on the device | frames in a row | the host waits | run() returns | as "
+                "graphs, in a row | run() returns |\n"
+                "| --- | --- | --- | --- | --- | --- | --- |\n",
+                width, height);
     std::vector<Cost> costs;
     for (auto const& preset : measured_presets()) {
         auto const& cost = costs.emplace_back(preset.cost(width, height, 12));
-        std::printf("| %s | %.2f | %.2f |\n", preset.name.c_str(), device_time(cost), cost.milliseconds);
+        std::printf("| %s | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f |\n", preset.name.c_str(), device_time(cost), cost.milliseconds_in_row,
+                    cost.milliseconds, cost.host_milliseconds, cost.graph_milliseconds_in_row, cost.graph_host_milliseconds);
         std::fflush(stdout);
     }
     if (!with_passes) return;
@@ -69,6 +73,16 @@ void print_times(int width, int height, bool with_passes) {
         for (auto const& pass : costs[i].passes)
             std::printf("| %s | %s | %.3f | %d | %zu |\n", measured_presets()[i].name.c_str(), pass.name.c_str(), pass.milliseconds,
                         pass.registers, pass.local_bytes);
+}
+
+/// @param block as "16x8"
+int run_times(char const* block) {
+    if (std::sscanf(block, "%dx%d", &block_of_all.width, &block_of_all.height) != 2) return 2;
+    if (int const failed = find_device()) return failed;
+    print_device();
+    std::ranges::sort(measured_presets(), {}, &Measured::order);
+    print_times(1920, 1080, true);
+    return 0;
 }
 
 int run_all() {
@@ -89,11 +103,12 @@ int main(int count, char** arguments) {
     using namespace quell::bench;
     try {
         if (count > 2 && std::strcmp(arguments[1], "--layouts") == 0) return check_layouts({arguments + 2, arguments + count}) ? 0 : 1;
+        if (count == 3 && std::strcmp(arguments[1], "--block") == 0) return run_times(arguments[2]);
         if (count == 1) return run_all();
     } catch (std::exception const& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;
     }
-    std::fprintf(stderr, "usage: quell-cuda [--layouts FILE.ptx...]\n");
+    std::fprintf(stderr, "usage: quell-cuda [--block WxH | --layouts FILE.ptx...]\n");
     return 2;
 }

@@ -12,7 +12,7 @@ namespace quell::bench {
 struct Agreement {
     double worst = 0;         ///< greatest difference, relative to max(1, value)
     double apart = 0;         ///< part of the components that differ by more than `allowed`
-    bool counts_equal = true; ///< of missing samples
+    bool counts_equal = true; ///< of missing samples and repaired guides
     static constexpr double allowed = 1e-3, allowed_apart = 1e-3;
 
     [[nodiscard]] bool good() const { return counts_equal && apart <= allowed_apart; }
@@ -26,9 +26,18 @@ struct PassCost {
     std::size_t local_bytes = 0; ///< per thread
 };
 struct Cost {
-    double milliseconds = 0; ///< by the host's clock
+    double milliseconds = 0;                                           ///< by the host's clock, which waits for each frame
+    double host_milliseconds = 0;                                      ///< until run() returns
+    double milliseconds_in_row = 0;                                    ///< a frame of many that are enqueued one behind the other
+    double graph_host_milliseconds = 0, graph_milliseconds_in_row = 0; ///< the same with CudaGraphs
     std::vector<PassCost> passes;
 };
+
+/// Threads of a block.
+struct Block {
+    int width = 0, height = 0; ///< 0: as suits a pass
+};
+inline Block block_of_all;
 
 struct Measured {
     std::string name;

@@ -3,7 +3,7 @@
 #include "scene.hpp"
 
 #include <quell/execute/cuda.cuh>
-#include <quell/image/managed.cuh>
+#include <quell/execute/device.cuh>
 #include <quell/presets/named.hpp>
 
 #include <chrono>
@@ -15,55 +15,76 @@ inline void check(cudaError_t status) {
     if (status != cudaSuccess) raise_error("quell-cuda", cudaGetErrorString(status), "see whether the driver is as new as CUDA");
 }
 
-/// Serial, Cuda, or Cuda with the time of each pass: one type, so that what runs a preset is compiled once.
+/// Cuda, or Cuda with the time of each pass: one type, so that what runs a preset is compiled once.
 struct Chosen {
-    bool on_device = true;
+    Cuda cuda{.block_width = block_of_all.width, .block_height = block_of_all.height};
     std::vector<PassCost>* passes = nullptr;
     cudaEvent_t begin = nullptr, end = nullptr;
 
-    template <class Job> void for_each_pixel(Region r, Job const& job) const {
+    template <class Job> void for_each_pixel(Region r, Job const& job) const { cuda.for_each_pixel(r, job); }
+    template <class Job> void enqueue(Region r, Job const& job) const {
         static_cast<void>(is_listed<Job>);
-        if (!on_device)
-            Serial{}.for_each_pixel(r, job);
-        else if (!passes)
-            Cuda{}.for_each_pixel(r, job);
-        else
-            passes->push_back(cost_of(r, job));
+        timed(job.name, quell::detail::each_pixel<Job>, [&] { cuda.enqueue(r, job); });
     }
+    template <class Work> void enqueue_grid(Region r, Work const& work) const {
+        timed(work.name, quell::detail::whole_grid<Work>, [&] { cuda.enqueue_grid(r, work); });
+    }
+    void submit() const { cuda.submit(); }
+    void clear(void* memory, std::size_t bytes) const { cuda.clear(memory, bytes); }
+    void read(void* to, void const* from, std::size_t bytes) const { cuda.read(to, from, bytes); }
 
 private:
-    template <class Job> PassCost cost_of(Region r, Job const& job) const {
+    void timed(char const* name, auto* kernel, auto&& launch) const {
+        if (!passes) return launch();
         float milliseconds = 0;
         check(cudaEventRecord(begin));
-        Cuda{}.launch(r, job);
+        launch();
         check(cudaEventRecord(end));
         check(cudaEventSynchronize(end));
         check(cudaEventElapsedTime(&milliseconds, begin, end));
-        cudaFuncAttributes kernel{};
-        check(cudaFuncGetAttributes(&kernel, quell::detail::each_pixel<Job>));
-        return {job.name, milliseconds, kernel.numRegs, kernel.localSizeBytes};
+        cudaFuncAttributes attributes{};
+        check(cudaFuncGetAttributes(&attributes, kernel));
+        passes->push_back({name, milliseconds, attributes.numRegs, attributes.localSizeBytes});
     }
 };
 
+using Input = Frame<Sample::channels>;
+using DeviceInput = Frame<Sample::channels, Device<>>;
+
+inline void upload_frame(DeviceInput& to, Input const& from) {
+    for_each_channel(Sample::channels{}, [&](auto c) { upload(to[c], from[c]); });
+    to.camera = from.camera;
+}
 /// What all presets read. Made once for all: only the last size asked for is kept.
-using Input = Frame<Sample::channels, Managed<>>;
-inline std::vector<Input>& input(Extent size) {
-    static std::vector<Input> made;
+inline std::vector<DeviceInput>& input(Extent size) {
+    static std::vector<DeviceInput> made;
     if (!made.empty() && made[0].size == size) return made;
     made.clear();
-    for (int i = 0; i < 2; ++i) fill_frame(made.emplace_back(size), i);
+    Input frame(size);
+    for (int i = 0; i < 2; ++i) {
+        fill_frame(frame, i);
+        upload_frame(made.emplace_back(size), frame);
+    }
     return made;
 }
 
 template <class Preset> Agreement agreement(int width, int height, int frames) {
     auto const denoise = Preset::usual();
     Input frame({width, height});
-    History by_host{frame.size, denoise, Managed<>{}}, by_device{frame.size, denoise, Managed<>{}};
+    DeviceInput on_device(frame.size);
+    History by_host{frame.size, denoise};
+    History by_device{frame.size, denoise, Device<>{}};
+    CudaGraphs graphs;
     Agreement found;
     long long components = 0, apart = 0;
     for (int i = 0; i < frames; ++i) {
         fill_frame(frame, i);
-        auto const a = run(denoise, frame, by_host, Chosen{.on_device = false}), b = run(denoise, frame, by_device, Chosen{});
+        if (i == 3) spoil(frame);
+        upload_frame(on_device, frame);
+        auto const a = run(denoise, frame, by_host, Serial{});
+        Chosen chosen;
+        if (i > 1) chosen.cuda.graphs = &graphs;
+        auto const b = download(run(denoise, on_device, by_device, chosen), chosen.cuda);
         for (int y = 0; y < a.size.height; ++y)
             for (int x = 0; x < a.size.width; ++x)
                 for (int c = 0; c < a.components; ++c, ++components) {
@@ -72,7 +93,9 @@ template <class Preset> Agreement agreement(int width, int height, int frames) {
                     if (!(difference <= Agreement::allowed)) ++apart;
                     if (!(difference <= found.worst)) found.worst = difference;
                 }
-        found.counts_equal = found.counts_equal && by_host.statistics().missing_samples == by_device.statistics().missing_samples;
+        auto const expected = by_host.statistics(), counted = by_device.statistics();
+        found.counts_equal = found.counts_equal && expected.missing_samples == counted.missing_samples &&
+                             expected.repaired_guides.pixels == counted.repaired_guides.pixels;
     }
     found.apart = static_cast<double>(apart) / static_cast<double>(components);
     return found;
@@ -80,24 +103,48 @@ template <class Preset> Agreement agreement(int width, int height, int frames) {
 
 inline double now() { return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-/// Of the frames after the first few, in which memory is allocated and comes to the device.
+/// Of the frames after the first few, in which memory is allocated.
 template <class Preset> Cost cost(int width, int height, int rounds) {
     auto const& frames = input({width, height});
     auto const denoise = Preset::usual();
-    History history{frames[0].size, denoise, Managed<>{}};
-    auto const run_frames = [&](int count, Chosen const& chosen) {
-        for (int i = 0; i < count; ++i) run(denoise, frames[static_cast<std::size_t>(i) % frames.size()], history, chosen);
+    History history{frames[0].size, denoise, Device<>{}};
+    auto const run_frames = [&](int count, Chosen const& chosen, auto&& behind_each) {
+        for (int i = 0; i < count; ++i) {
+            run(denoise, frames[static_cast<std::size_t>(i) % frames.size()], history, chosen);
+            behind_each();
+        }
     };
-    run_frames(6, Chosen{});
-    double const begun = now();
-    run_frames(rounds, Chosen{});
-    Cost found{.milliseconds = (now() - begun) / rounds, .passes = {}};
+    auto const nothing = [] {};
+    Cuda const cuda;
+    run_frames(6, Chosen{}, nothing);
+    cuda.synchronize();
+
+    Cost found;
+    double begun = now();
+    run_frames(rounds, Chosen{}, [&] { cuda.synchronize(); });
+    found.milliseconds = (now() - begun) / rounds;
+    begun = now();
+    run_frames(rounds, Chosen{}, nothing);
+    found.host_milliseconds = (now() - begun) / rounds;
+    cuda.synchronize();
+    found.milliseconds_in_row = (now() - begun) / rounds;
+
+    CudaGraphs graphs;
+    Chosen by_graph;
+    by_graph.cuda.graphs = &graphs;
+    run_frames(6, by_graph, nothing);
+    cuda.synchronize();
+    begun = now();
+    run_frames(rounds, by_graph, nothing);
+    found.graph_host_milliseconds = (now() - begun) / rounds;
+    cuda.synchronize();
+    found.graph_milliseconds_in_row = (now() - begun) / rounds;
 
     std::vector<PassCost> all;
     Chosen timed{.passes = &all};
     check(cudaEventCreate(&timed.begin));
     check(cudaEventCreate(&timed.end));
-    run_frames(rounds, timed);
+    run_frames(rounds, timed, nothing);
     check(cudaEventDestroy(timed.begin));
     check(cudaEventDestroy(timed.end));
     // Every frame has the same passes.

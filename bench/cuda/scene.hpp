@@ -132,4 +132,17 @@ template <class F> void fill_frame(F& frame, int number) {
     for (int i = 0; i < count; ++i) threads.emplace_back(fill_rows, i, count);
 }
 
+/// Makes samples missing in a square, so that those inside have no neighbour that stands in, and a guide of some pixels impossible.
+template <class F> void spoil(F& frame) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    for (int y = 20; y < 60; ++y)
+        for (int x = 30; x < 70; ++x) {
+            for_each_channel(Channels<Radiance, Glossy, Indirect>{}, [&](auto c) { frame[c].set(x, y, glm::vec3(nan)); });
+            frame[visibility].set(x, y, nan);
+        }
+    frame[depth].set(100, 30, -1.f);
+    frame[normal].set(101, 31, glm::vec3(nan));
+    frame[albedo].set(102, 32, glm::vec3(2.f, 0.5f, 0.5f));
+}
+
 } // namespace quell::bench

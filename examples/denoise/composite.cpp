@@ -41,13 +41,28 @@ io::SequenceNames names_of_reference(io::ExrListing const& file, ReferenceNames 
 } // namespace
 
 metrics::Picture composite(io::ExrImage const& image, LightSplit const& split, std::function<metrics::Picture(std::size_t)> const& signal,
-                           long long& missing, std::vector<metrics::Picture>& parts) {
+                           long long& missing, std::vector<metrics::Picture>& parts, Resolve const& resolve) {
     parts.clear();
     auto sum = picture_of(image, split.added, 0.f);
+    auto off = picture_of(image, {}, 0.f); // what anti-aliasing changes of what is added
+    if (resolve && !split.added.empty())
+        if (auto resolved = resolve(split.signals.size() - 1, nullptr)) {
+            off = *resolved;
+            for (std::size_t i = 0; i < off.pixels.size(); ++i) off.pixels[i] -= sum.pixels[i];
+            drop_non_finite(off, missing);
+            sum = std::move(*resolved);
+        }
     drop_non_finite(sum, missing);
     for (std::size_t s = 0; s < split.signals.size(); ++s) {
         auto& part = parts.emplace_back(split.active[s] ? signal(s) : picture_of(image, {}, 0.f));
         if (!split.active[s]) continue;
+        if (resolve && !split.signals[s].factor.empty())
+            if (auto resolved = resolve(s, &part)) {
+                part = std::move(*resolved);
+                drop_non_finite(part, missing);
+                for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += part.pixels[i];
+                continue;
+            }
         auto factor = picture_of(image, split.signals[s].factor, 1.f);
         drop_non_finite(factor, missing);
         for (std::size_t i = 0; i < sum.pixels.size(); ++i) {
@@ -56,6 +71,9 @@ metrics::Picture composite(io::ExrImage const& image, LightSplit const& split, s
         }
     }
     drop_non_finite(sum, missing); // numbers that are finite can have a product that isn't
+    // The parts and what the file adds are to make up the picture.
+    if (!parts.empty())
+        for (std::size_t i = 0; i < off.pixels.size(); ++i) parts.back().pixels[i] += off.pixels[i];
     return sum;
 }
 

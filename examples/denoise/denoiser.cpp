@@ -5,6 +5,7 @@
 #include <quell/io/frame_image.hpp>
 
 #include <array>
+#include <limits>
 
 namespace quell::examples {
 
@@ -49,7 +50,11 @@ metrics::Picture Denoiser::denoise(io::ExrImage const& image, io::ChannelNames c
     drop_first(); // its memory stays; an error must not leave it to be denoised again
     found = findings_in(images.front(), image, names.motion);
     size = images.front().size;
+    return run_images();
+}
 
+/// Denoises the first of `images`.
+metrics::Picture Denoiser::run_images() {
     metrics::Picture picture{size, std::vector<glm::vec3>(static_cast<std::size_t>(size.pixels()))};
     std::vector<glm::vec4> with_alpha(way.output_components == 4 ? picture.pixels.size() : 0);
     auto* const to =
@@ -60,6 +65,28 @@ metrics::Picture Denoiser::denoise(io::ExrImage const& image, io::ChannelNames c
     taken += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     denoised_alpha.clear();
     for (std::size_t i = 0; i < with_alpha.size(); ++i) picture.pixels[i] = with_alpha[i], denoised_alpha.push_back(with_alpha[i].a);
+    return picture;
+}
+
+metrics::Picture Denoiser::estimate(io::ExrImage const& image, io::ChannelNames const& names, long long number, int left_out,
+                                    Denoiser const* shown) {
+    LoadedFrame frame;
+    frame.load(way.channels, image, names, number);
+    auto const place = way.place_of(way.output_components == 4 ? radiance_alpha.name : radiance.name);
+    if (place && left_out >= 0) {
+        auto const& samples = frame.images.channels[*place];
+        for (int y = 0; y < image.size.height; ++y)
+            for (int x = 0; x < image.size.width; ++x)
+                if ((x + y) % 2 == left_out)
+                    *reinterpret_cast<float*>(samples.data + x * samples.pixel_stride + y * samples.row_stride) =
+                        std::numeric_limits<float>::quiet_NaN();
+    }
+    size = image.size;
+    images.assign(1, frame.images);
+    if (shown != nullptr)
+        for (auto const& later : shown->window) images.push_back(later.images);
+    auto picture = run_images();
+    images.clear(); // the frame's memory goes
     return picture;
 }
 

@@ -64,6 +64,14 @@ public:
     [[nodiscard]] std::vector<DebugImage> debug_images(std::string const& view) { return code->debug_images(view); }
     /// The next frame, denoised: linear, row by row. Where its size is another one, history starts afresh.
     [[nodiscard]] metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number);
+    /// Denoises a frame after what it remembers, with the samples of half of its pixels left out or not, and with the later frames that
+    /// another denoiser of the same channels was shown. What it remembers is of no use afterwards.
+    /// @param left_out pixels whose x + y is even (0) or odd (1); another number: none
+    /// @param shown    null: without later frames
+    [[nodiscard]] metrics::Picture estimate(io::ExrImage const& image, io::ChannelNames const& names, long long number, int left_out,
+                                            Denoiser const* shown);
+    /// Forgets all frames so far.
+    void forget() { code->forget(); }
     /// What it remembers; nothing where that is nothing, or not of one signal.
     [[nodiscard]] std::optional<HistoryContents> remembered() const { return code->remembered(); }
     /// Makes it remember what another one of the same preset did, of a picture with or without alpha.
@@ -96,6 +104,7 @@ private:
     std::vector<Finding> found;
     std::vector<float> denoised_alpha;
 
+    [[nodiscard]] metrics::Picture run_images();
     void drop_first() { spare.push_back(std::move(window.front())), window.pop_front(); }
     [[nodiscard]] std::vector<std::string> planes(io::ChannelNames const& names, bool optional) const;
     [[nodiscard]] std::vector<Finding> findings_in(quell_library::FrameImages const& frame, io::ExrImage const& image,

@@ -143,7 +143,7 @@ public:
             if (!part.colour.pixels.empty()) count(guide_errors(part.colour, GuideKind::factor, part.picture, whole, depth));
         if (!names.added.empty()) count(guide_errors(added, GuideKind::added, whole, whole, depth));
         float const of_rest = has_rest ? guide_errors(rest, GuideKind::added, rest, whole, {}).noise : 0.f;
-        return noise > tolerated_noise * loss || of_rest > tolerated_rest * loss;
+        return noise > tolerated_noise * rule.samples_of_guides * loss || of_rest > tolerated_rest * loss;
     }
 
     [[nodiscard]] SignalShares shares() const {

@@ -10,8 +10,9 @@ namespace quell::examples {
 
 /// What a split goes by.
 struct SplitRule {
-    bool by_albedo = false; ///< whether signals are divided by their albedo before they are denoised
-    std::string alpha = {}; ///< the plane of the film's alpha, where it is denoised; else empty
+    bool by_albedo = false;        ///< whether signals are divided by their albedo before they are denoised
+    std::string alpha = {};        ///< the plane of the film's alpha, where it is denoised; else empty
+    float samples_of_guides = 1.f; ///< by which the variance of guides is divided before they are multiplied by
 };
 
 /// How the light of one frame is divided among the signals that are denoised.

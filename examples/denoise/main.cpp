@@ -13,6 +13,7 @@
 #include <support/progress.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -172,10 +173,12 @@ public:
                 for (auto const& line : denoiser.names()->remarks) remark(line);
         if (auto const left = views->remark()) remark(*left);
         for (auto const& name : without_reference) remark("the references do not have view " + name);
-        if (guides.pixels > 0)
-            remark(fmt::format("{} pixels have guides that no scene has, which were repaired: normals not of length 1 in {}, "
-                               "albedo outside [0, 1] in {}, depth 0, negative or NaN in {}, motion not finite in {}",
-                               guides.pixels, guides.normal, guides.albedo, guides.depth, guides.motion));
+        if (guides.pixels > 0) {
+            std::vector<std::string> each;
+            guides.for_each(
+                [&](auto guide, auto what, auto pixels) { each.push_back(fmt::format("{} {} in {}", guide.name, what, pixels)); });
+            remark(fmt::format("{} pixels have guides that no scene has, which were repaired: {}", guides.pixels, fmt::join(each, ", ")));
+        }
         if (std::ranges::any_of(denoisers, &SequenceDenoiser::left_alpha))
             remark("alpha is as in the files: preset " + choice.preset->name + " does not denoise it, general and final-frame do");
         if (auto const changes = denoisers.front().canvas_changes(); changes > 0)
@@ -194,6 +197,7 @@ private:
                 .field_of_view = options.field_of_view,
                 .later_frames = later_frames(options, *choice.preset),
                 .keeps_alpha = options.keep_alpha,
+                .refines = !options.quick && choice.preset->name == "final-frame",
                 .diagnose = options.diagnose,
                 .debug_views = options.debug_views};
     }
@@ -225,7 +229,7 @@ private:
     void warm_up_with(long long number, Progress& progress) {
         for (std::size_t view = 0; view < denoisers.size(); ++view) {
             try {
-                static_cast<void>(denoisers[view].next_whole(in, number));
+                denoisers[view].warm_up(in, number);
             } catch (Error const&) {
                 if (options.warmup) throw;
                 denoisers[view].forget();
@@ -302,5 +306,6 @@ int main(int argc, char** argv) {
         if (!options->list) return denoise(*options);
         for (auto const& preset : presets()) std::cout << preset.name << '\n';
     };
-    return exit_code_of("quell-denoise", body, "choose a --preset that takes less (--plan says how much), or give --extra-frames 0");
+    return exit_code_of("quell-denoise", body,
+                        "choose a --preset that takes less (--plan says how much), or give --quick or --extra-frames 0");
 }

@@ -22,7 +22,8 @@ struct DenoiseOptions {
     std::optional<float> shutter;       ///< of all frames, whatever the map and the files say
     std::vector<std::string> debug_views;
     std::string isa; ///< the instruction set to run; empty: the best that the machine has
-    bool keep_alpha = false, quiet = false, list = false, plan = false, diagnose = false, skip_existing = false, json = false;
+    bool keep_alpha = false, quick = false, quiet = false, list = false, plan = false, diagnose = false, skip_existing = false,
+         json = false;
 };
 
 /// Nothing where help or the version was asked for, which has then been printed.

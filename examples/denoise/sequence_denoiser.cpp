@@ -131,14 +131,16 @@ void SequenceDenoiser::begin(io::ExrOriginal const& file) {
     denoisers.resize(on_canvas.of_signals.size() + 1);
 }
 
+Purpose SequenceDenoiser::purpose_of(std::size_t signal) const {
+    if (!settings.debug_views.empty()) return Purpose::watched;
+    return !rule().alpha.empty() && has_alpha(signal) ? Purpose::with_alpha : Purpose::picture;
+}
+
 Denoiser& SequenceDenoiser::denoiser(std::size_t signal) {
     auto& made = denoisers[signal];
     if (made) return *made;
     auto const whole = io::detail::size_of(canvas);
-    auto const purpose = !settings.debug_views.empty()                ? Purpose::watched
-                         : !rule().alpha.empty() && has_alpha(signal) ? Purpose::with_alpha
-                                                                      : Purpose::picture;
-    made = std::make_unique<Denoiser>(way_of(settings.preset, purpose), whole, settings.threads);
+    made = std::make_unique<Denoiser>(way_of(settings.preset, purpose_of(signal)), whole, settings.threads);
     if (!settings.diagnose && !checks) made->check_first_frames(), checks = true;
     if (settings.diagnose)
         made->diagnose(signal < on_canvas.of_signals.size() ? on_canvas.of_signals[signal].factor : std::vector<io::Source>());
@@ -153,11 +155,17 @@ void SequenceDenoiser::release_scratch() {
     window.clear();
     for (auto const& each : denoisers)
         if (each) each->release_scratch();
+    for (auto const& each : choices)
+        if (each) each->release_scratch();
+    if (whole) whole->release_scratch();
 }
 
 void SequenceDenoiser::forget() {
+    earlier.clear();
     earlier_milliseconds = milliseconds();
     denoisers.clear();
+    choices = {};
+    whole.reset();
     window.clear();
     last.reset();
     film.forget();
@@ -172,6 +180,8 @@ void SequenceDenoiser::collect(std::vector<Finding> const& findings) {
 
 std::vector<std::string> SequenceDenoiser::planes(io::ExrListing const& file) const {
     auto planes = split_planes(file, on_canvas);
+    if (refines())
+        for (auto const& plane : planes_of_frame_around(file, on_canvas)) planes.push_back(plane);
     if (!alpha.empty()) planes.push_back(alpha);
     for (auto const& signal : on_canvas.of_signals) {
         auto const more = any->planes(signal.channels);
@@ -201,14 +211,18 @@ double SequenceDenoiser::milliseconds() const {
     double sum = earlier_milliseconds;
     for (auto const& denoiser : denoisers)
         if (denoiser) sum += denoiser->milliseconds();
-    return sum;
+    for (auto const& choice : choices)
+        if (choice) sum += choice->milliseconds();
+    return whole ? sum + whole->milliseconds() : sum;
 }
 
 double SequenceDenoiser::bytes_per_pixel() const {
     double sum = 0;
     for (auto const& denoiser : denoisers)
         if (denoiser) sum += denoiser->bytes_per_pixel();
-    return sum;
+    for (auto const& choice : choices)
+        if (choice) sum += choice->bytes_per_pixel();
+    return whole ? sum + whole->bytes_per_pixel() : sum;
 }
 
 void SequenceDenoiser::read(FramePattern const& in, long long number) {
@@ -228,10 +242,17 @@ void SequenceDenoiser::read(FramePattern const& in, long long number) {
 }
 
 SequenceDenoiser::Seen SequenceDenoiser::seen(io::ExrOriginal const& file, long long number) const {
-    Seen frame{number, file.read(planes(file.listed), canvas), false, {}};
+    Seen frame{number, file.read(planes(file.listed), canvas), false, {}, {}};
+    if (refines()) frame.around = frame_around(frame.image, on_canvas, number, samples_in(file.listed));
     if (!on_canvas.view.empty()) frame.image.attributes = attributes_of_view(file, on_canvas);
     put_cameras_on_canvas(frame.image, size, canvas);
-    frame.as_one = is_better_as_one(frame.image, on_canvas, rule());
+    auto split_by = rule();
+    // Anti-aliasing takes the mean of several samples.
+    bool const is_opaque = alpha.empty() || std::ranges::all_of(frame.image[alpha].values, [](float a) { return a == 1.f; });
+    if (!is_opaque) frame.around.reset(); // colours of transparent film are those of what is hit, times its alpha
+    if (frame.around) split_by.samples_of_guides = frame.around->policy.by_surface ? 4.f : 2.f;
+    frame.as_one = is_better_as_one(frame.image, on_canvas, split_by);
+    frame.mixes = frame.around && !frame.as_one && is_better_as_one(frame.image, on_canvas, rule());
     return frame;
 }
 
@@ -265,7 +286,9 @@ void SequenceDenoiser::hand_over(FramePattern const& in) {
 /// A frame that is missing, broken or larger ends the window, and is dealt with when it is its turn: those before it are written whole.
 void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
     if (!looks_ahead(settings.preset) || !settings.debug_views.empty()) return;
-    for (auto later = window.back().number + 1; later <= number + settings.later_frames; ++later) {
+    auto const farthest =
+        refines() && settings.later_frames > 0 ? std::max(settings.later_frames, AntiAliased::most_frames) : settings.later_frames;
+    for (auto later = window.back().number + 1; later <= number + farthest; ++later) {
         if (!std::filesystem::exists(in.path(later))) return;
         try {
             read(in, later);
@@ -275,24 +298,44 @@ void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
     }
 }
 
-DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long number) {
-    while (!window.empty() && window.front().number != number) window.pop_front();
+/// A signal's light with its history, or by itself, or in between.
+metrics::Picture SequenceDenoiser::chosen(std::size_t signal, io::ExrImage const& image, io::ChannelNames const& names, long long number,
+                                          std::optional<HistoryContents> const& before, metrics::Picture const& with_history) {
+    if (!before || before->number != number - 1) return with_history;
+    auto const purpose = purpose_of(signal);
+    auto& choice = choices[purpose == Purpose::with_alpha ? 1 : 0];
+    if (!choice) choice = std::make_unique<HistoryChoice>(settings.preset, purpose, io::detail::size_of(canvas), settings.threads);
+    return choice->choose(denoiser(signal), image, names, number, *before, with_history);
+}
+
+DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long number, bool is_wanted) {
+    while (!window.empty() && window.front().number != number) {
+        earlier.push_back(window.front().around);
+        if (earlier.size() > AntiAliased::most_frames) earlier.pop_front();
+        window.pop_front();
+    }
     if (window.empty()) read(in, number);
     read_ahead(in, number);
     auto& front = window.front();
     bool const as_one = front.as_one;
     if (last && *last + 1 == number && as_one != was_as_one) hand_over(in);
-    for (auto& seen : window)
+    for (auto& seen : window) {
+        if (seen.number > number + settings.later_frames) break; // it is there for its guides
         for (std::size_t s = 0; auto const& signal : split(seen, as_one).signals)
             if (auto const signal_number = s++; split(seen, as_one).active[signal_number])
                 denoiser(signal_number).look_ahead(seen.image, signal.channels, seen.number);
+    }
     auto const& image = front.image;
     auto const& split = *front.ways[as_one ? 1 : 0];
     found.clear();
     DenoisedFrame frame;
     frame.canvas = canvas;
     auto const denoised = [&](std::size_t s) {
-        auto result = denoiser(s).denoise(image, split.signals[s].channels, number);
+        auto const& channels = split.signals[s].channels;
+        bool const chooses = refines() && is_wanted;
+        auto const before = chooses ? denoiser(s).remembered() : std::nullopt;
+        auto result = denoiser(s).denoise(image, channels, number);
+        if (chooses) result = chosen(s, image, channels, number, before, result);
         auto const counted = denoiser(s).statistics();
         missing += counted.missing_samples;
         // Guides are the same for all signals.
@@ -301,12 +344,35 @@ DenoisedFrame SequenceDenoiser::next_whole(FramePattern const& in, long long num
         collect(denoiser(s).findings());
         return result;
     };
-    frame.picture = composite(image, split, denoised, missing, frame.signals);
+    auto around = earlier;
+    for (auto const& seen : window) around.push_back(seen.around);
+    AntiAliasing const anti_aliasing(around, number);
+    frame.picture = composite(image, split, denoised, missing, frame.signals,
+                              [&](std::size_t s, metrics::Picture const* light) { return anti_aliasing.product(s, light); });
+    if (front.mixes) mix_with_picture(frame);
     if (!has_several_signals(on_canvas)) frame.signals.clear(); // it is the picture
     if (!alpha.empty()) denoise_alpha(frame, front, split);
     add_as_in_file(frame, image, split);
     was_as_one = as_one, last = number;
     return frame;
+}
+
+/// The picture as one is filtered by its own noisy samples, the signals by theirs and by noisy guides: the mean of both has less error than
+/// either.
+void SequenceDenoiser::mix_with_picture(DenoisedFrame& frame) {
+    if (!whole) whole = std::make_unique<Denoiser>(way_of(settings.preset), io::detail::size_of(canvas), settings.threads);
+    auto const number = window.front().number;
+    for (auto& seen : window) {
+        if (seen.number > number + settings.later_frames) break;
+        auto const& channels = split(seen, true).signals.back().channels;
+        whole->look_ahead(seen.image, channels, seen.number);
+    }
+    auto const as_one = whole->denoise(window.front().image, split(window.front(), true).signals.back().channels, number);
+    auto& rest = frame.signals.back().pixels;
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        auto const off = (as_one.pixels[i] - frame.picture.pixels[i]) * 0.5f;
+        if (is_finite(off.x) && is_finite(off.y) && is_finite(off.z)) frame.picture.pixels[i] += off, rest[i] += off;
+    }
 }
 
 /// Layers are added up with what the file adds: of what a split takes of that, or scales down, the rest has the difference.

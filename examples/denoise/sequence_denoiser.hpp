@@ -1,7 +1,9 @@
 #pragma once
 
+#include <denoise/anti_alias.hpp>
 #include <denoise/denoiser.hpp>
 #include <denoise/film_alpha.hpp>
+#include <denoise/history_choice.hpp>
 #include <denoise/light_split.hpp>
 #include <support/frame_pattern.hpp>
 
@@ -25,7 +27,8 @@ struct SequenceSettings {
     std::optional<float> field_of_view{}; ///< vertical, degrees: of files whose depth is the length of rays, where they have no camera
     int later_frames = 0;                 ///< that each frame is denoised with, where the preset makes use of them and the files are there
     bool keeps_alpha = false;             ///< leave alpha as the files have it
-    bool diagnose = false;                ///< look at each frame for what its renderer got wrong
+    bool refines = false;  ///< take what is best of several estimates: colours from frames around, light with history and without
+    bool diagnose = false; ///< look at each frame for what its renderer got wrong
     std::vector<std::string> debug_views{}; ///< names of DebugChannels that debug_images() will be asked for: slower, and on one thread
 };
 
@@ -66,7 +69,10 @@ public:
     [[nodiscard]] metrics::Picture next(FramePattern const& in, long long number);
     /// The same with its signals, and all that the file holds around the display window. Valid until the next frame is asked for.
     /// @throws Error as next does
-    [[nodiscard]] DenoisedFrame next_whole(FramePattern const& in, long long number);
+    [[nodiscard]] DenoisedFrame next_whole(FramePattern const& in, long long number) { return next_frame(in, number, true); }
+    /// Denoises a frame for those after it alone.
+    /// @throws Error as next does
+    void warm_up(FramePattern const& in, long long number) { static_cast<void>(next_frame(in, number, false)); }
     /// The part of a picture that the display window shows.
     [[nodiscard]] metrics::Picture displayed(metrics::Picture const& whole) const;
 
@@ -98,9 +104,12 @@ private:
     double earlier_milliseconds = 0;                  ///< of denoisers that are gone
     std::unique_ptr<Denoiser> any;                    ///< says what each of them wants
     std::vector<std::unique_ptr<Denoiser>> denoisers; ///< one per signal, and one of the rest; null before there was light for it
-    bool was_as_one = false;                          ///< whether the last frame was filtered as one picture
-    std::optional<long long> last;                    ///< number of the frame that was denoised last
-    std::string alpha;                                ///< the plane of the film's alpha; empty: none
+    /// Between light with history and without, for all signals: without alpha, and with it. Null before they were wanted.
+    std::array<std::unique_ptr<HistoryChoice>, 2> choices;
+    std::unique_ptr<Denoiser> whole; ///< of the picture beside its signals; null before it was wanted
+    bool was_as_one = false;         ///< whether the last frame was filtered as one picture
+    std::optional<long long> last;   ///< number of the frame that was denoised last
+    std::string alpha;               ///< the plane of the film's alpha; empty: none
     FilmAlpha film;
     bool alpha_stays = false; ///< whether some film was transparent whose alpha the preset can't denoise
     long long missing = 0;
@@ -115,16 +124,26 @@ private:
         io::ExrImage image;
         bool as_one;                                   ///< whether it is better filtered as one picture
         std::array<std::optional<LightSplit>, 2> ways; ///< its light by signals, and as one: where it was wanted
+        std::shared_ptr<FrameAround const> around;     ///< what frames around it see
+        bool mixes = false; ///< whether its guides are so noisy that the picture as one is as good as its signals
     };
     [[nodiscard]] LightSplit const& split(Seen& seen, bool as_one) const;
     std::deque<Seen> window;
+    std::deque<std::shared_ptr<FrameAround const>> earlier; ///< frames that have been denoised
 
+    [[nodiscard]] bool refines() const { return settings.refines && looks_ahead(settings.preset) && settings.debug_views.empty(); }
+    /// @param is_wanted whether it is shown, or only remembered
+    [[nodiscard]] DenoisedFrame next_frame(FramePattern const& in, long long number, bool is_wanted);
     void begin(io::ExrOriginal const& file);
     [[nodiscard]] SplitRule rule() const;
     [[nodiscard]] bool has_alpha(std::size_t signal) const;
     void denoise_alpha(DenoisedFrame& frame, Seen const& seen, LightSplit const& split);
     void add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const;
+    [[nodiscard]] Purpose purpose_of(std::size_t signal) const;
     [[nodiscard]] Denoiser& denoiser(std::size_t signal);
+    [[nodiscard]] metrics::Picture chosen(std::size_t signal, io::ExrImage const& image, io::ChannelNames const& names, long long number,
+                                          std::optional<HistoryContents> const& before, metrics::Picture const& with_history);
+    void mix_with_picture(DenoisedFrame& frame);
     [[nodiscard]] Seen seen(io::ExrOriginal const& file, long long number) const;
     void hand_over(FramePattern const& in);
     [[nodiscard]] bool is_inside(Region const& other) const;

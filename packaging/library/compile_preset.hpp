@@ -1,7 +1,7 @@
 #pragma once
 
 #include "compiled_preset.hpp"
-#include "host_strips.hpp"
+#include "strips.hpp"
 
 #include <quell/diagnose/debug_images.hpp>
 #include <quell/diagnose/inspect.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "strips.hpp"
+#include "for_each_strip.hpp"
 #include "take_rows.hpp"
 
 #include <quell/image/planar.hpp>
@@ -42,7 +42,7 @@ private:
 using OwnImages = quell::Planar<quell::Float32, CallersMemory>;
 
 /// Image storage of a frame, in memory of the caller's. Kernels read planes of floats in padded rows: they read images that the caller has
-/// so where they lie. Of others, a pass takes some rows at a time (host_strips.hpp), or they are copied as a whole.
+/// so where they lie. Of others, a pass takes some rows at a time (strips.hpp), or they are copied as a whole.
 struct HostImages {
     using Exact = HostImages;
     using Copy = OwnImages;

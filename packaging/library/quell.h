@@ -147,7 +147,7 @@ typedef struct quell_statistics {
     int64_t frames;          /* since the history began */
     int64_t resets;          /* how often it began */
     int64_t missing_samples; /* in the last frame: not finite, beyond 1e16, of negative luminance */
-    int64_t repaired_guides; /* pixels of the last frame with impossible normals, albedo, depth or motion */
+    int64_t repaired_guides; /* pixels of the last frame with impossible guides (docs/channels.md) */
     size_t bytes;            /* of history and scratch */
 } quell_statistics;
 #ifdef __cplusplus

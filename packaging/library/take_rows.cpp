@@ -2,30 +2,24 @@
 
 #include <quell/image/format.hpp>
 
+#include <type_traits>
+
 namespace quell_library {
 
 namespace {
-/// One row of floats that lie `stride` after each other, a constant of the compiler's where that is fastest.
-template <int stride> void take_floats(float const* from, std::ptrdiff_t any_stride, float* to, int width) {
-    std::ptrdiff_t const step = stride > 0 ? stride : any_stride;
-    for (int x = 0; x < width; ++x) to[x] = from[x * step];
+template <std::ptrdiff_t floats> inline constexpr std::integral_constant<std::ptrdiff_t, floats> apart;
+
+/// One row of floats. Compilers vectorise distances that they know.
+void take_floats(float const* from, auto distance, float* to, int width) {
+    for (int x = 0; x < width; ++x) to[x] = from[x * distance];
 }
 void take_floats(std::byte const* at, std::ptrdiff_t bytes, float* to, int width) {
     auto const* const from = reinterpret_cast<float const*>(at);
     constexpr std::ptrdiff_t element = sizeof(float);
-    switch (bytes) {
-    case element:
-        return take_floats<1>(from, 1, to, width);
-    case 2 * element:
-        return take_floats<2>(from, 2, to, width);
-    case 3 * element:
-        return take_floats<3>(from, 3, to, width);
-    case 4 * element:
-        return take_floats<4>(from, 4, to, width);
-    default:
-        break;
-    }
-    if (bytes % element == 0) return take_floats<0>(from, bytes / element, to, width);
+    if (bytes == element) return take_floats(from, apart<1>, to, width);
+    if (bytes == 2 * element) return take_floats(from, apart<2>, to, width);
+    if (bytes == 3 * element) return take_floats(from, apart<3>, to, width);
+    if (bytes == 4 * element) return take_floats(from, apart<4>, to, width);
     for (int x = 0; x < width; ++x, at += bytes) to[x] = *reinterpret_cast<float const*>(at);
 }
 } // namespace

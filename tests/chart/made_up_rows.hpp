@@ -16,8 +16,8 @@ inline std::vector<Row> made_up_rows() {
     auto const add = [&](std::string scene, std::string effect, std::string method, double ms, double rmse) -> Row& {
         Row row{.scene = std::move(scene), .effect = std::move(effect), .method = std::move(method), .size = {480, 270}, .frames = 41};
         row.threads = 2, row.ms_per_frame = ms, row.bytes_per_pixel = 10 * ms;
-        row.errors.values = {rmse, 1 - 4 * rmse, 2 * rmse}, row.flip_median = rmse;
-        row.mask_errors.values = {3 * rmse, 1 - 8 * rmse, 3 * rmse};
+        row.errors["rmse"] = rmse, row.errors["ssim"] = 1 - 4 * rmse, row.errors["flip"] = 2 * rmse, row.flip_median = rmse;
+        row.mask_errors["rmse"] = 3 * rmse, row.mask_errors["ssim"] = 1 - 8 * rmse, row.mask_errors["flip"] = 3 * rmse;
         row.flicker = 0.05 - 0.5 * rmse; // the most accurate flickers most
         return rows.emplace_back(std::move(row));
     };

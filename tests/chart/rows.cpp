@@ -47,11 +47,19 @@ TEST_CASE("on the front is what nothing else is both faster and more accurate th
 }
 
 TEST_CASE("a row has the columns that other tools rely on, and nothing where nothing is known") {
-    CHECK(csv_header() == "scene,effect,method,width,height,frames,threads,ms_per_frame,rmse,ssim,flip,flip_median,mask_rmse,mask_ssim,"
-                          "mask_flip,flicker,bytes_per_pixel,pareto");
+    auto const of_metrics = [](auto&& cell) {
+        std::string cells;
+        for (auto const& metric : quell::metrics::all_metrics) (cells += ",") += cell(std::string(metric.name));
+        return cells;
+    };
+    auto const none = of_metrics([](auto const&) { return ""; });
+    CHECK(csv_header() == "scene,effect,method,width,height,frames,threads,ms_per_frame" +
+                              of_metrics([](auto const& name) { return name; }) + ",flip_median" +
+                              of_metrics([](auto const& name) { return "mask_" + name; }) + ",flicker,bytes_per_pixel,pareto");
     auto row = point("svgf", 12.3456, 0.0123456789);
     row.frames = 41, row.threads = 2, row.pareto = true, row.bytes_per_pixel = 68.55;
-    CHECK(csv_line(row) == "s,e,svgf,2,1,41,2,12.346,0.012346,,,,,,,,68.5,1");
+    CHECK(csv_line(row) == "s,e,svgf,2,1,41,2,12.346" + of_metrics([](auto const& name) { return name == "rmse" ? "0.012346" : ""; }) +
+                               "," + none + ",,68.5,1");
     row.scene = "a,\"b\"";
     row.method = "b,c";
     CHECK(csv_line(row).starts_with("\"a,\"\"b\"\"\",e,\"b,c\",2,"));

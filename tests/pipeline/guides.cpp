@@ -41,9 +41,9 @@ TEST_CASE("normals of any length mean the same, and are counted unless they are 
         CAPTURE(length);
         auto const seen = seen_with(general, [&](auto& frame) { each(frame, normal, [&](glm::vec3 n) { return n * length; }); });
         CHECK(tests::difference(usual.out, seen.out) < 1e-4);
-        CHECK(seen.repaired.normal == pixels);
+        CHECK(seen.repaired.of(normal) == pixels);
         CHECK(seen.repaired.pixels == pixels);
-        CHECK(seen.repaired.albedo + seen.repaired.depth + seen.repaired.motion == 0);
+        seen.repaired.for_each([](auto guide, auto, long long count) { CHECK((count == 0) != std::is_same_v<decltype(guide), Normal>); });
     }
     // What half makes of a normal is one of length 1.
     auto const half = seen_with(general, [](auto& frame) {
@@ -61,7 +61,7 @@ TEST_CASE("a normal that is not finite is none, where nothing is seen none is ne
     for (float const bad : {not_a_number, infinite, -infinite}) {
         auto const seen = seen_with(atrous, [&](auto& frame) { frame[normal].set(5, 6, {0, bad, 1}); });
         CHECK(seen.out == none.out);
-        CHECK(seen.repaired.normal == 1);
+        CHECK(seen.repaired.of(normal) == 1);
     }
     auto const sky = seen_with(atrous, [&](auto& frame) {
         frame[depth].set(5, 6, infinite);
@@ -76,7 +76,7 @@ TEST_CASE("a depth that is none is a miss, and is counted") {
     for (float const bad : {not_a_number, -infinite, 0.f, -0.f, -3.f}) {
         auto const seen = seen_with(general, [&](auto& frame) { frame[depth].set(5, 6, bad); });
         CHECK(seen.out == miss.out);
-        CHECK(seen.repaired.depth == 1);
+        CHECK(seen.repaired.of(depth) == 1);
         CHECK(seen.repaired.pixels == 1);
     }
 }
@@ -88,12 +88,12 @@ TEST_CASE("albedo above 1 is 1, and what is negative or not finite is black") {
     for (float const bad : {1.1f, 7.f, 1e30f}) {
         auto const seen = with({bad, 0.5f, bad});
         CHECK(seen.out == one.out);
-        CHECK(seen.repaired.albedo == 1);
+        CHECK(seen.repaired.of(albedo) == 1);
     }
     for (float const bad : {-0.1f, -1e30f, infinite, not_a_number}) {
         auto const seen = with({0.5f, bad, 0.5f});
         CHECK(seen.out == black.out);
-        CHECK(seen.repaired.albedo == 1);
+        CHECK(seen.repaired.of(albedo) == 1);
     }
 }
 
@@ -109,9 +109,25 @@ TEST_CASE("motion that is not finite leads nowhere, and is counted") {
     });
     CHECK(away.repaired.pixels == 0);
     CHECK(seen.out == same_albedo.out);
-    CHECK(seen.repaired.motion == 1);
-    CHECK(seen.repaired.albedo == 1);
+    CHECK(seen.repaired.of(motion) == 1);
+    CHECK(seen.repaired.of(albedo) == 1);
     CHECK(seen.repaired.pixels == 2);
+}
+
+TEST_CASE("counts add up over frames, and of a composite's pipelines the one that reads most guides has them") {
+    constexpr auto both = Composite{presets::surface(visibility), presets::atrous(indirect)};
+    auto const seen = seen_with(both, [](auto& frame) {
+        frame[motion].set(5, 6, {0, not_a_number}), frame[albedo].set(7, 7, {2, 1, 1}), frame[depth].set(9, 9, -1.f);
+    });
+    // Only the first follows motion. The albedo is a factor of the second, which no pipeline reads.
+    CHECK(seen.repaired.of(motion) == 1);
+    CHECK(seen.repaired.of(depth) == 1);
+    CHECK(seen.repaired.pixels == 2);
+    auto sum = seen.repaired;
+    sum += seen.repaired;
+    sum.for_each(
+        [&](auto guide, std::string_view what, long long count) { CHECK((!what.empty() && count == 2 * seen.repaired.of(guide))); });
+    CHECK(sum.pixels == 4);
 }
 
 namespace {
@@ -170,7 +186,7 @@ TEST_CASE("guides in the host's own memory are repaired too, and left as they ar
     };
     std::vector<float> usual, repaired;
     CHECK(run_with(unit, Borrowed<>{}, usual).pixels == 0);
-    CHECK(run_with(longer, Borrowed<>{}, repaired).normal == size.pixels());
+    CHECK(run_with(longer, Borrowed<>{}, repaired).of(normal) == size.pixels());
     CHECK(repaired == usual);
     CHECK(longer == filled<3>({0, 0, 1.5f}));
 }
@@ -183,6 +199,6 @@ TEST_CASE("a storage that lends memory and knows none for copies has impossible 
         Lent{},
         [&](auto& frame) { frame[radiance].all = &light, frame[albedo].all = &colour, frame[depth].all = &z, frame[normal].all = &up; },
         out);
-    CHECK(counted.albedo == size.pixels());
+    CHECK(counted.of(albedo) == size.pixels());
     for (std::size_t i = 0; i < out.size(); ++i) REQUIRE(out[i] == doctest::Approx(light[0][static_cast<int>(i % 3)]));
 }

@@ -308,6 +308,17 @@ TEST_CASE("fog and depth of field: at most the error of the picture as one signa
     }
 }
 
+TEST_CASE("several estimates: noisy guides have less error than by one, and fog little more" * doctest::test_suite("shared data")) {
+    auto const cases = shared("data/cases");
+    if (cases.empty()) return;
+    auto const of_field = scores(cases / "dof", ""), of_field_quick = scores(cases / "dof", "--quick");
+    auto const fog = scores(cases / "volume", ""), fog_quick = scores(cases / "volume", "--quick");
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(of_field[i] < 0.9 * of_field_quick[i]);
+        CHECK(fog[i] < 1.02 * fog_quick[i]);
+    }
+}
+
 TEST_CASE("a glass ball without its passes keeps its light" * doctest::test_suite("shared data")) {
     auto const from = shared("data/cases/glassenter");
     if (from.empty()) return;

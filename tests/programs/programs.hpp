@@ -3,6 +3,7 @@
 #include "../io/files.hpp"
 
 #include <quell/frame/frame.hpp>
+#include <quell/metrics/metric.hpp>
 
 #include <random>
 #include <sstream>
@@ -36,6 +37,14 @@ inline Ran run_program(std::string const& program, std::string const& arguments)
 }
 inline Ran denoise(std::string const& arguments) { return run_program(QUELL_DENOISE, arguments); }
 inline Ran trace(std::string const& arguments) { return run_program(QUELL_TRACE, arguments); }
+
+/// A metric in a line of the table that --reference prints.
+inline double score_in(std::string const& line, metrics::MetricName metric) {
+    std::istringstream cells(line);
+    std::string cell;
+    for (std::size_t i = 0; i < metric.place + 2; ++i) std::getline(cells, cell, ',');
+    return std::stod(cell);
+}
 
 /// Checks that a program refused its arguments or its input in one line that says all of these.
 inline void check_refused(Ran const& ran, std::initializer_list<std::string> parts) {

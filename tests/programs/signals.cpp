@@ -32,8 +32,7 @@ struct Traced {
         CHECK(ran.code == 0);
         auto const lines = ran.lines();
         REQUIRE(lines.size() > 2);
-        auto const& row = lines[lines.size() - 2];
-        return std::stod(row.substr(row.find(',') + 1));
+        return score_in(lines[lines.size() - 2], "rmse");
     }
 };
 

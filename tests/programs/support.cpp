@@ -1,9 +1,9 @@
 #include "../io/files.hpp"
 
+#include <library/name_list.hpp>
 #include <support/csv.hpp>
 #include <support/frame_pattern.hpp>
 #include <support/gnuplot.hpp>
-#include <library/name_list.hpp>
 #include <support/output_folder.hpp>
 #include <support/program.hpp>
 #include <support/size_in.hpp>

@@ -84,8 +84,7 @@ double mean_difference(Picture const& a, Picture const& b) {
 
 std::vector<unsigned char> encode_png(Picture const& picture) {
     metrics::Picture shown{{picture.width, picture.height}, {}};
-    for (Color const& color : picture.pixels)
-        shown.pixels.push_back(glm::vec3(color[0], color[1], color[2]));
+    for (Color const& color : picture.pixels) shown.pixels.push_back(glm::vec3(color[0], color[1], color[2]));
     return examples::encode_png(shown);
 }
 

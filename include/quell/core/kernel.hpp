@@ -45,8 +45,12 @@
 #endif
 
 /// Marks large code that few pixels need, in place of QUELL_KERNEL: `QUELL_OUTLINED constexpr`. It is never inlined, so that it costs the
-/// common case nothing.
+/// common case nothing. On a device a call costs more: arguments behind references, such as all that a pass reads, are looked up in memory.
+#if defined(__CUDACC__)
+#define QUELL_OUTLINED
+#else
 #define QUELL_OUTLINED QUELL_NOINLINE QUELL_FLATTENED
+#endif
 /// Marks other functions that are never inlined.
 #define QUELL_NOINLINE [[gnu::noinline]]
 
@@ -64,12 +68,24 @@
 #define QUELL_NO_UNIQUE_ADDRESS [[no_unique_address]]
 #endif
 
-/// Unrolls the loop that follows, of at most 8 turns. The addresses of its taps become constants.
+/// Unrolls the loop that follows, of at most 8 turns. The addresses of its taps become constants. QUELL_UNROLL_ON_DEVICE does so only on a
+/// device, where arrays that loops index are then registers.
 #if defined(__CUDACC__)
 #define QUELL_UNROLL _Pragma("unroll")
+#define QUELL_UNROLL_ON_DEVICE _Pragma("unroll")
 #else
 #define QUELL_UNROLL _Pragma("GCC unroll 8")
+#define QUELL_UNROLL_ON_DEVICE
 #endif
+
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
+/// Whether this is compiled for a device. A thread there has registers for what a CPU's kernel keeps in arrays, and little local memory.
+#if defined(__CUDA_ARCH__)
+inline constexpr bool on_device = true;
+#else
+inline constexpr bool on_device = false;
+#endif
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail
 
 /// Before a kernel's argument: threads read it where it lies. Without it, each would make a copy in its local memory. Devices before
 /// compute capability 7.0 do not have it.

@@ -3,6 +3,8 @@
 #include <quell/core/value.hpp>
 #include <quell/frame/channels.hpp>
 
+#include <string_view>
+
 /// Guides that no scene has, and what stands in for them. Every frame's guides are looked at in the first pass. Where one is impossible,
 /// passes see a copy of the channel in which it is repaired: no policy sees the host's value.
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
@@ -12,11 +14,12 @@ using CheckedGuides = Channels<Albedo, Normal, Depth, Motion>;
 /// Those of which copies are made. A motion that is not finite leads nowhere, so that the pixel has no history.
 using CopiedGuides = Channels<Albedo, Normal, Depth>;
 
-/// Tells an impossible value of a guide, and what is used in its place.
+/// Tells an impossible value of a guide, in words too, and what is used in its place.
 template <ChannelTag C> struct Repair;
 
 /// 0 to 1. More is 1. Where a component is negative or not finite there is no albedo: 0, which counts as black.
 template <> struct Repair<Albedo> {
+    static constexpr std::string_view impossible = "outside [0, 1]";
     template <class V> QUELL_KERNEL static auto possible(V const& a) {
         // Rounding may leave a little more than 1.
         return both(is_albedo(a), max(a.x, max(a.y, a.z)) <= real_of<V>(1.002f));
@@ -35,6 +38,7 @@ private:
 
 /// Of length 1, or 0 where there is none. Others are brought to length 1; what is not finite is none.
 template <> struct Repair<Normal> {
+    static constexpr std::string_view impossible = "not of length 1";
     template <class V> QUELL_KERNEL static auto possible(V const& n) {
         using Real = real_of<V>;
         auto const squared = dot(n, n);
@@ -54,6 +58,7 @@ template <> struct Repair<Normal> {
 
 /// Above 0; infinite where nothing is seen. Others count as that.
 template <> struct Repair<Depth> {
+    static constexpr std::string_view impossible = "0, negative or NaN";
     template <class Real> QUELL_KERNEL static auto possible(Real z) {
         auto const all = bits(z);
         return both(less_index(Index<Real>(0), all), less_index(all, Index<Real>(0x7f800001)));
@@ -64,8 +69,19 @@ template <> struct Repair<Depth> {
 };
 
 template <> struct Repair<Motion> {
+    static constexpr std::string_view impossible = "not finite";
     template <class V> QUELL_KERNEL static auto possible(V const& m) { return all_finite(m); }
 };
+
+/// The place of a guide among CheckedGuides.
+template <ChannelTag C> constexpr int number_of_guide() {
+    int number = 0, found = 0;
+    for_each_channel(CheckedGuides{}, [&]<class D>(D) {
+        if (std::is_same_v<C, D>) found = number;
+        ++number;
+    });
+    return found;
+}
 
 /// Which guides of a pixel are impossible: the sum of 1 << i over those numbers i of CheckedGuides. Only counted, never stored.
 struct ImpossibleGuides : Channel<1> {

@@ -12,12 +12,27 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 ///
 ///     static void* allocate(std::size_t bytes);   static void release(void* memory);
 ///
-/// Models: HostMemory, ManagedMemory (image/managed.cuh).
+/// Memory that the host cannot reach says so, and has two more:
+///
+///     static constexpr bool on_host = false;
+///     static void clear(void* memory, std::size_t bytes);   static void copy(void* to, void const* from, std::size_t bytes);
+///
+/// Models: HostMemory, ManagedMemory (image/managed.cuh), DeviceMemory (execute/device.cuh).
 template <class M>
 concept ImageMemory = requires(std::size_t bytes, void* memory) {
     { M::allocate(bytes) } -> std::same_as<void*>;
     M::release(memory);
 };
+
+namespace detail {
+/// Whether the host can reach memory.
+template <class Memory> constexpr bool reached_by_host() {
+    if constexpr (requires { Memory::on_host; })
+        return Memory::on_host;
+    else
+        return true;
+}
+} // namespace detail
 
 /// What operator new[] gives.
 struct HostMemory {

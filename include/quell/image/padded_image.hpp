@@ -20,6 +20,7 @@ static_assert(width_of<Pack> <= padding, "quell: packs of more than 16 floats ar
 /// Distance from a pixel to the one below, in pixels. It follows from the size: a kernel that reads many images of one size computes each
 /// address once (see Pixel::load).
 QUELL_KERNEL std::ptrdiff_t padded_width(Extent size) {
+    if constexpr (on_device) return ((size.width + padding - 1) & -padding) + padding; // in 32 bits
     // Rounds up by a bit mask. With a division, compilers would compute the address of each component anew.
     return ((static_cast<std::ptrdiff_t>(size.width) + padding - 1) & -padding) + padding;
 }
@@ -35,6 +36,7 @@ inline constexpr bool is_value = std::is_convertible_v<T const&, Value<component
 template <class ViewT> class PaddedImage {
     using Element = typename ViewT::Element;
     using Memory = typename ViewT::Memory;
+    static constexpr bool on_host = reached_by_host<Memory>();
     struct Free {
         void operator()(Element* p) const { Memory::release(p); }
     };
@@ -47,23 +49,32 @@ public:
 
     /// @throws Error where offsets within a component exceed 31 bits
     explicit PaddedImage(Extent size = {}) : extent(size) {
-        if (size.height > 0 && View::row_stride(size) > std::numeric_limits<std::int32_t>::max() / size.height)
+        if (size.height > 0 && View::row_stride(size) > most_offset / size.height)
             raise_error<Failure>("image size", to_string(size) + " pixels, " + std::to_string(View::pixel_step) + " floats apart",
                                  View::pixel_step > 1 ? "use Planar storage or smaller images" : "use smaller images");
         allocate();
-        std::uninitialized_value_construct_n(memory.get(), elements());
+        if constexpr (on_host)
+            std::uninitialized_value_construct_n(memory.get(), elements());
+        else
+            Memory::clear(memory.get(), bytes());
     }
     PaddedImage(PaddedImage&&) noexcept = default;
     PaddedImage& operator=(PaddedImage&&) noexcept = default;
     PaddedImage(PaddedImage const& other) : extent(other.extent) {
         if (!other.memory) return; // moved from
         allocate();
-        std::uninitialized_copy_n(other.memory.get(), elements(), memory.get());
+        if constexpr (on_host)
+            std::uninitialized_copy_n(other.memory.get(), elements(), memory.get());
+        else
+            Memory::copy(memory.get(), other.memory.get(), bytes());
     }
     /// Allocates nothing where the two are of one size.
     PaddedImage& operator=(PaddedImage const& other) {
         if (!memory || !other.memory || !(extent == other.extent)) return *this = PaddedImage(other);
-        std::copy_n(other.memory.get(), elements(), memory.get());
+        if constexpr (on_host)
+            std::copy_n(other.memory.get(), elements(), memory.get());
+        else
+            Memory::copy(memory.get(), other.memory.get(), bytes());
         return *this;
     }
     ~PaddedImage() = default;
@@ -73,9 +84,18 @@ public:
     [[nodiscard]] std::size_t bytes() const { return elements() * sizeof(Element); }
 
     /// Const: an assignment to what it returns would do nothing.
-    [[nodiscard]] Value<components, float> const get(int x, int y) const { return view().get(x, y); }
-    [[nodiscard]] float get(int c, int x, int y) const { return view().get(c, x, y); }
-    void set(int x, int y, Value<components, float> const& value) { view().template store<float>(x, y, value); }
+    [[nodiscard]] Value<components, float> const get(int x, int y) const {
+        require_host();
+        return view().get(x, y);
+    }
+    [[nodiscard]] float get(int c, int x, int y) const {
+        require_host();
+        return view().get(c, x, y);
+    }
+    void set(int x, int y, Value<components, float> const& value) {
+        require_host();
+        view().template store<float>(x, y, value);
+    }
 
     // Calls that would get many lines from compilers, or lose a component in silence.
     template <class T>
@@ -99,6 +119,16 @@ public:
     }
 
 private:
+#if defined(__CUDACC__) // a device adds offsets of 32 bits, in bytes
+    static constexpr std::int32_t most_offset = std::numeric_limits<std::int32_t>::max() / 4;
+#else
+    static constexpr std::int32_t most_offset = std::numeric_limits<std::int32_t>::max();
+#endif
+    // The members that call it are compiled only where they are used.
+    static void require_host() {
+        static_assert(on_host, "image.get() and image.set(): the image lies in the device's memory: use upload() and download() of "
+                               "quell/execute/device.cuh");
+    }
     void allocate() { memory.reset(static_cast<Element*>(Memory::allocate(bytes()))); }
     [[nodiscard]] std::size_t elements() const { return static_cast<std::size_t>(View::elements(extent)); }
 };

@@ -27,6 +27,12 @@ template <class Format, int N, class MemoryT> struct PlanarView {
     }
     /// An image of planes.
     static PlanarView of(std::array<std::shared_ptr<Plane>, std::size_t{N}> const& each) {
+        std::array<Plane const*, std::size_t{N}> planes;
+        for (std::size_t c = 0; c < each.size(); ++c) planes[c] = each[c].get();
+        return of(planes);
+    }
+    /// The same without owners.
+    static PlanarView of(std::array<Plane const*, std::size_t{N}> const& each) {
         PlanarView view{{}, each[0]->size()};
         for (std::size_t c = 0; c < each.size(); ++c) view.planes[c] = each[c]->view().planes[0];
         return view;
@@ -52,6 +58,7 @@ template <class Format, int N, class MemoryT> struct PlanarView {
     }
     template <class Real> QUELL_KERNEL Real load_component(int c, int x, int y) const { return Format::template load<Real>(at(c, x, y)); }
     template <class Real> QUELL_KERNEL Value<N, Real> gather(Index<Real> x, Index<Real> y) const {
+        if constexpr (on_device) return load<Real>(x, y);
         auto const offset = y * Index<Real>(static_cast<std::int32_t>(row_stride())) + x;
         return make_value<N, Real>([&](auto c) QUELL_INLINED { return Format::template gather<Real>(planes[c], offset); });
     }
@@ -62,7 +69,18 @@ template <class Format, int N, class MemoryT> struct PlanarView {
 
 private:
     static std::ptrdiff_t plane_elements(Extent size) { return row_stride(size) * size.height + padding; }
-    QUELL_KERNEL Element* at(int c, int x, int y) const { return planes[c] + (y * row_stride() + x); }
+    QUELL_KERNEL Element* at(int c, int x, int y) const {
+        if constexpr (on_device)
+            return by_offset(planes[c], x, y);
+        else
+            return planes[c] + (y * row_stride() + x);
+    }
+    /// The same by an offset of 32 bits, in bytes, that is not negative: a device has one for all planes in a register, and adds it to each
+    /// plane's address while loading.
+    template <class E> QUELL_KERNEL E* by_offset(E* plane, int x, int y) const {
+        auto const place = static_cast<unsigned>(y * static_cast<int>(padded_width(size)) + x + padding);
+        return reinterpret_cast<E*>(reinterpret_cast<char*>(plane) + place * static_cast<unsigned>(sizeof(E))) - padding;
+    }
 };
 } // namespace detail
 

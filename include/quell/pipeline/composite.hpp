@@ -72,10 +72,7 @@ public:
         Statistics sum = std::get<0>(histories).statistics();
         sum.missing_samples = std::apply([](auto const&... h) { return (h.statistics().missing_samples + ...); }, histories);
         sum.suppressed = std::apply([](auto const&... h) { return (h.statistics().suppressed + ...); }, histories);
-        for (auto const count :
-             {&RepairedGuides::pixels, &RepairedGuides::albedo, &RepairedGuides::normal, &RepairedGuides::depth, &RepairedGuides::motion})
-            sum.repaired_guides.*count =
-                std::apply([&](auto const&... h) { return std::max({h.statistics().repaired_guides.*count...}); }, histories);
+        std::apply([&](auto const&... h) { (sum.repaired_guides.raise_to(h.statistics().repaired_guides), ...); }, histories);
         return sum;
     }
     /// Memory of history, scratch and picture, in bytes. Complete after the second frame.
@@ -182,7 +179,8 @@ struct CompositeRun {
             auto const sum = [&](auto... denoised) {
                 CompositeJob<decltype(frame.views(typename Composite<Ps...>::factors{})), Output, decltype(denoised)...> const job{
                     .frame = factors, .output = output, .denoised = {{denoised}...}};
-                executor.for_each_pixel(Region{0, 0, frame.size.width, frame.size.height}, job);
+                run_or_enqueue(executor, Region{0, 0, frame.size.width, frame.size.height}, job);
+                if constexpr (QueueExecutor<E>) executor.submit();
             };
             // Initialiser lists are evaluated in order.
             std::apply(sum, std::tuple{denoised<typename Ps::Output>(

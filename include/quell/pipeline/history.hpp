@@ -76,8 +76,12 @@ public:
     /// Forgets, and gives all memory back.
     void release() { images.release(); }
 
-    /// Counts so far.
-    [[nodiscard]] Statistics const& statistics() const { return images.counted; }
+    /// Counts so far. After a run with a QueueExecutor, such as Cuda, it waits for the frame.
+    /// @throws Error where a pass in the queue has failed
+    [[nodiscard]] Statistics const& statistics() const {
+        images.take_late_counts();
+        return images.counted;
+    }
     /// Memory of history and scratch, in bytes. Complete after the second frame.
     [[nodiscard]] std::size_t bytes() const { return images.pool->bytes(); }
     /// The same per pixel of the frame.
@@ -102,8 +106,7 @@ private:
     detail::HistoryImages images;
     std::shared_ptr<detail::DiagnosisNotes> notes; ///< of quell::diagnose
 
-    explicit History(std::shared_ptr<detail::ImagePool> shared)
-        : images{std::move(shared), detail::counts_in<MemoryOf<Storage>>(), detail::counts_in<MemoryOf<Storage>>()} {}
+    explicit History(std::shared_ptr<detail::ImagePool> shared) : images{std::move(shared), detail::counts_in<MemoryOf<Storage>>()} {}
 };
 /// @cond
 template <class P, ImageStorage Storage>

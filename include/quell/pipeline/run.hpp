@@ -25,13 +25,15 @@ template <class E> constexpr auto run_list_of() {
 template <std::size_t stages, class P, class Set, class FrameStorage, class Storage, class E, class Into>
 auto run_stages(P const& pipeline, Frame<Set, FrameStorage> const& frame, History<P, Storage>& history, E const& executor,
                 Into const& into) {
+    static_assert(QueueExecutor<E> || (reached_by_host<MemoryOf<Storage>>() && reached_by_host<MemoryOf<FrameStorage>>()),
+                  "run(pipeline, frame, history, executor): the images lie in the device's memory: give the executor Cuda{stream}");
     check_frame<P>(frame);
     auto& images = OpenHistory::images(history);
     using K = Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into>;
     images.passes.update(&maker_of_list<K, stages>, pipeline, [&](PassList& list) {
         list_passes<stages, FrameStorage, Storage, K>(pipeline, list, !std::is_same_v<Into, NoTarget>);
     });
-    TypedByKernel const typed{&pipeline, &frame, &executor, &into, run_list_of<E>()};
+    TypedByKernel const typed{&pipeline, &frame, &executor, &into, run_list_of<E>(), queue_of<E>()};
     PassRunner(images, typed, {frame.size, frame.camera, frame.number, frame.shutter, P::needs_camera}).run();
     return view_in<Storage, typename P::Output>(images.output);
 }

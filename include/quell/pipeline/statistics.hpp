@@ -1,6 +1,9 @@
 #pragma once
 
-#include <quell/core/instruction_set.hpp>
+#include <quell/frame/repair.hpp>
+
+#include <algorithm>
+#include <array>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
@@ -8,15 +11,29 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// needs no normal.
 struct RepairedGuides {
     long long pixels = 0; ///< with one or more
-    long long albedo = 0; ///< with a component outside [0, 1]
-    long long normal = 0; ///< of another length than 1 or 0
-    long long depth = 0;  ///< 0, negative or NaN
-    long long motion = 0; ///< not finite: such pixels have no history
+    /// @cond
+    std::array<long long, detail::CheckedGuides::size> by_guide{}; // in the order of CheckedGuides
+    /// @endcond
 
+    /// Those of one guide: of(albedo), of(normal), of(depth) or of(motion).
+    template <ChannelTag C> [[nodiscard]] constexpr long long of(C) const {
+        static_assert(detail::CheckedGuides::has<C>, "repaired_guides.of(channel): no value of this channel is repaired");
+        return by_guide[static_cast<std::size_t>(detail::number_of_guide<C>())];
+    }
+    /// Calls visit(channel, what is impossible of it in words, pixels) for each guide.
+    void for_each(auto const& visit) const {
+        for_each_channel(detail::CheckedGuides{}, [&]<class C>(C c) { visit(c, detail::Repair<C>::impossible, of(c)); });
+    }
     /// Adds those of another frame.
     RepairedGuides& operator+=(RepairedGuides const& other) {
-        pixels += other.pixels, albedo += other.albedo, normal += other.normal, depth += other.depth, motion += other.motion;
+        pixels += other.pixels;
+        for (std::size_t i = 0; i < by_guide.size(); ++i) by_guide[i] += other.by_guide[i];
         return *this;
+    }
+    /// Takes each count of another run with the same frame that is larger.
+    void raise_to(RepairedGuides const& other) {
+        pixels = std::max(pixels, other.pixels);
+        for (std::size_t i = 0; i < by_guide.size(); ++i) by_guide[i] = std::max(by_guide[i], other.by_guide[i]);
     }
 };
 

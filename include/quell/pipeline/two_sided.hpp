@@ -65,15 +65,19 @@ template <class F, ChannelTag C> class StandIn {
     using Theirs = ImageOf<typename F::storage, C>;
     using Own = ImageOf<StorageOfCopies<typename F::storage>, C>;
     Own own;
-    Theirs &in_frame, theirs{};
+    Theirs &in_frame, theirs;
+
+    Theirs exchanged() {
+        if constexpr (std::is_same_v<Own, Theirs>) {
+            std::swap(in_frame, own);
+            return Theirs();
+        } else {
+            return std::exchange(in_frame, Theirs::of_copy(own.view()));
+        }
+    }
 
 public:
-    explicit StandIn(F& frame) : own(frame.size), in_frame(frame[C{}]) {
-        if constexpr (std::is_same_v<Own, Theirs>)
-            std::swap(in_frame, own);
-        else
-            theirs = std::exchange(in_frame, Theirs::of_copy(own.view()));
-    }
+    explicit StandIn(F& frame) : own(frame.size), in_frame(frame[C{}]), theirs(exchanged()) {}
     ~StandIn() {
         if constexpr (std::is_same_v<Own, Theirs>)
             std::swap(in_frame, own);

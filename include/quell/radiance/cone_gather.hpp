@@ -35,6 +35,7 @@ template <class Edge = Product<DepthEdge, NormalEdge>> struct ConeGather {
         auto colour = zero<typename Px::Signal>();
         detail::Hull<typename Px::Signal> seen(px.signal());
         Real weight(0.f);
+        QUELL_UNROLL_ON_DEVICE
         for (int t = 0; t < taps.count; ++t) {
             auto const signal = taps.at(px, t).signal();
             taps.light[t] = luminance(signal) * taps.weight[t];
@@ -65,6 +66,7 @@ private:
     QUELL_KERNEL static void add_three_cones(Px const& px, Taps<Px> const& taps, Components<12, Real>& sum) {
         [&]<int... c>(std::integer_sequence<int, c...>) QUELL_INLINED {
             Real sums[] = {((void)c, Real(0.f))...}, numbers[] = {((void)c, Real(0.f))...};
+            QUELL_UNROLL_ON_DEVICE
             for (int t = 0; t < 9; ++t) {
                 auto const tap = taps.at(px, t);
                 auto const add = [&](auto i, Real& its_sum, Real& its_number) QUELL_INLINED {

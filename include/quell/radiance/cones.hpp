@@ -57,15 +57,18 @@ struct ConeLuminance : InternalChannel<12> {
     /// What a history fetch interpolates: the sums, in the units of the signal of the same pixel.
     template <class V> QUELL_KERNEL static V interpolated(V stored, auto const& signal) {
         auto const mean = luminance(signal);
+        QUELL_UNROLL_ON_DEVICE
         for (int i = 0; i < components; i += 2) stored.at[i] = stored.at[i] * (stored.at[i + 1] * mean);
         return stored;
     }
     /// What memory holds of what a policy returns. A cone without light or without samples has the mean of all.
     template <class V> QUELL_KERNEL static V in_memory(V cones) {
         auto sum = cones.at[0], number = cones.at[1];
+        QUELL_UNROLL_ON_DEVICE
         for (int i = 2; i < components; i += 2) sum = sum + cones.at[i], number = number + cones.at[i + 1];
         using Real = decltype(sum);
         auto const scale_by = masked(sum > Real(1e-30f), number / sum);
+        QUELL_UNROLL_ON_DEVICE
         for (int i = 0; i < components; i += 2) {
             // Half ends at 65504.
             auto const relative = min(cones.at[i] * scale_by / max(cones.at[i + 1], Real(1e-6f)), Real(60000.f));
@@ -104,6 +107,7 @@ template <class Real> struct Axes {
         constexpr float x[] = {0.8660254f, 0.26761657f, -0.70062927f, -0.70062927f, 0.26761657f};
         constexpr float y[] = {0.f, 0.82363910f, 0.50903696f, -0.50903696f, -0.82363910f};
         at[0] = n;
+        QUELL_UNROLL_ON_DEVICE
         for (int k = 0; k < 5; ++k) at[k + 1] = add_scaled(add_scaled(scale(n, Real(0.5f)), tangent, Real(x[k])), bitangent, Real(y[k]));
     }
 };
@@ -132,9 +136,11 @@ QUELL_OUTLINED constexpr Components<n, Real> transferred(Components<n, Real> con
     constexpr int each = n / count;
     Axes<Real> const source(normal_from), target(normal_to);
     Components<n, Real> result{};
+    QUELL_UNROLL_ON_DEVICE
     for (int j = 0; j < count; ++j) {
         Real sum[std::size_t{each}];
         for (int c = 0; c < each; ++c) sum[c] = Real(0.f);
+        QUELL_UNROLL_ON_DEVICE
         for (int k = 0; k < count; ++k) {
             auto const common = overlap(dot(source.at[k], target.at[j]));
             for (int c = 0; c < each; ++c) sum[c] = fma(from.at[each * k + c], common, sum[c]);
@@ -153,6 +159,7 @@ template <class V, class Real> QUELL_KERNEL auto deposit(V const& sample, vec3<R
     constexpr int each = components_of<V> + 1;
     Axes<Real> const axes(normal);
     Real best(-2.f), nearest(0.f);
+    QUELL_UNROLL_ON_DEVICE
     for (int k = 0; k < count; ++k) {
         auto const closeness = dot(direction, axes.at[k]);
         auto const nearer = closeness > best;
@@ -172,6 +179,7 @@ template <class V, class Real> QUELL_KERNEL auto deposit(V const& sample, vec3<R
 template <int n, class Real> QUELL_KERNEL Real samples(Components<n, Real> const& value) {
     constexpr int each = n / count;
     Real sum(0.f);
+    QUELL_UNROLL_ON_DEVICE
     for (int k = 1; k <= count; ++k) sum = sum + value.at[each * k - 1];
     return sum;
 }
@@ -182,6 +190,7 @@ template <int n, class Real> QUELL_KERNEL auto mean(Components<n, Real> const& v
     auto const inverse = 1.f / max(samples(value), Real(1e-30f));
     return make_value<each - 1, Real>([&](auto c) QUELL_INLINED {
         Real all(0.f);
+        QUELL_UNROLL_ON_DEVICE
         for (int k = 0; k < count; ++k) all = all + value.at[each * k + c];
         return all * inverse;
     });
@@ -195,6 +204,7 @@ template <int n, class Real> QUELL_KERNEL auto shade(Components<n, Real> const& 
     // Each cone borrows 1/1000 of all samples: little beside samples of its own.
     auto const lent = max(samples(value) * 1e-3f, Real(1e-30f));
     auto sum = zero<Value<each - 1, Real>>();
+    QUELL_UNROLL_ON_DEVICE
     for (int k = 0; k < count; ++k) {
         auto const inverse = part(k) / (value.at[each * k + each - 1] + lent);
         sum = make_value<each - 1, Real>(

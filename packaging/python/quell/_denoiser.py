@@ -35,7 +35,7 @@ class Statistics(NamedTuple):
     frames: int  #: since the history began
     resets: int  #: how often it began
     missing_samples: int  #: in the last frame: not finite, beyond 1e16, of negative luminance
-    repaired_guides: int  #: pixels of the last frame with impossible normals, albedo, depth or motion
+    repaired_guides: int  #: pixels of the last frame with impossible guides (docs/channels.md)
     bytes: int  #: of history and scratch
 
 

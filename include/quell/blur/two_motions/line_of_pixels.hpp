@@ -47,19 +47,40 @@ struct LineOfPixels {
 
 private:
     template <class Visit> QUELL_KERNEL void for_each(Visit&& visit, bool itself) const {
+        if constexpr (on_device) return for_each_in_turn(visit, itself);
         // All places first, so that the loads of several visits overlap.
         glm::ivec2 places[2 * max_steps + 1];
         int n = 0;
         if (itself) places[n++] = {0, 0};
         for (int i = 0; i < steps; ++i) {
-            // fma fixes the rounding, which decides which pixel is visited.
-            float const along = floor(fma(static_cast<float>(i), step, -reach) + 0.5f), part = along / whole;
-            float const aside = fma(part * part * bent, -4.f, along * slope);
-            int const a = static_cast<int>(along), first = static_cast<int>(floor(slanted ? aside : aside + 0.5f));
+            auto const [a, first] = place(i);
             for (int k = 0; k <= (slanted ? 1 : 0); ++k)
                 if (int const b = first + k; a != 0 || b != 0) places[n++] = steep ? glm::ivec2(b, a) : glm::ivec2(a, b);
         }
         for (int i = 0; i < n; ++i) visit(places[i].x, places[i].y);
+    }
+    /// The same without an array. Other threads run while one waits for its loads.
+    template <class Visit> QUELL_KERNEL void for_each_in_turn(Visit&& visit, bool itself) const {
+        int const beside = slanted ? 2 : 1;
+        for (int n = itself ? -1 : 0; n < steps * beside; ++n) {
+            int a = 0, b = 0;
+            if (n >= 0) {
+                auto const at = place(n / beside);
+                a = at.along, b = at.first + n % beside;
+                if (a == 0 && b == 0) continue;
+            }
+            visit(steep ? b : a, steep ? a : b);
+        }
+    }
+    struct Place {
+        int along, first;
+    };
+    /// The i-th step along the line, and the first pixel beside it.
+    QUELL_KERNEL Place place(int i) const {
+        // fma fixes the rounding, which decides which pixel is visited.
+        float const along = floor(fma(static_cast<float>(i), step, -reach) + 0.5f), part = along / whole;
+        float const aside = fma(part * part * bent, -4.f, along * slope);
+        return {static_cast<int>(along), static_cast<int>(floor(slanted ? aside : aside + 0.5f))};
     }
 };
 

@@ -182,6 +182,7 @@ private:
             auto const hides = both(of.two, certain > Real(0.f));
             if (!any(hides)) return behind.mean();
             auto exposed = in_front.last_component();
+            QUELL_UNROLL_ON_DEVICE
             for (auto& e : exposed.at) e = 1.f - masked(hides, mix(coverage, min(e, Real(1.f)), certain));
             return behind.mean(exposed);
         }

@@ -161,7 +161,7 @@ template <class R, class S, int rows = 1> struct Pixel {
         auto const v = detail::fetch<Real>(scope.signal, scope.size, place, 0, 0);
         return std::pair{without_mark(v), S::mark::template of<S::marks_missing>(v)};
     }
-    /// To world space: rays().position(position(), z) is the point at depth z. The policy must declare `needs_camera`.
+    /// rays().position(where, z): in world space. The sample is at position() plus jitter_now(). The policy must declare `needs_camera`.
     QUELL_KERNEL PixelRays const& rays() const { return require_camera(), scope.rays; }
     /// The same for the previous frame.
     QUELL_KERNEL PixelRays const& rays_then() const { return require_camera(), scope.rays_then; }

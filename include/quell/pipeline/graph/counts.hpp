@@ -1,6 +1,7 @@
 #pragma once
 
-#include <quell/frame/repair.hpp>
+#include <quell/image/memory.hpp>
+#include <quell/pipeline/statistics.hpp>
 
 #include <atomic>
 #include <memory>
@@ -14,6 +15,15 @@ template <class Whole> QUELL_KERNEL void add_together(std::atomic<Whole>& sum, W
     atomicAdd(reinterpret_cast<unsigned long long*>(&sum), static_cast<unsigned long long>(more));
 #else
     sum.fetch_add(more, std::memory_order_relaxed);
+#endif
+}
+
+/// A count that no other thread changes at the time.
+template <class Whole> QUELL_KERNEL Whole read_count(std::atomic<Whole> const& count) {
+#if defined(__CUDA_ARCH__)
+    return *reinterpret_cast<Whole const*>(&count);
+#else
+    return count.load(std::memory_order_relaxed);
 #endif
 }
 
@@ -38,16 +48,6 @@ public:
     }
 };
 
-/// The place of a channel among CheckedGuides.
-template <ChannelTag C> constexpr int number_of_guide() {
-    int number = 0, found = 0;
-    for_each_channel(CheckedGuides{}, [&]<class D>(D) {
-        if (std::is_same_v<C, D>) found = number;
-        ++number;
-    });
-    return found;
-}
-
 /// Pixels with impossible guides, by the guide.
 class GuideCounts {
     std::atomic<long long> by_guide[CheckedGuides::size] = {};
@@ -68,8 +68,12 @@ public:
         for (auto& count : by_guide) count = 0;
     }
     /// Of the guide with a number among CheckedGuides.
-    [[nodiscard]] long long of(int number) const { return by_guide[number]; }
-    template <ChannelTag C> [[nodiscard]] long long of(C) const { return of(number_of_guide<C>()); }
+    [[nodiscard]] QUELL_KERNEL long long of(int number) const { return read_count(by_guide[number]); }
+    [[nodiscard]] RepairedGuides total() const {
+        RepairedGuides all{.pixels = read_count(pixels)};
+        for (std::size_t i = 0; i < all.by_guide.size(); ++i) all.by_guide[i] = read_count(by_guide[i]);
+        return all;
+    }
 };
 
 /// Counts of the ingest, from any number of threads.
@@ -82,9 +86,22 @@ struct Counts {
     void reset() { missing = 0, holes = 0, suppressed.reset(), guides.reset(); }
 };
 
+/// Counts of a frame.
+struct FrameCounts {
+    Counts first;      ///< of the ingest
+    Counts again;      ///< of a second one, with repaired guides
+    Counts filled[16]; ///< of each pass of FillHoles in a queue
+    unsigned barrier;  ///< of a queue's grid
+};
+
 /// Counts that lie where kernels can write them.
-template <class Memory> std::shared_ptr<Counts> counts_in() {
-    return {new (Memory::allocate(sizeof(Counts))) Counts, [](Counts* counts) { Memory::release(counts); }};
+template <class Memory> std::shared_ptr<FrameCounts> counts_in() {
+    void* const memory = Memory::allocate(sizeof(FrameCounts));
+    auto const release = [](FrameCounts* counts) { Memory::release(counts); };
+    if constexpr (reached_by_host<Memory>())
+        return {new (memory) FrameCounts, release};
+    else
+        return {static_cast<FrameCounts*>(memory), release}; // a queue clears them before each frame
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::detail

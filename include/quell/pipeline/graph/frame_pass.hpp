@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/execute/list_executor.hpp>
+#include <quell/execute/queue_executor.hpp>
 #include <quell/frame/camera.hpp>
 #include <quell/frame/pixel_rays.hpp>
 #include <quell/pipeline/graph/image_pool.hpp>
@@ -11,6 +12,7 @@
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 struct Counts;
+struct FrameCounts;
 
 /// What one frame leaves for the next. A history has two, a double buffer: `then` and `now`.
 struct FrameState {
@@ -40,10 +42,11 @@ struct FrameFacts {
 };
 
 /// What only the function of a kernel knows the types of. `target` is the image that the host wants the output in, if any. `run_list` is of
-/// a ListExecutor; else null.
+/// a ListExecutor, `queue` of a QueueExecutor; else null.
 struct TypedByKernel {
     void const *pipeline = nullptr, *frame = nullptr, *executor = nullptr, *target = nullptr;
     void (*run_list)(void const* executor, std::span<ListedPass const>) = nullptr;
+    QueueCalls const* queue = nullptr;
 };
 
 /// What a pass reads and writes, as images.
@@ -70,8 +73,16 @@ struct PassArguments {
     TypedByKernel const& typed;
     PassImages const& images;
     PassStores stores;
-    Counts* counts; ///< of the ingest; else null
-    int step;       ///< of FillHoles
+    Counts* counts;                ///< of the ingest; else null
+    int step;                      ///< of FillHoles
+    FrameCounts* queued = nullptr; ///< of a queue, whose passes look there whether copies stand in for the host's guides
+};
+
+/// What a queue has to do behind the ingest, in the few frames that need it.
+struct IngestCompletionArguments {
+    PassArguments ingest;    ///< once more, with repaired guides
+    PassArguments fill;      ///< FillHoles from the ingest's image
+    PassArguments fill_back; ///< and back to it
 };
 
 /// A channel that a pass makes, and how it is stored.
@@ -138,9 +149,10 @@ struct PassList {
     std::array<MadeChannel, 8> guides{};
     int guide_count = 0; ///< what is copied for the next frame, as the history stores it
     ImageFormat signal, output;
-    bool has_past = false;    ///< there is a history
-    bool demodulates = false; ///< the output is another image than the signal
-    bool has_target = false;  ///< the host gives an image for the output
+    void (*complete_ingest)(IngestCompletionArguments const&) = nullptr; ///< of a queue
+    bool has_past = false;                                               ///< there is a history
+    bool demodulates = false;                                            ///< the output is another image than the signal
+    bool has_target = false;                                             ///< the host gives an image for the output
 
     constexpr void clear() {
         passes.clear(), repairs.clear(), kernels.clear();

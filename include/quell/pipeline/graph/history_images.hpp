@@ -3,7 +3,6 @@
 #include <quell/pipeline/graph/counts.hpp>
 #include <quell/pipeline/graph/frame_pass.hpp>
 #include <quell/pipeline/graph/listed_passes.hpp>
-#include <quell/pipeline/statistics.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
@@ -29,17 +28,29 @@ public:
     }
 };
 
+/// Counts of a frame that is in a queue: who has to be asked for them.
+struct LateCounts {
+    static constexpr std::size_t most_bytes = 64;
+    QueueCalls const* queue = nullptr; ///< null: there are none
+    alignas(std::max_align_t) std::array<std::byte, most_bytes> executor{};
+
+    void await(TypedByKernel const& typed) {
+        queue = typed.queue;
+        std::memcpy(executor.data(), typed.executor, queue->size);
+    }
+};
+
 /// What a history holds, whatever its pipeline.
 struct HistoryImages {
-    std::shared_ptr<ImagePool> pool;      ///< this history's own, or shared by a composite
-    std::shared_ptr<Counts> counts;       ///< of the running frame
-    std::shared_ptr<Counts> counts_again; ///< of its second ingest, with repaired guides
+    std::shared_ptr<ImagePool> pool;     ///< this history's own, or shared by a composite
+    std::shared_ptr<FrameCounts> counts; ///< of the running frame
     Extent size = pool->size();
-    FrameState then{};    ///< of the last frame: passes read it. Images that no later pass reads go back to the pool, or to `now`.
-    FrameState now{};     ///< of the running frame: passes write it. advance() makes it `then`.
-    PooledImage output{}; ///< for the host; may be the signal's image
-    bool empty = true;    ///< whether `then` is no past of the next frame
-    Statistics counted{};
+    FrameState then{};            ///< of the last frame: passes read it. Images that no later pass reads go back to the pool, or to `now`.
+    FrameState now{};             ///< of the running frame: passes write it. advance() makes it `then`.
+    PooledImage output{};         ///< for the host; may be the signal's image
+    bool empty = true;            ///< whether `then` is no past of the next frame
+    mutable Statistics counted{}; ///< without `late`
+    mutable LateCounts late{};
     ListOnce passes{};                         ///< of the last frame, and of the next if it is run like the last
     ListedPasses listed{};                     ///< of the running frame, for a ListExecutor
     std::vector<std::byte> job{};              ///< of the running pass
@@ -62,17 +73,29 @@ struct HistoryImages {
         bool const follows = !number || !then.number || *number == *then.number + 1;
         if (!(size == frame_size)) restart(frame_size);
         if (!follows) empty = true;
+        late.queue = nullptr;
         now.drop_images(); // half written, if an exception ended the last frame
         if (empty) then.drop_images(), ++counted.resets, counted.frames = 0;
         output = {};
         // History counts as empty until the frame is complete: an exception must not leave half of one.
         return !std::exchange(empty, true);
     }
+    /// Waits for a queue, where the last frame is in one, and takes note of what it has counted.
+    void take_late_counts() const {
+        if (auto const* const queue = std::exchange(late.queue, nullptr)) {
+            FrameCounts of_frame;
+            queue->read(late.executor.data(), &of_frame, counts.get(), sizeof(of_frame));
+            bool repeated = false;
+            for (auto const& each : passes.list().repairs)
+                repeated = repeated || (each.changes_samples && of_frame.first.guides.of(each.number) > 0);
+            note(of_frame.first.guides, repeated ? of_frame.again : of_frame.first);
+        }
+    }
     /// Takes note of what the first pass has counted.
-    void note(GuideCounts const& guides, Counts const& samples) {
+    void note(GuideCounts const& guides, Counts const& samples) const {
         counted.missing_samples = samples.missing;
         counted.suppressed = samples.suppressed.total();
-        counted.repaired_guides = {guides.pixels, guides.of(albedo), guides.of(normal), guides.of(depth), guides.of(motion)};
+        counted.repaired_guides = guides.total();
     }
     /// Ends a frame: what it has written is what the next one reads.
     void advance() {

@@ -3,6 +3,7 @@
 #include <quell/execute/executor.hpp>
 #include <quell/pipeline/graph/counts.hpp>
 #include <quell/pipeline/ingest.hpp>
+#include <quell/pipeline/stage.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
@@ -37,6 +38,8 @@ struct PassJob {
     static constexpr bool makes_signal = makes_signal_of<Pass, Scope>;
     static constexpr int max_lanes = max_lanes_of<Pass>;
     static constexpr bool two_rows = takes_two_rows<Pass>;
+    /// Whether neighbouring pixels look at places in various directions, so that a device should run squares of them.
+    static constexpr bool in_squares = two_rows || is_temporal<Pass>;
     static_assert(!two_rows || !makes_signal, "a pass of `two_rows` makes the signal: give it emit_channels(px)");
     static_assert(Scope::fraction == 1 || !makes_signal,
                   "a pass of a fraction of the frame's size makes the signal, which is of the frame's size: give it emit_channels(px)");

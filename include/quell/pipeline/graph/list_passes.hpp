@@ -67,6 +67,7 @@ private:
         list.keeps = ChannelIds(typename P::keeps{}), list.remembers = ChannelIds(typename P::remembers{});
         list.signal = format_of<Storage, typename P::Signal>, list.output = format_of<Storage, typename P::Output>;
         list.has_past = P::has_past;
+        list.complete_ingest = K::complete_ingest_of();
         list.demodulates = !std::is_same_v<typename P::Form, NoModulation>;
         static_assert(P::remembers::size <= std::tuple_size_v<decltype(list.guides)>, "a pipeline remembers more than 8 channels");
         for_each_channel(typename StoredChannels<typename P::remembers>::type{}, [&]<class C>(C) {
@@ -76,7 +77,7 @@ private:
         if constexpr (!std::is_void_v<Copy>)
             for_each_channel(common_to<CopiedGuides, typename P::reads>{}, [&]<class C>(C) {
                 list.repairs.push_back({&channel_info<C>, format_of<Copy, C>, number_of_guide<C>(),
-                                        reads_of<typename P::Form>::template has<C>, &K::template repair<C>});
+                                        reads_of<typename P::Form>::template has<C>, K::template repair_of<C>()});
             });
     }
 

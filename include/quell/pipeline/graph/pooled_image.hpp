@@ -14,6 +14,12 @@ template <class Image>
 concept HasPlanes = requires(PlanesOf<ViewIn<Image>> const& planes) {
     { ViewIn<Image>::of(planes) } -> std::same_as<ViewIn<Image>>;
 };
+/// The same for planes whose owners are elsewhere, which need not be counted then.
+template <class Image>
+concept TakesPlanes = HasPlanes<Image> &&
+    requires(std::array<typename ViewIn<Image>::Plane const*, std::size_t{ViewIn<Image>::components}> const& planes) {
+    { ViewIn<Image>::of(planes) } -> std::same_as<ViewIn<Image>>;
+};
 
 /// A type of images as a value: the pieces that one is made of. An image with planes has a piece per component, each of which may later be
 /// part of another image; others are in one piece.
@@ -47,7 +53,12 @@ template <class Image> constexpr ImageFormat format_of_image() {
         return format_of_pieces<Image, 1>();
 }
 template <class Image> ViewIn<Image> view_of_image(PooledImage const& image) {
-    if constexpr (HasPlanes<Image>) {
+    using View = ViewIn<Image>;
+    if constexpr (TakesPlanes<Image>) {
+        std::array<typename View::Plane const*, std::size_t{View::components}> planes;
+        for (std::size_t i = 0; i < planes.size(); ++i) planes[i] = static_cast<typename View::Plane const*>(image.pieces[i].get());
+        return View::of(planes);
+    } else if constexpr (HasPlanes<Image>) {
         PlanesOf<ViewIn<Image>> planes;
         for (std::size_t i = 0; i < planes.size(); ++i)
             planes[i] = std::static_pointer_cast<typename ViewIn<Image>::Plane>(image.pieces[i]);

@@ -3,6 +3,7 @@
 #include <quell/frame/repair.hpp>
 #include <quell/pipeline/fill_holes.hpp>
 #include <quell/pipeline/graph/check_frame.hpp>
+#include <quell/pipeline/graph/complete_ingest.hpp>
 #include <quell/pipeline/graph/frame_pass.hpp>
 #include <quell/pipeline/graph/job.hpp>
 #include <quell/pipeline/pipeline.hpp>
@@ -58,6 +59,7 @@ template <class P, class Set, class FrameStorage, class Storage, class E, class 
 struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
     using FrameT = Frame<Set, FrameStorage>;
     using SignalView = ViewOf<Storage, typename P::Signal>;
+    static constexpr bool queued = QueueExecutor<E>;
     using Vectors = VectorConversion<P::motion_convention>;
 
     /// What a pass sees: views of exactly the channels that it declares.
@@ -79,13 +81,14 @@ struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
 
     template <class Pass> static constexpr bool makes_signal = makes_signal_of<Pass, ScopeOf<Pass, true>>;
 
-    template <class Pass, bool marks> static auto job_of(PassArguments const& a) {
+    /// @param repaired copies that stand in for the host's guides
+    template <class Pass, bool marks> static auto job_of(PassArguments const& a, ImageTable const& repaired) {
         using S = ScopeOf<Pass, marks>;
         using Made = decltype(emits_of<Pass>{} | keeps_of<Pass>{});
         constexpr bool keeps_marks = marks && P::has_past && !is_temporal<Pass> && !std::is_same_v<Pass, FillHoles>;
         auto const made = a.images.made_out.template views<Storage>(Made{});
-        auto const scope = scope_of<S, Pass>(a);
-        auto const end = finish(a);
+        auto const scope = scope_of<S, Pass>(a, repaired);
+        auto const end = finish(a, repaired);
         return PassJob<Pass, S, SignalView, std::remove_const_t<decltype(made)>, std::remove_const_t<decltype(end)>, typename P::remembers,
                        keeps_marks>{.pass = kernel<Pass>(a),
                                     .scope = scope,
@@ -98,25 +101,77 @@ struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
                                     .stored_channels = stored(Made{}, a.images.made_out),
                                     .counts = a.counts};
     }
-    template <class Pass, bool marks> using JobOf = decltype(job_of<Pass, marks>(std::declval<PassArguments const&>()));
+    /// Whether only the device knows what a pass reads: it reads guides, itself or in the last pass's end, in a queue. The ingest reads the
+    /// host's.
+    template <class Pass>
+    static constexpr bool is_late =
+        queued && !std::is_same_v<Pass, decltype(P::ingest)> &&
+        (common_to<CopiedGuides, reads_of<Pass>>::size > 0 ||
+         (makes_signal<Pass> && common_to<CopiedGuides, decltype(reads_of<typename P::Form>{} | typename P::remembers{})>::size > 0));
+    template <class Pass, bool marks> static auto listed_job_of(PassArguments const& a) {
+        auto const job = job_of<Pass, marks>(a, a.images.repaired);
+        if constexpr (is_late<Pass>)
+            return LateJob<std::remove_const_t<decltype(job)>>{job_of<Pass, marks>(a, ImageTable{}), job, &a.queued->first.guides};
+        else
+            return job;
+    }
+    template <class Pass, bool marks> using JobOf = decltype(listed_job_of<Pass, marks>(std::declval<PassArguments const&>()));
 
     template <class Pass, bool marks> static void make_job(PassArguments const& a, std::byte* to) {
-        auto const job = job_of<Pass, marks>(a);
+        auto const job = listed_job_of<Pass, marks>(a);
         static_assert(std::is_trivially_copyable_v<JobOf<Pass, marks>>, "views, policies and camera of a pass are plain data");
         std::memcpy(to, &job, sizeof(job));
     }
     template <class Pass, bool marks> static void run(Region region, std::byte const* job, void const* executor) {
-        static_cast<E const*>(executor)->for_each_pixel(region, from_bytes<JobOf<Pass, marks>>(job));
+        run_or_enqueue(*static_cast<E const*>(executor), region, from_bytes<JobOf<Pass, marks>>(job));
     }
 
     template <ChannelTag C> static void repair(TypedByKernel const& typed, PooledImage const& copy) {
         auto const& frame = frame_in(typed);
-        auto const to = view_in<StorageOfCopies<FrameStorage>, C>(copy);
-        RepairJob<C, ViewOf<FrameStorage, C>, std::remove_const_t<decltype(to)>> const job{frame[C{}].view(), to};
-        static_cast<E const*>(typed.executor)->for_each_pixel(Region{0, 0, frame.size.width, frame.size.height}, job);
+        static_cast<E const*>(typed.executor)
+            ->for_each_pixel(Region{0, 0, frame.size.width, frame.size.height}, repair_job<C>(typed, copy));
+    }
+
+    /// What repairs a guide; null for a queue, which does it on the device.
+    template <ChannelTag C> static constexpr auto repair_of() -> void (*)(TypedByKernel const&, PooledImage const&) {
+        if constexpr (queued)
+            return nullptr;
+        else
+            return &repair<C>;
+    }
+    /// What completes the ingest in a queue; null for other executors.
+    static constexpr auto complete_ingest_of() -> void (*)(IngestCompletionArguments const&) {
+        if constexpr (queued)
+            return &complete_ingest;
+        else
+            return nullptr;
     }
 
 private:
+    static void complete_ingest(IngestCompletionArguments const& a) {
+        auto const again = job_of<decltype(P::ingest), false>(a.ingest, a.ingest.images.repaired);
+        auto const fill = job_of<FillHoles, true>(a.fill, ImageTable{}), fill_back = job_of<FillHoles, true>(a.fill_back, ImageTable{});
+        constexpr bool changes_samples = reads_of<typename P::Form>::template has<Albedo>;
+        auto const enqueue = [&](auto const& repairs) {
+            auto const size = a.ingest.facts.size;
+            static_cast<E const*>(a.ingest.typed.executor)
+                ->enqueue_grid(Region{0, 0, size.width, size.height},
+                               IngestCompletion<std::remove_const_t<decltype(again)>, std::remove_const_t<decltype(fill)>,
+                                                std::remove_cvref_t<decltype(repairs)>>{repairs, again, fill, fill_back, a.ingest.queued,
+                                                                                        changes_samples ? number_of_guide<Albedo>() : -1,
+                                                                                        size.pixels(), a.ingest.facts.has_past});
+        };
+        if constexpr (std::is_void_v<StorageOfCopies<FrameStorage>>)
+            enqueue(guide_repairs());
+        else
+            [&]<class... Cs>(Channels<Cs...>) {
+                enqueue(guide_repairs(repair_job<Cs>(a.ingest.typed, *a.ingest.images.repaired.find(&channel_info<Cs>))...));
+            }(common_to<CopiedGuides, typename P::reads>{});
+    }
+    template <ChannelTag C> static auto repair_job(TypedByKernel const& typed, PooledImage const& copy) {
+        auto const to = view_in<StorageOfCopies<FrameStorage>, C>(copy);
+        return RepairJob<C, ViewOf<FrameStorage, C>, std::remove_const_t<decltype(to)>>{frame_in(typed)[C{}].view(), to};
+    }
     static FrameT const& frame_in(TypedByKernel const& typed) { return *static_cast<FrameT const*>(typed.frame); }
 
     template <class Pass> static Pass kernel(PassArguments const& a) {
@@ -136,10 +191,10 @@ private:
         ((bits |= images.find(&channel_info<Cs>) ? next : 0, next <<= 1), ...);
         return bits;
     }
-    template <class S, class Pass> static S scope_of(PassArguments const& a) {
+    template <class S, class Pass> static S scope_of(PassArguments const& a, ImageTable const& repaired) {
         auto const& facts = a.facts;
         auto const& then = a.images.then;
-        FrameViews<Set, FrameStorage> const given{frame_in(a.typed), a.images.repaired};
+        FrameViews<Set, FrameStorage> const given{frame_in(a.typed), repaired};
         return {.size = divided(facts.size, S::fraction),
                 .frame = given.of(typename S::frame_channels{}),
                 .made = a.images.made.template views<Storage>(typename S::made_channels{}),
@@ -161,8 +216,8 @@ private:
     }
     static Vectors vectors(FrameFacts const& facts) { return {facts.size, facts.jitter, facts.jitter_then}; }
 
-    static auto finish(PassArguments const& a) {
-        FrameViews<Set, FrameStorage> const given{frame_in(a.typed), a.images.repaired};
+    static auto finish(PassArguments const& a, ImageTable const& repaired) {
+        FrameViews<Set, FrameStorage> const given{frame_in(a.typed), repaired};
         EndScope const scope{.size = a.facts.size, .frame = given.of(typename EndScope::frame_channels{}), .vectors = vectors(a.facts)};
         auto const guides = a.images.guides_out.template views<Storage>(typename StoredChannels<typename P::remembers>::type{});
         auto const ending = [&]<class Target>(Target const& target) {

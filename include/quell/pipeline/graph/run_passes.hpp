@@ -40,16 +40,20 @@ public:
     PassRunner& operator=(PassRunner const&) = delete;
 
     void run() {
-        ingest();
+        if (typed.queue)
+            enqueue_ingest();
+        else
+            ingest();
         history.listed.clear();
         for (std::size_t i = 0; i < list.passes.size(); ++i) run_listed(i);
         if (typed.run_list) typed.run_list(typed.executor, history.listed.complete());
+        if (typed.queue) typed.queue->submit(typed.executor);
         end();
     }
 
 private:
     void ingest() {
-        auto &first = *history.counts, &again = *history.counts_again;
+        auto &first = history.counts->first, &again = history.counts->again;
         first.reset(), again.reset();
         run_pass(list.ingest, {.signal = true}, &first);
         bool const repeat = repair(first.guides);
@@ -60,6 +64,37 @@ private:
         if (nothing_seen && facts.has_past) run_pass(list.fill_holes, {.signal = true}, nullptr, 0);
         for (int step = 2; counts.holes > 0 && !nothing_seen; step *= 2)
             counts.holes = 0, run_pass(list.fill_holes, {.signal = true}, &counts, step);
+    }
+    /// The same without looking at counts: the queue does.
+    void enqueue_ingest() {
+        auto* const counts = history.counts.get();
+        typed.queue->clear(typed.executor, counts, sizeof(*counts));
+        run_pass(list.ingest, {.signal = true}, &counts->first);
+        for (auto const& each : list.repairs) history.repaired[each.id] = history.pool->take(each.format);
+        auto const other = history.pool->take(list.signal);
+        auto const images = [&](PooledImage const& from, PooledImage const& to) {
+            return PassImages{.repaired = history.repaired,
+                              .made = history.made,
+                              .signal = from,
+                              .then = history.then,
+                              .signal_out = to,
+                              .made_out = history.made_out,
+                              .guides_out = history.now.guides,
+                              .output = history.output};
+        };
+        auto const again = images(other, signal), fill = images(signal, other), fill_back = images(other, signal);
+        auto const arguments = [&](FramePass const& pass, PassImages const& of, Counts* counted) {
+            return PassArguments{list.kernels.data() + pass.kernel, facts, typed, of, {.signal = true}, counted, 0, counts};
+        };
+        list.complete_ingest({arguments(list.ingest, again, &counts->again), arguments(list.fill_holes, fill, counts->filled),
+                              arguments(list.fill_holes, fill_back, counts->filled)});
+        history.late.await(typed);
+        // Whether the next frame has a past hangs on what this one sees, if it has none itself.
+        if (list.has_past && !facts.has_past) {
+            history.take_late_counts();
+            history.late.await(typed); // the rest of the frame is to come
+            nothing_seen = history.counted.missing_samples == facts.size.pixels();
+        }
     }
     /// Repairs each guide of which one is counted. Returns whether samples change by it.
     bool repair(GuideCounts const& impossible) {
@@ -102,7 +137,8 @@ private:
                                 .made_out = history.made_out,
                                 .guides_out = history.now.guides,
                                 .output = history.output};
-        PassArguments const arguments{list.kernels.data() + pass.kernel, facts, typed, images, stores, counts, step};
+        PassArguments const arguments{list.kernels.data() + pass.kernel,           facts, typed, images, stores, counts, step,
+                                      typed.queue ? history.counts.get() : nullptr};
         if (listed && typed.run_list)
             history.listed.add(pass, arguments);
         else

@@ -1,0 +1,158 @@
+#include <denoise/anti_alias.hpp>
+#include <denoise/light_split.hpp>
+
+#include <quell/execute/threads.hpp>
+#include <quell/io/frame_image.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace quell::examples {
+
+namespace {
+using Colours = ImageOf<Planar<>, Albedo>;
+
+bool has_planes(io::ExrImage const& image, std::vector<std::string> const& planes) {
+    return std::ranges::all_of(planes, [&](auto const& plane) { return image.find(plane) != nullptr; });
+}
+Colours image_of(metrics::Picture const& picture) {
+    Colours image(picture.size);
+    auto const view = image.view();
+    auto pixel = picture.pixels.begin();
+    for (int y = 0; y < picture.size.height; ++y)
+        for (int x = 0; x < picture.size.width; ++x, ++pixel)
+            for (int c = 0; c < 3; ++c) view.set(c, x, y, (*pixel)[c]);
+    return image;
+}
+/// Whether pixels at edges show the mean of several samples' normals, which is shorter than 1.
+bool has_mixed_normals(io::ExrImage const& image, io::ChannelNames const& names) {
+    Frame<Channels<Normal>> frame(image.size);
+    io::load_channels(Channels<Normal>{}, frame, image, names);
+    auto const normals = frame[normal].view();
+    auto const at = [&](int x, int y) { return glm::vec3(normals.get(0, x, y), normals.get(1, x, y), normals.get(2, x, y)); };
+    int edges = 0, mixed = 0;
+    for (int y = 0; y < image.size.height; ++y)
+        for (int x = 1; x + 1 < image.size.width; ++x) {
+            auto const left = at(x - 1, y), right = at(x + 1, y), here = at(x, y);
+            if (!(glm::dot(left, right) < .9f * std::sqrt(glm::dot(left, left) * glm::dot(right, right)))) continue;
+            ++edges;
+            float const square = glm::dot(here, here);
+            mixed += square > 1e-4f && square < .96f ? 1 : 0;
+        }
+    return mixed * 10 > edges;
+}
+/// Whether no pixel moves: no frame then has samples of other places. Cycles writes such vectors where it renders motion blur.
+bool is_still(ImageView auto const& motions) {
+    for (int y = 0; y < motions.size.height; ++y)
+        for (int x = 0; x < motions.size.width; ++x)
+            if (motions.get(0, x, y) != 0.f || motions.get(1, x, y) != 0.f) return false;
+    return true;
+}
+/// Of one sample per pixel each surface has its light, and a pixel's own sample is one among others. What is the mean of many has the
+/// pixel's filter already, and less noise: above 8 samples it is soon nearly all.
+AntiAliased policy_for(int samples) {
+    if (samples == 1) return {.deviation = .45f, .change = .1f};
+    float const square = static_cast<float>(samples) * static_cast<float>(samples);
+    return {.deviation = .35f, .own = square / 16.f * std::max(1.f, square / 64.f), .by_surface = false, .change = .1f};
+}
+} // namespace
+
+std::vector<std::string> planes_of_frame_around(io::ExrListing const& file, io::SequenceNames const& names) {
+    std::vector<std::string> planes;
+    auto const& channels = names.of_signals[0].channels;
+    for (auto const& some : {io::planes_of(Channels<Depth, Motion>{}, channels), io::planes_of(Channels<MotionNext>{}, channels)})
+        if (file.has_all(some)) planes.insert(planes.end(), some.begin(), some.end());
+    return planes;
+}
+
+int samples_in(io::ExrListing const& file) {
+    for (auto const& [name, value] : file.attributes)
+        if (auto const* const text = std::get_if<std::string>(&value); text && name.starts_with("cycles.") && name.ends_with(".samples"))
+            return std::max(std::atoi(text->c_str()), 0);
+    return 0;
+}
+
+std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::SequenceNames const& names, long long number, int samples) {
+    auto const& channels = names.of_signals[0].channels;
+    if (samples < 1 || !has_planes(image, io::planes_of(Channels<Depth, Motion, Normal>{}, channels))) return nullptr;
+    if (samples > 1 && !has_mixed_normals(image, channels)) return nullptr;
+    auto made =
+        std::make_shared<FrameAround>(FrameAround{number, policy_for(samples), Frame<Channels<Depth, Motion, MotionNext>>(image.size), {}});
+    io::load_channels(Channels<Depth, Motion>{}, made->guides, image, channels);
+    if (is_still(made->guides[motion].view())) return nullptr;
+    if (has_planes(image, io::planes_of(Channels<MotionNext>{}, channels)))
+        io::load_channels(Channels<MotionNext>{}, made->guides, image, channels);
+    else { // frames after it are then not followed
+        auto const view = made->guides[motion_next].view();
+        for (int y = 0; y < image.size.height; ++y)
+            for (int x = 0; x < image.size.width; ++x)
+                for (int c = 0; c < 2; ++c) view.set(c, x, y, std::numeric_limits<float>::quiet_NaN());
+    }
+    for (auto const& signal : names.of_signals)
+        made->colours.push_back(signal.factor.empty() ? metrics::Picture{} : picture_of(image, signal.factor, 1.f));
+    made->colours.push_back(names.added.empty() ? metrics::Picture{} : picture_of(image, names.added, 0.f));
+    return made;
+}
+
+AntiAliasing::AntiAliasing(std::deque<std::shared_ptr<FrameAround const>> const& around, long long number) {
+    auto const at = [&](long long wanted) -> std::shared_ptr<FrameAround const> {
+        for (auto const& frame : around)
+            if (frame && frame->number == wanted) return frame;
+        return nullptr;
+    };
+    here = at(number);
+    if (!here) return;
+    for (long long k = 1; k <= AntiAliased::most_frames; ++k)
+        if (auto const frame = at(number - k))
+            before.push_back(frame);
+        else
+            break;
+    for (long long k = 1; k <= AntiAliased::most_frames; ++k)
+        if (auto const frame = at(number + k))
+            after.push_back(frame);
+        else
+            break;
+}
+
+std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metrics::Picture const* light) const {
+    if (!here || here->colours[colour].pixels.empty()) return std::nullopt;
+    auto const size = here->guides.size;
+    auto const colour_image = image_of(here->colours[colour]);
+    auto const light_image = image_of(
+        light != nullptr ? *light : metrics::Picture{size, std::vector<glm::vec3>(here->colours[colour].pixels.size(), glm::vec3(1.f))});
+    Colours to(size);
+    std::deque<Colours> kept;
+    auto policy = here->policy;
+    if (light != nullptr) policy.change = 0.f;
+    detail::AntiAliasJob job{.policy = policy,
+                             .colour = colour_image.view(),
+                             .light = light_image.view(),
+                             .depth = here->guides[depth].view(),
+                             .motion = here->guides[motion].view(),
+                             .motion_next = here->guides[motion_next].view(),
+                             .before = {},
+                             .after = {},
+                             .count_before = 0,
+                             .count_after = 0,
+                             .to = to.view()};
+    auto const put = [&](auto const& frames, auto& array, int& count, auto onward, auto toward) {
+        for (auto const& frame : frames) {
+            if (frame->colours[colour].pixels.empty() || !(frame->guides.size == size) || count == AntiAliased::most_frames) break;
+            kept.push_back(image_of(frame->colours[colour]));
+            array[static_cast<std::size_t>(count++)] = {kept.back().view(), frame->guides[depth].view(), frame->guides[onward].view(),
+                                                        frame->guides[toward].view()};
+        }
+    };
+    put(before, job.before, job.count_before, motion, motion_next);
+    put(after, job.after, job.count_after, motion_next, motion);
+    Threads{}.for_each_pixel({0, 0, size.width, size.height}, job);
+    metrics::Picture result{size, {}};
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            result.pixels.emplace_back(to.view().get(0, x, y), to.view().get(1, x, y), to.view().get(2, x, y));
+    return result;
+}
+
+} // namespace quell::examples

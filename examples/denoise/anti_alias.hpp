@@ -1,0 +1,46 @@
+#pragma once
+
+#include <quell/io/sequence_names.hpp>
+#include <quell/metrics/picture.hpp>
+#include <quell/resolve/anti_aliased.hpp>
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace quell::examples {
+
+/// A frame as those around it see it: what its pixels show, and where that goes.
+struct FrameAround {
+    long long number;
+    AntiAliased policy; ///< how it is anti-aliased
+    Frame<Channels<Depth, Motion, MotionNext>> guides;
+    std::vector<metrics::Picture> colours; ///< what signals are multiplied by, in order, and last what is added; an empty one is not known
+};
+
+/// The number of samples per pixel that a file says it has; 0: it says none. Cycles' files do.
+[[nodiscard]] int samples_in(io::ExrListing const& file);
+/// Reads what an AntiAliasing wants of a frame; null where its files lack that, or where nothing says how its colours were sampled, or
+/// where many samples were taken at the pixels' centres: then its colours are what they should be.
+/// @param samples per pixel; 0: not known
+[[nodiscard]] std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::SequenceNames const& names, long long number,
+                                                              int samples);
+/// The planes that frame_around() reads.
+[[nodiscard]] std::vector<std::string> planes_of_frame_around(io::ExrListing const& file, io::SequenceNames const& names);
+
+/// Multiplies light by colours of a frame, anti-aliased by the frames around it.
+class AntiAliasing {
+public:
+    /// @param around frames in order; those whose numbers do not follow each other are left out
+    AntiAliasing(std::deque<std::shared_ptr<FrameAround const>> const& around, long long number);
+    /// A colour times light; none where it is not known.
+    /// @param light null: the colour alone, which may change by itself
+    [[nodiscard]] std::optional<metrics::Picture> product(std::size_t colour, metrics::Picture const* light) const;
+
+private:
+    std::vector<std::shared_ptr<FrameAround const>> before, after; ///< the nearest first
+    std::shared_ptr<FrameAround const> here;
+};
+
+} // namespace quell::examples

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <quell/core/real.hpp>
+#include <quell/core/value.hpp>
+#include <quell/image/extent.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace quell::inline QUELL_INSTRUCTION_SET {
+
+/// Chooses between two estimates of a picture by samples that neither has used: the part of the first that brings the sum of both nearest
+/// to what is true, without bias whatever the noise is. Let I be the samples, A and B the estimates. Over a window, the part is
+///
+///     w = sum (I - B)(A - B) / sum (A - B)^2
+///
+/// limited to [0, 1]: the least squares of I - B by A - B. Terms are divided by the square of the luminance of A and B, so that dark and
+/// bright count alike, and samples are limited to a multiple of it. Samples are held out by a checkerboard: A and B are made once without
+/// the even pixels, and once without the odd ones.
+///
+/// What is chosen for are estimates that do use a pixel's own sample, and have a part of its noise. In A, which has many samples, that is
+/// little. In B it is d, what the sample changes of B. sum d^2 is added above and below: it is the error that comes with 1 - w.
+///
+/// The part's own variance, n / (sum (A - B)^2)^2 with n = sum ((I - (A + B) / 2)(A - B))^2, says how far it is to be trusted over what was
+/// taken before any sample was seen: a normal distribution about `at_first`.
+struct Evidence {
+    int radius = 12;      ///< of the window
+    float dark = 0.01f;   ///< added to the luminance that terms are divided by
+    float most = 20.f;    ///< samples are at most so many times that luminance
+    float caution = 2.f;  ///< how often sum d^2 counts
+    float at_first = 1.f; ///< the part where nothing is known
+    float spread = 1.f;   ///< standard deviation of the part about that, before samples are seen
+};
+
+/// Sums over windows, and what follows from them.
+class EvidenceSums {
+    Extent size;
+    std::vector<double> of_product, of_square, of_noise;
+
+public:
+    /// @throws std::bad_alloc
+    explicit EvidenceSums(Extent s)
+        : size(s), of_product(static_cast<std::size_t>(s.pixels()), 0.), of_square(static_cast<std::size_t>(s.pixels()), 0.),
+          of_noise(static_cast<std::size_t>(s.pixels()), 0.) {}
+
+    /// Adds a held-out sample. What is not finite says nothing.
+    /// @param rule   how terms weigh
+    /// @param pixel  its place, row by row
+    /// @param sample linear, as are the estimates
+    /// @param a      the first estimate
+    /// @param b      the second one
+    /// @param b_with the second one with this sample
+    void add(Evidence const& rule, std::size_t pixel, vec3<float> const& sample, vec3<float> const& a, vec3<float> const& b,
+             vec3<float> const& b_with) {
+        float const bright = 0.5f * abs(luminance(a) + luminance(b)) + rule.dark, per = 1.f / (bright * bright);
+        float product = 0, square = 0, noise = 0;
+        for (int c = 0; c < 3; ++c) {
+            float const limited = std::min(sample[c], rule.most * bright), off = a[c] - b[c], own = b_with[c] - b[c];
+            float const of_own = rule.caution * own * own;
+            product += (limited - b[c]) * off + of_own;
+            square += off * off + of_own;
+            noise += (limited - 0.5f * (a[c] + b[c])) * off;
+        }
+        product *= per, square *= per, noise = noise * noise * per * per;
+        if (!is_finite(product) || !is_finite(square) || !is_finite(noise)) return;
+        of_product[pixel] += static_cast<double>(product), of_square[pixel] += static_cast<double>(square);
+        of_noise[pixel] += static_cast<double>(noise);
+    }
+    /// The part of A for each pixel, row by row.
+    [[nodiscard]] std::vector<float> parts(Evidence const& rule) {
+        for (auto* const sums : {&of_product, &of_square, &of_noise}) box_sums(*sums, rule.radius);
+        std::vector<float> result(of_square.size());
+        double const per_spread = 1. / (static_cast<double>(rule.spread) * static_cast<double>(rule.spread));
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            double const before = of_noise[i] * per_spread + 1e-30;
+            double const w =
+                (of_product[i] * of_square[i] + before * static_cast<double>(rule.at_first)) / (of_square[i] * of_square[i] + before);
+            result[i] = static_cast<float>(std::clamp(w, 0., 1.));
+        }
+        return result;
+    }
+
+private:
+    /// Over squares, as far as they lie in the image.
+    void box_sums(std::vector<double>& values, int radius) const {
+        auto const along = [&](int lines, int length, std::size_t line_step, std::size_t step) {
+            std::vector<double> before(static_cast<std::size_t>(length) + 1);
+            for (int line = 0; line < lines; ++line) {
+                auto const first = static_cast<std::size_t>(line) * line_step;
+                before[0] = 0;
+                for (std::size_t i = 0; i < static_cast<std::size_t>(length); ++i) before[i + 1] = before[i] + values[first + i * step];
+                for (int i = 0; i < length; ++i) {
+                    auto const low = static_cast<std::size_t>(std::max(i - radius, 0)),
+                               high = static_cast<std::size_t>(std::min(i + radius + 1, length));
+                    values[first + static_cast<std::size_t>(i) * step] = before[high] - before[low];
+                }
+            }
+        };
+        auto const width = static_cast<std::size_t>(size.width);
+        along(size.height, size.width, width, 1), along(size.width, size.height, 1, width);
+    }
+};
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET

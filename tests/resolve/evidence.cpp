@@ -1,0 +1,56 @@
+#include <doctest/doctest.h>
+#include <quell/resolve/evidence.hpp>
+
+#include <limits>
+#include <random>
+
+using namespace quell;
+
+namespace {
+/// The part of A over an image where the truth is 1, A and B are off by so much, samples have skewed noise of mean 1, and B has that part
+/// of a pixel's own sample.
+double part(float a, float b, Evidence const& rule = {}, float own = 0.f) {
+    constexpr Extent size{48, 40};
+    EvidenceSums sums(size);
+    std::mt19937 random(7);
+    std::exponential_distribution<float> noise(1.f);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(size.pixels()); ++i) {
+        glm::vec3 const sample{noise(random), noise(random), noise(random)}, first(1.f + a), second(1.f + b);
+        sums.add(rule, i, sample, first, second, second + own * (sample - second));
+    }
+    double sum = 0;
+    auto const parts = sums.parts(rule);
+    for (float const p : parts) sum += static_cast<double>(p);
+    return sum / static_cast<double>(parts.size());
+}
+} // namespace
+
+TEST_CASE("samples choose what is true") {
+    CHECK(part(0.f, .5f) > .9);
+    CHECK(part(.5f, 0.f) < .1);
+    CHECK(part(.3f, -.3f) == doctest::Approx(.5).epsilon(.2));
+    CHECK(part(-.6f, .2f) == doctest::Approx(.25).epsilon(.3));
+}
+
+TEST_CASE("an estimate that follows its pixels' own noise is not taken for one that does not") {
+    CHECK(part(.2f, 0.f) < .2);
+    CHECK(part(.2f, 0.f, {.caution = 1.f}, .5f) == doctest::Approx(.25 / (.25 + .04)).epsilon(.1)); // error .04 of A, .25 of B
+    CHECK(part(.2f, 0.f, {}, .5f) > .85);
+}
+
+TEST_CASE("little evidence changes little") {
+    CHECK(part(.05f, 0.f, {.radius = 1, .spread = .1f}) > .9);
+    CHECK(part(.05f, 0.f, {.radius = 1, .spread = 1e4f}) < .7);
+}
+
+TEST_CASE("where both agree nothing is changed") {
+    CHECK(part(.2f, .2f) == doctest::Approx(1.));
+    CHECK(part(.2f, .2f, {.at_first = .25f}) == doctest::Approx(.25));
+}
+
+TEST_CASE("a sample that is not finite says nothing") {
+    EvidenceSums sums({3, 3});
+    glm::vec3 const none{std::numeric_limits<float>::quiet_NaN(), 1.f, std::numeric_limits<float>::infinity()}, a(2.f), b(1.f);
+    sums.add({}, 4, none, a, b, b);
+    for (float const p : sums.parts({.radius = 1})) CHECK((p >= 0.f && p <= 1.f));
+}
