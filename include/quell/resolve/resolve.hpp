@@ -10,7 +10,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// How much a sample tells about an output pixel: a Gaussian of the distance between the two. Kernels of a Resolve have weight(d2).
 struct GaussianKernel {
-    float deviation = 0.4f; ///< in output pixels, > 0
+    float deviation = 0.45f; ///< in output pixels, > 0
 
     /// 1 at the pixel's centre.
     /// @param squared_distance in output pixels
@@ -24,6 +24,9 @@ template <class K>
 concept WeighsDistance = requires(K const& kernel) {
     { kernel.weight(1.f) } -> std::same_as<float>;
 };
+/// What a Resolve clamps to unless it is told otherwise. Samples of other places differ more than noise does.
+template <class Range> inline constexpr Range range_of_resolve{};
+template <> inline constexpr MeanDeviation range_of_resolve<MeanDeviation>{.sigmas = 1.5f};
 } // namespace detail
 
 /// Temporal anti-aliasing and upsampling. Samples of the last frames are moved along their motion to where they are now. Each output pixel
@@ -39,7 +42,7 @@ concept WeighsDistance = requires(K const& kernel) {
 /// @tparam Axes       the colour space in which the past is clamped: YCoCg or Rgb
 /// @tparam Sharpening what happens to the output: NoSharpening or Sharpen
 /// @tparam frames     how many frames of the past are kept, 1 to 15
-template <class Kernel = GaussianKernel, class Range = MeanDeviation, class Axes = YCoCg, class Sharpening = NoSharpening, int frames = 8>
+template <class Kernel = GaussianKernel, class Range = MeanDeviation, class Axes = YCoCg, class Sharpening = NoSharpening, int frames = 6>
 struct Resolve {
     static_assert(detail::WeighsDistance<Kernel>,
                   "Resolve{kernel, range, axes, sharpening}: `kernel` must have weight(squared distance), such as GaussianKernel{}");
@@ -50,11 +53,11 @@ struct Resolve {
     static_assert(frames >= 1 && frames <= 15, "Resolve<..., frames>: it keeps 1 to 15 frames");
     static constexpr int past_frames = frames; ///< that are kept
 
-    Kernel kernel{};               ///< how a sample's distance weighs
-    Range range{};                 ///< what the past is clamped to
-    Axes axes{};                   ///< where that is a box
-    Sharpening sharpening{};       ///< of the output
-    float depth_tolerance = 0.03f; ///< how far a past sample's depth may lie outside those around, as a part of them
+    Kernel kernel{};                               ///< how a sample's distance weighs
+    Range range = detail::range_of_resolve<Range>; ///< what the past is clamped to
+    Axes axes{};                                   ///< where that is a box
+    Sharpening sharpening{};                       ///< of the output
+    float depth_tolerance = 0.03f;                 ///< how far a past sample's depth may lie outside those around, as a part of them
 };
 Resolve()->Resolve<>;
 template <class Kernel> Resolve(Kernel) -> Resolve<Kernel>;

@@ -10,7 +10,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// A pipeline, or a Composite, whose output is then anti-aliased over time, at the frame's size or a larger one:
 ///
-///     constexpr auto upscaled = Resolved{presets::general(radiance, Demodulate{})};
+///     constexpr auto upscaled = presets::resolve(presets::general(radiance, Demodulate{})); // a Resolved
 ///     Frame frame{{960, 540}, upscaled};
 ///     History history{{1920, 1080}, upscaled};           // of the output's size
 ///     auto const picture = run(upscaled, frame, history);
@@ -125,6 +125,7 @@ struct ResolvedRun {
     static auto all(Resolved<P, Policy> const& resolved, Frame<Set, FrameStorage> const& frame,
                     History<Resolved<P, Policy>, Storage>& history, E const& executor, Target const& target) {
         check_frame<Resolved<P, Policy>>(frame);
+        check_jitter(frame.camera.jitter);
         auto const& policies = resolved.resolve;
         constexpr bool sharpens = !std::is_same_v<std::remove_cvref_t<decltype(policies.sharpening)>, NoSharpening>,
                        has_target = !std::is_same_v<Target, NoTarget>;
@@ -172,6 +173,13 @@ struct ResolvedRun {
     }
 
 private:
+    static void check_jitter(glm::vec2 jitter) {
+        constexpr float most = 8.f;
+        auto const is_in_range = [](float a) { return is_finite(a) && a >= -most && a <= most; };
+        if (!is_in_range(jitter.x) || !is_in_range(jitter.y))
+            raise_error<Failure>("run: frame.camera.jitter", std::to_string(jitter.x) + ", " + std::to_string(jitter.y),
+                                 "give the samples' offset from the pixels' centres, in pixels of the frame");
+    }
     /// Makes place for a frame. The oldest frame's images become the newest's.
     template <class P, class Policy, class Storage> static auto& begin(History<Resolved<P, Policy>, Storage>& history, Extent size) {
         auto& frames = history.frames;
@@ -186,7 +194,11 @@ private:
 } // namespace detail
 
 /// Denoises one frame and resolves it. Returns a view of the output, valid until the next run with this history.
-/// @throws Error as run() of a Pipeline does
+/// @param resolved the pipeline and its resolve
+/// @param frame of any size; its camera's jitter says where its samples lie
+/// @param history of the output's size
+/// @param executor as that of run() of a Pipeline
+/// @throws Error as run() of a Pipeline does, and for a jitter of more than 8 pixels or one that is not finite
 template <class P, class Policy, class Set, class FrameStorage, class Storage, Executor E = Simd>
 auto run(Resolved<P, Policy> const& resolved, Frame<Set, FrameStorage> const& frame, History<Resolved<P, Policy>, Storage>& history,
          E const& executor = {}) {
@@ -200,6 +212,11 @@ auto run(Resolved<P, Policy> const& resolved, Frame<Set, FrameStorage> const& fr
 }
 
 /// Like run(), but writes the output through a view of the host's, as run_into() of a Pipeline does.
+/// @param target   where the output goes
+/// @param resolved the pipeline and its resolve
+/// @param frame    as for run()
+/// @param history  as for run()
+/// @param executor as for run()
 /// @throws Error as run() does, and for a target that is not of the history's size
 template <class P, class Policy, class Set, class FrameStorage, class Storage, ImageView Target, Executor E = Simd>
 void run_into(Target const& target, Resolved<P, Policy> const& resolved, Frame<Set, FrameStorage> const& frame,
