@@ -12,10 +12,10 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 struct GaussianKernel {
     float deviation = 0.45f; ///< in output pixels, > 0
 
-    /// 1 at the pixel's centre.
+    /// 1 at the pixel's centre. The namespace is named, since xsimd has an exp for packs with other bits.
     /// @param squared_distance in output pixels
     template <class Real> QUELL_KERNEL Real weight(Real squared_distance) const {
-        return exp(squared_distance * (-0.5f / (deviation * deviation)));
+        return quell::exp(squared_distance * (-0.5f / (deviation * deviation)));
     }
 };
 
@@ -106,16 +106,6 @@ template <class Real, class View> QUELL_KERNEL auto interpolate(View const& view
             hull.add(tap);
         }
     return hull.limited(sum);
-}
-/// The same, bilinearly.
-template <class Real, class View> QUELL_KERNEL auto interpolate_bilinearly(View const& view, Extent size, vec2<Real> const& where) {
-    using V = Value<View::components, Real>;
-    auto const column = floor(where.x - 0.5f), row = floor(where.y - 0.5f);
-    auto const u = where.x - 0.5f - column, v = where.y - 0.5f - row;
-    TapsAround<Real> const taps(size, column, row);
-    auto const mixed = [](V const& a, V const& b, Real t)
-                           QUELL_INLINED { return map([&](auto p, auto q) QUELL_INLINED { return fma(q - p, t, p); }, a, b); };
-    return mixed(mixed(taps.at(view, 0, 0), taps.at(view, 1, 0), u), mixed(taps.at(view, 0, 1), taps.at(view, 1, 1), u), v);
 }
 
 /// What a Resolve keeps of a frame, as views.
