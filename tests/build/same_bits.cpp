@@ -1,5 +1,7 @@
 #include "../frames.hpp"
 
+#include <quell/presets/resolve.hpp>
+
 using namespace quell;
 
 // Compiled with -ffp-contract=off. Without it, compilers contract a * b + c of a float and of a pack in different places.
@@ -9,6 +11,7 @@ constexpr auto pipelines = std::tuple{
     presets::svgf(radiance, Demodulate{}, SuppressFireflies{}),
     Pipeline{visibility, Temporal{FirstValid{SurfaceMotion{}, StillMotion{}}, Clamped{WithCleanUp{Adaptive{}}}, CatmullRom{}},
              Spatial{Bilateral<>{.radius = 7}}},
+    presets::resolve(presets::none(radiance)),
 };
 } // namespace
 

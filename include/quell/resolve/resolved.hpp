@@ -1,0 +1,237 @@
+#pragma once
+
+#include <quell/pipeline/composite.hpp>
+#include <quell/resolve/resolve.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace quell::inline QUELL_INSTRUCTION_SET {
+
+/// A pipeline, or a Composite, whose output is then anti-aliased over time, at the frame's size or a larger one:
+///
+///     constexpr auto upscaled = presets::resolve(presets::general(radiance, Demodulate{})); // a Resolved
+///     Frame frame{{960, 540}, upscaled};
+///     History history{{1920, 1080}, upscaled};           // of the output's size
+///     auto const picture = run(upscaled, frame, history);
+///
+/// Frames may be of any size, which may change from frame to frame: what was resolved stays, and the pipeline's own history begins anew.
+/// The host moves its samples within the pixel from frame to frame (frame.camera.jitter): at twice the width and height, over 8 places or
+/// more. Without jitter and without motion, the output is a Catmull-Rom interpolation of the input.
+/// @tparam P      a Pipeline or Composite
+/// @tparam Policy Resolve<...>
+template <class P, class Policy = Resolve<>> struct Resolved {
+    static_assert(detail::is_pipeline<P>, "Resolved{pipeline, resolve}: the first must be a Pipeline or a Composite");
+    using Output = typename P::Output;                                          ///< the channel of the picture
+    using reads = decltype(typename P::reads{} | Channels<Motion, Depth>{});    ///< channels that the host must supply
+    static constexpr MotionConvention motion_convention = P::motion_convention; ///< what the host's motion vectors mean: see Supplied
+    static constexpr bool needs_camera = P::needs_camera; ///< whether frame.camera must be set; its jitter is used anyway
+
+    P pipeline;       ///< runs first
+    Policy resolve{}; ///< runs on its output
+
+    /// @param p the pipeline
+    /// @param r Resolve{...}
+    constexpr explicit Resolved(P const& p, Policy const& r = {}) : pipeline(p), resolve(r) {}
+};
+
+namespace detail {
+struct ResolvedRun;
+/// Vectors that a Resolve keeps, or nearest and farthest depth.
+struct ResolvedPair : Channel<2> {
+    static constexpr auto name = "resolved_pair";
+    static constexpr bool full_precision = true;
+};
+} // namespace detail
+
+/// The pipeline's history, and what a Resolve keeps of the last frames.
+template <class P, class Policy, ImageStorage Storage> class History<Resolved<P, Policy>, Storage> {
+    using Output = typename P::Output;
+    struct Kept {
+        ImageOf<Storage, Output> colour;
+        ImageOf<Storage, detail::ResolvedPair> motion;
+        ImageOf<Storage, Depth> depth;
+        glm::vec2 jitter{0.f};
+
+        explicit Kept(Extent size) : colour(size), motion(size), depth(size) {}
+        [[nodiscard]] std::size_t bytes() const { return colour.bytes() + motion.bytes() + depth.bytes(); }
+        [[nodiscard]] auto view() const { return detail::ResolvedFrame{colour.view(), motion.view(), depth.view(), colour.size(), jitter}; }
+    };
+    struct Scratch {
+        ImageOf<Storage, Output> low, high;
+        ImageOf<Storage, detail::ResolvedPair> depths;
+
+        explicit Scratch(Extent size) : low(size), high(size), depths(size) {}
+        [[nodiscard]] std::size_t bytes() const { return low.bytes() + high.bytes() + depths.bytes(); }
+        [[nodiscard]] auto view() const { return detail::RangesAround{low.view(), high.view(), depths.view()}; }
+    };
+
+public:
+    /// @param output_size of what comes out; that of the frames may differ
+    /// @throws Error for a size without pixels
+    explicit History(Extent output_size, Resolved<P, Policy> const& resolved, Storage const& storage = {})
+        : pipeline(detail::checked(output_size), resolved.pipeline, storage), output(output_size) {}
+
+    /// Drops all history before the next frame: for scene cuts and teleports.
+    void forget() { pipeline.forget(), known = 0; }
+    /// Gives scratch back: for a host of several histories that run in turn. The next frame takes it again.
+    void release_scratch() { pipeline.release_scratch(), scratch.reset(), sharpened.reset(); }
+    /// Those of the pipeline.
+    [[nodiscard]] Statistics statistics() const { return pipeline.statistics(); }
+    /// Memory of history, scratch and output, in bytes. Complete when one frame more has run than are kept.
+    [[nodiscard]] std::size_t bytes() const {
+        std::size_t sum = pipeline.bytes() + output.bytes() + (scratch ? scratch->bytes() : 0) + (sharpened ? sharpened->bytes() : 0);
+        for (auto const& each : frames) sum += each.bytes();
+        return sum;
+    }
+    /// The same per pixel of the output.
+    [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(output.size().pixels()); }
+    /// Pixels of the output.
+    [[nodiscard]] Extent size() const { return output.size(); }
+
+private:
+    friend struct detail::ResolvedRun;
+
+    History<P, Storage> pipeline;
+    std::vector<Kept> frames{};                          ///< the newest first
+    std::size_t known = 0;                               ///< how many of them the next frame may look at
+    bool complete = false;                               ///< whether the last run has ended without an error
+    std::optional<Scratch> scratch{};                    ///< of the running frame
+    std::optional<ImageOf<Storage, Output>> sharpened{}; ///< where there is sharpening
+    ImageOf<Storage, Output> output;
+    std::optional<long long> number{};
+};
+
+namespace detail {
+/// Sharpens the output.
+template <class Sharpening, class From, class To> struct SharpenJob {
+    static constexpr auto name = "sharpen";
+    Sharpening sharpening;
+    From from;
+    To to;
+
+    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
+        using V = Value<From::components, Real>;
+        TapsAround<Real> const taps(from.size, Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)));
+        V const beside[] = {taps.at(from, -1, 0), taps.at(from, 1, 0), taps.at(from, 0, -1), taps.at(from, 0, 1)};
+        store_pixels<Real>(to, x, y, sharpening(V(taps.at(from, 0, 0)), beside), count);
+    }
+};
+template <class Sharpening, class From, class To> SharpenJob(Sharpening, From, To) -> SharpenJob<Sharpening, From, To>;
+
+struct ResolvedRun {
+    /// Runs the pipeline, then the resolve. Returns a view of the output; that is `target`, if it isn't NoTarget.
+    template <class P, class Policy, class Set, class FrameStorage, class Storage, class E, class Target>
+    static auto all(Resolved<P, Policy> const& resolved, Frame<Set, FrameStorage> const& frame,
+                    History<Resolved<P, Policy>, Storage>& history, E const& executor, Target const& target) {
+        check_frame<Resolved<P, Policy>>(frame);
+        check_jitter(frame.camera.jitter);
+        auto const& policies = resolved.resolve;
+        constexpr bool sharpens = !std::is_same_v<std::remove_cvref_t<decltype(policies.sharpening)>, NoSharpening>,
+                       has_target = !std::is_same_v<Target, NoTarget>;
+        bool const follows = !frame.number || !history.number || *frame.number == *history.number + 1;
+        if (!std::exchange(history.complete, false) || !follows) history.known = 0;
+        auto const picture = run(resolved.pipeline, frame, history.pipeline, executor);
+
+        auto& kept = begin(history, frame.size);
+        kept.jitter = frame.camera.jitter;
+        auto const jitter_then = history.known > 0 ? history.frames[1].jitter : kept.jitter;
+        auto const now = kept.view();
+        auto const around = history.scratch->view();
+        VectorConversion<P::motion_convention> const vectors(frame.size, kept.jitter, jitter_then);
+        executor.for_each_pixel(Region{0, 0, frame.size.width, frame.size.height},
+                                PrepareResolve{policies, vectors, picture, frame[depth].view(), frame[motion].view(), now, around});
+
+        std::array<std::remove_const_t<decltype(now)>, std::size_t{Policy::past_frames + 1}> frames;
+        frames.fill(now);
+        for (std::size_t i = 1; i <= history.known; ++i) frames[i] = history.frames[i].view();
+        auto const whole = history.output.view();
+        auto const output = [&] {
+            if constexpr (has_target && !sharpens)
+                return target;
+            else
+                return whole;
+        }();
+        Region const everywhere{0, 0, whole.size.width, whole.size.height};
+        executor.for_each_pixel(everywhere, ResolveJob{policies, frames, static_cast<int>(history.known) + 1, around, output});
+        history.known = std::min(history.known + 1, std::size_t{Policy::past_frames});
+        history.number = frame.number, history.complete = true;
+        if constexpr (!sharpens)
+            return output;
+        else {
+            auto const to = [&] {
+                if constexpr (has_target)
+                    return target;
+                else {
+                    if (!history.sharpened) history.sharpened.emplace(whole.size);
+                    return history.sharpened->view();
+                }
+            }();
+            executor.for_each_pixel(everywhere, SharpenJob{policies.sharpening, whole, to});
+            return to;
+        }
+    }
+
+private:
+    static void check_jitter(glm::vec2 jitter) {
+        constexpr float most = 8.f;
+        auto const is_in_range = [](float a) { return is_finite(a) && a >= -most && a <= most; };
+        if (!is_in_range(jitter.x) || !is_in_range(jitter.y))
+            raise_error<Failure>("run: frame.camera.jitter", std::to_string(jitter.x) + ", " + std::to_string(jitter.y),
+                                 "give the samples' offset from the pixels' centres, in pixels of the frame");
+    }
+    /// Makes place for a frame. The oldest frame's images become the newest's.
+    template <class P, class Policy, class Storage> static auto& begin(History<Resolved<P, Policy>, Storage>& history, Extent size) {
+        auto& frames = history.frames;
+        using Kept = typename std::remove_cvref_t<decltype(frames)>::value_type;
+        if (!history.scratch || !(history.scratch->low.size() == size)) history.scratch.emplace(size);
+        if (frames.size() <= std::size_t{Policy::past_frames}) frames.emplace_back(size);
+        std::rotate(frames.begin(), frames.end() - 1, frames.end());
+        if (!(frames.front().colour.size() == size)) frames.front() = Kept(size);
+        return frames.front();
+    }
+};
+} // namespace detail
+
+/// Denoises one frame and resolves it. Returns a view of the output, valid until the next run with this history.
+/// @param resolved the pipeline and its resolve
+/// @param frame of any size; its camera's jitter says where its samples lie
+/// @param history of the output's size
+/// @param executor as that of run() of a Pipeline
+/// @throws Error as run() of a Pipeline does, and for a jitter of more than 8 pixels or one that is not finite
+template <class P, class Policy, class Set, class FrameStorage, class Storage, Executor E = Simd>
+auto run(Resolved<P, Policy> const& resolved, Frame<Set, FrameStorage> const& frame, History<Resolved<P, Policy>, Storage>& history,
+         E const& executor = {}) {
+    static_assert(contained_in<typename Resolved<P, Policy>::reads, Set>,
+                  "run(resolved, frame, ...): the frame lacks a channel that the pipeline or the resolve reads (motion, depth); construct "
+                  "the frame with this Resolved");
+    if constexpr (!contained_in<typename Resolved<P, Policy>::reads, Set>)
+        return detail::NoOutput{};
+    else
+        return detail::ResolvedRun::all(resolved, frame, history, executor, detail::NoTarget{});
+}
+
+/// Like run(), but writes the output through a view of the host's, as run_into() of a Pipeline does.
+/// @param target   where the output goes
+/// @param resolved the pipeline and its resolve
+/// @param frame    as for run()
+/// @param history  as for run()
+/// @param executor as for run()
+/// @throws Error as run() does, and for a target that is not of the history's size
+template <class P, class Policy, class Set, class FrameStorage, class Storage, ImageView Target, Executor E = Simd>
+void run_into(Target const& target, Resolved<P, Policy> const& resolved, Frame<Set, FrameStorage> const& frame,
+              History<Resolved<P, Policy>, Storage>& history, E const& executor = {}) {
+    static_assert(contained_in<typename Resolved<P, Policy>::reads, Set>,
+                  "run_into(target, resolved, frame, ...): the frame lacks a channel that the pipeline or the resolve reads (motion, "
+                  "depth); construct the frame with this Resolved");
+    static_assert(Target::components == P::Output::components,
+                  "run_into(target, resolved, frame, ...): the target has another number of components than the pipeline's output");
+    if constexpr (contained_in<typename Resolved<P, Policy>::reads, Set> && Target::components == P::Output::components) {
+        if (!(target.size == history.size()))
+            raise_error<Failure>("run_into: the target", to_string(target.size) + " for a history of " + to_string(history.size()),
+                                 "give it the history's size, which is the output's");
+        detail::ResolvedRun::all(resolved, frame, history, executor, target);
+    }
+}
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET
