@@ -64,6 +64,23 @@ TEST_CASE("a signal of fewer samples than pixels: light that is even stays so, a
     check_light<checkerboard>();
 }
 
+TEST_CASE("a filter without history, with taps 1, 2, 4, ... pixels apart, never sees holes alone") {
+    constexpr auto atrous = presets::atrous(radiance, Demodulate{});
+    auto const filtered = [&](auto storage, glm::ivec2 phase) {
+        Frame frame{size, atrous, storage};
+        History history{size, atrous};
+        fill_guides(frame);
+        if constexpr (requires { frame[radiance].phase; }) frame[radiance].phase = phase;
+        fill_light(frame, smooth_light);
+        return tests::copy_of(run(atrous, frame, history));
+    };
+    auto const whole = filtered(Planar<>{}, {});
+    for (int number = 0; number < half_size.phases(); ++number)
+        CHECK(tests::root_mean_square(filtered(Fewer<half_size>{}, half_size.phase(number)), whole) < 0.01);
+    for (int number = 0; number < checkerboard.phases(); ++number)
+        CHECK(tests::root_mean_square(filtered(Fewer<checkerboard>{}, checkerboard.phase(number)), whole) < 0.01);
+}
+
 TEST_CASE("pixels without a sample are missing samples: the same bits as with NaN there, in all executors") {
     auto const with_nan = [](auto const& executor) {
         return tests::sequence(general, size, executor, [](auto& frame, unsigned i) {

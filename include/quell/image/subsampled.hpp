@@ -144,12 +144,12 @@ template <SamplePattern pattern, class Set, class Within = Planar<>> struct Subs
     static constexpr auto name = "subsampled";                      ///< for messages
     /// An image of a channel that is not of the set.
     template <int N> using Image = typename Within::template Image<N>;
+    /// Whether pixels without a sample have that of their block; in a signal they have none.
+    template <ChannelTag C> static constexpr bool repeats = C::full_precision || C::finite_on_surfaces;
     /// The image of a channel.
     template <ChannelTag C>
-    using ImageOf =
-        std::conditional_t<Set::template has<C>,
-                           detail::SubsampledImage<quell::ImageOf<Within, C>, pattern, C::full_precision || C::finite_on_surfaces>,
-                           quell::ImageOf<Within, C>>;
+    using ImageOf = std::conditional_t<Set::template has<C>, detail::SubsampledImage<quell::ImageOf<Within, C>, pattern, repeats<C>>,
+                                       quell::ImageOf<Within, C>>;
 };
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET
