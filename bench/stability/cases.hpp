@@ -26,6 +26,7 @@ struct Case {
 [[nodiscard]] std::vector<Case> shadow_cases();
 [[nodiscard]] std::vector<Case> reflection_cases();
 [[nodiscard]] std::vector<Case> blur_cases();
+[[nodiscard]] std::vector<Case> mixed_pixel_cases();
 [[nodiscard]] std::vector<Case> firefly_cases();
 [[nodiscard]] std::vector<Case> input_cases();
 [[nodiscard]] std::vector<Case> bounds_cases();

@@ -78,6 +78,7 @@ ScoredSequence traced(Shot const& shot, Making const& making) {
     tracer::PreparedScene scene(std::move(description));
     ScoredSequence sequence{making.size, shot.first, shot.scored_from, {}, {}, {}};
     tracer::RenderSettings settings{.size = making.size, .seed = making.seed, .threads = making.threads, .shutter = shot.shutter};
+    settings.guide_samples = shot.guide_samples;
     for (settings.frame = shot.first; settings.frame <= shot.last; ++settings.frame) {
         sequence.frames.push_back(frame_of(scene, settings, shot.signal));
         if (settings.frame < shot.scored_from) continue;

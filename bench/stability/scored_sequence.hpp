@@ -22,6 +22,7 @@ struct Shot {
     int first = 0, scored_from = 0, last = 0; ///< frames; references and masks from `scored_from` on
     std::optional<tracer::Effect> effect{};   ///< whose mask is wanted
     float shutter = 0;
+    int guide_samples = 0; ///< of guides that are means, where samples of a pixel see different things; 0: those of the signal
     std::function<void(tracer::SceneDescription&)> change{}; ///< made to the scene first
 };
 

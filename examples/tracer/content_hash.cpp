@@ -2,6 +2,7 @@
 #include "prepared.hpp"
 #include "tied.hpp"
 
+#include <array>
 #include <string>
 
 namespace quell::tracer {
@@ -34,6 +35,13 @@ public:
         add(over_time != nullptr);
         for (float const moment : moments)
             if (over_time) add(over_time(moment));
+    }
+    // What a scene does without leaves its digest as it is: then what was rendered before there was such a thing still counts.
+    void add(Lens const& lens) {
+        if (lens) digest.add(std::array{lens.radius, lens.focus});
+    }
+    void add(Coverage const& coverage) {
+        if (coverage) digest.add(coverage.part);
     }
     /// It needs a mesh: content_hash() adds the vertices that come of it.
     void add(Deformation const& deformation) { add(deformation != nullptr); }

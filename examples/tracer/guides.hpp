@@ -16,10 +16,11 @@ struct Seen {
     [[nodiscard]] float roughness() const { return has_reflectance() ? surface.roughness : 1.f; }
 };
 
-/// What a camera sees through a place in the image.
-inline Seen seen_at(PreparedScene const& scene, View const& view, glm::vec2 place, float time) {
-    Seen seen{{view.eye(), view.direction(place), infinity, time}, {}, {}};
-    seen.hit = scene.intersect(seen.ray);
+/// What a primary ray sees.
+/// @param met a number in [0, 1) that decides which surfaces of partial coverage it meets
+inline Seen seen_along(PreparedScene const& scene, View const& view, Ray const& ray, float met) {
+    Seen seen{ray, {}, {}};
+    seen.hit = scene.first_hit(seen.ray, met);
     if (seen.hit)
         seen.surface = surface_at(scene, seen.ray, seen.hit, view.pixel_angle());
     else

@@ -20,13 +20,15 @@ glm::vec3 between(glm::vec3 a, glm::vec3 b, float part) { return a + (b - a) * p
 
 /// A camera stays rigid on its way: its axes are made orthonormal again.
 CameraPose between(CameraPose const& a, CameraPose const& b, float part) {
-    if (a.world_from_camera == b.world_from_camera && a.vertical_field_of_view == b.vertical_field_of_view) return a;
+    Lens const lens{glm::mix(a.lens.radius, b.lens.radius, part), glm::mix(a.lens.focus, b.lens.focus, part)};
+    if (a.world_from_camera == b.world_from_camera && a.vertical_field_of_view == b.vertical_field_of_view)
+        return {a.world_from_camera, a.vertical_field_of_view, lens};
     auto matrix = between(a.world_from_camera, b.world_from_camera, part);
     glm::vec3 const back = glm::normalize(glm::vec3(matrix[2])), right{matrix[0]}, up{matrix[1]};
     auto const across = glm::normalize(right - glm::dot(right, back) * back);
     auto const upright = glm::normalize(up - glm::dot(up, back) * back - glm::dot(up, across) * across);
     matrix[0] = glm::vec4(across, 0.f), matrix[1] = glm::vec4(upright, 0.f), matrix[2] = glm::vec4(back, 0.f);
-    return {matrix, glm::mix(a.vertical_field_of_view, b.vertical_field_of_view, part)};
+    return {matrix, glm::mix(a.vertical_field_of_view, b.vertical_field_of_view, part), lens};
 }
 
 /// Interpolates `value_at(i)` over evenly spaced moments.
@@ -71,6 +73,8 @@ void turn_over(Emitter& emitter) {
 PreparedScene::PreparedScene(SceneDescription description_)
     : scene(std::move(description_)), acceleration(scene), placements(scene.instances.size()), deformations(scene.shapes.size()) {
     find_emitters();
+    for (auto const& instance : scene.instances)
+        partial_coverage = partial_coverage || scene.materials[static_cast<std::size_t>(instance.material)].coverage;
 }
 
 Shape const& PreparedScene::shape(int instance) const {
@@ -150,7 +154,38 @@ void PreparedScene::deform_shapes() {
     }
 }
 
+Hit PreparedScene::first_hit(Ray const& ray, float met) const {
+    return nearest_of(ray, [&](Coverage const& coverage) {
+        bool const meets = met < coverage.part;
+        met = meets ? met / coverage.part : (met - coverage.part) / (1 - coverage.part); // a number in [0, 1) again, for the next one
+        return meets;
+    });
+}
+
 Hit PreparedScene::intersect(Ray const& ray) const {
+    return nearest_of(ray, [](Coverage const& coverage) { return !coverage; });
+}
+
+bool PreparedScene::occluded(Ray const& ray) const {
+    if (!partial_coverage) return acceleration.occluded(ray);
+    return static_cast<bool>(intersect(ray));
+}
+
+Hit PreparedScene::nearest_of(Ray ray, auto const& meets) const {
+    float passed = 0; // from where the ray began
+    auto hit = located(ray);
+    while (hit && material(hit.instance).coverage && !meets(material(hit.instance).coverage)) {
+        float const step = hit.distance + 1e-4f * (1 + hit.distance);
+        ray.origin += ray.direction * step;
+        ray.far -= step;
+        passed += step;
+        hit = ray.far > 0 ? located(ray) : Hit{};
+    }
+    if (hit) hit.distance += passed;
+    return hit;
+}
+
+Hit PreparedScene::located(Ray const& ray) const {
     auto hit = acceleration.intersect(ray);
     if (hit && shape(hit.instance).is_sphere) {
         auto const inverse = glm::inverse(placement(hit.instance, ray.time, When::now));

@@ -40,8 +40,16 @@ public:
     /// The same scene standing one frame before this one, for what has to be traced in both. It is made when first asked for.
     [[nodiscard]] PreparedScene const& one_frame_earlier();
 
+    /// What a ray meets that no other ray passes: surfaces of partial coverage are left out.
     [[nodiscard]] Hit intersect(Ray const& ray) const;
-    [[nodiscard]] bool occluded(Ray const& ray) const { return acceleration.occluded(ray); }
+    [[nodiscard]] bool occluded(Ray const& ray) const;
+    /// What a primary ray meets.
+    /// @param met a number in [0, 1): a surface is met where it is below the surface's coverage
+    [[nodiscard]] Hit first_hit(Ray const& ray, float met) const;
+    [[nodiscard]] bool has_lens() const { return static_cast<bool>(cameras.now.front().lens); }
+    [[nodiscard]] bool has_partial_coverage() const { return partial_coverage; }
+    /// Whether samples at one place in the image see different points.
+    [[nodiscard]] bool spreads_primary_rays() const { return has_lens() || has_partial_coverage(); }
 
     /// From an instance's own space to the world.
     [[nodiscard]] glm::mat4 placement(int instance, float time, When when) const;
@@ -82,6 +90,9 @@ private:
         glm::vec3 radiance;
     };
 
+    /// The nearest surface that `meets(coverage)` says is met; it is asked about those of partial coverage.
+    [[nodiscard]] Hit nearest_of(Ray ray, auto const& meets) const;
+    [[nodiscard]] Hit located(Ray const& ray) const;
     void find_emitters();
     void find_emitters_of(int instance);
     void deform_shapes();
@@ -103,6 +114,7 @@ private:
     std::vector<Moments<TriangleMesh>> deformations; // per shape; empty for rigid ones
     std::vector<std::vector<Emitter>> emitters;      // per moment
     Moments<CameraPose> cameras;
+    bool partial_coverage = false;
     float current_frame = -infinity, current_shutter = 0;
     int current_keys = default_shutter_keys;
     std::unique_ptr<PreparedScene> earlier;

@@ -67,8 +67,8 @@ Reference joined(Half const& first, Half const& second, int samples, double half
 /// it. The scene stands at the frame, and has the shutter and its moments in its hash.
 std::uint64_t key_of(PreparedScene const& scene, RenderSettings const& render_settings, ReferenceSettings const& settings, int min_samples,
                      std::string const& channels) {
-    auto const& [size, frame, samples_per_pixel, seed, threads, shutter, first_sample, bounces, shutter_keys, stratified_times, frozen_at,
-                 jitter] = render_settings;
+    auto const& [size, frame, samples_per_pixel, guide_samples, seed, threads, shutter, first_sample, bounces, shutter_keys,
+                 stratified_times, frozen_at, jitter] = render_settings;
     auto const& [tolerance, max_samples, min_samples_of_blur, samples_per_pass, cache, use_cache, progress] = settings;
     Digest key;
     key.add(scene.content_hash());
@@ -101,9 +101,9 @@ Reference converged(RenderPass const& render_pass, int min_samples, ReferenceSet
 
 Reference cached_or_converged(PreparedScene& scene, RenderSettings const& render_settings, ReferenceSettings const& settings,
                               std::string const& channels, RenderPass const& render_pass) {
-    int const min_samples = render_settings.one_ray_per_pixel() ? 0 : settings.min_samples_of_blur;
-    if (!settings.use_cache) return converged(render_pass, min_samples, settings);
     scene.move_to(static_cast<float>(render_settings.frame), render_settings.shutter, render_settings.shutter_keys);
+    int const min_samples = one_ray_per_pixel(scene, render_settings) ? 0 : settings.min_samples_of_blur;
+    if (!settings.use_cache) return converged(render_pass, min_samples, settings);
     auto const key = key_of(scene, render_settings, settings, min_samples, channels);
     ReferenceCache const cache{settings.cache, scene.description().name, render_settings.frame, key};
     if (auto found = cache.load(render_settings.size)) return *found;

@@ -68,6 +68,7 @@ template <class Traced> Reference converge(PreparedScene& scene, RenderSettings 
     for_each_channel(Traced{}, [&]<class C>(C) { names += std::string{C::name} + " "; });
     auto const seed = settings.seed;
     settings.samples_per_pixel = reference_settings.samples_per_pass;
+    settings.guide_samples = 0;
     settings.frozen_at.reset();
     settings.stratified_times = true;
     auto const pass = [&](int half, int first_sample) {
@@ -76,7 +77,7 @@ template <class Traced> Reference converge(PreparedScene& scene, RenderSettings 
         settings.first_sample = first_sample;
         // Primary rays start the sequence from its beginning: the first 2^n samples fill 2^n strata of the open shutter and of the pixel
         // filter, one each, which those amid the sequence don't. Frames differ by their seeds instead.
-        if (!settings.one_ray_per_pixel()) {
+        if (!one_ray_per_pixel(scene, settings)) {
             settings.first_sample -= settings.frame * settings.samples_per_pixel;
             settings.seed = combine(settings.seed, static_cast<std::uint32_t>(settings.frame));
         }
@@ -98,7 +99,9 @@ void merge(Reference& whole, Reference part);
 /// of the samples, where that isn't possible, all converges as a whole.
 template <class Wanted>
 Reference reference(PreparedScene& scene, RenderSettings const& settings, ReferenceSettings const& reference_settings = {}) {
-    if (!settings.one_ray_per_pixel()) return detail::converge<detail::WithFactors<Wanted>>(scene, settings, reference_settings);
+    scene.move_to(static_cast<float>(settings.frame), settings.shutter, settings.shutter_keys);
+    if (!detail::one_ray_per_pixel(scene, settings))
+        return detail::converge<detail::WithFactors<Wanted>>(scene, settings, reference_settings);
     constexpr bool whole = Wanted::template has<Radiance>;
     Reference result;
     auto const add = [&]<class Traced>(Traced) { detail::merge(result, detail::converge<Traced>(scene, settings, reference_settings)); };

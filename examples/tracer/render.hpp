@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <mutex>
+#include <numbers>
 
 namespace quell::tracer {
 
@@ -24,6 +25,17 @@ concept Sink = requires(S& sink, glm::vec3 value) {
 };
 
 namespace detail {
+
+/// Whether all samples of a pixel see the same point, so that one primary ray serves them all.
+[[nodiscard]] inline bool one_ray_per_pixel(PreparedScene const& scene, RenderSettings const& settings) {
+    return settings.one_ray_per_pixel() && !scene.spreads_primary_rays();
+}
+
+/// For two numbers in [0, 1), a point in the unit disk.
+[[nodiscard]] inline glm::vec2 disk_point(glm::vec2 uniform) {
+    float const radius = std::sqrt(uniform.x), turn = 2 * std::numbers::pi_v<float> * uniform.y;
+    return {radius * std::cos(turn), radius * std::sin(turn)};
+}
 
 /// Renders one pixel after the other; nothing is shared between pixels, so order and thread make no difference.
 template <class Wanted, Sink S> class PixelRenderer {
@@ -38,7 +50,7 @@ public:
 
     void render(int x, int y) {
         x_ = x, y_ = y;
-        if (settings.one_ray_per_pixel())
+        if (one_ray_per_pixel(scene, settings))
             render_at_once();
         else
             render_one_by_one();
@@ -59,17 +71,19 @@ private:
         put(radiance, composite(seen, mean));
     }
 
-    /// Every sample has its own time or its own place in the pixel, and so its own primary ray. What says where something is, is the first
-    /// sample's, as a mean of places is no place; the other guides are means only if the samples' places differ.
+    /// Every sample has its own time, place in the pixel or on the lens, or goes through what others meet: it has its own primary ray. What
+    /// says where something is, is the first sample's, as a mean of places is no place; the other guides are means only if the samples'
+    /// places differ.
     void render_one_by_one() {
         Signals mean;
         MeanGuides guides;
         glm::vec3 sum{0.f};
+        bool const means = settings.jitter == Jitter::pixel || scene.spreads_primary_rays();
         for (int i = 0; i < settings.samples_per_pixel; ++i) {
             float const time = time_of(i);
             View const view{scene.camera(time, When::now), settings.size};
             auto const seen = look(view, i, time);
-            if (i == 0 || settings.jitter == Jitter::pixel) {
+            if (i == 0 || means) {
                 View const before{scene.camera(time, When::before), settings.size};
                 auto const of_sample = guides_of<Wanted>(scene, seen, view, before);
                 guides.add(of_sample);
@@ -86,6 +100,12 @@ private:
                 add_to_mean(mean, signals, i);
             }
             sum += composite(seen, signals);
+        }
+        // More samples for the guides alone.
+        for (int i = settings.samples_per_pixel; means && i < settings.guide_samples; ++i) {
+            float const time = time_of(i);
+            View const view{scene.camera(time, When::now), settings.size}, before{scene.camera(time, When::before), settings.size};
+            guides.add(guides_of<Wanted>(scene, look(view, i, time), view, before));
         }
         put_guides(guides.value());
         put_signals(mean);
@@ -115,7 +135,9 @@ private:
 
     Seen look(View const& view, int sample, float time) {
         ++counts.primary;
-        return seen_at(scene, view, place_in_image(sample), time);
+        auto const on_lens = scene.has_lens() ? disk_point(sample_pair(key(sample), SampleUse::lens)) : glm::vec2{0.f};
+        float const met = scene.has_partial_coverage() ? sample_pair(key(sample), SampleUse::see_through).x : 0.f;
+        return seen_along(scene, view, view.ray(place_in_image(sample), on_lens, time), met);
     }
 
     Signals signals_of(Seen const& seen, int sample) {

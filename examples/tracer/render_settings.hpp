@@ -16,6 +16,8 @@ struct RenderSettings {
     Extent size{480, 270};
     int frame = 0;
     int samples_per_pixel = 1;
+    /// Of normal, albedo, roughness and motion, where samples of a pixel see different points: more than the signals have, if it is more.
+    int guide_samples = 0;
     std::uint32_t seed = 0;
     int threads = 0;                         ///< 0: as many as the machine has
     float shutter = 0;                       ///< part of the frame time during which the shutter is open; 0: a frozen moment
@@ -28,7 +30,7 @@ struct RenderSettings {
     std::optional<float> frozen_at{};
     Jitter jitter = Jitter::none;
 
-    /// Whether all samples of a pixel see the same point, so that one primary ray serves them all.
+    /// Whether all samples of a pixel go through the same place at the same time.
     [[nodiscard]] bool one_ray_per_pixel() const { return !(shutter > 0) && jitter != Jitter::pixel; }
 };
 

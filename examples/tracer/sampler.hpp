@@ -27,7 +27,9 @@ enum class SampleUse : std::uint32_t {
     second_light_point,
     second_light_choice,
     bounce,
-    pixel_filter
+    pixel_filter,
+    lens,
+    see_through
 };
 
 namespace detail {

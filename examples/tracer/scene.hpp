@@ -17,6 +17,21 @@
 
 namespace quell::tracer {
 
+/// A thin lens: what is not at its distance of focus is blurred.
+struct Lens {
+    float radius = 0; ///< of its opening, in world units; 0: a pinhole, which sees all sharply
+    float focus = 1;  ///< distance along the view axis at which all is sharp, in world units
+
+    explicit operator bool() const { return radius > 0; }
+};
+
+/// How much of a surface there is: a window pane, a veil.
+struct Coverage {
+    float part = 1; ///< of the primary rays that meet it; the others go on behind it. All others pass it where it is less than 1.
+
+    explicit operator bool() const { return part < 1; }
+};
+
 /// Metallic-roughness surface. Diffuse reflectance is base * (1 - metallic); the metallic part reflects by GGX with a reflectance of
 /// base * metallic at normal incidence and `metallic` at grazing incidence. What emits neither reflects nor transmits.
 struct Material {
@@ -30,13 +45,14 @@ struct Material {
     int base_texture = -1;
     int metallic_roughness_texture = -1; ///< roughness in G, metallic in B
     int emission_texture = -1;
+    Coverage coverage{};
 
     /// All members; see tied.hpp.
     [[nodiscard]] auto tie() const {
         auto const& [base, metallic, roughness, emission, brightness, emits_both_sides, alpha_cutoff, base_texture,
-                     metallic_roughness_texture, emission_texture] = *this;
+                     metallic_roughness_texture, emission_texture, coverage] = *this;
         return std::tie(base, metallic, roughness, emission, brightness, emits_both_sides, alpha_cutoff, base_texture,
-                        metallic_roughness_texture, emission_texture);
+                        metallic_roughness_texture, emission_texture, coverage);
     }
 };
 
@@ -82,14 +98,15 @@ struct Background {
 struct CameraPose {
     glm::mat4 world_from_camera{1.f};
     float vertical_field_of_view = 0.9f; ///< radians
+    Lens lens{};
 
     /// Whether rays can be sent from it: it is finite, near enough to the origin, looks somewhere, and sees between 0 and 180 degrees.
     [[nodiscard]] bool is_usable() const;
 
     /// All members; see tied.hpp.
     [[nodiscard]] auto tie() const {
-        auto const& [world_from_camera, vertical_field_of_view] = *this;
-        return std::tie(world_from_camera, vertical_field_of_view);
+        auto const& [world_from_camera, vertical_field_of_view, lens] = *this;
+        return std::tie(world_from_camera, vertical_field_of_view, lens);
     }
 };
 

@@ -1,5 +1,4 @@
 #include "view.hpp"
-#include "ray.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -14,6 +13,15 @@ View::View(CameraPose const& pose, Extent size)
     centre = {static_cast<float>(size.width) / 2, half_height};
     pixels_per_slope = {half_height / slope, -half_height / slope};
     pixel = slope / half_height;
+    lens = pose.lens;
+}
+
+Ray View::ray(glm::vec2 place, glm::vec2 on_lens, float time) const {
+    if (!lens) return {origin, direction(place), infinity, time};
+    auto const slope = (place - centre) / pixels_per_slope;
+    auto const sharp = (forward + right * slope.x + up * slope.y) * lens.focus;
+    auto const start = (right * on_lens.x + up * on_lens.y) * lens.radius;
+    return {origin + start, glm::normalize(sharp - start), infinity, time};
 }
 
 glm::vec3 View::direction(glm::vec2 place) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ray.hpp"
 #include "scene.hpp"
 
 #include <quell/image/extent.hpp>
@@ -15,6 +16,8 @@ public:
     View(CameraPose const& pose, Extent size);
 
     [[nodiscard]] glm::vec3 eye() const { return origin; }
+    /// The ray through a place in the image, from a place on the lens: in the unit disk, of which (0, 0) is the eye.
+    [[nodiscard]] Ray ray(glm::vec2 place, glm::vec2 on_lens, float time) const;
     /// Unit direction through a place in the image.
     [[nodiscard]] glm::vec3 direction(glm::vec2 place) const;
     /// Where a point (w = 1) or a direction (w = 0) appears; NaN behind the camera.
@@ -28,6 +31,7 @@ private:
     glm::vec3 origin, right, up, forward;
     glm::vec2 centre, pixels_per_slope; ///< image centre; pixels per unit of tangent
     float pixel;
+    Lens lens;
 };
 
 } // namespace quell::tracer

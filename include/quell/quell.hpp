@@ -20,6 +20,7 @@
 #include <quell/image/borrowed.hpp>
 #include <quell/image/interleaved.hpp>
 #include <quell/image/planar.hpp>
+#include <quell/image/subsampled.hpp>
 #include <quell/motion/catmull_rom.hpp>
 #include <quell/motion/dual_motion.hpp>
 #include <quell/motion/first_valid.hpp>

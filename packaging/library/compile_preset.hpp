@@ -51,6 +51,9 @@ template <class P>
 inline constexpr bool writes_output =
     is_composite<P> || std::is_same_v<typename P::Output, quell::Radiance> || std::is_same_v<typename P::Output, quell::RadianceAlpha>;
 
+/// Whether pixels without a sample of a channel have that of their block: of what its ray has hit.
+template <class C> inline constexpr bool repeats_samples = quell::Subsampled<quell::half_size, quell::Channels<C>>::template repeats<C>;
+
 /// What all compiled denoisers have in common: where their memory lies, their threads, and how they write what comes out.
 template <class P> class DenoiserBase : public CompiledDenoiser {
     Memory memory;
@@ -81,7 +84,8 @@ protected:
         if (!(frame.size == given.size)) frame = quell::Frame<Set, HostImages>(given.size);
         std::size_t next = 0;
         for_each_channel(Set{}, [&]<class C>(C c) {
-            auto const& image = given.channels[next++];
+            auto image = given.channels[next++];
+            image.samples.repeats = repeats_samples<C>;
             if (image.data == nullptr && !Optional::template has<C>)
                 throw quell::Error("channel '" + std::string(c.name) + "'", "no memory", "point it at its pixels");
             if (frame[c].refer_to(image) && (c.fraction > 1 || is_whole(c))) frame[c].take_whole(executor.parallel);

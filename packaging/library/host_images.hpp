@@ -76,7 +76,7 @@ struct HostImages {
         bool refer_to(quell_library::Image const& image) {
             given = image, pixels = {}, pixels.size = extent;
             if (given.data == nullptr) return false;
-            if (!given.is_padded || is_scaled()) return true;
+            if (!given.is_padded || is_scaled() || given.samples.columns > 0) return true;
             for (int c = 0; c < N; ++c) pixels.planes[c] = reinterpret_cast<float*>(given.data + c * given.component_stride);
             return false;
         }

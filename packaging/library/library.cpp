@@ -99,6 +99,30 @@ public:
     Running& operator=(Running const&) = delete;
 };
 
+/// A sentence where samples can't be taken. Fills in what stands for itself.
+std::string take_samples(Samples& to, quell_samples const& given, std::string const& name, quell_denoiser const& denoiser) {
+    if (given.columns == 0 && given.rows == 0) return {};
+    auto const what = "samples of channel '" + name + "'";
+    auto const size = [](int width, int height) { return std::to_string(width) + "x" + std::to_string(height); };
+    for (auto const* const guide : {"albedo", "normal", "depth", "motion", "motion_next"})
+        if (name == guide) return what + ": a guide must be there for every pixel; give columns and rows 0";
+    if (given.columns < 1 || given.columns > 8 || given.rows < 1 || given.rows > 8)
+        return what + ": blocks of " + size(given.columns, given.rows) + "; give 1 to 8 columns and rows";
+    if (given.phase_x < 0 || given.phase_x >= given.columns || given.phase_y < 0 || given.phase_y >= given.rows)
+        return what + ": a phase of " + std::to_string(given.phase_x) + ", " + std::to_string(given.phase_y) +
+               "; give the place of a pixel in its block of " + size(given.columns, given.rows);
+    auto const up = [](int length, int part) { return (length + part - 1) / part; };
+    int const w = denoiser.width, h = denoiser.height, most_w = up(w, given.columns), most_h = up(h, given.rows);
+    to = {given.columns, given.rows, given.staggered, given.phase_x, given.phase_y, given.width, given.height};
+    if (to.width == 0 && to.height == 0) to.width = most_w, to.height = most_h;
+    to.side_by_side = to.width != w || to.height != h;
+    auto const fits = [](int length, int least, int most) { return length >= 1 && length >= least && length <= most; };
+    if (to.side_by_side && !(fits(to.width, w / to.columns, most_w) && fits(to.height, h / to.rows, most_h)))
+        return what + ": an image of " + size(to.width, to.height) + " in a frame of " + size(w, h) + "; give " + size(most_w, most_h) +
+               ", or the frame's size";
+    return {};
+}
+
 std::string take_channels(quell_denoiser& denoiser, Frame& to, quell_frame const& frame) {
     auto const& wanted = denoiser.way->channels;
     to.channels.assign(wanted.size(), {});
@@ -116,7 +140,11 @@ std::string take_channels(quell_denoiser& denoiser, Frame& to, quell_frame const
         there[index] = true;
         if (frame.fractions != nullptr && frame.fractions[i] != 1)
             return what + ": a fraction of " + std::to_string(frame.fractions[i]) + "; give 1: other sizes are not supported yet";
-        if (auto const wrong = take(to.channels[index], given.image, what, found->components, denoiser.width); !wrong.empty()) return wrong;
+        auto& image = to.channels[index];
+        if (frame.samples != nullptr)
+            if (auto const wrong = take_samples(image.samples, frame.samples[i], given.name, denoiser); !wrong.empty()) return wrong;
+        int const width = image.samples.columns > 0 ? image.samples.width : denoiser.width;
+        if (auto const wrong = take(image, given.image, what, found->components, width); !wrong.empty()) return wrong;
     }
     for (std::size_t i = 0; i < there.size(); ++i)
         if (!there[i] && !wanted[i].optional)
@@ -131,8 +159,11 @@ std::string take_output(quell_denoiser& denoiser, quell_frame const& frame) {
     for (auto const& each : denoiser.frames)
         for (std::size_t i = 0; i < denoiser.way->channels.size(); ++i) {
             auto const& channel = denoiser.way->channels[i];
-            if (each.channels[i].data == nullptr) continue;
-            auto const in = range_of(each.channels[i], channel.components, denoiser.width, denoiser.height);
+            auto const& image = each.channels[i];
+            if (image.data == nullptr) continue;
+            bool const is_whole = image.samples.columns == 0;
+            auto const in = range_of(image, channel.components, is_whole ? denoiser.width : image.samples.width,
+                                     is_whole ? denoiser.height : image.samples.height);
             if (out.begin < in.end && in.begin < out.end)
                 return "output: its memory overlaps that of channel '" + channel.name + "'; give it memory of its own";
         }

@@ -11,6 +11,15 @@
 // same for all instruction sets.
 namespace quell_library {
 
+/// Which pixels have a sample, where there are fewer samples than pixels: quell_samples of quell.h, with nothing left to default.
+struct Samples {
+    std::int32_t columns = 0, rows = 0; ///< of a block, in pixels; 0: every pixel has one
+    std::int32_t staggered = 0, phase_x = 0, phase_y = 0;
+    std::int32_t width = 0, height = 0; ///< of the image
+    bool side_by_side = false;          ///< the image holds samples only; else it is of the frame's size
+    bool repeats = false;               ///< whether a pixel without a sample has its block's; else it has none
+};
+
 /// An image of the caller's. Strides are in bytes.
 struct Image {
     std::byte* data = nullptr;
@@ -19,6 +28,7 @@ struct Image {
     bool is_padded = false; ///< planes of floats in padded rows, as quell's own images are
     /// What a value of a channel of two components is multiplied by, and what is added to it.
     float scale[2] = {1, 1}, offset[2] = {0, 0};
+    Samples samples{};
 };
 
 struct Channel {

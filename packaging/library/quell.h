@@ -73,6 +73,17 @@ typedef struct quell_channel {
     quell_image image;
 } quell_channel;
 
+/* Which pixels have a sample, where a channel has fewer samples than the frame has pixels: one in each block of columns x rows pixels.
+ * {2, 2} is half size, {2, 1, 1} a checkerboard. The sample in column i and row j of the image is of the pixel
+ * (i * columns + (phase_x + (staggered ? j : 0)) % columns, j * rows + phase_y). Pixels of a signal that have none are missing samples. */
+typedef struct quell_samples {
+    int32_t columns, rows;    /* of a block, in pixels, 1 to 8; both 0: every pixel has a sample */
+    int32_t staggered;        /* 1: one column further to the right in each row of blocks */
+    int32_t phase_x, phase_y; /* the pixel of each block that this frame's samples are of; let it move from frame to frame */
+    int32_t width, height;    /* of the channel's image: a part of the frame's, rounded up or down; or the frame's own size, of which other
+                                 pixels are not read. 0: a part, rounded up. */
+} quell_samples;
+
 /* A perspective camera: column-major 4x4 matrices for column vectors, clip = projection * view * world; view space looks down -z, clip
  * space has y up. Presets that need none ignore it. */
 typedef struct quell_camera {
@@ -94,11 +105,13 @@ typedef struct quell_frame {
     const void *device;         /* null: images are in host memory. Device memory is not supported yet. */
     const int32_t *fractions;   /* of the channels, in their order: an image's width and height as a part of the frame's. Null: all 1, which
                                    is all that presets support so far. */
+    const quell_samples *samples; /* of the channels, in their order. Null: every pixel of all channels has one. Guides (albedo, normal,
+                                     depth, motion) must have them all. */
 } quell_frame;
 #ifdef __cplusplus
-#define QUELL_FRAME quell_frame{sizeof(quell_frame), nullptr, 0, {}, nullptr, 0, 0, 0.5f, nullptr, nullptr}
+#define QUELL_FRAME quell_frame{sizeof(quell_frame), nullptr, 0, {}, nullptr, 0, 0, 0.5f, nullptr, nullptr, nullptr}
 #else
-#define QUELL_FRAME ((quell_frame){sizeof(quell_frame), NULL, 0, {0}, NULL, 0, 0, 0.5f, NULL, NULL})
+#define QUELL_FRAME ((quell_frame){sizeof(quell_frame), NULL, 0, {0}, NULL, 0, 0, 0.5f, NULL, NULL, NULL})
 #endif
 
 /* The host's own threads: calls task(context, i) for 0 <= i < count, on any threads, and returns when all are done. */

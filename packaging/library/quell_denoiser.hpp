@@ -28,7 +28,9 @@ struct DenoiserError : std::runtime_error {
 class Denoiser {
     quell_denoiser* denoiser = nullptr;
     std::vector<std::pair<std::string, quell_image>> images;
+    std::vector<std::pair<std::string, quell_samples>> patterns;
     std::vector<quell_channel> channels;
+    std::vector<quell_samples> samples;
     quell_camera seen_by{};
     bool has_camera = false;
 
@@ -45,6 +47,7 @@ public:
     Denoiser(Denoiser&& other) noexcept { *this = std::move(other); }
     Denoiser& operator=(Denoiser&& other) noexcept {
         std::swap(denoiser, other.denoiser), std::swap(images, other.images), std::swap(frame, other.frame);
+        std::swap(patterns, other.patterns);
         std::swap(seen_by, other.seen_by), std::swap(has_camera, other.has_camera);
         return *this;
     }
@@ -61,14 +64,27 @@ public:
     Denoiser& set(std::string const& channel, float const* pixels, int components) {
         return set(channel, QUELL_PIXELS(pixels, components));
     }
+    /// Which pixels have a sample of a channel, in the next frame and those that follow, where it has fewer samples than pixels.
+    Denoiser& set_samples(std::string const& channel, quell_samples const& pattern) {
+        for (auto& each : patterns)
+            if (each.first == channel) return each.second = pattern, *this;
+        patterns.emplace_back(channel, pattern);
+        return *this;
+    }
     /// The camera of the next frame and those that follow.
     Denoiser& set_camera(quell_camera const& camera) { return seen_by = camera, has_camera = true, *this; }
 
     /// Denoises a frame. @throws DenoiserError
     void run(quell_image const& output) {
-        channels.clear();
-        for (auto const& each : images) channels.push_back({each.first.c_str(), each.second});
+        channels.clear(), samples.clear();
+        for (auto const& each : images) {
+            channels.push_back({each.first.c_str(), each.second});
+            samples.push_back({});
+            for (auto const& pattern : patterns)
+                if (pattern.first == each.first) samples.back() = pattern.second;
+        }
         frame.channels = channels.data(), frame.channel_count = channels.size();
+        frame.samples = patterns.empty() ? nullptr : samples.data();
         frame.output = output;
         frame.camera = has_camera ? &seen_by : nullptr;
         check(quell_run(denoiser, &frame));

@@ -63,6 +63,7 @@ quell_image image_of(std::string const& what, py::array const& array, int compon
 struct Given {
     quell_frame frame = QUELL_FRAME;
     std::vector<quell_channel> channels{};
+    std::vector<quell_samples> samples{};
     quell_camera seen_by{};
 };
 
@@ -91,7 +92,8 @@ public:
     }
 
     /// Denoises the first of some frames.
-    /// @param frames (channels, camera, number, shutter) each: arrays by name; 34 floats as quell_camera has them, or None; an int, or None
+    /// @param frames (channels, camera, number, shutter, samples) each: arrays by name; 34 floats as quell_camera has them, or None; an
+    ///               int, or None; a float; by name, the first five numbers of quell_samples
     void run(py::list const& frames, py::array const& out) {
         auto const given = std::make_unique<Given[]>(frames.size()); // its frames point into it
         std::vector<quell_frame> all;
@@ -135,8 +137,9 @@ public:
 private:
     /// @param prefix of what errors name
     void take(Given& given, py::tuple const& frame, std::string const& prefix) const {
-        given.channels = images_of(frame[0].cast<py::dict>(), prefix);
+        take_images(given, frame[0].cast<py::dict>(), frame[4].cast<py::dict>(), prefix);
         given.frame.channels = given.channels.data(), given.frame.channel_count = given.channels.size();
+        given.frame.samples = given.samples.data();
         if (!frame[1].is_none()) {
             auto const numbers = frame[1].cast<py::array_t<float, py::array::c_style>>();
             static_assert(sizeof(quell_camera) == 34 * sizeof(float));
@@ -147,8 +150,7 @@ private:
         given.frame.shutter = frame[3].cast<float>();
     }
     /// Their names are those of the dict's strings.
-    [[nodiscard]] std::vector<quell_channel> images_of(py::dict const& arrays, std::string const& prefix) const {
-        std::vector<quell_channel> images;
+    void take_images(Given& given, py::dict const& arrays, py::dict const& samples, std::string const& prefix) const {
         for (auto const& [key, value] : arrays) {
             char const* const name = PyUnicode_AsUTF8(key.ptr());
             if (name == nullptr) throw py::error_already_set();
@@ -156,9 +158,15 @@ private:
             auto const what = prefix + "channel '" + name + "'";
             // The library has a sentence for names that the preset does not read.
             auto const array = py::reinterpret_borrow<py::array>(value);
-            images.push_back({name, components > 0 ? image_of(what, array, components, width, height) : quell_image{}});
+            auto const pattern = samples.contains(key) ? samples[key].cast<py::tuple>() : py::tuple();
+            bool const is_part = pattern.size() == 5 && array.ndim() >= 2; // its size says which
+            auto const w = is_part ? static_cast<int>(array.shape(1)) : width, h = is_part ? static_cast<int>(array.shape(0)) : height;
+            given.channels.push_back({name, components > 0 ? image_of(what, array, components, w, h) : quell_image{}});
+            given.samples.push_back({});
+            if (is_part)
+                given.samples.back() = {pattern[0].cast<int>(), pattern[1].cast<int>(), pattern[2].cast<int>(), pattern[3].cast<int>(),
+                                        pattern[4].cast<int>(), w, h};
         }
-        return images;
     }
 };
 

@@ -309,6 +309,48 @@ TEST_CASE("no image of the caller's is copied as a whole, except guides that pas
     CHECK(counted.bytes == 0);
 }
 
+TEST_CASE("of fewer samples than pixels comes the same as of an image with NaN in all other pixels") {
+    struct Pattern {
+        quell_samples samples;
+        bool side_by_side;
+    };
+    for (auto const& [given, side_by_side] : {Pattern{{2, 2, 0, 1, 0, 0, 0}, true}, Pattern{{2, 2, 0, 1, 1, width / 2, height / 2}, true},
+                                              Pattern{{2, 1, 1, 1, 0, 0, 0}, true}, Pattern{{2, 1, 1, 0, 0, width, height}, false}}) {
+        CAPTURE(given.columns);
+        CAPTURE(given.rows);
+        Wall wall, other;
+        int const w = given.width > 0 ? given.width : (width + 1) / given.columns,
+                  h = given.height > 0 ? given.height : height / given.rows;
+        std::vector<float> stored(static_cast<std::size_t>(w * h * 3));
+        std::vector<quell_samples> samples(5);
+        samples[0] = given;
+        other.channels[0].image = QUELL_PIXELS(stored.data(), 3), other.frame.samples = samples.data();
+        auto const denoiser = made(), second = made();
+        for (unsigned i = 0; i < 3; ++i) {
+            wall.shine(i);
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < width; ++x) {
+                    int const column = x / given.columns, row = y / given.rows;
+                    int const wanted_x = column * given.columns + (given.phase_x + (given.staggered != 0 ? row : 0)) % given.columns;
+                    bool const has = x == wanted_x && y == row * given.rows + given.phase_y && (!side_by_side || (column < w && row < h));
+                    for (int c = 0; c < 3; ++c) {
+                        auto& value = wall.rgb[static_cast<std::size_t>((y * width + x) * 3 + c)];
+                        if (has)
+                            stored[static_cast<std::size_t>(side_by_side ? (row * w + column) * 3 + c : (y * w + x) * 3 + c)] = value;
+                        else
+                            value = std::numeric_limits<float>::quiet_NaN();
+                    }
+                }
+            REQUIRE(quell_run(denoiser.get(), wall.ready()) == QUELL_OK);
+            REQUIRE(quell_run(second.get(), other.ready()) == QUELL_OK);
+        }
+        CHECK(wall.out == other.out);
+        quell_statistics counted = QUELL_STATISTICS;
+        REQUIRE(quell_get_statistics(second.get(), &counted) == QUELL_OK);
+        CHECK(counted.missing_samples >= static_cast<int64_t>(pixels) / 2);
+    }
+}
+
 TEST_CASE("wrong frames are refused with a sentence, and the denoiser works as before") {
     Wall wall;
     auto const denoiser = made();
@@ -336,6 +378,13 @@ TEST_CASE("wrong frames are refused with a sentence, and the denoiser works as b
     wall.frame.fractions = fractions, refused({"'albedo'", "fraction of 2"}), wall.frame.fractions = nullptr;
     wall.frame.struct_size += 8, refused({"struct_size"}), wall.frame.struct_size -= 8; // what lies behind it is set
     wall.frame.shutter = -1, refused({"shutter", "-1"}), wall.frame.shutter = 0.5f;
+    std::vector<quell_samples> samples(5);
+    wall.frame.samples = samples.data();
+    samples[0] = {2, 2, 0, 0, 0, 20, 17}, refused({"'radiance'", "20x17", "61x34", "31x17"});
+    samples[0] = {9, 2, 0, 0, 0, 0, 0}, refused({"'radiance'", "9x2", "1 to 8"});
+    samples[0] = {2, 1, 1, 0, 1, 0, 0}, refused({"'radiance'", "phase of 0, 1", "2x1"});
+    samples[0] = {}, samples[3] = {2, 2, 0, 0, 0, 0, 0}, refused({"'depth'", "every pixel"});
+    wall.frame.samples = nullptr;
     auto const other = made();
     Wall same;
     CHECK(third(denoiser.get(), wall) == third(other.get(), same));

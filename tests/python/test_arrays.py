@@ -222,6 +222,9 @@ class Refused(unittest.TestCase):
         self.refused(["camera", "tuple", "quell.Camera"], camera=(np.eye(4), np.eye(4)))
         self.refused(["number", "64 bits"], number=1 << 70)
         self.refused(["shutter"], shutter=-1.0)
+        self.refused(["'radiance'", "1 to 8"], samples={"radiance": quell.Samples(9, 1)})
+        self.refused(["'radiance'", "quell.Samples"], samples={"radiance": 2})
+        self.refused(["'glossy'", "no channel"], samples={"glossy": quell.Samples(2, 2)})
         with self.assertRaises(TypeError):
             self.denoiser(self.frame, number=1.5)
         for arguments in ((np.eye(3), np.eye(4)), (np.eye(4), "x"), (np.eye(4), np.eye(4), (1, 2, 3))):

@@ -47,6 +47,24 @@ class Results(unittest.TestCase):
         with self.assertRaisesRegex(quell.Error, "mean_normal"):
             denoiser.guide("depth")
 
+    def test_fewer_samples_than_pixels_give_what_nan_in_all_other_pixels_gives(self):
+        for columns, rows, staggered in (2, 2, False), (2, 1, True):
+            few, whole = quell.Denoiser("svgf", (HEIGHT, WIDTH)), quell.Denoiser("svgf", (HEIGHT, WIDTH))
+            for seed in range(3):
+                frame = wall(HEIGHT, WIDTH, seed)
+                phase = seed % columns, seed % rows
+                stored = np.zeros((-(-HEIGHT // rows), -(-WIDTH // columns), 3), np.float32)
+                holes = np.full_like(frame["radiance"], np.nan)
+                for j in range(stored.shape[0]):
+                    for i in range(stored.shape[1]):
+                        x, y = i * columns + (phase[0] + staggered * j) % columns, j * rows + phase[1]
+                        if x < WIDTH and y < HEIGHT:
+                            stored[j, i] = holes[y, x] = frame["radiance"][y, x]
+                samples = {"radiance": quell.Samples(columns, rows, staggered, phase)}
+                made = few({**frame, "radiance": stored}, samples=samples)
+                self.assertTrue(same_bits(made, whole({**frame, "radiance": holes})))
+                self.assertEqual(few.statistics.missing_samples, whole.statistics.missing_samples)
+
     def test_the_example_gives_the_bits_of_c(self):
         example = runpy.run_path(str(EXAMPLES / "denoise.py"))
         random = np.random.default_rng(1)

@@ -57,7 +57,8 @@ TEST_CASE("every member of a material counts") {
                        [](Material& m) { m.roughness = 0.5f; }, [](Material& m) { m.emission.y = 1; },
                        [](Material& m) { m.brightness = [](float) { return 2.f; }; }, [](Material& m) { m.emits_both_sides = true; },
                        [](Material& m) { m.alpha_cutoff = 0.5f; }, [](Material& m) { m.base_texture = 1; },
-                       [](Material& m) { m.metallic_roughness_texture = 1; }, [](Material& m) { m.emission_texture = 1; }}}
+                       [](Material& m) { m.metallic_roughness_texture = 1; }, [](Material& m) { m.emission_texture = 1; },
+                       [](Material& m) { m.coverage.part = 0.5f; }}}
         .check();
 }
 
@@ -118,6 +119,15 @@ TEST_CASE("every member of a node, an instance, the background and the camera co
     };
     auto const pose = look_at({0, 1, 4}, {0, 0, 0}, 60);
     CHECK(hash_from(pose) != hash_from(look_at({0, 1, 5}, {0, 0, 0}, 60)));
+    auto const with_lens = [&](Lens lens) {
+        auto opened = pose;
+        opened.lens = lens;
+        return hash_from(opened);
+    };
+    CHECK(with_lens({0.1f, 2}) != hash_from(pose));
+    CHECK(with_lens({0.1f, 2}) != with_lens({0.2f, 2}));
+    CHECK(with_lens({0.1f, 2}) != with_lens({0.1f, 3}));
+    CHECK(with_lens({0, 2}) == hash_from(pose)); // a pinhole sees all sharply
     CHECK(hash_from(pose) != hash_from({pose.world_from_camera, 0.5f}));
 }
 

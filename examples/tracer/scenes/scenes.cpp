@@ -32,6 +32,8 @@ std::vector<BuiltInScene> const& built_in_scenes() {
         {"pan", pan, {"indirect"}},
         {"thinshadows", thinshadows, {"shadow"}},
         {"reverse", reverse, {"blur"}},
+        {"lens", lens, {"composite"}},
+        {"pane", pane, {"composite"}},
     };
     return scenes;
 }

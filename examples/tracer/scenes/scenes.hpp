@@ -50,5 +50,7 @@ inline constexpr float event_frame = 24;
 [[nodiscard]] SceneDescription pan();
 [[nodiscard]] SceneDescription thinshadows();
 [[nodiscard]] SceneDescription reverse();
+[[nodiscard]] SceneDescription lens();
+[[nodiscard]] SceneDescription pane();
 
 } // namespace quell::tracer

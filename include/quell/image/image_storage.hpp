@@ -47,7 +47,8 @@ concept ImageView = std::is_trivially_copyable_v<V> && requires(V const v, int i
 /// `View::of(std::array<std::shared_ptr<Plane>, N>)`, a history puts images together from such planes, which takes less memory. One that
 /// does not own its memory may name a storage that does, `Copy`, and make a view of its image, `View::of_copy(view)`: guides that have to
 /// be repaired are copied there, and stay as they are otherwise. `Storage::Memory`, if it has one, is the ImageMemory in which a history
-/// keeps the counts that kernels write. Models: Planar, Interleaved, Borrowed.
+/// keeps the counts that kernels write. `Storage::ImageOf<C>`, if there is one, is the image of channel C, whatever the rest says: see
+/// Subsampled. Models: Planar, Interleaved, Borrowed, Subsampled.
 template <class S>
 concept ImageStorage = requires(Extent size) {
     { typename S::template Image<3>(size).view() } -> ImageView;
@@ -106,9 +107,17 @@ template <ChannelTag C, class View> auto in_format_of(View const& view) {
 template <ChannelTag C, class Image> auto view_of(Image const& image) { return in_format_of<C>(image.view()); }
 } // namespace detail
 
+namespace detail {
+template <class Storage, ChannelTag C> constexpr auto image_of() {
+    if constexpr (requires { typename Storage::template ImageOf<C>; })
+        return std::type_identity<typename Storage::template ImageOf<C>>{};
+    else
+        return std::type_identity<typename decltype(storage_of<Storage, C>())::type::template Image<C::components>>{};
+}
+} // namespace detail
+
 /// The image type in which a storage keeps a channel.
-template <class Storage, ChannelTag C>
-using ImageOf = typename decltype(detail::storage_of<Storage, C>())::type::template Image<C::components>;
+template <class Storage, ChannelTag C> using ImageOf = typename decltype(detail::image_of<Storage, C>())::type;
 /// The view of that image.
 template <class Storage, ChannelTag C> using ViewOf = decltype(detail::view_of<C>(std::declval<ImageOf<Storage, C> const&>()));
 

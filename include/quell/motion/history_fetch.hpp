@@ -9,12 +9,13 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// @tparam V    a value of the signal
 /// @tparam Kept the Record of the kept channels
 template <class V, class Kept> struct HistorySample {
-    using Real = real_of<V>; ///< float or a pack
-    V signal;                ///< interpolated
-    vec2<Real> where;        ///< pixel coordinates in the previous frame
-    Real validity;           ///< trust in [0, 1]; 0: there is no history
-    Real clamped;            ///< relative change of the signal by clamps so far (TRMV eq. 8)
-    Kept kept;               ///< interpolated kept channels
+    using Real = real_of<V>;      ///< float or a pack
+    V signal;                     ///< interpolated
+    vec2<Real> where;             ///< pixel coordinates in the previous frame
+    Real validity;                ///< trust in [0, 1]; 0: there is no history
+    Real clamped;                 ///< relative change of the signal by clamps so far (TRMV eq. 8)
+    Kept kept;                    ///< interpolated kept channels
+    Real from_around = Real(0.f); ///< 1 where nothing was at the place itself, so that the pixels around it stand in
 
     /// The value of a kept channel.
     template <ChannelTag C> QUELL_KERNEL auto operator[](C c) const { return kept[c]; }
@@ -25,6 +26,7 @@ template <class V, class Kept> struct HistorySample {
         where = select(lanes, other.where, where);
         validity = select(lanes, other.validity, validity);
         clamped = select(lanes, other.clamped, clamped);
+        from_around = select(lanes, other.from_around, from_around);
         kept = make_record<Real>(typename Kept::channels{}, [&](auto c) QUELL_INLINED { return select(lanes, other.kept[c], kept[c]); });
     }
 };
@@ -143,7 +145,10 @@ struct Bilinear {
         if (use_3x3 && any(both(invert(enough), found.validity > real_of<decltype(sum.weight)>(0.f)))) {
             // A copy: the original then stays in registers.
             auto const narrow = sum;
-            return detail::rescued(px, found, narrow, enough).mean(found);
+            auto wider = detail::rescued(px, found, narrow, enough).mean(found);
+            using Real = typename Px::Real;
+            wider.from_around = select(enough, Real(0.f), Real(1.f));
+            return wider;
         }
         sum.weight = masked(enough, sum.weight);
         return sum.mean(found);

@@ -110,7 +110,12 @@ template <class... Tests> struct AllOf : Tests... {
 
     /// @cond
     template <class... Prepared> struct Every : Prepared... {
-        QUELL_KERNEL auto accepts(auto const& then, auto dx, auto dy) const { return both(Prepared::accepts(then, dx, dy)...); }
+        QUELL_KERNEL auto accepts([[maybe_unused]] auto const& then, auto dx, [[maybe_unused]] auto dy) const {
+            if constexpr (sizeof...(Prepared) == 0)
+                return abs(dx) >= decltype(dx)(0.f); // always
+            else
+                return both(Prepared::accepts(then, dx, dy)...);
+        }
     };
     QUELL_KERNEL auto around(auto px) const { return Every<decltype(Tests::around(px))...>{Tests::around(px)...}; }
     QUELL_KERNEL auto around(auto px, auto depth_then) const {

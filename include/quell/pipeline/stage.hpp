@@ -70,7 +70,8 @@ private:
     }
     /// Missing samples: the history goes on, as far as it is valid. Without a history the neighbours' mean stands in, and what is kept
     /// becomes 0, so that the next sample counts fully. (Exponential keeps no length: it blends the next sample with alpha as ever.) What
-    /// is kept of guides is there without a sample.
+    /// has only the history of pixels around has no length either: then the next frame looks around again, and a pixel that never gets a
+    /// sample follows those that do. What is kept of guides is there without a sample.
     template <class R> QUELL_KERNEL static void keep_past(auto missing, auto const& px, auto const& past, R& result) {
         auto const present = past.validity > decltype(past.validity)(0.f);
         result.value = select(missing, select(present, past.signal, px.signal()), result.value);
@@ -85,7 +86,7 @@ private:
     }
     template <ChannelTag C> QUELL_KERNEL static auto gone_on(C c, auto const& past) {
         if constexpr (std::is_same_v<C, HistoryLength>)
-            return past[c] * past.validity;
+            return past[c] * past.validity * (1.f - past.from_around);
         else
             return past[c];
     }

@@ -9,11 +9,24 @@ Arrays are NumPy's, or any object that lends its memory (DLPack, __array_interfa
 """
 
 from . import metrics
-from ._denoiser import Camera, Denoiser, Statistics, instruction_sets, presets
+from ._denoiser import Camera, Denoiser, Samples, Statistics, instruction_sets, presets
 from ._errors import Error, Status
 from ._library import version
 from ._sequence import denoise
 from . import exr
 
 __version__ = version
-__all__ = ["Camera", "Denoiser", "Error", "Statistics", "Status", "denoise", "exr", "instruction_sets", "metrics", "presets", "version"]
+__all__ = [
+    "Camera",
+    "Denoiser",
+    "Error",
+    "Samples",
+    "Statistics",
+    "Status",
+    "denoise",
+    "exr",
+    "instruction_sets",
+    "metrics",
+    "presets",
+    "version",
+]

@@ -29,6 +29,20 @@ class Camera:
         return f"Camera({self.view.tolist()}, {self.projection.tolist()}, {self.jitter.tolist()})"
 
 
+class Samples(NamedTuple):
+    """Which pixels have a sample of a channel that has fewer samples than the frame has pixels: one in each block of columns x rows.
+
+    Samples(2, 2) is half size, Samples(2, 1, True) a checkerboard. `phase` is the pixel of each block, x and y, that this frame's samples
+    are of; let it move from frame to frame. The channel's array holds the samples side by side, a part of the frame's size rounded up or
+    down; or it is of the frame's size, and other pixels are not read.
+    """
+
+    columns: int  #: of a block, in pixels, 1 to 8
+    rows: int  #: of a block, in pixels, 1 to 8
+    staggered: bool = False  #: one column further to the right in each row of blocks
+    phase: tuple[int, int] = (0, 0)  #: x and y
+
+
 class Statistics(NamedTuple):
     """Counts of a denoiser."""
 
@@ -82,20 +96,22 @@ class Denoiser:
         camera: Optional[Camera] = None,
         number: Optional[int] = None,
         shutter: Optional[float] = None,
+        samples: Optional[Mapping[str, Samples]] = None,
         out: Any = None,
         **channels: Any,
     ) -> Any:
         """Denoises a frame and returns a new array, or `out`, which it then writes.
 
-        Channels are given by name: radiance=..., albedo=..., or as a dict, which may also have "camera", "number" and "shutter". A dict
-        may hold more channels than the preset reads.
+        Channels are given by name: radiance=..., albedo=..., or as a dict, which may also have "camera", "number", "shutter" and
+        "samples". A dict may hold more channels than the preset reads.
 
         camera: where needs_camera. number: of the frame; where numbers do not follow each other, history starts afresh. shutter: the time
-        that it is open as a part of the frame time, for motion blur; 0.5 if it is not said. later: the frames after it, as dicts, where
+        that it is open as a part of the frame time, for motion blur; 0.5 if it is not said. samples: by name, of the channels that have
+        fewer samples than the frame has pixels: {"radiance": Samples(2, 2)}; guides must have all. later: the frames after it, as dicts, where
         the denoiser is two-sided; two are enough. Each call moves one frame on.
         """
         given = dict(frame or {}, **channels)
-        for name, value in (("camera", camera), ("number", number), ("shutter", shutter)):
+        for name, value in (("camera", camera), ("number", number), ("shutter", shutter), ("samples", samples)):
             if value is not None:
                 given[name] = value
         frames = [self._given(given, "", [*self._channels, *channels])]
@@ -169,14 +185,19 @@ class Denoiser:
 
     def _given(
         self, frame: Mapping[str, Any], prefix: str, names: Iterable[str]
-    ) -> tuple[dict[str, Array], Optional[Array], Optional[int], float]:
+    ) -> tuple[dict[str, Array], Optional[Array], Optional[int], float, dict[str, tuple[int, int, int, int, int]]]:
         """What the library takes of a frame. `prefix` stands before what errors name."""
         number, shutter = frame.get("number"), frame.get("shutter")
+        samples = frame.get("samples") or {}
+        for name in samples:
+            if name not in frame:
+                raise Error(f"{prefix}samples: there is no channel '{name}'; give it, or leave its samples out")
         return (
             {name: lent(f"{prefix}channel '{name}'", frame[name]).array for name in names if name in frame},
             _packed(f"{prefix}camera", frame.get("camera")),
             None if number is None else _whole(f"{prefix}number", number, 64),
             0.5 if shutter is None else float(shutter),
+            {name: _block(f"{prefix}samples of channel '{name}'", each) for name, each in samples.items()},
         )
 
     def _output_shape(self) -> tuple[int, ...]:
@@ -192,6 +213,14 @@ def presets() -> list[str]:
 def instruction_sets() -> list[str]:
     """Names of instruction sets that quell is compiled for, the best first."""
     return _library.instruction_sets()
+
+
+def _block(what: str, samples: Samples) -> tuple[int, int, int, int, int]:
+    if not isinstance(samples, Samples):
+        raise Error(f"{what}: it is a {type(samples).__name__}; give quell.Samples(columns, rows)")
+    x, y = samples.phase
+    whole = [_whole(what, each, 32) for each in (samples.columns, samples.rows, x, y)]
+    return whole[0], whole[1], int(samples.staggered), whole[2], whole[3]
 
 
 def _packed(what: str, camera: Optional[Camera]) -> Optional[Array]:

@@ -52,7 +52,7 @@ def denoise(
 def _size_of(frame: Mapping[str, Any]) -> Any:
     """That of the first channel."""
     for name, value in frame.items():
-        if name not in ("camera", "number", "shutter"):
+        if name not in ("camera", "number", "shutter", "samples") and name not in (frame.get("samples") or {}):
             array = lent(f"channel '{name}'", value).array
             if array.ndim in (2, 3):
                 return array.shape[:2]

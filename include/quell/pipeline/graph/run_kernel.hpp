@@ -21,8 +21,18 @@ template <ChannelTag C, class From, class To> struct RepairJob {
     }
 };
 
+/// The storage of a frame's guides.
+template <class Storage> constexpr auto storage_of_guides() {
+    if constexpr (requires { typename Storage::Others; })
+        return storage_of_guides<typename Storage::Others>();
+    else
+        return std::type_identity<Storage>{};
+}
+template <class Storage> using StorageOfGuides = typename decltype(storage_of_guides<Storage>())::type;
+
 /// The storage in which copies of a host's images are made; void where there is none.
-template <class Storage> constexpr auto storage_of_copies() {
+template <class Given> constexpr auto storage_of_copies() {
+    using Storage = StorageOfGuides<Given>;
     if constexpr (owns_memory<Storage>())
         return std::type_identity<Storage>{};
     else if constexpr (requires { typename Storage::Copy; })
@@ -44,9 +54,9 @@ private:
     template <ChannelTag C> ViewOf<Storage, C> view() const {
         if constexpr (CopiedGuides::has<C> && !std::is_void_v<Copy>)
             if (auto const* const copy = repaired.find(&channel_info<C>)) {
-                if constexpr (owns_memory<Storage>())
-                    return view_in<Storage, C>(*copy);
-                else
+                if constexpr (std::is_same_v<ViewOf<Storage, C>, ViewOf<Copy, C>>)
+                    return view_in<Copy, C>(*copy);
+                else if constexpr (requires { ViewOf<Storage, C>::of_copy(view_in<Copy, C>(*copy)); })
                     return ViewOf<Storage, C>::of_copy(view_in<Copy, C>(*copy));
             }
         return frame[C{}].view();
