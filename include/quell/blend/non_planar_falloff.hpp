@@ -36,7 +36,7 @@ template <class Inner> struct NonPlanarFalloff {
         auto const close_by = distance < px[depth] * (2.f * px.rays().pixel_size);
         // For small angles theta - pi / 2 is the sine, up to its sign. It is NaN where either frame shows a miss.
         auto const sine = dot(way, plane.normal) / max(distance, Real(1e-20f));
-        auto const g = exp(sine * sine * (-0.5f / (deviation * deviation)));
+        auto const g = quell::exp(sine * sine * (-0.5f / (deviation * deviation)));
         // Misses, and surfaces beyond the range of floats, get weight 0.
         auto const known = both(is_finite(z), is_finite(distance), is_finite(sine * sine));
         return detail::blend_part_of_past(inner, px, past, masked(known, select(close_by, Real(1.f), g)));

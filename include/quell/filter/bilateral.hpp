@@ -21,7 +21,7 @@ namespace detail {
 template <class Real> struct GaussianSteps {
     Real weight, ratio, growth;
     QUELL_KERNEL explicit GaussianSteps(Real deviation)
-        : weight(1.f), ratio(exp(Real(-0.5f) / (deviation * deviation))), growth(ratio * ratio) {}
+        : weight(1.f), ratio(quell::exp(Real(-0.5f) / (deviation * deviation))), growth(ratio * ratio) {}
     QUELL_KERNEL Real next() {
         weight = weight * ratio;
         ratio = ratio * growth;

@@ -131,7 +131,7 @@ private:
     }
     template <class Real> QUELL_KERNEL static Real nearness(Real depth) { return masked(is_finite(depth), 1.f / max(depth, Real(1e-20f))); }
     QUELL_KERNEL float weight_at(float dx, float dy) const {
-        return exp(-(dx * dx + dy * dy) * (0.5f / (policy.deviation * policy.deviation)));
+        return quell::exp(-(dx * dx + dy * dy) * (0.5f / (policy.deviation * policy.deviation)));
     }
     template <class Real> QUELL_KERNEL void each_neighbour(int x, int y, auto&& visit) const {
         auto const columns = Real(static_cast<float>(x)) + lanes<Real>();
@@ -176,7 +176,7 @@ private:
                     auto const found = both(inside, goes_there, all_finite(c), d >= surface.low, d <= surface.high);
                     auto const off_x = column + 0.5f - safe.x, off_y = row + 0.5f - safe.y;
                     auto const any_w =
-                        masked(inside, exp((off_x * off_x + off_y * off_y) * (-0.5f / (policy.deviation * policy.deviation))));
+                        masked(inside, quell::exp((off_x * off_x + off_y * off_y) * (-0.5f / (policy.deviation * policy.deviation))));
                     // The other surface is a gap in this one. What hides both, lies between them or goes elsewhere says nothing.
                     whole = whole + masked(either(found, d <= surface.behind), any_w);
                     auto const w = masked(found, any_w);
