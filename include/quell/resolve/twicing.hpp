@@ -129,37 +129,81 @@ inline std::optional<double> threshold_above_noise(std::vector<double> const& z,
     return found;
 }
 
+/// Their dot product.
 inline double product_of(glm::vec3 const& a, glm::vec3 const& b) {
     double sum = 0.;
     for (int c = 0; c < 3; ++c) sum += static_cast<double>(a[c]) * static_cast<double>(b[c]);
     return sum;
 }
 
-/// Noise of few bright samples is skewed. What a residual has more than its surroundings is spread over pixels of its half of the
-/// checkerboard, so that the mean stays and the halves know nothing of each other.
-void spread_spikes(Twicing const& rule, Extent size, std::vector<double> const& mean_square, auto const& is_of_half,
-                   std::vector<glm::vec3>& residual) {
-    auto const pixels = residual.size();
-    std::vector<double> count(pixels);
-    std::array<std::vector<double>, 3> excess{count, count, count};
-    for (std::size_t i = 0; i < pixels; ++i) {
-        if (!is_of_half(i)) continue;
-        count[i] = 1.;
-        double const square = product_of(residual[i], residual[i]);
-        double const limit = static_cast<double>(rule.spike) * static_cast<double>(rule.spike) * mean_square[i];
-        if (!(square > limit)) continue;
-        auto const kept = residual[i] * static_cast<float>(std::sqrt(limit / square));
-        for (int c = 0; c < 3; ++c) excess[static_cast<std::size_t>(c)][i] = static_cast<double>(residual[i][c] - kept[c]);
-        residual[i] = kept;
-    }
-    box_sums(size, count, rule.noise_radius);
-    for (int c = 0; c < 3; ++c) {
-        auto& spread = excess[static_cast<std::size_t>(c)];
-        box_sums(size, spread, rule.noise_radius);
+/// Samples minus picture.
+struct Residual {
+    Extent size;
+    std::vector<glm::vec3> value;    ///< 0 where there is no sample
+    std::vector<double> mean_square; ///< of the pixels around, and of a hundredth of the picture's luminance; 0 where there is no sample
+
+    Residual(Twicing const& rule, Extent size_, std::vector<glm::vec3> const& samples, std::vector<glm::vec3> const& picture)
+        : size(size_), value(samples.size(), glm::vec3(0.f)), mean_square(samples.size(), 0.) {
+        auto const pixels = value.size();
+        std::vector<double> bright(pixels), known(pixels);
+        double sum = 0.;
+        for (std::size_t i = 0; i < pixels; ++i) {
+            float const luminance_here = luminance(vec3<float>(picture[i]));
+            if (is_finite(luminance_here))
+                sum += static_cast<double>(luminance_here), bright[i] = std::abs(static_cast<double>(luminance_here));
+        }
+        double const dark = static_cast<double>(rule.dark) * sum / static_cast<double>(pixels) + 1e-6;
+        for (std::size_t i = 0; i < pixels; ++i) {
+            bright[i] += dark;
+            float const most = rule.most * static_cast<float>(bright[i]);
+            glm::vec3 off(0.f);
+            bool is_known = true;
+            for (int c = 0; c < 3; ++c) {
+                off[c] = std::min(samples[i][c], most) - picture[i][c];
+                is_known = is_known && is_finite(samples[i][c]) && is_finite(off[c]);
+            }
+            if (is_known) value[i] = off, mean_square[i] = product_of(off, off), known[i] = 1.;
+        }
+        auto const is_sample = known;
+        box_sums(size, mean_square, rule.noise_radius), box_sums(size, known, rule.noise_radius);
         for (std::size_t i = 0; i < pixels; ++i)
-            if (is_of_half(i)) residual[i][c] += static_cast<float>(spread[i] / count[i]);
+            mean_square[i] = is_sample[i] > 0. ? mean_square[i] / known[i] + 1e-4 * bright[i] * bright[i] : 0.;
+        for (std::size_t const half : {0u, 1u}) spread_spikes(rule, half);
     }
-}
+    /// Which half of the checkerboard a pixel is of.
+    [[nodiscard]] std::size_t half_of(std::size_t pixel) const {
+        auto const width = static_cast<std::size_t>(size.width);
+        return (pixel / width + pixel % width) % 2;
+    }
+    /// Whether a pixel has a sample, and is of that half.
+    [[nodiscard]] bool is_in(std::size_t half, std::size_t pixel) const { return mean_square[pixel] > 0. && half_of(pixel) == half; }
+
+private:
+    /// Noise of few bright samples is skewed. What a pixel has more than its surroundings is spread over pixels of its half, so that the
+    /// mean stays and the halves know nothing of each other.
+    void spread_spikes(Twicing const& rule, std::size_t half) {
+        auto const pixels = value.size();
+        std::vector<double> count(pixels);
+        std::array<std::vector<double>, 3> excess{count, count, count};
+        for (std::size_t i = 0; i < pixels; ++i) {
+            if (!is_in(half, i)) continue;
+            count[i] = 1.;
+            double const square = product_of(value[i], value[i]);
+            double const limit = static_cast<double>(rule.spike) * static_cast<double>(rule.spike) * mean_square[i];
+            if (!(square > limit)) continue;
+            auto const kept = value[i] * static_cast<float>(std::sqrt(limit / square));
+            for (int c = 0; c < 3; ++c) excess[static_cast<std::size_t>(c)][i] = static_cast<double>(value[i][c] - kept[c]);
+            value[i] = kept;
+        }
+        box_sums(size, count, rule.noise_radius);
+        for (int c = 0; c < 3; ++c) {
+            auto& spread = excess[static_cast<std::size_t>(c)];
+            box_sums(size, spread, rule.noise_radius);
+            for (std::size_t i = 0; i < pixels; ++i)
+                if (is_in(half, i)) value[i][c] += static_cast<float>(spread[i] / count[i]);
+        }
+    }
+};
 
 /// What one band adds.
 struct ResidualBand {
@@ -167,16 +211,67 @@ struct ResidualBand {
     std::vector<glm::vec3> held;  ///< made of samples of the other half
 };
 
+/// The residual's bands, the finest first.
+template <Executor E>
+std::array<ResidualBand, Twicing::bands> bands_of(Twicing const& rule, E const& executor, Residual const& residual,
+                                                  ViewOf<Planar<>, Normal> normal, ViewOf<Planar<>, Depth> depth) {
+    auto const size = residual.size;
+    auto const pixels = residual.value.size();
+    auto const each_pixel = [&](auto&& visit) {
+        std::size_t i = 0;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) visit(x, y, i++);
+    };
+    std::array from{ResidualHalf(size), ResidualHalf(size)}, to{ResidualHalf(size), ResidualHalf(size)};
+    each_pixel([&](int x, int y, std::size_t i) {
+        for (std::size_t half = 0; half < 2; ++half) {
+            bool const here = residual.is_in(half, i);
+            for (int c = 0; c < 3; ++c) from[half].sum.view().set(c, x, y, here ? residual.value[i][c] : 0.f);
+            from[half].weight.view().set(0, x, y, here ? 1.f : 0.f);
+        }
+    });
+    std::array<ResidualBand, Twicing::bands> bands;
+    for (int band = 0; band < Twicing::bands; ++band) {
+        executor.for_each_pixel({0, 0, size.width, size.height}, SmoothResidual{.step = 1 << band,
+                                                                                .per_depth_range = 1.f / rule.depth_range,
+                                                                                .normal = normal,
+                                                                                .depth = depth,
+                                                                                .sum = {from[0].sum.view(), from[1].sum.view()},
+                                                                                .to_sum = {to[0].sum.view(), to[1].sum.view()},
+                                                                                .weight = {from[0].weight.view(), from[1].weight.view()},
+                                                                                .to_weight = {to[0].weight.view(), to[1].weight.view()}});
+        auto& made = bands[static_cast<std::size_t>(band)];
+        made.value.resize(pixels), made.held.resize(pixels);
+        each_pixel([&](int x, int y, std::size_t i) {
+            std::array<glm::vec3, 2> sum{};
+            std::array<float, 2> weight{};
+            for (std::size_t half = 0; half < 2; ++half) {
+                for (int c = 0; c < 3; ++c) sum[half][c] = to[half].sum.view().get(c, x, y);
+                weight[half] = to[half].weight.view().get(0, x, y);
+            }
+            made.value[i] = (sum[0] + sum[1]) / std::max(weight[0] + weight[1], 1e-6f);
+            // Where next to no other sample is of this surface, nothing is known.
+            auto const other = 1 - residual.half_of(i);
+            made.held[i] = weight[other] > .02f ? sum[other] / weight[other] : glm::vec3(0.f);
+        });
+        std::swap(from, to);
+    }
+    for (std::size_t band = 0; band + 1 < bands.size(); ++band)
+        for (std::size_t i = 0; i < pixels; ++i)
+            bands[band].value[i] -= bands[band + 1].value[i], bands[band].held[i] -= bands[band + 1].held[i];
+    return bands;
+}
+
 /// Takes a band's share of the residual into the picture and out of the residual.
-inline void add_band(Twicing const& rule, Extent size, ResidualBand const& band, std::vector<double> const& mean_square,
-                     std::vector<glm::vec3>& left, std::vector<glm::vec3>& picture) {
-    auto const pixels = left.size();
+inline void add_band(Twicing const& rule, ResidualBand const& band, Residual& residual, std::vector<glm::vec3>& picture) {
+    auto const size = residual.size;
+    auto const pixels = picture.size();
     std::vector<double> products(pixels), squares(pixels), noise(pixels);
     double all_products = 0., all_squares = 0., all_noise = 0.;
     for (std::size_t i = 0; i < pixels; ++i) {
-        if (!(mean_square[i] > 0.)) continue;
-        products[i] = product_of(left[i], band.held[i]) / mean_square[i];
-        squares[i] = product_of(band.held[i], band.held[i]) / mean_square[i];
+        if (!(residual.mean_square[i] > 0.)) continue;
+        products[i] = product_of(residual.value[i], band.held[i]) / residual.mean_square[i];
+        squares[i] = product_of(band.held[i], band.held[i]) / residual.mean_square[i];
         noise[i] = products[i] * products[i];
         all_products += products[i], all_squares += squares[i], all_noise += noise[i];
     }
@@ -209,7 +304,7 @@ inline void add_band(Twicing const& rule, Extent size, ResidualBand const& band,
             share = std::max(share, std::clamp(here, 0., 1.) * sure);
         }
         auto const part = static_cast<float>(share);
-        picture[i] += part * band.value[i], left[i] -= part * band.held[i];
+        picture[i] += part * band.value[i], residual.value[i] -= part * band.held[i];
     }
 }
 } // namespace detail
@@ -225,88 +320,11 @@ inline void add_band(Twicing const& rule, Extent size, ResidualBand const& band,
 template <Executor E>
 void add_back_residual(Twicing const& rule, E const& executor, std::vector<glm::vec3> const& samples, ViewOf<Planar<>, Normal> normal,
                        ViewOf<Planar<>, Depth> depth, std::vector<glm::vec3>& picture) {
-    auto const size = depth.size;
-    auto const pixels = static_cast<std::size_t>(size.pixels());
-    auto const is_even = [&](std::size_t i) {
-        return (i / static_cast<std::size_t>(size.width) + i % static_cast<std::size_t>(size.width)) % 2 == 0;
-    };
-    double sum = 0.;
-    for (auto const& colour : picture) {
-        float const bright = luminance(vec3<float>(colour));
-        if (is_finite(bright)) sum += static_cast<double>(bright);
-    }
-    float const dark = rule.dark * static_cast<float>(sum / static_cast<double>(pixels)) + 1e-6f;
-    std::vector<glm::vec3> residual(pixels, glm::vec3(0.f));
-    std::vector<double> mean_square(pixels), known(pixels);
-    detail::ResidualHalf first[2]{detail::ResidualHalf(size), detail::ResidualHalf(size)},
-        second[2]{detail::ResidualHalf(size), detail::ResidualHalf(size)};
-    for (std::size_t i = 0; i < pixels; ++i) {
-        float const bright = std::abs(luminance(vec3<float>(picture[i]))) + dark;
-        glm::vec3 off(0.f);
-        bool is_known = true;
-        for (int c = 0; c < 3; ++c) {
-            off[c] = std::min(samples[i][c], rule.most * bright) - picture[i][c];
-            is_known = is_known && is_finite(samples[i][c]) && is_finite(off[c]);
-        }
-        if (is_known) residual[i] = off;
-        mean_square[i] = is_known ? detail::product_of(off, off) : 0., known[i] = is_known ? 1. : 0.;
-    }
-    auto const is_sample = known;
-    box_sums(size, mean_square, rule.noise_radius), box_sums(size, known, rule.noise_radius);
-    for (std::size_t i = 0; i < pixels; ++i) {
-        double const bright = .01 * (std::abs(static_cast<double>(luminance(vec3<float>(picture[i])))) + static_cast<double>(dark));
-        mean_square[i] = is_sample[i] > 0. ? mean_square[i] / known[i] + bright * bright : 0.;
-    }
-    for (int half = 0; half < 2; ++half) {
-        auto const is_of_half = [&](std::size_t i) { return is_sample[i] > 0. && is_even(i) == (half == 0); };
-        detail::spread_spikes(rule, size, mean_square, is_of_half, residual);
-    }
-    for (std::size_t i = 0; i < pixels; ++i) {
-        int const x = static_cast<int>(i % static_cast<std::size_t>(size.width)),
-                  y = static_cast<int>(i / static_cast<std::size_t>(size.width));
-        for (std::size_t half = 0; half < 2; ++half) {
-            bool const here = is_sample[i] > 0. && is_even(i) == (half == 0);
-            for (int c = 0; c < 3; ++c) first[half].sum.view().set(c, x, y, here ? residual[i][c] : 0.f);
-            first[half].weight.view().set(0, x, y, here ? 1.f : 0.f);
-        }
-    }
-
-    std::array<detail::ResidualBand, Twicing::bands> bands;
-    for (int band = 0; band < Twicing::bands; ++band) {
-        auto const& from = band % 2 == 0 ? first : second;
-        auto const& to = band % 2 == 0 ? second : first;
-        executor.for_each_pixel({0, 0, size.width, size.height},
-                                detail::SmoothResidual{.step = 1 << band,
-                                                       .per_depth_range = 1.f / rule.depth_range,
-                                                       .normal = normal,
-                                                       .depth = depth,
-                                                       .sum = {from[0].sum.view(), from[1].sum.view()},
-                                                       .to_sum = {to[0].sum.view(), to[1].sum.view()},
-                                                       .weight = {from[0].weight.view(), from[1].weight.view()},
-                                                       .to_weight = {to[0].weight.view(), to[1].weight.view()}});
-        auto& made = bands[static_cast<std::size_t>(band)];
-        made.value.resize(pixels), made.held.resize(pixels);
-        for (std::size_t i = 0; i < pixels; ++i) {
-            int const x = static_cast<int>(i % static_cast<std::size_t>(size.width)),
-                      y = static_cast<int>(i / static_cast<std::size_t>(size.width));
-            auto const half = [&](std::size_t h) {
-                auto const view = to[h].sum.view();
-                return std::pair(glm::vec3(view.get(0, x, y), view.get(1, x, y), view.get(2, x, y)), to[h].weight.view().get(0, x, y));
-            };
-            auto const [even, of_even] = half(0);
-            auto const [odd, of_odd] = half(1);
-            made.value[i] = (even + odd) / std::max(of_even + of_odd, 1e-6f);
-            auto const& [other, of_other] = is_even(i) ? std::pair(odd, of_odd) : std::pair(even, of_even);
-            // Where next to no other sample is of this surface, nothing is known.
-            made.held[i] = of_other > .02f ? other / of_other : glm::vec3(0.f);
-        }
-    }
-    for (std::size_t band = 0; band + 1 < bands.size(); ++band)
-        for (std::size_t i = 0; i < pixels; ++i)
-            bands[band].value[i] -= bands[band + 1].value[i], bands[band].held[i] -= bands[band + 1].held[i];
+    detail::Residual residual(rule, depth.size, samples, picture);
+    auto const bands = detail::bands_of(rule, executor, residual, normal, depth);
     auto const before = picture;
-    for (std::size_t band = bands.size(); band-- > 0;) detail::add_band(rule, size, bands[band], mean_square, residual, picture);
-    for (std::size_t i = 0; i < pixels; ++i)
+    for (std::size_t band = bands.size(); band-- > 0;) detail::add_band(rule, bands[band], residual, picture);
+    for (std::size_t i = 0; i < picture.size(); ++i)
         for (int c = 0; c < 3; ++c)
             if (before[i][c] >= 0.f) picture[i][c] = std::max(picture[i][c], 0.f);
 }
