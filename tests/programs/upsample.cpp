@@ -211,6 +211,28 @@ TEST_CASE("--upsample writes the picture's part alone, with scaled windows, and 
     check_refused(run(), {"frame.0001.exr", "outside of its display window", "--upsample"});
 }
 
+TEST_CASE("--upsample enlarges each view of a file") {
+    Folder const folder;
+    Imath::Box2i const window{{0, 0}, {size.width - 1, size.height - 1}};
+    std::vector<WholePart> parts;
+    for (auto const& [name, scale] : {std::pair{"a", 1.f}, {"b", .25f}}) {
+        parts.push_back({name, window, {}});
+        for (auto const& each : constant(1, place(1)).planes)
+            parts.back().channels.push_back(
+                {each.name, io::detail::pixel_type(each.type), [each, by = each.name.size() == 1 ? scale : 1.f](int x, int y) {
+                     return each.values[static_cast<std::size_t>(y * size.width + x)] * by;
+                 }});
+    }
+    write_whole(folder / numbered("frame.", 1), window, parts);
+    auto const json = summary_of(denoise(input(folder) + output(folder) + "--preset none --quiet --json --upsample 2"));
+    CHECK(json["views"].size() == 2);
+    auto const image = io::read_exr(folder / numbered("out.", 1));
+    CHECK(image.size == twice);
+    CHECK(image.planes.size() == 8);
+    for (auto const& [name, value] : {std::pair{"a.R", .25f}, {"a.B", 2.f}, {"b.R", .0625f}, {"b.B", .5f}, {"b.A", .125f}})
+        CHECK(std::ranges::all_of(image[name].values, [v = value](float each) { return std::abs(each - v) <= v * 1e-3f; }));
+}
+
 TEST_CASE("--plan says how large --upsample makes the frames") {
     Folder const folder;
     write_discs(folder, 1);
