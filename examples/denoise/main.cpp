@@ -89,6 +89,17 @@ std::vector<long long> all_frames(DenoiseOptions const& options, FramePattern co
     return frames;
 }
 
+/// What comes out behind a preset's passes.
+void print_upsampling(DenoiseOptions const& options) {
+    std::cout << fmt::format("\nupsampled behind these passes, {} times", *options.upsample);
+    if (!options.in.empty()) {
+        FramePattern const in(options.in);
+        auto const size = io::ExrFile(in.path(all_frames(options, in).front())).size;
+        std::cout << fmt::format(": {} from {}", to_string(Upsampling{*options.upsample}.enlarged(size)), to_string(size));
+    }
+    std::cout << '\n';
+}
+
 void print_plan(DenoiseOptions const& options) {
     auto const choose = [&] {
         if (!options.preset.empty()) return &preset_of(options.preset);
@@ -98,6 +109,7 @@ void print_plan(DenoiseOptions const& options) {
     };
     auto const& preset = *choose();
     std::cout << preset.name << "\n\n" << way_of(preset).plan();
+    if (options.upsample) print_upsampling(options);
 }
 
 /// One run over a sequence. Everything that can be refused is, before the first frame.
@@ -106,6 +118,7 @@ class Job {
     FramePattern const in;
     std::vector<long long> frames;
     std::optional<SequenceViews> views;
+    std::optional<Upsampling> upsampling;
     PresetChoice choice;
     Summary& summary;
     std::optional<Output> output;
@@ -117,6 +130,7 @@ class Job {
 public:
     Job(DenoiseOptions const& o, Summary& s) : options(o), in(o.in), frames(all_frames(o, in)), summary(s) {
         auto const first = in.path(frames.front()); // of all chunks, so that these go by the same views
+        if (options.upsample) upsampling = upsampling_for(*options.upsample, in, frames);
         if (!options.chunk.empty()) frames = part_of(frames, chunk_in(options.chunk));
         views.emplace(options.map, std::vector{first, frames.empty() ? first : in.path(frames.front())});
         if (!options.preset.empty()) choice.preset = &preset_of(options.preset);
@@ -136,17 +150,18 @@ public:
 
     void run() {
         if (wanted.empty()) return;
-        WarmUp const warm_up{options.warmup ? *options.warmup : choice.preset->warm_up, !options.warmup};
+        auto const remembered = choice.preset->warm_up + (upsampling && upsampling->resolves() ? frames_of_upsampling : 0);
+        WarmUp const warm_up{options.warmup ? *options.warmup : remembered, !options.warmup};
         auto const steps = steps_for(wanted, warm_up, in.on_disk());
         Progress progress(choice.preset->name, static_cast<long long>(steps.size()), !options.quiet);
-        for (long long done = 0; auto const& step : steps) {
-            progress.show(done++, in.path(step.number).filename().string());
+        for (std::size_t done = 0; auto const& step : steps) {
+            progress.show(static_cast<long long>(done++), in.path(step.number).filename().string());
             if (step.begins)
                 for (auto& denoiser : denoisers) denoiser.forget();
             if (step.is_written)
                 write(step.number, progress);
             else
-                warm_up_with(step.number, progress);
+                warm_up_with(step.number, is_upsampled_with_later(steps, done), progress);
         }
         comparison->finish();
     }
@@ -165,6 +180,10 @@ public:
         remember_memory();
         auto const& names = denoisers.front().names();
         if (!names) return;
+        if (auto const& how = denoisers.front().upsampling()) {
+            summary.upsampled_by = how->method();
+            if (!how->resolves()) remark("--upsample enlarges each frame by itself, bicubically: " + how->alone);
+        }
         auto const& map = options.map;
         summary.renderer = !map.empty() && names->renderer == map && !find_renderer_map(map) ? in.text() : names->renderer;
         summary.remarks.insert(summary.remarks.begin(), names->remarks.begin(), names->remarks.end());
@@ -199,6 +218,7 @@ private:
                 .keeps_alpha = options.keep_alpha,
                 .refines = !options.quick && choice.preset->name == "final-frame",
                 .diagnose = options.diagnose,
+                .upsampling = upsampling,
                 .debug_views = options.debug_views};
     }
     /// Each once: views have most of them in common.
@@ -225,11 +245,18 @@ private:
             (finding.mistake == Mistake::not_checked ? summary.not_checked : summary.findings).push_back(text);
         }
     }
+    /// Whether one of the next steps writes a frame that the picture of the one before it takes part in.
+    [[nodiscard]] bool is_upsampled_with_later(std::vector<Step> const& steps, std::size_t next) const {
+        auto const end = std::min(steps.size(), next + frames_of_upsampling);
+        for (auto i = next; upsampling && upsampling->resolves() && i < end && !steps[i].begins; ++i)
+            if (steps[i].is_written) return true;
+        return false;
+    }
     /// Where nobody asked for these frames, a broken one is as good as none.
-    void warm_up_with(long long number, Progress& progress) {
+    void warm_up_with(long long number, bool in_full, Progress& progress) {
         for (std::size_t view = 0; view < denoisers.size(); ++view) {
             try {
-                denoisers[view].warm_up(in, number);
+                denoisers[view].warm_up(in, number, in_full);
             } catch (Error const&) {
                 if (options.warmup) throw;
                 denoisers[view].forget();
@@ -247,6 +274,7 @@ private:
             auto& denoiser = denoisers[view];
             auto frame = denoiser.next_whole(in, number);
             report_findings(number, view, progress);
+            summary.size = denoiser.displayed_size(frame.picture);
             shown.push_back(comparison->has(number) ? denoiser.displayed(frame.picture) : metrics::Picture{});
             output->add(number, frame, *denoiser.names());
             auto const prefix = has_several() ? word_of(name_of(view)) + "." : std::string();

@@ -88,6 +88,10 @@ void describe(CLI::App& app, DenoiseOptions& options) {
         "--extra-frames", options.extra_frames,
         "Later frames that each one is denoised with, 0 to 8 (default: 2 with the presets final-frame and general, the only ones that "
         "make use of them; 0 is what a host has in real time)");
+    app.add_option("--upsample", options.upsample,
+                   "Write the picture alone, so many times larger than the input, 1 to 4 (1 smooths edges at the same size): put together "
+                   "from samples of several frames where the files say how these are jittered, else enlarged bicubically, which stderr "
+                   "says");
     add_threads(app, options.threads);
     app.add_flag("--keep-alpha", options.keep_alpha, "Leave the film's alpha as it is (default: denoised by the weights of the picture)");
     app.add_flag("--quick", options.quick,
@@ -137,10 +141,23 @@ void check_output(DenoiseOptions const& options) {
         if (is_there && options.out.empty()) throw Error(name, "--out is missing", "say where the result goes");
 }
 
+/// The picture alone is enlarged.
+void check_upsample(DenoiseOptions const& options) {
+    if (!options.upsample) return;
+    if (!(*options.upsample >= 1.f && *options.upsample <= 4.f))
+        throw Error("--upsample", std::to_string(*options.upsample), "give a ratio from 1 to 4, such as 1.5 or 2");
+    for (auto const& [name, is_there] : {std::pair{"--signal", !options.signal.empty()},
+                                         {"--layers", !options.layers.empty()},
+                                         {"--debug-view", !options.debug_views.empty()}})
+        if (is_there)
+            throw Error("--upsample", std::string(name) + " is there too, and only the picture is enlarged", "leave one of the two out");
+}
+
 void check(DenoiseOptions const& options) {
     if (!options.isa.empty() && options.isa != QUELL_ISA)
         throw Error("--isa", "this program has no code for '" + options.isa + "'", "choose one of: " QUELL_ISAS);
     if (options.list) return;
+    check_upsample(options);
     if (options.plan && options.in.empty() && options.preset.empty())
         throw Error("--plan", "neither --preset nor --in is there", "say of which preset, or which files it is to suit");
     if (options.plan) return;

@@ -19,6 +19,7 @@ struct DenoiseOptions {
     std::optional<int> extra_frames; ///< later ones that each frame is denoised with
     int threads = 0;
     std::optional<float> field_of_view; ///< vertical, degrees
+    std::optional<float> upsample;      ///< how many times larger than the input; empty: the picture takes the input's place
     std::optional<float> shutter;       ///< of all frames, whatever the map and the files say
     std::vector<std::string> debug_views;
     std::string isa; ///< the instruction set to run; empty: the best that the machine has

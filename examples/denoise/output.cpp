@@ -2,6 +2,7 @@
 #include <denoise/map_file.hpp>
 #include <denoise/output.hpp>
 #include <denoise/signal_choice.hpp>
+#include <denoise/upsampled_file.hpp>
 #include <support/output_folder.hpp>
 
 namespace quell::examples {
@@ -23,7 +24,8 @@ std::vector<float> on_canvas(std::vector<float> values, Region const& from, Regi
 } // namespace
 
 Output::Output(DenoiseOptions const& options, FramePattern const& input, std::vector<long long> const& numbers)
-    : in(input), layers(options.layers), one_signal(!options.signal.empty()) {
+    : in(input), layers(options.upsample ? std::vector<std::string>{"picture"} : options.layers), upsamples(options.upsample.has_value()),
+      one_signal(!options.signal.empty()) {
     if (options.out.empty()) return;
     pattern.emplace(options.out);
     std::vector<long long> there;
@@ -59,7 +61,7 @@ std::optional<std::string> Output::layer_for(io::SequenceNames const& names) con
 }
 
 void Output::check_levels(long long number, io::SequenceNames const& names) const {
-    if (!pattern || !std::filesystem::exists(in.path(number))) return;
+    if (!pattern || upsamples || !std::filesystem::exists(in.path(number))) return;
     io::ExrOriginal const original(in.path(number));
     examples::check_levels(original, names, layer_for(names), layers);
 }
@@ -84,7 +86,11 @@ void Output::add(long long number, DenoisedFrame& frame, io::SequenceNames const
 
 void Output::write(long long number) {
     if (!pattern) return;
-    for (auto const& part : io::write_copy(pattern->path(number), io::ExrOriginal(in.path(number)), *changes)) lossless.insert(part);
+    io::ExrOriginal const original(in.path(number));
+    if (upsamples)
+        write_upsampled(pattern->path(number), original, *changes);
+    else
+        for (auto const& part : io::write_copy(pattern->path(number), original, *changes)) lossless.insert(part);
     changes.reset();
 }
 

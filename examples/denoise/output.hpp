@@ -16,6 +16,7 @@ class Output {
     FramePattern in;
     std::optional<FramePattern> pattern;
     LayerChoice layers;
+    bool upsamples = false;         ///< whether the picture alone is written, at another size
     bool one_signal = false;        ///< whether a signal is written in place of the picture
     std::set<std::string> lossless; ///< parts that can't be packed as they were
 

@@ -127,11 +127,31 @@ void SequenceDenoiser::begin(io::ExrOriginal const& file) {
     canvas = {std::min(canvas.x0, others.x0), std::min(canvas.y0, others.y0), std::max(canvas.x1, others.x1),
               std::max(canvas.y1, others.y1)};
     check_field_of_view(file.listed, *settings.map, canvas);
+    if (settings.upsampling) check_upsampling(file.listed);
     on_canvas = names_on_canvas(*settings.map, size, canvas);
     if (!denoises_picture(settings.preset)) on_canvas.picture.clear();
     alpha = denoises_picture(settings.preset) ? alpha_plane(file.listed, *settings.map).value_or("") : "";
     any = denoiser_of(settings.preset, {1, 1}, 1);
     denoisers.resize(on_canvas.of_signals.size() + 1);
+}
+
+/// Outside of the display window there is no picture to enlarge.
+void SequenceDenoiser::check_upsampling(io::ExrListing const& file) {
+    if (!(io::detail::size_of(canvas) == size))
+        throw Error(file.name, "it holds pixels outside of its display window, which --upsample can't enlarge",
+                    "leave out --upsample, or what lies outside of the display window");
+    auto const planes = io::planes_of(Channels<Depth, Motion>{}, settings.map->of_signals[0].channels);
+    if (settings.upsampling->resolves() && !file.has_all(planes)) settings.upsampling->alone = "the files lack depth or motion";
+    static_cast<void>(settings.upsampling->enlarged(size));
+}
+
+/// The picture and its alpha are all that is left of the frame.
+void SequenceDenoiser::upsample(DenoisedFrame& frame) {
+    if (!upsampler) upsampler.emplace(size, *settings.upsampling, settings.threads);
+    auto const& front = window.front();
+    upsampler->next(front.image, on_canvas.of_signals[0].channels, front.number, frame.picture, frame.alpha);
+    frame.canvas = {0, 0, frame.picture.size.width, frame.picture.size.height};
+    frame.signals.clear(), frame.guides.clear(), frame.added = {};
 }
 
 Purpose SequenceDenoiser::purpose_of(std::size_t signal) const {
@@ -162,6 +182,7 @@ void SequenceDenoiser::release_scratch() {
         if (each) each->release_scratch();
     if (whole) whole->release_scratch();
     if (guides) guides->release_scratch();
+    if (upsampler) upsampler->release_scratch();
 }
 
 void SequenceDenoiser::forget() {
@@ -171,6 +192,7 @@ void SequenceDenoiser::forget() {
     choices = {};
     whole.reset();
     guides.reset();
+    upsampler.reset();
     window.clear();
     last.reset();
     film.forget();
@@ -188,6 +210,8 @@ std::vector<std::string> SequenceDenoiser::planes(io::ExrListing const& file) co
     if (refines())
         for (auto const& plane : planes_of_frame_around(file, on_canvas)) planes.push_back(plane);
     if (!alpha.empty()) planes.push_back(alpha);
+    if (settings.upsampling && settings.upsampling->resolves())
+        for (auto const& plane : io::planes_of(Channels<Depth, Motion>{}, on_canvas.of_signals[0].channels)) planes.push_back(plane);
     for (auto const& signal : on_canvas.of_signals) {
         auto const more = any->planes(signal.channels);
         planes.insert(planes.end(), more.begin(), more.end());
@@ -219,6 +243,7 @@ double SequenceDenoiser::milliseconds() const {
     for (auto const& choice : choices)
         if (choice) sum += choice->milliseconds();
     if (guides) sum += guides->milliseconds();
+    if (upsampler) sum += upsampler->milliseconds();
     return whole ? sum + whole->milliseconds() : sum;
 }
 
@@ -229,6 +254,7 @@ double SequenceDenoiser::bytes_per_pixel() const {
     for (auto const& choice : choices)
         if (choice) sum += choice->bytes_per_pixel();
     if (guides) sum += guides->bytes_per_pixel();
+    if (upsampler) sum += upsampler->bytes_per_pixel();
     return whole ? sum + whole->bytes_per_pixel() : sum;
 }
 
@@ -322,7 +348,7 @@ void SequenceDenoiser::add_back_residual(io::ExrImage const& image, io::ChannelN
     Frame<Channels<Normal, Depth>> guides(image.size);
     io::load_channels(Channels<Normal, Depth>{}, guides, image, names);
     auto const samples = picture_of(image, io::sources_of(names, radiance), std::numeric_limits<float>::quiet_NaN());
-    quell::add_back_residual(Twicing{}, Threads{settings.threads}, samples.pixels, guides[normal].view(), guides[depth].view(),
+    quell::add_back_residual(Twicing{}, Threads<>{.count = settings.threads}, samples.pixels, guides[normal].view(), guides[depth].view(),
                              light.pixels);
 }
 
@@ -375,6 +401,7 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
     if (!has_several_signals(on_canvas)) frame.signals.clear(); // it is the picture
     if (!alpha.empty()) denoise_alpha(frame, front, split);
     add_as_in_file(frame, image, split);
+    if (settings.upsampling) upsample(frame);
     was_as_one = as_one, last = number;
     return frame;
 }
@@ -449,7 +476,7 @@ void SequenceDenoiser::denoise_alpha(DenoisedFrame& frame, Seen const& seen, Lig
 metrics::Picture SequenceDenoiser::next(FramePattern const& in, long long number) { return displayed(next_whole(in, number).picture); }
 
 metrics::Picture SequenceDenoiser::displayed(metrics::Picture const& whole) const {
-    if (whole.size == size) return whole;
+    if (settings.upsampling || whole.size == size) return whole;
     metrics::Picture part{size, {}};
     for (int y = 0; y < size.height; ++y) {
         auto const begin = whole.pixels.begin() + static_cast<std::ptrdiff_t>(y - canvas.y0) * whole.size.width - canvas.x0;

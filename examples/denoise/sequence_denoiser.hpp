@@ -6,6 +6,7 @@
 #include <denoise/film_alpha.hpp>
 #include <denoise/history_choice.hpp>
 #include <denoise/light_split.hpp>
+#include <denoise/upsampler.hpp>
 #include <support/frame_pattern.hpp>
 
 #include <quell/io/exr/exr_original.hpp>
@@ -30,6 +31,7 @@ struct SequenceSettings {
     bool keeps_alpha = false;             ///< leave alpha as the files have it
     bool refines = false;  ///< take what is best of several estimates: colours from frames around, light with history and without
     bool diagnose = false; ///< look at each frame for what its renderer got wrong
+    std::optional<Upsampling> upsampling{}; ///< of the picture and its alpha, which are then all that a frame has; empty: none
     std::vector<std::string> debug_views{}; ///< names of DebugChannels that debug_images() will be asked for: slower, and on one thread
 };
 
@@ -74,9 +76,12 @@ public:
     [[nodiscard]] DenoisedFrame next_whole(FramePattern const& in, long long number) { return next_frame(in, number, true); }
     /// Denoises a frame for those after it alone.
     /// @throws Error as next does
-    void warm_up(FramePattern const& in, long long number) { static_cast<void>(next_frame(in, number, false)); }
-    /// The part of a picture that the display window shows.
+    /// @param in_full whether a frame after it is put together from its picture too
+    void warm_up(FramePattern const& in, long long number, bool in_full = false) { static_cast<void>(next_frame(in, number, in_full)); }
+    /// The part of a picture that the display window shows; an upsampled picture is that.
     [[nodiscard]] metrics::Picture displayed(metrics::Picture const& whole) const;
+    /// Its size.
+    [[nodiscard]] Extent displayed_size(metrics::Picture const& whole) const { return settings.upsampling ? whole.size : size; }
 
     /// Gives back all memory but what is remembered: the frame that next_whole() gave ends too. Frames that were read ahead are read again.
     void release_scratch();
@@ -94,6 +99,8 @@ public:
     [[nodiscard]] std::optional<io::SequenceNames> const& names() const { return settings.map; }
     /// Whether alpha was left as it is for want of a preset that denoises it.
     [[nodiscard]] bool left_alpha() const { return alpha_stays; }
+    /// How pictures are enlarged, as far as it is known; once a frame was denoised, as they are.
+    [[nodiscard]] std::optional<Upsampling> const& upsampling() const { return settings.upsampling; }
     /// How often frames began to reach farther out of their display window, so that history started afresh.
     [[nodiscard]] int canvas_changes() const { return changes; }
 
@@ -110,6 +117,7 @@ private:
     std::array<std::unique_ptr<HistoryChoice>, 2> choices;
     std::optional<PictureGuides> guides; ///< where the preset accumulates them; none before the first frame
     std::unique_ptr<Denoiser> whole;     ///< of the picture beside its signals; null before it was wanted
+    std::optional<Upsampler> upsampler;  ///< none before it was wanted
     bool was_as_one = false;             ///< whether the last frame was filtered as one picture
     std::optional<long long> last;       ///< number of the frame that was denoised last
     std::string alpha;                   ///< the plane of the film's alpha; empty: none
@@ -138,6 +146,8 @@ private:
     /// @param is_wanted whether it is shown, or only remembered
     [[nodiscard]] DenoisedFrame next_frame(FramePattern const& in, long long number, bool is_wanted);
     void begin(io::ExrOriginal const& file);
+    void check_upsampling(io::ExrListing const& file);
+    void upsample(DenoisedFrame& frame);
     [[nodiscard]] SplitRule rule() const;
     [[nodiscard]] bool has_alpha(std::size_t signal) const;
     void add_back_residual(io::ExrImage const& image, io::ChannelNames const& names, metrics::Picture& light) const;

@@ -36,6 +36,8 @@ std::string json_of(Summary const& summary) {
               {"skipped", summary.skipped},
               {"warm_up_frames", summary.warm_up_frames},
               {"missing_samples", summary.missing_samples},
+              {"size", {summary.size.width, summary.size.height}},
+              {"upsampled_by", summary.upsampled_by},
               {"milliseconds", summary.milliseconds},
               {"bytes_per_pixel", summary.bytes_per_pixel},
               {"findings", summary.findings},

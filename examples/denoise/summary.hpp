@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/image/extent.hpp>
 #include <quell/metrics/metric.hpp>
 
 #include <optional>
@@ -23,6 +24,8 @@ struct Summary {
     std::vector<long long> written, skipped; ///< numbers of frames; without --out, those that were denoised
     long long warm_up_frames = 0;            ///< denoised and not written
     long long missing_samples = 0;           ///< that were not finite, or negative
+    Extent size{};                           ///< of the frames that come out; without pixels where none did
+    std::string upsampled_by;                ///< resolve or bicubic; empty: not at all
     double milliseconds = 0;                 ///< of denoising alone
     double bytes_per_pixel = 0;              ///< of history and scratch: of all views' histories, and one view's scratch
     std::vector<std::string> findings, not_checked, remarks;
