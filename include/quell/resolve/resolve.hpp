@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/blend/clamped.hpp>
+#include <quell/execute/executor.hpp>
 #include <quell/frame/cursor/past_pixel.hpp>
 #include <quell/resolve/sharpening.hpp>
 
