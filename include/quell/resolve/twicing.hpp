@@ -137,12 +137,12 @@ inline double product_of(glm::vec3 const& a, glm::vec3 const& b) {
 }
 
 /// Samples minus picture.
-struct Residual {
+struct PictureResidual {
     Extent size;
     std::vector<glm::vec3> value;    ///< 0 where there is no sample
     std::vector<double> mean_square; ///< of the pixels around, and of a hundredth of the picture's luminance; 0 where there is no sample
 
-    Residual(Twicing const& rule, Extent size_, std::vector<glm::vec3> const& samples, std::vector<glm::vec3> const& picture)
+    PictureResidual(Twicing const& rule, Extent size_, std::vector<glm::vec3> const& samples, std::vector<glm::vec3> const& picture)
         : size(size_), value(samples.size(), glm::vec3(0.f)), mean_square(samples.size(), 0.) {
         auto const pixels = value.size();
         std::vector<double> bright(pixels), known(pixels);
@@ -213,7 +213,7 @@ struct ResidualBand {
 
 /// The residual's bands, the finest first.
 template <Executor E>
-std::array<ResidualBand, Twicing::bands> bands_of(Twicing const& rule, E const& executor, Residual const& residual,
+std::array<ResidualBand, Twicing::bands> bands_of(Twicing const& rule, E const& executor, PictureResidual const& residual,
                                                   ViewOf<Planar<>, Normal> normal, ViewOf<Planar<>, Depth> depth) {
     auto const size = residual.size;
     auto const pixels = residual.value.size();
@@ -263,7 +263,7 @@ std::array<ResidualBand, Twicing::bands> bands_of(Twicing const& rule, E const& 
 }
 
 /// Takes a band's share of the residual into the picture and out of the residual.
-inline void add_band(Twicing const& rule, ResidualBand const& band, Residual& residual, std::vector<glm::vec3>& picture) {
+inline void add_band(Twicing const& rule, ResidualBand const& band, PictureResidual& residual, std::vector<glm::vec3>& picture) {
     auto const size = residual.size;
     auto const pixels = picture.size();
     std::vector<double> products(pixels), squares(pixels), noise(pixels);
@@ -320,7 +320,7 @@ inline void add_band(Twicing const& rule, ResidualBand const& band, Residual& re
 template <Executor E>
 void add_back_residual(Twicing const& rule, E const& executor, std::vector<glm::vec3> const& samples, ViewOf<Planar<>, Normal> normal,
                        ViewOf<Planar<>, Depth> depth, std::vector<glm::vec3>& picture) {
-    detail::Residual residual(rule, depth.size, samples, picture);
+    detail::PictureResidual residual(rule, depth.size, samples, picture);
     auto const bands = detail::bands_of(rule, executor, residual, normal, depth);
     auto const before = picture;
     for (std::size_t band = bands.size(); band-- > 0;) detail::add_band(rule, bands[band], residual, picture);
