@@ -60,12 +60,14 @@ struct Resolve {
     Sharpening sharpening{};                       ///< of the output
     float depth_tolerance = 0.03f;                 ///< how far a past sample's depth may lie outside those around, as a part of them
 };
+/// @cond
 Resolve()->Resolve<>;
 template <class Kernel> Resolve(Kernel) -> Resolve<Kernel>;
 template <class Kernel, class Range> Resolve(Kernel, Range) -> Resolve<Kernel, Range>;
 template <class Kernel, class Range, class Axes> Resolve(Kernel, Range, Axes) -> Resolve<Kernel, Range, Axes>;
 template <class Kernel, class Range, class Axes, class Sharpening>
 Resolve(Kernel, Range, Axes, Sharpening) -> Resolve<Kernel, Range, Axes, Sharpening>;
+/// @endcond
 
 namespace detail {
 

@@ -68,6 +68,8 @@ template <class P, class Policy, ImageStorage Storage> class History<Resolved<P,
 
 public:
     /// @param output_size of what comes out; that of the frames may differ
+    /// @param resolved    a pipeline with a resolve behind it
+    /// @param storage     of the pipeline's images and of what is kept
     /// @throws Error for a size without pixels
     explicit History(Extent output_size, Resolved<P, Policy> const& resolved, Storage const& storage = {})
         : pipeline(detail::checked(output_size), resolved.pipeline, storage), output(output_size) {}

@@ -38,7 +38,7 @@ struct Twicing {
     float spike = 3.f;          ///< a residual is at most so many times the root mean square around; what is more is spread there
     float dark = 0.02f;         ///< part of the image's mean luminance that is added to that
     float depth_range = 0.05f;  ///< part by which depths of one surface differ
-    static constexpr int bands = 3;
+    static constexpr int bands = 3; ///< of 1, 2 and 4 pixels
 };
 
 namespace detail {
