@@ -27,17 +27,17 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// there are below its negative. Less is added where there is something in a larger window, or in the image as a whole: fine textures show
 /// there, which no small window is sure of.
 struct Twicing {
-    int radius = 6;             ///< of the windows, in pixels
-    int wide_radius = 30;       ///< of the larger ones
-    int noise_radius = 3;       ///< of the squares in which the residual's mean square is taken
-    float false_share = 0.2f;   ///< of windows taken, how many may be noise
-    float shrinkage = 0.3f;     ///< part of the threshold that is taken off the sums
-    float wide_certainty = 3.f; ///< standard deviations taken off the sums over larger windows
-    float certainty = 2.f;      ///< standard deviations taken off the sums over all the image
-    float most = 20.f;          ///< samples are at most so many times the picture's luminance
-    float spike = 3.f;          ///< a residual is at most so many times the root mean square around; what is more is spread there
-    float dark = 0.02f;         ///< part of the image's mean luminance that is added to that
-    float depth_range = 0.05f;  ///< part by which depths of one surface differ
+    int radius = 6;                 ///< of the windows, in pixels
+    int wide_radius = 30;           ///< of the larger ones
+    int noise_radius = 3;           ///< of the squares in which the residual's mean square is taken
+    float false_share = 0.2f;       ///< of windows taken, how many may be noise
+    float shrinkage = 0.3f;         ///< part of the threshold that is taken off the sums
+    float wide_certainty = 3.f;     ///< standard deviations taken off the sums over larger windows
+    float certainty = 2.f;          ///< standard deviations taken off the sums over all the image
+    float most = 20.f;              ///< samples are at most so many times the picture's luminance
+    float spike = 3.f;              ///< a residual is at most so many times the root mean square around; what is more is spread there
+    float dark = 0.02f;             ///< part of the image's mean luminance that is added to that
+    float depth_range = 0.05f;      ///< part by which depths of one surface differ
     static constexpr int bands = 3; ///< of 1, 2 and 4 pixels
 };
 
