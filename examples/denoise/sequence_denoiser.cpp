@@ -374,6 +374,11 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
     found.clear();
     DenoisedFrame frame;
     frame.canvas = canvas;
+    // A signal without a colour is light in a volume. Samples that end there have no colour: light that is divided by a mean of few colours
+    // differs from the truth by more than noise.
+    bool in_volume = false;
+    for (std::size_t s = 0; s + 1 < split.signals.size() && has_several_signals(on_canvas); ++s)
+        in_volume = in_volume || (split.active[s] && split.signals[s].factor.empty());
     auto const denoised = [&](std::size_t s) {
         auto const& channels = split.signals[s].channels;
         bool const chooses = refines() && is_wanted;
@@ -381,7 +386,7 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
         auto result = denoiser(s).denoise(image, channels, number);
         if (chooses) {
             result = chosen(s, image, channels, number, before, result);
-            add_back_residual(image, channels, result);
+            if (!in_volume || split.signals[s].factor.empty()) add_back_residual(image, channels, result);
         }
         auto const counted = denoiser(s).statistics();
         missing += counted.missing_samples;

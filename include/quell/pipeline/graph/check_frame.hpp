@@ -5,6 +5,9 @@
 
 #include <glm/matrix.hpp>
 
+#include <string>
+#include <string_view>
+
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Stands for a target where the output goes to the history's own image.
@@ -23,23 +26,26 @@ inline void check_target(Extent target, Extent frame) {
         raise_error<Failure>("run_into: the target", to_string(target) + " for a frame of " + to_string(frame), "give it the frame's size");
 }
 
+inline std::string quoted_channel(std::string_view name) { return "channel '" + std::string(name) + "'"; }
+
 /// @throws Error where an image of the host has no memory, or rows without a length
-template <class Storage> void check_memory(std::string const& channel, ImageView auto const& view) {
+/// @param name of the channel; the sentence is made where it is wanted, as a frame allocates nothing
+template <class Storage> void check_memory(std::string_view name, ImageView auto const& view) {
     if constexpr (requires { requires std::is_pointer_v<decltype(view.data)> && !owns_memory<Storage>(); })
-        if (!view.data) raise_error<Failure>(channel, "no memory", "point the channel at the host's image before run()");
+        if (!view.data) raise_error<Failure>(quoted_channel(name), "no memory", "point the channel at the host's image before run()");
     if constexpr (requires { requires std::is_integral_v<decltype(view.pixel_stride + view.row_stride)>; })
         if (view.row_stride == 0 && view.pixel_stride != 0 && view.size.height > 1)
-            raise_error<Failure>(channel, "row_stride 0", "give the distance from a row to the next, in elements");
+            raise_error<Failure>(quoted_channel(name), "row_stride 0", "give the distance from a row to the next, in elements");
 }
 
 /// @throws Error where an image of fewer samples than pixels has another size than its pattern
-template <class View> void check_samples(std::string const& channel, View const& view) {
+template <class View> void check_samples(std::string_view name, View const& view) {
     auto const found = view.stored.size;
     if (found == view.size || View::samples.fits(found, view.size)) return;
     auto const block = to_string(Extent{View::columns, View::rows});
-    raise_error<Failure>(channel, "samples of " + to_string(found) + " in a frame of " + to_string(view.size) + ", one for each " + block,
-                         "give it " + to_string(View::samples.stored(view.size)) +
-                             ", or an image of the frame's size, whose other pixels are not read");
+    raise_error<Failure>(
+        quoted_channel(name), "samples of " + to_string(found) + " in a frame of " + to_string(view.size) + ", one for each " + block,
+        "give it " + to_string(View::samples.stored(view.size)) + ", or an image of the frame's size, whose other pixels are not read");
 }
 
 /// @throws Error that names the channel, matrix or shutter at fault
@@ -47,17 +53,17 @@ template <class P, class Set, class Storage> void check_frame(Frame<Set, Storage
     for_each_channel(typename P::reads{}, [&](auto c) {
         auto const view = frame[c].view();
         if (auto const wanted = divided(frame.size, c.fraction); !(view.size == wanted))
-            raise_error<Failure>("channel '" + std::string(c.name) + "'", to_string(view.size) + " in a frame of " + to_string(frame.size),
+            raise_error<Failure>(quoted_channel(c.name), to_string(view.size) + " in a frame of " + to_string(frame.size),
                                  c.fraction == 1 ? "give every channel the frame's size"
                                                  : "give it 1/" + std::to_string(c.fraction) +
                                                        " of the frame's width and height: " + to_string(wanted));
         if constexpr (requires { decltype(view)::samples.columns; }) {
             static_assert(!CheckedGuides::template has<decltype(c)>,
                           "Subsampled<pattern, Channels<...>>: albedo, normal, depth and motion must be there for every pixel");
-            check_samples("channel '" + std::string(c.name) + "'", view);
-            check_memory<Storage>("channel '" + std::string(c.name) + "'", view.stored);
+            check_samples(c.name, view);
+            check_memory<Storage>(c.name, view.stored);
         } else
-            check_memory<Storage>("channel '" + std::string(c.name) + "'", view);
+            check_memory<Storage>(c.name, view);
     });
     if (!(is_finite(frame.shutter) && frame.shutter >= 0.f))
         raise_error("frame.shutter", std::to_string(frame.shutter),
