@@ -55,9 +55,10 @@ std::vector<std::string> jitter_names() {
 void describe_rendering(CLI::App& app, TraceOptions& o, Typed& typed) {
     auto& rendered = o.rendered;
     app.add_option("--spp", rendered.samples_per_pixel, "Samples per pixel (default: 1)")->check(CLI::Range(1, max_samples));
-    app.add_option("--guide-spp", rendered.guide_samples,
-                   "Samples per pixel of normal, albedo, roughness and motion, where samples see different points (a lens, a pane, --jitter "
-                   "pixel): more than --spp, if it is more")
+    app.add_option(
+           "--guide-spp", rendered.guide_samples,
+           "Samples per pixel of normal, albedo, roughness and motion, where samples see different points (a lens, a pane, --jitter "
+           "pixel): more than --spp, if it is more")
         ->check(CLI::Range(1, max_samples));
     app.add_option("--jitter", typed.jitter,
                    "Where primary rays go through the pixel: none (its centre), frame (one offset for all, another in each frame; the "

@@ -164,8 +164,13 @@ private:
             given.channels.push_back({name, components > 0 ? image_of(what, array, components, w, h) : quell_image{}});
             given.samples.push_back({});
             if (is_part)
-                given.samples.back() = {pattern[0].cast<int>(), pattern[1].cast<int>(), pattern[2].cast<int>(), pattern[3].cast<int>(),
-                                        pattern[4].cast<int>(), w, h};
+                given.samples.back() = {pattern[0].cast<int>(),
+                                        pattern[1].cast<int>(),
+                                        pattern[2].cast<int>(),
+                                        pattern[3].cast<int>(),
+                                        pattern[4].cast<int>(),
+                                        w,
+                                        h};
         }
     }
 };
