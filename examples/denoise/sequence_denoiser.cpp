@@ -341,7 +341,15 @@ metrics::Picture SequenceDenoiser::chosen(std::size_t signal, io::ExrImage const
     return choice->choose(denoiser(signal), image, names, number, *before, with_history);
 }
 
-/// What the filter took out of a signal's light by mistake.
+/// Whether there is light in a volume: a signal without a colour.
+bool SequenceDenoiser::has_light_in_volume(Seen& seen) const {
+    if (!has_several_signals(on_canvas)) return false;
+    for (std::size_t s = 0; s < on_canvas.of_signals.size(); ++s)
+        if (on_canvas.of_signals[s].factor.empty() && split(seen, false).active[s]) return true;
+    return false;
+}
+
+/// What the filter took out of a signal's light by mistake. In volumes it stays out: in fog it brought back more noise than light.
 void SequenceDenoiser::add_back_residual(io::ExrImage const& image, io::ChannelNames const& names, metrics::Picture& light) const {
     auto const planes = io::planes_of(Channels<Normal, Depth>{}, names);
     if (!std::ranges::all_of(planes, [&](auto const& plane) { return image.find(plane) != nullptr; })) return;
@@ -374,11 +382,7 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
     found.clear();
     DenoisedFrame frame;
     frame.canvas = canvas;
-    // A signal without a colour is light in a volume. Samples that end there have no colour: light that is divided by a mean of few colours
-    // differs from the truth by more than noise.
-    bool in_volume = false;
-    for (std::size_t s = 0; s + 1 < split.signals.size() && has_several_signals(on_canvas); ++s)
-        in_volume = in_volume || (split.active[s] && split.signals[s].factor.empty());
+    bool const in_volume = refines() && is_wanted && has_light_in_volume(front);
     auto const denoised = [&](std::size_t s) {
         auto const& channels = split.signals[s].channels;
         bool const chooses = refines() && is_wanted;
@@ -386,7 +390,7 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
         auto result = denoiser(s).denoise(image, channels, number);
         if (chooses) {
             result = chosen(s, image, channels, number, before, result);
-            if (!in_volume || split.signals[s].factor.empty()) add_back_residual(image, channels, result);
+            if (!in_volume) add_back_residual(image, channels, result);
         }
         auto const counted = denoiser(s).statistics();
         missing += counted.missing_samples;

@@ -150,6 +150,7 @@ private:
     void upsample(DenoisedFrame& frame);
     [[nodiscard]] SplitRule rule() const;
     [[nodiscard]] bool has_alpha(std::size_t signal) const;
+    [[nodiscard]] bool has_light_in_volume(Seen& seen) const;
     void add_back_residual(io::ExrImage const& image, io::ChannelNames const& names, metrics::Picture& light) const;
     void denoise_alpha(DenoisedFrame& frame, Seen const& seen, LightSplit const& split);
     void add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const;
