@@ -276,7 +276,8 @@ void SequenceDenoiser::read(FramePattern const& in, long long number) {
 
 SequenceDenoiser::Seen SequenceDenoiser::seen(io::ExrOriginal const& file, long long number) const {
     Seen frame{number, file.read(planes(file.listed), canvas), false, {}, {}};
-    if (refines()) frame.around = frame_around(frame.image, on_canvas, number, samples_in(file.listed));
+    frame.samples = samples_in(file.listed);
+    if (refines()) frame.around = frame_around(frame.image, on_canvas, number, frame.samples);
     if (!on_canvas.view.empty()) frame.image.attributes = attributes_of_view(file, on_canvas);
     put_cameras_on_canvas(frame.image, size, canvas);
     auto split_by = rule();
@@ -341,15 +342,17 @@ metrics::Picture SequenceDenoiser::chosen(std::size_t signal, io::ExrImage const
     return choice->choose(denoiser(signal), image, names, number, *before, with_history);
 }
 
-/// Whether there is light in a volume: a signal without a colour.
-bool SequenceDenoiser::has_light_in_volume(Seen& seen) const {
-    if (!has_several_signals(on_canvas)) return false;
-    for (std::size_t s = 0; s < on_canvas.of_signals.size(); ++s)
-        if (on_canvas.of_signals[s].factor.empty() && split(seen, false).active[s]) return true;
-    return false;
+/// Whether a frame's light is twiced. The noise of few samples is so skewed that windows take it for light, in scenes of many small lamps
+/// above all, and so is light in a volume, which is a signal without a colour.
+bool SequenceDenoiser::gives_light_back(Seen& seen) const {
+    constexpr int least_samples = 8;
+    if (seen.samples < least_samples) return false;
+    for (std::size_t s = 0; s < on_canvas.of_signals.size() && has_several_signals(on_canvas); ++s)
+        if (on_canvas.of_signals[s].factor.empty() && split(seen, false).active[s]) return false;
+    return true;
 }
 
-/// What the filter took out of a signal's light by mistake. In volumes it stays out: in fog it brought back more noise than light.
+/// What the filter took out of a signal's light by mistake.
 void SequenceDenoiser::add_back_residual(io::ExrImage const& image, io::ChannelNames const& names, metrics::Picture& light) const {
     auto const planes = io::planes_of(Channels<Normal, Depth>{}, names);
     if (!std::ranges::all_of(planes, [&](auto const& plane) { return image.find(plane) != nullptr; })) return;
@@ -382,7 +385,7 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
     found.clear();
     DenoisedFrame frame;
     frame.canvas = canvas;
-    bool const in_volume = refines() && is_wanted && has_light_in_volume(front);
+    bool const gives_back = refines() && is_wanted && gives_light_back(front);
     auto const denoised = [&](std::size_t s) {
         auto const& channels = split.signals[s].channels;
         bool const chooses = refines() && is_wanted;
@@ -390,7 +393,7 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
         auto result = denoiser(s).denoise(image, channels, number);
         if (chooses) {
             result = chosen(s, image, channels, number, before, result);
-            if (!in_volume) add_back_residual(image, channels, result);
+            if (gives_back) add_back_residual(image, channels, result);
         }
         auto const counted = denoiser(s).statistics();
         missing += counted.missing_samples;

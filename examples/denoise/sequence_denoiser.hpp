@@ -137,6 +137,7 @@ private:
         std::array<std::optional<LightSplit>, 2> ways; ///< its light by signals, and as one: where it was wanted
         std::shared_ptr<FrameAround const> around;     ///< what frames around it see
         bool mixes = false; ///< whether its guides are so noisy that the picture as one is as good as its signals
+        int samples = 0;    ///< of each pixel; 0: the file doesn't say
     };
     [[nodiscard]] LightSplit const& split(Seen& seen, bool as_one) const;
     std::deque<Seen> window;
@@ -150,7 +151,7 @@ private:
     void upsample(DenoisedFrame& frame);
     [[nodiscard]] SplitRule rule() const;
     [[nodiscard]] bool has_alpha(std::size_t signal) const;
-    [[nodiscard]] bool has_light_in_volume(Seen& seen) const;
+    [[nodiscard]] bool gives_light_back(Seen& seen) const;
     void add_back_residual(io::ExrImage const& image, io::ChannelNames const& names, metrics::Picture& light) const;
     void denoise_alpha(DenoisedFrame& frame, Seen const& seen, LightSplit const& split);
     void add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const;
