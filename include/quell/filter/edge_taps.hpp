@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/core/recording.hpp>
 #include <quell/filter/filter_kernel.hpp>
 
 #include <bit>
@@ -64,6 +65,7 @@ template <bool skips_missing, class Px> QUELL_KERNEL auto start_at(Px const& tap
 /// @param around         what around(px) of an EdgeWeight returns
 /// @param body           body(tap)
 template <bool skips_missing, int radius, class Px, class Around, class Body>
+    requires(!records<typename Px::Real>)
 QUELL_KERNEL void for_each_edge_tap(Px const& px, int step, Around const& around, Body&& body) {
     using Real = typename Px::Real;
     static_assert(

@@ -43,12 +43,13 @@ template <class Test = SimilarDepth> struct DualMotion {
     QUELL_KERNEL auto previous(auto px) const {
         using Real = typename decltype(px)::Real;
         auto const x = px.position(), m = px[motion];
-        Real const right(static_cast<float>(px.size().width) - 0.5f), bottom(static_cast<float>(px.size().height) - 0.5f);
+        auto const width = to_real(px.size().width), height = to_real(px.size().height);
+        Real const right(width - 0.5f), bottom(height - 0.5f);
         // clamp turns NaN into the border.
         vec2<Real> const y{clamp(x.x + m.x, Real(0.5f), right), clamp(x.y + m.y, Real(0.5f), bottom)};
         auto const beyond_x = abs(y.x - (x.x + m.x)), beyond_y = abs(y.y - (x.y + m.y));
         auto const outside = either(beyond_x > Real(0.f), beyond_y > Real(0.f));
-        Real const allowed(reach * static_cast<float>(std::max(px.size().width, px.size().height)));
+        Real const allowed(reach * max(width, height));
         auto const within = both(is_finite(m.x), is_finite(m.y), beyond_x < allowed, beyond_y < allowed);
         auto const z = carried_forward(px, y);
         vec2<Real> const where{select(outside, y.x, y.x + (x.x - z.x)), select(outside, y.y, y.y + (x.y - z.y))};

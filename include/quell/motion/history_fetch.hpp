@@ -99,7 +99,7 @@ template <class Px, class FoundPlace> QUELL_KERNEL auto sane(Px const& px, Found
     static_assert(std::is_same_v<decltype(found.where), vec2<Real>> && std::is_same_v<decltype(found.validity), Real>,
                   "what previous(px) returns must have `vec2<Real> where` and `Real validity`, where Real is the cursor's: "
                   "`typename decltype(px)::Real`");
-    Real const right(static_cast<float>(px.size().width)), bottom(static_cast<float>(px.size().height));
+    Real const right(to_real(px.size().width)), bottom(to_real(px.size().height));
     auto const usable = both(is_finite(found.where.x), is_finite(found.where.y), is_finite(found.validity), found.validity > Real(0.f),
                              found.where.x >= Real(0.f), found.where.x <= right, found.where.y >= Real(0.f), found.where.y <= bottom);
     found.where = vec2<Real>{masked(usable, found.where.x), masked(usable, found.where.y)};

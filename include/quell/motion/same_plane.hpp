@@ -13,11 +13,11 @@ struct SamePlane {
     float min_cosine = 0.9f; ///< least cosine of the angle between the normals, now and then
 
     /// @cond
-    template <class Real> struct Found {
+    template <class Real, class Rays> struct Found {
         vec2<Real> where;
         Real validity;
         detail::Plane<Real> plane;
-        PixelRays const& rays;
+        Rays const& rays;
         float tolerance, min_cosine;
 
         QUELL_KERNEL auto accepts(auto const& then, Real, Real) const {
@@ -30,8 +30,8 @@ struct SamePlane {
     /// @endcond
     /// A reprojection with this test. `plane` is the plane in the previous frame, in world space.
     template <class Px, class Real>
-    QUELL_KERNEL Found<Real> found(Px const& px, vec2<Real> const& where, Real validity, detail::Plane<Real> const& plane) const {
-        return {where, validity, plane, px.rays_then(), tolerance, min_cosine};
+    QUELL_KERNEL auto found(Px const& px, vec2<Real> const& where, Real validity, detail::Plane<Real> const& plane) const {
+        return Found<Real, std::remove_cvref_t<decltype(px.rays_then())>>{where, validity, plane, px.rays_then(), tolerance, min_cosine};
     }
 };
 

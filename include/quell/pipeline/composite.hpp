@@ -106,7 +106,7 @@ template <class FrameViews, class OutputView, class... Signals> struct Composite
     OutputView output;
     NumberedSignals<std::index_sequence_for<Signals...>, Signals...> denoised;
 
-    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
+    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, Coordinate<Real> x, Coordinate<Real> y, int count) const {
         vec3<Real> sum{Real(0.f), Real(0.f), Real(0.f)};
         [&]<std::size_t... i>(std::index_sequence<i...>) QUELL_INLINED { (add<Real>(sum, numbered<i>(denoised), x, y), ...); }
         (std::index_sequence_for<Signals...>{});
@@ -116,7 +116,8 @@ template <class FrameViews, class OutputView, class... Signals> struct Composite
 private:
     using AllFactors = FactorsOf<typename Signals::Channel...>;
 
-    template <class Real, class Signal> QUELL_KERNEL void add(vec3<Real>& sum, Signal const& signal, int x, int y) const {
+    template <class Real, class Signal>
+    QUELL_KERNEL void add(vec3<Real>& sum, Signal const& signal, Coordinate<Real> x, Coordinate<Real> y) const {
         if constexpr (!AllFactors::template has<typename Signal::Channel>) {
             auto const value = load_pixels<Real>(signal.view, x, y);
             vec3<Real> times{Real(1.f), Real(1.f), Real(1.f)};
@@ -129,7 +130,7 @@ private:
         }
     }
     /// From its own pipeline where there is one, else from the frame.
-    template <class Real, class C> QUELL_KERNEL vec3<Real> factor(int x, int y) const {
+    template <class Real, class C> QUELL_KERNEL vec3<Real> factor(Coordinate<Real> x, Coordinate<Real> y) const {
         constexpr int which = index_of<C>();
         if constexpr (which < static_cast<int>(sizeof...(Signals)))
             return load_pixels<Real>(numbered<std::size_t{which}>(denoised).view, x, y);

@@ -26,7 +26,7 @@ template <class Edge> struct ConeLevel {
         auto const around = edge.around(px);
         auto const n = px[normal];
         Real same[taps], other[taps];
-        int column[taps], row[taps];
+        Coordinate<Real> column[taps], row[taps];
         bool turned = false;
         Real sum_of_weights(0.f);
         for (int t = 0; t < taps; ++t) {
@@ -61,8 +61,8 @@ template <class Edge> struct ConeLevel {
 private:
     /// One cone at a time: its sums stay in registers.
     template <int k, class Px, class Real>
-    QUELL_KERNEL static void add_cone(Px const& px, int const (&column)[25], int const (&row)[25], Real const (&weights)[25],
-                                      Components<24, Real>& value) {
+    QUELL_KERNEL static void add_cone(Px const& px, Coordinate<Real> const (&column)[25], Coordinate<Real> const (&row)[25],
+                                      Real const (&weights)[25], Components<24, Real>& value) {
         Real red(0.f), green(0.f), blue(0.f), samples(0.f);
         for (int t = 0; t < 25; ++t) {
             Px const tap{px.scope, column[t], row[t]};

@@ -55,7 +55,7 @@ private:
     static constexpr float counts_from = 1e-6f; ///< weight: less is of another surface, or outside the image
 
     template <class Px> struct Taps {
-        int column[9], row[9];
+        Coordinate<typename Px::Real> column[9], row[9];
         typename Px::Real weight[9], light[9]; // of a neighbour, and that times its luminance
         int count = 0;
         QUELL_KERNEL void add(Px const& tap, typename Px::Real w) { column[count] = tap.x, row[count] = tap.y, weight[count++] = w; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/core/recording.hpp>
 #include <quell/frame/cursor/pixel.hpp>
 
 #include <cstddef>
@@ -22,6 +23,7 @@ template <int n, class F> QUELL_KERNEL void repeat(F&& f) {
 /// outside the image. Rows outside are skipped. Divide sums by the sum of the weights.
 /// @tparam radius in taps
 template <int radius, class Px, class Body>
+    requires(!records<typename Px::Real>)
 QUELL_KERNEL void for_each_tap(Px const& px, int step, float const (&profile)[std::size_t{radius + 1}], Body&& body) {
     using Real = typename Px::Real;
     constexpr int side = 2 * radius + 1;
@@ -55,6 +57,7 @@ QUELL_KERNEL void for_each_tap(Px const& px, int step, float const (&profile)[st
 /// The same taps in opposite pairs, without the centre: `body(near, weight, opposite, weight of opposite, dx, dy)`. What depends on the
 /// distance only is computed once for two taps. Rows outside have weight 0. It is unrolled: use small radii.
 template <int radius, class Px, class Body>
+    requires(!records<typename Px::Real>)
 QUELL_KERNEL void for_each_tap_pair(Px const& px, int step, float const (&profile)[std::size_t{radius + 1}], Body&& body) {
     static_assert(Px::pack_width == width_of<typename Px::Real>, "a pass of `two_rows` takes taps by for_each_tap");
     using Real = typename Px::Real;

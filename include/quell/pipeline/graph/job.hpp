@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/core/recording.hpp>
 #include <quell/execute/executor.hpp>
 #include <quell/pipeline/graph/counts.hpp>
 #include <quell/pipeline/ingest.hpp>
@@ -14,10 +15,11 @@ template <class Form, class Scope, class Output, class RememberedViews> struct F
     Output output;
     RememberedViews remembered;
 
-    template <class Real, class V> QUELL_KERNEL void store_output(int x, int y, int count, V const& value) const {
+    template <class Real, class V> QUELL_KERNEL void store_output(Coordinate<Real> x, Coordinate<Real> y, int count, V const& value) const {
         store_pixels<Real>(output, x, y, modulation.outward(Pixel<Real, Scope>{scope, x, y}, value), count);
     }
-    template <class Real, class... Cs> QUELL_KERNEL void remember(int x, int y, [[maybe_unused]] int count, Channels<Cs...>) const {
+    template <class Real, class... Cs>
+    QUELL_KERNEL void remember(Coordinate<Real> x, Coordinate<Real> y, [[maybe_unused]] int count, Channels<Cs...>) const {
         [[maybe_unused]] Pixel<Real, Scope> const px{scope, x, y};
         (store_pixels<Real>(remembered.view(typename Remembered<Cs>::Stored{}), x, y, Remembered<Cs>::pack(px[Cs{}]), count), ...);
     }
@@ -55,7 +57,8 @@ struct PassJob {
     unsigned stored_channels; ///< a bit for each channel of MadeViews: whether anything reads it
     Counts* counts = nullptr; ///< of the ingest; else null
 
-    template <class Real, int rows> QUELL_FLATTENED QUELL_KERNEL void operator()(AtOnce<Real, rows>, int x, int y, int count) const {
+    template <class Real, int rows>
+    QUELL_FLATTENED QUELL_KERNEL void operator()(AtOnce<Real, rows>, Coordinate<Real> x, Coordinate<Real> y, int count) const {
         auto const result = result_of([&]() QUELL_INLINED { return evaluate(Pixel<Real, Scope, rows>{scope, x, y}); });
         static_assert(contained_in<typename decltype(result.more)::channels,
                                    decltype(typename MadeViews::channels{} | Channels<Suppressed, ImpossibleGuides>{})>,
@@ -63,10 +66,7 @@ struct PassJob {
         if constexpr (makes_signal) {
             if (store_signal) store_pixels<Real>(signal, x, y, marked(Pixel<Real, Scope>{scope, x, y}, result.value), count);
             if (store_output) finish.template store_output<Real>(x, y, count, result.value);
-            if (counts) count_missing<Real>(result.value, count);
-            if constexpr (decltype(result.more)::channels::template has<Suppressed>) count_suppressed(result.more[Suppressed{}], count);
-            if constexpr (decltype(result.more)::channels::template has<ImpossibleGuides>)
-                count_guides(result.more[ImpossibleGuides{}], count);
+            if constexpr (!records<Real>) count_all<Real>(result, count);
         }
         unsigned channel = 1;
         for_each_channel(typename MadeViews::channels{}, [&](auto c) QUELL_INLINED {
@@ -102,6 +102,12 @@ private:
             return pass(px);
         else
             return pass.emit_channels(px);
+    }
+    template <class Real> QUELL_KERNEL void count_all(auto const& result, int count) const {
+        using More = typename decltype(result.more)::channels;
+        if (counts) count_missing<Real>(result.value, count);
+        if constexpr (More::template has<Suppressed>) count_suppressed(result.more[Suppressed{}], count);
+        if constexpr (More::template has<ImpossibleGuides>) count_guides(result.more[ImpossibleGuides{}], count);
     }
     template <class Real> QUELL_KERNEL void count_missing(auto const& marked, int count) const {
         auto const missing = Scope::mark::of(marked);

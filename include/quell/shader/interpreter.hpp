@@ -1,0 +1,216 @@
+#pragma once
+
+#include <quell/core/half.hpp>
+#include <quell/shader/shader_plan.hpp>
+
+#include <span>
+
+/// @file
+/// Runs a plan on the CPU, slowly: what shaders are tested against.
+
+namespace quell::inline QUELL_INSTRUCTION_SET {
+
+namespace detail {
+/// A value of a node. Masks are integers 0 and 1.
+union Word {
+    std::int32_t integer;
+    float real;
+};
+
+/// Evaluates the nodes of a pass, pixel by pixel.
+class PassInterpreter {
+    PassGraph const& graph;
+    std::array<std::uint32_t, std::size_t{FrameBlock::words}> block;
+    Extent size; ///< of the frame
+    std::vector<std::span<float>> planes;
+    std::vector<Word> values;
+    int column = 0, row = 0;
+
+public:
+    PassInterpreter(PassGraph const& g, FrameBlock const& frame, std::vector<std::span<float>> of_planes)
+        : graph(g), block(frame.as_words()), size(frame.size), planes(std::move(of_planes)), values(g.nodes.size()) {}
+
+    void run() {
+        auto const extent = divided(size, graph.fraction);
+        for (row = 0; row < extent.height; ++row)
+            for (column = 0; column < extent.width; ++column)
+                for (std::size_t i = 0; i < graph.nodes.size(); ++i) evaluate(graph.nodes[i], values[i]);
+    }
+
+private:
+    [[nodiscard]] Word operand(Node const& node, std::size_t k) const { return values[static_cast<std::size_t>(node.of[k])]; }
+    void evaluate(Node const& node, Word& to) {
+        switch (node.type()) {
+        case NodeType::real:
+            to.real = real_of_node(node);
+            break;
+        case NodeType::integer:
+            to.integer = integer_of_node(node);
+            break;
+        case NodeType::mask:
+            to.integer = mask_of_node(node);
+            break;
+        case NodeType::none:
+            planes[node.payload][place(node, 1)] = operand(node, 0).real;
+            break;
+        }
+    }
+    [[nodiscard]] std::size_t place(Node const& node, std::size_t k) const { return static_cast<std::size_t>(operand(node, k).integer); }
+    [[nodiscard]] float real_of_node(Node const& node) const {
+        float const a = operand(node, 0).real, b = operand(node, 1).real, c = operand(node, 2).real;
+        using enum Operation;
+        switch (node.operation) {
+        case constant:
+            return std::bit_cast<float>(node.payload);
+        case uniform:
+            return std::bit_cast<float>(block[node.payload]);
+        case add:
+            return a + b;
+        case subtract:
+            return a - b;
+        case multiply:
+            return a * b;
+        case divide:
+            return a / b;
+        case negate:
+            return -a;
+        case minimum:
+            return min(a, b);
+        case maximum:
+            return max(a, b);
+        case absolute:
+            return abs(a);
+        case square_root:
+            return quell::sqrt(a);
+        case Operation::floor:
+            return quell::floor(a);
+        case fused:
+            return quell::fma(a, b, c);
+        case Operation::select:
+            return operand(node, 0).integer != 0 ? b : c;
+        case Operation::to_real:
+            return quell::to_real(operand(node, 0).integer);
+        case load:
+            return planes[node.payload][place(node, 0)];
+        case round_to_half:
+            return float_from_half(half_from_float(a));
+        default:
+            return a; // bits
+        }
+    }
+    [[nodiscard]] std::int32_t integer_of_node(Node const& node) const {
+        auto const a = operand(node, 0).integer, b = operand(node, 1).integer, c = operand(node, 2).integer;
+        auto const i = static_cast<std::uint32_t>(a), j = static_cast<std::uint32_t>(b);
+        auto const extent = divided(size, static_cast<int>(node.payload > 0 ? node.payload : 1));
+        auto const wrapped = [](std::uint32_t all) { return static_cast<std::int32_t>(all); };
+        using enum Operation;
+        switch (node.operation) {
+        case constant_integer:
+            return wrapped(node.payload);
+        case uniform_integer:
+            return wrapped(block[node.payload]);
+        case this_column:
+            return column;
+        case this_row:
+            return row;
+        case width:
+            return extent.width;
+        case height:
+            return extent.height;
+        case add_integer:
+            return wrapped(i + j);
+        case subtract_integer:
+            return wrapped(i - j);
+        case multiply_integer:
+            return wrapped(i * j);
+        case and_integer:
+            return wrapped(i & j);
+        case or_integer:
+            return wrapped(i | j);
+        case xor_integer:
+            return wrapped(i ^ j);
+        case shift_left:
+            return wrapped(i << j);
+        case shift_right:
+            return a >> b;
+        case clamp_integer:
+            return a < b ? b : a > c ? c : a;
+        case Operation::truncate:
+            return quell::truncate(operand(node, 0).real);
+        case select_integer:
+            return a != 0 ? b : c;
+        default:
+            return a; // bits
+        }
+    }
+    [[nodiscard]] bool mask_of_node(Node const& node) const {
+        float const a = operand(node, 0).real, b = operand(node, 1).real;
+        auto const i = operand(node, 0).integer, j = operand(node, 1).integer;
+        using enum Operation;
+        switch (node.operation) {
+        case constant_mask:
+            return node.payload != 0;
+        case less:
+            return a < b;
+        case less_equal:
+            return a <= b;
+        case greater:
+            return a > b;
+        case greater_equal:
+            return a >= b;
+        case equal:
+            return a == b;
+        case not_equal:
+            return a != b;
+        case less_integer:
+            return i < j;
+        case equal_integer:
+            return i == j;
+        case Operation::both:
+            return (i & j) != 0;
+        case Operation::either:
+            return (i | j) != 0;
+        case Operation::invert:
+            return i == 0;
+        case Operation::is_finite:
+            return quell::is_finite(a);
+        default:
+            return quell::sign_bit(a);
+        }
+    }
+};
+} // namespace detail
+
+/// Runs a plan's passes on the CPU, frame by frame, as a host runs its shaders. Slow: it is what shaders are tested against.
+class PlanInterpreter {
+    ShaderPlan const& plan;
+    std::size_t pixels;
+    std::array<std::vector<float>, shader_buffer_names.size()> buffers;
+    bool has_past = false;
+
+public:
+    /// @param of   must outlive it
+    /// @param size of the frames
+    PlanInterpreter(ShaderPlan const& of, Extent size) : plan(of), pixels(static_cast<std::size_t>(size.pixels())) {
+        for (std::size_t i = 0; i < buffers.size(); ++i)
+            buffers[i].resize(pixels * static_cast<std::size_t>(plan.slots(static_cast<ShaderBuffer>(i))));
+    }
+    /// A slot of a buffer: a float for each pixel.
+    [[nodiscard]] std::span<float> plane(ShaderBuffer buffer, int slot) {
+        return std::span(buffers[static_cast<std::size_t>(buffer)]).subspan(static_cast<std::size_t>(slot) * pixels, pixels);
+    }
+    /// Runs all passes over the inputs that are there now.
+    void run(FrameBlock const& frame) {
+        for (auto const& pass : plan.passes) {
+            auto const& graph = pass.first && !has_past ? *pass.first : pass.graph;
+            std::vector<std::span<float>> planes;
+            for (auto const& each : graph.planes) planes.push_back(plane(each.buffer, each.slot));
+            detail::PassInterpreter(graph, frame, std::move(planes)).run();
+        }
+        std::swap(buffers[static_cast<std::size_t>(ShaderBuffer::history_then)],
+                  buffers[static_cast<std::size_t>(ShaderBuffer::history_now)]);
+        has_past = true;
+    }
+};
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET

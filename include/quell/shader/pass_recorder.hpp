@@ -1,0 +1,102 @@
+#pragma once
+
+#include <quell/pipeline/composite.hpp>
+#include <quell/pipeline/run.hpp>
+#include <quell/shader/recorded_taps.hpp>
+
+#include <algorithm>
+#include <memory>
+
+/// @file
+/// An executor that records what run() asks for.
+
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
+
+/// A pass of one frame as it was recorded, and the memory of each plane of its graph.
+struct RecordedPass {
+    PassGraph graph;
+    std::vector<void const*> memory;
+};
+
+/// Records passes by running each once for one pixel that may be any.
+class PassRecorder {
+    std::unordered_map<void const*, KnownPlane> known;
+    std::vector<RecordedPass> passes;
+
+public:
+    /// A plane that the host fills, or a pass.
+    template <class View> void note(View const& view, std::string_view channel, int fraction) {
+        for (int c = 0; c < View::components; ++c)
+            if (view.planes[c]) known[view.planes[c]] = {std::string(channel), c, fraction};
+    }
+    /// Passes since the last call.
+    [[nodiscard]] std::vector<RecordedPass> take() { return std::exchange(passes, {}); }
+
+    template <class Job> void record(Job const& job) {
+        if constexpr (
+            requires { job.finish; } || requires { job.output; })
+            record_pass(job);
+        // Others repair what a frame of numbers has: there is none here.
+    }
+
+private:
+    void record_pass(auto const& job) {
+        note_stores(job);
+        PassRecording recording(known);
+        graph_builder = &recording.builder, pass_recording = &recording;
+        struct Restore {
+            ~Restore() { graph_builder = nullptr, pass_recording = nullptr; }
+        } const restore;
+        recording.rays = rays_at(FrameBlock::rays_word), recording.rays_then = rays_at(FrameBlock::rays_then_word);
+        job(at_once<Recorded>, recorded_leaf<RecordedInteger>(Operation::this_column, 0),
+            recorded_leaf<RecordedInteger>(Operation::this_row, 0), 1);
+        keep(recording, std::string(job.name), fraction_of_job(job));
+    }
+    static RecordedRays rays_at(int word) {
+        auto const vector = [&](int at) { return vec3<Recorded>{uniform(at), uniform(at + 1), uniform(at + 2)}; };
+        return {vector(word), vector(word + 4), vector(word + 8), vector(word + 12), uniform(word + 3)};
+    }
+    template <class Job> static int fraction_of_job(Job const&) {
+        if constexpr (requires(Job const j) { j.scope; })
+            return decltype(Job::scope)::fraction;
+        else
+            return 1;
+    }
+    template <class Job> void note_stores(Job const& job) {
+        if constexpr (requires { job.finish; }) {
+            int const fraction = fraction_of_job(job);
+            for_each_channel(typename decltype(job.made)::channels{}, [&]<class C>(C c) { note(job.made.view(c), C::name, fraction); });
+            for_each_channel(typename decltype(job.finish.remembered)::channels{},
+                             [&]<class C>(C c) { note(job.finish.remembered.view(c), C::name, fraction); });
+            note(job.finish.output, "output", fraction);
+            if (job.store_signal) note(job.signal, "signal", fraction);
+        } else
+            note(job.output, "output", 1);
+    }
+    void keep(PassRecording& recording, std::string name, int fraction) {
+        PassGraph graph{.name = std::move(name), .fraction = fraction, .nodes = recording.builder.take()};
+        // Planes that only dead steps have looked at go.
+        std::vector<std::int32_t> number(recording.memory.size(), -1);
+        std::vector<void const*> memory;
+        for (auto& node : graph.nodes) {
+            if (node.operation != Operation::load && node.operation != Operation::store) continue;
+            auto& its = number[node.payload];
+            if (its < 0) {
+                its = static_cast<std::int32_t>(memory.size());
+                auto const& plane = recording.planes[node.payload];
+                graph.planes.push_back({plane.channel, plane.component, plane.fraction});
+                memory.push_back(recording.memory[node.payload]);
+            }
+            node.payload = static_cast<std::uint32_t>(its);
+        }
+        passes.push_back({std::move(graph), std::move(memory)});
+    }
+};
+
+/// The executor.
+struct RecordingExecutor {
+    PassRecorder* recorder;
+    void for_each_pixel(Region, auto const& job) const { recorder->record(job); }
+};
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <quell/shader/assign_planes.hpp>
+
+namespace quell::inline QUELL_INSTRUCTION_SET {
+
+namespace detail {
+/// Makes a plan of three recorded frames: one without a past, and two behind it, of which the second shows what the first leaves.
+class PlanMaker {
+    std::vector<void const*> inputs;
+    ShaderPlan plan;
+
+public:
+    template <ChannelTag C, class View> void add_input(View const& view) {
+        for (int c = 0; c < View::components; ++c) {
+            inputs.push_back(view.planes[c]);
+            plan.inputs.push_back({std::string(C::name), c, C::fraction});
+        }
+    }
+    [[nodiscard]] ShaderPlan make(std::array<RecordedFrame, 3> frames, std::string_view picture) {
+        PlaneUses const uses[] = {{frames[0], inputs, nullptr}, {frames[1], inputs, &uses[0]}, {frames[2], inputs, &uses[1]}};
+        require(uses[1].of_pass == uses[2].of_pass && uses[0].writer == uses[1].writer && uses[1].writer == uses[2].writer &&
+                uses[0].output == uses[1].output);
+        SlotsOfFrame const slots(uses[1], uses[2]);
+        for (std::size_t p = 0; p < frames[1].passes.size(); ++p) {
+            require(frames[1].passes[p].graph == frames[2].passes[p].graph);
+            auto& later = plan.passes.emplace_back(ShaderPass{placed(frames[1].passes[p].graph, uses[1].of_pass[p], slots), {}}).graph;
+            auto first = placed(frames[0].passes[p].graph, uses[0].of_pass[p], slots);
+            add_output(p, later, uses[1], slots), add_output(p, first, uses[0], slots);
+            if (!(first == later)) plan.passes.back().first = std::move(first);
+        }
+        for (std::size_t c = 0; c < uses[1].output.size(); ++c) plan.output.push_back({std::string(picture), static_cast<int>(c), 1});
+        plan.history_slots = slots.history_slots, plan.scratch_slots = slots.scratch_slots;
+        return std::move(plan);
+    }
+
+private:
+    static void require(bool same) {
+        if (!same)
+            raise_error<Failure>("recorded frames", "a later frame has other steps than the one before",
+                                 "a pipeline that is recorded must do "
+                                 "the same with every frame");
+    }
+    static PassGraph placed(PassGraph graph, std::vector<PlaneUse> const& uses, SlotsOfFrame const& slots) {
+        for (std::size_t i = 0; i < uses.size(); ++i) slots.place(graph.planes[i], uses[i]);
+        return graph;
+    }
+    /// The picture, where the next frame reads it too: the pass that makes it stores it twice.
+    static void add_output(std::size_t pass, PassGraph& graph, PlaneUses const& uses, SlotsOfFrame const& slots) {
+        for (std::size_t c = 0; c < uses.output.size(); ++c) {
+            auto const image = *uses.output[c];
+            if (!slots.is_kept(image) || uses.writer[image] != pass) continue;
+            auto const use = std::find(uses.of_pass[pass].begin(), uses.of_pass[pass].end(), PlaneUse{PlaneUse::Kind::made, image});
+            auto const number = static_cast<std::uint32_t>(use - uses.of_pass[pass].begin());
+            auto const of_plane = [&](Node const& node) { return node.operation == Operation::store && node.payload == number; };
+            auto store = *std::find_if(graph.nodes.begin(), graph.nodes.end(), of_plane);
+            store.payload = static_cast<std::uint32_t>(graph.planes.size());
+            graph.planes.push_back({"output", static_cast<int>(c), graph.fraction, ShaderBuffer::output, static_cast<int>(c)});
+            graph.nodes.push_back(store);
+        }
+    }
+};
+} // namespace detail
+
+/// Records a Pipeline or Composite: runs the kernel of each of its passes once, over numbers that remember what is done to them. No pixel
+/// is computed. Policies need no line for it; what cannot be recorded, such as a branch on what is computed of a pixel, is one sentence at
+/// compile time.
+/// @param pipeline a Pipeline or Composite
+/// @param name     what the plan is called
+/// @throws Failure where passes differ from frame to frame
+template <class P> ShaderPlan record(P const& pipeline, std::string_view name = "pipeline") {
+    constexpr Extent size{48, 32}; // of no matter: shaders get it with the frame
+    Frame frame{size, pipeline};
+    frame.camera.projection[2][3] = -1.f, frame.camera.projection[3][3] = 0.f, frame.camera.projection[3][2] = -1.f;
+    History history{size, pipeline};
+    detail::PassRecorder recorder;
+    detail::PlanMaker maker;
+    for_each_channel(typename decltype(frame)::channels{}, [&]<class C>(C c) {
+        recorder.note(frame[c].view(), C::name, C::fraction);
+        maker.add_input<C>(frame[c].view());
+    });
+    std::array<detail::RecordedFrame, 3> frames;
+    for (auto& each : frames) {
+        auto const picture = run(pipeline, frame, history, detail::RecordingExecutor{&recorder});
+        each.passes = recorder.take();
+        each.output.assign(std::begin(picture.planes), std::end(picture.planes));
+    }
+    auto plan = maker.make(std::move(frames), P::Output::name);
+    plan.name = name, plan.needs_camera = P::needs_camera;
+    return plan;
+}
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET
