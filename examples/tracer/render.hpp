@@ -126,9 +126,19 @@ private:
         return centre + camera_jitter(settings.jitter, settings.frame);
     }
 
+    static constexpr std::uint32_t guides_seed = 0x6d1de5u; ///< tells the sequence of guides' samples from the light's
+
+    /// @param sample those from samples_per_pixel on are of guides alone
     [[nodiscard]] SampleKey key(int sample, int frames_ago = 0) const {
         // Frame after frame continues one sequence per pixel.
         int const frame = settings.frame - frames_ago;
+        if (int const further = sample - settings.samples_per_pixel; further >= 0) {
+            // That of the guides alone is another one: what follows here are the light's samples of the next frame.
+            int const in_frame = settings.guide_samples - settings.samples_per_pixel;
+            return {{x_, y_},
+                    static_cast<std::uint32_t>(frame * in_frame + settings.first_sample + further),
+                    combine(settings.seed, guides_seed)};
+        }
         auto const index = static_cast<std::uint32_t>(frame * settings.samples_per_pixel + settings.first_sample + sample);
         return {{x_, y_}, index, settings.seed};
     }
