@@ -26,9 +26,13 @@ concept Sink = requires(S& sink, glm::vec3 value) {
 
 namespace detail {
 
+/// Whether samples of a pixel see different places at one time too.
+[[nodiscard]] inline bool places_differ(PreparedScene const& scene, RenderSettings const& settings) {
+    return settings.jitter == Jitter::pixel || scene.spreads_primary_rays();
+}
 /// Whether all samples of a pixel see the same point, so that one primary ray serves them all.
 [[nodiscard]] inline bool one_ray_per_pixel(PreparedScene const& scene, RenderSettings const& settings) {
-    return settings.one_ray_per_pixel() && !scene.spreads_primary_rays();
+    return !(settings.shutter > 0) && !places_differ(scene, settings);
 }
 
 /// For two numbers in [0, 1), a point in the unit disk.
@@ -78,7 +82,7 @@ private:
         Signals mean;
         MeanGuides guides;
         glm::vec3 sum{0.f};
-        bool const means = settings.jitter == Jitter::pixel || scene.spreads_primary_rays();
+        bool const means = places_differ(scene, settings);
         for (int i = 0; i < settings.samples_per_pixel; ++i) {
             float const time = time_of(i);
             View const view{scene.camera(time, When::now), settings.size};
