@@ -8,6 +8,7 @@
 #include <support/frame_pattern.hpp>
 #include <support/program.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <filesystem>
@@ -25,18 +26,30 @@ struct Sequence {
     long long first = 0;
 };
 
+/// All are of the first frame's size.
+void check_size(std::filesystem::path const& path, Extent size, Sequence const& sequence) {
+    if (!sequence.frames.empty() && !(size == sequence.frames.front().size))
+        throw Error(path.string(), to_string(size) + " after a frame of " + to_string(sequence.frames.front().size),
+                    "give frames and references of one size");
+}
+
 Sequence read(examples::FramePattern const& frames, examples::FramePattern const& references, long long first, long long last) {
     Sequence sequence{{}, {}, first};
     for (auto number = first; number <= last; ++number) {
         auto const image = io::read_exr(frames.path(number));
+        check_size(frames.path(number), image.size, sequence);
         io::load(sequence.frames.emplace_back(image.size), image);
         sequence.references.emplace_back();
         if (!std::filesystem::exists(references.path(number))) continue;
         auto const converged = io::read_exr(references.path(number));
+        check_size(references.path(number), converged.size, sequence);
         Frame<Channels<Radiance>> picture(converged.size);
         io::load(picture, converged);
         sequence.references.back() = metrics::displayed(metrics::picture_of(picture[radiance].view()));
     }
+    if (std::ranges::none_of(sequence.references, [](auto const& each) { return each.has_value(); }))
+        throw Error("references '" + references.text() + "'", "none of the frames " + std::to_string(first) + " to " + std::to_string(last),
+                    "make one at least, with quell-trace --reference: errors are against them");
     return sequence;
 }
 
@@ -94,14 +107,18 @@ template <SamplePattern pattern> void print_pattern(char const* name, Sequence c
 long long number_in(char const* text) {
     long long number = 0;
     auto const end = text + std::char_traits<char>::length(text);
-    if (std::from_chars(text, end, number).ptr != end)
-        throw Error(std::string("frame ") + text, "no number", "give the first and the last");
+    if (auto const [behind, wrong] = std::from_chars(text, end, number); behind != end || wrong != std::errc{})
+        throw Error("frame '" + std::string(text) + "'", "no number", "give the first and the last");
     return number;
 }
 
 void measure(int argc, char** argv) {
     if (argc != 5) throw Error("arguments", std::to_string(argc - 1), "give the frames, the references, the first and the last number");
-    auto const sequence = read(examples::FramePattern(argv[1]), examples::FramePattern(argv[2]), number_in(argv[3]), number_in(argv[4]));
+    auto const first = number_in(argv[3]), last = number_in(argv[4]);
+    if (first < 0 || first > last || last - first >= 10000)
+        throw Error("frames", std::to_string(first) + " to " + std::to_string(last),
+                    "give the first number, 0 or more, and the last, 9999 later at most");
+    auto const sequence = read(examples::FramePattern(argv[1]), examples::FramePattern(argv[2]), first, last);
     std::puts("| samples | of full size | RMSE | FLIP |\n| --- | --- | --- | --- |");
     print("each pixel", 100, score(sequence, Planar<>{}, [](auto& image, auto const& given, long long) { image = given; }));
     print_pattern<checkerboard>("`checkerboard`", sequence);

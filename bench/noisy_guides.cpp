@@ -1,17 +1,19 @@
 // What guides are worth where samples of a pixel see different things: the scenes lens and pane with guides of one sample and of 16, with
 // and without SteadyGuides. Prints a table in Markdown.
-//     quell-noisy-guides [WIDTH HEIGHT]
+//     quell-noisy-guides [--size WIDTHxHEIGHT]
 #include <quell/metrics/flip.hpp>
 #include <quell/metrics/rmse.hpp>
 #include <quell/pipeline/steady_guides.hpp>
 #include <quell/quell.hpp>
 #include <support/program.hpp>
+#include <support/size_in.hpp>
 #include <tracer/reference.hpp>
 #include <tracer/scenes/scenes.hpp>
 #include <tracer/trace_frame.hpp>
 
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
-#include <cstdlib>
 
 namespace {
 
@@ -87,8 +89,9 @@ void measure(Extent size) {
 
 int main(int argc, char** argv) {
     return examples::exit_code_of("quell-noisy-guides", [&] {
-        if (argc != 1 && argc != 3) throw Error("arguments", std::to_string(argc - 1), "give a width and a height, or nothing");
-        Extent const size = argc == 3 ? Extent{std::atoi(argv[1]), std::atoi(argv[2])} : Extent{160, 90};
-        measure(size);
+        CLI::App app("What guides are worth where samples of a pixel see different things: a table in Markdown.", "quell-noisy-guides");
+        std::string size = "160x90";
+        app.add_option("--size", size, "Width x height in pixels")->capture_default_str();
+        if (examples::parse(app, argc, argv)) measure(examples::size_in(size, 1, 1LL << 20)); // 64 frames are kept
     });
 }

@@ -10,20 +10,6 @@ namespace quell::examples {
 
 namespace {
 
-/// Puts a picture among an image's planes.
-std::vector<io::Source> put(io::ExrImage& image, std::string const& name, metrics::Picture const& picture) {
-    std::vector<io::Source> sources;
-    for (int c = 0; c < 3; ++c) {
-        io::Plane plane{.name = "quell:" + name + "." + "RGB"[c], .values = {}};
-        for (auto const& pixel : picture.pixels) plane.values.push_back(pixel[c]);
-        sources.push_back({{plane.name}});
-        image.planes.push_back(std::move(plane));
-    }
-    return sources;
-}
-bool has(io::ExrImage const& image, std::vector<io::Source> const& sources) {
-    return std::ranges::all_of(io::planes_of(sources), [&](auto const& plane) { return image.find(plane) != nullptr; });
-}
 /// What a signal's light is multiplied by: its factor, or else the albedo that it holds.
 metrics::Picture colour_of(io::ExrImage const& image, io::SignalNames const& signal) {
     if (!signal.factor.empty()) return picture_of(image, signal.factor, 1.f);
@@ -54,8 +40,10 @@ std::vector<AccumulatedGuide> PictureGuides::next(io::ExrImage& image, io::Seque
     bool const has_none = names.added.empty() && std::ranges::none_of(names.of_signals, has_colour);
     for (auto& pixel : colours.pixels) pixel = has_none ? glm::vec3(1.f) : glm::min(pixel, glm::vec3(1.f));
     auto channels = names.of_signals[0].channels;
-    channels.sources["radiance"] = !names.picture.empty() && has(image, names.picture) ? names.picture : put(image, "guided light", light);
-    channels.sources["albedo"] = put(image, "guided albedo", colours);
+    channels.sources["radiance"] = !names.picture.empty() && image.has_all(io::planes_of(names.picture))
+                                       ? names.picture
+                                       : put_picture(image.planes, "guided light", light);
+    channels.sources["albedo"] = put_picture(image.planes, "guided albedo", colours);
     if (!denoiser) denoiser = std::make_unique<Denoiser>(way_of(preset), image.size, threads);
     static_cast<void>(denoiser->denoise(image, channels, number));
     std::vector<AccumulatedGuide> guides;

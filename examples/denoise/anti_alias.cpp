@@ -14,9 +14,6 @@ namespace quell::examples {
 namespace {
 using Colours = ImageOf<Planar<>, Albedo>;
 
-bool has_planes(io::ExrImage const& image, std::vector<std::string> const& planes) {
-    return std::ranges::all_of(planes, [&](auto const& plane) { return image.find(plane) != nullptr; });
-}
 Colours image_of(metrics::Picture const& picture) {
     Colours image(picture.size);
     auto const view = image.view();
@@ -76,13 +73,13 @@ int samples_in(io::ExrListing const& file) {
 
 std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::SequenceNames const& names, long long number, int samples) {
     auto const& channels = names.of_signals[0].channels;
-    if (samples < 1 || !has_planes(image, io::planes_of(Channels<Depth, Motion, Normal>{}, channels))) return nullptr;
+    if (samples < 1 || !image.has_all(io::planes_of(Channels<Depth, Motion, Normal>{}, channels))) return nullptr;
     if (samples > 1 && !has_mixed_normals(image, channels)) return nullptr;
     auto made =
         std::make_shared<FrameAround>(FrameAround{number, policy_for(samples), Frame<Channels<Depth, Motion, MotionNext>>(image.size), {}});
     io::load_channels(Channels<Depth, Motion>{}, made->guides, image, channels);
     if (is_still(made->guides[motion].view())) return nullptr;
-    if (has_planes(image, io::planes_of(Channels<MotionNext>{}, channels)))
+    if (image.has_all(io::planes_of(Channels<MotionNext>{}, channels)))
         io::load_channels(Channels<MotionNext>{}, made->guides, image, channels);
     else { // frames after it are then not followed
         auto const view = made->guides[motion_next].view();

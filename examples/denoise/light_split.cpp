@@ -135,7 +135,7 @@ public:
     /// They have samples in common, so that what one of them loses another gains: one answer for all.
     [[nodiscard]] bool is_better_as_one() const {
         auto const source = io::sources_of(names.of_signals[0].channels, quell::depth)[0];
-        bool const knows_depth = std::ranges::all_of(source.sum, [&](auto const& plane) { return image.find(plane) != nullptr; });
+        bool const knows_depth = image.has_all(source.sum);
         auto const depth = knows_depth ? io::component_of(image, source) : std::vector<float>();
         float noise = 0, loss = 0;
         auto const count = [&](GuideErrors const& errors) { noise += errors.noise, loss += errors.loss; };
@@ -164,10 +164,7 @@ public:
     }
 
 private:
-    [[nodiscard]] bool knows_picture() const {
-        return !names.picture.empty() &&
-               std::ranges::all_of(io::planes_of(names.picture), [&](auto const& plane) { return image.find(plane) != nullptr; });
-    }
+    [[nodiscard]] bool knows_picture() const { return !names.picture.empty() && image.has_all(io::planes_of(names.picture)); }
     /// The sum of all parts, and how far rounding may take it from the picture.
     void add_up() {
         Rounding const of_added(image, names.added);
@@ -242,16 +239,7 @@ private:
         for (std::size_t i = 0; i < part.pixels.size(); ++i) rest.pixels[i] += part.pixels[i];
         has_rest = true;
     }
-    std::vector<io::Source> put(std::string const& name, metrics::Picture const& picture) {
-        std::vector<io::Source> sources;
-        for (int c = 0; c < 3; ++c) {
-            io::Plane plane{.name = "quell:" + name + "." + "RGB"[c], .values = {}};
-            for (auto const& pixel : picture.pixels) plane.values.push_back(pixel[c]);
-            sources.push_back({{plane.name}});
-            made.push_back(std::move(plane));
-        }
-        return sources;
-    }
+    std::vector<io::Source> put(std::string const& name, metrics::Picture const& picture) { return put_picture(made, name, picture); }
 };
 
 /// Whether there is one picture, which is not divided by anything and is all there is.
@@ -270,6 +258,17 @@ metrics::Picture picture_of(io::ExrImage const& image, std::vector<io::Source> c
     metrics::Picture picture{image.size, {}};
     for (std::size_t i = 0; i < image.pixels(); ++i) picture.pixels.emplace_back(components[0][i], components[1][i], components[2][i]);
     return picture;
+}
+
+std::vector<io::Source> put_picture(std::vector<io::Plane>& planes, std::string const& name, metrics::Picture const& picture) {
+    std::vector<io::Source> sources;
+    for (int c = 0; c < 3; ++c) {
+        io::Plane plane{.name = "quell:" + name + "." + "RGB"[c], .values = {}};
+        for (auto const& pixel : picture.pixels) plane.values.push_back(pixel[c]);
+        sources.push_back({{plane.name}});
+        planes.push_back(std::move(plane));
+    }
+    return sources;
 }
 
 bool has_several_signals(io::SequenceNames const& names) { return names.of_signals.size() > 1 || !names.added.empty(); }

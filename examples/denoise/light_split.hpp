@@ -69,5 +69,7 @@ inline constexpr auto rest_name = "rest";
 
 /// Three components as a picture; where there are no sources, `otherwise` everywhere.
 [[nodiscard]] metrics::Picture picture_of(io::ExrImage const& image, std::vector<io::Source> const& sources, float otherwise);
+/// Puts a picture among planes, by names that begin with "quell:". Returns what reads it.
+[[nodiscard]] std::vector<io::Source> put_picture(std::vector<io::Plane>& planes, std::string const& name, metrics::Picture const& picture);
 
 } // namespace quell::examples

@@ -11,11 +11,24 @@
 #include <quell/resolve/twicing.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 
 namespace quell::examples {
 
 namespace {
+
+/// Adds the milliseconds that it lives to a sum.
+class Timed {
+    double& sum;
+    std::chrono::steady_clock::time_point const begin = std::chrono::steady_clock::now();
+
+public:
+    explicit Timed(double& s) : sum(s) {}
+    ~Timed() { sum += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count(); }
+    Timed(Timed const&) = delete;
+    Timed& operator=(Timed const&) = delete;
+};
 
 /// The change that a file's user can make to mend a mistake, where there is one beside that of the host's code.
 std::string in_the_map(Mistake mistake) {
@@ -187,7 +200,7 @@ void SequenceDenoiser::release_scratch() {
 
 void SequenceDenoiser::forget() {
     earlier.clear();
-    earlier_milliseconds = milliseconds();
+    earlier_milliseconds = milliseconds() - other_milliseconds;
     denoisers.clear();
     choices = {};
     whole.reset();
@@ -237,7 +250,7 @@ std::vector<std::pair<std::string, DebugImage>> SequenceDenoiser::debug_images(s
 }
 
 double SequenceDenoiser::milliseconds() const {
-    double sum = earlier_milliseconds;
+    double sum = earlier_milliseconds + other_milliseconds;
     for (auto const& denoiser : denoisers)
         if (denoiser) sum += denoiser->milliseconds();
     for (auto const& choice : choices)
@@ -353,12 +366,13 @@ bool SequenceDenoiser::gives_light_back(Seen& seen) const {
 }
 
 /// What the filter took out of a signal's light by mistake.
-void SequenceDenoiser::add_back_residual(io::ExrImage const& image, io::ChannelNames const& names, metrics::Picture& light) const {
+void SequenceDenoiser::add_back_residual(io::ExrImage const& image, io::ChannelNames const& names, metrics::Picture& light) {
     auto const planes = io::planes_of(Channels<Normal, Depth>{}, names);
-    if (!std::ranges::all_of(planes, [&](auto const& plane) { return image.find(plane) != nullptr; })) return;
+    if (!image.has_all(planes)) return;
     Frame<Channels<Normal, Depth>> guides(image.size);
     io::load_channels(Channels<Normal, Depth>{}, guides, image, names);
     auto const samples = picture_of(image, io::sources_of(names, radiance), std::numeric_limits<float>::quiet_NaN());
+    Timed const timed(other_milliseconds);
     quell::add_back_residual(Twicing{}, Threads<>{.count = settings.threads}, samples.pixels, guides[normal].view(), guides[depth].view(),
                              light.pixels);
 }
@@ -406,8 +420,10 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
     auto around = earlier;
     for (auto const& seen : window) around.push_back(seen.around);
     AntiAliasing const anti_aliasing(around, number);
-    frame.picture = composite(image, split, denoised, missing, frame.signals,
-                              [&](std::size_t s, metrics::Picture const* light) { return anti_aliasing.product(s, light); });
+    frame.picture = composite(image, split, denoised, missing, frame.signals, [&](std::size_t s, metrics::Picture const* light) {
+        Timed const timed(other_milliseconds);
+        return anti_aliasing.product(s, light);
+    });
     if (front.mixes) mix_with_picture(frame);
     if (accumulates_guides(settings.preset)) accumulate_guides(frame);
     if (!has_several_signals(on_canvas)) frame.signals.clear(); // it is the picture
@@ -478,7 +494,7 @@ void SequenceDenoiser::denoise_alpha(DenoisedFrame& frame, Seen const& seen, Lig
     auto const planes = io::planes_of(Channels<Motion>{}, channels);
     Frame<Channels<Motion>> vectors(seen.image.size);
     // A preset that reads no motion has no history.
-    if (std::ranges::all_of(planes, [&](auto const& plane) { return seen.image.find(plane) != nullptr; }))
+    if (seen.image.has_all(planes))
         io::load_channels(Channels<Motion>{}, vectors, seen.image, channels);
     else
         film.forget();

@@ -111,6 +111,7 @@ private:
     io::SequenceNames on_canvas; ///< the names for images of the canvas
     int changes = 0;
     double earlier_milliseconds = 0;                  ///< of denoisers that are gone
+    double other_milliseconds = 0;                    ///< of what is done to their pictures
     std::unique_ptr<Denoiser> any;                    ///< says what each of them wants
     std::vector<std::unique_ptr<Denoiser>> denoisers; ///< one per signal, and one of the rest; null before there was light for it
     /// Between light with history and without, for all signals: without alpha, and with it. Null before they were wanted.
@@ -152,7 +153,7 @@ private:
     [[nodiscard]] SplitRule rule() const;
     [[nodiscard]] bool has_alpha(std::size_t signal) const;
     [[nodiscard]] bool gives_light_back(Seen& seen) const;
-    void add_back_residual(io::ExrImage const& image, io::ChannelNames const& names, metrics::Picture& light) const;
+    void add_back_residual(io::ExrImage const& image, io::ChannelNames const& names, metrics::Picture& light);
     void denoise_alpha(DenoisedFrame& frame, Seen const& seen, LightSplit const& split);
     void add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const;
     [[nodiscard]] Purpose purpose_of(std::size_t signal) const;

@@ -20,7 +20,7 @@ constexpr auto colour = quell::presets::resolve(quell::presets::none(radiance));
 constexpr auto opacity = quell::presets::resolve(quell::presets::none(visibility)); // of one component, as alpha is
 
 constexpr auto jitter_attribute = "quell:jitter";
-constexpr float most_jitter = 8.f; ///< pixels, as presets::resolve takes it
+constexpr float most_jitter = decltype(colour.resolve)::most_jitter;
 
 /// Jitter of the first frames that can be read, as far as they say it.
 std::vector<std::optional<glm::vec2>> first_jitters(FramePattern const& in, std::vector<long long> const& frames) {

@@ -26,9 +26,13 @@ concept Sink = requires(S& sink, glm::vec3 value) {
 
 namespace detail {
 
+/// Whether samples of a pixel see different places at one time too.
+[[nodiscard]] inline bool places_differ(PreparedScene const& scene, RenderSettings const& settings) {
+    return settings.jitter == Jitter::pixel || scene.spreads_primary_rays();
+}
 /// Whether all samples of a pixel see the same point, so that one primary ray serves them all.
 [[nodiscard]] inline bool one_ray_per_pixel(PreparedScene const& scene, RenderSettings const& settings) {
-    return settings.one_ray_per_pixel() && !scene.spreads_primary_rays();
+    return !(settings.shutter > 0) && !places_differ(scene, settings);
 }
 
 /// For two numbers in [0, 1), a point in the unit disk.
@@ -78,7 +82,7 @@ private:
         Signals mean;
         MeanGuides guides;
         glm::vec3 sum{0.f};
-        bool const means = settings.jitter == Jitter::pixel || scene.spreads_primary_rays();
+        bool const means = places_differ(scene, settings);
         for (int i = 0; i < settings.samples_per_pixel; ++i) {
             float const time = time_of(i);
             View const view{scene.camera(time, When::now), settings.size};
@@ -126,9 +130,19 @@ private:
         return centre + camera_jitter(settings.jitter, settings.frame);
     }
 
+    static constexpr std::uint32_t guides_seed = 0x6d1de5u; ///< tells the sequence of guides' samples from the light's
+
+    /// @param sample those from samples_per_pixel on are of guides alone
     [[nodiscard]] SampleKey key(int sample, int frames_ago = 0) const {
         // Frame after frame continues one sequence per pixel.
         int const frame = settings.frame - frames_ago;
+        if (int const further = sample - settings.samples_per_pixel; further >= 0) {
+            // That of the guides alone is another one: what follows here are the light's samples of the next frame.
+            int const in_frame = settings.guide_samples - settings.samples_per_pixel;
+            return {{x_, y_},
+                    static_cast<std::uint32_t>(frame * in_frame + settings.first_sample + further),
+                    combine(settings.seed, guides_seed)};
+        }
         auto const index = static_cast<std::uint32_t>(frame * settings.samples_per_pixel + settings.first_sample + sample);
         return {{x_, y_}, index, settings.seed};
     }

@@ -29,9 +29,6 @@ struct RenderSettings {
     /// References are blurred nevertheless.
     std::optional<float> frozen_at{};
     Jitter jitter = Jitter::none;
-
-    /// Whether all samples of a pixel go through the same place at the same time.
-    [[nodiscard]] bool one_ray_per_pixel() const { return !(shutter > 0) && jitter != Jitter::pixel; }
 };
 
 namespace detail {

@@ -265,7 +265,7 @@ template <class Make> void describe(Way& way) {
 template <class Made, class P> Way way_of() {
     Way way{.output_components = P::Output::components, .needs_camera = P::needs_camera};
     quell::for_each_channel(typename Made::reads{}, [&]<class C>(C c) {
-        way.channels.push_back({std::string(c.name), c.components, c.fraction, Made::Optional::template has<C>});
+        way.channels.push_back({std::string(c.name), c.components, c.fraction, Made::Optional::template has<C>, c.is_guide});
     });
     quell::for_each_channel(typename Made::Guides{}, [&](auto guide) {
         way.guides.push_back({std::string(guide.name), guide.components});

@@ -66,6 +66,7 @@ struct ReadChannel {
     int components = 0;
     int fraction = 1;      ///< image size = frame size / fraction, rounded up
     bool optional = false; ///< frames may lack it
+    bool is_guide = false; ///< every pixel must have it
 };
 
 /// A guide that a denoiser accumulates, for what comes behind it.

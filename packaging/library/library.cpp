@@ -100,12 +100,16 @@ public:
 };
 
 /// A sentence where samples can't be taken. Fills in what stands for itself.
-std::string take_samples(Samples& to, quell_samples const& given, std::string const& name, quell_denoiser const& denoiser) {
-    if (given.columns == 0 && given.rows == 0) return {};
-    auto const what = "samples of channel '" + name + "'";
+std::string take_samples(Samples& to, quell_samples const& given, Channel const& channel, quell_denoiser const& denoiser) {
+    auto const what = "samples of channel '" + channel.name + "'";
     auto const size = [](int width, int height) { return std::to_string(width) + "x" + std::to_string(height); };
-    for (auto const* const guide : {"albedo", "normal", "depth", "motion", "motion_next"})
-        if (name == guide) return what + ": a guide must be there for every pixel; give columns and rows 0";
+    if (given.columns == 0 && given.rows == 0) {
+        bool const is_whole = (given.width == 0 && given.height == 0) || (given.width == denoiser.width && given.height == denoiser.height);
+        if (is_whole) return {};
+        return what + ": an image of " + size(given.width, given.height) + " in a frame of " + size(denoiser.width, denoiser.height) +
+               ", and no block; give 1 to 8 columns and rows";
+    }
+    if (channel.is_guide) return what + ": a guide must be there for every pixel; give columns and rows 0";
     if (given.columns < 1 || given.columns > 8 || given.rows < 1 || given.rows > 8)
         return what + ": blocks of " + size(given.columns, given.rows) + "; give 1 to 8 columns and rows";
     if (given.phase_x < 0 || given.phase_x >= given.columns || given.phase_y < 0 || given.phase_y >= given.rows)
@@ -142,7 +146,7 @@ std::string take_channels(quell_denoiser& denoiser, Frame& to, quell_frame const
             return what + ": a fraction of " + std::to_string(frame.fractions[i]) + "; give 1: other sizes are not supported yet";
         auto& image = to.channels[index];
         if (frame.samples != nullptr)
-            if (auto const wrong = take_samples(image.samples, frame.samples[i], given.name, denoiser); !wrong.empty()) return wrong;
+            if (auto const wrong = take_samples(image.samples, frame.samples[i], *found, denoiser); !wrong.empty()) return wrong;
         int const width = image.samples.columns > 0 ? image.samples.width : denoiser.width;
         if (auto const wrong = take(image, given.image, what, found->components, width); !wrong.empty()) return wrong;
     }

@@ -61,7 +61,7 @@ void LoadedFrame::load(std::span<ReadChannel const> channels, io::ExrImage const
         auto const& channel = in_files(channels[i]);
         auto const needed = channel.planes(names);
         images.channels[i] = {};
-        if (channels[i].optional && !std::ranges::all_of(needed, [&](auto const& plane) { return image.find(plane) != nullptr; })) continue;
+        if (channels[i].optional && !image.has_all(needed)) continue;
         images.channels[i] = channel.load(planes[i], image, names);
     }
     if (auto const camera = io::camera_of(image)) images.camera = *camera;

@@ -35,6 +35,7 @@ struct Channel {
     std::string name{};
     int components = 0;
     bool optional = false; ///< frames may lack it
+    bool is_guide = false; ///< every pixel must have it
 };
 
 struct Camera {

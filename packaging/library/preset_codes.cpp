@@ -104,7 +104,8 @@ private:
 
 PresetWay way_of(Way const& way) {
     PresetWay code{.output_components = way.output_components, .needs_camera = way.needs_camera, .plan = way.plan};
-    for (auto const& channel : way.channels) code.channels.push_back({channel.name, channel.components, channel.optional});
+    for (auto const& channel : way.channels)
+        code.channels.push_back({channel.name, channel.components, channel.optional, channel.is_guide});
     for (auto const& guide : way.guides) code.guides.push_back({guide.name, guide.components});
     code.make = [&way](int width, int height, Motion const& motion, Parallel const& parallel, Memory const& memory, Outcome& outcome,
                        std::string& error) {

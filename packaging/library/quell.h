@@ -106,7 +106,7 @@ typedef struct quell_frame {
     const int32_t *fractions;   /* of the channels, in their order: an image's width and height as a part of the frame's. Null: all 1, which
                                    is all that presets support so far. */
     const quell_samples *samples; /* of the channels, in their order. Null: every pixel of all channels has one. Guides (albedo, normal,
-                                     depth, motion) must have them all. */
+                                     depth, motion, motion_next) must have them all. */
 } quell_frame;
 #ifdef __cplusplus
 #define QUELL_FRAME quell_frame{sizeof(quell_frame), nullptr, 0, {}, nullptr, 0, 0, 0.5f, nullptr, nullptr, nullptr}

@@ -160,6 +160,10 @@ private:
             auto const array = py::reinterpret_borrow<py::array>(value);
             auto const pattern = samples.contains(key) ? samples[key].cast<py::tuple>() : py::tuple();
             bool const is_part = pattern.size() == 5 && array.ndim() >= 2; // its size says which
+            // To quell.h 0 columns and rows are those of an image that has all samples, and its size would not be looked at.
+            if (is_part && pattern[0].cast<int>() == 0 && pattern[1].cast<int>() == 0)
+                refuse(prefix + "samples of channel '" + name +
+                       "': blocks of 0x0; give 1 to 8 columns and rows, or leave it out where every pixel has a sample");
             auto const w = is_part ? static_cast<int>(array.shape(1)) : width, h = is_part ? static_cast<int>(array.shape(0)) : height;
             given.channels.push_back({name, components > 0 ? image_of(what, array, components, w, h) : quell_image{}});
             given.samples.push_back({});

@@ -1,5 +1,7 @@
 #include "foreign_host.hpp"
 
+#include "../jitter.hpp"
+
 #include <cstdint>
 #include <numbers>
 
@@ -225,12 +227,6 @@ World terrace() {
 }
 World world_of(Set set) { return set == Set::studio ? studio() : set == Set::plaza ? plaza() : terrace(); }
 
-float halton(int i, int base) {
-    float result = 0.f, f = 1.f;
-    for (; i > 0; i /= base) f /= static_cast<float>(base), result += f * static_cast<float>(i % base);
-    return result;
-}
-
 } // namespace
 
 Camera ForeignShot::camera_at(int number) const {
@@ -246,7 +242,7 @@ Camera ForeignShot::camera_at(int number) const {
     }
     float const aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
     Camera camera{glm::lookAt(eye, target, {0, 1, 0}), glm::perspective(0.9f, aspect, 0.05f, 200.f)};
-    if (path == Path::jittered) camera.jitter = {halton(number % 8 + 1, 2) - 0.5f, halton(number % 8 + 1, 3) - 0.5f};
+    if (path == Path::jittered) camera.jitter = tests::jitter_of(number, 8);
     return camera;
 }
 

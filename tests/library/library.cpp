@@ -383,6 +383,7 @@ TEST_CASE("wrong frames are refused with a sentence, and the denoiser works as b
     samples[0] = {2, 2, 0, 0, 0, 20, 17}, refused({"'radiance'", "20x17", "61x34", "31x17"});
     samples[0] = {9, 2, 0, 0, 0, 0, 0}, refused({"'radiance'", "9x2", "1 to 8"});
     samples[0] = {2, 1, 1, 0, 1, 0, 0}, refused({"'radiance'", "phase of 0, 1", "2x1"});
+    samples[0] = {0, 0, 0, 0, 0, 8, 8}, refused({"'radiance'", "8x8", "61x34", "1 to 8"});
     samples[0] = {}, samples[3] = {2, 2, 0, 0, 0, 0, 0}, refused({"'depth'", "every pixel"});
     wall.frame.samples = nullptr;
     auto const other = made();

@@ -1,4 +1,5 @@
 #include "../io/whole_file.hpp"
+#include "../jitter.hpp"
 #include "programs.hpp"
 
 #include <nlohmann/json.hpp>
@@ -9,19 +10,6 @@ using namespace quell;
 using namespace quell::tests;
 
 namespace {
-
-/// Places of the samples, one after the other: Halton points.
-glm::vec2 place(int number) {
-    auto const halton = [](int index, int base) {
-        float digit = 1.f, result = 0.f;
-        for (; index > 0; index /= base) {
-            digit /= static_cast<float>(base);
-            result += digit * static_cast<float>(index % base);
-        }
-        return result;
-    };
-    return {halton(number % 16 + 1, 2) - .5f, halton(number % 16 + 1, 3) - .5f};
-}
 
 /// A frame of a picture of discs that stand still, without noise. Each pixel has one sample.
 io::ExrImage discs(Extent size, glm::vec2 jitter, int samples_across = 1) {
@@ -51,7 +39,7 @@ constexpr Extent size{32, 24}, twice{64, 48};
 /// Frames 1 to `count`, each at another place, and what they show at twice the size.
 void write_discs(Folder const& folder, int count, bool says_jitter = true) {
     for (int i = 1; i <= count; ++i) {
-        auto image = discs(size, place(i));
+        auto image = discs(size, jitter_of(i));
         if (!says_jitter) std::erase_if(image.attributes, [](auto const& each) { return each.first.starts_with("quell:jitter"); });
         io::write_exr(folder / numbered("frame.", i), image);
         io::write_exr(folder / numbered("ref.", i), discs(twice, glm::vec2(0.f), 8));
@@ -91,7 +79,7 @@ TEST_CASE("--upsample refuses ratios that it has not, and options for more than 
 TEST_CASE("--upsample: a constant picture stays constant, at the size that was asked for, and so does its alpha") {
     for (bool const jittered : {true, false}) {
         Folder const folder;
-        for (int i = 1; i <= 3; ++i) io::write_exr(folder / numbered("frame.", i), constant(i, jittered ? place(i) : glm::vec2(0.f)));
+        for (int i = 1; i <= 3; ++i) io::write_exr(folder / numbered("frame.", i), constant(i, jittered ? jitter_of(i) : glm::vec2(0.f)));
         struct Case {
             std::string ratio;
             Extent expected;
@@ -151,7 +139,7 @@ TEST_CASE("--upsample says on stderr why each frame is enlarged by itself") {
 TEST_CASE("--upsample stops at a frame that does not say its jitter, where others do") {
     Folder const folder;
     write_discs(folder, 5);
-    auto image = discs(size, place(5));
+    auto image = discs(size, jitter_of(5));
     image.attributes.erase("quell:jitter");
     io::write_exr(folder / numbered("frame.", 5), image);
     auto const run = [&] { return denoise(input(folder) + output(folder) + "--preset none --quiet --upsample 2"); };
@@ -181,7 +169,7 @@ TEST_CASE("--upsample: a shot in chunks is the shot in one, on any number of thr
 
 TEST_CASE("--upsample writes the picture's part alone, with scaled windows, and refuses what lies outside of the display window") {
     Folder const folder;
-    auto const image = constant(1, place(1));
+    auto const image = constant(1, jitter_of(1));
     auto const write = [&](Imath::Box2i const& display, Imath::V2i corner) {
         std::vector<WholeChannel> light, guides;
         for (auto const& each : image.planes)
@@ -217,7 +205,7 @@ TEST_CASE("--upsample enlarges each view of a file") {
     std::vector<WholePart> parts;
     for (auto const& [name, scale] : {std::pair{"a", 1.f}, {"b", .25f}}) {
         parts.push_back({name, window, {}});
-        for (auto const& each : constant(1, place(1)).planes)
+        for (auto const& each : constant(1, jitter_of(1)).planes)
             parts.back().channels.push_back(
                 {each.name, io::detail::pixel_type(each.type), [each, by = each.name.size() == 1 ? scale : 1.f](int x, int y) {
                      return each.values[static_cast<std::size_t>(y * size.width + x)] * by;

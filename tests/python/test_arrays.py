@@ -223,6 +223,11 @@ class Refused(unittest.TestCase):
         self.refused(["number", "64 bits"], number=1 << 70)
         self.refused(["shutter"], shutter=-1.0)
         self.refused(["'radiance'", "1 to 8"], samples={"radiance": quell.Samples(9, 1)})
+        # To quell.h that is an image of the frame's size, and this one is smaller.
+        few = np.ones((2, 2, 3), np.float32)
+        self.refused(["'radiance'", "0x0", "1 to 8"], radiance=few, samples={"radiance": quell.Samples(0, 0)})
+        self.refused(["'radiance'", "0x0", "1 to 8"], samples={"radiance": quell.Samples(0, 0)})
+        self.refused(["'depth'", "every pixel"], samples={"depth": quell.Samples(2, 2)})
         self.refused(["'radiance'", "quell.Samples"], samples={"radiance": 2})
         self.refused(["'glossy'", "no channel"], samples={"glossy": quell.Samples(2, 2)})
         with self.assertRaises(TypeError):

@@ -1,4 +1,5 @@
 #include "../frames.hpp"
+#include "../jitter.hpp"
 #include "../threads.hpp"
 
 #include <quell/presets/resolve.hpp>
@@ -8,23 +9,11 @@
 
 using namespace quell;
 using tests::copy_of;
+using tests::jitter_of;
 
 namespace {
 
 constexpr auto resolve = presets::resolve(presets::none(radiance));
-
-/// Places of the samples, one after the other: Halton points.
-glm::vec2 jitter_of(int number) {
-    auto const halton = [](int index, int base) {
-        float digit = 1.f, result = 0.f;
-        for (; index > 0; index /= base) {
-            digit /= static_cast<float>(base);
-            result += digit * static_cast<float>(index % base);
-        }
-        return result;
-    };
-    return {halton(number % 16 + 1, 2) - .5f, halton(number % 16 + 1, 3) - .5f};
-}
 
 /// A picture that moves over the image: discs with hard edges, at any place of an image that is 1 wide.
 struct Discs {

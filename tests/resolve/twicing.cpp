@@ -94,6 +94,44 @@ TEST_CASE("of no samples and no surfaces the picture stays") {
     CHECK(sky.twice(Serial{}).picture == before);
 }
 
+TEST_CASE("what is no light says nothing: it is no sample to a pipeline either") {
+    Denoised seen(flat, 0.f), whole(flat, 0.f);
+    for (std::size_t i = 0; i < seen.samples.size(); i += 5)
+        seen.samples[i] = i % 3 == 0 ? glm::vec3(-1.f) : i % 3 == 1 ? glm::vec3(1e17f) : glm::vec3(std::numeric_limits<float>::infinity());
+    CHECK(seen.twice(Serial{}).picture == whole.picture);
+}
+
+TEST_CASE("a picture that is negative in the mean has limits like its reverse") {
+    std::vector<glm::vec3> const samples{glm::vec3(1.f)}, dark{glm::vec3(-1.f)}, bright{glm::vec3(1.f)};
+    detail::PictureResidual const below({}, {1, 1}, samples, dark), above({}, {1, 1}, samples, bright);
+    CHECK(below.value[0] == glm::vec3(2.f));
+    CHECK(above.value[0] == glm::vec3(0.f));
+    CHECK(above.mean_square[0] == doctest::Approx(below.mean_square[0] - 12.).epsilon(1e-9));
+}
+
+TEST_CASE("images of one pixel, one row and one column stay finite") {
+    for (Extent const small : {Extent{1, 1}, Extent{1, 9}, Extent{17, 1}, Extent{3, 2}}) {
+        CAPTURE(to_string(small));
+        auto const pixels = static_cast<std::size_t>(small.pixels());
+        ImageOf<Planar<>, Normal> normals(small);
+        ImageOf<Planar<>, Depth> depths(small);
+        std::vector<glm::vec3> samples(pixels, glm::vec3(2.f)), picture(pixels, glm::vec3(1.f));
+        for (int y = 0; y < small.height; ++y)
+            for (int x = 0; x < small.width; ++x) normals.set(x, y, {0.f, 0.f, 1.f}), depths.set(x, y, 3.f);
+        samples[0] = glm::vec3(std::numeric_limits<float>::quiet_NaN());
+        add_back_residual({}, Simd{}, samples, normals.view(), depths.view(), picture);
+        for (auto const& colour : picture) CHECK((colour.x >= 1.f && colour.x <= 2.f));
+    }
+}
+
+TEST_CASE("images of other sizes are refused") {
+    Denoised seen(flat, 0.f);
+    auto const refused = [&] { CHECK_THROWS_AS(seen.twice(Serial{}), Error); };
+    seen.samples.pop_back(), refused();
+    seen.samples.emplace_back(1.f), seen.picture.pop_back(), refused();
+    seen.picture.emplace_back(1.f), seen.normals = ImageOf<Planar<>, Normal>({size.width - 1, size.height}), refused();
+}
+
 TEST_CASE("windows above a threshold are noise as often as is asked for") {
     std::vector<double> z;
     for (int i = 0; i < 100; ++i) z.push_back(i < 50 ? 1.2 : -1.2), z.push_back(3.2);

@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <cmath>
+
 using namespace quell;
 using namespace quell::tracer;
 
@@ -82,4 +84,32 @@ TEST_CASE("guides of more samples than the signal has are means, and leave the s
             }
         CHECK(off_more < off_one / 8); // 1/32, but for what samples have in common
     }
+}
+
+TEST_CASE("samples of guides alone are not those of the light in the next frames") {
+    constexpr Extent size{48, 27};
+    auto description = world({0, 0, 4}, {0, 0, 0});
+    auto const upright = glm::angleAxis(glm::radians(90.f), glm::vec3(1, 0, 0));
+    int const veil = description.add(Material{.base = glm::vec3(1.f), .coverage = {0.5f}}),
+              wall = description.add(Material{.base = glm::vec3(0.f)});
+    int const sheet = description.add(rectangle(60, 60));
+    description.place(sheet, veil, {.translation = {0, 0, 1}, .rotation = upright});
+    description.place(sheet, wall, {.translation = {0, 0, -2}, .rotation = upright});
+    PreparedScene scene{std::move(description)};
+    auto const traced = [&](int number, int guide_samples) {
+        Frame<Channels<Albedo>> frame(size);
+        trace_frame(scene, {.size = size, .frame = number, .guide_samples = guide_samples}, frame);
+        return frame;
+    };
+    // Albedo is white where the sample meets the veil, and black else. A frame's second guide sample is told by the mean of two.
+    int same = 0, compared = 0;
+    for (int number = 0; number < 4; ++number) {
+        auto const own = traced(number, 0), both = traced(number, 2), next = traced(number + 1, 0);
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                auto const second = 2 * both[albedo].get(x, y).x - own[albedo].get(x, y).x;
+                same += std::abs(second - next[albedo].get(x, y).x) < 0.25f, ++compared;
+            }
+    }
+    CHECK(std::abs(same - compared / 2) < compared / 20); // by chance half of them
 }

@@ -17,6 +17,7 @@ template <int Components> struct Channel {
     static constexpr bool full_precision = false;     ///< true: never stored in half. Half has steps of 0.5 at 1000.
     static constexpr int fraction = 1;                ///< image size = frame size / fraction, rounded up. 2: half resolution.
     static constexpr bool finite_on_surfaces = false; ///< true: diagnose() says so where it is not finite on a surface
+    static constexpr bool is_guide = false;           ///< true: every pixel must have it, also where a signal has fewer samples
     /// Names of the components in files, a letter for each: `normal.X`. Of a single component it is the whole name: `instance.ID`. More
     /// than four have numbers.
     static constexpr std::string_view component_names = Components == 1 ? "V" : "XYZW";
@@ -56,6 +57,7 @@ template <class C>
 concept SaysRightly = requires {
     requires is_constant<decltype(&C::components), int> && is_constant<decltype(&C::fraction), int>;
     requires is_constant<decltype(&C::full_precision), bool> && is_constant<decltype(&C::finite_on_surfaces), bool>;
+    requires is_constant<decltype(&C::is_guide), bool>;
     requires names_components<C>();
 }
 &&(
@@ -73,7 +75,7 @@ template <class... Cs> struct Channels {
     static_assert(
         ((!ChannelTag<Cs> || detail::SaysRightly<Cs>)&&...),
         "a channel must derive from Channel<N> or InternalChannel<N>; `components` and `fraction` must be `static constexpr int`, "
-        "`full_precision`, `finite_on_surfaces`, `made_by_stages`, `squared` and `always_half` `static constexpr bool`, and "
+        "`full_precision`, `finite_on_surfaces`, `is_guide`, `made_by_stages`, `squared` and `always_half` `static constexpr bool`, and "
         "`component_names` a text with a letter for each component");
     /// Whether C is in the set.
     template <class C> static constexpr bool has = (std::is_same_v<C, Cs> || ...);

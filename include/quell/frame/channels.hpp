@@ -38,17 +38,20 @@ struct RadianceAlpha : Channel<4> {
 struct Albedo : Colour {
     static constexpr auto name = "albedo";           ///< EXR layer
     static constexpr bool finite_on_surfaces = true; ///< else diagnose() says so
+    static constexpr bool is_guide = true;           ///< every pixel must have it
 };
 /// Surface normal in world space, unit length.
 struct Normal : Channel<3> {
     static constexpr auto name = "normal";           ///< EXR layer
     static constexpr bool finite_on_surfaces = true; ///< else diagnose() says so
+    static constexpr bool is_guide = true;           ///< every pixel must have it
 };
 /// Linear depth along the view axis in world units: > 0, +infinity for a miss.
 struct Depth : Channel<1> {
     static constexpr auto name = "depth";                    ///< EXR layer
     static constexpr bool full_precision = true;             ///< never half
     static constexpr std::string_view component_names = "Z"; ///< in files
+    static constexpr bool is_guide = true;                   ///< every pixel must have it
 };
 /// World-space position of the surface point.
 struct Position : WorldPoint {
@@ -72,12 +75,14 @@ struct Roughness : Channel<1> {
 struct Motion : ScreenVector {
     static constexpr auto name = "motion";           ///< EXR layer
     static constexpr bool finite_on_surfaces = true; ///< else diagnose() says so
+    static constexpr bool is_guide = true;           ///< every pixel must have it
 };
 
 /// Motion vector to the next frame, in pixels, y down: next position = current position + motion_next. For two-sided accumulation
 /// (pipeline/two_sided.hpp).
 struct MotionNext : ScreenVector {
     static constexpr auto name = "motion_next"; ///< EXR layer
+    static constexpr bool is_guide = true;      ///< every pixel must have it
 };
 /// The number of samples that the signal's value is the mean of: positive, in any unit that is the same in all frames. Read with
 /// KnownSamples{}.

@@ -7,6 +7,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -53,6 +54,10 @@ struct ExrImage {
         for (auto const& p : planes)
             if (!p.with_part.empty() && p.with_part == plane) return &p;
         return nullptr;
+    }
+    /// Whether there are planes of all these names.
+    [[nodiscard]] bool has_all(std::vector<std::string> const& names) const {
+        return std::ranges::all_of(names, [this](auto const& plane) { return find(plane) != nullptr; });
     }
     /// The plane of that name.
     /// @throws Error listing the planes if there is none

@@ -5,6 +5,14 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
+namespace detail {
+/// Weights of a Catmull-Rom spline for the taps -1 to +2, at t between 0 and 1.
+template <class Real> QUELL_KERNEL Components<4, Real> catmull_rom_weights(Real t) {
+    auto const t2 = t * t, t3 = t2 * t;
+    return {{-0.5f * t3 + t2 - 0.5f * t, 1.5f * t3 - 2.5f * t2 + 1.f, -1.5f * t3 + 2.f * t2 + 0.5f * t, 0.5f * t3 - 0.5f * t2}};
+}
+} // namespace detail
+
 /// History fetch by a Catmull-Rom spline over 4x4 pixels, sharper than Bilinear. Taps that are not accepted are replaced by the bilinear
 /// mean, so outlines stay sharp too. The result is limited to what the taps hold, since a spline overshoots at bright edges. Kept channels
 /// (history length, moments) are interpolated bilinearly: negative lobes have no meaning for them.
@@ -34,7 +42,8 @@ struct CatmullRom {
         using Real = typename Px::Real;
         auto const found = detail::sane(px, unchecked);
         auto const column = floor(found.where.x - 0.5f), row = floor(found.where.y - 0.5f);
-        auto const across = weights(found.where.x - 0.5f - column), down = weights(found.where.y - 0.5f - row);
+        auto const across = detail::catmull_rom_weights(found.where.x - 0.5f - column),
+                   down = detail::catmull_rom_weights(found.where.y - 0.5f - row);
         PixelCoordinates<Real> const place(column, row);
         auto sum = zero<V>();
         Limits<V> limits(smooth);
@@ -50,12 +59,6 @@ struct CatmullRom {
                 limits.add(value, counts);
             }
         return limits.limited(add_scaled(sum, smooth, 1.f - known));
-    }
-
-private:
-    template <class Real> QUELL_KERNEL static Components<4, Real> weights(Real t) {
-        auto const t2 = t * t, t3 = t2 * t;
-        return {{-0.5f * t3 + t2 - 0.5f * t, 1.5f * t3 - 2.5f * t2 + 1.f, -1.5f * t3 + 2.f * t2 + 0.5f * t, 0.5f * t3 - 0.5f * t2}};
     }
 };
 

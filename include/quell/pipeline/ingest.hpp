@@ -1,21 +1,12 @@
 #pragma once
 
+#include <quell/core/light.hpp>
 #include <quell/frame/cursor/taps.hpp>
 #include <quell/frame/modulation.hpp>
 #include <quell/frame/repair.hpp>
 #include <quell/pipeline/firefly.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
-
-/// Largest component that counts as light: sums of its square stay finite.
-inline constexpr float brightest_sample = 1e16f;
-/// Whether all components are finite and at most brightest_sample, and the luminance is not negative. A negative component is a colour
-/// outside the gamut.
-template <class V> QUELL_KERNEL auto is_light(V const& v) {
-    using Real = real_of<V>;
-    return fold([](auto sofar, auto a) QUELL_INLINED { return both(sofar, is_finite(a), abs(a) <= Real(brightest_sample)); },
-                luminance(v) >= Real(0.f), v);
-}
 
 /// Luminance that the ingest took away from a sample. Only counted, never stored.
 struct Suppressed : Channel<1> {

@@ -9,6 +9,11 @@
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
+/// Whether values of a channel may be negative by what it is: directions, places and ways.
+template <class C>
+inline constexpr bool may_be_negative = std::is_same_v<C, Normal> || std::is_same_v<C, IndirectDirection> ||
+                                        std::is_base_of_v<WorldPoint, C> || std::is_base_of_v<ScreenVector, C>;
+
 /// Puts accumulated values in the place of a frame's own, where those are values.
 template <class From, class To> struct SteadyJob {
     static constexpr auto name = "steady guide";
@@ -36,8 +41,9 @@ template <class From, class To> struct SteadyJob {
 template <class Set, ImageStorage Storage = Planar<>> class SteadyGuides;
 /// Guides that are noisy themselves, accumulated along their motion.
 template <class... Cs, class Storage> class SteadyGuides<Channels<Cs...>, Storage> {
-    static_assert(!(std::is_same_v<Cs, Normal> || ...) && !(std::is_same_v<Cs, Motion> || ...),
-                  "SteadyGuides<Channels<...>>: guides that may be negative, such as normals and motion, cannot be accumulated so");
+    static_assert(
+        !(detail::may_be_negative<Cs> || ...),
+        "SteadyGuides<Channels<...>>: guides that may be negative, such as normals, positions and motion, cannot be accumulated so");
     template <class C> static constexpr auto accumulation(float cap) {
         return Pipeline{C{}, Temporal{SurfaceMotion<AllOf<>>{}, RunningMean{.cap = cap}}};
     }

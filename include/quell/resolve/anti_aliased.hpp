@@ -3,6 +3,7 @@
 #include <quell/execute/executor.hpp>
 #include <quell/frame/cursor/past_pixel.hpp>
 #include <quell/image/planar.hpp>
+#include <quell/resolve/nearness.hpp>
 
 #include <array>
 
@@ -129,7 +130,6 @@ private:
     template <class Real> QUELL_KERNEL static vec3<Real> shown(Surface<Real> const& s) {
         return scale(s.colours, 1.f / max(s.weights, Real(1e-20f))) * s.lights;
     }
-    template <class Real> QUELL_KERNEL static Real nearness(Real depth) { return masked(is_finite(depth), 1.f / max(depth, Real(1e-20f))); }
     QUELL_KERNEL float weight_at(float dx, float dy) const {
         return quell::exp(-(dx * dx + dy * dy) * (0.5f / (policy.deviation * policy.deviation)));
     }

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <quell/core/real.hpp>
-#include <quell/core/value.hpp>
+#include <quell/core/light.hpp>
 #include <quell/resolve/box_sums.hpp>
 
 #include <algorithm>
@@ -53,6 +52,7 @@ public:
     /// @param b_with the second one with this sample
     void add(Evidence const& rule, std::size_t pixel, vec3<float> const& sample, vec3<float> const& a, vec3<float> const& b,
              vec3<float> const& b_with) {
+        if (!detail::is_light(sample)) return;
         float const bright = 0.5f * abs(luminance(a) + luminance(b)) + rule.dark, per = 1.f / (bright * bright);
         float product = 0, square = 0, noise = 0;
         for (int c = 0; c < 3; ++c) {

@@ -1,9 +1,13 @@
 #pragma once
 
 #include <quell/pipeline/composite.hpp>
-#include <quell/resolve/resolve.hpp>
+#include <quell/resolve/resolve_passes.hpp>
+#include <quell/resolve/sharpening.hpp>
 
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -105,29 +109,13 @@ private:
 };
 
 namespace detail {
-/// Sharpens the output.
-template <class Sharpening, class From, class To> struct SharpenJob {
-    static constexpr auto name = "sharpen";
-    Sharpening sharpening;
-    From from;
-    To to;
-
-    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
-        using V = Value<From::components, Real>;
-        TapsAround<Real> const taps(from.size, Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)));
-        V const beside[] = {taps.at(from, -1, 0), taps.at(from, 1, 0), taps.at(from, 0, -1), taps.at(from, 0, 1)};
-        store_pixels<Real>(to, x, y, sharpening(V(taps.at(from, 0, 0)), beside), count);
-    }
-};
-template <class Sharpening, class From, class To> SharpenJob(Sharpening, From, To) -> SharpenJob<Sharpening, From, To>;
-
 struct ResolvedRun {
     /// Runs the pipeline, then the resolve. Returns a view of the output; that is `target`, if it isn't NoTarget.
     template <class P, class Policy, class Set, class FrameStorage, class Storage, class E, class Target>
     static auto all(Resolved<P, Policy> const& resolved, Frame<Set, FrameStorage> const& frame,
                     History<Resolved<P, Policy>, Storage>& history, E const& executor, Target const& target) {
         check_frame<Resolved<P, Policy>>(frame);
-        check_jitter(frame.camera.jitter);
+        check_jitter(frame.camera.jitter, Policy::most_jitter);
         auto const& policies = resolved.resolve;
         constexpr bool sharpens = !std::is_same_v<std::remove_cvref_t<decltype(policies.sharpening)>, NoSharpening>,
                        has_target = !std::is_same_v<Target, NoTarget>;
@@ -175,9 +163,8 @@ struct ResolvedRun {
     }
 
 private:
-    static void check_jitter(glm::vec2 jitter) {
-        constexpr float most = 8.f;
-        auto const is_in_range = [](float a) { return is_finite(a) && a >= -most && a <= most; };
+    static void check_jitter(glm::vec2 jitter, float most) {
+        auto const is_in_range = [&](float a) { return is_finite(a) && a >= -most && a <= most; };
         if (!is_in_range(jitter.x) || !is_in_range(jitter.y))
             raise_error<Failure>("run: frame.camera.jitter", std::to_string(jitter.x) + ", " + std::to_string(jitter.y),
                                  "give the samples' offset from the pixels' centres, in pixels of the frame");

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/frame/hull.hpp>
+#include <quell/resolve/spline_interpolation.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
@@ -23,5 +23,23 @@ struct Sharpen {
         return hull.limited(map([&](auto c, auto mean) QUELL_INLINED { return fma(c - mean, real_of<V>(amount), c); }, centre, sum));
     }
 };
+
+namespace detail {
+/// The pass of a sharpening.
+template <class Sharpening, class From, class To> struct SharpenJob {
+    static constexpr auto name = "sharpen";
+    Sharpening sharpening;
+    From from;
+    To to;
+
+    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
+        using V = Value<From::components, Real>;
+        TapsAround<Real> const taps(from.size, Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)));
+        V const beside[] = {taps.at(from, -1, 0), taps.at(from, 1, 0), taps.at(from, 0, -1), taps.at(from, 0, 1)};
+        store_pixels<Real>(to, x, y, sharpening(V(taps.at(from, 0, 0)), beside), count);
+    }
+};
+template <class Sharpening, class From, class To> SharpenJob(Sharpening, From, To) -> SharpenJob<Sharpening, From, To>;
+} // namespace detail
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET
