@@ -78,7 +78,7 @@ class Guide:
 
     def code(self, result):
         """C++ that makes the result's pipeline."""
-        call = plain(self.tables.row_about(PRESETS, result.preset).get("call", ""))
+        call = plain(self.tables.row_about(PRESETS, result.preset)["call"])
         includes = ["quell/quell.hpp"] + ([result.header] if result.header != "quell/quell.hpp" else [])
         return "".join(f"#include <{header}>\n" for header in includes) + f"using namespace quell;\nconstexpr auto denoise = presets::{call};"
 
@@ -95,16 +95,10 @@ class Guide:
 
     def _result(self, key, result):
         row = self.tables.row_about(PRESETS, result.preset)
-        reads = plain(row["reads"])
-        # The row says how far it differs from the one above it.
-        if reads == "the same":
-            reads = plain(self.tables.row_about(PRESETS, "general" if "frame" in result.preset else "blur")["reads"])
-        elif reads.startswith("and "):
-            reads = plain(self.tables.row_about(PRESETS, "blur")["reads"]) + ", " + reads.removeprefix("and ")
         shown = html.escape(result.command) if result.command else highlight.highlighted(self.code(result), "cpp")
         return f"""<article class="result" data-step="{key}" tabindex="-1"><p class="take">Take</p><h3><code>{result.preset}</code></h3>
 <p>{self.link(row["what it does"])}</p><pre tabindex="0"><code>{shown}</code></pre>
-<dl><dt>It reads</dt><dd>{self._channels(reads)}</dd>{self._cost(result)}</dl>
+<dl><dt>It reads</dt><dd>{self._channels(plain(row["reads"]))}</dd>{self._cost(result)}</dl>
 <p class="more">All presets: <a href="docs/presets.html">presets</a>. What the channels hold: <a href="docs/channels.html">channels</a>.</p></article>"""
 
     @staticmethod
