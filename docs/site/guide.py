@@ -19,6 +19,7 @@ QUESTIONS = {
     "start": ("What do you want to clean?", [
         Answer("Files that a renderer has written, and nobody waits", "files"),
         Answer("Frames of my own renderer, in real time", "light"),
+        Answer("Frames that a denoiser of my own goes on with, such as a network", "accumulated"),
         Answer("A sharp picture that wants motion blur", "tilemax-blur"),
     ]),
     "light": ("How does your renderer hand out light?", [
@@ -38,13 +39,13 @@ QUESTIONS = {
         Answer("It turns, and my renderer knows each sample's arc", "blur-bent"),
         Answer("Shadows and reflections, unlike the surfaces they lie on", "blur-split"),
     ]),
-}  # fmt: skip
+}
 
 
 @dataclass(frozen=True)
 class Result:
     preset: str
-    case: str  # rows of docs/figures.md that say what it costs
+    case: str = ""  # rows of docs/figures.md that say what it costs; empty: none does
     command: str = ""  # what to run, where it is a program
     header: str = "quell/quell.hpp"
 
@@ -53,6 +54,7 @@ BLUR = "quell/presets/blur.hpp"
 RESULTS = {
     "files": Result("final-frame", "room, composite", "quell-denoise --in 'shot/frame.%04d.exr' --out 'shot/clean.%04d.exr'"),
     "general": Result("general", "room, composite"),
+    "accumulated": Result("accumulated"),
     "trmv": Result("trmv", "room, composite"),
     "shadow": Result("shadow", "fence, shadow"),
     "glossy": Result("glossy", "temple, glossy"),
@@ -106,6 +108,8 @@ class Guide:
         return ", ".join(f"<code>{html.escape(name)}</code>" for name in reads.split(", "))
 
     def _cost(self, result):
+        if not result.case:
+            return ""
         table = self.tables.find(PAGE, "all-presets")
         for row in table.rows:
             if plain(row[0]) == result.case and plain(table.of(row, "preset")) == result.preset:
