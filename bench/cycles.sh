@@ -4,7 +4,8 @@
 #   bench/cycles.sh [FOLDER [SCENES [FILTERS [SAMPLES]]]]          for instance: bench/cycles.sh out/cycles "lamp brass" box "1 16"
 # Scenes: lamp, train, brass at 480x270; at 240x135 and frames 5 to 10 fog, dof, leaves, film, glass, mblur, gamut (filter default), and tiles
 # (box), by 1 and 8 samples. cycles_scenes.py says what is in them. The last row denoises the picture as one signal.
-# FILTERS: box (samples at the pixels' centres) and default (Cycles' own, samples anywhere within a pixel and a half).
+# FILTERS: box (samples anywhere within their pixel) and default (Cycles' own, anywhere within a pixel and a half). The first sample of a pixel
+# lies at its centre with both.
 # What has been rendered stays in the folder and is not rendered again. On 2 cores: references 40 to 60 s a frame, 64 samples 6 to 12 s,
 # 1 sample 0.4 s.
 set -euo pipefail

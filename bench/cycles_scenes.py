@@ -1,7 +1,8 @@
 # Renders a small scene with Blender's Cycles (apt-get install --no-install-recommends blender; tested with 3.4.1), 48 frames long:
 #   blender -b --factory-startup -noaudio -P cycles_scenes.py -- SCENE OUT_FOLDER SPP FIRST LAST WIDTH HEIGHT [box|default]
-# box: samples at the pixels' centres; default: Cycles' own filter, by which samples lie anywhere within a pixel and a half. The seed differs
-# from frame to frame. Multi-layer EXR: Combined, light and colour passes, Depth, Normal, Vector (to the last and to the next frame).
+# box: Cycles' filter of that name, which is always a pixel wide: samples lie anywhere within their pixel. default: Cycles' own filter, by
+# which they lie anywhere within a pixel and a half. With both the first sample of a pixel lies at its centre. The seed differs from frame to
+# frame. Multi-layer EXR: Combined, light and colour passes, Depth, Normal, Vector (to the last and to the next frame).
 # lamp, train, brass have Position and IndexOB too; their passes are clean and complete. In the others colour passes, alpha or sums are not:
 #   fog (volume passes), dof (depth of field), film (transparent film), glass (no transmission passes), mblur (motion blur: Vector is 0),
 #   gamut (components below 0, wants python3-openimageio), and as controls leaves (outdoors) and tiles (indoors, fine textures).
@@ -16,7 +17,7 @@ scene = bpy.context.scene
 scene.render.engine = 'CYCLES'
 cycles = scene.cycles
 cycles.device, cycles.samples, cycles.use_adaptive_sampling, cycles.use_denoising = 'CPU', spp, False, False
-if pixel_filter == 'box': cycles.pixel_filter_type, cycles.filter_width = 'BOX', 0.01
+if pixel_filter == 'box': cycles.pixel_filter_type = 'BOX'
 cycles.max_bounces, cycles.sample_clamp_indirect = 4, 0
 cycles.caustics_reflective = cycles.caustics_refractive = False
 cycles.use_animated_seed = True

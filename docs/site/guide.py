@@ -19,6 +19,7 @@ QUESTIONS = {
     "start": ("What do you want to clean?", [
         Answer("Files that a renderer has written, and nobody waits", "files"),
         Answer("Frames of my own renderer, in real time", "light"),
+        Answer("Frames that a denoiser of my own goes on with, such as a network", "accumulated"),
         Answer("A sharp picture that wants motion blur", "tilemax-blur"),
     ]),
     "light": ("How does your renderer hand out light?", [
@@ -38,13 +39,13 @@ QUESTIONS = {
         Answer("It turns, and my renderer knows each sample's arc", "blur-bent"),
         Answer("Shadows and reflections, unlike the surfaces they lie on", "blur-split"),
     ]),
-}  # fmt: skip
+}
 
 
 @dataclass(frozen=True)
 class Result:
     preset: str
-    case: str  # rows of docs/figures.md that say what it costs
+    case: str = ""  # rows of docs/figures.md that say what it costs; empty: none does
     command: str = ""  # what to run, where it is a program
     header: str = "quell/quell.hpp"
 
@@ -53,6 +54,7 @@ BLUR = "quell/presets/blur.hpp"
 RESULTS = {
     "files": Result("final-frame", "room, composite", "quell-denoise --in 'shot/frame.%04d.exr' --out 'shot/clean.%04d.exr'"),
     "general": Result("general", "room, composite"),
+    "accumulated": Result("accumulated"),
     "trmv": Result("trmv", "room, composite"),
     "shadow": Result("shadow", "fence, shadow"),
     "glossy": Result("glossy", "temple, glossy"),
@@ -78,7 +80,7 @@ class Guide:
 
     def code(self, result):
         """C++ that makes the result's pipeline."""
-        call = plain(self.tables.row_about(PRESETS, result.preset).get("call", ""))
+        call = plain(self.tables.row_about(PRESETS, result.preset)["call"])
         includes = ["quell/quell.hpp"] + ([result.header] if result.header != "quell/quell.hpp" else [])
         return "".join(f"#include <{header}>\n" for header in includes) + f"using namespace quell;\nconstexpr auto denoise = presets::{call};"
 
@@ -95,16 +97,10 @@ class Guide:
 
     def _result(self, key, result):
         row = self.tables.row_about(PRESETS, result.preset)
-        reads = plain(row["reads"])
-        # The row says how far it differs from the one above it.
-        if reads == "the same":
-            reads = plain(self.tables.row_about(PRESETS, "general" if "frame" in result.preset else "blur")["reads"])
-        elif reads.startswith("and "):
-            reads = plain(self.tables.row_about(PRESETS, "blur")["reads"]) + ", " + reads.removeprefix("and ")
         shown = html.escape(result.command) if result.command else highlight.highlighted(self.code(result), "cpp")
         return f"""<article class="result" data-step="{key}" tabindex="-1"><p class="take">Take</p><h3><code>{result.preset}</code></h3>
 <p>{self.link(row["what it does"])}</p><pre tabindex="0"><code>{shown}</code></pre>
-<dl><dt>It reads</dt><dd>{self._channels(reads)}</dd>{self._cost(result)}</dl>
+<dl><dt>It reads</dt><dd>{self._channels(plain(row["reads"]))}</dd>{self._cost(result)}</dl>
 <p class="more">All presets: <a href="docs/presets.html">presets</a>. What the channels hold: <a href="docs/channels.html">channels</a>.</p></article>"""
 
     @staticmethod
@@ -112,6 +108,8 @@ class Guide:
         return ", ".join(f"<code>{html.escape(name)}</code>" for name in reads.split(", "))
 
     def _cost(self, result):
+        if not result.case:
+            return ""
         table = self.tables.find(PAGE, "all-presets")
         for row in table.rows:
             if plain(row[0]) == result.case and plain(table.of(row, "preset")) == result.preset:

@@ -63,8 +63,7 @@ for (const guide of document.querySelectorAll(".guide")) {
             if (step.hidden) for (const input of step.querySelectorAll("input")) input.checked = false;
         }
     };
-    const results = guide.querySelectorAll(".result");
-    for (const result of results) result.setAttribute("aria-live", "polite");
+    for (const result of guide.querySelectorAll(".result")) result.setAttribute("aria-live", "polite");
     guide.addEventListener("change", show);
     guide.addEventListener("submit", event => event.preventDefault());
     show();
@@ -111,7 +110,9 @@ if (search) {
     const rank = (title, words) => {
         const low = title.toLowerCase();
         if (!words.every(word => low.includes(word))) return Infinity;
-        return (low === words.join(" ") ? 0 : low.startsWith(words[0]) ? 1 : /(^|\W)/.test(low) && low.split(/\W+/).some(part => part.startsWith(words[0])) ? 2 : 3) + low.length / 1000;
+        const starts_a_word = low.split(/\W+/).some(part => part.startsWith(words[0]));
+        const order = low === words.join(" ") ? 0 : low.startsWith(words[0]) ? 1 : starts_a_word ? 2 : 3;
+        return order + low.length / 1000; // short titles first
     };
     let chosen = -1;
     const choose = index => {

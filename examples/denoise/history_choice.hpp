@@ -5,7 +5,7 @@
 namespace quell::examples {
 
 /// Puts a signal's light together from two estimates, with history and without, by what samples speak for that neither has used (Evidence).
-/// The samples are judged by general's estimates, which take a fifth of final-frame's time.
+/// The samples are judged by general's estimates, which take less time than final-frame's.
 class HistoryChoice {
 public:
     /// @param preset  whose estimates are put together
