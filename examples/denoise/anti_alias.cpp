@@ -3,6 +3,7 @@
 
 #include <quell/execute/threads.hpp>
 #include <quell/io/frame_image.hpp>
+#include <quell/resolve/anti_alias.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -47,13 +48,6 @@ bool is_still(ImageView auto const& motions) {
             if (motions.get(0, x, y) != 0.f || motions.get(1, x, y) != 0.f) return false;
     return true;
 }
-/// Of one sample per pixel each surface has its light, and a pixel's own sample is one among others. What is the mean of many has the
-/// pixel's filter already, and less noise: above 8 samples it is soon nearly all.
-AntiAliased policy_for(int samples) {
-    if (samples == 1) return {.deviation = .45f, .change = .1f};
-    float const square = static_cast<float>(samples) * static_cast<float>(samples);
-    return {.deviation = .35f, .own = square / 16.f * std::max(1.f, square / 64.f), .by_surface = false, .change = .1f};
-}
 } // namespace
 
 std::vector<std::string> planes_of_frame_around(io::ExrListing const& file, io::SequenceNames const& names) {
@@ -75,8 +69,8 @@ std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::S
     auto const& channels = names.of_signals[0].channels;
     if (samples < 1 || !image.has_all(io::planes_of(Channels<Depth, Motion, Normal>{}, channels))) return nullptr;
     if (samples > 1 && !has_mixed_normals(image, channels)) return nullptr;
-    auto made =
-        std::make_shared<FrameAround>(FrameAround{number, policy_for(samples), Frame<Channels<Depth, Motion, MotionNext>>(image.size), {}});
+    auto made = std::make_shared<FrameAround>(
+        FrameAround{number, AntiAliased::of_samples(samples), Frame<Channels<Depth, Motion, MotionNext>>(image.size), {}});
     io::load_channels(Channels<Depth, Motion>{}, made->guides, image, channels);
     if (is_still(made->guides[motion].view())) return nullptr;
     if (image.has_all(io::planes_of(Channels<MotionNext>{}, channels)))
@@ -123,28 +117,21 @@ std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metric
     std::deque<Colours> kept;
     auto policy = here->policy;
     if (light != nullptr) policy.change = 0.f;
-    detail::AntiAliasJob job{.policy = policy,
-                             .colour = colour_image.view(),
-                             .light = light_image.view(),
-                             .depth = here->guides[depth].view(),
-                             .motion = here->guides[motion].view(),
-                             .motion_next = here->guides[motion_next].view(),
-                             .before = {},
-                             .after = {},
-                             .count_before = 0,
-                             .count_after = 0,
-                             .to = to.view()};
-    auto const put = [&](auto const& frames, auto& array, int& count, auto onward, auto toward) {
-        for (auto const& frame : frames) {
-            if (frame->colours[colour].pixels.empty() || !(frame->guides.size == size) || count == AntiAliased::most_frames) break;
-            kept.push_back(image_of(frame->colours[colour]));
-            array[static_cast<std::size_t>(count++)] = {kept.back().view(), frame->guides[depth].view(), frame->guides[onward].view(),
-                                                        frame->guides[toward].view()};
-        }
+    auto const views_of = [](FrameAround const& frame, Colours const& colours) {
+        return ColouredFrame<>{colours.view(), frame.guides[depth].view(), frame.guides[motion].view(), frame.guides[motion_next].view()};
     };
-    put(before, job.before, job.count_before, motion, motion_next);
-    put(after, job.after, job.count_after, motion_next, motion);
-    Threads{}.for_each_pixel({0, 0, size.width, size.height}, job);
+    auto const all_of = [&](auto const& frames) {
+        std::vector<ColouredFrame<>> views;
+        for (auto const& frame : frames) {
+            if (frame->colours[colour].pixels.empty() || !(frame->guides.size == size)) break;
+            kept.push_back(image_of(frame->colours[colour]));
+            views.push_back(views_of(*frame, kept.back()));
+        }
+        return views;
+    };
+    auto const those_before = all_of(before), those_after = all_of(after);
+    anti_alias(policy, Threads{}, views_of(*here, colour_image), std::span(those_before), std::span(those_after), light_image.view(),
+               to.view());
     metrics::Picture result{size, {}};
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)

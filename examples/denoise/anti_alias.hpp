@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/frame/frame.hpp>
 #include <quell/io/sequence_names.hpp>
 #include <quell/metrics/picture.hpp>
 #include <quell/resolve/anti_aliased.hpp>

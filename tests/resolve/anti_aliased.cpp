@@ -1,9 +1,10 @@
 #include <doctest/doctest.h>
-#include <quell/resolve/anti_aliased.hpp>
+#include <quell/resolve/anti_alias.hpp>
 
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <vector>
 
 using namespace quell;
 
@@ -37,6 +38,7 @@ struct TestFrame {
                 to_next.view().set(0, x, y, is_thing ? scene.speed : 0.f), to_next.view().set(1, x, y, 0.f);
             }
     }
+    [[nodiscard]] ColouredFrame<> view() const { return {colour.view(), depth.view(), to_previous.view(), to_next.view()}; }
 };
 
 /// Frames -`each_side` to `each_side`, and what is made of frame 0.
@@ -50,23 +52,10 @@ struct Resolved {
         auto past = scene;
         past.brightness = past_brightness;
         for (int k = 1; k <= each_side; ++k) before.emplace_back(past, -k), after.emplace_back(past, k);
-        detail::AntiAliasJob job{.policy = policy,
-                                 .colour = here.colour.view(),
-                                 .light = here.light.view(),
-                                 .depth = here.depth.view(),
-                                 .motion = here.to_previous.view(),
-                                 .motion_next = here.to_next.view(),
-                                 .before = {},
-                                 .after = {},
-                                 .count_before = each_side,
-                                 .count_after = each_side,
-                                 .to = to.view()};
-        for (std::size_t k = 0; k < before.size(); ++k) {
-            auto const &b = before[k], &a = after[k];
-            job.before[k] = {b.colour.view(), b.depth.view(), b.to_previous.view(), b.to_next.view()};
-            job.after[k] = {a.colour.view(), a.depth.view(), a.to_next.view(), a.to_previous.view()};
-        }
-        executor.for_each_pixel({0, 0, size.width, size.height}, job);
+        std::vector<ColouredFrame<>> all_before, all_after;
+        for (auto const& frame : before) all_before.push_back(frame.view());
+        for (auto const& frame : after) all_after.push_back(frame.view());
+        anti_alias(policy, executor, here.view(), all_before, all_after, here.light.view(), to.view());
     }
     [[nodiscard]] float at(int x) const { return to.view().get(1, x, 4); }
 };

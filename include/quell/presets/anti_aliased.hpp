@@ -1,0 +1,15 @@
+#pragma once
+
+#include <quell/resolve/remodulated.hpp>
+
+/// Opt-in: not in quell.hpp.
+namespace quell::inline QUELL_INSTRUCTION_SET::presets {
+
+/// Colours anti-aliased by those of the last frames, behind a preset: `presets::anti_aliased(presets::general(radiance, Demodulate{}))`.
+/// @param pipeline a Pipeline or Composite
+/// @param policy   AntiAliased{...}; that of one sample per pixel, where there is none
+template <class P> constexpr auto anti_aliased(P const& pipeline, AntiAliased const& policy = AntiAliased::of_samples(1)) {
+    return Remodulated{pipeline, policy};
+}
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET::presets

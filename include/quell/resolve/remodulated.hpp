@@ -1,0 +1,214 @@
+#pragma once
+
+#include <quell/frame/repair.hpp>
+#include <quell/pipeline/composite.hpp>
+#include <quell/resolve/anti_alias.hpp>
+
+#include <vector>
+
+namespace quell::inline QUELL_INSTRUCTION_SET {
+
+/// A pipeline, or a Composite, whose picture is put together with anti-aliased colours: its light is what the albedo leaves of the picture,
+/// and is multiplied by albedos of this frame and of those before it (AntiAliased). Edges between surfaces become as mixed as their pixels
+/// are covered, those before the sky and of emitters too, whose albedo is 1.
+///
+///     constexpr auto denoise = presets::anti_aliased(presets::general(radiance, Demodulate{})); // a Remodulated
+///     Frame frame{size, denoise};
+///     History history{size, denoise};
+///     auto const picture = run(denoise, frame, history);
+///
+/// Samples of other places come by motion, or by frame.camera.jitter.
+/// @tparam P      a Pipeline or Composite whose output has three components
+/// @tparam frames how many frames of the past are kept, 1 to AntiAliased::most_frames
+template <class P, int frames = AntiAliased::most_frames> struct Remodulated {
+    static_assert(detail::is_pipeline<P>, "Remodulated{pipeline, policy}: the first must be a Pipeline or a Composite");
+    static_assert(P::Output::components == 3, "Remodulated{pipeline, policy}: the pipeline's output must be a colour of three components");
+    static_assert(frames >= 1 && frames <= AntiAliased::most_frames, "Remodulated<P, frames>: it keeps 1 to 4 frames");
+    using Output = typename P::Output;                                               ///< the channel of the picture
+    using reads = decltype(typename P::reads{} | Channels<Albedo, Depth, Motion>{}); ///< channels that the host must supply
+    static constexpr MotionConvention motion_convention = P::motion_convention;      ///< what the host's motion vectors mean: see Supplied
+    static constexpr bool needs_camera = P::needs_camera; ///< whether frame.camera must be set; its jitter is used anyway
+    static constexpr int past_frames = frames;            ///< that are kept
+
+    P pipeline;         ///< runs first
+    AntiAliased policy; ///< how colours are anti-aliased
+
+    /// @param p      the pipeline
+    /// @param colours how its colours are anti-aliased
+    constexpr explicit Remodulated(P const& p, AntiAliased const& colours = AntiAliased::of_samples(1)) : pipeline(p), policy(colours) {}
+};
+/// @cond
+template <class P> Remodulated(P) -> Remodulated<P>;
+template <class P> Remodulated(P, AntiAliased) -> Remodulated<P>;
+/// @endcond
+
+namespace detail {
+struct RemodulatedRun;
+
+/// A pixel of which nothing but the albedo is known: what a Demodulate looks at.
+template <class R> struct AlbedoPixel {
+    using Real = R;
+    vec3<R> value;
+    QUELL_KERNEL vec3<R> operator[](Albedo) const { return value; }
+};
+
+/// What is kept of a frame, and its light.
+template <class Frame, class Conversion, class Kept, class Picture, class Light> struct PrepareRemodulation {
+    static constexpr auto name = "prepare anti-aliasing";
+    Frame host;
+    Conversion vectors; ///< what the host's motion means
+    Kept kept;
+    Picture picture;
+    Light light;
+
+    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
+        AlbedoPixel<Real> const px{Repair<Albedo>::repaired(vec3<Real>(load_pixels<Real>(host.view(albedo), x, y)))};
+        constexpr Demodulate demodulate{};
+        store_pixels<Real>(kept.colour, x, y, demodulate.outward(px, splat<vec3<Real>>(Real(1.f))), count);
+        store_pixels<Real>(kept.depth, x, y, Repair<Depth>::repaired(load_pixels<Real>(host.view(depth), x, y)), count);
+        store_pixels<Real>(kept.motion, x, y, vec2<Real>(vectors(vec2<Real>(load_pixels<Real>(host.view(motion), x, y)))), count);
+        store_pixels<Real>(light, x, y, demodulate.inward(px, vec3<Real>(load_pixels<Real>(picture, x, y))), count);
+    }
+};
+template <class Frame, class Conversion, class Kept, class Picture, class Light>
+PrepareRemodulation(Frame, Conversion, Kept, Picture, Light) -> PrepareRemodulation<Frame, Conversion, Kept, Picture, Light>;
+} // namespace detail
+
+/// The pipeline's history, and colours, depth and motion of the last frames.
+template <class P, int frames, ImageStorage Storage> class History<Remodulated<P, frames>, Storage> {
+    using Output = typename P::Output;
+    struct Kept {
+        ImageOf<Storage, Albedo> colour;
+        ImageOf<Storage, Depth> depth;
+        ImageOf<Storage, Motion> motion;
+        glm::vec2 jitter{0.f};
+
+        explicit Kept(Extent size) : colour(size), depth(size), motion(size) {}
+        [[nodiscard]] std::size_t bytes() const { return colour.bytes() + depth.bytes() + motion.bytes(); }
+        [[nodiscard]] ColouredFrame<Storage> view() const { return {colour.view(), depth.view(), motion.view(), {}, jitter, false}; }
+    };
+
+public:
+    /// @param size       of the frames
+    /// @param remodulated a pipeline whose colours are anti-aliased
+    /// @param storage    of the pipeline's images and of what is kept
+    /// @throws Error for a size without pixels
+    explicit History(Extent size, Remodulated<P, frames> const& remodulated, Storage const& storage = {})
+        : pipeline(size, remodulated.pipeline, storage), light(size), output(size) {}
+
+    /// Drops all history before the next frame: for scene cuts and teleports.
+    void forget() { pipeline.forget(), known = 0; }
+    /// Gives the pipeline's scratch back: for a host of several histories that run in turn. The next frame takes it again.
+    void release_scratch() { pipeline.release_scratch(); }
+    /// Those of the pipeline.
+    [[nodiscard]] Statistics statistics() const { return pipeline.statistics(); }
+    /// Memory of history, scratch and output, in bytes. Complete when one frame more has run than are kept.
+    [[nodiscard]] std::size_t bytes() const {
+        std::size_t sum = pipeline.bytes() + light.bytes() + output.bytes();
+        for (auto const& each : kept) sum += each.bytes();
+        return sum;
+    }
+    /// The same per pixel of the frame.
+    [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(output.size().pixels()); }
+
+private:
+    friend struct detail::RemodulatedRun;
+
+    History<P, Storage> pipeline;
+    std::vector<Kept> kept{}; ///< the newest first
+    std::size_t known = 0;    ///< how many of them the next frame may look at
+    bool complete = false;    ///< whether the last run has ended without an error
+    ImageOf<Storage, Output> light, output;
+    std::optional<long long> number{};
+};
+
+namespace detail {
+struct RemodulatedRun {
+    /// Runs the pipeline, then multiplies its light by anti-aliased colours. Returns a view of the output; that is `target`, if it isn't
+    /// NoTarget.
+    template <class P, int frames, class Set, class FrameStorage, class Storage, class E, class Target>
+    static auto all(Remodulated<P, frames> const& remodulated, Frame<Set, FrameStorage> const& frame,
+                    History<Remodulated<P, frames>, Storage>& history, E const& executor, Target const& target) {
+        check_frame<Remodulated<P, frames>>(frame);
+        bool const follows = !frame.number || !history.number || *frame.number == *history.number + 1;
+        if (!std::exchange(history.complete, false) || !follows || !(history.output.size() == frame.size)) history.known = 0;
+        auto const picture = run(remodulated.pipeline, frame, history.pipeline, executor);
+
+        auto& kept = begin<frames>(history, frame.size);
+        kept.jitter = frame.camera.jitter;
+        auto const jitter_then = history.known > 0 ? history.kept[1].jitter : kept.jitter;
+        auto const light = history.light.view();
+        VectorConversion<P::motion_convention> const vectors(frame.size, kept.jitter, jitter_then);
+        auto const guides = frame.views(Channels<Albedo, Depth, Motion>{});
+        run_or_enqueue(executor, Region{0, 0, frame.size.width, frame.size.height},
+                       PrepareRemodulation{guides, vectors, kept.view(), picture, light});
+
+        std::array<ColouredFrame<Storage>, std::size_t{frames}> before;
+        for (std::size_t i = 0; i < history.known; ++i) before[i] = history.kept[i + 1].view();
+        auto const output = [&] {
+            if constexpr (std::is_same_v<Target, NoTarget>)
+                return history.output.view();
+            else
+                return target;
+        }();
+        anti_alias(remodulated.policy, executor, kept.view(), std::span(before).first(history.known), {}, light, output);
+        if constexpr (QueueExecutor<E>) executor.submit();
+        history.known = std::min(history.known + 1, std::size_t{frames});
+        history.number = frame.number, history.complete = true;
+        return output;
+    }
+
+private:
+    /// Makes place for a frame. The oldest frame's images become the newest's.
+    template <int frames, class H> static auto& begin(H& history, Extent size) {
+        auto& kept = history.kept;
+        if (!(history.output.size() == size)) {
+            kept.clear();
+            history.light = decltype(history.light)(size), history.output = decltype(history.output)(size);
+        }
+        if (kept.size() <= std::size_t{frames}) kept.emplace_back(size);
+        std::rotate(kept.begin(), kept.end() - 1, kept.end());
+        return kept.front();
+    }
+};
+} // namespace detail
+
+/// Denoises one frame and anti-aliases its colours. Returns a view of the picture, valid until the next run with this history.
+/// @param remodulated the pipeline, and how its colours are anti-aliased
+/// @param frame    its camera's jitter says where its samples lie
+/// @param history  of this Remodulated
+/// @param executor as that of run() of a Pipeline
+/// @throws Error as run() of a Pipeline does
+template <class P, int frames, class Set, class FrameStorage, class Storage, Executor E = Simd>
+auto run(Remodulated<P, frames> const& remodulated, Frame<Set, FrameStorage> const& frame,
+         History<Remodulated<P, frames>, Storage>& history, E const& executor = {}) {
+    constexpr bool has_channels = contained_in<typename Remodulated<P, frames>::reads, Set>;
+    static_assert(has_channels, "run(remodulated, frame, ...): the frame lacks a channel that the pipeline or the anti-aliasing reads "
+                                "(albedo, depth, motion); construct the frame with this Remodulated");
+    if constexpr (!has_channels)
+        return detail::NoOutput{};
+    else
+        return detail::RemodulatedRun::all(remodulated, frame, history, executor, detail::NoTarget{});
+}
+
+/// Like run(), but writes the picture through a view of the host's, as run_into() of a Pipeline does.
+/// @param target      where the picture goes
+/// @param remodulated as for run()
+/// @param frame       as for run()
+/// @param history     as for run()
+/// @param executor    as for run()
+/// @throws Error as run() does, and for a target that is not of the frame's size
+template <class P, int frames, class Set, class FrameStorage, class Storage, ImageView Target, Executor E = Simd>
+void run_into(Target const& target, Remodulated<P, frames> const& remodulated, Frame<Set, FrameStorage> const& frame,
+              History<Remodulated<P, frames>, Storage>& history, E const& executor = {}) {
+    constexpr bool has_channels = contained_in<typename Remodulated<P, frames>::reads, Set>;
+    static_assert(has_channels, "run_into(target, remodulated, frame, ...): the frame lacks a channel that the pipeline or the "
+                                "anti-aliasing reads (albedo, depth, motion); construct the frame with this Remodulated");
+    static_assert(Target::components == 3, "run_into(target, remodulated, frame, ...): the target must have three components");
+    if constexpr (has_channels && Target::components == 3) {
+        detail::check_target(target.size, frame.size);
+        detail::RemodulatedRun::all(remodulated, frame, history, executor, target);
+    }
+}
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET
