@@ -20,7 +20,7 @@ void check_known(std::string const& effect) {
 } // namespace
 
 std::vector<std::string> const& effect_names() {
-    static Effects const names{"shadow", "glossy", "curved", "indirect", "blur", "composite"};
+    static Effects const names{"shadow", "glossy", "curved", "indirect", "blur", "composite", "upsampled"};
     return names;
 }
 

@@ -11,7 +11,8 @@ struct SceneEffect {
     bool operator==(SceneEffect const&) const = default;
 };
 
-/// shadow, glossy, curved (glossy in curved reflectors), indirect, blur and composite (all effects at once).
+/// shadow, glossy, curved (glossy in curved reflectors), indirect, blur, composite (all effects at once), and upsampled (all at once, of
+/// frames of half the width and height).
 [[nodiscard]] std::vector<std::string> const& effect_names();
 
 /// What is worth charting on a scene. One that isn't built in is charted as a whole.

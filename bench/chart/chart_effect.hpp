@@ -83,6 +83,7 @@ void run_contests(ChartRequest const& request, ChannelTag auto signal, tracer::P
         request.progress("frame " + std::to_string(i));
         for (auto& contest : contests) {
             if (contest.scored_frames_only && !options.scores(i)) continue;
+            if (!(frame.size == contest.rendered.size)) frame = FrameT(contest.rendered.size);
             contest.render(scene, i, frame);
             if (!options.externals.empty() && &contest == &contests.front()) others.write(i, image_of(scene, frame, signal));
             contest.run(frame, options.scores(i) ? &judge : nullptr);
@@ -124,5 +125,6 @@ void chart_glossy(ChartRequest const& request); ///< curved too
 void chart_indirect(ChartRequest const& request);
 void chart_blur(ChartRequest const& request);
 void chart_composite(ChartRequest const& request);
+void chart_upsampled(ChartRequest const& request); ///< frames of half the width and height beside those of the whole
 
 } // namespace quell::bench

@@ -4,7 +4,7 @@
 #include "row.hpp"
 
 #include <quell/image/planar.hpp>
-#include <quell/pipeline/composite.hpp>
+#include <quell/resolve/resolved.hpp>
 
 #include <fmt/format.h>
 
@@ -20,6 +20,10 @@ namespace quell::bench {
 template <class... Ps> constexpr Composite<Ps...> whole(Composite<Ps...> const& pipelines) { return pipelines; }
 template <ChannelTag S, class... Parts> constexpr Composite<Pipeline<S, Parts...>> whole(Pipeline<S, Parts...> const& pipeline) {
     return Composite<Pipeline<S, Parts...>>(pipeline);
+}
+
+template <class P, class Policy> constexpr auto whole(Resolved<P, Policy> const& resolved) {
+    return Resolved{whole(resolved.pipeline), resolved.resolve};
 }
 
 /// A pipeline to chart, by the name that its row has.

@@ -21,6 +21,7 @@ void chart(ChartRequest const& request) {
     if (effect == "indirect") return chart_indirect(request);
     if (effect == "blur") return chart_blur(request);
     if (effect == "composite") return chart_composite(request);
+    if (effect == "upsampled") return chart_upsampled(request);
     chart_glossy(request);
 }
 

@@ -13,7 +13,7 @@ std::vector<Case> const& cases() {
     static std::vector<Case> const all = [] {
         std::vector<Case> list;
         for (auto const& family : {event_cases(), uncovering_cases(), shadow_cases(), reflection_cases(), blur_cases(), mixed_pixel_cases(),
-                                   firefly_cases(), input_cases(), bounds_cases(), drift_cases(), host_mistake_cases()})
+                                   firefly_cases(), input_cases(), bounds_cases(), drift_cases(), host_mistake_cases(), upsampling_cases()})
             list.insert(list.end(), family.begin(), family.end());
         return list;
     }();

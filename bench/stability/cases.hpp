@@ -32,5 +32,6 @@ struct Case {
 [[nodiscard]] std::vector<Case> bounds_cases();
 [[nodiscard]] std::vector<Case> drift_cases();
 [[nodiscard]] std::vector<Case> host_mistake_cases();
+[[nodiscard]] std::vector<Case> upsampling_cases();
 
 } // namespace quell::stability

@@ -49,9 +49,21 @@ Extremes extremes(metrics::Picture const& picture, metrics::Picture const& even)
     return result;
 }
 
+/// What is tried, by the name that its promises have.
+struct Method {
+    std::string name;
+    quell_library::Way const& way;
+    int enlarged = 0; ///< how many times, by anti-aliasing behind the preset; 0: none
+
+    [[nodiscard]] std::unique_ptr<examples::Denoiser> denoiser(Extent size, int threads) const {
+        auto const output = enlarged > 0 ? std::optional(Extent{enlarged * size.width, enlarged * size.height}) : std::nullopt;
+        return std::make_unique<examples::Denoiser>(way, size, threads, output);
+    }
+};
+
 /// A burst in the samples, in frames 4 and 8: each is missing, weighs nothing and spreads nowhere, so that an even picture stays even.
-double spread(examples::Preset const& preset, io::ExrImage const& even, Making const& making) {
-    auto const denoiser = examples::denoiser_of(preset, making.size, making.threads);
+double spread(Method const& method, io::ExrImage const& even, Making const& making) {
+    auto const denoiser = method.denoiser(making.size, making.threads);
     std::mt19937 random(making.seed + 5);
     double farthest = 0;
     metrics::Picture wanted;
@@ -74,8 +86,8 @@ bool is_light(std::string const& name) {
 }
 
 /// A burst in every channel, signals and guides.
-Extremes burst(std::string const& name, examples::Preset const& preset, io::ExrImage const& even, Making const& making, Results& results) {
-    auto const denoiser = examples::denoiser_of(preset, making.size, making.threads);
+Extremes burst(std::string const& name, Method const& method, io::ExrImage const& even, Making const& making, Results& results) {
+    auto const denoiser = method.denoiser(making.size, making.threads);
     std::mt19937 random(making.seed + 6);
     Extremes result;
     metrics::Picture wanted;
@@ -87,7 +99,7 @@ Extremes burst(std::string const& name, examples::Preset const& preset, io::ExrI
             }
         auto const picture = denoiser->denoise(frame, {}, i);
         if (i == 3) wanted = picture;
-        if (i >= 3) record(results.frames, name, preset.name, i, wanted, picture);
+        if (i >= 3) record(results.frames, name, method.name, i, wanted, picture);
         if (i <= 3) continue;
         auto const found = extremes(picture, wanted);
         result.broken += found.broken;
@@ -107,11 +119,11 @@ bool complains(auto const& something, std::string const& what) {
 }
 
 /// Channels that are missing and sizes of nothing that aren't refused by name.
-double unclear(examples::Preset const& preset, io::ExrImage const& even, Making const& making) {
+double unclear(Method const& method, io::ExrImage const& even, Making const& making) {
     double count = 0;
     for (Extent const size : {Extent{0, 9}, Extent{9, 0}, Extent{-1, 9}})
-        if (!complains([&] { static_cast<void>(examples::denoiser_of(preset, size, making.threads)); }, to_string(size))) ++count;
-    auto const denoiser = examples::denoiser_of(preset, making.size, making.threads);
+        if (!complains([&] { static_cast<void>(method.denoiser(size, making.threads)); }, to_string(size))) ++count;
+    auto const denoiser = method.denoiser(making.size, making.threads);
     for (auto const& name : denoiser->planes({})) {
         auto frame = even;
         std::erase_if(frame.planes, [&](auto const& each) { return each.name == name; });
@@ -122,12 +134,16 @@ double unclear(examples::Preset const& preset, io::ExrImage const& even, Making 
 
 void broken_input(std::string const& name, Making const& making, Results& results) {
     auto const even = even_frame(light, making);
-    for (auto const& preset : examples::presets()) {
-        results.promises.push_back({name, preset.name, "spread_of_missing_samples", spread(preset, even, making), 1e-3});
-        auto const after = burst(name, preset, even, making, results);
-        results.promises.push_back({name, preset.name, "broken_components", after.broken, 0});
-        results.promises.push_back({name, preset.name, "left_18_frames_later", after.farthest, 1e-2});
-        results.promises.push_back({name, preset.name, "unclear_errors", unclear(preset, even, making), 0});
+    std::vector<Method> methods;
+    for (auto const& preset : examples::presets()) methods.push_back({preset.name, examples::way_of(preset)});
+    for (std::string const preset : {"none", "svgf", "general"})
+        methods.push_back({preset + "-upsampled", examples::way_of(examples::preset_of(preset)), 2});
+    for (auto const& method : methods) {
+        results.promises.push_back({name, method.name, "spread_of_missing_samples", spread(method, even, making), 1e-3});
+        auto const after = burst(name, method, even, making, results);
+        results.promises.push_back({name, method.name, "broken_components", after.broken, 0});
+        results.promises.push_back({name, method.name, "left_18_frames_later", after.farthest, 1e-2});
+        results.promises.push_back({name, method.name, "unclear_errors", unclear(method, even, making), 0});
     }
 }
 

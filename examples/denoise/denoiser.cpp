@@ -1,5 +1,6 @@
 #include <denoise/denoiser.hpp>
 
+#include <library/resolved_denoiser.hpp>
 #include <quell/diagnose/diagnose.hpp>
 #include <quell/io/camera_attributes.hpp>
 #include <quell/io/frame_image.hpp>
@@ -18,8 +19,18 @@ Way const& way_of(Preset const& preset, Purpose purpose) {
     return preset.picture ? preset.picture : preset.usual;
 }
 
-Denoiser::Denoiser(Way const& w, Extent s, int count)
-    : way(w), size(s), threads(count), code(way.make(s, {.run = OwnThreads::run, .user = &threads, .threads = threads.count()}, {})) {}
+namespace {
+Way with_channels_for(Way way, std::optional<Extent> output) {
+    if (output) way.channels = channels_of_resolved(way);
+    return way;
+}
+} // namespace
+
+Denoiser::Denoiser(Way const& w, Extent s, int count, std::optional<Extent> o)
+    : way(with_channels_for(w, o)), size(s), output(o), threads(count) {
+    Parallel const parallel{.run = OwnThreads::run, .user = &threads, .threads = threads.count()};
+    code = output ? make_resolved(w, s, *output, parallel, {}) : w.make(s, parallel, {});
+}
 
 std::vector<std::string> Denoiser::planes(io::ChannelNames const& names, bool optional) const {
     std::vector<std::string> all;
@@ -55,13 +66,14 @@ metrics::Picture Denoiser::denoise(io::ExrImage const& image, io::ChannelNames c
 
 /// Denoises the first of `images`.
 metrics::Picture Denoiser::run_images() {
-    metrics::Picture picture{size, std::vector<glm::vec3>(static_cast<std::size_t>(size.pixels()))};
+    auto const made = output.value_or(size);
+    metrics::Picture picture{made, std::vector<glm::vec3>(static_cast<std::size_t>(made.pixels()))};
     std::vector<glm::vec4> with_alpha(way.output_components == 4 ? picture.pixels.size() : 0);
     auto* const to =
         with_alpha.empty() ? reinterpret_cast<std::byte*>(picture.pixels.data()) : reinterpret_cast<std::byte*>(with_alpha.data());
     std::ptrdiff_t const pixel = way.output_components * static_cast<std::ptrdiff_t>(sizeof(float));
     auto const begin = std::chrono::steady_clock::now();
-    code->run(images, {.data = to, .component_stride = sizeof(float), .pixel_stride = pixel, .row_stride = pixel * size.width});
+    code->run(images, {.data = to, .component_stride = sizeof(float), .pixel_stride = pixel, .row_stride = pixel * made.width});
     taken += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     denoised_alpha.clear();
     for (std::size_t i = 0; i < with_alpha.size(); ++i) picture.pixels[i] = with_alpha[i], denoised_alpha.push_back(with_alpha[i].a);

@@ -36,8 +36,9 @@ class Denoiser {
 public:
     /// @param way one that there is
     /// @param threads 0: all that there are
+    /// @param output  of what comes out, anti-aliased over time behind the preset; none: the frames' size, without
     /// @throws Error for a size without pixels
-    Denoiser(quell_library::Way const& way, Extent size, int threads);
+    Denoiser(quell_library::Way const& way, Extent size, int threads, std::optional<Extent> output = {});
 
     /// The planes that it wants of each file.
     [[nodiscard]] std::vector<std::string> planes(io::ChannelNames const& names) const { return planes(names, false); }
@@ -94,6 +95,7 @@ public:
 private:
     quell_library::Way const way;
     Extent size; ///< of the last frame
+    std::optional<Extent> output;
     quell_library::OwnThreads threads;
     std::unique_ptr<quell_library::CompiledDenoiser> code;
     std::deque<quell_library::LoadedFrame> window;  ///< frames that it was shown and has not denoised

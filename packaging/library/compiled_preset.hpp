@@ -33,7 +33,7 @@ public:
     virtual ~CompiledDenoiser() = default;
 
     /// Denoises the first frame of a window. The others are those after it, which two-sided ways make use of.
-    /// @param output written; of the frame's size
+    /// @param output written; of the frame's size, or of its own: see make_resolved()
     /// @throws quell::Error as quell::run() does
     virtual void run(std::span<FrameImages const> window, Image const& output) = 0;
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 extern "C" quell_library::PresetCodes QUELL_ENTRIES;
 
@@ -68,7 +69,9 @@ struct quell_denoiser {
     PresetWay const* way;
     quell_motion motion;
     bool two_sided;
-    int width, height;
+    bool anti_aliases;
+    Sizes sizes;
+    int guide_width; ///< of the frame that was run last
     OwnThreads threads;
     std::string plan;
     std::unique_ptr<Instance> instance;
@@ -99,14 +102,22 @@ public:
     Running& operator=(Running const&) = delete;
 };
 
+std::string size(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+
+/// Whether an output is 1 to `most_ratio` times as wide and high as frames.
+bool is_ratio(Sizes const& sizes) {
+    constexpr std::int64_t most_ratio = 4;
+    return sizes.output_width >= sizes.width && sizes.output_width <= most_ratio * sizes.width && sizes.output_height >= sizes.height &&
+           sizes.output_height <= most_ratio * sizes.height;
+}
+
 /// A sentence where samples can't be taken. Fills in what stands for itself.
-std::string take_samples(Samples& to, quell_samples const& given, Channel const& channel, quell_denoiser const& denoiser) {
+std::string take_samples(Samples& to, quell_samples const& given, Channel const& channel, Frame const& frame) {
     auto const what = "samples of channel '" + channel.name + "'";
-    auto const size = [](int width, int height) { return std::to_string(width) + "x" + std::to_string(height); };
     if (given.columns == 0 && given.rows == 0) {
-        bool const is_whole = (given.width == 0 && given.height == 0) || (given.width == denoiser.width && given.height == denoiser.height);
+        bool const is_whole = (given.width == 0 && given.height == 0) || (given.width == frame.width && given.height == frame.height);
         if (is_whole) return {};
-        return what + ": an image of " + size(given.width, given.height) + " in a frame of " + size(denoiser.width, denoiser.height) +
+        return what + ": an image of " + size(given.width, given.height) + " in a frame of " + size(frame.width, frame.height) +
                ", and no block; give 1 to 8 columns and rows";
     }
     if (channel.is_guide) return what + ": a guide must be there for every pixel; give columns and rows 0";
@@ -116,7 +127,7 @@ std::string take_samples(Samples& to, quell_samples const& given, Channel const&
         return what + ": a phase of " + std::to_string(given.phase_x) + ", " + std::to_string(given.phase_y) +
                "; give the place of a pixel in its block of " + size(given.columns, given.rows);
     auto const up = [](int length, int part) { return (length + part - 1) / part; };
-    int const w = denoiser.width, h = denoiser.height, most_w = up(w, given.columns), most_h = up(h, given.rows);
+    int const w = frame.width, h = frame.height, most_w = up(w, given.columns), most_h = up(h, given.rows);
     to = {given.columns, given.rows, given.staggered, given.phase_x, given.phase_y, given.width, given.height};
     if (to.width == 0 && to.height == 0) to.width = most_w, to.height = most_h;
     to.side_by_side = to.width != w || to.height != h;
@@ -146,8 +157,8 @@ std::string take_channels(quell_denoiser& denoiser, Frame& to, quell_frame const
             return what + ": a fraction of " + std::to_string(frame.fractions[i]) + "; give 1: other sizes are not supported yet";
         auto& image = to.channels[index];
         if (frame.samples != nullptr)
-            if (auto const wrong = take_samples(image.samples, frame.samples[i], *found, denoiser); !wrong.empty()) return wrong;
-        int const width = image.samples.columns > 0 ? image.samples.width : denoiser.width;
+            if (auto const wrong = take_samples(image.samples, frame.samples[i], *found, to); !wrong.empty()) return wrong;
+        int const width = image.samples.columns > 0 ? image.samples.width : to.width;
         if (auto const wrong = take(image, given.image, what, found->components, width); !wrong.empty()) return wrong;
     }
     for (std::size_t i = 0; i < there.size(); ++i)
@@ -158,29 +169,58 @@ std::string take_channels(quell_denoiser& denoiser, Frame& to, quell_frame const
 
 std::string take_output(quell_denoiser& denoiser, quell_frame const& frame) {
     int const components = denoiser.way->output_components;
-    if (auto const wrong = take(denoiser.output, frame.output, "output", components, denoiser.width); !wrong.empty()) return wrong;
-    auto const out = range_of(denoiser.output, components, denoiser.width, denoiser.height);
+    auto const& sizes = denoiser.sizes;
+    if (auto const wrong = take(denoiser.output, frame.output, "output", components, sizes.output_width); !wrong.empty()) return wrong;
+    auto const out = range_of(denoiser.output, components, sizes.output_width, sizes.output_height);
     for (auto const& each : denoiser.frames)
         for (std::size_t i = 0; i < denoiser.way->channels.size(); ++i) {
             auto const& channel = denoiser.way->channels[i];
             auto const& image = each.channels[i];
             if (image.data == nullptr) continue;
             bool const is_whole = image.samples.columns == 0;
-            auto const in = range_of(image, channel.components, is_whole ? denoiser.width : image.samples.width,
-                                     is_whole ? denoiser.height : image.samples.height);
+            auto const in = range_of(image, channel.components, is_whole ? each.width : image.samples.width,
+                                     is_whole ? each.height : image.samples.height);
             if (out.begin < in.end && in.begin < out.end)
                 return "output: its memory overlaps that of channel '" + channel.name + "'; give it memory of its own";
         }
     return {};
 }
 
+std::string take_size(quell_denoiser const& denoiser, Frame& to, quell_frame const& frame) {
+    auto const& usual = denoiser.sizes;
+    to.width = usual.width, to.height = usual.height;
+    if (frame.width == 0 && frame.height == 0) return {};
+    auto const what = "frame: a size of " + size(frame.width, frame.height);
+    if (!denoiser.anti_aliases && (frame.width != usual.width || frame.height != usual.height))
+        return what + "; this denoiser's frames are " + size(usual.width, usual.height) +
+               ": leave width and height 0, or set settings.anti_alias, with which frames may be of several sizes";
+    if (denoiser.anti_aliases &&
+        (frame.width < 1 || frame.height < 1 || !is_ratio({frame.width, frame.height, usual.output_width, usual.output_height})))
+        return what + " for an output of " + size(usual.output_width, usual.output_height) +
+               "; the output must be 1 to 4 times as wide and as high";
+    to.width = frame.width, to.height = frame.height;
+    return {};
+}
+
+/// A sentence where there is no camera, and must be, or where its jitter can't be.
+std::string check_camera(quell_denoiser const& denoiser, quell_camera const* camera) {
+    if (camera == nullptr) {
+        if (denoiser.anti_aliases) return "frame.camera: null; anti-aliasing needs its jitter, which may be 0";
+        if (denoiser.way->needs_camera) return "frame.camera: null; '" + denoiser.preset->name + "' needs the camera";
+        return denoiser.motion.has_jitter != 0 ? "frame.camera: null; settings.motion.has_jitter needs its jitter" : "";
+    }
+    constexpr float most = 8;
+    auto const [x, y] = camera->jitter;
+    if (!denoiser.anti_aliases || (std::abs(x) <= most && std::abs(y) <= most)) return {};
+    return "frame.camera: a jitter of " + std::to_string(x) + ", " + std::to_string(y) +
+           "; give the samples' offset from the pixels' centres, in pixels of the frame: at most 8";
+}
+
 std::string take_frame(quell_denoiser& denoiser, Frame& to, quell_frame const& frame) {
     if (frame.device != nullptr) return "frame.device: device memory is not supported yet; leave it null and give host memory";
+    if (auto const wrong = take_size(denoiser, to, frame); !wrong.empty()) return wrong;
     if (auto const wrong = take_channels(denoiser, to, frame); !wrong.empty()) return wrong;
-    bool const needs_camera = denoiser.way->needs_camera || denoiser.motion.has_jitter != 0;
-    if (needs_camera && frame.camera == nullptr)
-        return "frame.camera: null; " + (denoiser.way->needs_camera ? "'" + denoiser.preset->name + "' needs the camera"
-                                                                    : "settings.motion.has_jitter needs its jitter");
+    if (auto const wrong = check_camera(denoiser, frame.camera); !wrong.empty()) return wrong;
     static_assert(sizeof(Camera) == sizeof(quell_camera));
     to.camera = reinterpret_cast<Camera const*>(frame.camera);
     to.number = frame.number, to.has_number = frame.has_number != 0;
@@ -220,21 +260,34 @@ quell_status run(quell_denoiser& denoiser, quell_frame const* frames, std::size_
     if (!wrong.empty()) return fail(QUELL_INVALID_ARGUMENT, wrong);
     std::string error;
     auto const outcome = denoiser.instance->run(denoiser.frames, denoiser.output, error);
-    return outcome == Outcome::ok ? QUELL_OK : fail(status_of(outcome), error);
+    if (outcome != Outcome::ok) return fail(status_of(outcome), error);
+    denoiser.guide_width = denoiser.frames.front().width;
+    return QUELL_OK;
 }
 
-/// Null, and a sentence, where the settings are wrong.
+Sizes sizes_of(quell_settings const& settings) {
+    bool const is_said = settings.output_width != 0 || settings.output_height != 0;
+    return {settings.width, settings.height, is_said ? settings.output_width : settings.width,
+            is_said ? settings.output_height : settings.height};
+}
+bool anti_aliases(quell_settings const& settings) {
+    auto const sizes = sizes_of(settings);
+    return settings.anti_alias != 0 || sizes.output_width != sizes.width || sizes.output_height != sizes.height;
+}
+
+/// A sentence where the settings are wrong.
 std::string check(quell_settings const& settings) {
     if (settings.width < 1 || settings.height < 1)
-        return "settings: a size of " + std::to_string(settings.width) + "x" + std::to_string(settings.height) +
-               "; give a width and a height of at least one pixel";
+        return "settings: a size of " + size(settings.width, settings.height) + "; give a width and a height of at least one pixel";
+    if (settings.reserved != 0) return "settings.reserved: " + std::to_string(settings.reserved) + "; start from QUELL_SETTINGS";
     if (settings.threads < 0) return "settings.threads: " + std::to_string(settings.threads) + "; give 0 or more";
     if ((settings.allocate == nullptr) != (settings.release == nullptr))
         return "settings: one of allocate and release is null; give both or none";
-    bool const is_own_size = settings.output_width == settings.width && settings.output_height == settings.height;
-    if ((settings.output_width != 0 || settings.output_height != 0) && !is_own_size)
-        return "settings: an output of " + std::to_string(settings.output_width) + "x" + std::to_string(settings.output_height) +
-               "; leave output_width and output_height 0: other sizes than the frames' are not supported yet";
+    auto const sizes = sizes_of(settings);
+    if (!is_ratio(sizes))
+        return "settings: an output of " + size(sizes.output_width, sizes.output_height) + " for frames of " +
+               size(sizes.width, sizes.height) +
+               "; give 1 to 4 times their width and height as output_width and output_height, or 0 and 0 for the frames' own size";
     if (settings.motion.unit < 0 || settings.motion.unit > 2)
         return "settings.motion.unit: " + std::to_string(settings.motion.unit) +
                "; give 0 (pixels), 1 or 2 (the image is 1 or 2 wide and high)";
@@ -276,17 +329,22 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
         if (preset == all.end())
             return fail(QUELL_UNKNOWN_PRESET, "settings.preset: there is no '" + wanted +
                                                   "'; give one of: " + joined(all, [](auto const& each) { return each.name; }));
-        auto const& way = settings->alpha != 0 ? preset->two_sided_alpha : settings->two_sided != 0 ? preset->two_sided : preset->usual;
-        if (!way)
+        auto const* way = settings->alpha != 0 ? &preset->two_sided_alpha : settings->two_sided != 0 ? &preset->two_sided : &preset->usual;
+        if (!*way)
             return fail(QUELL_NOT_SUPPORTED, std::string("settings.") + (settings->alpha != 0 ? "alpha" : "two_sided") + ": '" + wanted +
                                                  "' has no such way; take general or final-frame");
+        bool const resolves = anti_aliases(*settings);
+        if (resolves) way = way->resolved.get();
+        if (way == nullptr)
+            return fail(QUELL_NOT_SUPPORTED, "settings.anti_alias: '" + wanted + "' makes no picture; leave it 0, and the output's size");
         std::unique_ptr<quell_denoiser> made(new quell_denoiser{.code = code,
                                                                 .preset = &*preset,
-                                                                .way = &way,
+                                                                .way = way,
                                                                 .motion = settings->motion,
                                                                 .two_sided = settings->two_sided != 0,
-                                                                .width = settings->width,
-                                                                .height = settings->height,
+                                                                .anti_aliases = resolves,
+                                                                .sizes = sizes_of(*settings),
+                                                                .guide_width = settings->width,
                                                                 .threads = OwnThreads(settings->threads),
                                                                 .plan = {},
                                                                 .instance = {},
@@ -300,7 +358,7 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
         std::string error;
         auto const& given = settings->motion;
         Motion const motion{given.from_previous, given.unit, given.y_up, given.has_jitter};
-        made->instance = way.make(settings->width, settings->height, motion, parallel, memory, outcome, error);
+        made->instance = way->make(made->sizes, motion, parallel, memory, outcome, error);
         if (outcome != Outcome::ok) return fail(status_of(outcome), error);
         *denoiser = made.release();
         return QUELL_OK;
@@ -308,8 +366,10 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
 }
 void quell_destroy(quell_denoiser* denoiser) { delete denoiser; }
 
-int32_t quell_width(quell_denoiser const* denoiser) { return denoiser != nullptr ? denoiser->width : 0; }
-int32_t quell_height(quell_denoiser const* denoiser) { return denoiser != nullptr ? denoiser->height : 0; }
+int32_t quell_width(quell_denoiser const* denoiser) { return denoiser != nullptr ? denoiser->sizes.width : 0; }
+int32_t quell_height(quell_denoiser const* denoiser) { return denoiser != nullptr ? denoiser->sizes.height : 0; }
+int32_t quell_output_width(quell_denoiser const* denoiser) { return denoiser != nullptr ? denoiser->sizes.output_width : 0; }
+int32_t quell_output_height(quell_denoiser const* denoiser) { return denoiser != nullptr ? denoiser->sizes.output_height : 0; }
 char const* quell_channel_name(quell_denoiser const* denoiser, int32_t index) {
     if (denoiser == nullptr || index < 0) return nullptr;
     auto const& all = denoiser->way->channels;
@@ -343,7 +403,7 @@ quell_status quell_copy_guide(quell_denoiser* denoiser, char const* name, quell_
         Running const running(*denoiser);
         if (!running.first) return fail(QUELL_BUSY, "quell_copy_guide: another thread runs this denoiser; wait for it");
         Image to;
-        if (auto const wrong = take(to, *image, "guide '" + found->name + "'", found->components, denoiser->width); !wrong.empty())
+        if (auto const wrong = take(to, *image, "guide '" + found->name + "'", found->components, denoiser->guide_width); !wrong.empty())
             return fail(QUELL_INVALID_ARGUMENT, wrong);
         std::string error;
         auto const outcome = denoiser->instance->copy_guide(found->name, to, error);

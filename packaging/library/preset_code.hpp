@@ -48,6 +48,7 @@ struct Motion {
 };
 
 struct Frame {
+    std::int32_t width = 0, height = 0;
     std::vector<Image> channels{}; ///< in the preset's order; an optional one may have no data
     Camera const* camera = nullptr;
     long long number = 0;
@@ -92,17 +93,23 @@ public:
     [[nodiscard]] virtual Statistics statistics() const noexcept = 0;
 };
 
+/// Sizes of the frames and of what comes out, which are the same but where a preset is resolved.
+struct Sizes {
+    std::int32_t width = 0, height = 0, output_width = 0, output_height = 0;
+};
+
 /// A preset as code for one purpose.
 struct PresetWay {
     std::vector<Channel> channels{};
     std::vector<Channel> guides{}; ///< that it accumulates
     int output_components = 0;
     bool needs_camera = false;
-    std::string (*plan)() = nullptr;
+    std::function<std::string()> plan{};
     /// Null, and what is wrong, where it can't be made.
-    std::function<std::unique_ptr<Instance>(int width, int height, Motion const&, Parallel const&, Memory const&, Outcome& outcome,
+    std::function<std::unique_ptr<Instance>(Sizes const&, Motion const&, Parallel const&, Memory const&, Outcome& outcome,
                                             std::string& error)>
         make{};
+    std::shared_ptr<PresetWay const> resolved{}; ///< with temporal anti-aliasing behind it; null where that can't be
 
     explicit operator bool() const { return plan != nullptr; }
 };

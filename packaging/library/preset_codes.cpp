@@ -1,6 +1,7 @@
 // The entry of libquell's code for one instruction set: QUELL_CODE_ENTRY is its name. Compiled presets, behind types that are the same for
 // all instruction sets.
 #include "compiled_preset.hpp"
+#include "resolved_denoiser.hpp"
 
 #include <quell/core/error.hpp>
 #include <quell/frame/channels.hpp>
@@ -44,16 +45,15 @@ quell::MotionConvention convention_of(Motion const& given) {
 }
 
 class PresetInstance final : public Instance {
-    Way const& way;
-    quell::Extent size;
+    std::vector<ReadChannel> const& channels;
     quell::MotionConvention motion;
     glm::vec2 jitter_then{0.f}; ///< of the frame that was denoised last
     std::unique_ptr<CompiledDenoiser> denoiser;
     std::vector<FrameImages> window;
 
 public:
-    PresetInstance(Way const& w, quell::Extent s, Motion const& m, Parallel const& parallel, Memory const& memory)
-        : way(w), size(s), motion(convention_of(m)), denoiser(w.make(s, parallel, memory)) {}
+    PresetInstance(std::vector<ReadChannel> const& read, Motion const& m, std::unique_ptr<CompiledDenoiser> made)
+        : channels(read), motion(convention_of(m)), denoiser(std::move(made)) {}
 
     Outcome run(std::vector<Frame> const& frames, Image const& output, std::string& error) noexcept override {
         return caught(error, [&] {
@@ -80,7 +80,7 @@ public:
 
 private:
     void take(FrameImages& images, Frame const& given) const {
-        images.size = size, images.channels = given.channels, images.shutter = given.shutter;
+        images.size = {given.width, given.height}, images.channels = given.channels, images.shutter = given.shutter;
         images.number = given.has_number ? std::optional<long long>(given.number) : std::nullopt;
         if (given.camera == nullptr) return; // that of the last frame
         images.camera = {glm::make_mat4(given.camera->view), glm::make_mat4(given.camera->projection),
@@ -90,11 +90,11 @@ private:
     void convert_motion(FrameImages& images, glm::vec2 before) const {
         if (motion == quell::MotionConvention{}) return;
         for (std::size_t i = 0; i < images.channels.size(); ++i) {
-            bool const is_next = way.channels[i].name == quell::motion_next.name;
-            if (!is_next && way.channels[i].name != quell::motion.name) continue;
+            bool const is_next = channels[i].name == quell::motion_next.name;
+            if (!is_next && channels[i].name != quell::motion.name) continue;
             auto its_own = motion;
             if (is_next) its_own.points = quell::MotionConvention::Points::to_previous;
-            auto const scale = quell::detail::to_pixels(its_own, size);
+            auto const scale = quell::detail::to_pixels(its_own, images.size);
             bool const has_jitter = !is_next && motion.jitter == quell::MotionConvention::Jitter::left_in;
             auto const offset = has_jitter ? before - images.camera.jitter : glm::vec2(0.f);
             for (int c = 0; c < 2; ++c) images.channels[i].scale[c] = scale[c], images.channels[i].offset[c] = offset[c];
@@ -102,19 +102,30 @@ private:
     }
 };
 
-PresetWay way_of(Way const& way) {
+/// @param make makes the denoiser: make(sizes, parallel, memory)
+PresetWay way_of(Way const& way, std::vector<ReadChannel> const& channels, auto make) {
     PresetWay code{.output_components = way.output_components, .needs_camera = way.needs_camera, .plan = way.plan};
-    for (auto const& channel : way.channels)
-        code.channels.push_back({channel.name, channel.components, channel.optional, channel.is_guide});
+    for (auto const& channel : channels) code.channels.push_back({channel.name, channel.components, channel.optional, channel.is_guide});
     for (auto const& guide : way.guides) code.guides.push_back({guide.name, guide.components});
-    code.make = [&way](int width, int height, Motion const& motion, Parallel const& parallel, Memory const& memory, Outcome& outcome,
-                       std::string& error) {
+    code.make = [read = channels, make](Sizes const& sizes, Motion const& motion, Parallel const& parallel, Memory const& memory,
+                                        Outcome& outcome, std::string& error) {
         std::unique_ptr<Instance> made;
-        outcome = caught(error, [&] {
-            made = std::make_unique<PresetInstance>(way, quell::Extent{width, height}, motion, parallel, memory);
-        });
+        outcome = caught(error, [&] { made = std::make_unique<PresetInstance>(read, motion, make(sizes, parallel, memory)); });
         return made;
     };
+    return code;
+}
+PresetWay way_of(Way const& way) {
+    auto const size_of = [](Sizes const& sizes) { return quell::Extent{sizes.width, sizes.height}; };
+    auto code = way_of(way, way.channels, [=, &way](Sizes const& sizes, Parallel const& parallel, Memory const& memory) {
+        return way.make(size_of(sizes), parallel, memory);
+    });
+    if (!can_resolve(way)) return code;
+    auto resolved = way_of(way, channels_of_resolved(way), [=, &way](Sizes const& sizes, Parallel const& parallel, Memory const& memory) {
+        return make_resolved(way, size_of(sizes), {sizes.output_width, sizes.output_height}, parallel, memory);
+    });
+    resolved.needs_camera = true, resolved.plan = [&way] { return plan_of_resolved(way); };
+    code.resolved = std::make_shared<PresetWay const>(std::move(resolved));
     return code;
 }
 

@@ -89,7 +89,7 @@ typedef struct quell_samples {
 typedef struct quell_camera {
     float view[16];
     float projection[16]; /* without jitter */
-    float jitter[2];      /* offset of the samples from the pixels' centres, in pixels, y down */
+    float jitter[2];      /* offset of the samples from the pixels' centres, in pixels, y down; at most 8 where frames are anti-aliased */
 } quell_camera;
 
 /* One frame. Start from QUELL_FRAME. */
@@ -107,11 +107,13 @@ typedef struct quell_frame {
                                    is all that presets support so far. */
     const quell_samples *samples; /* of the channels, in their order. Null: every pixel of all channels has one. Guides (albedo, normal,
                                      depth, motion, motion_next) must have them all. */
+    int32_t width, height; /* where frames are anti-aliased: of this frame, whose size may be another one than the last frame's; what was
+                              resolved stays. 0: the settings'. */
 } quell_frame;
 #ifdef __cplusplus
-#define QUELL_FRAME quell_frame{sizeof(quell_frame), nullptr, 0, {}, nullptr, 0, 0, 0.5f, nullptr, nullptr, nullptr}
+#define QUELL_FRAME quell_frame{sizeof(quell_frame), nullptr, 0, {}, nullptr, 0, 0, 0.5f, nullptr, nullptr, nullptr, 0, 0}
 #else
-#define QUELL_FRAME ((quell_frame){sizeof(quell_frame), NULL, 0, {0}, NULL, 0, 0, 0.5f, NULL, NULL, NULL})
+#define QUELL_FRAME ((quell_frame){sizeof(quell_frame), NULL, 0, {0}, NULL, 0, 0, 0.5f, NULL, NULL, NULL, 0, 0})
 #endif
 
 /* The host's own threads: calls task(context, i) for 0 <= i < count, on any threads, and returns when all are done. */
@@ -132,7 +134,7 @@ typedef struct quell_motion {
 typedef struct quell_settings {
     size_t struct_size;          /* in all structures that begin with it: later versions of this library read those of earlier ones */
     const char *preset;          /* one that quell_preset_name() lists */
-    int32_t width, height;       /* of all frames */
+    int32_t width, height;       /* of frames; anti-aliased ones may say another size */
     int32_t threads;             /* 0: all that there are. Results do not depend on it. */
     const char *instruction_set; /* null: the best that the machine has, of those that quell_instruction_set_name() lists */
     quell_parallel parallel;     /* null: the library's own threads, of which there are `threads` */
@@ -142,16 +144,21 @@ typedef struct quell_settings {
     void *memory_user;
     int32_t two_sided;                   /* 1: for quell_run_two_sided(), which the presets general and final-frame can */
     int32_t alpha;                       /* 1: for radiance with alpha, the channel radiance_alpha, which the same presets can */
-    int32_t output_width, output_height; /* 0: the frames' own, which is all that presets support so far */
+    int32_t output_width, output_height; /* of what comes out: 1 to 4 times the frames', anti-aliased and upsampled. 0: the frames' own */
     quell_motion motion;                 /* what the channels motion and motion_next mean; motion_next contains no jitter */
+    int32_t anti_alias; /* 1: temporal anti-aliasing, at the frames' size too; an output of another size has it anyway. Each pixel is put
+                           together from the samples of seven frames, moved to where they are now. Move the samples of each frame by another
+                           camera.jitter; frames then need a camera, of which presets that need none read the jitter alone. */
+    int32_t reserved;   /* 0: for later versions */
 } quell_settings;
 #ifdef __cplusplus
 #define QUELL_SETTINGS \
     quell_settings {                                                                                                                       \
-        sizeof(quell_settings), nullptr, 0, 0, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0, 0, 0, 0, {}                     \
+        sizeof(quell_settings), nullptr, 0, 0, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0, 0, 0, 0, {}, 0, 0               \
     }
 #else
-#define QUELL_SETTINGS ((quell_settings){sizeof(quell_settings), NULL, 0, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, 0, 0, 0, 0, {0, 0, 0, 0}})
+#define QUELL_SETTINGS \
+    ((quell_settings){sizeof(quell_settings), NULL, 0, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, 0, 0, 0, 0, {0, 0, 0, 0}, 0, 0})
 #endif
 
 /* Counts. Start from QUELL_STATISTICS. */
@@ -183,9 +190,11 @@ QUELL_CALL quell_status quell_create(const quell_settings *settings, quell_denoi
 /* Null is none. */
 QUELL_CALL void quell_destroy(quell_denoiser *denoiser);
 
-/* Size of the frames. */
+/* Size of the frames, and of what comes out. */
 QUELL_CALL int32_t quell_width(const quell_denoiser *denoiser);
 QUELL_CALL int32_t quell_height(const quell_denoiser *denoiser);
+QUELL_CALL int32_t quell_output_width(const quell_denoiser *denoiser);
+QUELL_CALL int32_t quell_output_height(const quell_denoiser *denoiser);
 /* Names of the channels that it reads; null behind the last. */
 QUELL_CALL const char *quell_channel_name(const quell_denoiser *denoiser, int32_t index);
 /* Whether frames may lack a channel. */

@@ -35,7 +35,7 @@ class Denoiser {
     bool has_camera = false;
 
 public:
-    quell_frame frame = QUELL_FRAME; ///< number and shutter of the next frame; the rest is set by run()
+    quell_frame frame = QUELL_FRAME; ///< number, shutter and size of the next frame; the rest is set by run()
 
     /// @param preset one of docs/presets.md
     /// @throws DenoiserError
@@ -73,6 +73,10 @@ public:
     }
     /// The camera of the next frame and those that follow.
     Denoiser& set_camera(quell_camera const& camera) { return seen_by = camera, has_camera = true, *this; }
+
+    /// Where the samples of the next frame and those that follow lie, from the pixels' centres: in pixels, y down. For a denoiser with
+    /// settings.anti_alias or an output of another size, whose preset needs no camera; else it is of the camera.
+    Denoiser& set_jitter(float x, float y) { return seen_by.jitter[0] = x, seen_by.jitter[1] = y, has_camera = true, *this; }
 
     /// Denoises a frame. @throws DenoiserError
     void run(quell_image const& output) {

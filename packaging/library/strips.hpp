@@ -125,6 +125,10 @@ template <class Job, class F> void for_each_view(Job& job, F const& function) {
         of_frame(job.finish.scope.frame, 0);
     } else if constexpr (requires { job.denoised; })
         of_frame(job.frame, 0);
+    else if constexpr (requires { job.motion.in_strips; }) // what a resolve keeps of a frame: it looks at the 3x3 around
+        function(job.depth, 1), function(job.motion, 1);
+    else if constexpr (requires { job.frame_count; }) // a resolve reads what it has kept
+        return;
     else if constexpr (requires { job.from.in_strips; })
         function(job.from, 0);
     else

@@ -73,18 +73,19 @@ class Denoiser {
         void operator()(quell_denoiser* denoiser) const { quell_destroy(denoiser); }
     };
     std::unique_ptr<quell_denoiser, Destroy> denoiser;
-    int width, height;
     bool is_two_sided;
 
 public:
-    /// @param motion the four numbers of quell_motion
+    /// @param motion      the four numbers of quell_motion
+    /// @param output_size height and width of what comes out; 0, 0: the frames' own
     Denoiser(std::string const& preset, int w, int h, int threads, char const* instruction_set, bool two_sided, bool alpha,
-             py::tuple const& motion)
-        : width(w), height(h), is_two_sided(two_sided) {
+             py::tuple const& motion, bool anti_alias, py::tuple const& output_size)
+        : is_two_sided(two_sided) {
         quell_settings settings = QUELL_SETTINGS;
         settings.preset = preset.c_str(), settings.width = w, settings.height = h;
         settings.threads = threads, settings.instruction_set = instruction_set;
-        settings.two_sided = two_sided, settings.alpha = alpha;
+        settings.two_sided = two_sided, settings.alpha = alpha, settings.anti_alias = anti_alias;
+        settings.output_height = output_size[0].cast<int>(), settings.output_width = output_size[1].cast<int>();
         settings.motion = {motion[0].cast<int>(), motion[1].cast<int>(), motion[2].cast<int>(), motion[3].cast<int>()};
         quell_denoiser* made = nullptr;
         check(quell_create(&settings, &made));
@@ -92,8 +93,8 @@ public:
     }
 
     /// Denoises the first of some frames.
-    /// @param frames (channels, camera, number, shutter, samples) each: arrays by name; 34 floats as quell_camera has them, or None; an
-    ///               int, or None; a float; by name, the first five numbers of quell_samples
+    /// @param frames (channels, camera, number, shutter, samples, size) each: arrays by name; 34 floats as quell_camera has them, or None;
+    ///               an int, or None; a float; by name, the first five numbers of quell_samples; height and width
     void run(py::list const& frames, py::array const& out) {
         auto const given = std::make_unique<Given[]>(frames.size()); // its frames point into it
         std::vector<quell_frame> all;
@@ -101,7 +102,8 @@ public:
             take(given[i], frames[i].cast<py::tuple>(), i == 0 ? "" : "later[" + std::to_string(i - 1) + "]: ");
             all.push_back(given[i].frame);
         }
-        all[0].output = image_of("out", out, quell_output_components(denoiser.get()), width, height);
+        all[0].output = image_of("out", out, quell_output_components(denoiser.get()), quell_output_width(denoiser.get()),
+                                 quell_output_height(denoiser.get()));
         quell_status status = QUELL_OK;
         {
             py::gil_scoped_release const released;
@@ -112,8 +114,9 @@ public:
         if (PyErr_CheckSignals() != 0) throw py::error_already_set(); // Ctrl-C while it ran
     }
     void forget() { check(quell_forget(denoiser.get())); }
+    /// @param out of the size of the frame that was run last
     void copy_guide(std::string const& name, py::array const& out) {
-        auto const image = image_of("guide", out, 3, width, height);
+        auto const image = image_of("guide", out, 3, static_cast<int>(out.shape(1)), static_cast<int>(out.shape(0)));
         check(quell_copy_guide(denoiser.get(), name.c_str(), &image));
     }
     [[nodiscard]] py::tuple statistics() const {
@@ -137,6 +140,8 @@ public:
 private:
     /// @param prefix of what errors name
     void take(Given& given, py::tuple const& frame, std::string const& prefix) const {
+        auto const size = frame[5].cast<py::tuple>();
+        given.frame.height = size[0].cast<int>(), given.frame.width = size[1].cast<int>();
         take_images(given, frame[0].cast<py::dict>(), frame[4].cast<py::dict>(), prefix);
         given.frame.channels = given.channels.data(), given.frame.channel_count = given.channels.size();
         given.frame.samples = given.samples.data();
@@ -164,7 +169,8 @@ private:
             if (is_part && pattern[0].cast<int>() == 0 && pattern[1].cast<int>() == 0)
                 refuse(prefix + "samples of channel '" + name +
                        "': blocks of 0x0; give 1 to 8 columns and rows, or leave it out where every pixel has a sample");
-            auto const w = is_part ? static_cast<int>(array.shape(1)) : width, h = is_part ? static_cast<int>(array.shape(0)) : height;
+            auto const w = is_part ? static_cast<int>(array.shape(1)) : given.frame.width,
+                       h = is_part ? static_cast<int>(array.shape(0)) : given.frame.height;
             given.channels.push_back({name, components > 0 ? image_of(what, array, components, w, h) : quell_image{}});
             given.samples.push_back({});
             if (is_part)
@@ -193,7 +199,7 @@ PYBIND11_MODULE(_library, module) {
     module.def("presets", [] { return names(quell_preset_name); });
     module.def("instruction_sets", [] { return names(quell_instruction_set_name); });
     py::class_<Denoiser>(module, "Denoiser")
-        .def(py::init<std::string const&, int, int, int, char const*, bool, bool, py::tuple const&>())
+        .def(py::init<std::string const&, int, int, int, char const*, bool, bool, py::tuple const&, bool, py::tuple const&>())
         .def("run", &Denoiser::run)
         .def("forget", &Denoiser::forget)
         .def("copy_guide", &Denoiser::copy_guide)

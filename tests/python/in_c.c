@@ -1,5 +1,5 @@
 /* What the tests compare with: denoises frames of a file by quell.h alone.
- *     in_c PRESET WIDTH HEIGHT FRAMES IN OUT
+ *     in_c PRESET WIDTH HEIGHT FRAMES IN OUT [OUTPUT_WIDTH OUTPUT_HEIGHT]
  * IN has floats: a quell_camera; then of each frame all channels in the preset's order, each pixel by pixel. OUT gets the pictures one after
  * another. */
 #include <quell.h>
@@ -21,8 +21,9 @@ int main(int argc, char **argv) {
     size_t sizes[33], count = 0, i;
     long n;
     FILE *in, *out;
-    if (argc != 7) return fails("in_c PRESET WIDTH HEIGHT FRAMES IN OUT");
+    if (argc != 7 && argc != 9) return fails("in_c PRESET WIDTH HEIGHT FRAMES IN OUT [OUTPUT_WIDTH OUTPUT_HEIGHT]");
     settings.preset = argv[1], settings.width = atoi(argv[2]), settings.height = atoi(argv[3]);
+    if (argc == 9) settings.anti_alias = 1, settings.output_width = atoi(argv[7]), settings.output_height = atoi(argv[8]);
     if (quell_create(&settings, &denoiser) != QUELL_OK) return fails("create");
     for (; count < 32 && quell_channel_name(denoiser, (int)count) != NULL; ++count) {
         const char *const name = quell_channel_name(denoiser, (int)count);
@@ -31,7 +32,7 @@ int main(int argc, char **argv) {
         memory[count] = malloc(sizes[count] * sizeof(float));
         channels[count].name = name, channels[count].image = QUELL_PIXELS(memory[count], components);
     }
-    sizes[count] = (size_t)(settings.width * settings.height * quell_output_components(denoiser));
+    sizes[count] = (size_t)(quell_output_width(denoiser) * quell_output_height(denoiser) * quell_output_components(denoiser));
     memory[count] = malloc(sizes[count] * sizeof(float));
     frame.channels = channels, frame.channel_count = count;
     frame.output = QUELL_PIXELS(memory[count], quell_output_components(denoiser));

@@ -19,7 +19,7 @@ import weakref
 import numpy as np
 
 import quell
-from walls import in_c, of_all_channels, pictures, planes_of, same_bits, wall
+from walls import in_c, of_all_channels, pictures, planes_of, same_bits, some_camera, wall
 
 HEIGHT, WIDTH = 34, 61
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples" / "python"
@@ -33,6 +33,51 @@ class Results(unittest.TestCase):
                 frames = [of_all_channels(denoiser, seed) for seed in range(3)]
                 made = pictures(denoiser, frames)
                 self.assertTrue(same_bits(made.reshape(3, HEIGHT, WIDTH, -1), in_c(preset, frames)))
+
+    def test_anti_aliased_and_upsampled_python_gives_the_bits_of_c(self):
+        for preset in quell.presets():
+            for output in (HEIGHT, WIDTH), (2 * HEIGHT, 2 * WIDTH), (51, 200):
+                with self.subTest(preset, output=output):
+                    denoiser = quell.Denoiser(preset, (HEIGHT, WIDTH), anti_alias=True, output_size=output)
+                    frames = [of_all_channels(denoiser, seed) for seed in range(3)]
+                    made = pictures(denoiser, frames)
+                    self.assertEqual(denoiser.output_size, output)
+                    self.assertTrue(same_bits(made.reshape(3, *output, -1), in_c(preset, frames, output)))
+
+    def test_jitter_and_frames_of_several_sizes(self):
+        output = (2 * HEIGHT, 2 * WIDTH)
+        by_jitter, by_camera = (quell.Denoiser("svgf", (HEIGHT, WIDTH), output_size=output) for _ in range(2))
+        self.assertTrue(by_jitter.needs_camera)
+        for seed, size in enumerate([(HEIGHT, WIDTH), (30, 50), (HEIGHT, WIDTH)]):
+            jitter = (0.25 * seed - 0.25, 0.125)
+            camera = quell.Camera(np.eye(4), np.eye(4), jitter)
+            made = by_jitter(wall(*size, seed), jitter=jitter)
+            self.assertEqual(made.shape, (*output, 3))
+            self.assertTrue(same_bits(made, by_camera({**wall(*size, seed), "camera": camera})))
+        fresh = quell.Denoiser("svgf", (HEIGHT, WIDTH), output_size=output)(wall(HEIGHT, WIDTH, 2), jitter=(0.25, 0.125))
+        self.assertFalse(same_bits(made, fresh))
+        frames = [{**wall(HEIGHT, WIDTH, seed), "jitter": (0.1 * seed, 0)} for seed in range(3)]
+        found = np.stack(list(quell.denoise(frames, "svgf", later_frames=0, output_size=output)))
+        self.assertTrue(same_bits(found, pictures(quell.Denoiser("svgf", (HEIGHT, WIDTH), output_size=output), frames)))
+
+    def test_wrong_output_sizes_and_jitter_are_refused(self):
+        frame = wall(HEIGHT, WIDTH)
+        for size in (HEIGHT - 1, WIDTH), (4 * HEIGHT + 1, WIDTH), (0, 0):
+            with self.assertRaisesRegex(quell.Error, "1 to 4 times"):
+                quell.Denoiser("svgf", (HEIGHT, WIDTH), output_size=size)
+        with self.assertRaisesRegex(quell.Error, "output_size"):
+            quell.Denoiser("svgf", (HEIGHT, WIDTH), output_size=(1, 2, 3))
+        denoiser = quell.Denoiser("svgf", (HEIGHT, WIDTH), anti_alias=True)
+        for jitter, words in (None, "camera"), ((0, np.nan), "at most 8"), ((9, 0), "at most 8"), ((1, 2, 3), "jitter"):
+            with self.assertRaisesRegex(quell.Error, words):
+                denoiser(frame, jitter=jitter)
+        with self.assertRaisesRegex(quell.Error, "camera"):
+            denoiser(frame, jitter=(0, 0), camera=some_camera())
+        with self.assertRaisesRegex(quell.Error, "anti_alias"):
+            quell.Denoiser("svgf", (HEIGHT, WIDTH))(frame, jitter=(0, 0))
+        with self.assertRaisesRegex(quell.Error, "1 to 4 times"):
+            denoiser(wall(HEIGHT // 5, WIDTH), jitter=(0, 0))
+        self.assertTrue(np.isfinite(denoiser(frame, jitter=(0, 0))).all())
 
     @unittest.skipUnless("accumulated" in quell.presets(), "skipped: guides, which want the preset accumulated")
     def test_guides_are_the_means_of_the_frames(self):

@@ -51,10 +51,10 @@ def of_all_channels(denoiser, seed):
     return {**frame, "camera": some_camera()}
 
 
-def in_c(preset, frames):
-    """The pictures that C makes of these frames, seen by some_camera()."""
+def in_c(preset, frames, output_size=None):
+    """The pictures that C makes of these frames, seen by some_camera(): anti-aliased where there is a size."""
     height, width = next(iter(frames[0].values())).shape[:2]
-    denoiser = quell.Denoiser(preset, (height, width))
+    denoiser = quell.Denoiser(preset, (height, width), output_size=output_size, anti_alias=output_size is not None)
     camera = some_camera()
     columns = [camera.view.ravel(order="F"), camera.projection.ravel(order="F"), camera.jitter]
     with tempfile.TemporaryDirectory() as folder:
@@ -62,8 +62,9 @@ def in_c(preset, frames):
         channels = b"".join(np.ascontiguousarray(frame[name], np.float32).tobytes() for frame in frames for name in denoiser._channels)
         given.write_bytes(np.concatenate(columns).tobytes() + channels)
         command = [os.environ["QUELL_IN_C"], preset, str(width), str(height), str(len(frames)), str(given), str(made)]
+        command += [str(length) for length in (output_size or ())[::-1]]
         subprocess.run(command, check=True)
-        return np.fromfile(made, np.float32).reshape(len(frames), height, width, -1)
+        return np.fromfile(made, np.float32).reshape(len(frames), *(output_size or (height, width)), -1)
 
 
 def pictures(denoiser, frames, **options):

@@ -76,7 +76,7 @@ public:
     /// @param storage     of the pipeline's images and of what is kept
     /// @throws Error for a size without pixels
     explicit History(Extent output_size, Resolved<P, Policy> const& resolved, Storage const& storage = {})
-        : pipeline(detail::checked(output_size), resolved.pipeline, storage), output(output_size) {}
+        : pipeline(detail::checked(output_size), resolved.pipeline, storage), extent(output_size) {}
 
     /// Drops all history before the next frame: for scene cuts and teleports.
     void forget() { pipeline.forget(), known = 0; }
@@ -86,14 +86,15 @@ public:
     [[nodiscard]] Statistics statistics() const { return pipeline.statistics(); }
     /// Memory of history, scratch and output, in bytes. Complete when one frame more has run than are kept.
     [[nodiscard]] std::size_t bytes() const {
-        std::size_t sum = pipeline.bytes() + output.bytes() + (scratch ? scratch->bytes() : 0) + (sharpened ? sharpened->bytes() : 0);
+        std::size_t sum = pipeline.bytes() + (scratch ? scratch->bytes() : 0);
+        for (auto const* const image : {&sharpened, &output}) sum += *image ? (*image)->bytes() : 0;
         for (auto const& each : frames) sum += each.bytes();
         return sum;
     }
     /// The same per pixel of the output.
-    [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(output.size().pixels()); }
+    [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(extent.pixels()); }
     /// Pixels of the output.
-    [[nodiscard]] Extent size() const { return output.size(); }
+    [[nodiscard]] Extent size() const { return extent; }
 
 private:
     friend struct detail::ResolvedRun;
@@ -104,7 +105,8 @@ private:
     bool complete = false;                               ///< whether the last run has ended without an error
     std::optional<Scratch> scratch{};                    ///< of the running frame
     std::optional<ImageOf<Storage, Output>> sharpened{}; ///< where there is sharpening
-    ImageOf<Storage, Output> output;
+    Extent extent;                                       ///< of the output
+    std::optional<ImageOf<Storage, Output>> output{};    ///< where it is not written to the host's memory
     std::optional<long long> number{};
 };
 
@@ -115,14 +117,24 @@ struct ResolvedRun {
     static auto all(Resolved<P, Policy> const& resolved, Frame<Set, FrameStorage> const& frame,
                     History<Resolved<P, Policy>, Storage>& history, E const& executor, Target const& target) {
         check_frame<Resolved<P, Policy>>(frame);
+        before_picture(frame, history);
+        auto const picture = run(resolved.pipeline, frame, history.pipeline, executor);
+        return of_picture(picture, resolved, frame, history, executor, target);
+    }
+    /// Before the pipeline runs, whose errors begin the history anew.
+    template <class P, class Policy, class Storage>
+    static void before_picture(auto const& frame, History<Resolved<P, Policy>, Storage>& history) {
         check_jitter(frame.camera.jitter, Policy::most_jitter);
+        bool const is_gap = frame.number && history.number && *frame.number != *history.number + 1;
+        if (!std::exchange(history.complete, false) || is_gap) history.known = 0;
+    }
+    /// Resolves what the pipeline, or somebody else, has made of a frame.
+    template <class P, class Policy, class Storage, class Target>
+    static auto of_picture(auto const& picture, Resolved<P, Policy> const& resolved, auto const& frame,
+                           History<Resolved<P, Policy>, Storage>& history, auto const& executor, Target const& target) {
         auto const& policies = resolved.resolve;
         constexpr bool sharpens = !std::is_same_v<std::remove_cvref_t<decltype(policies.sharpening)>, NoSharpening>,
                        has_target = !std::is_same_v<Target, NoTarget>;
-        bool const follows = !frame.number || !history.number || *frame.number == *history.number + 1;
-        if (!std::exchange(history.complete, false) || !follows) history.known = 0;
-        auto const picture = run(resolved.pipeline, frame, history.pipeline, executor);
-
         auto& kept = begin(history, frame.size);
         kept.jitter = frame.camera.jitter;
         auto const jitter_then = history.known > 0 ? history.frames[1].jitter : kept.jitter;
@@ -135,14 +147,14 @@ struct ResolvedRun {
         std::array<std::remove_const_t<decltype(now)>, std::size_t{Policy::past_frames + 1}> frames;
         frames.fill(now);
         for (std::size_t i = 1; i <= history.known; ++i) frames[i] = history.frames[i].view();
-        auto const whole = history.output.view();
         auto const output = [&] {
-            if constexpr (has_target && !sharpens)
+            if constexpr (!has_target || sharpens) {
+                if (!history.output) history.output.emplace(history.extent);
+                return history.output->view();
+            } else
                 return target;
-            else
-                return whole;
         }();
-        Region const everywhere{0, 0, whole.size.width, whole.size.height};
+        Region const everywhere{0, 0, history.extent.width, history.extent.height};
         executor.for_each_pixel(everywhere, ResolveJob{policies, frames, static_cast<int>(history.known) + 1, around, output});
         history.known = std::min(history.known + 1, std::size_t{Policy::past_frames});
         history.number = frame.number, history.complete = true;
@@ -153,11 +165,11 @@ struct ResolvedRun {
                 if constexpr (has_target)
                     return target;
                 else {
-                    if (!history.sharpened) history.sharpened.emplace(whole.size);
+                    if (!history.sharpened) history.sharpened.emplace(history.extent);
                     return history.sharpened->view();
                 }
             }();
-            executor.for_each_pixel(everywhere, SharpenJob{policies.sharpening, whole, to});
+            executor.for_each_pixel(everywhere, SharpenJob{policies.sharpening, output, to});
             return to;
         }
     }

@@ -62,6 +62,9 @@ class Denoiser:
     alpha: for radiance with alpha, the channel radiance_alpha, which the same presets can.
     motion: what motion vectors mean where it is not quell's convention, in the words of channel maps:
     {"points": "from_previous", "unit": "uv" or "ndc", "y": "up", "jitter": "left_in"}, or some of these.
+    anti_alias: temporal anti-aliasing: each pixel is put together from the samples of seven frames. Move the samples of each frame by another
+    `jitter`, and say which. Frames may then be of several sizes, one after another; what was resolved stays.
+    output_size: (height, width) of the pictures, 1 to 4 times the frames', which are then anti-aliased; None for the frames' own.
 
     A denoiser is for one thread of Python at a time; another one gets an Error of Status.BUSY. While it runs, other threads do.
     """
@@ -76,16 +79,23 @@ class Denoiser:
         two_sided: bool = False,
         alpha: bool = False,
         motion: Mapping[str, str] = {},
+        anti_alias: bool = False,
+        output_size: Optional[Sequence[int]] = None,
     ) -> None:
-        if len(size) != 2:
-            raise Error(f"size: it is {tuple(size)}; give (height, width)")
-        height, width = (_whole("size", each, 32) for each in size)
+        height, width = _height_and_width("size", size)
+        output = (0, 0) if output_size is None else _height_and_width("output_size", output_size)
+        if output_size is not None and output == (0, 0):
+            raise Error("output_size: it is (0, 0); give 1 to 4 times the frames' height and width, or leave it out")
         count = _whole("threads", threads, 32)
-        self._denoiser = _library.Denoiser(preset, width, height, count, instruction_set, two_sided, alpha, _motion(motion))
+        self._denoiser = _library.Denoiser(
+            preset, width, height, count, instruction_set, two_sided, alpha, _motion(motion), anti_alias, output
+        )
         self._channels = {name: (components, is_optional) for name, components, is_optional in self._denoiser.channels()}
         self._preset = preset
         self._is_two_sided = two_sided
-        self._size = (height, width)
+        self._size = self._last_size = (height, width)
+        self._output_size = self._size if output_size is None else output
+        self._is_anti_aliased = anti_alias or self._output_size != self._size
 
     def __call__(
         self,
@@ -94,6 +104,7 @@ class Denoiser:
         *,
         later: Iterable[Mapping[str, Any]] = (),
         camera: Optional[Camera] = None,
+        jitter: Optional[Sequence[float]] = None,
         number: Optional[int] = None,
         shutter: Optional[float] = None,
         samples: Optional[Mapping[str, Samples]] = None,
@@ -102,16 +113,17 @@ class Denoiser:
     ) -> Any:
         """Denoises a frame and returns a new array, or `out`, which it then writes.
 
-        Channels are given by name: radiance=..., albedo=..., or as a dict, which may also have "camera", "number", "shutter" and
+        Channels are given by name: radiance=..., albedo=..., or as a dict, which may also have "camera", "jitter", "number", "shutter" and
         "samples". A dict may hold more channels than the preset reads.
 
-        camera: where needs_camera. number: of the frame; where numbers do not follow each other, history starts afresh. shutter: the time
-        that it is open as a part of the frame time, for motion blur; 0.5 if it is not said. samples: by name, of the channels that have
-        fewer samples than the frame has pixels: {"radiance": Samples(2, 2)}; guides must have all. later: the frames after it, as dicts, where
-        the denoiser is two-sided; two are enough. Each call moves one frame on.
+        camera: where needs_camera. jitter: (x, y) of a denoiser that anti-aliases, where there is no camera that says it: where the frame's
+        samples lie, from the pixels' centres, in pixels, y down. number: of the frame; where numbers do not follow each other, history
+        starts afresh. shutter: the time that it is open as a part of the frame time, for motion blur; 0.5 if it is not said. samples: by
+        name, of the channels that have fewer samples than the frame has pixels: {"radiance": Samples(2, 2)}; guides must have all. later:
+        the frames after it, as dicts, where the denoiser is two-sided; two are enough. Each call moves one frame on.
         """
         given = dict(frame or {}, **channels)
-        for name, value in (("camera", camera), ("number", number), ("shutter", shutter), ("samples", samples)):
+        for name, value in (("camera", camera), ("jitter", jitter), ("number", number), ("shutter", shutter), ("samples", samples)):
             if value is not None:
                 given[name] = value
         frames = [self._given(given, "", [*self._channels, *channels])]
@@ -125,6 +137,7 @@ class Denoiser:
             if not is_writable:
                 raise Error("out: its memory is read-only; give memory that may be written, such as a new array")
         self._denoiser.run(frames, written)
+        self._last_size = frames[0][5]
         return out
 
     def guide(self, name: str) -> Array:
@@ -132,7 +145,7 @@ class Denoiser:
 
         name: mean_albedo or mean_normal of the preset accumulated.
         """
-        out = np.empty((*self._size, 3), np.float32)
+        out = np.empty((*self._last_size, 3), np.float32)
         self._denoiser.copy_guide(name, out)
         return out
 
@@ -147,8 +160,13 @@ class Denoiser:
 
     @property
     def size(self) -> tuple[int, int]:
-        """Height and width."""
+        """Height and width of frames."""
         return self._size
+
+    @property
+    def output_size(self) -> tuple[int, int]:
+        """Height and width of pictures."""
+        return self._output_size
 
     @property
     def reads(self) -> dict[str, int]:
@@ -185,24 +203,37 @@ class Denoiser:
 
     def _given(
         self, frame: Mapping[str, Any], prefix: str, names: Iterable[str]
-    ) -> tuple[dict[str, Array], Optional[Array], Optional[int], float, dict[str, tuple[int, int, int, int, int]]]:
+    ) -> tuple[dict[str, Array], Optional[Array], Optional[int], float, dict[str, tuple[int, int, int, int, int]], tuple[int, int]]:
         """What the library takes of a frame. `prefix` stands before what errors name."""
         number, shutter = frame.get("number"), frame.get("shutter")
         samples = frame.get("samples") or {}
         for name in samples:
             if name not in frame:
                 raise Error(f"{prefix}samples: there is no channel '{name}'; give it, or leave its samples out")
+        arrays = {name: lent(f"{prefix}channel '{name}'", frame[name]).array for name in names if name in frame}
+        # Depth is there for every pixel.
+        varies = self._is_anti_aliased and "depth" in arrays and arrays["depth"].ndim in (2, 3)
         return (
-            {name: lent(f"{prefix}channel '{name}'", frame[name]).array for name in names if name in frame},
-            _packed(f"{prefix}camera", frame.get("camera")),
+            arrays,
+            self._seen_by(prefix, frame.get("camera"), frame.get("jitter")),
             None if number is None else _whole(f"{prefix}number", number, 64),
             0.5 if shutter is None else float(shutter),
             {name: _block(f"{prefix}samples of channel '{name}'", each) for name, each in samples.items()},
+            (int(arrays["depth"].shape[0]), int(arrays["depth"].shape[1])) if varies else self._size,
         )
+
+    def _seen_by(self, prefix: str, camera: Optional[Camera], jitter: Optional[Sequence[float]]) -> Optional[Array]:
+        if jitter is None:
+            return _packed(f"{prefix}camera", camera)
+        if camera is not None:
+            raise Error(f"{prefix}jitter: there is a camera too; let quell.Camera say the jitter, or leave the camera out")
+        if not self._is_anti_aliased:
+            raise Error(f"{prefix}jitter: this denoiser makes no use of it; make it by Denoiser(..., anti_alias=True), or leave it out")
+        return np.concatenate([np.zeros(32, np.float32), _numbers(f"{prefix}jitter", jitter, (2,))])
 
     def _output_shape(self) -> tuple[int, ...]:
         components = self._denoiser.output_components()
-        return self._size if components == 1 else (*self._size, components)
+        return self._output_size if components == 1 else (*self._output_size, components)
 
 
 def presets() -> list[str]:
@@ -244,6 +275,12 @@ def _motion(convention: Mapping[str, str]) -> tuple[int, int, int, int]:
             raise Error(f"motion: {{{name!r}: {word!r}}}; give some of: " + "; ".join(f"{n}: {', '.join(w)}" for n, w in _MOTION.items()))
     points, unit, y, jitter = (words.index(convention.get(name, words[0])) for name, words in _MOTION.items())
     return points, unit, y, jitter
+
+
+def _height_and_width(what: str, size: Sequence[int]) -> tuple[int, int]:
+    if len(size) != 2:
+        raise Error(f"{what}: it is {tuple(size)}; give (height, width)")
+    return _whole(what, size[0], 32), _whole(what, size[1], 32)
 
 
 def _whole(what: str, value: Any, bits: int) -> int:

@@ -18,11 +18,15 @@ class Denoiser:
         two_sided: bool,
         alpha: bool,
         motion: tuple[int, int, int, int],
+        anti_alias: bool,
+        output_size: tuple[int, int],
         /,
     ) -> None: ...
     def run(
         self,
-        frames: list[tuple[dict[str, Array], Optional[Array], Optional[int], float, dict[str, tuple[int, int, int, int, int]]]],
+        frames: list[
+            tuple[dict[str, Array], Optional[Array], Optional[int], float, dict[str, tuple[int, int, int, int, int]], tuple[int, int]]
+        ],
         out: Array,
         /,
     ) -> None: ...

@@ -1,6 +1,6 @@
 from collections import deque
 from itertools import count, islice
-from typing import Any, Callable, Iterable, Iterator, Mapping, Optional, Sized
+from typing import Any, Callable, Iterable, Iterator, Mapping, Optional, Sequence, Sized
 
 from ._arrays import Array, lent
 from ._denoiser import Denoiser
@@ -17,6 +17,8 @@ def denoise(
     instruction_set: Optional[str] = None,
     alpha: bool = False,
     motion: Mapping[str, str] = {},
+    anti_alias: bool = False,
+    output_size: Optional[Sequence[int]] = None,
 ) -> Iterator[Array]:
     """Denoises a sequence and yields a new array for each frame.
 
@@ -33,6 +35,7 @@ def denoise(
     if not held:
         return
     options: dict[str, Any] = {"threads": threads, "instruction_set": instruction_set, "alpha": alpha, "motion": motion}
+    options.update(anti_alias=anti_alias, output_size=output_size)
     try:
         denoiser = Denoiser(preset, _size_of(held[0]), two_sided=later_frames > 0, **options)
     except Error as error:
@@ -52,7 +55,7 @@ def denoise(
 def _size_of(frame: Mapping[str, Any]) -> Any:
     """That of the first channel."""
     for name, value in frame.items():
-        if name not in ("camera", "number", "shutter", "samples") and name not in (frame.get("samples") or {}):
+        if name not in ("camera", "jitter", "number", "shutter", "samples") and name not in (frame.get("samples") or {}):
             array = lent(f"channel '{name}'", value).array
             if array.ndim in (2, 3):
                 return array.shape[:2]
