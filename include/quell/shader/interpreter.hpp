@@ -193,7 +193,7 @@ public:
     /// @param size of the frames
     PlanInterpreter(ShaderPlan const& of, Extent size) : plan(of), pixels(static_cast<std::size_t>(size.pixels())) {
         for (std::size_t i = 0; i < buffers.size(); ++i)
-            buffers[i].resize(pixels * static_cast<std::size_t>(plan.slots(static_cast<ShaderBuffer>(i))));
+            buffers[i].resize(pixels * static_cast<std::size_t>(plan.slot_count(static_cast<ShaderBuffer>(i))));
     }
     /// A slot of a buffer: a float for each pixel.
     [[nodiscard]] std::span<float> plane(ShaderBuffer buffer, int slot) {

@@ -21,16 +21,16 @@ public:
         PlaneUses const uses[] = {{frames[0], inputs, nullptr}, {frames[1], inputs, &uses[0]}, {frames[2], inputs, &uses[1]}};
         require(uses[1].of_pass == uses[2].of_pass && uses[0].writer == uses[1].writer && uses[1].writer == uses[2].writer &&
                 uses[0].output == uses[1].output);
-        SlotsOfFrame const slots(uses[1], uses[2]);
+        SlotsOfFrame const places(uses[1], uses[2]);
         for (std::size_t p = 0; p < frames[1].passes.size(); ++p) {
             require(frames[1].passes[p].graph == frames[2].passes[p].graph);
-            auto& later = plan.passes.emplace_back(ShaderPass{placed(frames[1].passes[p].graph, uses[1].of_pass[p], slots), {}}).graph;
-            auto first = placed(frames[0].passes[p].graph, uses[0].of_pass[p], slots);
-            add_output(p, later, uses[1], slots), add_output(p, first, uses[0], slots);
+            auto& later = plan.passes.emplace_back(ShaderPass{placed(frames[1].passes[p].graph, uses[1].of_pass[p], places), {}}).graph;
+            auto first = placed(frames[0].passes[p].graph, uses[0].of_pass[p], places);
+            add_output(p, later, uses[1], places), add_output(p, first, uses[0], places);
             if (!(first == later)) plan.passes.back().first = std::move(first);
         }
         for (std::size_t c = 0; c < uses[1].output.size(); ++c) plan.output.push_back({std::string(picture), static_cast<int>(c), 1});
-        plan.history_slots = slots.history_slots, plan.scratch_slots = slots.scratch_slots;
+        plan.history_slots = places.history_slots, plan.scratch_slots = places.scratch_slots;
         return std::move(plan);
     }
 
@@ -41,15 +41,15 @@ private:
                                  "a pipeline that is recorded must do "
                                  "the same with every frame");
     }
-    static PassGraph placed(PassGraph graph, std::vector<PlaneUse> const& uses, SlotsOfFrame const& slots) {
-        for (std::size_t i = 0; i < uses.size(); ++i) slots.place(graph.planes[i], uses[i]);
+    static PassGraph placed(PassGraph graph, std::vector<PlaneUse> const& uses, SlotsOfFrame const& places) {
+        for (std::size_t i = 0; i < uses.size(); ++i) places.place(graph.planes[i], uses[i]);
         return graph;
     }
     /// The picture, where the next frame reads it too: the pass that makes it stores it twice.
-    static void add_output(std::size_t pass, PassGraph& graph, PlaneUses const& uses, SlotsOfFrame const& slots) {
+    static void add_output(std::size_t pass, PassGraph& graph, PlaneUses const& uses, SlotsOfFrame const& places) {
         for (std::size_t c = 0; c < uses.output.size(); ++c) {
             auto const image = *uses.output[c];
-            if (!slots.is_kept(image) || uses.writer[image] != pass) continue;
+            if (!places.is_kept(image) || uses.writer[image] != pass) continue;
             auto const use = std::find(uses.of_pass[pass].begin(), uses.of_pass[pass].end(), PlaneUse{PlaneUse::Kind::made, image});
             auto const number = static_cast<std::uint32_t>(use - uses.of_pass[pass].begin());
             auto const of_plane = [&](Node const& node) { return node.operation == Operation::store && node.payload == number; };

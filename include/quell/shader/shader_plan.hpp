@@ -34,7 +34,7 @@ struct ShaderPlan {
     bool needs_camera = false;      ///< whether FrameBlock's matrices and rays are looked at
 
     /// Slots of a buffer.
-    [[nodiscard]] int slots(ShaderBuffer buffer) const {
+    [[nodiscard]] int slot_count(ShaderBuffer buffer) const {
         switch (buffer) {
         case ShaderBuffer::inputs:
             return static_cast<int>(inputs.size());

@@ -47,8 +47,8 @@ inline std::string buffers_of(PassGraph const& graph, Operation operation) {
 inline std::string buffer_text(ShaderPlan const& plan, std::size_t number) {
     auto const buffer = static_cast<ShaderBuffer>(number);
     bool const then = buffer == ShaderBuffer::history_then, now = buffer == ShaderBuffer::history_now;
-    return "{\"name\": " + quoted(name_of(buffer)) + ", \"binding\": " + std::to_string(number + 1) + ", \"access\": " +
-           quoted(number < 2 ? "read" : "read_write") + ", \"slots\": " + std::to_string(plan.slots(buffer)) +
+    return "{\"name\": " + quoted(name_of(buffer)) + ", \"binding\": " + std::to_string(number + 1) +
+           ", \"access\": " + quoted(number < 2 ? "read" : "read_write") + ", \"slots\": " + std::to_string(plan.slot_count(buffer)) +
            (then || now ? ", \"becomes\": " + quoted(name_of(then ? ShaderBuffer::history_now : ShaderBuffer::history_then)) : "") + "}";
 }
 } // namespace detail
@@ -58,8 +58,8 @@ inline std::string buffer_text(ShaderPlan const& plan, std::size_t number) {
 inline std::string to_json(ShaderPlan const& plan, std::string_view extension) {
     using namespace detail;
     auto const members = joined(FrameBlock::members, ",\n      ", [](FrameBlock::Member const& member) {
-        return "{\"name\": " + quoted(member.name) + ", \"type\": " + quoted(member.type) + ", \"offset\": " +
-               std::to_string(4 * member.word) + ", \"meaning\": " + quoted(member.meaning) + "}";
+        return "{\"name\": " + quoted(member.name) + ", \"type\": " + quoted(member.type) +
+               ", \"offset\": " + std::to_string(4 * member.word) + ", \"meaning\": " + quoted(member.meaning) + "}";
     });
     std::size_t buffer = 0, number = 0;
     auto const buffers = joined(shader_buffer_names, ",\n    ", [&](std::string_view) { return buffer_text(plan, buffer++); });
@@ -68,7 +68,8 @@ inline std::string to_json(ShaderPlan const& plan, std::string_view extension) {
         auto const first = pass.first ? ", \"first\": " + quoted(shader_file_name(plan, n, true, extension)) : std::string();
         return "{\"name\": " + quoted(pass.graph.name) + ", \"shader\": " + quoted(shader_file_name(plan, n, false, extension)) + first +
                ", \"fraction\": " + std::to_string(pass.graph.fraction) + ", \"reads\": " + buffers_of(pass.graph, Operation::load) +
-               ", \"writes\": " + buffers_of(pass.graph, Operation::store) + ", \"steps\": " + std::to_string(pass.graph.nodes.size()) + "}";
+               ", \"writes\": " + buffers_of(pass.graph, Operation::store) + ", \"steps\": " + std::to_string(pass.graph.nodes.size()) +
+               "}";
     });
     auto const side = std::to_string(shader_workgroup);
     return "{\n  \"quell\": " + quoted(version) + ",\n  \"name\": " + quoted(plan.name) + ",\n  \"entry_point\": \"main\",\n" +
@@ -101,7 +102,9 @@ inline std::string to_string(PassGraph const& graph) {
             break;
         }
         case Operation::uniform:
-        case Operation::uniform_integer: text += " word " + std::to_string(node.payload); break;
+        case Operation::uniform_integer:
+            text += " word " + std::to_string(node.payload);
+            break;
         default:
             if (node.is_constant()) text += " " + std::to_string(static_cast<std::int32_t>(node.payload));
         }

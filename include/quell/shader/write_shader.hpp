@@ -29,8 +29,7 @@ class ShaderWriter {
     std::string code{};
 
 public:
-    ShaderWriter(PassGraph const& g, ShaderLanguage language)
-        : graph(g), wgsl(language == ShaderLanguage::wgsl), text(g.nodes.size()) {}
+    ShaderWriter(PassGraph const& g, ShaderLanguage language) : graph(g), wgsl(language == ShaderLanguage::wgsl), text(g.nodes.size()) {}
 
     [[nodiscard]] std::string written() {
         code += wgsl ? head_of_wgsl() : head_of_glsl();
@@ -53,17 +52,21 @@ private:
         std::string head = "struct Frame {\n";
         for (auto const& each : FrameBlock::members)
             head += "    " + std::string(each.name) + ": " +
-                    (each.type == "mat4" ? "mat4x4<f32>" : each.type == "vec4" ? "vec4<f32>" : "vec4<i32>") + ",\n";
+                    (each.type == "mat4"   ? "mat4x4<f32>"
+                     : each.type == "vec4" ? "vec4<f32>"
+                                           : "vec4<i32>") +
+                    ",\n";
         head += "}\n@group(0) @binding(0) var<uniform> frame: Frame;\n";
         for (std::size_t i = 0; i < shader_buffer_names.size(); ++i)
-            head += "@group(0) @binding(" + number_text(static_cast<int>(i) + 1) + ") var<storage, " + (i < 2 ? "read" : "read_write") + "> " +
-                    std::string(shader_buffer_names[i]) + ": array<f32>;\n";
-        return head + "fn finite(a: f32) -> bool { return (bitcast<i32>(a) & 0x7fffffff) < 0x7f800000; }\n"
-                      "fn truncated(a: f32) -> i32 { return select(-2147483647 - 1, i32(a), abs(a) < 2147483648.0); }\n"
-                      "fn rounded_to_half(a: f32) -> f32 { return unpack2x16float(pack2x16float(vec2<f32>(clamp(a, -65504.0, 65504.0), "
-                      "0.0))).x; }\n"
-                      "fn of_bits(a: i32) -> f32 { return bitcast<f32>(a); }\n"
-                      "@compute @workgroup_size(" +
+            head += "@group(0) @binding(" + number_text(static_cast<int>(i) + 1) + ") var<storage, " + (i < 2 ? "read" : "read_write") +
+                    "> " + std::string(shader_buffer_names[i]) + ": array<f32>;\n";
+        return head +
+               "fn finite(a: f32) -> bool { return (bitcast<i32>(a) & 0x7fffffff) < 0x7f800000; }\n"
+               "fn truncated(a: f32) -> i32 { return select(-2147483647 - 1, i32(a), abs(a) < 2147483648.0); }\n"
+               "fn rounded_to_half(a: f32) -> f32 { return unpack2x16float(pack2x16float(vec2<f32>(clamp(a, -65504.0, 65504.0), "
+               "0.0))).x; }\n"
+               "fn of_bits(a: i32) -> f32 { return bitcast<f32>(a); }\n"
+               "@compute @workgroup_size(" +
                number_text(shader_workgroup) + ", " + number_text(shader_workgroup) +
                ") fn main(@builtin(global_invocation_id) id: vec3<u32>) {\n";
     }
@@ -75,8 +78,8 @@ private:
         head += "} frame;\n";
         for (std::size_t i = 0; i < shader_buffer_names.size(); ++i) {
             auto const number = number_text(static_cast<int>(i) + 1);
-            head += "layout(std430, set = 0, binding = " + number + ") " + (i < 2 ? "readonly " : "") + "buffer Buffer" + number + " { float " +
-                    std::string(shader_buffer_names[i]) + "[]; };\n";
+            head += "layout(std430, set = 0, binding = " + number + ") " + (i < 2 ? "readonly " : "") + "buffer Buffer" + number +
+                    " { float " + std::string(shader_buffer_names[i]) + "[]; };\n";
         }
         return head + "bool finite(float a) { return (floatBitsToInt(a) & 0x7fffffff) < 0x7f800000; }\n"
                       "int truncated(float a) { return abs(a) < 2147483648.0 ? int(a) : -2147483647 - 1; }\n"
@@ -104,10 +107,7 @@ private:
             return;
         }
         auto const type = node.type();
-        auto const declared = wgsl                       ? "let "
-                              : type == NodeType::real    ? "precise float "
-                              : type == NodeType::integer ? "int "
-                                                          : "bool ";
+        auto const declared = wgsl ? "let " : type == NodeType::real ? "precise float " : type == NodeType::integer ? "int " : "bool ";
         auto const name = "v" + std::to_string(number);
         line(declared + name + " = " + expression(node) + ";" + (node.operation == Operation::load ? " // " + channel(node) : ""));
         text[number] = name;
@@ -115,16 +115,25 @@ private:
     /// What is written where it is used; empty for what gets a name.
     [[nodiscard]] std::string short_text(Node const& node) const {
         switch (node.operation) {
-        case Operation::constant: return real_text(node.payload);
-        case Operation::constant_integer: return integer_text(static_cast<std::int32_t>(node.payload));
-        case Operation::constant_mask: return node.payload != 0 ? "true" : "false";
+        case Operation::constant:
+            return real_text(node.payload);
+        case Operation::constant_integer:
+            return integer_text(static_cast<std::int32_t>(node.payload));
+        case Operation::constant_mask:
+            return node.payload != 0 ? "true" : "false";
         case Operation::uniform:
-        case Operation::uniform_integer: return member_text(static_cast<int>(node.payload));
-        case Operation::this_column: return "x";
-        case Operation::this_row: return "y";
-        case Operation::width: return node.payload == 1 ? length("x", 1) : std::string();
-        case Operation::height: return node.payload == 1 ? length("y", 1) : std::string();
-        default: return {};
+        case Operation::uniform_integer:
+            return member_text(static_cast<int>(node.payload));
+        case Operation::this_column:
+            return "x";
+        case Operation::this_row:
+            return "y";
+        case Operation::width:
+            return node.payload == 1 ? length("x", 1) : std::string();
+        case Operation::height:
+            return node.payload == 1 ? length("y", 1) : std::string();
+        default:
+            return {};
         }
     }
     [[nodiscard]] std::string real_text(std::uint32_t bits) const {
@@ -132,7 +141,8 @@ private:
         // As a constant, WGSL takes neither infinity nor NaN.
         if (!quell::is_finite(number)) return "of_bits(" + integer_text(static_cast<std::int32_t>(bits)) + ")";
         char digits[32];
-        std::snprintf(digits, sizeof digits, "%.9g", static_cast<double>(number));
+        // Rounded to nine digits, the largest float would be too large for one.
+        std::snprintf(digits, sizeof digits, abs(number) > 3e38f ? "%.17g" : "%.9g", static_cast<double>(number));
         std::string text_of = digits;
         if (text_of.find_first_of(".e") == std::string::npos) text_of += ".0";
         return text_of[0] == '-' ? "(" + text_of + ")" : text_of;
@@ -163,49 +173,87 @@ inline std::string ShaderWriter::expression(Node const& node) const {
     using enum Operation;
     switch (node.operation) {
     case add:
-    case add_integer: return infix("+");
+    case add_integer:
+        return infix("+");
     case subtract:
-    case subtract_integer: return infix("-");
+    case subtract_integer:
+        return infix("-");
     case multiply:
-    case multiply_integer: return infix("*");
-    case divide: return infix("/");
-    case negate: return "-" + a;
-    case minimum: return choose(a + " < " + b, a, b); // b where either is NaN
-    case maximum: return choose(a + " > " + b, a, b);
-    case absolute: return call("abs");
-    case square_root: return call("sqrt");
-    case Operation::floor: return call("floor");
-    case fused: return "fma(" + a + ", " + b + ", " + c + ")";
+    case multiply_integer:
+        return infix("*");
+    case divide:
+        return infix("/");
+    case negate:
+        return "-" + a;
+    case minimum:
+        return choose(a + " < " + b, a, b); // b where either is NaN
+    case maximum:
+        return choose(a + " > " + b, a, b);
+    case absolute:
+        return call("abs");
+    case square_root:
+        return call("sqrt");
+    case Operation::floor:
+        return call("floor");
+    case fused:
+        return "fma(" + a + ", " + b + ", " + c + ")";
     case Operation::select:
-    case select_integer: return choose(a, b, c);
-    case Operation::to_real: return call(wgsl ? "f32" : "float");
-    case Operation::from_bits: return call("of_bits");
-    case to_bits: return call(wgsl ? "bitcast<i32>" : "floatBitsToInt");
-    case load: return element(node, a);
-    case round_to_half: return call("rounded_to_half");
-    case width: return length("x", static_cast<int>(node.payload));
-    case height: return length("y", static_cast<int>(node.payload));
-    case and_integer: return infix("&");
-    case or_integer: return infix("|");
-    case xor_integer: return infix("^");
-    case shift_left: return shift("<<");
-    case shift_right: return shift(">>");
-    case clamp_integer: return "clamp(" + a + ", " + b + ", " + c + ")";
-    case Operation::truncate: return call("truncated");
+    case select_integer:
+        return choose(a, b, c);
+    case Operation::to_real:
+        return call(wgsl ? "f32" : "float");
+    case Operation::from_bits:
+        return call("of_bits");
+    case to_bits:
+        return call(wgsl ? "bitcast<i32>" : "floatBitsToInt");
+    case load:
+        return element(node, a);
+    case round_to_half:
+        return call("rounded_to_half");
+    case width:
+        return length("x", static_cast<int>(node.payload));
+    case height:
+        return length("y", static_cast<int>(node.payload));
+    case and_integer:
+        return infix("&");
+    case or_integer:
+        return infix("|");
+    case xor_integer:
+        return infix("^");
+    case shift_left:
+        return shift("<<");
+    case shift_right:
+        return shift(">>");
+    case clamp_integer:
+        return "clamp(" + a + ", " + b + ", " + c + ")";
+    case Operation::truncate:
+        return call("truncated");
     case less:
-    case less_integer: return infix("<");
-    case less_equal: return infix("<=");
-    case greater: return infix(">");
-    case greater_equal: return infix(">=");
+    case less_integer:
+        return infix("<");
+    case less_equal:
+        return infix("<=");
+    case greater:
+        return infix(">");
+    case greater_equal:
+        return infix(">=");
     case equal:
-    case equal_integer: return infix("==");
-    case not_equal: return infix("!=");
-    case Operation::both: return infix("&&");
-    case Operation::either: return infix("||");
-    case Operation::invert: return "!" + a;
-    case Operation::is_finite: return call("finite");
-    case Operation::sign_bit: return (wgsl ? "bitcast<i32>(" : "floatBitsToInt(") + a + ") < 0";
-    default: return {}; // written in short
+    case equal_integer:
+        return infix("==");
+    case not_equal:
+        return infix("!=");
+    case Operation::both:
+        return infix("&&");
+    case Operation::either:
+        return infix("||");
+    case Operation::invert:
+        return "!" + a;
+    case Operation::is_finite:
+        return call("finite");
+    case Operation::sign_bit:
+        return (wgsl ? "bitcast<i32>(" : "floatBitsToInt(") + a + ") < 0";
+    default:
+        return {}; // written in short
     }
 }
 } // namespace detail

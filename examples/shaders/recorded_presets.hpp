@@ -1,0 +1,23 @@
+#pragma once
+
+#include <quell/shader/shader_plan.hpp>
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace quell::shaders {
+
+/// A preset that can be recorded.
+struct RecordedPreset {
+    std::string_view name;
+    ShaderPlan (*record)() = nullptr;
+};
+
+/// Those of a unit, in the order of named_presets; one that isn't recorded has no name.
+template <std::size_t unit> std::vector<RecordedPreset> presets_of_unit();
+
+/// All of them.
+std::vector<RecordedPreset> recorded_presets();
+
+} // namespace quell::shaders

@@ -1,0 +1,113 @@
+#include <quell/shader/record.hpp>
+#include <quell/shader/write_plan.hpp>
+
+#include <quell/quell.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace quell;
+
+/// Steps of what `compute` does to two numbers that are not known: the words 0 and 1 of the block.
+template <class Compute> std::vector<Node> steps(Compute compute) {
+    detail::GraphBuilder builder;
+    detail::graph_builder = &builder;
+    auto const result = compute(detail::uniform(0), detail::uniform(1));
+    builder.add({Operation::store, {result.node, RecordedInteger(0).node}});
+    detail::graph_builder = nullptr;
+    return builder.take();
+}
+std::size_t count(std::vector<Node> const& nodes, Operation operation) {
+    return static_cast<std::size_t>(std::ranges::count(nodes, operation, &Node::operation));
+}
+/// The value that is stored, if it is a constant.
+float constant_of(std::vector<Node> const& nodes) {
+    auto const& value = nodes[static_cast<std::size_t>(nodes.back().of[0])];
+    REQUIRE(value.operation == Operation::constant);
+    return std::bit_cast<float>(value.payload);
+}
+
+struct Half : Channel<1> {
+    static constexpr auto name = "smaller";
+    static constexpr int fraction = 2;
+};
+struct MakeSmaller {
+    using emits = Channels<Half>;
+    static constexpr int fraction = 2, farthest_tap = 2;
+    QUELL_KERNEL auto emit_channels(auto px) const {
+        auto sum = luminance(px.finer_signal(0, 0)) + luminance(px.finer_signal(1, 1));
+        return emitted<typename decltype(px)::Real>(Half{}, sum * 0.5f);
+    }
+};
+struct UseSmaller {
+    using reads = Channels<Half>;
+    static constexpr int farthest_tap = 4;
+    QUELL_KERNEL auto filter(auto px) const { return px.signal() * px.coarser_interpolated(Half{}); }
+};
+
+} // namespace
+
+TEST_CASE("recorded: equal steps are one, dead ones are gone") {
+    auto const nodes = steps([](Recorded a, Recorded b) {
+        auto const dead = a / b;
+        static_cast<void>(dead);
+        return (a + b) * (a + b);
+    });
+    CHECK(count(nodes, Operation::add) == 1);
+    CHECK(count(nodes, Operation::multiply) == 1);
+    CHECK(count(nodes, Operation::divide) == 0);
+}
+
+TEST_CASE("recorded: constants are computed") {
+    CHECK(constant_of(steps([](Recorded, Recorded) { return exp(Recorded(1.f)); })) == quell::exp(1.f));
+    CHECK(constant_of(steps([](Recorded, Recorded) { return select(Recorded(1.f) < Recorded(2.f), Recorded(3.f), Recorded(4.f)); })) ==
+          3.f);
+    CHECK(constant_of(steps([](Recorded, Recorded) { return min(Recorded(std::numeric_limits<float>::quiet_NaN()), Recorded(2.f)); })) ==
+          2.f);
+    CHECK(constant_of(steps([](Recorded a, Recorded b) { return select(a < b, Recorded(3.f), Recorded(3.f)); })) == 3.f);
+    CHECK(constant_of(steps([](Recorded, Recorded) { return to_real((RecordedInteger(-7) >> 1) & RecordedInteger(0xff)); })) == 252.f);
+}
+
+TEST_CASE("recorded: any() of what is not known is true, all() is false") {
+    steps([](Recorded a, Recorded b) {
+        CHECK(any(a < b));
+        CHECK_FALSE(all(a < b));
+        CHECK_FALSE(any(both(a < b, Recorded(1.f) < Recorded(0.f))));
+        CHECK(all(either(a < b, Recorded(0.f) < Recorded(1.f))));
+        return a;
+    });
+}
+
+TEST_CASE("recorded: vectors of GLM") {
+    auto const nodes = steps([](Recorded a, Recorded b) {
+        vec3<Recorded> v{a, b, Recorded(1.f)};
+        v += v * b;
+        return dot(v, -v);
+    });
+    CHECK(count(nodes, Operation::multiply) == 4); // three of v * b, and the last of dot
+    CHECK(count(nodes, Operation::fused) == 2);
+}
+
+TEST_CASE("a plan: what a shader must know of planes and passes") {
+    constexpr Pipeline pipeline{radiance, Temporal{SurfaceMotion{}, RunningMean{.cap = 16}}, Spatial{MakeSmaller{}}, Spatial{UseSmaller{}}};
+    auto const plan = record(pipeline, "two sizes");
+    REQUIRE(plan.passes.size() == 4);
+    CHECK(plan.passes[1].graph.name == "temporal");
+    CHECK(plan.passes[1].first);
+    CHECK_FALSE(plan.passes[0].first);
+    CHECK(plan.passes[2].graph.fraction == 2);
+    CHECK(plan.output.size() == 3);
+    CHECK(plan.inputs.size() == 3 + 2 + 1 + 3); // radiance, motion, depth, normal
+    // Signal and length of the history; depth, and normal in a word.
+    CHECK(plan.history_slots == 3 + 1 + 1 + 1);
+    auto const json = to_json(plan, "wgsl");
+    CHECK(json.find("\"first\": \"01-temporal-first.wgsl\"") != std::string::npos);
+    CHECK(json.find("\"name\": \"history_then\", \"binding\": 2, \"access\": \"read\", \"slots\": 6") != std::string::npos);
+    auto const shader = shader_text(plan, 2, false, ShaderLanguage::wgsl);
+    CHECK(shader.find("// quell, two sizes: ") == 0);
+    CHECK(shader.find("; // smaller[0]") != std::string::npos);
+    CHECK(to_string(plan.passes[1].graph).find("history_then") != std::string::npos);
+}
