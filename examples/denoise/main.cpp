@@ -216,6 +216,7 @@ private:
                 .field_of_view = options.field_of_view,
                 .later_frames = later_frames(options, *choice.preset),
                 .keeps_alpha = options.keep_alpha,
+                .anti_aliases = !options.quick,
                 .refines = !options.quick && choice.preset->name == "final-frame",
                 .diagnose = options.diagnose,
                 .upsampling = upsampling,

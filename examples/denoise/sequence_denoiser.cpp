@@ -220,7 +220,7 @@ void SequenceDenoiser::collect(std::vector<Finding> const& findings) {
 
 std::vector<std::string> SequenceDenoiser::planes(io::ExrListing const& file) const {
     auto planes = split_planes(file, on_canvas);
-    if (refines())
+    if (anti_aliases())
         for (auto const& plane : planes_of_frame_around(file, on_canvas)) planes.push_back(plane);
     if (!alpha.empty()) planes.push_back(alpha);
     if (settings.upsampling && settings.upsampling->resolves())
@@ -290,7 +290,7 @@ void SequenceDenoiser::read(FramePattern const& in, long long number) {
 SequenceDenoiser::Seen SequenceDenoiser::seen(io::ExrOriginal const& file, long long number) const {
     Seen frame{number, file.read(planes(file.listed), canvas), false, {}, {}};
     frame.samples = samples_in(file.listed);
-    if (refines()) frame.around = frame_around(frame.image, on_canvas, number, frame.samples);
+    if (anti_aliases()) frame.around = frame_around(frame.image, on_canvas, number, frame.samples);
     if (!on_canvas.view.empty()) frame.image.attributes = attributes_of_view(file, on_canvas);
     put_cameras_on_canvas(frame.image, size, canvas);
     auto split_by = rule();
@@ -299,7 +299,7 @@ SequenceDenoiser::Seen SequenceDenoiser::seen(io::ExrOriginal const& file, long 
     if (!is_opaque) frame.around.reset(); // colours of transparent film are those of what is hit, times its alpha
     if (frame.around) split_by.samples_of_guides = frame.around->policy.by_surface ? 4.f : 2.f;
     frame.as_one = is_better_as_one(frame.image, on_canvas, split_by);
-    frame.mixes = frame.around && !frame.as_one && is_better_as_one(frame.image, on_canvas, rule());
+    frame.mixes = refines() && frame.around && !frame.as_one && is_better_as_one(frame.image, on_canvas, rule());
     return frame;
 }
 
@@ -334,7 +334,7 @@ void SequenceDenoiser::hand_over(FramePattern const& in) {
 void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
     if (!looks_ahead(settings.preset) || !settings.debug_views.empty()) return;
     auto const farthest =
-        refines() && settings.later_frames > 0 ? std::max(settings.later_frames, AntiAliased::most_frames) : settings.later_frames;
+        anti_aliases() && settings.later_frames > 0 ? std::max(settings.later_frames, AntiAliased::most_frames) : settings.later_frames;
     for (auto later = window.back().number + 1; later <= number + farthest; ++later) {
         if (!std::filesystem::exists(in.path(later))) return;
         try {

@@ -29,8 +29,9 @@ struct SequenceSettings {
     std::optional<float> field_of_view{}; ///< vertical, degrees: of files whose depth is the length of rays, where they have no camera
     int later_frames = 0;                 ///< that each frame is denoised with, where the preset makes use of them and the files are there
     bool keeps_alpha = false;             ///< leave alpha as the files have it
-    bool refines = false;  ///< take what is best of several estimates: colours from frames around, light with history and without
-    bool diagnose = false; ///< look at each frame for what its renderer got wrong
+    bool anti_aliases = false;            ///< put colours together from frames around
+    bool refines = false;                 ///< take what is best of several estimates: light with history and without
+    bool diagnose = false;                ///< look at each frame for what its renderer got wrong
     std::optional<Upsampling> upsampling{}; ///< of the picture and its alpha, which are then all that a frame has; empty: none
     std::vector<std::string> debug_views{}; ///< names of DebugChannels that debug_images() will be asked for: slower, and on one thread
 };
@@ -144,7 +145,9 @@ private:
     std::deque<Seen> window;
     std::deque<std::shared_ptr<FrameAround const>> earlier; ///< frames that have been denoised
 
-    [[nodiscard]] bool refines() const { return settings.refines && looks_ahead(settings.preset) && settings.debug_views.empty(); }
+    [[nodiscard]] bool takes_more() const { return looks_ahead(settings.preset) && settings.debug_views.empty(); }
+    [[nodiscard]] bool anti_aliases() const { return settings.anti_aliases && takes_more(); }
+    [[nodiscard]] bool refines() const { return settings.refines && takes_more(); }
     /// @param is_wanted whether it is shown, or only remembered
     [[nodiscard]] DenoisedFrame next_frame(FramePattern const& in, long long number, bool is_wanted);
     void begin(io::ExrOriginal const& file);

@@ -1,4 +1,6 @@
 #include <doctest/doctest.h>
+#include <quell/frame/channels.hpp>
+#include <quell/image/planar.hpp>
 #include <quell/resolve/evidence.hpp>
 
 #include <limits>
@@ -63,4 +65,38 @@ TEST_CASE("what is no light is no evidence") {
         for (std::size_t i = 0; i < 9; ++i) sums.add({}, i, glm::vec3(value), a, b, b);
         for (float const p : sums.parts({.at_first = .25f})) CHECK(p == doctest::Approx(.25));
     }
+}
+
+TEST_CASE("parts by evidence: each half is judged by estimates that were made without it") {
+    constexpr Extent size{40, 31};
+    auto const pixels = static_cast<std::size_t>(size.pixels());
+    std::mt19937 random(3);
+    std::exponential_distribution<float> noise(1.f);
+    std::vector<glm::vec3> samples(pixels);
+    for (auto& sample : samples) sample = glm::vec3(noise(random), noise(random), noise(random));
+    // Both estimates give a pixel its own sample back, unless that was left out. The truth is 1.
+    auto const made = [&](float otherwise, int left_out) {
+        ImageOf<Planar<>, Radiance> given(size);
+        for (int y = 0, i = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x, ++i) given.set(x, y, samples[static_cast<std::size_t>(i)]);
+        leave_out(given.view(), left_out);
+        std::vector<glm::vec3> result;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                bool const is_left_out = !is_finite(given.view().get(0, x, y));
+                CHECK(is_left_out == ((x + y) % 2 == left_out));
+                result.push_back(is_left_out ? glm::vec3(otherwise) : samples[result.size()]);
+            }
+        return result;
+    };
+    auto const mean_part = [&](float a, float b) {
+        auto const parts = parts_by_evidence(
+            {}, size, samples, std::vector(pixels, glm::vec3(b)), [&](int out) { return made(a, out); },
+            [&](int out) { return made(b, out); });
+        double sum = 0;
+        for (float const part : parts) sum += static_cast<double>(part);
+        return sum / static_cast<double>(pixels);
+    };
+    CHECK(mean_part(1.f, 1.5f) > .9);
+    CHECK(mean_part(1.5f, 1.f) < .1);
 }

@@ -2,6 +2,9 @@
 #include "../threads.hpp"
 
 #include <quell/presets/anti_aliased.hpp>
+#include <quell/presets/resolve.hpp>
+
+#include <limits>
 
 using namespace quell;
 using tests::copy_of;
@@ -76,18 +79,16 @@ template <class R> Errors errors_of(R const& remodulated, Edge const& edge, bool
 } // namespace
 
 TEST_CASE("anti-aliased: a still edge becomes the mean of jittered samples, nearer with each frame that is kept") {
-    auto const one = errors_of(Remodulated<std::remove_const_t<decltype(pipeline)>, 1>(pipeline), {}, true),
-               two = errors_of(Remodulated<std::remove_const_t<decltype(pipeline)>, 2>(pipeline), {}, true),
-               four = errors_of(denoise, {}, true);
-    MESSAGE(one.input << " " << one.output << " " << two.output << " " << four.output);
-    CHECK(four.output < .5 * four.input);
+    using P = std::remove_const_t<decltype(pipeline)>;
+    auto const one = errors_of(Remodulated<P, 1>(pipeline), {}, true), two = errors_of(denoise, {}, true),
+               four = errors_of(Remodulated<P, 4>(pipeline), {}, true);
+    CHECK(one.output < .5 * one.input);
     CHECK(two.output < one.output);
     CHECK(four.output < two.output);
 }
 
 TEST_CASE("anti-aliased: an edge that moves needs no jitter") {
     auto const moved = errors_of(denoise, {.speed = {.37f, .21f}}, false);
-    MESSAGE(moved.input << " " << moved.output);
     CHECK(moved.output < .6 * moved.input);
 }
 
@@ -155,6 +156,17 @@ TEST_CASE("anti-aliased: at a cut, after a gap and at another size nothing is le
                   tests::fill_still(other), run(denoise, other, history);
               },
               true) == alone);
+}
+
+TEST_CASE("anti-aliased: what is behind it takes it for a pipeline") {
+    auto const both = presets::resolve(denoise);
+    static_assert(std::is_same_v<decltype(both)::reads, std::remove_const_t<decltype(denoise)>::reads>);
+    Frame frame{size, both};
+    History history{Extent{2 * size.width, 2 * size.height}, both};
+    fill(frame, {}, 0, {});
+    auto const view = run(both, frame, history);
+    CHECK(view.get(0, 2, 2) == doctest::Approx(Edge::albedo_of(true)));
+    CHECK(view.get(0, 2 * size.width - 3, 2) == doctest::Approx(Edge::albedo_of(false)));
 }
 
 TEST_CASE("anti-aliased: bits do not depend on threads, nor on where the picture goes") {

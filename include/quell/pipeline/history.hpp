@@ -9,6 +9,7 @@
 namespace quell::inline QUELL_INSTRUCTION_SET {
 template <class... Ps> struct Composite;
 template <class P, class Policy> struct Resolved;
+template <class P, int frames> struct Remodulated;
 template <class P, ImageStorage Storage> class History;
 
 namespace detail {
@@ -23,6 +24,7 @@ struct OpenHistory {
 template <class... Parts> std::true_type a_pipeline(Pipeline<Parts...> const*);
 template <class... Ps> std::true_type a_pipeline(Composite<Ps...> const*);
 template <class P, class Policy> std::true_type a_pipeline(Resolved<P, Policy> const*);
+template <class P, int frames> std::true_type a_pipeline(Remodulated<P, frames> const*);
 std::false_type a_pipeline(void const*);
 template <class P, class Storage> std::true_type a_history(History<P, Storage> const*);
 std::false_type a_history(void const*);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <quell/core/light.hpp>
+#include <quell/image/image_storage.hpp>
 #include <quell/resolve/box_sums.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -81,5 +83,38 @@ public:
         return result;
     }
 };
+
+/// Takes half of a view's samples out, by a checkerboard: they become missing ones.
+/// @param view     of the samples; is changed
+/// @param left_out pixels whose x + y is even (0) or odd (1)
+inline void leave_out(ImageView auto const& view, int left_out) {
+    for (int y = 0; y < view.size.height; ++y)
+        for (int x = (left_out + y) % 2; x < view.size.width; x += 2)
+            for (int c = 0; c < std::remove_cvref_t<decltype(view)>::components; ++c)
+                view.set(c, x, y, std::numeric_limits<float>::quiet_NaN());
+}
+
+/// What part of the first of two estimates is best at each pixel, row by row: see Evidence.
+/// @param rule      how
+/// @param size      of the images
+/// @param samples   what the estimates are made of, linear, row by row
+/// @param b         the second estimate, made of all samples
+/// @param a_without a_without(left_out): the first estimate, made without the samples that leave_out() takes out; row by row
+/// @param b_without the same of the second
+/// @throws std::bad_alloc
+template <class A, class B>
+[[nodiscard]] std::vector<float> parts_by_evidence(Evidence const& rule, Extent size, std::vector<glm::vec3> const& samples,
+                                                   std::vector<glm::vec3> const& b, A&& a_without, B&& b_without) {
+    EvidenceSums sums(size);
+    for (int const left_out : {0, 1}) {
+        std::vector<glm::vec3> const first = a_without(left_out), second = b_without(left_out);
+        for (int y = 0; y < size.height; ++y)
+            for (int x = (left_out + y) % 2; x < size.width; x += 2) {
+                auto const at = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
+                sums.add(rule, at, samples[at], first[at], second[at], b[at]);
+            }
+    }
+    return sums.parts(rule);
+}
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

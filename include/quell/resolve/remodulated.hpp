@@ -19,8 +19,9 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 ///
 /// Samples of other places come by motion, or by frame.camera.jitter.
 /// @tparam P      a Pipeline or Composite whose output has three components
-/// @tparam frames how many frames of the past are kept, 1 to AntiAliased::most_frames
-template <class P, int frames = AntiAliased::most_frames> struct Remodulated {
+/// @tparam frames how many frames of the past are kept, 1 to AntiAliased::most_frames. Each takes 24 bytes a pixel and as much time; behind
+/// the second there is little to gain.
+template <class P, int frames = 2> struct Remodulated {
     static_assert(detail::is_pipeline<P>, "Remodulated{pipeline, policy}: the first must be a Pipeline or a Composite");
     static_assert(P::Output::components == 3, "Remodulated{pipeline, policy}: the pipeline's output must be a colour of three components");
     static_assert(frames >= 1 && frames <= AntiAliased::most_frames, "Remodulated<P, frames>: it keeps 1 to 4 frames");
