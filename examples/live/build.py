@@ -7,6 +7,7 @@ Needs emscripten (em++), GLM and xsimd. What it compiles is kept in OUT.kept; wi
 """
 import argparse
 import base64
+import json
 import os
 import shutil
 import subprocess
@@ -17,7 +18,7 @@ ROOT = os.path.dirname(os.path.dirname(HERE))
 SOURCES = ["exports", "session", "denoise/general", "denoise/svgf", "denoise/surface_clamp"]
 # xsimd has packs for x86's instructions, of which emscripten makes WebAssembly's.
 COMPILE = ["-std=c++20", "-O3", "-msimd128", "-msse4.1", "-fno-rtti", "-Wall", "-Wextra", "-Werror", "-include", "bit_cast.hpp"]
-LINK = ["-O2", "--no-entry", "-sSTANDALONE_WASM", "-sALLOW_MEMORY_GROWTH", "-sERROR_ON_UNDEFINED_SYMBOLS=0"]
+LINK = ["-O2", "--no-entry", "-sSTANDALONE_WASM", "-sALLOW_MEMORY_GROWTH", "-sERROR_ON_UNDEFINED_SYMBOLS=0", "-sWARN_ON_UNDEFINED_SYMBOLS=0"]
 
 
 def options():
@@ -25,6 +26,7 @@ def options():
     parser.add_argument("--out", required=True, help="folder for the page; what was there before goes")
     parser.add_argument("--compiler", default="em++", help="emscripten's compiler")
     parser.add_argument("--headers", default="/usr/include", help="folder that has glm and xsimd")
+    parser.add_argument("--shaders", help="folder that quell-shaders has made for WebGPU, of the preset general")
     return parser.parse_args()
 
 
@@ -72,18 +74,35 @@ def compiled(given, kept):
         return file.read()
 
 
+def shaders_in(folder):
+    """plan.json and the text of each shader; null without a folder."""
+    if not folder:
+        return None
+    found = {}
+    for name in sorted(os.listdir(folder)):
+        if name.endswith((".wgsl", ".json")):
+            with open(os.path.join(folder, name), encoding="utf-8") as text:
+                found[name] = text.read()
+    if "plan.json" not in found:
+        sys.exit(f"live: {folder} has no plan.json: make it by quell-shaders --preset general --language wgsl --out {folder}")
+    return {"plan": json.loads(found.pop("plan.json")), "texts": found}
+
+
 def main():
     given = options()
     if not shutil.which(given.compiler):
         print(f"skipped: {given.compiler} isn't installed (apt-get install emscripten)")
         sys.exit(77)
     out = os.path.abspath(given.out)
+    shaders = shaders_in(given.shaders)
     program = compiled(given, out + ".kept")
     shutil.rmtree(out, ignore_errors=True)
     shutil.copytree(os.path.join(HERE, "page"), out)
     shutil.copy(os.path.join(ROOT, "docs/site/style.css"), out)
     with open(os.path.join(out, "live_wasm.js"), "w", encoding="utf-8") as file:
         file.write(f'const live_wasm = "{base64.b64encode(program).decode()}";\n')
+    with open(os.path.join(out, "live_shaders.js"), "w", encoding="utf-8") as file:
+        file.write(f"const live_shaders = {json.dumps(shaders)};\n")
     size = sum(os.path.getsize(os.path.join(out, name)) for name in os.listdir(out))
     print(f"live: {out}/index.html, {size / 1024:.0f} KiB")
 

@@ -15,13 +15,17 @@ namespace {
 struct Page {
     Session session;
     std::vector<uint32_t> pixels; // of the picture that was asked for last
+    std::vector<float> planes;    // what goes to a device and comes back: a component behind the other, without padding
 
     explicit Page(Extent size) : session(size), pixels(static_cast<std::size_t>(size.pixels())) {}
 
-    auto for_each_pixel(auto&& make) {
+    struct Columns {
+        int from, to; ///< the one after the last
+    };
+    uint32_t const* for_each_pixel(Columns columns, auto&& make) {
         auto const size = session.extent();
-        for (int y = 0, i = 0; y < size.height; ++y)
-            for (int x = 0; x < size.width; ++x, ++i) pixels[static_cast<std::size_t>(i)] = make(x, y);
+        for (int y = 0; y < size.height; ++y)
+            for (int x = columns.from; x < columns.to; ++x) pixels[static_cast<std::size_t>(y * size.width + x)] = make(x, y);
         return pixels.data();
     }
 };
@@ -49,15 +53,47 @@ void advance(int scene, int preset, int samples, float time, float light, float 
     page->session.advance({scene, preset, samples, {time, light}, yaw, pitch, distance});
 }
 
+/// Room for the three components of a picture.
+QUELL_EXPORT(planes) float* planes() {
+    page->planes.resize(static_cast<std::size_t>(3 * page->session.extent().pixels()));
+    return page->planes.data();
+}
+
+/// Puts a component of a channel that was traced there: 0 radiance, 1 albedo, 2 normal, 3 depth, 4 motion.
+QUELL_EXPORT(take_channel) void take_channel(int channel, int component) {
+    auto const& frame = page->session.traced();
+    auto const size = page->session.extent();
+    float* to = planes();
+    auto const copy = [&](auto const& image) {
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) *to++ = image.view().get(component, x, y);
+    };
+    if (channel == 0) copy(frame[radiance]);
+    if (channel == 1) copy(frame[albedo]);
+    if (channel == 2) copy(frame[normal]);
+    if (channel == 3) copy(frame[depth]);
+    if (channel == 4) copy(frame[motion]);
+}
+
+/// Takes what lies there for the denoised picture.
+QUELL_EXPORT(put_denoised) void put_denoised() {
+    auto const view = page->session.result().view();
+    auto const size = page->session.extent();
+    float const* from = planes();
+    for (int c = 0; c < 3; ++c)
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) view.set(c, x, y, *from++);
+}
+
 QUELL_EXPORT(refine) void refine(int samples) { page->session.refine(samples); }
 QUELL_EXPORT(clear_reference) void clear_reference() { page->session.clear_reference(); }
 QUELL_EXPORT(reference_samples) int reference_samples() { return page->session.reference_samples(); }
 
-/// Noisy, denoised or reference, as RGBA of 8 bits.
-QUELL_EXPORT(picture) uint32_t const* picture(int which, float exposure) {
+/// Columns of the noisy, denoised or reference picture, as RGBA of 8 bits; the others are left over.
+QUELL_EXPORT(picture) uint32_t const* picture(int which, float exposure, int from, int to) {
     ToneMap const tone{exposure};
     auto const shown = static_cast<Picture>(which);
-    return page->for_each_pixel([&](int x, int y) { return packed(tone(page->session.colour(shown, x, y))); });
+    return page->for_each_pixel({from, to}, [&](int x, int y) { return packed(tone(page->session.colour(shown, x, y))); });
 }
 
 namespace {
@@ -70,8 +106,8 @@ float square_error(ToneMap const& tone, Picture which, int x, int y) {
 
 /// A picture's error map: an error of `full` has the last colour.
 QUELL_EXPORT(error_map) uint32_t const* error_map(int which, float exposure, float full) {
-    return page->for_each_pixel(
-        [&](int x, int y) { return packed(error_colour(sqrtf(square_error({exposure}, static_cast<Picture>(which), x, y)) / full)); });
+    auto const off = [&](int x, int y) { return sqrtf(square_error({exposure}, static_cast<Picture>(which), x, y)); };
+    return page->for_each_pixel({0, page->session.extent().width}, [&](int x, int y) { return packed(error_colour(off(x, y) / full)); });
 }
 
 /// Root of the mean square error of a picture, as it is shown, 0 to 1.

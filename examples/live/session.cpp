@@ -27,7 +27,7 @@ Session::Session(Extent s) : size(s), frame(s), denoised(s), sums(static_cast<st
 void Session::advance(View const& view) {
     bool const is_cut = !has_last || view.scene != last.scene;
     choose(view.preset);
-    if (is_cut) denoiser->forget();
+    if (is_cut && denoiser) denoiser->forget();
     auto const& before = is_cut ? view : last;
     if (is_cut || !shows_the_same(view, last)) clear_reference();
     scene = moving_scene(view.scene, view.at, before.at);
@@ -35,15 +35,15 @@ void Session::advance(View const& view) {
     double const start = seconds_now();
     trace(view.samples);
     double const traced = seconds_now();
-    denoiser->run(frame, denoised);
+    if (denoiser) denoiser->run(frame, denoised);
     trace_seconds = traced - start, denoise_seconds = seconds_now() - traced;
     last = view, has_last = true;
 }
 
 void Session::choose(int number) {
-    number = number < 0 || number >= preset_count ? 0 : number;
-    if (number != preset) denoiser = makers[number](size);
+    if (number == preset) return;
     preset = number;
+    denoiser = number >= 0 && number < preset_count ? makers[number](size) : nullptr;
 }
 
 void Session::trace(int samples) {

@@ -7,10 +7,12 @@
 
 namespace quell::live {
 
+constexpr int traced_only = -1; ///< a preset's number
+
 /// What the reader of the page has chosen, for one frame.
 struct View {
     int scene = 0;            ///< number
-    int preset = 0;           ///< number
+    int preset = 0;           ///< number; traced_only: what is traced is denoised elsewhere
     int samples = 1;          ///< per pixel
     Moment at;                ///< time and light
     float yaw = 0, pitch = 0; ///< radians
@@ -29,6 +31,7 @@ class Session {
     std::unique_ptr<Denoiser> denoiser;
     View last;
     bool has_last = false;
+    std::vector<PassTime> no_times;
     Scene scene;
     Cameras cameras;
 
@@ -46,7 +49,10 @@ public:
     /// A picture's colours.
     [[nodiscard]] Vector colour(Picture picture, int x, int y) const;
     [[nodiscard]] Extent extent() const { return size; }
-    [[nodiscard]] std::vector<PassTime> const& pass_times() const { return denoiser->times; }
+    /// What was traced, and where what was denoised elsewhere goes to.
+    [[nodiscard]] TracedFrame const& traced() const { return frame; }
+    [[nodiscard]] Planar<>::Image<3>& result() { return denoised; }
+    [[nodiscard]] std::vector<PassTime> const& pass_times() const { return denoiser ? denoiser->times : no_times; }
 
 private:
     void trace(int samples);

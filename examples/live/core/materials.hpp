@@ -52,7 +52,7 @@ QUELL_LIVE Vector bricks(Material const& m, float u, float v) {
 QUELL_LIVE Vector room_walls(Material const& m, Vector p, Vector normal) {
     if (normal.x < -0.5f) return {0.72f, 0.1f, 0.07f};
     if (normal.x > 0.5f) return {0.1f, 0.42f, 0.5f};
-    if (normal.z < -0.5f) return bricks({.colour = {0.62f, 0.5f, 0.4f}, .second = {0.66f, 0.63f, 0.58f}, .scale = 8}, p.x, p.y);
+    if (normal.z < -0.5f) return bricks({.colour = {0.62f, 0.5f, 0.4f}, .second = {0.66f, 0.63f, 0.58f}, .scale = 5}, p.x, p.y);
     return m.colour;
 }
 

@@ -32,7 +32,7 @@ QUELL_LIVE Scene room(Moment at) {
     auto& scene = b.scene;
     int const walls = scene.add(Material{.colour = {0.8f, 0.78f, 0.74f}, .pattern = Pattern::room});
     int const parquet =
-        scene.add(Material{.colour = {0.5f, 0.3f, 0.16f}, .pattern = Pattern::planks, .scale = 5, .roughness = 0.08f, .coat = 0.05f});
+        scene.add(Material{.colour = {0.5f, 0.3f, 0.16f}, .pattern = Pattern::planks, .scale = 3.2f, .roughness = 0.08f, .coat = 0.05f});
     int const panel = scene.add(Material{.emission = {24, 21.5f, 18}}), bulb = scene.add(Material{.emission = {16, 8, 3.2f}});
     int const wood = scene.add(Material{.colour = {0.62f, 0.42f, 0.22f}, .pattern = Pattern::planks, .scale = 7});
     int const steel = b.metal({0.9f, 0.9f, 0.9f}, 0.02f), gold = b.metal({1, 0.74f, 0.36f}, 0.3f);

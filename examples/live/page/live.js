@@ -4,6 +4,8 @@
 const by_id = id => document.getElementById(id);
 const noisy = 0, denoised = 1, reference = 2; // pictures, by the program's numbers
 const exposures = [1.9, 0.85]; // of each scene
+const traced_only = -1; // a preset's number
+const channels = ["radiance", "albedo", "normal", "depth", "motion"]; // by the program's numbers
 const full_error = .25; // has the last colour of the map
 
 /// The program: its functions, and what its memory holds.
@@ -36,6 +38,9 @@ class Program {
         return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
     }
 
+    /// Floats of all components that go to a device or come back; `count` of them.
+    planes(count) { return new Float32Array(this.call.memory.buffer, this.call.planes(), count); }
+
     passes() {
         return Array.from({length: this.call.pass_count()}, (_, i) => ({name: this.text(this.call.pass_name(i)), ms: this.call.pass_milliseconds(i)}));
     }
@@ -66,7 +71,8 @@ class Choice {
     read(id = "") {
         const number = name => Number(by_id(name).value);
         this.scene = number("scene");
-        this.preset = number("preset");
+        this.is_on_gpu = by_id("preset").value === "gpu";
+        this.preset = this.is_on_gpu ? traced_only : number("preset");
         this.samples = number("samples");
         this.light = number("light") / 100;
         this.motion = number("motion") / 10;
@@ -83,8 +89,9 @@ class Choice {
         this.changed(id);
     }
 
+    /// In percent of the width.
     set_border(id, value) {
-        by_id(id).value = Math.round(100 * Math.min(1, Math.max(0, value)));
+        by_id(id).value = Math.round(Math.min(100, Math.max(0, value)));
         this.read(id);
     }
 
@@ -92,7 +99,15 @@ class Choice {
         if (held === this.held) return;
         this.held = held;
         by_id("hold").setAttribute("aria-pressed", held);
-        by_id("hold").textContent = held ? "Go on" : "Hold this frame";
+        by_id("hold").textContent = held ? "Go on" : "Hold frame";
+        // The reference is worth a look while it converges: then it gets room, and gives it back.
+        if (held && this.borders[1] > .95) {
+            this.gave_room = true;
+            this.set_border("b", 67);
+        } else if (!held && this.gave_room) {
+            this.gave_room = false;
+            this.set_border("b", 100);
+        }
         by_id("screen").classList.toggle("held", held);
         this.changed("hold");
     }
@@ -144,7 +159,7 @@ class Gestures {
         const now = {x: event.clientX, y: event.clientY};
         const {left, width, height} = this.screen.getBoundingClientRect();
         if (this.border) {
-            this.choice.set_border(this.border, (now.x - left) / width);
+            this.choice.set_border(this.border, 100 * (now.x - left) / width);
         } else if (this.fingers.size === 1) {
             this.choice.turn(2.4 * (now.x - before.x) / width, 1.6 * (now.y - before.y) / height);
         } else {
@@ -173,8 +188,11 @@ class Gestures {
 
 /// Runs frames and draws them.
 class Live {
-    constructor(program) {
+    constructor(program, gpu) {
         this.program = program;
+        this.gpu = gpu;
+        this.is_waiting = false; // for the device
+        if (gpu) by_id("preset").add(new Option("general, WebGPU", "gpu"));
         this.canvas = by_id("canvas");
         this.context = this.canvas.getContext("2d", {alpha: false});
         this.means = {rate: new Mean(), trace: new Mean(), denoise: new Mean()};
@@ -195,6 +213,7 @@ class Live {
         this.canvas.width = width;
         this.canvas.height = height;
         this.program.resize(width, height);
+        this.gpu?.resize(width, height);
     }
 
     set_camera() {
@@ -209,19 +228,44 @@ class Live {
         if (what === "home") this.choice.hold(false);
         if (what === "hold" && this.choice.held) this.program.call.clear_reference();
         if (what === "preset") this.passes.clear();
+        if (what === "preset" || what === "scene") this.gpu?.forget();
         if (["size", "samples", "preset", "scene"].includes(what)) for (const mean of Object.values(this.means)) mean.clear();
         if (this.choice.held && this.program.call.reference_samples() > 0) this.draw();
     }
 
     step(now) {
         requestAnimationFrame(next => this.step(next));
+        if (this.is_waiting) return;
         if (this.choice.held) this.refine();
         else this.advance(now);
+        if (!this.is_waiting) this.show(now);
+    }
+
+    show(now) {
         this.draw();
-        if (now - this.last_numbers > 250) {
-            this.last_numbers = now;
-            this.write_numbers();
+        if (now - this.last_numbers < 250) return;
+        this.last_numbers = now;
+        this.write_numbers();
+    }
+
+    /// The device's part of a frame. What it takes includes the ways there and back.
+    async denoise_on_gpu(now) {
+        this.is_waiting = true;
+        const {gpu, program: {call}} = this, start = performance.now(), pixels = this.program.width * this.program.height;
+        for (const input of gpu.plan.inputs) {
+            call.take_channel(channels.indexOf(input.channel), input.component);
+            gpu.set_input(input, this.program.planes(pixels));
         }
+        const {buffers} = gpu;
+        const picture = await gpu.run().catch(error => {
+            if (buffers === gpu.buffers) throw error;
+        });
+        this.is_waiting = false;
+        if (buffers !== gpu.buffers) return; // the size has changed meanwhile
+        this.program.planes(picture.length).set(picture);
+        call.put_denoised();
+        this.means.denoise.add(performance.now() - start);
+        this.show(now);
     }
 
     advance(now) {
@@ -233,11 +277,25 @@ class Live {
         ++this.frames;
         if (passed < 1) this.means.rate.add(passed);
         this.means.trace.add(this.program.call.trace_milliseconds());
+        if (this.choice.is_on_gpu) {
+            this.denoise_on_gpu(now).catch(error => this.lose_gpu(error));
+            return;
+        }
         this.means.denoise.add(this.program.call.denoise_milliseconds());
         for (const {name, ms} of this.program.passes()) {
             if (!this.passes.has(name)) this.passes.set(name, new Mean());
             this.passes.get(name).add(ms);
         }
+    }
+
+    /// Goes on without the device.
+    lose_gpu(error) {
+        this.is_waiting = false;
+        this.gpu = null;
+        by_id("preset").value = "0";
+        by_id("preset").querySelector("[value=gpu]").remove();
+        this.choice.read("preset");
+        by_id("caption").textContent = `WebGPU has stopped: ${error.message}`;
     }
 
     /// As many samples as fit into a refresh of the screen or two.
@@ -251,7 +309,7 @@ class Live {
         const {view, borders, scene} = this.choice;
         const {width, height, call} = this.program;
         const put = (which, from, to) => {
-            if (to > from) this.context.putImageData(this.program.pixels(call.picture(which, exposures[scene])), 0, 0, from, 0, to - from, height);
+            if (to > from) this.context.putImageData(this.program.pixels(call.picture(which, exposures[scene], from, to)), 0, 0, from, 0, to - from, height);
         };
         if (view === "error") {
             this.context.putImageData(this.program.pixels(call.error_map(denoised, exposures[scene], full_error)), 0, 0);
@@ -282,7 +340,7 @@ class Live {
         };
         label("label-noisy", 0, a, "noisy");
         label("label-denoised", a, b, by_id("preset").selectedOptions[0].text);
-        label("label-reference", b, 1, `reference, ${count}`);
+        label("label-reference", b, 1, `reference, ${count} ${count === 1 ? "sample" : "samples"}`);
         by_id("scale").hidden = view !== "error";
         by_id("scale-end").textContent = full_error;
         by_id("caption").textContent = held ? "Held: noisy and denoised stay as they were in motion, the reference converges." :
@@ -307,7 +365,13 @@ class Live {
     }
 }
 
-Program.load().then(program => { window.live = new Live(program); }, error => {
+async function start() {
+    const program = await Program.load();
+    const gpu = await GpuDenoiser.make(live_shaders).catch(() => null);
+    window.live = new Live(program, gpu);
+}
+
+start().catch(error => {
     by_id("message").textContent = error instanceof WebAssembly.CompileError ?
         "This browser can't run it: it needs WebAssembly with SIMD, as Chrome 91, Firefox 89 and Safari 16.4 have it." : `It doesn't run: ${error.message}`;
 });
