@@ -8,6 +8,7 @@ Needs cmark-gfm and doxygen. With the programs there are pictures, which are kep
 import argparse
 import json
 import os
+import re
 import shutil
 import sys
 
@@ -52,6 +53,18 @@ def make_pictures(given, kept, out):
     return kept
 
 
+def put_live(made, folder, skin):
+    """Copies the live page, and gives it the site's top and bottom where it says so."""
+    shutil.copytree(made, folder)
+    path = os.path.join(folder, "index.html")
+    with open(path, encoding="utf-8") as file:
+        page = file.read()
+    page = re.sub("<!-- top -->.*?<!-- /top -->", lambda _: '<script src="../site.js" defer></script>\n' + skin.top("../", "Live"), page, flags=re.S)
+    page = page.replace("<!-- bottom -->", skin.bottom("../"))
+    with open(path, "w", encoding="utf-8", newline="\n") as file:
+        file.write(page)
+
+
 def main():
     given = options()
     out = os.path.abspath(given.out)
@@ -72,7 +85,7 @@ def main():
     with open(os.path.join(out, "index.html"), "w", encoding="utf-8", newline="\n") as file:
         file.write(front.html(with_pictures))
     if has_live:
-        shutil.copytree(given.live, os.path.join(out, "live"))
+        put_live(given.live, os.path.join(out, "live"), skin)
     for name in ("style.css", "interface.css", "site.js"):
         shutil.copy(os.path.join(HERE, name), out)
     found = pages.found + [[name, place, names.kinds[name]] for name, place in sorted(names.places.items())]

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/core/kernel.hpp>
+#include <quell/core/pack.hpp>
 
 #include <bit>
 #include <concepts>
@@ -9,28 +9,6 @@
 #include <limits>
 #include <math.h>
 #include <utility>
-
-#if !defined(__CUDACC__)
-// g++ 12 warns of uninitialized values in its own AVX-512 headers wherever a kernel is inlined (https://gcc.gnu.org/PR105593). Hosts may
-// compile with -Werror.
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wuninitialized"
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
-#include <xsimd/xsimd.hpp>
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif
-
-/// GLM needs this for vectors of packs: glm::vec<3, Pack> then has arithmetic and dot.
-template <class A> struct std::numeric_limits<xsimd::batch<float, A>> : std::numeric_limits<float> {};
-#if defined(__aarch64__) // xsimd 8 divides by an estimate, off in the last bits: a pack would decide otherwise than a float
-template <> inline auto xsimd::batch<float, xsimd::neon64>::operator/=(batch const& b) noexcept -> batch& {
-    return *this = batch(vdivq_f32(*this, b));
-}
-#endif
-#endif
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
@@ -108,23 +86,9 @@ template <class T, class A> using CastTo = T;
 
 // The same functions for packs.
 /// @cond
-#if defined(__SSE2__)
-template <class A> QUELL_KERNEL auto min(xsimd::batch<float, A> a, xsimd::batch<float, A> b) { return xsimd::min(a, b); }
-template <class A> QUELL_KERNEL auto max(xsimd::batch<float, A> a, xsimd::batch<float, A> b) { return xsimd::max(a, b); }
-#else // Arm's instructions give NaN if either is
-template <class A> QUELL_KERNEL auto min(xsimd::batch<float, A> a, xsimd::batch<float, A> b) { return xsimd::select(a < b, a, b); }
-template <class A> QUELL_KERNEL auto max(xsimd::batch<float, A> a, xsimd::batch<float, A> b) { return xsimd::select(a > b, a, b); }
-#endif
 template <class A> QUELL_KERNEL auto min(xsimd::batch<float, A> a, float b) { return min(a, detail::PackOf<A>(b)); }
 template <class A> QUELL_KERNEL auto max(xsimd::batch<float, A> a, float b) { return max(a, detail::PackOf<A>(b)); }
 template <class A> QUELL_KERNEL auto abs(xsimd::batch<float, A> a) { return xsimd::abs(a); }
-#if defined(__aarch64__) // xsimd 8 estimates roots, and floors by way of integers
-template <class A> QUELL_KERNEL auto sqrt(xsimd::batch<float, A> a) { return xsimd::batch<float, A>(vsqrtq_f32(a)); }
-template <class A> QUELL_KERNEL auto floor(xsimd::batch<float, A> a) { return xsimd::batch<float, A>(vrndmq_f32(a)); }
-#else
-template <class A> QUELL_KERNEL auto sqrt(xsimd::batch<float, A> a) { return xsimd::sqrt(a); }
-template <class A> QUELL_KERNEL auto floor(xsimd::batch<float, A> a) { return xsimd::floor(a); }
-#endif
 template <class A> QUELL_KERNEL auto select(xsimd::batch_bool<float, A> m, xsimd::batch<float, A> a, xsimd::batch<float, A> b) {
     return xsimd::select(m, a, b);
 }
@@ -159,7 +123,6 @@ template <class A> QUELL_KERNEL auto fma(xsimd::batch<float, A> a, xsimd::batch<
 template <class A> QUELL_KERNEL auto invert(xsimd::batch_bool<float, A> m) { return ~m; }
 template <class A> QUELL_KERNEL auto bits(xsimd::batch<float, A> a) { return xsimd::bitwise_cast<detail::CastTo<std::int32_t, A>>(a); }
 template <class A> QUELL_KERNEL auto from_bits(xsimd::batch<std::int32_t, A> a) { return xsimd::bitwise_cast<detail::CastTo<float, A>>(a); }
-template <class A> QUELL_KERNEL auto truncate(xsimd::batch<float, A> a) { return xsimd::to_int(a); }
 template <class A> QUELL_KERNEL auto to_real(xsimd::batch<std::int32_t, A> a) { return xsimd::to_float(a); }
 template <class A>
 QUELL_KERNEL auto select_index(xsimd::batch_bool<float, A> m, xsimd::batch<std::int32_t, A> a, xsimd::batch<std::int32_t, A> b) {

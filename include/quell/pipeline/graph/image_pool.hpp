@@ -62,16 +62,20 @@ private:
 /// Handles to the images of several channels.
 class ImageTable {
     std::vector<std::pair<ChannelId, PooledImage>> images;
+    // Not std::ranges, which the standard library of Debian's emscripten lacks.
+    static auto is_of(ChannelId channel) {
+        return [channel](auto const& image) { return image.first == channel; };
+    }
 
 public:
     /// The channel's handle, which may be empty.
     [[nodiscard]] PooledImage& operator[](ChannelId channel) {
-        auto const found = std::ranges::find(images, channel, &std::pair<ChannelId, PooledImage>::first);
+        auto const found = std::find_if(images.begin(), images.end(), is_of(channel));
         return found != images.end() ? found->second : images.emplace_back(channel, PooledImage{}).second;
     }
     /// Null where there is none.
     [[nodiscard]] PooledImage const* find(ChannelId channel) const {
-        auto const found = std::ranges::find(images, channel, &std::pair<ChannelId, PooledImage>::first);
+        auto const found = std::find_if(images.begin(), images.end(), is_of(channel));
         return found != images.end() && found->second ? &found->second : nullptr;
     }
     void drop_all() { images.clear(); } // keeps the vector's memory

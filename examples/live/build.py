@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+"""Builds the live page into a folder, as plain files that need no server:
+
+    examples/live/build.py --out build/live
+
+Needs emscripten (em++), GLM and xsimd. What it compiles is kept in OUT.kept; with ccache, that is kept too.
+"""
+import argparse
+import base64
+import json
+import os
+import shutil
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+SOURCES = ["exports", "session", "denoise/general", "denoise/svgf", "denoise/surface_clamp"]
+# xsimd has packs for x86's instructions, of which emscripten makes WebAssembly's.
+COMPILE = ["-std=c++20", "-O3", "-msimd128", "-msse4.1", "-fno-rtti", "-Wall", "-Wextra", "-Werror", "-include", "bit_cast.hpp"]
+LINK = ["-O2", "--no-entry", "-sSTANDALONE_WASM", "-sALLOW_MEMORY_GROWTH", "-sERROR_ON_UNDEFINED_SYMBOLS=0", "-sWARN_ON_UNDEFINED_SYMBOLS=0"]
+
+
+def options():
+    parser = argparse.ArgumentParser(description="Builds quell's live page.")
+    parser.add_argument("--out", required=True, help="folder for the page; what was there before goes")
+    parser.add_argument("--compiler", default="em++", help="emscripten's compiler")
+    parser.add_argument("--headers", default="/usr/include", help="folder that has glm and xsimd")
+    parser.add_argument("--shaders", help="folder that quell-shaders has made for WebGPU, of the preset general")
+    return parser.parse_args()
+
+
+def run(command, environment):
+    if subprocess.run(command, cwd=HERE, env=environment).returncode:
+        sys.exit(f"live: this failed: {' '.join(command)}")
+
+
+def needs(made, listed):
+    """Whether a file is older than one that it was made from; `listed` is what the compiler says of those."""
+    if not (os.path.exists(made) and os.path.exists(listed)):
+        return True
+    with open(listed, encoding="utf-8") as text:
+        sources = text.read().replace("\\\n", " ").split(":", 1)[1].split()
+    paths = [os.path.join(HERE, source) for source in sources]
+    return any(not os.path.exists(path) or os.path.getmtime(path) > os.path.getmtime(made) for path in paths)
+
+
+def compiled(given, kept):
+    """The program, as bytes."""
+    # Links to the two libraries alone: beside them may lie headers of this machine's own C library.
+    libraries = os.path.join(kept, "include")
+    os.makedirs(libraries, exist_ok=True)
+    for name in ("glm", "xsimd"):
+        link = os.path.join(libraries, name)
+        if not os.path.isdir(os.path.join(given.headers, name)):
+            sys.exit(f"live: {given.headers} has no {name}: name the folder that has it by --headers")
+        if os.path.lexists(link):
+            os.remove(link)
+        os.symlink(os.path.join(os.path.abspath(given.headers), name), link)
+    environment = dict(os.environ)
+    if shutil.which("ccache"):
+        environment.setdefault("EM_COMPILER_WRAPPER", "ccache")
+    objects = []
+    for source in SOURCES:
+        made = os.path.join(kept, os.path.basename(source) + ".o")
+        listed = made[:-1] + "d"
+        if needs(made, listed):
+            folders = [f"-I{ROOT}/include", "-isystem", libraries]
+            run([given.compiler, *COMPILE, *folders, "-MMD", "-MF", listed, "-c", source + ".cpp", "-o", made], environment)
+        objects.append(made)
+    program = os.path.join(kept, "live.wasm")
+    run([given.compiler, *objects, *LINK, "-o", program], environment)
+    with open(program, "rb") as file:
+        return file.read()
+
+
+def shaders_in(folder):
+    """plan.json and the text of each shader; null without a folder."""
+    if not folder:
+        return None
+    found = {}
+    for name in sorted(os.listdir(folder)):
+        if name.endswith((".wgsl", ".json")):
+            with open(os.path.join(folder, name), encoding="utf-8") as text:
+                found[name] = text.read()
+    if "plan.json" not in found:
+        sys.exit(f"live: {folder} has no plan.json: make it by quell-shaders --preset general --language wgsl --out {folder}")
+    return {"plan": json.loads(found.pop("plan.json")), "texts": found}
+
+
+def main():
+    given = options()
+    if not shutil.which(given.compiler):
+        print(f"skipped: {given.compiler} isn't installed (apt-get install emscripten)")
+        sys.exit(77)
+    out = os.path.abspath(given.out)
+    shaders = shaders_in(given.shaders)
+    program = compiled(given, out + ".kept")
+    shutil.rmtree(out, ignore_errors=True)
+    shutil.copytree(os.path.join(HERE, "page"), out)
+    shutil.copy(os.path.join(ROOT, "docs/site/style.css"), out)
+    with open(os.path.join(out, "live_wasm.js"), "w", encoding="utf-8") as file:
+        file.write(f'const live_wasm = "{base64.b64encode(program).decode()}";\n')
+    with open(os.path.join(out, "live_shaders.js"), "w", encoding="utf-8") as file:
+        file.write(f"const live_shaders = {json.dumps(shaders)};\n")
+    size = sum(os.path.getsize(os.path.join(out, name)) for name in os.listdir(out))
+    print(f"live: {out}/index.html, {size / 1024:.0f} KiB")
+
+
+if __name__ == "__main__":
+    main()

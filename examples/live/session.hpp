@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/scenes.hpp"
+#include "core/trace.hpp"
+#include "denoise/denoiser.hpp"
+#include "pictures.hpp"
+
+namespace quell::live {
+
+constexpr int traced_only = -1; ///< a preset's number
+
+/// What the reader of the page has chosen, for one frame.
+struct View {
+    int scene = 0;            ///< number
+    int preset = 0;           ///< number; traced_only: what is traced is denoised elsewhere
+    int samples = 1;          ///< per pixel
+    Moment at;                ///< time and light
+    float yaw = 0, pitch = 0; ///< radians
+    float distance = 3;       ///< of the camera from its target
+};
+
+/// Traces and denoises frame by frame, and keeps what is compared: noisy, denoised, and the mean of many samples.
+class Session {
+    Extent size;
+    TracedFrame frame;
+    Planar<>::Image<3> denoised;
+    std::vector<Vector> sums; // of the reference
+    int samples_in_sums = 0;
+    uint32_t frame_number = 0, reference_number = 0;
+    int preset = -1;
+    std::unique_ptr<Denoiser> denoiser;
+    View last;
+    bool has_last = false;
+    std::vector<PassTime> no_times;
+    Scene scene;
+    Cameras cameras;
+
+public:
+    double trace_seconds = 0, denoise_seconds = 0; ///< of the last frame
+
+    explicit Session(Extent size);
+    /// The next frame.
+    void advance(View const& view);
+    /// Adds so many samples to the reference of the last frame. The first ones replace those of frames before.
+    void refine(int samples);
+    /// Starts the reference anew.
+    void clear_reference() { samples_in_sums = 0; }
+    [[nodiscard]] int reference_samples() const { return samples_in_sums; }
+    /// A picture's colours.
+    [[nodiscard]] Vector colour(Picture picture, int x, int y) const;
+    [[nodiscard]] Extent extent() const { return size; }
+    /// What was traced, and where what was denoised elsewhere goes to.
+    [[nodiscard]] TracedFrame const& traced() const { return frame; }
+    [[nodiscard]] Planar<>::Image<3>& result() { return denoised; }
+    [[nodiscard]] std::vector<PassTime> const& pass_times() const { return denoiser ? denoiser->times : no_times; }
+
+private:
+    void trace(int samples);
+    void choose(int number);
+};
+
+} // namespace quell::live
