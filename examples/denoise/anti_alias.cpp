@@ -93,7 +93,7 @@ std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::S
     return made;
 }
 
-AntiAliasing::AntiAliasing(std::deque<std::shared_ptr<FrameAround const>> const& around, long long number) {
+AntiAliasing::AntiAliasing(std::deque<std::shared_ptr<FrameAround const>> const& around, long long number, int count) : threads(count) {
     auto const at = [&](long long wanted) -> std::shared_ptr<FrameAround const> {
         for (auto const& frame : around)
             if (frame && frame->number == wanted) return frame;
@@ -144,7 +144,7 @@ std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metric
     };
     put(before, job.before, job.count_before, motion, motion_next);
     put(after, job.after, job.count_after, motion_next, motion);
-    Threads{}.for_each_pixel({0, 0, size.width, size.height}, job);
+    Threads<>{.count = threads}.for_each_pixel({0, 0, size.width, size.height}, job);
     metrics::Picture result{size, {}};
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
