@@ -87,7 +87,7 @@ std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::S
     return made;
 }
 
-AntiAliasing::AntiAliasing(std::deque<std::shared_ptr<FrameAround const>> const& around, long long number) {
+AntiAliasing::AntiAliasing(std::deque<std::shared_ptr<FrameAround const>> const& around, long long number, int count) : threads(count) {
     auto const at = [&](long long wanted) -> std::shared_ptr<FrameAround const> {
         for (auto const& frame : around)
             if (frame && frame->number == wanted) return frame;
@@ -130,7 +130,7 @@ std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metric
         return views;
     };
     auto const those_before = all_of(before), those_after = all_of(after);
-    anti_alias(policy, Threads{}, views_of(*here, colour_image), std::span(those_before), std::span(those_after), light_image.view(),
+    anti_alias(policy, Threads<>{.count = threads}, views_of(*here, colour_image), std::span(those_before), std::span(those_after), light_image.view(),
                to.view());
     metrics::Picture result{size, {}};
     for (int y = 0; y < size.height; ++y)

@@ -33,8 +33,9 @@ struct FrameAround {
 /// Multiplies light by colours of a frame, anti-aliased by the frames around it.
 class AntiAliasing {
 public:
-    /// @param around frames in order; those whose numbers do not follow each other are left out
-    AntiAliasing(std::deque<std::shared_ptr<FrameAround const>> const& around, long long number);
+    /// @param around  frames in order; those whose numbers do not follow each other are left out
+    /// @param threads that it runs on; 0: all
+    AntiAliasing(std::deque<std::shared_ptr<FrameAround const>> const& around, long long number, int threads);
     /// A colour times light; none where it is not known.
     /// @param light null: the colour alone, which may change by itself
     [[nodiscard]] std::optional<metrics::Picture> product(std::size_t colour, metrics::Picture const* light) const;
@@ -42,6 +43,7 @@ public:
 private:
     std::vector<std::shared_ptr<FrameAround const>> before, after; ///< the nearest first
     std::shared_ptr<FrameAround const> here;
+    int threads;
 };
 
 } // namespace quell::examples

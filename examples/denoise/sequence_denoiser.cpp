@@ -419,7 +419,7 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
     };
     auto around = earlier;
     for (auto const& seen : window) around.push_back(seen.around);
-    AntiAliasing const anti_aliasing(around, number);
+    AntiAliasing const anti_aliasing(around, number, settings.threads);
     frame.picture = composite(image, split, denoised, missing, frame.signals, [&](std::size_t s, metrics::Picture const* light) {
         Timed const timed(other_milliseconds);
         return anti_aliasing.product(s, light);
