@@ -1,21 +1,18 @@
 // A host that includes both the library's header and quell's own, with other flags than the library's: fast math, no exceptions.
-#include <quell/presets/resolve.hpp>
 #include <quell/quell.hpp>
 
 #include <quell_denoiser.hpp>
 
-namespace {
+/// The greatest difference between what the library and the headers make of the same frames.
+extern "C" float difference_of_both(int width, int height);
 
-constexpr auto svgf = quell::presets::svgf(quell::radiance, quell::Demodulate{});
-
-/// The greatest difference between what the library and a pipeline of the headers make of the same frames.
-float difference(quell_settings const& settings, auto const& denoise, quell::Extent output) {
-    int const width = settings.width, height = settings.height;
+extern "C" float difference_of_both(int width, int height) {
+    constexpr auto denoise = quell::presets::svgf(quell::radiance, quell::Demodulate{});
     quell::Frame frame{{width, height}, denoise};
-    quell::History history{output, denoise};
-    auto const n = static_cast<std::size_t>(width * height), outputs = static_cast<std::size_t>(output.pixels());
-    std::vector<float> rgb(n * 3), albedo(n * 3), normal(n * 3), depth(n), motion(n * 2), out(outputs * 3);
-    quell::Denoiser denoiser(settings);
+    quell::History history{frame.size, denoise};
+    auto const n = static_cast<std::size_t>(width * height);
+    std::vector<float> rgb(n * 3), albedo(n * 3), normal(n * 3), depth(n), motion(n * 2), out(n * 3);
+    quell::Denoiser denoiser("svgf", width, height);
     denoiser.set("radiance", rgb.data(), 3).set("albedo", albedo.data(), 3).set("normal", normal.data(), 3);
     denoiser.set("depth", depth.data(), 1).set("motion", motion.data(), 2);
     unsigned random = 1;
@@ -31,28 +28,13 @@ float difference(quell_settings const& settings, auto const& denoise, quell::Ext
             for (std::size_t c = 0; c < 3; ++c) rgb[p * 3 + c] = light[static_cast<int>(c)], albedo[p * 3 + c] = colour.x;
             normal[p * 3 + 2] = 1, depth[p] = z, motion[p * 2] = 0.25f, motion[p * 2 + 1] = -0.5f;
         }
-        frame.camera.jitter = {any() - 0.5f, any() - 0.5f};
-        denoiser.set_jitter(frame.camera.jitter.x, frame.camera.jitter.y);
         auto const wanted = run(denoise, frame, history);
         denoiser.run(out.data(), 3);
-        for (std::size_t p = 0; p < outputs * 3; ++p) {
+        for (std::size_t p = 0; p < n * 3; ++p) {
             int const pixel = static_cast<int>(p / 3);
-            float const apart = out[p] - wanted.get(static_cast<int>(p % 3), pixel % output.width, pixel / output.width);
+            float const apart = out[p] - wanted.get(static_cast<int>(p % 3), pixel % width, pixel / width);
             worst = apart > worst ? apart : -apart > worst ? -apart : worst;
         }
     }
     return worst;
-}
-
-} // namespace
-
-/// @param output_width, output_height 0: as the frames, and not anti-aliased
-extern "C" float difference_of_both(int width, int height, int output_width, int output_height);
-
-extern "C" float difference_of_both(int width, int height, int output_width, int output_height) {
-    quell_settings settings = QUELL_SETTINGS;
-    settings.preset = "svgf", settings.width = width, settings.height = height;
-    settings.output_width = output_width, settings.output_height = output_height;
-    if (output_width == 0) return difference(settings, svgf, {width, height});
-    return difference(settings, quell::presets::resolve(svgf), {output_width, output_height});
 }

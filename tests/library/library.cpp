@@ -10,7 +10,7 @@
 #include <new>
 #include <thread>
 
-extern "C" float difference_of_both(int width, int height, int output_width, int output_height);
+extern "C" float difference_of_both(int width, int height);
 
 using namespace wall_test;
 
@@ -28,9 +28,8 @@ std::vector<float> third(quell_denoiser* denoiser, Wall& wall) {
 } // namespace
 
 TEST_CASE("a host with the headers too, fast math and no exceptions gets the same from both") {
-    CHECK(difference_of_both(67, 33, 0, 0) < 2e-5f);
-    CHECK(difference_of_both(3, 5, 0, 0) < 2e-5f);
-    CHECK(difference_of_both(67, 33, 101, 66) < 2e-5f);
+    CHECK(difference_of_both(67, 33) < 2e-5f);
+    CHECK(difference_of_both(3, 5) < 2e-5f);
 }
 
 TEST_CASE("any strides and formats that hold the same numbers give the same") {
