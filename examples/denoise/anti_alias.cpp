@@ -130,8 +130,8 @@ std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metric
         return views;
     };
     auto const those_before = all_of(before), those_after = all_of(after);
-    anti_alias(policy, Threads<>{.count = threads}, views_of(*here, colour_image), std::span(those_before), std::span(those_after), light_image.view(),
-               to.view());
+    anti_alias(policy, Threads<>{.count = threads}, views_of(*here, colour_image), std::span(those_before), std::span(those_after),
+               light_image.view(), to.view());
     metrics::Picture result{size, {}};
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
