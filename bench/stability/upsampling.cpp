@@ -135,7 +135,7 @@ void thin_lines(std::string const& name, Making const& making, Results& results)
     for (std::string const preset : {"none", "general"}) {
         Watched const seen(name, preset, {.albedo = thin, .noise = preset == "none" ? 0.f : 0.5f}, making, results);
         auto const method = preset + "-upsampled";
-        results.promises.push_back({name, method, "contrast_over_reference", contrast_kept(seen.truth, seen.resolved), 0.9, true});
+        results.promises.push_back({name, method, "contrast_over_reference", contrast_kept(seen.truth, seen.resolved), 0.7, true});
         results.promises.push_back({name, method, "flicker_over_bicubic", flicker(seen.resolved) / flicker(seen.alone), 0.5});
         results.promises.push_back({name, method, "worst_frame_over_bicubic", worst_ratio(seen.errors, seen.errors_alone), 0.7});
     }
@@ -146,8 +146,8 @@ void moving_grid(std::string const& name, Making const& making, Results& results
         Watched const seen(name, preset, {.albedo = grid, .speed = {0.61f, 0.23f}, .noise = preset == "none" ? 0.f : 0.5f}, making,
                            results);
         auto const method = preset + "-upsampled";
-        results.promises.push_back({name, method, "contrast_over_reference", contrast_kept(seen.truth, seen.resolved), 0.9, true});
-        results.promises.push_back({name, method, "worst_frame_over_bicubic", worst_ratio(seen.errors, seen.errors_alone), 0.7});
+        results.promises.push_back({name, method, "contrast_over_reference", contrast_kept(seen.truth, seen.resolved), 0.85, true});
+        results.promises.push_back({name, method, "worst_frame_over_bicubic", worst_ratio(seen.errors, seen.errors_alone), 0.8});
     }
 }
 

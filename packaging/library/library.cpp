@@ -279,7 +279,11 @@ bool anti_aliases(quell_settings const& settings) {
 std::string check(quell_settings const& settings) {
     if (settings.width < 1 || settings.height < 1)
         return "settings: a size of " + size(settings.width, settings.height) + "; give a width and a height of at least one pixel";
-    if (settings.reserved != 0) return "settings.reserved: " + std::to_string(settings.reserved) + "; start from QUELL_SETTINGS";
+    if (settings.steady_guides < 0 || settings.steady_guides > 3)
+        return "settings.steady_guides: " + std::to_string(settings.steady_guides) + "; give 1 (depth), 2 (albedo), 3 (both) or 0 (none)";
+    if (settings.steady_guides != 0 && settings.two_sided != 0)
+        return "settings.steady_guides: settings.two_sided is set too, and guides are accumulated of frames that are past; leave one of "
+               "the two 0";
     if (settings.threads < 0) return "settings.threads: " + std::to_string(settings.threads) + "; give 0 or more";
     if ((settings.allocate == nullptr) != (settings.release == nullptr))
         return "settings: one of allocate and release is null; give both or none";
@@ -337,6 +341,9 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
         if (resolves) way = way->resolved.get();
         if (way == nullptr)
             return fail(QUELL_NOT_SUPPORTED, "settings.anti_alias: '" + wanted + "' makes no picture; leave it 0, and the output's size");
+        for (auto const& [bit, name] : {std::pair{1, "depth"}, std::pair{2, "albedo"}, std::pair{3, "motion"}})
+            if ((settings->steady_guides & bit) != 0 && std::ranges::find(way->channels, name, &Channel::name) == way->channels.end())
+                return fail(QUELL_NOT_SUPPORTED, "settings.steady_guides: '" + wanted + "' reads no " + name + "; leave it 0");
         std::unique_ptr<quell_denoiser> made(new quell_denoiser{.code = code,
                                                                 .preset = &*preset,
                                                                 .way = way,
@@ -358,7 +365,7 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
         std::string error;
         auto const& given = settings->motion;
         Motion const motion{given.from_previous, given.unit, given.y_up, given.has_jitter};
-        made->instance = way->make(made->sizes, motion, parallel, memory, outcome, error);
+        made->instance = way->make(made->sizes, settings->steady_guides, motion, parallel, memory, outcome, error);
         if (outcome != Outcome::ok) return fail(status_of(outcome), error);
         *denoiser = made.release();
         return QUELL_OK;

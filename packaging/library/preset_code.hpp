@@ -106,8 +106,9 @@ struct PresetWay {
     bool needs_camera = false;
     std::function<std::string()> plan{};
     /// Null, and what is wrong, where it can't be made.
-    std::function<std::unique_ptr<Instance>(Sizes const&, Motion const&, Parallel const&, Memory const&, Outcome& outcome,
-                                            std::string& error)>
+    /// @param steady_guides as quell_settings has it
+    std::function<std::unique_ptr<Instance>(Sizes const&, std::int32_t steady_guides, Motion const&, Parallel const&, Memory const&,
+                                            Outcome& outcome, std::string& error)>
         make{};
     std::shared_ptr<PresetWay const> resolved{}; ///< with temporal anti-aliasing behind it; null where that can't be
 

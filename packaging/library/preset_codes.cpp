@@ -2,6 +2,7 @@
 // all instruction sets.
 #include "compiled_preset.hpp"
 #include "resolved_denoiser.hpp"
+#include "steady_denoiser.hpp"
 
 #include <quell/core/error.hpp>
 #include <quell/frame/channels.hpp>
@@ -107,10 +108,15 @@ PresetWay way_of(Way const& way, std::vector<ReadChannel> const& channels, auto 
     PresetWay code{.output_components = way.output_components, .needs_camera = way.needs_camera, .plan = way.plan};
     for (auto const& channel : channels) code.channels.push_back({channel.name, channel.components, channel.optional, channel.is_guide});
     for (auto const& guide : way.guides) code.guides.push_back({guide.name, guide.components});
-    code.make = [read = channels, make](Sizes const& sizes, Motion const& motion, Parallel const& parallel, Memory const& memory,
-                                        Outcome& outcome, std::string& error) {
+    code.make = [read = channels, make](Sizes const& sizes, std::int32_t steady_guides, Motion const& motion, Parallel const& parallel,
+                                        Memory const& memory, Outcome& outcome, std::string& error) {
         std::unique_ptr<Instance> made;
-        outcome = caught(error, [&] { made = std::make_unique<PresetInstance>(read, motion, make(sizes, parallel, memory)); });
+        outcome = caught(error, [&] {
+            auto denoiser = make(sizes, parallel, memory);
+            if (SteadyChoice const steady{(steady_guides & 1) != 0, (steady_guides & 2) != 0})
+                denoiser = with_steady_guides(std::move(denoiser), read, steady, {sizes.width, sizes.height}, parallel, memory);
+            made = std::make_unique<PresetInstance>(read, motion, std::move(denoiser));
+        });
         return made;
     };
     return code;

@@ -149,7 +149,8 @@ typedef struct quell_settings {
     int32_t anti_alias; /* 1: temporal anti-aliasing, at the frames' size too; an output of another size has it anyway. Each pixel is put
                            together from the samples of seven frames, moved to where they are now. Move the samples of each frame by another
                            camera.jitter; frames then need a camera, of which presets that need none read the jitter alone. */
-    int32_t reserved;   /* 0: for later versions */
+    int32_t steady_guides; /* guides that are noisy themselves, as out of focus or behind a pane, are accumulated along their motion first,
+                              over 8 frames at most: 1 depth, 2 albedo, 3 both; 0 none. Not with two_sided. */
 } quell_settings;
 #ifdef __cplusplus
 #define QUELL_SETTINGS \

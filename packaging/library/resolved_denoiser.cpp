@@ -48,8 +48,8 @@ public:
     [[nodiscard]] std::size_t bytes() const { return history.bytes(); }
 };
 
-/// @tparam n         components of the output
-/// @tparam Resolvers of its parts, in order
+/// @tparam n       components of the output
+/// @tparam Signals its parts, in order: a colour, alpha
 template <int n, class... Signals> class ResolvedDenoiser final : public CompiledDenoiser {
     using Guides = quell::Channels<quell::Motion, quell::Depth>;
 

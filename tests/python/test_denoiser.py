@@ -79,6 +79,22 @@ class Results(unittest.TestCase):
             denoiser(wall(HEIGHT // 5, WIDTH), jitter=(0, 0))
         self.assertTrue(np.isfinite(denoiser(frame, jitter=(0, 0))).all())
 
+    def test_noisy_guides_are_made_steady(self):
+        plain, steady = quell.Denoiser("svgf", (HEIGHT, WIDTH)), quell.Denoiser("svgf", (HEIGHT, WIDTH), steady_guides=("depth", "albedo"))
+        random = np.random.default_rng(1)
+        for seed in range(3):
+            frame = wall(HEIGHT, WIDTH, seed)
+            frame["depth"] = 4 + random.random((HEIGHT, WIDTH), np.float32)
+            frame["albedo"] = random.random((HEIGHT, WIDTH, 3), np.float32)
+            frame["radiance"] = frame["albedo"]  # light of 1
+            pictures_of_both = plain(frame), steady(frame)
+        # The picture is multiplied by an albedo that differs less.
+        self.assertLess(pictures_of_both[1].std(), 0.8 * pictures_of_both[0].std())
+        for guides in ("depth",), "depth", ("normal",):
+            options = {"two_sided": True} if guides == ("depth",) else {}
+            with self.assertRaisesRegex(quell.Error, "steady_guides|two_sided"):
+                quell.Denoiser("svgf", (HEIGHT, WIDTH), steady_guides=guides, **options)
+
     @unittest.skipUnless("accumulated" in quell.presets(), "skipped: guides, which want the preset accumulated")
     def test_guides_are_the_means_of_the_frames(self):
         denoiser = quell.Denoiser("accumulated", (HEIGHT, WIDTH))

@@ -65,6 +65,8 @@ class Denoiser:
     anti_alias: temporal anti-aliasing: each pixel is put together from the samples of seven frames. Move the samples of each frame by another
     `jitter`, and say which. Frames may then be of several sizes, one after another; what was resolved stays.
     output_size: (height, width) of the pictures, 1 to 4 times the frames', which are then anti-aliased; None for the frames' own.
+    steady_guides: ("depth",), ("albedo",) or both: guides that are noisy themselves, as out of focus or behind a pane, are accumulated along
+    their motion first, over 8 frames at most. Not with two_sided.
 
     A denoiser is for one thread of Python at a time; another one gets an Error of Status.BUSY. While it runs, other threads do.
     """
@@ -81,6 +83,7 @@ class Denoiser:
         motion: Mapping[str, str] = {},
         anti_alias: bool = False,
         output_size: Optional[Sequence[int]] = None,
+        steady_guides: Sequence[str] = (),
     ) -> None:
         height, width = _height_and_width("size", size)
         output = (0, 0) if output_size is None else _height_and_width("output_size", output_size)
@@ -88,7 +91,7 @@ class Denoiser:
             raise Error("output_size: it is (0, 0); give 1 to 4 times the frames' height and width, or leave it out")
         count = _whole("threads", threads, 32)
         self._denoiser = _library.Denoiser(
-            preset, width, height, count, instruction_set, two_sided, alpha, _motion(motion), anti_alias, output
+            preset, width, height, count, instruction_set, two_sided, alpha, _motion(motion), anti_alias, output, _steady(steady_guides)
         )
         self._channels = {name: (components, is_optional) for name, components, is_optional in self._denoiser.channels()}
         self._preset = preset
@@ -275,6 +278,12 @@ def _motion(convention: Mapping[str, str]) -> tuple[int, int, int, int]:
             raise Error(f"motion: {{{name!r}: {word!r}}}; give some of: " + "; ".join(f"{n}: {', '.join(w)}" for n, w in _MOTION.items()))
     points, unit, y, jitter = (words.index(convention.get(name, words[0])) for name, words in _MOTION.items())
     return points, unit, y, jitter
+
+
+def _steady(guides: Sequence[str]) -> int:
+    if isinstance(guides, str) or not set(guides) <= {"depth", "albedo"}:
+        raise Error(f"steady_guides: {guides!r}; give some of 'depth' and 'albedo', as a tuple or list")
+    return ("depth" in guides) + 2 * ("albedo" in guides)
 
 
 def _height_and_width(what: str, size: Sequence[int]) -> tuple[int, int]:

@@ -20,6 +20,7 @@ class Denoiser:
         motion: tuple[int, int, int, int],
         anti_alias: bool,
         output_size: tuple[int, int],
+        steady_guides: int,
         /,
     ) -> None: ...
     def run(

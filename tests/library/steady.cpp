@@ -1,0 +1,99 @@
+// Guides that libquell makes steady before a preset reads them: what the headers make of them.
+#include "wall.hpp"
+
+#include <quell/pipeline/steady_guides.hpp>
+
+#include <limits>
+
+using namespace wall_test;
+
+namespace {
+
+/// A wall of which no sample says rightly how far it is, and how bright.
+struct NoisyWall : Wall {
+    void look(unsigned number) {
+        shine(number);
+        std::mt19937 random(number + 100);
+        std::uniform_real_distribution<float> any(0, 1);
+        for (std::size_t p = 0; p < pixels; ++p) {
+            depth[p] = 3 + 2 * any(random);
+            for (std::size_t c = 0; c < 3; ++c) albedo[3 * p + c] = 0.2f + 0.6f * any(random);
+            motion[2 * p] = 0.75f, motion[2 * p + 1] = -0.25f;
+        }
+        depth[number] = std::numeric_limits<float>::infinity(); // nothing is seen there
+    }
+};
+
+/// What the third of three frames becomes, with the guides of each made steady beforehand.
+template <class... Steady> std::vector<float> third_of_steady(Steady... steady) {
+    using namespace quell;
+    auto const denoiser = made();
+    NoisyWall wall;
+    for (unsigned i = 0; i < 3; ++i) {
+        wall.look(i);
+        Frame<Channels<Depth, Albedo, Motion>> frame({width, height});
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                auto const p = static_cast<std::size_t>(y * width + x);
+                frame[depth].set(x, y, wall.depth[p]), frame[motion].set(x, y, {wall.motion[2 * p], wall.motion[2 * p + 1]});
+                frame[albedo].set(x, y, {wall.albedo[3 * p], wall.albedo[3 * p + 1], wall.albedo[3 * p + 2]});
+            }
+        (steady.apply(frame), ...);
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                auto const p = static_cast<std::size_t>(y * width + x);
+                wall.depth[p] = frame[depth].view().get(0, x, y);
+                for (int c = 0; c < 3; ++c) wall.albedo[3 * p + static_cast<std::size_t>(c)] = frame[albedo].view().get(c, x, y);
+            }
+        REQUIRE(quell_run(denoiser.get(), wall.ready()) == QUELL_OK);
+    }
+    return wall.out;
+}
+std::vector<float> third_with(int32_t steady_guides) {
+    auto settings = settings_of();
+    settings.steady_guides = steady_guides;
+    auto const denoiser = made(settings);
+    NoisyWall wall;
+    for (unsigned i = 0; i < 3; ++i) {
+        wall.look(i);
+        REQUIRE(quell_run(denoiser.get(), wall.ready()) == QUELL_OK);
+    }
+    return wall.out;
+}
+
+} // namespace
+
+TEST_CASE("steady guides: bit for bit what the headers make of the same guides") {
+    using namespace quell;
+    CHECK(third_with(0) == third_of_steady());
+    CHECK(third_with(1) == third_of_steady(SteadyGuides<Channels<Depth>>{{width, height}}));
+    CHECK(third_with(2) == third_of_steady(SteadyGuides<Channels<Albedo>>{{width, height}}));
+    CHECK(third_with(3) == third_of_steady(SteadyGuides<Channels<Depth, Albedo>>{{width, height}}));
+    CHECK(third_with(1) != third_with(0));
+}
+
+TEST_CASE("steady guides: anti-aliased too; forget() drops them; what cannot be is refused with a sentence") {
+    auto settings = settings_of();
+    settings.steady_guides = 3, settings.anti_alias = 1;
+    auto const denoiser = made(settings);
+    NoisyWall wall;
+    quell_camera const camera{};
+    wall.frame.camera = &camera;
+    wall.look(1);
+    REQUIRE(quell_run(denoiser.get(), wall.ready()) == QUELL_OK);
+    auto const first = wall.out;
+    REQUIRE(quell_run(denoiser.get(), wall.ready()) == QUELL_OK);
+    CHECK(wall.out != first);
+    REQUIRE(quell_forget(denoiser.get()) == QUELL_OK);
+    REQUIRE(quell_run(denoiser.get(), wall.ready()) == QUELL_OK);
+    CHECK(wall.out == first);
+
+    quell_denoiser* none = nullptr;
+    settings.steady_guides = 4;
+    check_refused(quell_create(&settings, &none), QUELL_INVALID_ARGUMENT, {"steady_guides", "4"});
+    settings.steady_guides = 1, settings.two_sided = 1;
+    check_refused(quell_create(&settings, &none), QUELL_INVALID_ARGUMENT, {"steady_guides", "two_sided"});
+    settings = settings_of("none"), settings.steady_guides = 1;
+    auto const refused = quell_create(&settings, &none);
+    if (refused != QUELL_UNKNOWN_PRESET) check_refused(refused, QUELL_NOT_SUPPORTED, {"steady_guides", "'none'", "depth"});
+}
