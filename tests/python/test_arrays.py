@@ -228,6 +228,8 @@ class Refused(unittest.TestCase):
         self.refused(["'radiance'", "0x0", "1 to 8"], radiance=few, samples={"radiance": quell.Samples(0, 0)})
         self.refused(["'radiance'", "0x0", "1 to 8"], samples={"radiance": quell.Samples(0, 0)})
         self.refused(["'depth'", "every pixel"], samples={"depth": quell.Samples(2, 2)})
+        for phase in (0, (1,), (0, 0, 0)):
+            self.refused(["'radiance'", "phase", repr(phase)], samples={"radiance": quell.Samples(2, 2, False, phase)})
         self.refused(["'radiance'", "quell.Samples"], samples={"radiance": 2})
         self.refused(["'glossy'", "no channel"], samples={"glossy": quell.Samples(2, 2)})
         with self.assertRaises(TypeError):

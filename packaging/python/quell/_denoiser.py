@@ -252,7 +252,10 @@ def instruction_sets() -> list[str]:
 def _block(what: str, samples: Samples) -> tuple[int, int, int, int, int]:
     if not isinstance(samples, Samples):
         raise Error(f"{what}: it is a {type(samples).__name__}; give quell.Samples(columns, rows)")
-    x, y = samples.phase
+    try:
+        x, y = samples.phase
+    except (TypeError, ValueError):
+        raise Error(f"{what}: a phase of {samples.phase!r}; give two whole numbers, x and y") from None
     whole = [_whole(what, each, 32) for each in (samples.columns, samples.rows, x, y)]
     return whole[0], whole[1], int(samples.staggered), whole[2], whole[3]
 
