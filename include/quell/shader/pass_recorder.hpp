@@ -48,8 +48,12 @@ private:
             ~Restore() { graph_builder = nullptr, pass_recording = nullptr; }
         } const restore;
         recording.rays = rays_at(FrameBlock::rays_word), recording.rays_then = rays_at(FrameBlock::rays_then_word);
-        job(at_once<Recorded>, recorded_leaf<RecordedInteger>(Operation::this_column, 0),
-            recorded_leaf<RecordedInteger>(Operation::this_row, 0), 1);
+        auto const x = recorded_leaf<RecordedInteger>(Operation::this_column, 0),
+                   y = recorded_leaf<RecordedInteger>(Operation::this_row, 0);
+        if constexpr (requires { job.finish; })
+            job.template at_pixels<Recorded, 1>(x, y, 1);
+        else
+            job(at_once<Recorded>, x, y, 1);
         keep(recording, std::string(job.name), fraction_of_job(job));
     }
     static RecordedRays rays_at(int word) {

@@ -59,6 +59,10 @@ struct PassJob {
 
     template <class Real, int rows>
     QUELL_FLATTENED QUELL_KERNEL void operator()(AtOnce<Real, rows>, Coordinate<Real> x, Coordinate<Real> y, int count) const {
+        at_pixels<Real, rows>(x, y, count);
+    }
+    /// The same for who runs it once, and had better not have everything inlined.
+    template <class Real, int rows> QUELL_KERNEL void at_pixels(Coordinate<Real> x, Coordinate<Real> y, int count) const {
         auto const result = result_of([&]() QUELL_INLINED { return evaluate(Pixel<Real, Scope, rows>{scope, x, y}); });
         static_assert(contained_in<typename decltype(result.more)::channels,
                                    decltype(typename MadeViews::channels{} | Channels<Suppressed, ImpossibleGuides>{})>,
