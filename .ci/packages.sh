@@ -75,6 +75,25 @@ wish_for_browser() {
         echo "apt could not install ${missing[*]}: tests that open pages in a browser are skipped." >&2
 }
 
+# wish_for_shaders: what checks shaders and runs them where there is no GPU. Without it those tests are skipped.
+wish_for_shaders() { wish_for "tests of shaders by other programs" glslang-tools spirv-tools spirv-cross libvulkan-dev mesa-vulkan-drivers; }
+
+# wish_for_emscripten: what compiles the live page. It is large, so that only machines of continuous integration get it.
+wish_for_emscripten() { [ -z "${CI:-}" ] || wish_for "tests of the live page" emscripten; }
+
+# wish_for tests package...: packages without which those tests are skipped.
+wish_for() {
+    local tests=$1 package missing=()
+    shift
+    [ -z "${QUELL_PACKAGES_INSTALLED:-}" ] || return 0
+    for package in "$@"; do
+        [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+    done
+    [ ${#missing[@]} -gt 0 ] || return 0
+    (without_recommended=1 install_packages "${missing[@]}" 2>/dev/null) ||
+        echo "apt could not install ${missing[*]}: $tests are skipped." >&2
+}
+
 # wish_for_slurm: the farm that jobs are tested on. It brings services, so that only machines of continuous integration get it.
 wish_for_slurm() {
     [ -n "${CI:-}" ] && [ -z "${QUELL_PACKAGES_INSTALLED:-}" ] && ! command -v sbatch >/dev/null || return 0

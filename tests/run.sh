@@ -112,6 +112,8 @@ step_cuda() {
 
 need_packages "${build_packages[@]}" "${library_packages[@]}" "${program_packages[@]}" "${python_packages[@]}" "${test_packages[@]}"
 wish_for_browser
+wish_for_shaders
+wish_for_emscripten
 wish_for_slurm
 steps=()
 for word in "$@"; do
