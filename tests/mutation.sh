@@ -95,7 +95,7 @@ mutant "columns outside the image" filter/kernels filter/edge_taps.hpp 'Real(bas
 mutant "rows outside the image" filter/kernels filter/edge_taps.hpp 'below.row_inside ? 0.f : too_little' 'below.row_inside ? 0.f : 0.f'
 mutant "how far the light changed" filter/temporal_gradient filter/change/temporal_gradient.hpp 'past, 1.f - change)' 'past, Real(1.f))'
 mutant "the test for NaN behind a filter" pipeline/history filter/atrous.hpp 'return select(all_finite(v), v, centre);' 'return v;'
-mutant "negative samples" pipeline/history pipeline/ingest.hpp 'luminance(v) >= Real(0.f)' 'Real(0.f) == Real(0.f)'
+mutant "negative samples" pipeline/history core/light.hpp 'luminance(v) >= Real(0.f)' 'Real(0.f) == Real(0.f)'
 mutant "albedo comes back" pipeline/history frame/modulation.hpp 'return a * d;' 'return a;'
 mutant "the test for what is no light in a picture's factors" pipeline/composite pipeline/composite.hpp 'return select(is_light(f), f,' 'return select(Real(0.f) == Real(0.f), f,'
 mutant "what a filter before Temporal does with missing samples" pipeline/stages frame/cursor/missing_mark.hpp 'select(missing, encoded(value), light)' 'light'

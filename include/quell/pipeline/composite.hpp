@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/core/light.hpp>
 #include <quell/pipeline/ingest.hpp>
 #include <quell/pipeline/run.hpp>
 
