@@ -1,7 +1,6 @@
 #pragma once
 
 #include <quell/shader/write_shader.hpp>
-#include <quell/version.hpp>
 
 #include <cctype>
 
@@ -72,7 +71,7 @@ inline std::string to_json(ShaderPlan const& plan, std::string_view extension) {
                ", \"steps\": " + std::to_string(pass.graph.nodes.size()) + "}";
     });
     auto const side = std::to_string(shader_workgroup);
-    return "{\n  \"quell\": " + in_quotes(version) + ",\n  \"name\": " + in_quotes(plan.name) + ",\n  \"entry_point\": \"main\",\n" +
+    return "{\n  \"format\": 1,\n  \"name\": " + in_quotes(plan.name) + ",\n  \"entry_point\": \"main\",\n" +
            "  \"workgroup\": [" + side + ", " + side + "],\n  \"needs_camera\": " + (plan.needs_camera ? "true" : "false") + ",\n" +
            "  \"uniforms\": {\"name\": \"frame\", \"binding\": 0, \"bytes\": " + std::to_string(4 * FrameBlock::words) +
            ", \"members\": [\n      " + members + "]},\n  \"buffers\": [\n    " + buffers + "],\n  \"inputs\": [\n    " +
