@@ -131,6 +131,7 @@ public:
     /// @endcond
 };
 
+/// It does.
 template <> inline constexpr bool records<Recorded> = true;
 
 /// @cond

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <quell/shader/write_shader.hpp>
-#include <quell/version.hpp>
 
 #include <cctype>
 
@@ -54,6 +53,7 @@ inline std::string buffer_text(ShaderPlan const& plan, std::size_t number) {
 } // namespace detail
 
 /// A plan as JSON: all that a host must know to run its shaders. docs/shaders.md says what stands where.
+/// @param plan      what to write
 /// @param extension of the shaders' files
 inline std::string to_json(ShaderPlan const& plan, std::string_view extension) {
     using namespace detail;
@@ -72,8 +72,8 @@ inline std::string to_json(ShaderPlan const& plan, std::string_view extension) {
                ", \"steps\": " + std::to_string(pass.graph.nodes.size()) + "}";
     });
     auto const side = std::to_string(shader_workgroup);
-    return "{\n  \"quell\": " + in_quotes(version) + ",\n  \"name\": " + in_quotes(plan.name) + ",\n  \"entry_point\": \"main\",\n" +
-           "  \"workgroup\": [" + side + ", " + side + "],\n  \"needs_camera\": " + (plan.needs_camera ? "true" : "false") + ",\n" +
+    return "{\n  \"format\": 1,\n  \"name\": " + in_quotes(plan.name) + ",\n  \"entry_point\": \"main\",\n" + "  \"workgroup\": [" + side +
+           ", " + side + "],\n  \"needs_camera\": " + (plan.needs_camera ? "true" : "false") + ",\n" +
            "  \"uniforms\": {\"name\": \"frame\", \"binding\": 0, \"bytes\": " + std::to_string(4 * FrameBlock::words) +
            ", \"members\": [\n      " + members + "]},\n  \"buffers\": [\n    " + buffers + "],\n  \"inputs\": [\n    " +
            host_planes(plan.inputs) + "],\n  \"picture\": [\n    " + host_planes(plan.output) + "],\n  \"passes\": [\n    " + passes +

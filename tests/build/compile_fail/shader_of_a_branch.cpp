@@ -5,6 +5,8 @@
 #include <quell/quell.hpp>
 #include <quell/shader/record.hpp>
 
+using namespace quell;
+
 // What a CPU runs one pixel at a time, and a recording cannot.
 struct Branches {
     static constexpr int farthest_tap = 0;
@@ -22,7 +24,4 @@ struct Branches {
         return scale(value, darker);
     }
 };
-int main() {
-    using namespace quell;
-    return static_cast<int>(record(Pipeline{radiance, Spatial{Branches{}}}).passes.size());
-}
+int main() { return static_cast<int>(record(Pipeline{radiance, Spatial{Branches{}}}).passes.size()); }
