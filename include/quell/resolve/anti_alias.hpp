@@ -4,8 +4,10 @@
 #include <quell/frame/cursor/past_pixel.hpp>
 #include <quell/resolve/anti_aliased.hpp>
 
+#include <algorithm>
 #include <array>
 #include <span>
+#include <type_traits>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
