@@ -194,7 +194,7 @@ TEST_CASE("resolve: bits do not depend on threads") {
         CAPTURE(to_string(output));
         auto const alone = random_sequence(resolve, size, output, Simd{});
 #if defined(QUELL_TEST_THREADS)
-        CHECK(random_sequence(resolve, size, output, Threads{3}) == alone);
+        CHECK(random_sequence(resolve, size, output, Threads<>{3}) == alone);
 #endif
         CHECK(tests::all_finite(alone));
     }

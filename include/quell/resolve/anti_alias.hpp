@@ -5,8 +5,10 @@
 #include <quell/resolve/anti_aliased.hpp>
 #include <quell/resolve/nearness.hpp>
 
+#include <algorithm>
 #include <array>
 #include <span>
+#include <type_traits>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 

@@ -4,6 +4,7 @@
 #include <quell/pipeline/composite.hpp>
 #include <quell/resolve/anti_alias.hpp>
 
+#include <algorithm>
 #include <vector>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -19,12 +20,12 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 ///
 /// Samples of other places come by motion, or by frame.camera.jitter.
 /// @tparam P      a Pipeline or Composite whose output has three components
-/// @tparam frames how many frames of the past are kept, 1 to AntiAliased::most_frames. Each takes 24 bytes a pixel and as much time; behind
-/// the second there is little to gain.
-template <class P, int frames = 2> struct Remodulated {
+/// @tparam frames how many frames of the past are kept, 0 to AntiAliased::most_frames. Each takes 24 bytes a pixel, and time; the first
+/// brings most. Without any, edges are smoothed by the 3x3 around alone.
+template <class P, int frames = 1> struct Remodulated {
     static_assert(detail::is_pipeline<P>, "Remodulated{pipeline, policy}: the first must be a Pipeline or a Composite");
     static_assert(P::Output::components == 3, "Remodulated{pipeline, policy}: the pipeline's output must be a colour of three components");
-    static_assert(frames >= 1 && frames <= AntiAliased::most_frames, "Remodulated<P, frames>: it keeps 1 to 4 frames");
+    static_assert(frames >= 0 && frames <= AntiAliased::most_frames, "Remodulated<P, frames>: it keeps 0 to 4 frames");
     using Output = typename P::Output;                                               ///< the channel of the picture
     using reads = decltype(typename P::reads{} | Channels<Albedo, Depth, Motion>{}); ///< channels that the host must supply
     static constexpr MotionConvention motion_convention = P::motion_convention;      ///< what the host's motion vectors mean: see Supplied
