@@ -17,8 +17,9 @@ function find_chromium() {
 }
 
 /// Lets the program write sample pages, or takes those of a folder, then calls check(open): open(name, options) opens one of them. A folder
-/// for screenshots may be the second argument; page.save(name) and page.save_whole(name) then leave some there.
-export async function with_pages(check) {
+/// for screenshots may be the second argument; page.save(name) and page.save_whole(name) then leave some there. `switches` are
+/// Chromium's.
+export async function with_pages(check, switches = []) {
     const [program, screenshots] = process.argv.slice(2);
     const chromium_program = find_chromium();
     const folder = mkdtempSync(join(tmpdir(), "quell_browser_"));
@@ -31,7 +32,7 @@ export async function with_pages(check) {
             mkdirSync(pages);
             execFileSync(program, [pages]);
         }
-        chromium = new Chromium(chromium_program, join(folder, "profile"));
+        chromium = new Chromium(chromium_program, join(folder, "profile"), switches);
         await check(async (name, options) => {
             const page = await Page.open(chromium, pathToFileURL(join(pages, name)).href, options);
             const save = async (picture, task) => {

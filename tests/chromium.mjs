@@ -8,14 +8,14 @@ const switches = ["--headless", "--remote-debugging-pipe", "--no-sandbox", "--di
                   "--force-color-profile=srgb", "--host-resolver-rules=MAP * ~NOTFOUND"];
 
 export class Chromium {
-    /// Starts the program; what it keeps about its user goes into the folder `profile`.
-    constructor(program, profile) {
+    /// Starts the program; what it keeps about its user goes into the folder `profile`. `more` are switches for it.
+    constructor(program, profile, more = []) {
         this.asked = new Map(); // what waits for an answer, by the message's number
         this.listeners = new Map(); // who hears a session's events
         this.last_number = 0;
         this.complaints = "";
         this.half_message = [];
-        this.process = spawn(program, [...switches, `--user-data-dir=${profile}`], {stdio: ["ignore", "ignore", "pipe", "pipe", "pipe"]});
+        this.process = spawn(program, [...switches, ...more, `--user-data-dir=${profile}`], {stdio: ["ignore", "ignore", "pipe", "pipe", "pipe"]});
         this.process.stderr.on("data", text => { this.complaints += text; });
         this.process.stdio[3].on("error", () => {}); // the end of the process says it better
         this.process.stdio[4].on("data", bytes => this.take(bytes));

@@ -9,6 +9,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../
 import charts
 import check
 import highlight
+from build import put_live
 from figures import Figures
 from pages import Pages, place_of
 from pictures import FRONT, GALLERY, Programs, paths, small
@@ -114,6 +115,17 @@ class SkinTest(unittest.TestCase):
 
     def test_the_page_that_is_shown_is_marked(self):
         self.assertEqual(Skin(False).top("", "Docs").count("aria-current"), 1)
+
+
+class LiveTest(unittest.TestCase):
+    def test_the_live_page_gets_the_top_and_bottom_of_the_site(self):
+        with tempfile.TemporaryDirectory() as folder:
+            written(folder, "made/index.html", "a<!-- top -->own\ntop<!-- /top -->b<!-- bottom -->c")
+            put_live(os.path.join(folder, "made"), os.path.join(folder, "live"), Skin(True))
+            with open(os.path.join(folder, "live/index.html"), encoding="utf-8") as text:
+                page = text.read()
+        self.assertRegex(page, r'(?s)^a.*aria-current=page>Live<.*b<footer.*</footer>c$')
+        self.assertNotIn("own", page)
 
 
 class CheckTest(unittest.TestCase):

@@ -1,4 +1,4 @@
-// Denoises by WebGPU: dispatches the shaders that quell-shaders has made, as plan.json says. See docs/shaders.md.
+// Denoises by WebGPU: dispatches the shaders that quell-shaders has made, as plan.json says.
 "use strict";
 
 class GpuDenoiser {

@@ -144,7 +144,8 @@ class Gestures {
     begin(event) {
         this.screen.setPointerCapture(event.pointerId);
         this.fingers.set(event.pointerId, {x: event.clientX, y: event.clientY});
-        if (event.target.classList.contains("border")) this.border = event.target.id.slice(-1);
+        // Two fingers move the camera, wherever they are.
+        this.border = this.fingers.size === 1 && event.target.classList.contains("border") ? event.target.id.slice(-1) : "";
         this.screen.classList.toggle("turning", !this.border);
     }
 
@@ -188,11 +189,10 @@ class Gestures {
 
 /// Runs frames and draws them.
 class Live {
-    constructor(program, gpu) {
+    constructor(program) {
         this.program = program;
-        this.gpu = gpu;
+        this.gpu = null;
         this.is_waiting = false; // for the device
-        if (gpu) by_id("preset").add(new Option("general, WebGPU", "gpu"));
         this.canvas = by_id("canvas");
         this.context = this.canvas.getContext("2d", {alpha: false});
         this.means = {rate: new Mean(), trace: new Mean(), denoise: new Mean()};
@@ -214,6 +214,14 @@ class Live {
         this.canvas.height = height;
         this.program.resize(width, height);
         this.gpu?.resize(width, height);
+    }
+
+    /// The device takes a while to compile; the page runs meanwhile.
+    take_gpu(gpu) {
+        if (!gpu) return;
+        this.gpu = gpu;
+        gpu.resize(this.program.width, this.program.height);
+        by_id("preset").add(new Option("general, WebGPU", "gpu"));
     }
 
     set_camera() {
@@ -248,22 +256,28 @@ class Live {
         this.write_numbers();
     }
 
-    /// The device's part of a frame. What it takes includes the ways there and back.
-    async denoise_on_gpu(now) {
-        this.is_waiting = true;
-        const {gpu, program: {call}} = this, start = performance.now(), pixels = this.program.width * this.program.height;
+    /// Denoises what was traced by the device; false where the size has changed meanwhile.
+    async run_gpu() {
+        const {gpu, program, program: {call}} = this, {buffers} = gpu;
         for (const input of gpu.plan.inputs) {
             call.take_channel(channels.indexOf(input.channel), input.component);
-            gpu.set_input(input, this.program.planes(pixels));
+            gpu.set_input(input, program.planes(program.width * program.height));
         }
-        const {buffers} = gpu;
         const picture = await gpu.run().catch(error => {
             if (buffers === gpu.buffers) throw error;
         });
-        this.is_waiting = false;
-        if (buffers !== gpu.buffers) return; // the size has changed meanwhile
-        this.program.planes(picture.length).set(picture);
+        if (buffers !== gpu.buffers) return false;
+        program.planes(picture.length).set(picture);
         call.put_denoised();
+        return true;
+    }
+
+    /// The device's part of a frame. What it takes includes the ways there and back.
+    async denoise_on_gpu(now) {
+        this.is_waiting = true;
+        const start = performance.now(), is_done = await this.run_gpu();
+        this.is_waiting = false;
+        if (!is_done) return;
         this.means.denoise.add(performance.now() - start);
         this.show(now);
     }
@@ -366,9 +380,8 @@ class Live {
 }
 
 async function start() {
-    const program = await Program.load();
-    const gpu = await GpuDenoiser.make(live_shaders).catch(() => null);
-    window.live = new Live(program, gpu);
+    window.live = new Live(await Program.load());
+    live.gpu_ready = GpuDenoiser.make(live_shaders).catch(() => null).then(gpu => live.take_gpu(gpu));
 }
 
 start().catch(error => {
