@@ -20,7 +20,7 @@ inline std::string shader_file_name(ShaderPlan const& plan, std::size_t pass, bo
 }
 
 namespace detail {
-inline std::string quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
+inline std::string in_quotes(std::string_view text) { return "\"" + std::string(text) + "\""; }
 /// "a, b, c" of what `each` makes of the members of a list.
 inline std::string joined(auto const& list, std::string_view between, auto const& each) {
     std::string all;
@@ -30,7 +30,7 @@ inline std::string joined(auto const& list, std::string_view between, auto const
 inline std::string host_planes(std::vector<HostPlane> const& planes) {
     int slot = 0;
     return joined(planes, ",\n    ", [&](HostPlane const& plane) {
-        return "{\"channel\": " + quoted(plane.channel) + ", \"component\": " + std::to_string(plane.component) +
+        return "{\"channel\": " + in_quotes(plane.channel) + ", \"component\": " + std::to_string(plane.component) +
                ", \"fraction\": " + std::to_string(plane.fraction) + ", \"slot\": " + std::to_string(slot++) + "}";
     });
 }
@@ -42,14 +42,19 @@ inline std::string buffers_of(PassGraph const& graph, Operation operation) {
     std::vector<std::string_view> names;
     for (std::size_t i = 0; i < used.size(); ++i)
         if (used[i]) names.push_back(shader_buffer_names[i]);
-    return "[" + joined(names, ", ", quoted) + "]";
+    return "[" + joined(names, ", ", in_quotes) + "]";
 }
-inline std::string buffer_text(ShaderPlan const& plan, std::size_t number) {
+/// The binding of a block or buffer, and in HLSL also the register, in which constants, what is read and what is written count apart.
+inline std::string binding_text(std::size_t binding, char kind, std::string_view extension) {
+    auto const number = std::to_string(binding);
+    return "\"binding\": " + number + (extension == "hlsl" ? ", \"register\": " + in_quotes(kind + number) : "");
+}
+inline std::string buffer_text(ShaderPlan const& plan, std::size_t number, std::string_view extension) {
     auto const buffer = static_cast<ShaderBuffer>(number);
     bool const then = buffer == ShaderBuffer::history_then, now = buffer == ShaderBuffer::history_now;
-    return "{\"name\": " + quoted(name_of(buffer)) + ", \"binding\": " + std::to_string(number + 1) +
-           ", \"access\": " + quoted(number < 2 ? "read" : "read_write") + ", \"slots\": " + std::to_string(plan.slot_count(buffer)) +
-           (then || now ? ", \"becomes\": " + quoted(name_of(then ? ShaderBuffer::history_now : ShaderBuffer::history_then)) : "") + "}";
+    return "{\"name\": " + in_quotes(name_of(buffer)) + ", " + binding_text(number + 1, number < 2 ? 't' : 'u', extension) +
+           ", \"access\": " + in_quotes(number < 2 ? "read" : "read_write") + ", \"slots\": " + std::to_string(plan.slot_count(buffer)) +
+           (then || now ? ", \"becomes\": " + in_quotes(name_of(then ? ShaderBuffer::history_now : ShaderBuffer::history_then)) : "") + "}";
 }
 } // namespace detail
 
@@ -58,26 +63,27 @@ inline std::string buffer_text(ShaderPlan const& plan, std::size_t number) {
 inline std::string to_json(ShaderPlan const& plan, std::string_view extension) {
     using namespace detail;
     auto const members = joined(FrameBlock::members, ",\n      ", [](FrameBlock::Member const& member) {
-        return "{\"name\": " + quoted(member.name) + ", \"type\": " + quoted(member.type) +
-               ", \"offset\": " + std::to_string(4 * member.word) + ", \"meaning\": " + quoted(member.meaning) + "}";
+        return "{\"name\": " + in_quotes(member.name) + ", \"type\": " + in_quotes(member.type) +
+               ", \"offset\": " + std::to_string(4 * member.word) + ", \"meaning\": " + in_quotes(member.meaning) + "}";
     });
     std::size_t buffer = 0, number = 0;
-    auto const buffers = joined(shader_buffer_names, ",\n    ", [&](std::string_view) { return buffer_text(plan, buffer++); });
+    auto const buffers = joined(shader_buffer_names, ",\n    ", [&](std::string_view) { return buffer_text(plan, buffer++, extension); });
     auto const passes = joined(plan.passes, ",\n    ", [&](ShaderPass const& pass) {
         auto const n = number++;
-        auto const first = pass.first ? ", \"first\": " + quoted(shader_file_name(plan, n, true, extension)) : std::string();
-        return "{\"name\": " + quoted(pass.graph.name) + ", \"shader\": " + quoted(shader_file_name(plan, n, false, extension)) + first +
-               ", \"fraction\": " + std::to_string(pass.graph.fraction) + ", \"reads\": " + buffers_of(pass.graph, Operation::load) +
-               ", \"writes\": " + buffers_of(pass.graph, Operation::store) + ", \"steps\": " + std::to_string(pass.graph.nodes.size()) +
-               "}";
+        auto const first = pass.first ? ", \"first\": " + in_quotes(shader_file_name(plan, n, true, extension)) : std::string();
+        return "{\"name\": " + in_quotes(pass.graph.name) + ", \"shader\": " + in_quotes(shader_file_name(plan, n, false, extension)) +
+               first + ", \"fraction\": " + std::to_string(pass.graph.fraction) +
+               ", \"reads\": " + buffers_of(pass.graph, Operation::load) + ", \"writes\": " + buffers_of(pass.graph, Operation::store) +
+               ", \"steps\": " + std::to_string(pass.graph.nodes.size()) + "}";
     });
     auto const side = std::to_string(shader_workgroup);
-    return "{\n  \"quell\": " + quoted(version) + ",\n  \"name\": " + quoted(plan.name) + ",\n  \"entry_point\": \"main\",\n" +
-           "  \"workgroup\": [" + side + ", " + side + "],\n  \"needs_camera\": " + (plan.needs_camera ? "true" : "false") + ",\n" +
-           "  \"uniforms\": {\"name\": \"frame\", \"binding\": 0, \"bytes\": " + std::to_string(4 * FrameBlock::words) +
-           ", \"members\": [\n      " + members + "]},\n  \"buffers\": [\n    " + buffers + "],\n  \"inputs\": [\n    " +
-           host_planes(plan.inputs) + "],\n  \"picture\": [\n    " + host_planes(plan.output) + "],\n  \"passes\": [\n    " + passes +
-           "]\n}\n";
+    // In Metal's language no function may be named `main`: spirv-cross writes `main0`.
+    return "{\n  \"quell\": " + in_quotes(version) + ",\n  \"name\": " + in_quotes(plan.name) +
+           ",\n  \"entry_point\": " + in_quotes(extension == "metal" ? "main0" : "main") + ",\n" + "  \"workgroup\": [" + side + ", " +
+           side + "],\n  \"needs_camera\": " + (plan.needs_camera ? "true" : "false") + ",\n" + "  \"uniforms\": {\"name\": \"frame\", " +
+           binding_text(0, 'b', extension) + ", \"bytes\": " + std::to_string(4 * FrameBlock::words) + ", \"members\": [\n      " +
+           members + "]},\n  \"buffers\": [\n    " + buffers + "],\n  \"inputs\": [\n    " + host_planes(plan.inputs) +
+           "],\n  \"picture\": [\n    " + host_planes(plan.output) + "],\n  \"passes\": [\n    " + passes + "]\n}\n";
 }
 
 /// A recorded pass for people: a line for each step.
