@@ -106,6 +106,10 @@ TEST_CASE("a plan: what a shader must know of planes and passes") {
     auto const json = to_json(plan, "wgsl");
     CHECK(json.find("\"first\": \"01-temporal-first.wgsl\"") != std::string::npos);
     CHECK(json.find("\"name\": \"history_then\", \"binding\": 2, \"access\": \"read\", \"slots\": 6") != std::string::npos);
+    // What is read and what is written have registers of their own in HLSL; Metal has no function `main`.
+    CHECK(to_json(plan, "hlsl").find("\"binding\": 2, \"register\": \"t2\", \"access\": \"read\"") != std::string::npos);
+    CHECK(to_json(plan, "hlsl").find("\"binding\": 3, \"register\": \"u3\"") != std::string::npos);
+    CHECK(to_json(plan, "metal").find("\"entry_point\": \"main0\"") != std::string::npos);
     auto const shader = shader_text(plan, 2, false, ShaderLanguage::wgsl);
     CHECK(shader.find("// quell, two sizes: ") == 0);
     CHECK(shader.find("; // smaller[0]") != std::string::npos);

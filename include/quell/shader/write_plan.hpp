@@ -43,10 +43,15 @@ inline std::string buffers_of(PassGraph const& graph, Operation operation) {
         if (used[i]) names.push_back(shader_buffer_names[i]);
     return "[" + joined(names, ", ", in_quotes) + "]";
 }
-inline std::string buffer_text(ShaderPlan const& plan, std::size_t number) {
+/// The binding of a block or buffer, and in HLSL also the register, in which constants, what is read and what is written count apart.
+inline std::string binding_text(std::size_t binding, char kind, std::string_view extension) {
+    auto const number = std::to_string(binding);
+    return "\"binding\": " + number + (extension == "hlsl" ? ", \"register\": " + in_quotes(kind + number) : "");
+}
+inline std::string buffer_text(ShaderPlan const& plan, std::size_t number, std::string_view extension) {
     auto const buffer = static_cast<ShaderBuffer>(number);
     bool const then = buffer == ShaderBuffer::history_then, now = buffer == ShaderBuffer::history_now;
-    return "{\"name\": " + in_quotes(name_of(buffer)) + ", \"binding\": " + std::to_string(number + 1) +
+    return "{\"name\": " + in_quotes(name_of(buffer)) + ", " + binding_text(number + 1, number < 2 ? 't' : 'u', extension) +
            ", \"access\": " + in_quotes(number < 2 ? "read" : "read_write") + ", \"slots\": " + std::to_string(plan.slot_count(buffer)) +
            (then || now ? ", \"becomes\": " + in_quotes(name_of(then ? ShaderBuffer::history_now : ShaderBuffer::history_then)) : "") + "}";
 }
@@ -62,7 +67,7 @@ inline std::string to_json(ShaderPlan const& plan, std::string_view extension) {
                ", \"offset\": " + std::to_string(4 * member.word) + ", \"meaning\": " + in_quotes(member.meaning) + "}";
     });
     std::size_t buffer = 0, number = 0;
-    auto const buffers = joined(shader_buffer_names, ",\n    ", [&](std::string_view) { return buffer_text(plan, buffer++); });
+    auto const buffers = joined(shader_buffer_names, ",\n    ", [&](std::string_view) { return buffer_text(plan, buffer++, extension); });
     auto const passes = joined(plan.passes, ",\n    ", [&](ShaderPass const& pass) {
         auto const n = number++;
         auto const first = pass.first ? ", \"first\": " + in_quotes(shader_file_name(plan, n, true, extension)) : std::string();
@@ -72,12 +77,13 @@ inline std::string to_json(ShaderPlan const& plan, std::string_view extension) {
                ", \"steps\": " + std::to_string(pass.graph.nodes.size()) + "}";
     });
     auto const side = std::to_string(shader_workgroup);
-    return "{\n  \"format\": 1,\n  \"name\": " + in_quotes(plan.name) + ",\n  \"entry_point\": \"main\",\n" + "  \"workgroup\": [" + side +
-           ", " + side + "],\n  \"needs_camera\": " + (plan.needs_camera ? "true" : "false") + ",\n" +
-           "  \"uniforms\": {\"name\": \"frame\", \"binding\": 0, \"bytes\": " + std::to_string(4 * FrameBlock::words) +
-           ", \"members\": [\n      " + members + "]},\n  \"buffers\": [\n    " + buffers + "],\n  \"inputs\": [\n    " +
-           host_planes(plan.inputs) + "],\n  \"picture\": [\n    " + host_planes(plan.output) + "],\n  \"passes\": [\n    " + passes +
-           "]\n}\n";
+    // In Metal's language no function may be named `main`: spirv-cross writes `main0`.
+    return "{\n  \"format\": 1,\n  \"name\": " + in_quotes(plan.name) +
+           ",\n  \"entry_point\": " + in_quotes(extension == "metal" ? "main0" : "main") + ",\n" + "  \"workgroup\": [" + side + ", " +
+           side + "],\n  \"needs_camera\": " + (plan.needs_camera ? "true" : "false") + ",\n" + "  \"uniforms\": {\"name\": \"frame\", " +
+           binding_text(0, 'b', extension) + ", \"bytes\": " + std::to_string(4 * FrameBlock::words) + ", \"members\": [\n      " +
+           members + "]},\n  \"buffers\": [\n    " + buffers + "],\n  \"inputs\": [\n    " + host_planes(plan.inputs) +
+           "],\n  \"picture\": [\n    " + host_planes(plan.output) + "],\n  \"passes\": [\n    " + passes + "]\n}\n";
 }
 
 /// A recorded pass for people: a line for each step.
