@@ -20,7 +20,8 @@ template <class Edge> struct VarianceEstimate {
         using Real = typename decltype(px)::Real;
         auto const n = px[history_length];
         auto const temporal = px[luminance_variance] / max(n, Real(1.f));
-        auto const brief = n < Real(enough);
+        // Rounding leaves a mean of equal lengths just below them.
+        auto const brief = n < Real(enough * 0.9999f);
         if (!any(brief)) return emitted<Real>(variance, temporal);
         auto const spatial = spatial_variance(px) / max(n, Real(1.f));
         return emitted<Real>(variance, select(brief, finite_or(spatial, temporal), temporal));
