@@ -31,7 +31,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 // Of the functions in real.hpp, those that instruction sets have differently, for packs.
 /// @cond
 #if defined(__wasm_simd128__) && defined(__SSE2__)
-// emscripten makes comparisons and selections of x86's min and max, looks at signs to select, and truncates number by number.
+// emscripten makes comparisons and selections of x86's min and max, and truncates number by number.
 template <class A> QUELL_KERNEL v128_t wasm_of(xsimd::batch<float, A> a) { return v128_t(__m128(a)); }
 template <class A> QUELL_KERNEL auto min(xsimd::batch<float, A> a, xsimd::batch<float, A> b) {
     return xsimd::batch<float, A>(__m128(wasm_f32x4_pmin(wasm_of(b), wasm_of(a))));
@@ -45,9 +45,6 @@ template <class A> QUELL_KERNEL auto floor(xsimd::batch<float, A> a) {
 }
 template <class A> QUELL_KERNEL auto truncate(xsimd::batch<float, A> a) {
     return xsimd::batch<std::int32_t, A>(__m128i(wasm_i32x4_trunc_sat_f32x4(wasm_of(a))));
-}
-template <class A> QUELL_KERNEL auto select(xsimd::batch_bool<float, A> m, xsimd::batch<float, A> a, xsimd::batch<float, A> b) {
-    return xsimd::batch<float, A>(__m128(wasm_v128_bitselect(wasm_of(a), wasm_of(b), v128_t(__m128(m)))));
 }
 #else
 #if defined(__SSE2__)
@@ -65,9 +62,6 @@ template <class A> QUELL_KERNEL auto sqrt(xsimd::batch<float, A> a) { return xsi
 template <class A> QUELL_KERNEL auto floor(xsimd::batch<float, A> a) { return xsimd::floor(a); }
 #endif
 template <class A> QUELL_KERNEL auto truncate(xsimd::batch<float, A> a) { return xsimd::to_int(a); }
-template <class A> QUELL_KERNEL auto select(xsimd::batch_bool<float, A> m, xsimd::batch<float, A> a, xsimd::batch<float, A> b) {
-    return xsimd::select(m, a, b);
-}
 #endif
 /// @endcond
 

@@ -89,6 +89,9 @@ template <class T, class A> using CastTo = T;
 template <class A> QUELL_KERNEL auto min(xsimd::batch<float, A> a, float b) { return min(a, detail::PackOf<A>(b)); }
 template <class A> QUELL_KERNEL auto max(xsimd::batch<float, A> a, float b) { return max(a, detail::PackOf<A>(b)); }
 template <class A> QUELL_KERNEL auto abs(xsimd::batch<float, A> a) { return xsimd::abs(a); }
+template <class A> QUELL_KERNEL auto select(xsimd::batch_bool<float, A> m, xsimd::batch<float, A> a, xsimd::batch<float, A> b) {
+    return xsimd::select(m, a, b);
+}
 template <class A> QUELL_KERNEL auto select(xsimd::batch_bool<float, A> m, float a, float b) {
     return xsimd::select(m, detail::PackOf<A>(a), detail::PackOf<A>(b));
 }
