@@ -19,6 +19,11 @@ static void render(auto& frame, int number) {
 }
 
 int main() {
+#ifdef SHADERS_FOLDER
+    std::FILE* const plan = std::fopen(SHADERS_FOLDER "/plan.json", "r");
+    if (!plan) return 2;
+    std::fclose(plan);
+#endif
     quell::Frame frame{size, denoise};
     quell::History history{size, denoise};
     float worst = 0.f;
