@@ -41,7 +41,7 @@ def needs(made, listed):
         return True
     with open(listed, encoding="utf-8") as text:
         sources = text.read().replace("\\\n", " ").split(":", 1)[1].split()
-    paths = [os.path.join(HERE, source) for source in sources]
+    paths = [os.path.join(HERE, source) for source in sources] + [os.path.abspath(__file__)]
     return any(not os.path.exists(path) or os.path.getmtime(path) > os.path.getmtime(made) for path in paths)
 
 
@@ -78,14 +78,16 @@ def shaders_in(folder):
     """plan.json and the text of each shader; null without a folder."""
     if not folder:
         return None
-    found = {}
-    for name in sorted(os.listdir(folder)):
-        if name.endswith((".wgsl", ".json")):
-            with open(os.path.join(folder, name), encoding="utf-8") as text:
-                found[name] = text.read()
-    if "plan.json" not in found:
+    if not os.path.exists(os.path.join(folder, "plan.json")):
         sys.exit(f"live: {folder} has no plan.json: make it by quell-shaders --preset general --language wgsl --out {folder}")
-    return {"plan": json.loads(found.pop("plan.json")), "texts": found}
+
+    def read(name):
+        with open(os.path.join(folder, name), encoding="utf-8") as text:
+            return text.read()
+    plan = json.loads(read("plan.json"))
+    # Not all that lies there, which may be of an older plan.
+    names = {each[kind] for each in plan["passes"] for kind in ("shader", "first") if kind in each}
+    return {"plan": plan, "texts": {name: read(name) for name in sorted(names)}}
 
 
 def main():

@@ -44,7 +44,13 @@ std::vector<VkPhysicalDevice> devices_of(VkInstance instance) {
 Device::Device() : instance(make_instance()) {
     if (instance == VK_NULL_HANDLE)
         raise_error<Failure>("Vulkan", "there is no driver", "install one; mesa-vulkan-drivers has one for CPUs");
-    choose();
+    try {
+        choose();
+    } catch (...) { // then there is no ~Device
+        if (device != VK_NULL_HANDLE) vkDestroyDevice(device, nullptr);
+        vkDestroyInstance(instance, nullptr);
+        throw;
+    }
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(physical, &properties);
     name = properties.deviceName;

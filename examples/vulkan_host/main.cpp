@@ -6,8 +6,11 @@
 #include <quell/quell.hpp>
 #include <support/program.hpp>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <random>
 
 namespace {
@@ -53,7 +56,8 @@ float difference(auto const& clean, vulkan::PlanRunner const& on_device) {
             for (int x = 0; x < clean.size.width; ++x) {
                 float const one = clean.get(c, x, y), other = on_device.picture(c)[static_cast<std::size_t>(y * clean.size.width + x)];
                 float const off = std::abs(one - other) / std::max(1.f, std::abs(one));
-                worst = off <= worst ? worst : off; // NaN counts as worst
+                // NaN counts as infinite: it would give way to the next number.
+                worst = std::max(worst, std::isnan(off) ? std::numeric_limits<float>::infinity() : off);
             }
     return worst;
 }
@@ -78,7 +82,7 @@ void body(char const* folder) {
             shaders.run({.size = size, .frame_index = static_cast<std::int32_t>(number), .camera = frame.camera, .camera_then = then});
             seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), ++runs;
             auto const off = difference(run(denoise, frame, history, Serial{}), shaders);
-            worst = off <= worst ? worst : off;
+            worst = std::max(worst, off);
             then = frame.camera;
         }
     }

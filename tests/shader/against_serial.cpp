@@ -1,9 +1,8 @@
 #include "../images.hpp"
+#include "two_sizes.hpp"
 
 #include <quell/shader/interpreter.hpp>
 #include <quell/shader/record.hpp>
-
-#include <quell/quell.hpp>
 
 #include <doctest/doctest.h>
 #include <glm/ext/matrix_clip_space.hpp>
@@ -82,3 +81,5 @@ template <class P> void check_sizes(P const& pipeline) {
 
 TEST_CASE("a recorded preset has the bits of Serial: general") { check_sizes(presets::general(radiance, Demodulate{})); }
 TEST_CASE("a recorded preset has the bits of Serial: shadow, which looks at the camera") { check_sizes(presets::shadow()); }
+TEST_CASE("recorded passes of half the size have the bits of Serial") { check_sizes(tests::two_sizes); }
+TEST_CASE("what only a frame without a past looks at is still there") { check_sizes(tests::early_at_first); }

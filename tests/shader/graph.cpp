@@ -1,7 +1,7 @@
+#include "two_sizes.hpp"
+
 #include <quell/shader/record.hpp>
 #include <quell/shader/write_plan.hpp>
-
-#include <quell/quell.hpp>
 
 #include <doctest/doctest.h>
 
@@ -29,24 +29,6 @@ float constant_of(std::vector<Node> const& nodes) {
     REQUIRE(value.operation == Operation::constant);
     return std::bit_cast<float>(value.payload);
 }
-
-struct Half : Channel<1> {
-    static constexpr auto name = "smaller";
-    static constexpr int fraction = 2;
-};
-struct MakeSmaller {
-    using emits = Channels<Half>;
-    static constexpr int fraction = 2, farthest_tap = 2;
-    QUELL_KERNEL auto emit_channels(auto px) const {
-        auto sum = luminance(px.finer_signal(0, 0)) + luminance(px.finer_signal(1, 1));
-        return emitted<typename decltype(px)::Real>(Half{}, sum * 0.5f);
-    }
-};
-struct UseSmaller {
-    using reads = Channels<Half>;
-    static constexpr int farthest_tap = 4;
-    QUELL_KERNEL auto filter(auto px) const { return px.signal() * px.coarser_interpolated(Half{}); }
-};
 
 } // namespace
 
@@ -81,6 +63,11 @@ TEST_CASE("recorded: any() of what is not known is true, all() is false") {
     });
 }
 
+TEST_CASE("recorded: a selection of constants") {
+    auto const nodes = steps([](Recorded a, Recorded b) { return select(a < b, 2.f, 3.f); });
+    CHECK(count(nodes, Operation::select) == 1);
+}
+
 TEST_CASE("recorded: vectors of GLM") {
     auto const nodes = steps([](Recorded a, Recorded b) {
         vec3<Recorded> v{a, b, Recorded(1.f)};
@@ -92,8 +79,7 @@ TEST_CASE("recorded: vectors of GLM") {
 }
 
 TEST_CASE("a plan: what a shader must know of planes and passes") {
-    constexpr Pipeline pipeline{radiance, Temporal{SurfaceMotion{}, RunningMean{.cap = 16}}, Spatial{MakeSmaller{}}, Spatial{UseSmaller{}}};
-    auto const plan = record(pipeline, "two sizes");
+    auto const plan = record(tests::two_sizes, "two sizes");
     REQUIRE(plan.passes.size() == 4);
     CHECK(plan.passes[1].graph.name == "temporal");
     CHECK(plan.passes[1].first);

@@ -37,7 +37,8 @@ struct Path {
         if (!by_lights && is_in_sun(scene.sky, ray.direction)) add(scene.sky.sun, false);
     }
     QUELL_LIVE void reflect(Hit const& hit, float roughness, Vector colour) {
-        auto const mirrored = normalized(reflected(ray.direction, hit.normal)) + random.direction() * (roughness * random.next());
+        float const spread = roughness * random.next(); // by itself: compilers differ in which of two calls is first
+        auto const mirrored = normalized(reflected(ray.direction, hit.normal)) + random.direction() * spread;
         carried = carried * (dot(mirrored, hit.normal) > 0 ? colour : Vector{});
         ray.direction = mirrored;
         by_lights = false;

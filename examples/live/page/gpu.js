@@ -41,7 +41,7 @@ class GpuDenoiser {
         for (const buffer of Object.values(this.buffers)) buffer.destroy();
         this.buffers = {};
         for (const {name, slots} of this.plan.buffers)
-            this.buffers[name] = this.device.createBuffer({size: slots * this.plane, usage: GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST | GPUBufferUsage.COPY_SRC});
+            this.buffers[name] = this.device.createBuffer({size: Math.max(slots, 1) * this.plane, usage: GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST | GPUBufferUsage.COPY_SRC});
         this.buffers.back = this.device.createBuffer({size: this.plan.picture.length * this.plane, usage: GPUBufferUsage.MAP_READ | GPUBufferUsage.COPY_DST});
         // What a buffer becomes in the next frame changes places with it.
         const resource = name => ({buffer: this.buffers[name]});

@@ -39,7 +39,10 @@ class Program {
     }
 
     /// Floats of all components that go to a device or come back; `count` of them.
-    planes(count) { return new Float32Array(this.call.memory.buffer, this.call.planes(), count); }
+    planes(count) {
+        const place = this.call.planes(); // first: the memory may grow by it
+        return new Float32Array(this.call.memory.buffer, place, count);
+    }
 
     passes() {
         return Array.from({length: this.call.pass_count()}, (_, i) => ({name: this.text(this.call.pass_name(i)), ms: this.call.pass_milliseconds(i)}));

@@ -77,11 +77,13 @@ class SlotsOfFrame {
 public:
     int history_slots = 0, scratch_slots = 0;
 
-    SlotsOfFrame(PlaneUses const& frame, PlaneUses const& next) : images(frame.writer.size()) {
+    /// @param first a frame without a past, which may read an image later than others do
+    SlotsOfFrame(PlaneUses const& first, PlaneUses const& frame, PlaneUses const& next) : images(frame.writer.size()) {
         for (std::size_t i = 0; i < images.size(); ++i) images[i].first = images[i].last = frame.writer[i];
-        for (std::size_t p = 0; p < frame.of_pass.size(); ++p)
-            for (auto const& use : frame.of_pass[p])
-                if (use.kind == PlaneUse::Kind::made) images[use.number].last = std::max(images[use.number].last, p);
+        for (auto const* const each : {&first, &frame})
+            for (std::size_t p = 0; p < each->of_pass.size(); ++p)
+                for (auto const& use : each->of_pass[p])
+                    if (use.kind == PlaneUse::Kind::made) images[use.number].last = std::max(images[use.number].last, p);
         for (auto const& uses : next.of_pass)
             for (auto const& use : uses)
                 if (use.kind == PlaneUse::Kind::past) images[use.number].kept = true;

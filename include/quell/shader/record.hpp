@@ -21,7 +21,7 @@ public:
         PlaneUses const uses[] = {{frames[0], inputs, nullptr}, {frames[1], inputs, &uses[0]}, {frames[2], inputs, &uses[1]}};
         require(uses[1].of_pass == uses[2].of_pass && uses[0].writer == uses[1].writer && uses[1].writer == uses[2].writer &&
                 uses[0].output == uses[1].output);
-        SlotsOfFrame const places(uses[1], uses[2]);
+        SlotsOfFrame const places(uses[0], uses[1], uses[2]);
         for (std::size_t p = 0; p < frames[1].passes.size(); ++p) {
             require(frames[1].passes[p].graph == frames[2].passes[p].graph);
             auto& later = plan.passes.emplace_back(ShaderPass{placed(frames[1].passes[p].graph, uses[1].of_pass[p], places), {}}).graph;

@@ -141,6 +141,7 @@ inline Recorded from_bits(RecordedInteger a) {
 inline Recorded to_real(RecordedInteger a) {
     return a.is_constant() ? Recorded(to_real(a.constant())) : detail::recorded<Recorded>(Operation::to_real, a);
 }
+inline Recorded select(RecordedMask mask, float a, float b) { return select(mask, Recorded(a), Recorded(b)); }
 /// select() for values of several components.
 template <class V>
     requires(components_of<V> > 1)

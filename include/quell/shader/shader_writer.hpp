@@ -1,0 +1,168 @@
+#pragma once
+
+#include <quell/shader/shader_plan.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+/// @file
+/// What writes a recorded pass as a compute shader.
+
+namespace quell::inline QUELL_INSTRUCTION_SET {
+
+/// What a shader is written in.
+enum class ShaderLanguage : std::uint8_t {
+    wgsl, ///< WebGPU
+    glsl  ///< GLSL 4.5 for Vulkan, from which glslangValidator makes SPIR-V
+};
+
+/// Threads of a workgroup along each axis.
+inline constexpr int shader_workgroup = 8;
+
+namespace detail {
+inline std::string number_text(int a) { return std::to_string(a); }
+
+/// Writes one pass.
+class ShaderWriter {
+    PassGraph const& graph;
+    bool wgsl;
+    std::vector<std::string> text; ///< of each node: its name, or itself where it is short
+    std::string code{};
+
+public:
+    ShaderWriter(PassGraph const& g, ShaderLanguage language) : graph(g), wgsl(language == ShaderLanguage::wgsl), text(g.nodes.size()) {}
+
+    [[nodiscard]] std::string written() {
+        code += wgsl ? head_of_wgsl() : head_of_glsl();
+        auto const limit = [&](std::string const& axis) { return length(axis, graph.fraction); };
+        line(wgsl ? "let x = i32(id.x);" : "int x = int(gl_GlobalInvocationID.x);");
+        line(wgsl ? "let y = i32(id.y);" : "int y = int(gl_GlobalInvocationID.y);");
+        line("if (x >= " + limit("x") + " || y >= " + limit("y") + ") { return; }");
+        line(std::string(wgsl ? "let" : "int") + " pixels = frame.size.x * frame.size.y;");
+        for (std::size_t i = 0; i < graph.nodes.size(); ++i) write(graph.nodes[i], i);
+        return code + "}\n";
+    }
+
+private:
+    void line(std::string const& statement) { code += "    " + statement + "\n"; }
+    static std::string length(std::string const& axis, int fraction) {
+        auto const whole = "frame.size." + axis;
+        return fraction == 1 ? whole : "(" + whole + " + " + number_text(fraction - 1) + ") / " + number_text(fraction);
+    }
+    [[nodiscard]] std::string head_of_wgsl() const {
+        std::string head = "struct Frame {\n";
+        for (auto const& each : FrameBlock::members)
+            head += "    " + std::string(each.name) + ": " +
+                    (each.type == "mat4"   ? "mat4x4<f32>"
+                     : each.type == "vec4" ? "vec4<f32>"
+                                           : "vec4<i32>") +
+                    ",\n";
+        head += "}\n@group(0) @binding(0) var<uniform> frame: Frame;\n";
+        for (std::size_t i = 0; i < shader_buffer_names.size(); ++i)
+            head += "@group(0) @binding(" + number_text(static_cast<int>(i) + 1) + ") var<storage, " + (i < 2 ? "read" : "read_write") +
+                    "> " + std::string(shader_buffer_names[i]) + ": array<f32>;\n";
+        return head +
+               "fn finite(a: f32) -> bool { return (bitcast<i32>(a) & 0x7fffffff) < 0x7f800000; }\n"
+               "fn truncated(a: f32) -> i32 { return select(-2147483647 - 1, i32(a), abs(a) < 2147483648.0); }\n"
+               "fn rounded_to_half(a: f32) -> f32 { return unpack2x16float(pack2x16float(vec2<f32>(clamp(a, -65504.0, 65504.0), "
+               "0.0))).x; }\n"
+               "fn of_bits(a: i32) -> f32 { return bitcast<f32>(a); }\n"
+               "@compute @workgroup_size(" +
+               number_text(shader_workgroup) + ", " + number_text(shader_workgroup) +
+               ") fn main(@builtin(global_invocation_id) id: vec3<u32>) {\n";
+    }
+    [[nodiscard]] std::string head_of_glsl() const {
+        auto const side = number_text(shader_workgroup);
+        std::string head = "#version 450\nlayout(local_size_x = " + side + ", local_size_y = " + side + ") in;\n";
+        head += "layout(std140, set = 0, binding = 0) uniform Frame {\n";
+        for (auto const& each : FrameBlock::members) head += "    " + std::string(each.type) + " " + std::string(each.name) + ";\n";
+        head += "} frame;\n";
+        for (std::size_t i = 0; i < shader_buffer_names.size(); ++i) {
+            auto const number = number_text(static_cast<int>(i) + 1);
+            head += "layout(std430, set = 0, binding = " + number + ") " + (i < 2 ? "readonly " : "") + "buffer Buffer" + number +
+                    " { float " + std::string(shader_buffer_names[i]) + "[]; };\n";
+        }
+        return head + "bool finite(float a) { return (floatBitsToInt(a) & 0x7fffffff) < 0x7f800000; }\n"
+                      "int truncated(float a) { return abs(a) < 2147483648.0 ? int(a) : -2147483647 - 1; }\n"
+                      "float rounded_to_half(float a) { return unpackHalf2x16(packHalf2x16(vec2(clamp(a, -65504.0, 65504.0), 0.0))).x; }\n"
+                      "float of_bits(int a) { return intBitsToFloat(a); }\n"
+                      "void main() {\n";
+    }
+
+    [[nodiscard]] std::string element(Node const& node, std::string const& place) const {
+        auto const& plane = graph.planes[node.payload];
+        return std::string(name_of(plane.buffer)) + "[" + number_text(plane.slot) + " * pixels + " + place + "]";
+    }
+    [[nodiscard]] std::string channel(Node const& node) const {
+        auto const& plane = graph.planes[node.payload];
+        return plane.channel + "[" + number_text(plane.component) + "]";
+    }
+    void write(Node const& node, std::size_t number) {
+        auto const& a = text[static_cast<std::size_t>(node.of[0])];
+        if (node.operation == Operation::store) {
+            auto const& place = text[static_cast<std::size_t>(node.of[1])];
+            return line(element(node, place) + " = " + a + "; // " + channel(node));
+        }
+        if (auto const leaf = short_text(node); !leaf.empty()) {
+            text[number] = leaf;
+            return;
+        }
+        auto const type = node.type();
+        auto const declared = wgsl ? "let " : type == NodeType::real ? "precise float " : type == NodeType::integer ? "int " : "bool ";
+        auto const name = "v" + std::to_string(number);
+        line(declared + name + " = " + expression(node) + ";" + (node.operation == Operation::load ? " // " + channel(node) : ""));
+        text[number] = name;
+    }
+    /// What is written where it is used; empty for what gets a name.
+    [[nodiscard]] std::string short_text(Node const& node) const {
+        switch (node.operation) {
+        case Operation::constant:
+            return real_text(node.payload);
+        case Operation::constant_integer:
+            return integer_text(static_cast<std::int32_t>(node.payload));
+        case Operation::constant_mask:
+            return node.payload != 0 ? "true" : "false";
+        case Operation::uniform:
+        case Operation::uniform_integer:
+            return member_text(static_cast<int>(node.payload));
+        case Operation::this_column:
+            return "x";
+        case Operation::this_row:
+            return "y";
+        case Operation::width:
+            return node.payload == 1 ? length("x", 1) : std::string();
+        case Operation::height:
+            return node.payload == 1 ? length("y", 1) : std::string();
+        default:
+            return {};
+        }
+    }
+    [[nodiscard]] std::string real_text(std::uint32_t bits) const {
+        auto const number = std::bit_cast<float>(bits);
+        // As a constant, WGSL takes neither infinity nor NaN.
+        if (!quell::is_finite(number)) return "of_bits(" + integer_text(static_cast<std::int32_t>(bits)) + ")";
+        char digits[32];
+        // Rounded to nine digits, the largest float would be too large for one.
+        std::snprintf(digits, sizeof digits, abs(number) > 3e38f ? "%.17g" : "%.9g", static_cast<double>(number));
+        std::string text_of = digits;
+        std::replace(text_of.begin(), text_of.end(), ',', '.'); // where the host's language has commas
+        if (text_of.find_first_of(".e") == std::string::npos) text_of += ".0";
+        return text_of[0] == '-' ? "(" + text_of + ")" : text_of;
+    }
+    [[nodiscard]] static std::string integer_text(std::int32_t a) {
+        if (a == std::numeric_limits<std::int32_t>::min()) return "(-2147483647 - 1)";
+        return a < 0 ? "(" + std::to_string(a) + ")" : std::to_string(a);
+    }
+    [[nodiscard]] static std::string member_text(int word) {
+        auto member = FrameBlock::members.begin();
+        while (member + 1 != FrameBlock::members.end() && (member + 1)->word <= word) ++member;
+        int const at = word - member->word;
+        auto const column = member->type == "mat4" ? "[" + number_text(at / 4) + "]" : std::string();
+        return "frame." + std::string(member->name) + column + "." + "xyzw"[at % 4];
+    }
+    [[nodiscard]] std::string expression(Node const& node) const; // shader_expression.hpp
+};
+
+} // namespace detail
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET
