@@ -82,14 +82,20 @@ class Results(unittest.TestCase):
     def test_noisy_guides_are_made_steady(self):
         plain, steady = quell.Denoiser("svgf", (HEIGHT, WIDTH)), quell.Denoiser("svgf", (HEIGHT, WIDTH), steady_guides=("depth", "albedo"))
         random = np.random.default_rng(1)
+        frames = []
         for seed in range(3):
             frame = wall(HEIGHT, WIDTH, seed)
             frame["depth"] = 4 + random.random((HEIGHT, WIDTH), np.float32)
             frame["albedo"] = random.random((HEIGHT, WIDTH, 3), np.float32)
             frame["radiance"] = frame["albedo"]  # light of 1
+            frames.append(frame)
             pictures_of_both = plain(frame), steady(frame)
         # The picture is multiplied by an albedo that differs less.
         self.assertLess(pictures_of_both[1].std(), 0.8 * pictures_of_both[0].std())
+        in_sequence = list(quell.denoise(frames, "svgf", later_frames=0, steady_guides=["depth", "albedo"]))
+        self.assertTrue(same_bits(in_sequence[-1], pictures_of_both[1]))
+        with self.assertRaisesRegex(quell.Error, "steady_guides.*later_frames is 2"):
+            next(quell.denoise(frames, "svgf", steady_guides=("depth",)))
         for guides in ("depth",), "depth", ("normal",):
             options = {"two_sided": True} if guides == ("depth",) else {}
             with self.assertRaisesRegex(quell.Error, "steady_guides|two_sided"):
