@@ -270,7 +270,7 @@ TEST_CASE("anti-aliased: guides are of the last frame's size, and none is there 
     };
     std::vector<float> guide;
     int failures = 0;
-    for (bool ends_well = false; !ends_well; ++failures) {
+    for (;; ++failures) {
         auto const denoiser = made(settings);
         Moving moving;
         moving.frame.width = small.width, moving.frame.height = small.height;
@@ -282,8 +282,7 @@ TEST_CASE("anti-aliased: guides are of the last frame's size, and none is there 
         limited.left = failures;
         auto const status = quell_run(denoiser.get(), moving.ready_for(denoiser.get(), out, 3));
         limited.left = 1LL << 40;
-        ends_well = status == QUELL_OK;
-        if (ends_well) break;
+        if (status == QUELL_OK) break;
         CHECK(status == QUELL_NO_MEMORY);
         check_refused(guide_of(denoiser.get(), small, guide), QUELL_INVALID_ARGUMENT, {"the last one failed"});
         CHECK(std::ranges::all_of(guide, [](float value) { return value == -1.f; }));
