@@ -156,6 +156,10 @@ private:
     void take(Given& given, py::tuple const& frame, std::string const& prefix) const {
         auto const size = frame[5].cast<py::tuple>();
         given.frame.height = size[0].cast<int>(), given.frame.width = size[1].cast<int>();
+        // To quell.h a size of 0x0 is the denoiser's own, which arrays without pixels do not have.
+        if (given.frame.height == 0 || given.frame.width == 0)
+            refuse(prefix + "channel 'depth': an image of " + std::to_string(given.frame.width) + "x" + std::to_string(given.frame.height) +
+                   "; give one with pixels");
         take_images(given, frame[0].cast<py::dict>(), frame[4].cast<py::dict>(), prefix);
         given.frame.channels = given.channels.data(), given.frame.channel_count = given.channels.size();
         given.frame.samples = given.samples.data();

@@ -77,6 +77,9 @@ class Results(unittest.TestCase):
             quell.Denoiser("svgf", (HEIGHT, WIDTH))(frame, jitter=(0, 0))
         with self.assertRaisesRegex(quell.Error, "1 to 4 times"):
             denoiser(wall(HEIGHT // 5, WIDTH), jitter=(0, 0))
+        nothing = {name: channel[:0, :0] for name, channel in frame.items()}
+        with self.assertRaisesRegex(quell.Error, "an image of 0x0"):
+            denoiser(nothing, jitter=(0, 0))
         self.assertTrue(np.isfinite(denoiser(frame, jitter=(0, 0))).all())
 
     def test_noisy_guides_are_made_steady(self):
