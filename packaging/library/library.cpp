@@ -5,6 +5,7 @@
 #include "calls.hpp"
 #include "own_threads.hpp"
 #include "preset_code.hpp"
+#include "steady_plan.hpp"
 
 #include <dispatch/machine_runs.hpp>
 
@@ -70,6 +71,7 @@ struct quell_denoiser {
     quell_motion motion;
     bool two_sided;
     bool anti_aliases;
+    std::int32_t steady_guides; ///< as quell_settings has it
     Sizes sizes;
     int guide_width; ///< of the frame that was run last
     OwnThreads threads;
@@ -350,6 +352,7 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
                                                                 .motion = settings->motion,
                                                                 .two_sided = settings->two_sided != 0,
                                                                 .anti_aliases = resolves,
+                                                                .steady_guides = settings->steady_guides,
                                                                 .sizes = sizes_of(*settings),
                                                                 .guide_width = settings->width,
                                                                 .threads = OwnThreads(settings->threads),
@@ -422,7 +425,7 @@ char const* quell_plan(quell_denoiser const* denoiser) {
     if (denoiser == nullptr) return "";
     auto& plan = const_cast<quell_denoiser*>(denoiser)->plan;
     guarded([&] {
-        if (plan.empty()) plan = denoiser->way->plan();
+        if (plan.empty()) plan = (denoiser->steady_guides != 0 ? plan_of_steady(denoiser->steady_guides) : "") + denoiser->way->plan();
         return QUELL_OK;
     });
     return plan.c_str();

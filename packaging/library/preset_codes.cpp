@@ -10,6 +10,8 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <utility>
+
 namespace quell_library {
 
 namespace {
@@ -48,7 +50,9 @@ quell::MotionConvention convention_of(Motion const& given) {
 class PresetInstance final : public Instance {
     std::vector<ReadChannel> const& channels;
     quell::MotionConvention motion;
-    glm::vec2 jitter_then{0.f}; ///< of the frame that was denoised last
+    glm::vec2 jitter_then{0.f};    ///< of the frame that was denoised last
+    quell::Extent size_then{1, 1}; ///< its size
+    bool has_guides = false;       ///< whether the last frame, which was denoised to the end, has some
     std::unique_ptr<CompiledDenoiser> denoiser;
     std::vector<FrameImages> window;
 
@@ -61,17 +65,20 @@ public:
             window.resize(frames.size());
             for (std::size_t i = 0; i < frames.size(); ++i) {
                 take(window[i], frames[i]);
-                convert_motion(window[i], i > 0 ? window[i - 1].camera.jitter : jitter_then);
+                if (i > 0)
+                    convert_motion(window[i], window[i - 1].camera.jitter, window[i - 1].size);
+                else
+                    convert_motion(window[i], jitter_then, size_then);
             }
-            denoiser->run(window, output);
-            jitter_then = window.front().camera.jitter;
+            denoise(output);
+            jitter_then = window.front().camera.jitter, size_then = window.front().size;
         });
     }
     Outcome copy_guide(std::string const& name, Image const& output, std::string& error) noexcept override {
         bool is_there = false;
-        auto const outcome = caught(error, [&] { is_there = denoiser->copy_guide(name, output); });
+        auto const outcome = caught(error, [&] { is_there = has_guides && denoiser->copy_guide(name, output); });
         if (is_there || outcome != Outcome::ok) return outcome;
-        return failed(error, "no frame has been run: run one, whose guides are then there", Outcome::invalid);
+        return failed(error, "no frame has been run, or the last one failed: run one, whose guides are then there", Outcome::invalid);
     }
     void forget() noexcept override { denoiser->forget(); }
     [[nodiscard]] Statistics statistics() const noexcept override {
@@ -80,6 +87,18 @@ public:
     }
 
 private:
+    /// A frame that is refused leaves the guides as they were. After any other error they may be of this frame, of whose size the caller
+    /// knows nothing.
+    void denoise(Image const& output) {
+        bool const had_guides = std::exchange(has_guides, false);
+        try {
+            denoiser->run(window, output);
+        } catch (quell::Error const&) {
+            has_guides = had_guides;
+            throw;
+        }
+        has_guides = true;
+    }
     void take(FrameImages& images, Frame const& given) const {
         images.size = {given.width, given.height}, images.channels = given.channels, images.shutter = given.shutter;
         images.number = given.has_number ? std::optional<long long>(given.number) : std::nullopt;
@@ -88,8 +107,12 @@ private:
                          glm::make_vec2(given.camera->jitter)};
     }
     /// A sample offset by +jitter shifts the image by -jitter. A vector between jittered images is therefore off by the change of jitter.
-    void convert_motion(FrameImages& images, glm::vec2 before) const {
+    /// @param before      the jitter of the frame before it, in pixels of that frame
+    /// @param size_before of that frame
+    void convert_motion(FrameImages& images, glm::vec2 before, quell::Extent size_before) const {
         if (motion == quell::MotionConvention{}) return;
+        auto const ratio = [](int now, int then) { return static_cast<float>(now) / static_cast<float>(then); };
+        before *= glm::vec2(ratio(images.size.width, size_before.width), ratio(images.size.height, size_before.height));
         for (std::size_t i = 0; i < images.channels.size(); ++i) {
             bool const is_next = channels[i].name == quell::motion_next.name;
             if (!is_next && channels[i].name != quell::motion.name) continue;

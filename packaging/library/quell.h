@@ -150,7 +150,8 @@ typedef struct quell_settings {
                            together from the samples of seven frames, moved to where they are now. Move the samples of each frame by another
                            camera.jitter; frames then need a camera, of which presets that need none read the jitter alone. */
     int32_t steady_guides; /* guides that are noisy themselves, as out of focus or behind a pane, are accumulated along their motion first,
-                              over 8 frames at most: 1 depth, 2 albedo, 3 both; 0 none. Not with two_sided. */
+                              over 8 frames at most: 1 depth, 2 albedo, 3 both; 0 none. Not with two_sided. After a frame that was refused they
+                              may be accumulated anew. */
 } quell_settings;
 #ifdef __cplusplus
 #define QUELL_SETTINGS \
@@ -220,7 +221,8 @@ QUELL_CALL quell_status quell_run(quell_denoiser *denoiser, const quell_frame *f
  * last ones have fewer frames after them. Two frames after the first are enough. Where frames lack the optional channel motion_next, it is
  * made of the next frame's motion. The denoiser was made with settings.two_sided. */
 QUELL_CALL quell_status quell_run_two_sided(quell_denoiser *denoiser, const quell_frame *frames, size_t count);
-/* Copies a guide of the frame that was run last to an image of its size. */
+/* Copies a guide of the frame that was run last to an image of its size. After a frame that was refused it is that of the frame before it;
+ * after one that ran out of memory there is none. */
 QUELL_CALL quell_status quell_copy_guide(quell_denoiser *denoiser, const char *name, const quell_image *image);
 /* Drops the history: for cuts and teleports. */
 QUELL_CALL quell_status quell_forget(quell_denoiser *denoiser);

@@ -74,6 +74,8 @@ class Denoiser {
     };
     std::unique_ptr<quell_denoiser, Destroy> denoiser;
     bool is_two_sided;
+    int guide_width, guide_height; ///< of the frame that was run last
+    bool is_running = false;       ///< by any thread; of those, one at a time holds Python's lock
 
 public:
     /// @param motion      the four numbers of quell_motion
@@ -81,7 +83,7 @@ public:
     /// @param steady_guides the number of quell_settings
     Denoiser(std::string const& preset, int w, int h, int threads, char const* instruction_set, bool two_sided, bool alpha,
              py::tuple const& motion, bool anti_alias, py::tuple const& output_size, int steady_guides)
-        : is_two_sided(two_sided) {
+        : is_two_sided(two_sided), guide_width(w), guide_height(h) {
         quell_settings settings = QUELL_SETTINGS;
         settings.preset = preset.c_str(), settings.width = w, settings.height = h;
         settings.threads = threads, settings.instruction_set = instruction_set;
@@ -106,21 +108,28 @@ public:
         }
         all[0].output = image_of("out", out, quell_output_components(denoiser.get()), quell_output_width(denoiser.get()),
                                  quell_output_height(denoiser.get()));
+        check_idle();
         quell_status status = QUELL_OK;
+        is_running = true;
         {
             py::gil_scoped_release const released;
             status = is_two_sided || all.size() > 1 ? quell_run_two_sided(denoiser.get(), all.data(), all.size())
                                                     : quell_run(denoiser.get(), all.data());
         }
+        is_running = false;
         check(status);
+        guide_width = given[0].frame.width, guide_height = given[0].frame.height;
         if (PyErr_CheckSignals() != 0) throw py::error_already_set(); // Ctrl-C while it ran
     }
     void forget() { check(quell_forget(denoiser.get())); }
-    /// @param out of the size of the frame that was run last
+    /// @param out of guide_size(), which says how much is written
     void copy_guide(std::string const& name, py::array const& out) {
-        auto const image = image_of("guide", out, 3, static_cast<int>(out.shape(1)), static_cast<int>(out.shape(0)));
+        check_idle();
+        auto const image = image_of("guide", out, 3, guide_width, guide_height);
         check(quell_copy_guide(denoiser.get(), name.c_str(), &image));
     }
+    /// Height and width of the frame that was run last.
+    [[nodiscard]] py::tuple guide_size() const { return py::make_tuple(guide_height, guide_width); }
     [[nodiscard]] py::tuple statistics() const {
         quell_statistics counted = QUELL_STATISTICS;
         check(quell_get_statistics(denoiser.get(), &counted));
@@ -140,10 +149,17 @@ public:
     [[nodiscard]] std::string plan() const { return quell_plan(denoiser.get()); }
 
 private:
+    void check_idle() const {
+        if (is_running) raise("quell: another thread runs this denoiser; make one for each thread", QUELL_BUSY);
+    }
     /// @param prefix of what errors name
     void take(Given& given, py::tuple const& frame, std::string const& prefix) const {
         auto const size = frame[5].cast<py::tuple>();
         given.frame.height = size[0].cast<int>(), given.frame.width = size[1].cast<int>();
+        // To quell.h a size of 0x0 is the denoiser's own, which arrays without pixels do not have.
+        if (given.frame.height == 0 || given.frame.width == 0)
+            refuse(prefix + "channel 'depth': an image of " + std::to_string(given.frame.width) + "x" + std::to_string(given.frame.height) +
+                   "; give one with pixels");
         take_images(given, frame[0].cast<py::dict>(), frame[4].cast<py::dict>(), prefix);
         given.frame.channels = given.channels.data(), given.frame.channel_count = given.channels.size();
         given.frame.samples = given.samples.data();
@@ -205,6 +221,7 @@ PYBIND11_MODULE(_library, module) {
         .def("run", &Denoiser::run)
         .def("forget", &Denoiser::forget)
         .def("copy_guide", &Denoiser::copy_guide)
+        .def("guide_size", &Denoiser::guide_size)
         .def("statistics", &Denoiser::statistics)
         .def("channels", &Denoiser::channels)
         .def("output_components", &Denoiser::output_components)

@@ -439,6 +439,14 @@ TEST_CASE("guides that a preset accumulates are copied: the means of the frames 
     REQUIRE(quell_copy_guide(denoiser.get(), "mean_normal", &image) == QUELL_OK);
     CHECK(guide[4 * 700 + 2] == 1.f);
 
+    // A frame that is refused leaves them as they were.
+    wall.frame.shutter = -1;
+    check_refused(quell_run(denoiser.get(), wall.ready()), QUELL_INVALID_ARGUMENT, {"shutter"});
+    std::vector<float> same(pixels * 4, -1.f);
+    auto const there = QUELL_PIXELS(same.data(), 4);
+    REQUIRE(quell_copy_guide(denoiser.get(), "mean_normal", &there) == QUELL_OK);
+    CHECK(same == guide);
+
     auto const two = QUELL_PIXELS(guide.data(), 2);
     check_refused(quell_copy_guide(denoiser.get(), "mean_normal", &two), QUELL_INVALID_ARGUMENT, {"mean_normal", "2 components"});
     check_refused(quell_copy_guide(denoiser.get(), "depth", &image), QUELL_NOT_SUPPORTED, {"depth", "mean_albedo"});

@@ -221,6 +221,78 @@ TEST_CASE("anti-aliased: frames of several sizes keep what was resolved") {
     }
 }
 
+TEST_CASE("anti-aliased: where frames' size changes, motion that contains the jitter's change is what is left of it without") {
+    if (!has("none")) return;
+    Extent const large{60, 34}, small{30, 17}, output{2 * large.width, 2 * large.height};
+    auto settings = resolved_settings("none", output);
+    settings.width = large.width, settings.height = large.height;
+    auto const without = made(settings);
+    settings.motion.has_jitter = 1;
+    auto const with = made(settings);
+    Moving moving;
+    std::ranges::fill(moving.depth, 3.f);
+    std::vector<float> wanted(values(output, 3)), out(values(output, 3));
+    Extent then = large;
+    float jitter_then[2] = {};
+    for (unsigned i = 0; i < 7; ++i) {
+        moving.move(i);
+        Extent const size = i % 3 == 2 ? small : large;
+        moving.frame.width = size.width, moving.frame.height = size.height;
+        auto const ratio = static_cast<float>(size.width) / static_cast<float>(then.width); // the same for the heights
+        std::ranges::fill(moving.motion, 0.f);
+        REQUIRE(quell_run(without.get(), moving.ready_for(without.get(), wanted, 3)) == QUELL_OK);
+        // A point that stands still lies at -jitter in the pixels of its frame.
+        for (std::size_t k = 0; k < moving.motion.size(); ++k) moving.motion[k] = moving.camera.jitter[k % 2] - ratio * jitter_then[k % 2];
+        REQUIRE(quell_run(with.get(), moving.ready_for(with.get(), out, 3)) == QUELL_OK);
+        CHECK(out == wanted);
+        then = size;
+        for (std::size_t c = 0; c < 2; ++c) jitter_then[c] = moving.camera.jitter[c];
+    }
+}
+
+TEST_CASE("anti-aliased: guides are of the last frame's size, and none is there after a frame for which memory ran out") {
+    if (!has("accumulated")) return;
+    struct Limited {
+        long long left = 1LL << 40;
+    } limited;
+    auto settings = resolved_settings("accumulated", {2 * width, 2 * height});
+    settings.memory_user = &limited;
+    settings.allocate = [](void* user, size_t bytes, size_t alignment) -> void* {
+        return static_cast<Limited*>(user)->left-- > 0 ? ::operator new[](bytes, std::align_val_t{alignment}, std::nothrow) : nullptr;
+    };
+    settings.release = [](void*, void* memory) { ::operator delete[](memory, std::align_val_t{64}); };
+    std::vector<float> out(values({2 * width, 2 * height}, 3));
+    Extent const small{48, 30};
+    auto const guide_of = [&](quell_denoiser* denoiser, Extent size, std::vector<float>& guide) {
+        guide.assign(values(size, 3) + 1, -1.f);
+        auto const image = QUELL_PIXELS(guide.data(), 3);
+        return quell_copy_guide(denoiser, "mean_albedo", &image);
+    };
+    std::vector<float> guide;
+    int failures = 0;
+    for (;; ++failures) {
+        auto const denoiser = made(settings);
+        Moving moving;
+        moving.frame.width = small.width, moving.frame.height = small.height;
+        REQUIRE(quell_run(denoiser.get(), moving.ready_for(denoiser.get(), out, 3)) == QUELL_OK);
+        REQUIRE(guide_of(denoiser.get(), small, guide) == QUELL_OK);
+        CHECK((guide.front() == doctest::Approx(0.5) && guide.end()[-2] == doctest::Approx(0.5) && guide.back() == -1.f));
+
+        moving.frame.width = width, moving.frame.height = height;
+        limited.left = failures;
+        auto const status = quell_run(denoiser.get(), moving.ready_for(denoiser.get(), out, 3));
+        limited.left = 1LL << 40;
+        if (status == QUELL_OK) break;
+        CHECK(status == QUELL_NO_MEMORY);
+        check_refused(guide_of(denoiser.get(), small, guide), QUELL_INVALID_ARGUMENT, {"the last one failed"});
+        CHECK(std::ranges::all_of(guide, [](float value) { return value == -1.f; }));
+        REQUIRE(quell_run(denoiser.get(), moving.ready_for(denoiser.get(), out, 3)) == QUELL_OK);
+        REQUIRE(guide_of(denoiser.get(), {width, height}, guide) == QUELL_OK);
+        CHECK((guide.end()[-2] == doctest::Approx(0.5) && guide.back() == -1.f));
+    }
+    CHECK(failures > 1);
+}
+
 TEST_CASE("anti-aliased: once eight frames have run, no image is made, and all memory goes back") {
     struct Counted {
         long long now = 0, calls = 0;

@@ -72,6 +72,31 @@ TEST_CASE("steady guides: bit for bit what the headers make of the same guides")
     CHECK(third_with(1) != third_with(0));
 }
 
+TEST_CASE("steady guides: the plan says them, and what the headers' histories take") {
+    using namespace quell;
+    Frame<Channels<Depth, Albedo, Motion>> frame({width, height});
+    SteadyGuides<Channels<Depth>> of_depth{{width, height}};
+    SteadyGuides<Channels<Albedo>> of_albedo{{width, height}};
+    for (int i = 0; i < 2; ++i) of_depth.apply(frame), of_albedo.apply(frame);
+    std::size_t const plane = Planar<>::Image<1>({width, height}).bytes(); // a float a pixel
+    auto const copied = Depth::components + Albedo::components + Motion::components;
+    auto const plan_with = [&](int32_t steady_guides) {
+        auto settings = settings_of();
+        settings.steady_guides = steady_guides;
+        return std::string(quell_plan(made(settings).get()));
+    };
+    auto const plan = plan_with(0);
+    auto const sentence = [&](std::string const& guides, std::size_t bytes) {
+        auto const floats = static_cast<std::size_t>(copied) + bytes / plane;
+        return "Before it, " + guides + " accumulated along the motion, over 8 frames at most, which takes " + std::to_string(4 * floats) +
+               " bytes a pixel of the frames.\n\n";
+    };
+    CHECK(plan.find("accumulated along") == plan.npos);
+    CHECK(plan_with(1) == sentence("depth is", of_depth.bytes()) + plan);
+    CHECK(plan_with(2) == sentence("albedo is", of_albedo.bytes()) + plan);
+    CHECK(plan_with(3) == sentence("depth and albedo are", of_depth.bytes() + of_albedo.bytes()) + plan);
+}
+
 TEST_CASE("steady guides: anti-aliased too; forget() drops them; what cannot be is refused with a sentence") {
     auto settings = settings_of();
     settings.steady_guides = 3, settings.anti_alias = 1;

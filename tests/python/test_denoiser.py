@@ -77,19 +77,28 @@ class Results(unittest.TestCase):
             quell.Denoiser("svgf", (HEIGHT, WIDTH))(frame, jitter=(0, 0))
         with self.assertRaisesRegex(quell.Error, "1 to 4 times"):
             denoiser(wall(HEIGHT // 5, WIDTH), jitter=(0, 0))
+        nothing = {name: channel[:0, :0] for name, channel in frame.items()}
+        with self.assertRaisesRegex(quell.Error, "an image of 0x0"):
+            denoiser(nothing, jitter=(0, 0))
         self.assertTrue(np.isfinite(denoiser(frame, jitter=(0, 0))).all())
 
     def test_noisy_guides_are_made_steady(self):
         plain, steady = quell.Denoiser("svgf", (HEIGHT, WIDTH)), quell.Denoiser("svgf", (HEIGHT, WIDTH), steady_guides=("depth", "albedo"))
         random = np.random.default_rng(1)
+        frames = []
         for seed in range(3):
             frame = wall(HEIGHT, WIDTH, seed)
             frame["depth"] = 4 + random.random((HEIGHT, WIDTH), np.float32)
             frame["albedo"] = random.random((HEIGHT, WIDTH, 3), np.float32)
             frame["radiance"] = frame["albedo"]  # light of 1
+            frames.append(frame)
             pictures_of_both = plain(frame), steady(frame)
         # The picture is multiplied by an albedo that differs less.
         self.assertLess(pictures_of_both[1].std(), 0.8 * pictures_of_both[0].std())
+        in_sequence = list(quell.denoise(frames, "svgf", later_frames=0, steady_guides=["depth", "albedo"]))
+        self.assertTrue(same_bits(in_sequence[-1], pictures_of_both[1]))
+        with self.assertRaisesRegex(quell.Error, "steady_guides.*later_frames is 2"):
+            next(quell.denoise(frames, "svgf", steady_guides=("depth",)))
         for guides in ("depth",), "depth", ("normal",):
             options = {"two_sided": True} if guides == ("depth",) else {}
             with self.assertRaisesRegex(quell.Error, "steady_guides|two_sided"):
@@ -107,6 +116,41 @@ class Results(unittest.TestCase):
         self.assertAlmostEqual(float(denoiser.guide("mean_albedo")[20, 30, 1]), 0.375, places=4)
         with self.assertRaisesRegex(quell.Error, "mean_normal"):
             denoiser.guide("depth")
+
+    @unittest.skipUnless("accumulated" in quell.presets(), "skipped: guides, which want the preset accumulated")
+    def test_guides_are_of_the_last_frame_s_size(self):
+        denoiser = quell.Denoiser("accumulated", (HEIGHT, WIDTH), output_size=(2 * HEIGHT, 2 * WIDTH))
+        for height, width in (30, 48), (HEIGHT, WIDTH), (30, 48):
+            denoiser(wall(height, width), jitter=(0, 0))
+            guide = denoiser.guide("mean_albedo")
+            self.assertEqual(guide.shape, (height, width, 3))
+            self.assertTrue(np.allclose(guide, 0.5, atol=1e-3))
+            with self.assertRaises(quell.Error):
+                denoiser(wall(5, 5), jitter=(0, 0))
+            self.assertTrue(same_bits(denoiser.guide("mean_albedo"), guide))
+            for wrong in np.empty((5, 5, 3), np.float32), np.empty((height, width, 2), np.float32):
+                with self.assertRaisesRegex(quell.Error, f"guide: its shape is .*; give .{height}, {width}, 3"):
+                    denoiser._denoiser.copy_guide("mean_albedo", wrong)
+
+    @unittest.skipUnless("accumulated" in quell.presets(), "skipped: guides, which want the preset accumulated")
+    def test_a_frame_that_ctrl_c_ends_leaves_guides_of_its_size(self):
+        denoiser = quell.Denoiser("accumulated", (360, 640), output_size=(720, 1280))
+        frame = wall(360, 640)
+        interrupted = False
+        for delay in 0.002, 0.01, 0.05, 0.2, 0.5:
+            denoiser.forget()
+            denoiser(wall(180, 320), jitter=(0, 0))
+            timer = threading.Timer(delay, os.kill, (os.getpid(), signal.SIGINT))
+            try:
+                timer.start()
+                denoiser(frame, jitter=(0, 0))
+                timer.join()
+                time.sleep(0.01)
+            except KeyboardInterrupt:
+                timer.join()
+                interrupted = True
+            self.assertIn(denoiser.guide("mean_albedo").shape, ((180, 320, 3), (360, 640, 3)))
+        self.assertTrue(interrupted)
 
     def test_fewer_samples_than_pixels_give_what_nan_in_all_other_pixels_gives(self):
         for columns, rows, staggered in (2, 2, False), (2, 1, True):

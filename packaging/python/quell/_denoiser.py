@@ -96,7 +96,7 @@ class Denoiser:
         self._channels = {name: (components, is_optional) for name, components, is_optional in self._denoiser.channels()}
         self._preset = preset
         self._is_two_sided = two_sided
-        self._size = self._last_size = (height, width)
+        self._size = (height, width)
         self._output_size = self._size if output_size is None else output
         self._is_anti_aliased = anti_alias or self._output_size != self._size
 
@@ -140,7 +140,6 @@ class Denoiser:
             if not is_writable:
                 raise Error("out: its memory is read-only; give memory that may be written, such as a new array")
         self._denoiser.run(frames, written)
-        self._last_size = frames[0][5]
         return out
 
     def guide(self, name: str) -> Array:
@@ -148,7 +147,7 @@ class Denoiser:
 
         name: mean_albedo or mean_normal of the preset accumulated.
         """
-        out = np.empty((*self._last_size, 3), np.float32)
+        out = np.empty((*self._denoiser.guide_size(), 3), np.float32)
         self._denoiser.copy_guide(name, out)
         return out
 

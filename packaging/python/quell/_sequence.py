@@ -19,23 +19,26 @@ def denoise(
     motion: Mapping[str, str] = {},
     anti_alias: bool = False,
     output_size: Optional[Sequence[int]] = None,
+    steady_guides: Sequence[str] = (),
 ) -> Iterator[Array]:
     """Denoises a sequence and yields a new array for each frame.
 
     Each frame is a dict as Denoiser takes it, and is denoised with those before it and `later_frames` after it; 0 for presets that make no
     use of later frames. Frames are taken from `frames` as they are needed, and let go of when they are done with: only 1 + `later_frames`
     are held. When a picture has been used, progress(done, total) is called; the total is None where `frames` has no length. Ctrl-C and
-    exceptions of `progress` end it between two frames.
+    exceptions of `progress` end it between two frames. steady_guides: as Denoiser takes it, where `later_frames` is 0.
     """
     if later_frames < 0:
         raise Error(f"later_frames: {later_frames}; give 0 or more")
+    if later_frames > 0 and steady_guides:
+        raise Error(f"steady_guides: guides are accumulated of frames that are past, and later_frames is {later_frames}; give it 0")
     total = len(frames) if isinstance(frames, Sized) else None
     coming = iter(frames)
     held = deque(islice(coming, 1 + later_frames))
     if not held:
         return
     options: dict[str, Any] = {"threads": threads, "instruction_set": instruction_set, "alpha": alpha, "motion": motion}
-    options.update(anti_alias=anti_alias, output_size=output_size)
+    options.update(anti_alias=anti_alias, output_size=output_size, steady_guides=steady_guides)
     try:
         denoiser = Denoiser(preset, _size_of(held[0]), two_sided=later_frames > 0, **options)
     except Error as error:
