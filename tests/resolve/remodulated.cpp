@@ -190,18 +190,18 @@ TEST_CASE("anti-aliased: wrong jitter is named, and leaves the history as it is"
 }
 
 TEST_CASE("anti-aliased: where memory runs out at another size, the next frame starts afresh") {
-    constexpr Extent large{96, 48};
+    constexpr Extent small{17, 9};
     // Allocations fail one after another, until all of a frame's succeed.
     for (int fails_at = 0; fails_at < 64; ++fails_at) {
         CAPTURE(fails_at);
         History history{size, denoise, Failing{}}, fresh{size, denoise, Failing{}};
-        Frame frame{size, denoise}, larger{large, denoise};
-        fill(frame, {}, 0, jitter_of(0)), fill(larger, {}, 1, jitter_of(1));
+        Frame frame{size, denoise}, smaller{small, denoise};
+        fill(frame, {}, 0, jitter_of(0)), fill(smaller, {}, 1, jitter_of(1));
         run(denoise, frame, history, Serial{});
         Failing::left = fails_at;
         bool ran_out = false;
         try {
-            run(denoise, larger, history, Serial{});
+            run(denoise, smaller, history, Serial{});
         } catch (std::bad_alloc const&) {
             ran_out = true;
         }
