@@ -67,7 +67,7 @@ for filter in "${filters[@]}"; do
     printf '\n| --- |'
     for scene in "${scenes[@]}"; do for count in "${samples[@]}"; do printf ' --- |'; done; done
     printf '\n'
-    for preset in none surface surface-clamp atrous svgf dual-color "general --extra-frames 0" general "final-frame --extra-frames 0" final-frame "final-frame --map bench/cycles_one_signal.json"; do
+    for preset in none surface surface-clamp atrous svgf dual-color "general --extra-frames 0 --quick" "general --quick" "final-frame --extra-frames 0" final-frame "final-frame --map bench/cycles_one_signal.json"; do
         printf '| `%s` |' "$preset"
         read -ra words <<<"$preset"
         for scene in "${scenes[@]}"; do for count in "${samples[@]}"; do score "$scene" "$filter" "$count" "${words[@]}"; done; done

@@ -47,7 +47,7 @@ row() {
         score "$reference" "$frames" "$made/%04d.exr" --preset none
         rm -r "$made"
         ;;
-    real-time) score "$reference" "$frames" "$at/frame_%04d.exr" --preset general --extra-frames 0 ;;
+    real-time) score "$reference" "$frames" "$at/frame_%04d.exr" --preset general --extra-frames 0 --quick ;;
     final-alone) score "$reference" "$frames" "$at/frame_%04d.exr" --preset final-frame --extra-frames 0 ;;
     quell) score "$reference" "$frames" "$at/frame_%04d.exr" ;;
     *) score "$reference" "$frames" "$at/frame_%04d.exr" --preset "$name" ;;

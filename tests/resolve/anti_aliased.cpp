@@ -110,6 +110,39 @@ TEST_CASE("no frame around, and values that are not finite") {
     for (int x = 0; x < size.width; ++x) CHECK(std::isfinite(made.at(x)));
 }
 
+TEST_CASE("frames count up to the first of another size, and after this one as far as motion is known") {
+    Scene const scene{.edge = 12.3f, .speed = 0.37f};
+    TestFrame const here(scene, 0), first(scene, -1), second(scene, -2), next(scene, 1), after_next(scene, 2);
+    auto const made = [&](ColouredFrame<> const& now, std::vector<ColouredFrame<>> const& before,
+                          std::vector<ColouredFrame<>> const& after) {
+        ImageOf<Planar<>, Albedo> to(size);
+        anti_alias({}, Simd{}, now, before, after, here.light.view(), to.view());
+        std::vector<float> row;
+        for (int x = 0; x < size.width; ++x) row.push_back(to.view().get(1, x, 4));
+        return row;
+    };
+    auto const without_next = [](TestFrame const& frame) {
+        auto view = frame.view();
+        view.to_next = {}, view.knows_next = false;
+        return view;
+    };
+    ImageOf<Planar<>, Depth> const small(Extent{3, 2});
+    auto const of_another_size = [&](TestFrame const& frame) {
+        auto view = frame.view();
+        view.depth = small.view();
+        return view;
+    };
+    auto const plain = made(here.view(), {}, {});
+    CHECK(made(here.view(), {first.view()}, {}) != plain);
+    CHECK(made(here.view(), {of_another_size(first), second.view()}, {}) == plain);
+    CHECK(made(here.view(), {first.view(), of_another_size(second)}, {}) == made(here.view(), {first.view()}, {}));
+    auto const one_after = made(here.view(), {}, {next.view()});
+    CHECK(one_after != plain);
+    CHECK(made(without_next(here), {}, {next.view(), after_next.view()}) == plain);
+    CHECK(made(here.view(), {}, {without_next(next), without_next(after_next)}) == one_after);
+    CHECK(made(here.view(), {}, {next.view(), of_another_size(after_next)}) == one_after);
+}
+
 TEST_CASE("packs and single pixels agree") {
     Resolved const packs({.edge = 12.3f, .speed = 0.37f}, {}, Simd{}), singles({.edge = 12.3f, .speed = 0.37f}, {}, Serial{});
     for (int x = 0; x < size.width; ++x) CHECK(packs.at(x) == doctest::Approx(singles.at(x)).epsilon(1e-5));

@@ -100,3 +100,22 @@ TEST_CASE("parts by evidence: each half is judged by estimates that were made wi
     CHECK(mean_part(1.f, 1.5f) > .9);
     CHECK(mean_part(1.5f, 1.f) < .1);
 }
+
+TEST_CASE("parts by evidence: an image of another size is named") {
+    constexpr Extent size{4, 3};
+    using Pixels = std::vector<glm::vec3>;
+    auto const message = [](std::size_t samples, std::size_t b, std::size_t a_without, std::size_t b_without) -> std::string {
+        try {
+            static_cast<void>(parts_by_evidence(
+                {}, size, Pixels(samples), Pixels(b), [&](int) { return Pixels(a_without); }, [&](int) { return Pixels(b_without); }));
+        } catch (Error const& error) {
+            return error.what();
+        }
+        return {};
+    };
+    CHECK(message(12, 12, 12, 12).empty());
+    CHECK(message(11, 12, 12, 12).find("the samples: 11 pixels for an image of 4x3") != std::string::npos);
+    CHECK(message(12, 13, 12, 12).find("the second estimate: 13") != std::string::npos);
+    CHECK(message(12, 12, 0, 12).find("the first estimate without samples: 0") != std::string::npos);
+    CHECK(message(12, 12, 12, 1).find("the second estimate without samples: 1") != std::string::npos);
+}

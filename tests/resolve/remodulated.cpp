@@ -2,9 +2,9 @@
 #include "../threads.hpp"
 
 #include <quell/presets/anti_aliased.hpp>
-#include <quell/presets/resolve.hpp>
 
 #include <limits>
+#include <new>
 
 using namespace quell;
 using tests::copy_of;
@@ -51,6 +51,20 @@ template <class F> void fill(F& frame, Edge const& edge, int number, glm::vec2 j
     tests::fill(frame[motion], [&](int x, int y) { return is_thing(x, y) ? -edge.speed : glm::vec2(0.f); });
     frame.camera.jitter = jitter;
 }
+
+/// A storage whose memory runs out after `left` images; -1: never.
+struct Failing {
+    using Exact = Failing;
+    inline static int left = -1;
+    template <int N> struct Image : Planar<>::Image<N> {
+        explicit Image(Extent image_size) : Planar<>::Image<N>(checked(image_size)) {}
+        static Extent checked(Extent image_size) {
+            if (left == 0) throw std::bad_alloc{};
+            if (left > 0) --left;
+            return image_size;
+        }
+    };
+};
 
 /// The error of the last of some frames, and of the picture that came in.
 struct Errors {
@@ -159,15 +173,47 @@ TEST_CASE("anti-aliased: at a cut, after a gap and at another size nothing is le
               true) == alone);
 }
 
-TEST_CASE("anti-aliased: what is behind it takes it for a pipeline") {
-    auto const both = presets::resolve(denoise);
-    static_assert(std::is_same_v<decltype(both)::reads, std::remove_const_t<decltype(denoise)>::reads>);
-    Frame frame{size, both};
-    History history{Extent{2 * size.width, 2 * size.height}, both};
-    fill(frame, {}, 0, {});
-    auto const view = run(both, frame, history);
-    CHECK(view.get(0, 2, 2) == doctest::Approx(Edge::albedo_of(true)));
-    CHECK(view.get(0, 2 * size.width - 3, 2) == doctest::Approx(Edge::albedo_of(false)));
+TEST_CASE("anti-aliased: wrong jitter is named, and leaves the history as it is") {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    Frame frame{size, denoise};
+    History history{size, denoise}, other{size, denoise};
+    for (int i = 0; i < 3; ++i) {
+        fill(frame, {}, i, jitter_of(i));
+        if (i == 2)
+            for (glm::vec2 const wrong : {glm::vec2(0.f, nan), glm::vec2(9.f, 0.f), glm::vec2(0.f, -8.5f)}) {
+                frame.camera.jitter = wrong;
+                CHECK(tests::message([&] { run(denoise, frame, history); }).find("frame.camera.jitter") != std::string::npos);
+            }
+        frame.camera.jitter = jitter_of(i);
+        CHECK(copy_of(run(denoise, frame, history)) == copy_of(run(denoise, frame, other)));
+    }
+}
+
+TEST_CASE("anti-aliased: where memory runs out at another size, the next frame starts afresh") {
+    constexpr Extent small{17, 9};
+    // Allocations fail one after another, until all of a frame's succeed.
+    for (int fails_at = 0; fails_at < 64; ++fails_at) {
+        CAPTURE(fails_at);
+        History history{size, denoise, Failing{}}, fresh{size, denoise, Failing{}};
+        Frame frame{size, denoise}, smaller{small, denoise};
+        fill(frame, {}, 0, jitter_of(0)), fill(smaller, {}, 1, jitter_of(1));
+        run(denoise, frame, history, Serial{});
+        Failing::left = fails_at;
+        bool ran_out = false;
+        try {
+            run(denoise, smaller, history, Serial{});
+        } catch (std::bad_alloc const&) {
+            ran_out = true;
+        }
+        Failing::left = -1;
+        fill(frame, {}, 2, jitter_of(2));
+        CHECK(copy_of(run(denoise, frame, history, Serial{})) == copy_of(run(denoise, frame, fresh, Serial{})));
+        if (!ran_out) {
+            CHECK(fails_at > 3);
+            return;
+        }
+    }
+    FAIL("memory never sufficed");
 }
 
 TEST_CASE("anti-aliased: bits do not depend on threads, nor on where the picture goes") {

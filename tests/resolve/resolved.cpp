@@ -151,6 +151,25 @@ TEST_CASE("resolve: a ratio that changes keeps the history") {
     CHECK(last_error(0) < .8 * last_error(12));
 }
 
+TEST_CASE("resolve: motion with jitter left in gives the picture of motion without, whatever size the frames have") {
+    constexpr auto with_jitter =
+        presets::resolve(presets::none(radiance, Supplied<MotionConvention{.jitter = MotionConvention::Jitter::left_in}>{}));
+    Extent const output{64, 64};
+    History left_in{output, with_jitter};
+    History left_out{output, resolve};
+    auto const pixels = [](Extent size) { return glm::vec2(size.width, size.height); };
+    glm::vec2 then{0.f}; // in parts of the image
+    for (int i = 0; i < 8; ++i) {
+        Extent const size = i % 3 == 2 ? Extent{48, 24} : Extent{32, 32};
+        Frame frame{size, resolve}, jittered{size, with_jitter};
+        fill(frame, {}, i, jitter_of(i)), fill(jittered, {}, i, jitter_of(i));
+        auto const now = jitter_of(i) / pixels(size);
+        tests::fill(jittered[motion], [&](int, int) { return (now - then) * pixels(size); });
+        then = now;
+        CHECK(tests::difference(copy_of(run(with_jitter, jittered, left_in)), copy_of(run(resolve, frame, left_out))) < 1e-4);
+    }
+}
+
 TEST_CASE("resolve: what is uncovered has no history of what hid it") {
     Frame frame{{32, 8}, resolve};
     History history{{64, 16}, resolve};

@@ -209,8 +209,8 @@ private:
 /// @param policy   how
 /// @param executor runs the pass
 /// @param here     the frame that the light is of
-/// @param before   frames before it, the nearest first; no more than AntiAliased::most_frames are looked at
-/// @param after    frames after it, the nearest first; none in real time
+/// @param before   frames before it, the nearest first, up to the first of another size; AntiAliased::most_frames of them are looked at
+/// @param after    the same after it, as far as `to_next` is known; none in real time
 /// @param light    a view of three components
 /// @param to       a view of three components, other than the others
 template <Executor E, class Storage, ImageView Light, ImageView To>
@@ -218,13 +218,19 @@ void anti_alias(AntiAliased const& policy, E const& executor, ColouredFrame<Stor
                 std::span<std::type_identity_t<ColouredFrame<Storage>> const> before,
                 std::span<std::type_identity_t<ColouredFrame<Storage>> const> after, Light const& light, To const& to) {
     detail::AntiAliasJob<Storage, Light, To> job{policy, here, light, {}, {}, 0, 0, to};
-    for (auto const& frame : before.first(std::min(before.size(), job.before.size())))
+    auto const size = here.depth.size;
+    for (auto const& frame : before.first(std::min(before.size(), job.before.size()))) {
+        if (!(frame.depth.size == size)) break;
         job.before[static_cast<std::size_t>(job.count_before++)] = {frame.colour,  frame.depth,  frame.motion,
                                                                     frame.to_next, frame.jitter, frame.knows_next};
-    for (auto const& frame : after.first(std::min(after.size(), job.after.size())))
+    }
+    bool is_known = here.knows_next;
+    for (auto const& frame : after.first(std::min(after.size(), job.after.size()))) {
+        if (!is_known || !(frame.depth.size == size)) break;
         job.after[static_cast<std::size_t>(job.count_after++)] = {frame.colour, frame.depth,  frame.to_next,
                                                                   frame.motion, frame.jitter, true};
-    auto const size = here.depth.size;
+        is_known = frame.knows_next;
+    }
     detail::run_or_enqueue(executor, Region{0, 0, size.width, size.height}, job);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/core/error.hpp>
 #include <quell/core/light.hpp>
 #include <quell/image/image_storage.hpp>
 #include <quell/resolve/box_sums.hpp>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -95,6 +97,15 @@ inline void leave_out(ImageView auto const& view, int left_out) {
                 view.set(c, x, y, std::numeric_limits<float>::quiet_NaN());
 }
 
+namespace detail {
+/// @throws Error where an image of parts_by_evidence() has another number of pixels
+inline void check_evidence(char const* what, std::size_t count, Extent size) {
+    if (count != static_cast<std::size_t>(size.pixels()))
+        raise_error(std::string("parts_by_evidence: ") + what, std::to_string(count) + " pixels for an image of " + to_string(size),
+                    "give one value for each pixel, row by row");
+}
+} // namespace detail
+
 /// What part of the first of two estimates is best at each pixel, row by row: see Evidence.
 /// @param rule      how
 /// @param size      of the images
@@ -102,13 +113,17 @@ inline void leave_out(ImageView auto const& view, int left_out) {
 /// @param b         the second estimate, made of all samples
 /// @param a_without a_without(left_out): the first estimate, made without the samples that leave_out() takes out; row by row
 /// @param b_without the same of the second
-/// @throws std::bad_alloc
+/// @throws Error where one of these is not of that size, std::bad_alloc
 template <class A, class B>
 [[nodiscard]] std::vector<float> parts_by_evidence(Evidence const& rule, Extent size, std::vector<glm::vec3> const& samples,
                                                    std::vector<glm::vec3> const& b, A&& a_without, B&& b_without) {
+    detail::check_evidence("the samples", samples.size(), size);
+    detail::check_evidence("the second estimate", b.size(), size);
     EvidenceSums sums(size);
     for (int const left_out : {0, 1}) {
         std::vector<glm::vec3> const first = a_without(left_out), second = b_without(left_out);
+        detail::check_evidence("the first estimate without samples", first.size(), size);
+        detail::check_evidence("the second estimate without samples", second.size(), size);
         for (int y = 0; y < size.height; ++y)
             for (int x = (left_out + y) % 2; x < size.width; x += 2) {
                 auto const at = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);

@@ -3,8 +3,10 @@
 #include <quell/frame/repair.hpp>
 #include <quell/pipeline/composite.hpp>
 #include <quell/resolve/anti_alias.hpp>
+#include <quell/resolve/check_jitter.hpp>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -31,6 +33,7 @@ template <class P, int frames = 1> struct Remodulated {
     static constexpr MotionConvention motion_convention = P::motion_convention;      ///< what the host's motion vectors mean: see Supplied
     static constexpr bool needs_camera = P::needs_camera; ///< whether frame.camera must be set; its jitter is used anyway
     static constexpr int past_frames = frames;            ///< that are kept
+    static constexpr float most_jitter = 8.f;             ///< how far samples may lie from their pixels' centres, in pixels
 
     P pipeline;         ///< runs first
     AntiAliased policy; ///< how colours are anti-aliased
@@ -132,6 +135,7 @@ struct RemodulatedRun {
     static auto all(Remodulated<P, frames> const& remodulated, Frame<Set, FrameStorage> const& frame,
                     History<Remodulated<P, frames>, Storage>& history, E const& executor, Target const& target) {
         check_frame<Remodulated<P, frames>>(frame);
+        check_jitter(frame.camera.jitter, Remodulated<P, frames>::most_jitter);
         bool const follows = !frame.number || !history.number || *frame.number == *history.number + 1;
         if (!std::exchange(history.complete, false) || !follows || !(history.output.size() == frame.size)) history.known = 0;
         auto const picture = run(remodulated.pipeline, frame, history.pipeline, executor);
@@ -166,7 +170,9 @@ private:
         auto& kept = history.kept;
         if (!(history.output.size() == size)) {
             kept.clear();
-            history.light = decltype(history.light)(size), history.output = decltype(history.output)(size);
+            // Where memory runs out, both stay of one size.
+            decltype(history.light) light(size), output(size);
+            history.light = std::move(light), history.output = std::move(output);
         }
         if (kept.size() <= std::size_t{frames}) kept.emplace_back(size);
         std::rotate(kept.begin(), kept.end() - 1, kept.end());
@@ -180,7 +186,7 @@ private:
 /// @param frame    its camera's jitter says where its samples lie
 /// @param history  of this Remodulated
 /// @param executor as that of run() of a Pipeline
-/// @throws Error as run() of a Pipeline does
+/// @throws Error as run() of a Pipeline does, and for a jitter of more than 8 pixels or one that is not finite
 template <class P, int frames, class Set, class FrameStorage, class Storage, Executor E = Simd>
 auto run(Remodulated<P, frames> const& remodulated, Frame<Set, FrameStorage> const& frame,
          History<Remodulated<P, frames>, Storage>& history, E const& executor = {}) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/pipeline/composite.hpp>
+#include <quell/resolve/check_jitter.hpp>
 #include <quell/resolve/resolve_passes.hpp>
 #include <quell/resolve/sharpening.hpp>
 
@@ -11,6 +12,12 @@
 #include <vector>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
+
+namespace detail {
+/// Whether a pipeline's picture has no jitter left: anti-aliased colours are of the pixels' centres.
+template <class P> inline constexpr bool is_remodulated = false;
+template <class P, int frames> inline constexpr bool is_remodulated<Remodulated<P, frames>> = true;
+} // namespace detail
 
 /// A pipeline, or a Composite, whose output is then anti-aliased over time, at the frame's size or a larger one:
 ///
@@ -26,6 +33,8 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// @tparam Policy Resolve<...>
 template <class P, class Policy = Resolve<>> struct Resolved {
     static_assert(detail::is_pipeline<P>, "Resolved{pipeline, resolve}: the first must be a Pipeline or a Composite");
+    static_assert(!detail::is_remodulated<P>, "Resolved{pipeline, resolve}: colours of that pipeline are anti-aliased already; take one of "
+                                              "presets::resolve and presets::anti_aliased");
     using Output = typename P::Output;                                          ///< the channel of the picture
     using reads = decltype(typename P::reads{} | Channels<Motion, Depth>{});    ///< channels that the host must supply
     static constexpr MotionConvention motion_convention = P::motion_convention; ///< what the host's motion vectors mean: see Supplied
@@ -59,6 +68,13 @@ template <class P, class Policy, ImageStorage Storage> class History<Resolved<P,
 
         explicit Kept(Extent size) : colour(size), motion(size), depth(size) {}
         [[nodiscard]] std::size_t bytes() const { return colour.bytes() + motion.bytes() + depth.bytes(); }
+        /// The jitter in pixels of a frame of that size.
+        [[nodiscard]] glm::vec2 jitter_at(Extent size) const {
+            auto const own = colour.size();
+            if (own == size) return jitter;
+            return {jitter.x * (static_cast<float>(size.width) / static_cast<float>(own.width)),
+                    jitter.y * (static_cast<float>(size.height) / static_cast<float>(own.height))};
+        }
         [[nodiscard]] auto view() const { return detail::ResolvedFrame{colour.view(), motion.view(), depth.view(), colour.size(), jitter}; }
     };
     struct Scratch {
@@ -137,8 +153,8 @@ struct ResolvedRun {
                        has_target = !std::is_same_v<Target, NoTarget>;
         auto& kept = begin(history, frame.size);
         kept.jitter = frame.camera.jitter;
-        auto const jitter_then = history.known > 0 ? history.frames[1].jitter : kept.jitter;
         auto const now = kept.view();
+        auto const jitter_then = history.known > 0 ? history.frames[1].jitter_at(frame.size) : kept.jitter;
         auto const around = history.scratch->view();
         VectorConversion<P::motion_convention> const vectors(frame.size, kept.jitter, jitter_then);
         executor.for_each_pixel(Region{0, 0, frame.size.width, frame.size.height},
@@ -175,12 +191,6 @@ struct ResolvedRun {
     }
 
 private:
-    static void check_jitter(glm::vec2 jitter, float most) {
-        auto const is_in_range = [&](float a) { return is_finite(a) && a >= -most && a <= most; };
-        if (!is_in_range(jitter.x) || !is_in_range(jitter.y))
-            raise_error<Failure>("run: frame.camera.jitter", std::to_string(jitter.x) + ", " + std::to_string(jitter.y),
-                                 "give the samples' offset from the pixels' centres, in pixels of the frame");
-    }
     /// Makes place for a frame. The oldest frame's images become the newest's.
     template <class P, class Policy, class Storage> static auto& begin(History<Resolved<P, Policy>, Storage>& history, Extent size) {
         auto& frames = history.frames;
