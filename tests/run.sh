@@ -13,8 +13,8 @@ usual_steps=(gcc asan)
 # The folders of tests to run, where some are named: then nothing else is built.
 only=()
 # What each of the other builds compiles and runs, as far as it exists: the library, and no slow programs. The clang build, at -O2, has
-# whole pipelines and what the sanitizers' builds, which are clang's too, leave out.
-clang_tests=(blur radiance pipeline execute two_units fast_math same_bits no_exceptions)
+# whole pipelines ("same_bits", "fast_math") and what the sanitizers' builds, which are clang's too, leave out.
+clang_tests=(blur radiance execute two_units fast_math same_bits no_exceptions)
 # Kernels of the slow presets meet the sanitizers in the fuzz step.
 asan_tests=(core image frame motion blend filter pipeline io metrics report)
 tsan_tests=(races)
