@@ -2,6 +2,7 @@
 
 #include "images_of_frame.hpp"
 #include "strips.hpp"
+#include "wrapped_denoiser.hpp"
 
 #include <quell/presets/general.hpp>
 #include <quell/presets/resolve.hpp>
@@ -50,10 +51,9 @@ public:
 
 /// @tparam n       components of the output
 /// @tparam Signals its parts, in order: a colour, alpha
-template <int n, class... Signals> class ResolvedDenoiser final : public CompiledDenoiser {
+template <int n, class... Signals> class ResolvedDenoiser final : public WrappedDenoiser {
     using Guides = quell::Channels<quell::Motion, quell::Depth>;
 
-    std::unique_ptr<CompiledDenoiser> denoiser;
     std::size_t motion, depth; ///< among a frame's channels
     Extent output_size;
     Memory memory;
@@ -65,7 +65,7 @@ template <int n, class... Signals> class ResolvedDenoiser final : public Compile
 
 public:
     ResolvedDenoiser(Way const& way, Extent size, Extent output, Parallel const& parallel, Memory const& m)
-        : denoiser(way.make(size, parallel, m)), output_size(quell::detail::checked(output)), memory(m), executor{parallel, &strips},
+        : WrappedDenoiser(way.make(size, parallel, m)), output_size(quell::detail::checked(output)), memory(m), executor{parallel, &strips},
           frame(size) {
         auto const channels = channels_of_resolved(way);
         auto const place_of = [&](std::string_view name) {
@@ -95,18 +95,11 @@ public:
         each([](auto& resolver, int) { resolver.release_scratch(); });
         picture.reset(), frame = decltype(frame)({1, 1}), strips.release();
     }
-    [[nodiscard]] quell::Statistics statistics() const override { return denoiser->statistics(); }
     [[nodiscard]] std::size_t bytes() const override {
         std::size_t sum = denoiser->bytes() + strips.bytes() + (picture ? picture->bytes() : 0);
         if (resolvers) std::apply([&](auto const&... resolver) { ((sum += resolver.bytes()), ...); }, *resolvers);
         return sum;
     }
-    [[nodiscard]] quell::detail::Observation observe(FrameImages const& given) override { return denoiser->observe(given); }
-    [[nodiscard]] bool has_debug_view(std::string_view view) const override { return denoiser->has_debug_view(view); }
-    [[nodiscard]] std::vector<quell::DebugImage> debug_images(std::string_view view) override { return denoiser->debug_images(view); }
-    bool copy_guide(std::string_view name, Image const& output) override { return denoiser->copy_guide(name, output); }
-    [[nodiscard]] std::optional<quell::HistoryContents> remembered() const override { return denoiser->remembered(); }
-    void remember(quell::HistoryContents const& contents) override { denoiser->remember(contents); }
 
 private:
     void use_memory() const { CallersMemory::current() = memory; }

@@ -4,6 +4,7 @@
 #include "host_images.hpp"
 #include "images_of_frame.hpp"
 #include "take_rows.hpp"
+#include "wrapped_denoiser.hpp"
 
 #include <quell/execute/outlined.hpp>
 #include <quell/pipeline/steady_guides.hpp>
@@ -28,11 +29,10 @@ struct OnOwnImages {
     }
 };
 
-class SteadyDenoiser final : public CompiledDenoiser {
+class SteadyDenoiser final : public WrappedDenoiser {
     template <class C> using Steady = quell::SteadyGuides<quell::Channels<C>, OwnImages>;
     using Copied = quell::Channels<quell::Motion, quell::Depth, quell::Albedo>;
 
-    std::unique_ptr<CompiledDenoiser> denoiser;
     std::vector<ReadChannel> const& channels;
     SteadyChoice which;
     Memory memory;
@@ -45,7 +45,7 @@ class SteadyDenoiser final : public CompiledDenoiser {
 public:
     SteadyDenoiser(std::unique_ptr<CompiledDenoiser> d, std::vector<ReadChannel> const& c, SteadyChoice w, Extent size,
                    Parallel const& parallel, Memory const& m)
-        : denoiser(std::move(d)), channels(c), which(w), memory(m), executor{parallel}, frame((use(m), size)) {
+        : WrappedDenoiser(std::move(d)), channels(c), which(w), memory(m), executor{parallel}, frame((use(m), size)) {
         make_histories();
     }
 
@@ -63,18 +63,11 @@ public:
     }
     void forget() override { denoiser->forget(), forget_guides(); }
     void release_scratch() override { denoiser->release_scratch(), frame = decltype(frame)({1, 1}); }
-    [[nodiscard]] quell::Statistics statistics() const override { return denoiser->statistics(); }
     [[nodiscard]] std::size_t bytes() const override {
         std::size_t sum = denoiser->bytes() + (depth ? depth->bytes() : 0) + (albedo ? albedo->bytes() : 0);
         for_each_channel(Copied{}, [&](auto channel) { sum += frame[channel].bytes(); });
         return sum;
     }
-    [[nodiscard]] quell::detail::Observation observe(FrameImages const& given) override { return denoiser->observe(given); }
-    [[nodiscard]] bool has_debug_view(std::string_view view) const override { return denoiser->has_debug_view(view); }
-    [[nodiscard]] std::vector<quell::DebugImage> debug_images(std::string_view view) override { return denoiser->debug_images(view); }
-    bool copy_guide(std::string_view name, Image const& output) override { return denoiser->copy_guide(name, output); }
-    [[nodiscard]] std::optional<quell::HistoryContents> remembered() const override { return denoiser->remembered(); }
-    void remember(quell::HistoryContents const& contents) override { denoiser->remember(contents); }
 
 private:
     static void use(Memory const& memory) { CallersMemory::current() = memory; }
