@@ -168,6 +168,20 @@ TEST_CASE("a pixel has guides where its sample is missing") {
     CHECK(wall.mean_albedo_at(20, 20) == doctest::Approx(0.375));
 }
 
+TEST_CASE("where nothing is seen a normal may be anything, and none is accumulated") {
+    float const infinity = std::numeric_limits<float>::infinity();
+    for (auto const& any_normal : {glm::vec3(not_a_number), glm::vec3(infinity), glm::vec3(3e38f), glm::vec3(0.5f, 0, 0)}) {
+        CAPTURE(any_normal.x);
+        Wall wall;
+        fill(wall.frame[depth], [&](int x, int) { return x < 10 ? infinity : 5.f; });
+        fill(wall.frame[normal], [&](int x, int) { return x < 10 ? any_normal : glm::vec3(0, 0, 1); });
+        for (int i = 0; i < 3; ++i) wall.run_frame();
+        CHECK(wall.mean_normal_at(5, 5) == glm::vec3(0));
+        CHECK(wall.mean_normal_at(9, 5) == glm::vec3(0));
+        CHECK(wall.mean_normal_at(10, 5).z == doctest::Approx(1.0));
+    }
+}
+
 TEST_CASE("guides are the mean of no more frames than their cap") {
     Pipeline const pipeline{radiance, Temporal{SurfaceMotion{}, WithGuides{RunningMean{.cap = 24.f}, 2.f}}};
     Frame frame{size, pipeline};
