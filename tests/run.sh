@@ -15,8 +15,8 @@ only=()
 # What each of the other builds compiles and runs, as far as it exists: the library, and no slow programs. The clang build, at -O2, has
 # whole pipelines ("same_bits", "fast_math") and what the sanitizers' builds, which are clang's too, leave out.
 clang_tests=(blur radiance execute two_units fast_math same_bits no_exceptions)
-# Kernels of the slow presets, and the motion sources of effects, meet the sanitizers in the fuzz step.
-asan_tests=(core image frame blend filter pipeline io metrics report)
+# Filters, kernels of the slow presets, and the motion sources of effects meet the sanitizers in the fuzz step.
+asan_tests=(core image frame blend pipeline io metrics report)
 tsan_tests=(races)
 # Without the preset pipelines of test "presets", which take as long to compile as all of these: "cross" has two of them.
 cross_tests=(core image blend filter pipeline execute cross)

@@ -6,6 +6,7 @@ foreach(misuse ${misuses})
     get_filename_component(name ${misuse} NAME_WE)
     add_test(NAME compile_fail/${name}
         COMMAND ${CMAKE_COMMAND} -D COMPILER=${CMAKE_CXX_COMPILER} -D SOURCE=${misuse}
-            "-DINCLUDES=${PROJECT_SOURCE_DIR}/include;${glm_include};${xsimd_include}"
+            "-DINCLUDES=${quell_parsed_header};${PROJECT_SOURCE_DIR}/include;${glm_include};${xsimd_include}"
             -P ${CMAKE_CURRENT_SOURCE_DIR}/expect_error.cmake)
+    set_tests_properties(compile_fail/${name} PROPERTIES FIXTURES_REQUIRED parsed_header)
 endforeach()

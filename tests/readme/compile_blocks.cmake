@@ -10,6 +10,11 @@ void run_what_is_shown(quell::Extent size) {
     static_cast<void>(quell::run(denoise, frame, history, quell::Simd{}));
 }
 ")
+# PARSED_HEADER: a folder with quell/quell.hpp.gch, or none.
+set(includes -I${INCLUDE})
+if(PARSED_HEADER)
+    list(PREPEND includes -I${PARSED_HEADER})
+endif()
 file(GLOB pages LIST_DIRECTORIES false RELATIVE ${ROOT} ${ROOT}/${PAGES})
 set(total 0)
 foreach(page IN LISTS pages)
@@ -37,7 +42,7 @@ foreach(page IN LISTS pages)
             string(APPEND code "${runs}")
         endif()
         file(WRITE ${FOLDER}/${name}_${number}.cpp "${code}")
-        execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -Wall -Wextra -I${INCLUDE} ${FOLDER}/${name}_${number}.cpp
+        execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -Wall -Wextra ${includes} ${FOLDER}/${name}_${number}.cpp
             RESULT_VARIABLE failed)
         if(failed)
             message(FATAL_ERROR "C++ block ${number} of ${page} does not compile")

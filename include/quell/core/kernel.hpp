@@ -16,21 +16,30 @@
 /// `constexpr` lets nvcc compile the same function for the device (`--expt-relaxed-constexpr`).
 ///
 /// g++ inlines by QUELL_FLATTENED instead. It would optimise a function that is always inlined anew in each function that it is inlined
-/// into, and policies call each other ten deep. That doubled the time to compile a pipeline. With sanitizers it is the other way round:
-/// what they add is optimised best in small functions.
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+/// into, and policies call each other ten deep. That doubled the time to compile a pipeline.
+///
+/// Nothing is inlined by force without optimisation (-O0), where it makes nothing faster, nor with sanitizers: what they add to code is
+/// compiled faster in small functions.
+#if !defined(__OPTIMIZE__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define QUELL_IN_SMALL_FUNCTIONS
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
+#define QUELL_IN_SMALL_FUNCTIONS
+#endif
+#endif
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(QUELL_IN_SMALL_FUNCTIONS)
 #define QUELL_BY_FLATTENING
 #endif
 #if defined(__CUDACC__)
 #define QUELL_KERNEL constexpr
-#elif defined(QUELL_BY_FLATTENING)
+#elif defined(QUELL_BY_FLATTENING) || defined(QUELL_IN_SMALL_FUNCTIONS)
 #define QUELL_KERNEL inline constexpr
 #else
 #define QUELL_KERNEL [[gnu::always_inline]] inline constexpr
 #endif
 
 /// The same for a lambda inside a kernel. It stands after the parameters: [&](auto a) QUELL_INLINED { ... }.
-#if defined(QUELL_BY_FLATTENING)
+#if defined(QUELL_BY_FLATTENING) || defined(QUELL_IN_SMALL_FUNCTIONS)
 #define QUELL_INLINED
 #else
 #define QUELL_INLINED __attribute__((always_inline))
