@@ -4,10 +4,9 @@
 #include <quell/pipeline/composite.hpp>
 #include <quell/resolve/anti_alias.hpp>
 #include <quell/resolve/check_jitter.hpp>
+#include <quell/resolve/kept_frames.hpp>
 
-#include <algorithm>
-#include <utility>
-#include <vector>
+#include <array>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
@@ -102,17 +101,13 @@ public:
         : pipeline(size, remodulated.pipeline, storage), light(size), output(size) {}
 
     /// Drops all history before the next frame: for scene cuts and teleports.
-    void forget() { pipeline.forget(), known = 0; }
+    void forget() { pipeline.forget(), kept.forget(); }
     /// Gives the pipeline's scratch back: for a host of several histories that run in turn. The next frame takes it again.
     void release_scratch() { pipeline.release_scratch(); }
     /// Those of the pipeline.
     [[nodiscard]] Statistics statistics() const { return pipeline.statistics(); }
     /// Memory of history, scratch and output, in bytes. Complete when one frame more has run than are kept.
-    [[nodiscard]] std::size_t bytes() const {
-        std::size_t sum = pipeline.bytes() + light.bytes() + output.bytes();
-        for (auto const& each : kept) sum += each.bytes();
-        return sum;
-    }
+    [[nodiscard]] std::size_t bytes() const { return pipeline.bytes() + light.bytes() + output.bytes() + kept.bytes(); }
     /// The same per pixel of the frame.
     [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(output.size().pixels()); }
 
@@ -120,11 +115,8 @@ private:
     friend struct detail::RemodulatedRun;
 
     History<P, Storage> pipeline;
-    std::vector<Kept> kept{}; ///< the newest first
-    std::size_t known = 0;    ///< how many of them the next frame may look at
-    bool complete = false;    ///< whether the last run has ended without an error
+    KeptFrames<std::optional<Kept>, std::size_t{frames}> kept{};
     ImageOf<Storage, Output> light, output;
-    std::optional<long long> number{};
 };
 
 namespace detail {
@@ -136,47 +128,43 @@ struct RemodulatedRun {
                     History<Remodulated<P, frames>, Storage>& history, E const& executor, Target const& target) {
         check_frame<Remodulated<P, frames>>(frame);
         check_jitter(frame.camera.jitter, Remodulated<P, frames>::most_jitter);
-        bool const follows = !frame.number || !history.number || *frame.number == *history.number + 1;
-        if (!std::exchange(history.complete, false) || !follows || !(history.output.size() == frame.size)) history.known = 0;
+        if (!(history.output.size() == frame.size)) history.kept.forget();
+        history.kept.start(frame.number);
         auto const picture = run(remodulated.pipeline, frame, history.pipeline, executor);
 
-        auto& kept = begin<frames>(history, frame.size);
-        kept.jitter = frame.camera.jitter;
-        auto const jitter_then = history.known > 0 ? history.kept[1].jitter : kept.jitter;
+        auto const past = history.kept.before();
+        auto const& kept = begin(history, frame);
+        VectorConversion<P::motion_convention> const vectors(frame.size, kept.jitter, (past.empty() ? kept : *past[0]).jitter);
         auto const light = history.light.view();
-        VectorConversion<P::motion_convention> const vectors(frame.size, kept.jitter, jitter_then);
-        auto const guides = frame.views(Channels<Albedo, Depth, Motion>{});
         run_or_enqueue(executor, Region{0, 0, frame.size.width, frame.size.height},
-                       PrepareRemodulation{guides, vectors, kept.view(), picture, light});
+                       PrepareRemodulation{frame.views(Channels<Albedo, Depth, Motion>{}), vectors, kept.view(), picture, light});
 
         std::array<ColouredFrame<Storage>, std::size_t{frames}> before;
-        for (std::size_t i = 0; i < history.known; ++i) before[i] = history.kept[i + 1].view();
+        std::transform(past.begin(), past.end(), before.begin(), [](auto const& each) { return each->view(); });
         auto const output = [&] {
             if constexpr (std::is_same_v<Target, NoTarget>)
                 return history.output.view();
             else
                 return target;
         }();
-        anti_alias(remodulated.policy, executor, kept.view(), std::span(before).first(history.known), {}, light, output);
+        anti_alias(remodulated.policy, executor, kept.view(), std::span(before).first(past.size()), {}, light, output);
         if constexpr (QueueExecutor<E>) executor.submit();
-        history.known = std::min(history.known + 1, std::size_t{frames});
-        history.number = frame.number, history.complete = true;
+        history.kept.finish();
         return output;
     }
 
 private:
-    /// Makes place for a frame. The oldest frame's images become the newest's.
-    template <int frames, class H> static auto& begin(H& history, Extent size) {
-        auto& kept = history.kept;
-        if (!(history.output.size() == size)) {
-            kept.clear();
+    /// Makes place for a frame.
+    static auto const& begin(auto& history, auto const& frame) {
+        if (!(history.output.size() == frame.size)) {
             // Where memory runs out, both stay of one size.
-            decltype(history.light) light(size), output(size);
+            decltype(history.light) light(frame.size), output(frame.size);
             history.light = std::move(light), history.output = std::move(output);
         }
-        if (kept.size() <= std::size_t{frames}) kept.emplace_back(size);
-        std::rotate(kept.begin(), kept.end() - 1, kept.end());
-        return kept.front();
+        auto& kept = history.kept.place();
+        if (!kept || !(kept->depth.size() == frame.size)) kept.emplace(frame.size);
+        kept->jitter = frame.camera.jitter;
+        return *kept;
     }
 };
 } // namespace detail
