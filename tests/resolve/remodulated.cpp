@@ -149,6 +149,22 @@ TEST_CASE("anti-aliased: what is kept lies in the pipeline's memory, and does no
     CHECK(bytes_after(2) == complete);
 }
 
+TEST_CASE("anti-aliased: behind a composite too, whose size may change") {
+    constexpr auto both = presets::anti_aliased(Composite{presets::none(direct), presets::none(glossy)});
+    Frame small{Extent{9, 5}, both}, frame{size, both};
+    History history{size, both}, fresh{size, both};
+    auto const last_of = [&](auto& of) {
+        std::vector<float> made;
+        for (unsigned i = 0; i < 3; ++i) tests::fill_randomly(frame, i), made = copy_of(run(both, frame, of));
+        return made;
+    };
+    tests::fill_randomly(small, 7), run(both, small, history);
+    auto const made = last_of(history);
+    CHECK(tests::all_finite(made));
+    CHECK(made == last_of(fresh));
+    CHECK(history.bytes() == fresh.bytes());
+}
+
 TEST_CASE("anti-aliased: an edge that moves needs no jitter") {
     auto const moved = errors_of(denoise, {.speed = {.37f, .21f}}, false);
     CHECK(moved.output < .6 * moved.input);

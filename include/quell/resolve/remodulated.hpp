@@ -11,6 +11,13 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
+namespace detail {
+/// Whether something stands behind a pipeline already.
+template <class P> inline constexpr bool is_followed = false;
+template <class P, class Policy> inline constexpr bool is_followed<Resolved<P, Policy>> = true;
+template <class P, int frames> inline constexpr bool is_followed<Remodulated<P, frames>> = true;
+} // namespace detail
+
 /// A pipeline, or a Composite, whose picture is put together with anti-aliased colours: its light is what the albedo leaves of the picture,
 /// and is multiplied by albedos of this frame and of those before it (AntiAliased). Edges between surfaces become as mixed as their pixels
 /// are covered, those before the sky and of emitters too, whose albedo is 1.
@@ -25,7 +32,8 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// @tparam frames how many frames of the past are kept, 0 to AntiAliased::most_frames. Each takes 24 bytes a pixel, and time; the first
 /// brings most. Without any, edges are smoothed by the 3x3 around alone.
 template <class P, int frames = 1> struct Remodulated {
-    static_assert(detail::is_pipeline<P>, "Remodulated{pipeline, policy}: the first must be a Pipeline or a Composite");
+    static_assert(detail::is_pipeline<P> && !detail::is_followed<P>,
+                  "Remodulated{pipeline, policy}: the first must be a Pipeline or a Composite");
     static_assert(P::Output::components == 3, "Remodulated{pipeline, policy}: the pipeline's output must be a colour of three components");
     static_assert(frames >= 0 && frames <= AntiAliased::most_frames, "Remodulated<P, frames>: it keeps 0 to 4 frames");
     using Output = typename P::Output;                                               ///< the channel of the picture
