@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <deque>
 #include <limits>
 
 namespace quell::examples {
@@ -65,12 +66,12 @@ int samples_in(io::ExrListing const& file) {
     return 0;
 }
 
-std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::SequenceNames const& names, long long number, int samples) {
+std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::SequenceNames const& names, int samples) {
     auto const& channels = names.of_signals[0].channels;
     if (samples < 1 || !image.has_all(io::planes_of(Channels<Depth, Motion, Normal>{}, channels))) return nullptr;
     if (samples > 1 && !has_mixed_normals(image, channels)) return nullptr;
     auto made = std::make_shared<FrameAround>(
-        FrameAround{number, AntiAliased::of_samples(samples), Frame<Channels<Depth, Motion, MotionNext>>(image.size), {}});
+        FrameAround{AntiAliased::of_samples(samples), Frame<Channels<Depth, Motion, MotionNext>>(image.size), {}});
     io::load_channels(Channels<Depth, Motion>{}, made->guides, image, channels);
     if (is_still(made->guides[motion].view())) return nullptr;
     if (image.has_all(io::planes_of(Channels<MotionNext>{}, channels)))
@@ -85,26 +86,6 @@ std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::S
         made->colours.push_back(signal.factor.empty() ? metrics::Picture{} : picture_of(image, signal.factor, 1.f));
     made->colours.push_back(names.added.empty() ? metrics::Picture{} : picture_of(image, names.added, 0.f));
     return made;
-}
-
-AntiAliasing::AntiAliasing(std::deque<std::shared_ptr<FrameAround const>> const& around, long long number, int count) : threads(count) {
-    auto const at = [&](long long wanted) -> std::shared_ptr<FrameAround const> {
-        for (auto const& frame : around)
-            if (frame && frame->number == wanted) return frame;
-        return nullptr;
-    };
-    here = at(number);
-    if (!here) return;
-    for (long long k = 1; k <= AntiAliased::most_frames; ++k)
-        if (auto const frame = at(number - k))
-            before.push_back(frame);
-        else
-            break;
-    for (long long k = 1; k <= AntiAliased::most_frames; ++k)
-        if (auto const frame = at(number + k))
-            after.push_back(frame);
-        else
-            break;
 }
 
 std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metrics::Picture const* light) const {
@@ -123,7 +104,7 @@ std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metric
     auto const all_of = [&](auto const& frames) {
         std::vector<ColouredFrame<>> views;
         for (auto const& frame : frames) {
-            if (frame->colours[colour].pixels.empty() || !(frame->guides.size == size)) break;
+            if (!frame || frame->colours[colour].pixels.empty()) break;
             kept.push_back(image_of(frame->colours[colour]));
             views.push_back(views_of(*frame, kept.back()));
         }

@@ -5,16 +5,15 @@
 #include <quell/metrics/picture.hpp>
 #include <quell/resolve/anti_aliased.hpp>
 
-#include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace quell::examples {
 
 /// A frame as those around it see it: what its pixels show, and where that goes.
 struct FrameAround {
-    long long number;
     AntiAliased policy; ///< how it is anti-aliased
     Frame<Channels<Depth, Motion, MotionNext>> guides;
     std::vector<metrics::Picture> colours; ///< what signals are multiplied by, in order, and last what is added; an empty one is not known
@@ -25,25 +24,21 @@ struct FrameAround {
 /// Reads what an AntiAliasing wants of a frame; null where its files lack that, or where nothing says how its colours were sampled, or
 /// where many samples were taken at the pixels' centres: then its colours are what they should be.
 /// @param samples per pixel; 0: not known
-[[nodiscard]] std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::SequenceNames const& names, long long number,
-                                                              int samples);
+[[nodiscard]] std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::SequenceNames const& names, int samples);
 /// The planes that frame_around() reads.
 [[nodiscard]] std::vector<std::string> planes_of_frame_around(io::ExrListing const& file, io::SequenceNames const& names);
 
 /// Multiplies light by colours of a frame, anti-aliased by the frames around it.
-class AntiAliasing {
-public:
-    /// @param around  frames in order; those whose numbers do not follow each other are left out
-    /// @param threads that it runs on; 0: all
-    AntiAliasing(std::deque<std::shared_ptr<FrameAround const>> const& around, long long number, int threads);
+struct AntiAliasing {
+    using FramePointer = std::shared_ptr<FrameAround const>;
+    FramePointer here;                    ///< null: nothing is anti-aliased
+    std::span<FramePointer const> before; ///< the nearest first; a null one ends them
+    std::vector<FramePointer> after;      ///< the same
+    int threads;                          ///< that it runs on; 0: all
+
     /// A colour times light; none where it is not known.
     /// @param light null: the colour alone, which may change by itself
     [[nodiscard]] std::optional<metrics::Picture> product(std::size_t colour, metrics::Picture const* light) const;
-
-private:
-    std::vector<std::shared_ptr<FrameAround const>> before, after; ///< the nearest first
-    std::shared_ptr<FrameAround const> here;
-    int threads;
 };
 
 } // namespace quell::examples

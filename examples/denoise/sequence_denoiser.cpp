@@ -199,7 +199,7 @@ void SequenceDenoiser::release_scratch() {
 }
 
 void SequenceDenoiser::forget() {
-    earlier.clear();
+    earlier.forget();
     earlier_milliseconds = milliseconds() - other_milliseconds;
     denoisers.clear();
     choices = {};
@@ -290,7 +290,7 @@ void SequenceDenoiser::read(FramePattern const& in, long long number) {
 SequenceDenoiser::Seen SequenceDenoiser::seen(io::ExrOriginal const& file, long long number) const {
     Seen frame{number, file.read(planes(file.listed), canvas), false, {}, {}};
     frame.samples = samples_in(file.listed);
-    if (anti_aliases()) frame.around = frame_around(frame.image, on_canvas, number, frame.samples);
+    if (anti_aliases()) frame.around = frame_around(frame.image, on_canvas, frame.samples);
     if (!on_canvas.view.empty()) frame.image.attributes = attributes_of_view(file, on_canvas);
     put_cameras_on_canvas(frame.image, size, canvas);
     auto split_by = rule();
@@ -378,14 +378,15 @@ void SequenceDenoiser::add_back_residual(io::ExrImage const& image, io::ChannelN
 }
 
 DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long number, bool is_wanted) {
+    auto const show = [&](Seen const& seen) { earlier.start(seen.number), earlier.place() = seen.around; };
     while (!window.empty() && window.front().number != number) {
-        earlier.push_back(window.front().around);
-        if (earlier.size() > AntiAliased::most_frames) earlier.pop_front();
+        if (window.front().number != last) show(window.front()), earlier.finish();
         window.pop_front();
     }
     if (window.empty()) read(in, number);
     read_ahead(in, number);
     auto& front = window.front();
+    show(front);
     bool const as_one = front.as_one;
     if (last && *last + 1 == number && as_one != was_as_one) hand_over(in);
     for (auto& seen : window) {
@@ -417,9 +418,9 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
         collect(denoiser(s).findings());
         return result;
     };
-    auto around = earlier;
-    for (auto const& seen : window) around.push_back(seen.around);
-    AntiAliasing const anti_aliasing(around, number, settings.threads);
+    AntiAliasing anti_aliasing{front.around, earlier.before(), {}, settings.threads};
+    for (std::size_t k = 1; k < std::min(window.size(), AntiAliased::most_frames + std::size_t{1}); ++k)
+        anti_aliasing.after.push_back(window[k].around);
     frame.picture = composite(image, split, denoised, missing, frame.signals, [&](std::size_t s, metrics::Picture const* light) {
         Timed const timed(other_milliseconds);
         return anti_aliasing.product(s, light);
@@ -430,7 +431,7 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
     if (!alpha.empty()) denoise_alpha(frame, front, split);
     add_as_in_file(frame, image, split);
     if (settings.upsampling) upsample(frame);
-    was_as_one = as_one, last = number;
+    was_as_one = as_one, last = number, earlier.finish();
     return frame;
 }
 

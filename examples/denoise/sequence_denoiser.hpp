@@ -11,6 +11,7 @@
 
 #include <quell/io/exr/exr_original.hpp>
 #include <quell/io/sequence_names.hpp>
+#include <quell/resolve/kept_frames.hpp>
 
 #include <array>
 #include <deque>
@@ -143,7 +144,7 @@ private:
     };
     [[nodiscard]] LightSplit const& split(Seen& seen, bool as_one) const;
     std::deque<Seen> window;
-    std::deque<std::shared_ptr<FrameAround const>> earlier; ///< frames that have been denoised
+    KeptFrames<std::shared_ptr<FrameAround const>, AntiAliased::most_frames> earlier; ///< frames that have been denoised
 
     [[nodiscard]] bool takes_more() const { return looks_ahead(settings.preset) && settings.debug_views.empty(); }
     [[nodiscard]] bool anti_aliases() const { return settings.anti_aliases && takes_more(); }

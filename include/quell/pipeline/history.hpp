@@ -18,6 +18,13 @@ struct DiagnosisNotes;
 /// Access to what a history holds.
 struct OpenHistory {
     template <class H> static auto& images(H& history) { return history.images; }
+    /// Where its images lie.
+    template <class H> static auto& pool(H& history) {
+        if constexpr (requires { history.images; })
+            return *history.images.pool;
+        else
+            return *history.pool;
+    }
     template <std::size_t i, class H> static auto& of_pipeline(H& composite) { return std::get<i>(composite.histories); }
 };
 

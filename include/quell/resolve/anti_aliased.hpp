@@ -20,7 +20,7 @@ struct AntiAliased {
     float range = 0.03f;    ///< part of the depth by which samples may be off
     float own = 1.f;        ///< weight of the pixel's own sample
     bool by_surface = true; ///< whether each surface has its own light; else both have the pixel's
-    float change = 0.f;     ///< colours whose mean around differs by more than this part have changed by themselves; 0: none does
+    float change = 0.f;     ///< colours whose mean is by more than this part none of those around have changed by themselves; 0: none does
 
     /// For pixels of so many samples. Of one, each surface has its light, and a pixel's own sample is one among others. What is the mean of
     /// many has the pixel's filter already, and less noise: above 8 samples it is soon nearly all.

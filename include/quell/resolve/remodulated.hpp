@@ -4,12 +4,19 @@
 #include <quell/pipeline/composite.hpp>
 #include <quell/resolve/anti_alias.hpp>
 #include <quell/resolve/check_jitter.hpp>
+#include <quell/resolve/kept_frames.hpp>
 
 #include <algorithm>
-#include <utility>
-#include <vector>
+#include <array>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
+
+namespace detail {
+/// Whether something stands behind a pipeline already.
+template <class P> inline constexpr bool is_followed = false;
+template <class P, class Policy> inline constexpr bool is_followed<Resolved<P, Policy>> = true;
+template <class P, int frames> inline constexpr bool is_followed<Remodulated<P, frames>> = true;
+} // namespace detail
 
 /// A pipeline, or a Composite, whose picture is put together with anti-aliased colours: its light is what the albedo leaves of the picture,
 /// and is multiplied by albedos of this frame and of those before it (AntiAliased). Edges between surfaces become as mixed as their pixels
@@ -25,7 +32,8 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// @tparam frames how many frames of the past are kept, 0 to AntiAliased::most_frames. Each takes 24 bytes a pixel, and time; the first
 /// brings most. Without any, edges are smoothed by the 3x3 around alone.
 template <class P, int frames = 1> struct Remodulated {
-    static_assert(detail::is_pipeline<P>, "Remodulated{pipeline, policy}: the first must be a Pipeline or a Composite");
+    static_assert(detail::is_pipeline<P> && !detail::is_followed<P>,
+                  "Remodulated{pipeline, policy}: the first must be a Pipeline or a Composite");
     static_assert(P::Output::components == 3, "Remodulated{pipeline, policy}: the pipeline's output must be a colour of three components");
     static_assert(frames >= 0 && frames <= AntiAliased::most_frames, "Remodulated<P, frames>: it keeps 0 to 4 frames");
     using Output = typename P::Output;                                               ///< the channel of the picture
@@ -57,74 +65,70 @@ template <class R> struct AlbedoPixel {
     QUELL_KERNEL vec3<R> operator[](Albedo) const { return value; }
 };
 
-/// What is kept of a frame, and its light.
-template <class Frame, class Conversion, class Kept, class Picture, class Light> struct PrepareRemodulation {
+/// What is kept of a frame.
+template <class Frame, class Conversion, class Kept> struct PrepareRemodulation {
     static constexpr auto name = "prepare anti-aliasing";
     Frame host;
     Conversion vectors; ///< what the host's motion means
     Kept kept;
-    Picture picture;
-    Light light;
 
     template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
         AlbedoPixel<Real> const px{Repair<Albedo>::repaired(vec3<Real>(load_pixels<Real>(host.view(albedo), x, y)))};
-        constexpr Demodulate demodulate{};
-        store_pixels<Real>(kept.colour, x, y, demodulate.outward(px, splat<vec3<Real>>(Real(1.f))), count);
+        store_pixels<Real>(kept.colour, x, y, Demodulate{}.outward(px, splat<vec3<Real>>(Real(1.f))), count);
         store_pixels<Real>(kept.depth, x, y, Repair<Depth>::repaired(load_pixels<Real>(host.view(depth), x, y)), count);
         store_pixels<Real>(kept.motion, x, y, vec2<Real>(vectors(vec2<Real>(load_pixels<Real>(host.view(motion), x, y)))), count);
-        store_pixels<Real>(light, x, y, demodulate.inward(px, vec3<Real>(load_pixels<Real>(picture, x, y))), count);
     }
 };
-template <class Frame, class Conversion, class Kept, class Picture, class Light>
-PrepareRemodulation(Frame, Conversion, Kept, Picture, Light) -> PrepareRemodulation<Frame, Conversion, Kept, Picture, Light>;
+template <class Frame, class Conversion, class Kept>
+PrepareRemodulation(Frame, Conversion, Kept) -> PrepareRemodulation<Frame, Conversion, Kept>;
 } // namespace detail
 
-/// The pipeline's history, and colours, depth and motion of the last frames.
+/// The pipeline's history, and colours, depth and motion of the last frames. These lie among the pipeline's images: what it needs while it
+/// runs is free afterwards.
 template <class P, int frames, ImageStorage Storage> class History<Remodulated<P, frames>, Storage> {
-    using Output = typename P::Output;
     struct Kept {
-        ImageOf<Storage, Albedo> colour;
-        ImageOf<Storage, Depth> depth;
-        ImageOf<Storage, Motion> motion;
+        detail::PooledImage colour, depth, motion;
         glm::vec2 jitter{0.f};
 
-        explicit Kept(Extent size) : colour(size), depth(size), motion(size) {}
-        [[nodiscard]] std::size_t bytes() const { return colour.bytes() + depth.bytes() + motion.bytes(); }
-        [[nodiscard]] ColouredFrame<Storage> view() const { return {colour.view(), depth.view(), motion.view(), {}, jitter, false}; }
+        void take(detail::ImagePool& pool) {
+            colour = pool.take(detail::format_of<Storage, Albedo>);
+            depth = pool.take(detail::format_of<Storage, Depth>), motion = pool.take(detail::format_of<Storage, Motion>);
+        }
+        [[nodiscard]] ColouredFrame<Storage> view() const {
+            using detail::view_in;
+            return {view_in<Storage, Albedo>(colour), view_in<Storage, Depth>(depth), view_in<Storage, Motion>(motion), {}, jitter, false};
+        }
     };
 
 public:
-    /// @param size       of the frames
+    /// @param size_       of the frames
     /// @param remodulated a pipeline whose colours are anti-aliased
-    /// @param storage    of the pipeline's images and of what is kept
+    /// @param storage     of the pipeline's images and of what is kept
     /// @throws Error for a size without pixels
-    explicit History(Extent size, Remodulated<P, frames> const& remodulated, Storage const& storage = {})
-        : pipeline(size, remodulated.pipeline, storage), light(size), output(size) {}
+    explicit History(Extent size_, Remodulated<P, frames> const& remodulated, Storage const& storage = {})
+        : pipeline(size_, remodulated.pipeline, storage), size(size_) {}
 
     /// Drops all history before the next frame: for scene cuts and teleports.
-    void forget() { pipeline.forget(), known = 0; }
-    /// Gives the pipeline's scratch back: for a host of several histories that run in turn. The next frame takes it again.
-    void release_scratch() { pipeline.release_scratch(); }
+    void forget() { pipeline.forget(), kept.forget(); }
+    /// Gives scratch back, and what run() returned: for a host of several histories that run in turn. The next frame takes it again.
+    void release_scratch() {
+        output = {};
+        pipeline.release_scratch();
+    }
     /// Those of the pipeline.
     [[nodiscard]] Statistics statistics() const { return pipeline.statistics(); }
     /// Memory of history, scratch and output, in bytes. Complete when one frame more has run than are kept.
-    [[nodiscard]] std::size_t bytes() const {
-        std::size_t sum = pipeline.bytes() + light.bytes() + output.bytes();
-        for (auto const& each : kept) sum += each.bytes();
-        return sum;
-    }
+    [[nodiscard]] std::size_t bytes() const { return pipeline.bytes(); }
     /// The same per pixel of the frame.
-    [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(output.size().pixels()); }
+    [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(size.pixels()); }
 
 private:
     friend struct detail::RemodulatedRun;
 
     History<P, Storage> pipeline;
-    std::vector<Kept> kept{}; ///< the newest first
-    std::size_t known = 0;    ///< how many of them the next frame may look at
-    bool complete = false;    ///< whether the last run has ended without an error
-    ImageOf<Storage, Output> light, output;
-    std::optional<long long> number{};
+    KeptFrames<Kept, std::size_t{frames}> kept{};
+    detail::PooledImage output{};
+    Extent size; ///< of the last frame
 };
 
 namespace detail {
@@ -136,47 +140,35 @@ struct RemodulatedRun {
                     History<Remodulated<P, frames>, Storage>& history, E const& executor, Target const& target) {
         check_frame<Remodulated<P, frames>>(frame);
         check_jitter(frame.camera.jitter, Remodulated<P, frames>::most_jitter);
-        bool const follows = !frame.number || !history.number || *frame.number == *history.number + 1;
-        if (!std::exchange(history.complete, false) || !follows || !(history.output.size() == frame.size)) history.known = 0;
+        if (!(history.size == frame.size)) history.kept = {};
+        history.size = frame.size;
+        history.kept.start(frame.number);
+        auto& kept = history.kept.place();
+        history.output = {}, kept = {}; // while the pipeline runs, they are its scratch
         auto const picture = run(remodulated.pipeline, frame, history.pipeline, executor);
 
-        auto& kept = begin<frames>(history, frame.size);
-        kept.jitter = frame.camera.jitter;
-        auto const jitter_then = history.known > 0 ? history.kept[1].jitter : kept.jitter;
-        auto const light = history.light.view();
-        VectorConversion<P::motion_convention> const vectors(frame.size, kept.jitter, jitter_then);
-        auto const guides = frame.views(Channels<Albedo, Depth, Motion>{});
+        auto& pool = OpenHistory::pool(history.pipeline);
+        kept.take(pool), kept.jitter = frame.camera.jitter;
+        auto const now = kept.view();
+        auto const past = history.kept.before();
+        VectorConversion<P::motion_convention> const vectors(frame.size, kept.jitter, (past.empty() ? kept : past[0]).jitter);
         run_or_enqueue(executor, Region{0, 0, frame.size.width, frame.size.height},
-                       PrepareRemodulation{guides, vectors, kept.view(), picture, light});
+                       PrepareRemodulation{frame.views(Channels<Albedo, Depth, Motion>{}), vectors, now});
 
         std::array<ColouredFrame<Storage>, std::size_t{frames}> before;
-        for (std::size_t i = 0; i < history.known; ++i) before[i] = history.kept[i + 1].view();
+        std::transform(past.begin(), past.end(), before.begin(), [](auto const& each) { return each.view(); });
         auto const output = [&] {
-            if constexpr (std::is_same_v<Target, NoTarget>)
-                return history.output.view();
-            else
+            if constexpr (std::is_same_v<Target, NoTarget>) {
+                history.output = pool.take(format_of<Storage, typename P::Output>);
+                return view_in<Storage, typename P::Output>(history.output);
+            } else
                 return target;
         }();
-        anti_alias(remodulated.policy, executor, kept.view(), std::span(before).first(history.known), {}, light, output);
+        run_anti_alias<E, Storage>(remodulated.policy, executor, now, std::span(before).first(past.size()), {},
+                                   LightOfPicture{picture, now.colour}, output);
         if constexpr (QueueExecutor<E>) executor.submit();
-        history.known = std::min(history.known + 1, std::size_t{frames});
-        history.number = frame.number, history.complete = true;
+        history.kept.finish();
         return output;
-    }
-
-private:
-    /// Makes place for a frame. The oldest frame's images become the newest's.
-    template <int frames, class H> static auto& begin(H& history, Extent size) {
-        auto& kept = history.kept;
-        if (!(history.output.size() == size)) {
-            kept.clear();
-            // Where memory runs out, both stay of one size.
-            decltype(history.light) light(size), output(size);
-            history.light = std::move(light), history.output = std::move(output);
-        }
-        if (kept.size() <= std::size_t{frames}) kept.emplace_back(size);
-        std::rotate(kept.begin(), kept.end() - 1, kept.end());
-        return kept.front();
     }
 };
 } // namespace detail

@@ -2,14 +2,13 @@
 
 #include <quell/pipeline/composite.hpp>
 #include <quell/resolve/check_jitter.hpp>
+#include <quell/resolve/kept_frames.hpp>
 #include <quell/resolve/resolve_passes.hpp>
 #include <quell/resolve/sharpening.hpp>
 
-#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
@@ -95,16 +94,15 @@ public:
         : pipeline(detail::checked(output_size), resolved.pipeline, storage), extent(output_size) {}
 
     /// Drops all history before the next frame: for scene cuts and teleports.
-    void forget() { pipeline.forget(), known = 0; }
+    void forget() { pipeline.forget(), frames.forget(); }
     /// Gives scratch back: for a host of several histories that run in turn. The next frame takes it again.
     void release_scratch() { pipeline.release_scratch(), scratch.reset(), sharpened.reset(); }
     /// Those of the pipeline.
     [[nodiscard]] Statistics statistics() const { return pipeline.statistics(); }
     /// Memory of history, scratch and output, in bytes. Complete when one frame more has run than are kept.
     [[nodiscard]] std::size_t bytes() const {
-        std::size_t sum = pipeline.bytes() + (scratch ? scratch->bytes() : 0);
+        std::size_t sum = pipeline.bytes() + (scratch ? scratch->bytes() : 0) + frames.bytes();
         for (auto const* const image : {&sharpened, &output}) sum += *image ? (*image)->bytes() : 0;
-        for (auto const& each : frames) sum += each.bytes();
         return sum;
     }
     /// The same per pixel of the output.
@@ -116,14 +114,11 @@ private:
     friend struct detail::ResolvedRun;
 
     History<P, Storage> pipeline;
-    std::vector<Kept> frames{};                          ///< the newest first
-    std::size_t known = 0;                               ///< how many of them the next frame may look at
-    bool complete = false;                               ///< whether the last run has ended without an error
+    KeptFrames<std::optional<Kept>, std::size_t{Policy::past_frames}> frames{};
     std::optional<Scratch> scratch{};                    ///< of the running frame
     std::optional<ImageOf<Storage, Output>> sharpened{}; ///< where there is sharpening
     Extent extent;                                       ///< of the output
     std::optional<ImageOf<Storage, Output>> output{};    ///< where it is not written to the host's memory
-    std::optional<long long> number{};
 };
 
 namespace detail {
@@ -141,8 +136,7 @@ struct ResolvedRun {
     template <class P, class Policy, class Storage>
     static void before_picture(auto const& frame, History<Resolved<P, Policy>, Storage>& history) {
         check_jitter(frame.camera.jitter, Policy::most_jitter);
-        bool const is_gap = frame.number && history.number && *frame.number != *history.number + 1;
-        if (!std::exchange(history.complete, false) || is_gap) history.known = 0;
+        history.frames.start(frame.number);
     }
     /// Resolves what the pipeline, or somebody else, has made of a frame.
     template <class P, class Policy, class Storage, class Target>
@@ -151,10 +145,10 @@ struct ResolvedRun {
         auto const& policies = resolved.resolve;
         constexpr bool sharpens = !std::is_same_v<std::remove_cvref_t<decltype(policies.sharpening)>, NoSharpening>,
                        has_target = !std::is_same_v<Target, NoTarget>;
-        auto& kept = begin(history, frame.size);
-        kept.jitter = frame.camera.jitter;
+        auto const past = history.frames.before();
+        auto const& kept = begin(history, frame);
         auto const now = kept.view();
-        auto const jitter_then = history.known > 0 ? history.frames[1].jitter_at(frame.size) : kept.jitter;
+        auto const jitter_then = (past.empty() ? kept : *past[0]).jitter_at(frame.size);
         auto const around = history.scratch->view();
         VectorConversion<P::motion_convention> const vectors(frame.size, kept.jitter, jitter_then);
         executor.for_each_pixel(Region{0, 0, frame.size.width, frame.size.height},
@@ -162,7 +156,7 @@ struct ResolvedRun {
 
         std::array<std::remove_const_t<decltype(now)>, std::size_t{Policy::past_frames + 1}> frames;
         frames.fill(now);
-        for (std::size_t i = 1; i <= history.known; ++i) frames[i] = history.frames[i].view();
+        std::transform(past.begin(), past.end(), frames.begin() + 1, [](auto const& each) { return each->view(); });
         auto const output = [&] {
             if constexpr (!has_target || sharpens) {
                 if (!history.output) history.output.emplace(history.extent);
@@ -171,9 +165,8 @@ struct ResolvedRun {
                 return target;
         }();
         Region const everywhere{0, 0, history.extent.width, history.extent.height};
-        executor.for_each_pixel(everywhere, ResolveJob{policies, frames, static_cast<int>(history.known) + 1, around, output});
-        history.known = std::min(history.known + 1, std::size_t{Policy::past_frames});
-        history.number = frame.number, history.complete = true;
+        executor.for_each_pixel(everywhere, ResolveJob{policies, frames, static_cast<int>(past.size()) + 1, around, output});
+        history.frames.finish();
         if constexpr (!sharpens)
             return output;
         else {
@@ -191,15 +184,13 @@ struct ResolvedRun {
     }
 
 private:
-    /// Makes place for a frame. The oldest frame's images become the newest's.
-    template <class P, class Policy, class Storage> static auto& begin(History<Resolved<P, Policy>, Storage>& history, Extent size) {
-        auto& frames = history.frames;
-        using Kept = typename std::remove_cvref_t<decltype(frames)>::value_type;
-        if (!history.scratch || !(history.scratch->low.size() == size)) history.scratch.emplace(size);
-        if (frames.size() <= std::size_t{Policy::past_frames}) frames.emplace_back(size);
-        std::rotate(frames.begin(), frames.end() - 1, frames.end());
-        if (!(frames.front().colour.size() == size)) frames.front() = Kept(size);
-        return frames.front();
+    /// Makes place for a frame.
+    static auto const& begin(auto& history, auto const& frame) {
+        if (!history.scratch || !(history.scratch->low.size() == frame.size)) history.scratch.emplace(frame.size);
+        auto& kept = history.frames.place();
+        if (!kept || !(kept->colour.size() == frame.size)) kept.emplace(frame.size);
+        kept->jitter = frame.camera.jitter;
+        return *kept;
     }
 };
 } // namespace detail
