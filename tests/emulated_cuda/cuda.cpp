@@ -100,6 +100,25 @@ TEST_CASE("a graph that is run again has the frame's own camera, jitter, number 
     CHECK(now.changed_arguments > before.changed_arguments);
 }
 
+TEST_CASE("images that a host has in the device's memory are read in place, and repaired in copies there") {
+    auto const expected = device::by_serial(1);
+    Emulated const executor;
+    auto history = history_of(clamped);
+    for (std::size_t i = 0; i < 4; ++i) { // the third has guides to repair
+        auto const& step = device::steps[i];
+        auto const images = uploaded(clamped, step, executor.cuda);
+        Frame frame{images.size, clamped, Borrowed<Float32, DeviceMemory>{}};
+        for_each_channel(typename decltype(frame)::channels{}, [&](auto channel) {
+            auto const view = images[channel].view();
+            auto const between = channel.components > 1 ? view.planes[channel.components - 1] - view.planes[0] : 0;
+            frame[channel] = {view.planes[0], view.size, 1, view.row_stride(), between / std::max(1, channel.components - 1)};
+        });
+        frame.camera = images.camera, frame.number = images.number;
+        auto const picture = run(clamped, frame, history, executor);
+        CHECK(device::result_of(history, download(picture, executor.cuda).view()) == expected[i]);
+    }
+}
+
 TEST_CASE("a warm frame allocates nothing and makes no graph") {
     constexpr auto denoise = device::preset<0>();
     CudaGraphs graphs;
