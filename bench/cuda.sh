@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The presets on an NVIDIA GPU: whether they agree with Serial over 8 frames, and what they cost.
 #   bench/cuda.sh build [folder]    with nvcc and without a GPU: makes folder/quell-cuda (and folder/example, the program of
-#                                   docs/using.md), which run on any machine with an NVIDIA driver, and folder/kernels.txt
+#                                   docs/using.md, and folder/cuda_host), which run on any machine with an NVIDIA driver, and
+#                                   folder/kernels.txt
 #   bench/cuda.sh run [folder]      on a machine with a GPU; a minute. The folder is build/cuda unless it is given.
 # NVCC names another compiler, NVCC_FLAGS has more flags for it.
 set -euo pipefail
@@ -40,17 +41,23 @@ compile() {
 # The program that docs/using.md shows.
 write_example() { sed -n '/^```cuda$/,/^```$/{/^```/!p}' docs/using.md >"$folder/example.cu"; }
 
-# Registers and bytes of local memory of each pass, as ptxas says.
+# Registers, bytes of the stack frame and of spilled registers of each kernel, as ptxas says; the greatest where several kernels are of one
+# pass. Grids behind the ingest are named "grid".
 list_kernels() {
-    echo "registers, local bytes per thread, pass, of sm_90:"
-    sed -n "s/.*Compiling entry function '\([^']*\)'.*/name \1/p; s/.*Used \([0-9]*\) registers.*, \([0-9]*\) bytes cumulative stack.*/used \1 \2/p
+    echo "registers, stack bytes, spilled bytes per thread, pass, of sm_90:"
+    sed -n "s/.*Compiling entry function '\([^']*\)'.*/name \1/p; s/.* \([0-9]*\) bytes spill stores, \([0-9]*\) bytes spill loads.*/spill \1 \2/p
+        s/.*Used \([0-9]*\) registers.*, \([0-9]*\) bytes cumulative stack.*/used \1 \2/p
         s/.*Used \([0-9]*\) registers.*/used \1 0/p" "$@" |
-        awk '$1 == "name" { name = $2 } $1 == "used" && name ~ /each_pixel/ { print $2, $3, name }' | c++filt |
-        sed -E 's/^([0-9]+ [0-9]+) void quell::cuda::detail::each_pixel<quell::cuda::detail::(LateJob<quell::cuda::detail::)?(PassJob<)?/\1 /; s/quell::cuda::(detail::)?//g' |
-        awk '{ depth = 0; pass = ""; text = $0; sub(/^[0-9]+ [0-9]+ /, "", text)
+        awk '$1 == "name" { name = $2; spilled = 0 } $1 == "spill" { spilled += $2 + $3 }
+             $1 == "used" && name ~ /each_pixel|whole_grid/ { print $2, $3, spilled, name }' | c++filt -r |
+        sed -E 's/void quell::cuda::detail::whole_grid<.*/grid/; s/void quell::cuda::detail::each_pixel<//; s/quell::cuda::(detail::)?//g
+            s/^([0-9]+ [0-9]+ [0-9]+) (LateJob<)?(PassJob<)?/\1 /' |
+        awk '{ depth = 0; pass = ""; text = $0; sub(/^[0-9]+ [0-9]+ [0-9]+ /, "", text)
                for (i = 1; i <= length(text); ++i) { c = substr(text, i, 1)
                    if (c == "<") ++depth; if (c == ">") --depth; if (depth < 0 || (depth == 0 && c == ",")) break; pass = pass c }
-               printf "%4d %6d  %s\n", $1, $2, pass }' | sort -u -k3
+               if ($1 > registers[pass]) registers[pass] = $1; if ($2 > stack[pass]) stack[pass] = $2
+               if (!(pass in spilled) || $3 > spilled[pass]) spilled[pass] = $3 }
+             END { for (pass in spilled) printf "%4d %6d %6d  %s\n", registers[pass], stack[pass], spilled[pass], pass }' | sort -k4
 }
 
 build() {
@@ -66,6 +73,7 @@ build() {
     {
         for ((unit = 0; unit < units; ++unit)); do echo "unit_$unit.o -DUNIT=$unit -DUNITS=$units bench/cuda/presets.cu"; done
         echo "example.o $folder/example.cu"
+        echo "cuda_host.o -Iexamples examples/cuda_host/main.cu"
         echo "main.o bench/cuda/main.cpp"
         echo "check_layouts.o bench/cuda/check_layouts.cpp"
         echo "shifted.o tests/build/cuda/shifted.cu"
@@ -73,6 +81,7 @@ build() {
         'eval "flags=($QUELL_FLAGS)"; object=$1; shift; compile "$folder/$object" "$@"' compile
     "$nvcc" "${static[@]}" "$folder"/{main,check_layouts}.o "$folder"/unit_*.o -o "$folder/quell-cuda"
     "$nvcc" "${static[@]}" "$folder/example.o" -o "$folder/example"
+    "$nvcc" "${static[@]}" "$folder/cuda_host.o" -o "$folder/cuda_host"
     "$nvcc" "${static[@]}" "$folder"/{shifted,check_layouts}.o -o "$folder/shifted"
     list_kernels "$folder"/unit_*.o.log >"$folder/kernels.txt"
     rm "$folder"/*.o "$folder"/*.log
@@ -87,6 +96,9 @@ run)
     echo
     echo "The program of docs/using.md says:"
     "$folder/example"
+    echo
+    echo "examples/cuda_host says:"
+    (cd "$folder" && ./cuda_host)
     ;;
-*) sed -n '2,6s/^# \{0,1\}//p' "bench/cuda.sh" >&2; exit 2 ;;
+*) sed -n '2,7s/^# \{0,1\}//p' "bench/cuda.sh" >&2; exit 2 ;;
 esac

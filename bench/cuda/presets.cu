@@ -30,6 +30,7 @@ struct Chosen {
         timed(work.name, quell::detail::whole_grid<Work>, [&] { cuda.enqueue_grid(r, work); });
     }
     void submit() const { cuda.submit(); }
+    void drop() const { cuda.drop(); }
     void clear(void* memory, std::size_t bytes) const { cuda.clear(memory, bytes); }
     void read(void* to, void const* from, std::size_t bytes) const { cuda.read(to, from, bytes); }
 

@@ -9,6 +9,20 @@
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
+/// Whether the device's context is lost with an error: every later call of CUDA returns it, too, until the program ends.
+inline bool loses_context(cudaError_t status) {
+    return status == cudaErrorIllegalAddress || status == cudaErrorLaunchTimeout || status == cudaErrorAssert ||
+           (status >= cudaErrorHardwareStackError && status <= cudaErrorLaunchFailure);
+}
+/// What a host can do about an error.
+/// @param usual where the error does not say it
+inline char const* cuda_remedy(cudaError_t status, char const* usual) {
+    if (status == cudaErrorMemoryAllocation) return "use smaller images or Float16";
+    return loses_context(status) ? "the device's context is lost: start the program again, with frame, history and target in memory that "
+                                   "the device can reach: Device<> or Managed<>"
+                                 : usual;
+}
+
 /// One CUDA thread for each pixel of the region.
 template <class Job> __global__ void each_pixel(Region const region, QUELL_GRID_CONSTANT Job const job) {
     int const x = region.x0 + static_cast<int>(blockIdx.x * blockDim.x + threadIdx.x);
@@ -85,9 +99,10 @@ struct Cuda {
         bool const given = block_width > 0 && block_height > 0;
         int const width = given ? block_width : in_squares ? 16 : 64, height = given ? block_height : in_squares ? 8 : 2;
         dim3 const block(count(width), count(height)), grid(blocks(r.x1 - r.x0, width), blocks(r.y1 - r.y0, height));
-        if (graphs) return graphs->add({reinterpret_cast<void const*>(detail::each_pixel<Job>), job.name, grid, block, false}, r, job);
-        detail::each_pixel<<<grid, block, 0, stream>>>(r, job);
-        check(cudaGetLastError(), job.name, compile_remedy);
+        auto const* const kernel = reinterpret_cast<void const*>(detail::each_pixel<Job>);
+        if (graphs) return graphs->add({kernel, job.name, grid, block, false}, r, job);
+        void* arguments[] = {&r, const_cast<Job*>(&job)};
+        check(cudaLaunchKernel(kernel, grid, block, arguments, 0, stream), job.name, compile_remedy);
     }
     /// See QueueExecutor.
     /// @throws Error where the launch fails
@@ -111,8 +126,14 @@ struct Cuda {
     /// See QueueExecutor.
     /// @throws Error where the graph cannot be made or launched
     void submit() const {
+        if (!graphs) return;
         char const* pass = nullptr;
-        if (graphs) check(graphs->submit(stream, pass), pass, compile_remedy);
+        auto const status = graphs->submit(stream, pass);
+        check(status, pass, compile_remedy);
+    }
+    /// See QueueExecutor.
+    void drop() const {
+        if (graphs) graphs->drop_frame();
     }
     /// See QueueExecutor.
     void read(void* to, void const* from, std::size_t bytes) const {
@@ -125,7 +146,7 @@ struct Cuda {
         check(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDefault, stream), "copy", remedy);
     }
     /// Waits for all that is in the stream.
-    /// @throws Error where a pass has failed. The device's context is lost then: the program can use the device no more.
+    /// @throws Error where a pass has failed. It says where the device's context is lost: the program can use the device no more then.
     void synchronize() const { wait_for("of the frames before"); }
 
 private:
@@ -138,8 +159,10 @@ private:
     static unsigned count(int threads) { return static_cast<unsigned>(threads); }
     static unsigned blocks(int pixels, int threads) { return count((pixels + threads - 1) / threads); }
     static void check(cudaError_t status, char const* pass, char const* advice) {
-        if (status != cudaSuccess)
-            raise_error<Failure>("pass '" + std::string(pass) + "' on the device", cudaGetErrorString(status), advice);
+        if (status == cudaSuccess) return;
+        cudaGetLastError(); // forgets it: later calls don't fail for it, if the context is there
+        raise_error<Failure>("pass '" + std::string(pass) + "' on the device" + (detail::loses_context(status) ? " or one before it" : ""),
+                             cudaGetErrorString(status), detail::cuda_remedy(status, advice));
     }
 };
 

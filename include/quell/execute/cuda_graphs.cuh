@@ -49,11 +49,10 @@ public:
         std::memcpy(arguments.data() + at + places(sizeof(First)), &second, sizeof(Second));
         nodes.push_back({kernel, at, at + places(sizeof(First)), arguments.size()});
     }
-    /// Begins a frame by setting memory to zero. What an error has left of another frame is dropped.
-    void add_clear(void* memory, std::size_t bytes) {
-        nodes.clear(), clears.clear(), arguments.clear();
-        clears.push_back({memory, bytes, 0});
-    }
+    /// Adds to the frame that memory is set to zero.
+    void add_clear(void* memory, std::size_t bytes) { clears.push_back({memory, bytes, nodes.size()}); }
+    /// Drops what has been added and not submitted.
+    void drop_frame() { nodes.clear(), clears.clear(), arguments.clear(); }
 
     /// Puts the frame into a stream. Returns the first error.
     cudaError_t submit(cudaStream_t stream, char const*& pass) {
@@ -67,7 +66,7 @@ public:
         } else
             status = update(*same, pass);
         if (status == cudaSuccess) status = cudaGraphLaunch(same->runnable, stream);
-        nodes.clear(), clears.clear(), arguments.clear();
+        drop_frame();
         return status;
     }
     /// @endcond
@@ -118,14 +117,14 @@ private:
             auto const& node = nodes[i];
             auto const bytes = (node.end - node.first) * sizeof(Place);
             if (std::memcmp(arguments.data() + node.first, graph.arguments.data() + node.first, bytes) == 0) continue;
-            std::memcpy(graph.arguments.data() + node.first, arguments.data() + node.first, bytes);
-            auto const status = with_parameters(node, graph.arguments, [&](cudaKernelNodeParams const& parameters) {
+            auto const status = with_parameters(node, arguments, [&](cudaKernelNodeParams const& parameters) {
                 return cudaGraphExecKernelNodeSetParams(graph.runnable, graph.handles[i], &parameters);
             });
             if (status != cudaSuccess) {
                 pass = node.kernel.pass;
                 return status;
             }
+            std::memcpy(graph.arguments.data() + node.first, arguments.data() + node.first, bytes); // the graph has them
         }
         return cudaSuccess;
     }

@@ -40,7 +40,8 @@ private:
     static void wait() { check(cudaStreamSynchronize(cudaStreamLegacy)); }
     static void check(cudaError_t status) {
         if (status != cudaSuccess)
-            raise_error<Failure>("memory of the device", cudaGetErrorString(status), "look for an error of an earlier call of CUDA");
+            raise_error<Failure>("memory of the device", cudaGetErrorString(status),
+                                 detail::cuda_remedy(status, "look for an error of an earlier call of CUDA"));
     }
 };
 

@@ -22,6 +22,8 @@ struct AnyGridWork {
 ///     void clear(void* memory, std::size_t bytes) const                        // sets memory of the device to zero, later
 ///     void read(void* to, void const* from, std::size_t bytes) const           // waits for the queue, then copies to the host
 ///     void submit() const                                                      // the frame is complete: what was put in may run
+///     void drop() const                                                        // an error has ended the frame: what was put in and not
+///                                                                              // submitted must not run
 ///
 /// What is put in runs in that order. `work(for_all)` runs once in every thread of a grid; `for_all(job)` there runs a job for every pixel
 /// of the region, by all threads together, and returns when all are done; `work.barrier()` is a zero of the device for that. run() with
@@ -35,6 +37,7 @@ concept QueueExecutor = Executor<E> && std::is_trivially_copyable_v<E> &&
     e.clear(memory, bytes);
     e.read(memory, memory, bytes);
     e.submit();
+    e.drop();
 };
 
 namespace detail {
@@ -43,13 +46,14 @@ struct QueueCalls {
     void (*clear)(void const* executor, void* memory, std::size_t bytes);
     void (*read)(void const* executor, void* to, void const* from, std::size_t bytes);
     void (*submit)(void const* executor);
+    void (*drop)(void const* executor);
     std::size_t size; ///< of the executor
 };
 template <class E>
 inline constexpr QueueCalls queue_calls = {
     [](void const* e, void* memory, std::size_t bytes) { static_cast<E const*>(e)->clear(memory, bytes); },
     [](void const* e, void* to, void const* from, std::size_t bytes) { static_cast<E const*>(e)->read(to, from, bytes); },
-    [](void const* e) { static_cast<E const*>(e)->submit(); }, sizeof(E)};
+    [](void const* e) { static_cast<E const*>(e)->submit(); }, [](void const* e) { static_cast<E const*>(e)->drop(); }, sizeof(E)};
 /// Null for other executors.
 template <class E> constexpr QueueCalls const* queue_of() {
     if constexpr (QueueExecutor<E>) {

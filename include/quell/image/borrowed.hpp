@@ -17,12 +17,14 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 ///     frame[radiance] = {data + (height - 1) * 4 * width, size, 4, -4 * width};
 ///
 /// The memory must outlive the run. With `pixel_stride` 1, loads are as fast as from Planar.
-/// @tparam Format Float32 or Float16; channels with `full_precision` (depth, motion, ...) are read as Float32 anyway
-template <class Format = Float32> struct Borrowed {
+/// @tparam Format  Float32 or Float16; channels with `full_precision` (depth, motion, ...) are read as Float32 anyway
+/// @tparam MemoryT where the host's images lie. quell repairs copies of guides there: HostMemory, for the executor Cuda DeviceMemory
+template <class Format = Float32, class MemoryT = HostMemory> struct Borrowed {
     static_assert(ComponentFormat<Format>,
                   "Borrowed<Format>: `Format` must be Float32, Float16 or another format, see quell/image/format.hpp");
-    using Exact = Borrowed<Float32>;           ///< storage of channels that need 32 bits
-    using Copy = Interleaved<Format>;          ///< where quell keeps a guide that it has to repair
+    using Exact = Borrowed<Float32, MemoryT>;  ///< storage of channels that need 32 bits
+    using Memory = MemoryT;                    ///< where images lie
+    using Copy = Interleaved<Format, Memory>;  ///< where quell keeps a guide that it has to repair
     static constexpr bool owns_memory = false; ///< history cannot use it
     static constexpr auto name = "borrowed";   ///< for messages
     using format = Format;                     ///< how a component is stored

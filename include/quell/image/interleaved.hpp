@@ -6,10 +6,10 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 /// A view of an interleaved image.
-template <class Format, int N> struct InterleavedView {
+template <class Format, int N, class MemoryT> struct InterleavedView {
     using Element = typename Format::Element;
-    using Memory = HostMemory;                                    ///< where images lie
-    using Squares = InterleavedView<typename Format::Squares, N>; ///< a view of the same memory as variances
+    using Memory = MemoryT;                                               ///< where images lie
+    using Squares = InterleavedView<typename Format::Squares, N, Memory>; ///< a view of the same memory as variances
     static constexpr int components = N, pixel_step = N;
 
     Element* data = nullptr; ///< component 0 of pixel (0, 0)
@@ -72,18 +72,22 @@ private:
 
 /// Image storage with a pixel's components side by side (RGBRGB...), as in most hosts. Slower than Planar on a CPU, since packs are
 /// gathered.
-/// @tparam Format Float32 or Float16; channels with `full_precision` use Float32 anyway
-template <class Format = Float32> struct Interleaved {
+/// @tparam Format  Float32 or Float16; channels with `full_precision` use Float32 anyway
+/// @tparam MemoryT where images lie: HostMemory, or another as of Planar
+template <class Format = Float32, class MemoryT = HostMemory> struct Interleaved {
     static_assert(ComponentFormat<Format>,
                   "Interleaved<Format>: `Format` must be Float32, Float16 or another format, see quell/image/format.hpp");
-    using Half = Interleaved<Float16>;          ///< storage of channels with `always_half`
-    using Exact = Interleaved<Float32>;         ///< storage of channels that need 32 bits
-    static constexpr auto name = "interleaved"; ///< for messages
-    using format = Format;                      ///< how a component is stored
+    static_assert(ImageMemory<MemoryT>, "Interleaved<Format, Memory>: `Memory` must have allocate(bytes) and release(memory), see "
+                                        "quell/image/memory.hpp");
+    using Half = Interleaved<Float16, MemoryT>;  ///< storage of channels with `always_half`
+    using Exact = Interleaved<Float32, MemoryT>; ///< storage of channels that need 32 bits
+    static constexpr auto name = "interleaved";  ///< for messages
+    using format = Format;                       ///< how a component is stored
+    using Memory = MemoryT;                      ///< where images and a history's counts lie
     /// An image of N components. Of one component, it is a plane.
     template <int N>
     using Image =
-        detail::PaddedImage<std::conditional_t<N == 1, detail::PlanarView<Format, 1, HostMemory>, detail::InterleavedView<Format, N>>>;
+        detail::PaddedImage<std::conditional_t<N == 1, detail::PlanarView<Format, 1, Memory>, detail::InterleavedView<Format, N, Memory>>>;
 };
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

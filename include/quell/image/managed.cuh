@@ -13,10 +13,12 @@ struct ManagedMemory {
     /// @throws Error where there is no device, or not enough memory
     static void* allocate(std::size_t bytes) {
         void* memory = nullptr;
-        if (auto const status = cudaMallocManaged(&memory, bytes); status != cudaSuccess)
+        if (auto const status = cudaMallocManaged(&memory, bytes); status != cudaSuccess) {
+            cudaGetLastError(); // forgets it: the device can still be used
             raise_error("managed memory of " + std::to_string(bytes) + " bytes", cudaGetErrorString(status),
                         status == cudaErrorMemoryAllocation ? "use smaller images or Float16"
                                                             : "run on a machine with an NVIDIA GPU and a driver that is as new as CUDA");
+        }
         return memory;
     }
     /// Gives back what allocate() gave. No kernel may be using it.

@@ -21,6 +21,7 @@ class PassRunner {
     FrameFacts facts;
     PooledImage signal;
     bool nothing_seen = false; ///< whether all samples are missing
+    bool is_complete = false;  ///< else an error has ended the frame
 
 public:
     PassRunner(HistoryImages& h, TypedByKernel const& t, FrameInput const& frame) : list(h.passes.list()), history(h), typed(t) {
@@ -35,7 +36,10 @@ public:
         facts.frame_index = static_cast<std::int32_t>(frame.number.value_or(history.counted.frames));
         history.now.camera = frame.camera, history.now.shutter = frame.shutter, history.now.number = frame.number;
     }
-    ~PassRunner() { history.drop_scratch(); }
+    ~PassRunner() {
+        if (typed.queue && !is_complete) drop_queued();
+        history.drop_scratch();
+    }
     PassRunner(PassRunner const&) = delete;
     PassRunner& operator=(PassRunner const&) = delete;
 
@@ -49,9 +53,15 @@ public:
         if (typed.run_list) typed.run_list(typed.executor, history.listed.complete());
         if (typed.queue) typed.queue->submit(typed.executor);
         end();
+        is_complete = true;
     }
 
 private:
+    /// What waits in a queue must not run: the host may release its images.
+    void drop_queued() {
+        typed.queue->drop(typed.executor);
+        history.late.queue = nullptr;
+    }
     void ingest() {
         auto &first = history.counts->first, &again = history.counts->again;
         first.reset(), again.reset();
