@@ -66,6 +66,26 @@ TEST_CASE("each part of the open shutter has the mean of its samples, or of the 
         }
 }
 
+TEST_CASE("the sums of strata that a device keeps in place of samples are those of the samples") {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> unit;
+    detail::StrataSamples<vec2<float>, 32> samples;
+    detail::StrataSums<vec2<float>> sums;
+    for (int i = 0; i < 32; ++i) {
+        vec2<float> const value{unit(random), unit(random)};
+        float const weight = unit(random), stratum = std::floor(unit(random) * 8);
+        samples.add(value, weight, stratum, true), sums.add(value, weight, stratum, true);
+    }
+    detail::Strata<float> share;
+    for (auto& part : share.at) part = unit(random);
+    for (int i = 0; i < detail::max_strata; ++i) {
+        CHECK(sums.weights().at[i] == samples.weights().at[i]);
+        CHECK(sums.last_sums().at[i] == samples.last_sums().at[i]);
+    }
+    CHECK(sums.sum_with(share).x == doctest::Approx(samples.sum_with(share).x));
+    CHECK(sums.sum_with(share).y == doctest::Approx(samples.sum_with(share).y));
+}
+
 TEST_CASE("a mean over no time is that over all of it") {
     auto const means = of({{0.1f, 1, 1}, {0.9f, 3, 1}}, 20);
     CHECK(component<0>(means.mean({})) == doctest::Approx(component<0>(means.mean())));

@@ -1,6 +1,12 @@
+#include <quell/blur/two_motions/stratified_mean.hpp>
+
+/// Sums of strata are rounded otherwise than sums of samples: here Serial takes them too.
+template <> inline constexpr bool quell::detail::keeps_sums<float> = true;
+
 #include "../images.hpp"
 #include "two_sizes.hpp"
 
+#include <quell/presets/blur.hpp>
 #include <quell/shader/interpreter.hpp>
 #include <quell/shader/record.hpp>
 
@@ -20,6 +26,12 @@ Camera camera_of(unsigned frame, Extent size) {
     return {glm::lookAt(glm::vec3(0.1f * number, 1, 8), glm::vec3(1, 1, 0), glm::vec3(0, 1, 0)),
             glm::perspective(0.9f, aspect, 0.1f, 100.f), glm::vec2(0.3f * number - 0.2f, 0.1f * number)};
 }
+/// Strips that turn, in front of what is still or moves otherwise.
+glm::vec2 sweep_at(int x, int y) {
+    auto const along = static_cast<float>(x), down = static_cast<float>(y);
+    if ((x / 13 + y / 9) % 3 == 0) return {9.f + 0.3f * down, 4.f - 0.3f * along};
+    return x % 60 < 30 ? glm::vec2(-3.f, 1.f) : glm::vec2(0.f);
+}
 /// Some samples are not finite, some parts of the image are sky.
 template <class F> void fill(F& frame, unsigned number) {
     tests::fill_randomly(frame, number + 7);
@@ -32,6 +44,8 @@ template <class F> void fill(F& frame, unsigned number) {
     if constexpr (F::template has<Radiance>) spoil(frame[radiance], glm::vec3(std::numeric_limits<float>::quiet_NaN(), 1.f, 1.f));
     if constexpr (F::template has<Visibility>) spoil(frame[visibility], std::numeric_limits<float>::infinity());
     if constexpr (F::template has<Depth>) spoil(frame[depth], std::numeric_limits<float>::infinity());
+    if constexpr (F::template has<Sweep>)
+        tests::fill(frame[sweep], [&](int x, int y) { return sweep_at(x + 3 * static_cast<int>(number), y); });
     frame.camera = camera_of(number, frame.size);
 }
 /// How many values of three frames differ in a bit between a recorded plan and Serial.
@@ -81,5 +95,8 @@ template <class P> void check_sizes(P const& pipeline) {
 
 TEST_CASE("a recorded preset has the bits of Serial: general") { check_sizes(presets::general(radiance, Demodulate{})); }
 TEST_CASE("a recorded preset has the bits of Serial: shadow, which looks at the camera") { check_sizes(presets::shadow()); }
+TEST_CASE("a recorded preset has the bits of Serial: blur, whose loops are as long as a pixel wants") {
+    check_sizes(presets::blur(radiance));
+}
 TEST_CASE("recorded passes of half the size have the bits of Serial") { check_sizes(tests::two_sizes); }
 TEST_CASE("what only a frame without a past looks at is still there") { check_sizes(tests::early_at_first); }

@@ -1,5 +1,6 @@
 #include "two_sizes.hpp"
 
+#include <quell/shader/interpreter.hpp>
 #include <quell/shader/record.hpp>
 #include <quell/shader/write_plan.hpp>
 
@@ -22,6 +23,13 @@ template <class Compute> std::vector<Node> steps(Compute compute) {
 }
 std::size_t count(std::vector<Node> const& nodes, Operation operation) {
     return static_cast<std::size_t>(std::ranges::count(nodes, operation, &Node::operation));
+}
+/// A plan of one pass that does this, as steps().
+template <class Compute> ShaderPlan plan_of(Compute compute) {
+    ShaderPlan plan;
+    plan.passes.push_back({{.name = "steps", .nodes = steps(compute), .planes = {{"output", 0, 1, ShaderBuffer::output, 0}}}, {}});
+    plan.output.push_back({"output", 0, 1});
+    return plan;
 }
 /// The value that is stored, if it is a constant.
 float constant_of(std::vector<Node> const& nodes) {
@@ -61,6 +69,66 @@ TEST_CASE("recorded: any() of what is not known is true, all() is false") {
         CHECK(all(either(a < b, Recorded(0.f) < Recorded(1.f))));
         return a;
     });
+}
+
+TEST_CASE("recorded: a loop has as many turns as a pixel wants, and hands on what it is told to") {
+    auto const fibonacci = [](Recorded, Recorded factor) {
+        vec2<Recorded> two{Recorded(0.f), Recorded(1.f)};
+        Recorded turns(0.f);
+        for_each_turn(
+            detail::uniform(FrameBlock::shutter_word),
+            [&](Recorded turn) {
+                two = {two.y, fma(two.x, factor / factor, two.y)};
+                turns = turn + 1.f;
+            },
+            two, turns);
+        return two.x + turns * 100.f;
+    };
+    auto const plan = plan_of(fibonacci);
+    auto const& nodes = plan.passes[0].graph.nodes;
+    auto const place = [&](Operation operation) { return std::ranges::find(nodes, operation, &Node::operation) - nodes.begin(); };
+    CHECK(count(nodes, Operation::carried) == 3);
+    CHECK(place(Operation::divide) < place(Operation::loop)); // is the same in each turn
+    CHECK(place(Operation::fused) > place(Operation::loop));
+    CHECK(place(Operation::fused) < place(Operation::end_loop));
+    auto const wgsl = shader_text(plan, 0, false, ShaderLanguage::wgsl);
+    CHECK(wgsl.find(" += 1.0) {\n        let v") != std::string::npos);
+    CHECK(wgsl.find("    var v") != std::string::npos);
+    PlanInterpreter interpreter(plan, {1, 1});
+    std::pair<float, float> const expected[] = {{0.f, 0.f}, {1.f, 101.f}, {2.f, 201.f}, {6.5f, 713.f}, {-3.f, 0.f}};
+    for (auto const& [turns, result] : expected) {
+        FrameBlock block{.size = {1, 1}, .shutter = turns};
+        block.camera.projection[0][1] = 1.f; // word 1 of the block
+        interpreter.run(block);
+        CHECK(interpreter.plane(ShaderBuffer::output, 0)[0] == result);
+    }
+}
+
+TEST_CASE("recorded: loops within loops, and loops that nothing needs") {
+    auto const nodes = steps([](Recorded a, Recorded b) {
+        Recorded sum(0.f), dead(0.f);
+        for_each_turn(
+            a,
+            [&](Recorded) {
+                for_each_turn(
+                    b, [&](Recorded turn) { sum += turn; }, sum);
+            },
+            sum);
+        for_each_turn(
+            a, [&](Recorded) { dead += b; }, dead);
+        return sum;
+    });
+    CHECK(count(nodes, Operation::loop) == 2);
+    CHECK(count(nodes, Operation::end_loop) == 2);
+}
+
+TEST_CASE("recorded: what a loop changes without saying so is an error") {
+    CHECK_THROWS_WITH_AS(steps([](Recorded a, Recorded b) {
+                             Recorded sum(0.f);
+                             for_each_turn(a, [&](Recorded turn) { sum += turn; });
+                             return sum * b;
+                         }),
+                         doctest::Contains("what a loop computes is used behind it"), Failure);
 }
 
 TEST_CASE("recorded: a selection of constants") {

@@ -80,7 +80,7 @@ template <ChannelTag SweepChannel> struct PathSearchOf {
 
 private:
     /// Factor from a sweep to the motion per frame. With a closed shutter the result leads out of any image.
-    QUELL_KERNEL static float per_frame(float shutter) { return 1.f / max(shutter, 1e-6f); }
+    QUELL_KERNEL static auto per_frame(auto shutter) { return 1.f / max(shutter, 1e-6f); }
 };
 
 /// Search along the mean motion, or along the background's where there are two velocities.

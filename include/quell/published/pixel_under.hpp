@@ -23,8 +23,8 @@ template <class Px> struct PixelUnder {
           place(clamp(column, Real(-1.f), width(px)), clamp(row, Real(-1.f), height(px))) {}
 
 private:
-    QUELL_KERNEL static Real width(Px const& px) { return Real(static_cast<float>(px.size().width)); }
-    QUELL_KERNEL static Real height(Px const& px) { return Real(static_cast<float>(px.size().height)); }
+    QUELL_KERNEL static Real width(Px const& px) { return Real(to_real(px.size().width)); }
+    QUELL_KERNEL static Real height(Px const& px) { return Real(to_real(px.size().height)); }
 };
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

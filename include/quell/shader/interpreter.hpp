@@ -34,10 +34,22 @@ public:
         auto const extent = divided(size, graph.fraction);
         for (row = 0; row < extent.height; ++row)
             for (column = 0; column < extent.width; ++column)
-                for (std::size_t i = 0; i < graph.nodes.size(); ++i) evaluate(graph.nodes[i], values[i]);
+                for (std::size_t i = 0; i < graph.nodes.size(); i = follower(i)) evaluate(graph.nodes[i], values[i]);
     }
 
 private:
+    /// The node behind a node.
+    [[nodiscard]] std::size_t follower(std::size_t i) {
+        auto const& node = graph.nodes[i];
+        auto const goes_on = [&](std::size_t loop) { return values[loop].real < operand(graph.nodes[loop], 0).real; };
+        if (node.operation == Operation::loop && !goes_on(i)) return i + node.payload + 1;
+        if (node.operation == Operation::end_loop) {
+            auto const loop = static_cast<std::size_t>(node.of[0]);
+            values[loop].real += 1.f;
+            if (goes_on(loop)) return loop + 1;
+        }
+        return i + 1;
+    }
     [[nodiscard]] Word operand(Node const& node, std::size_t k) const { return values[static_cast<std::size_t>(node.of[k])]; }
     void evaluate(Node const& node, Word& to) {
         switch (node.type()) {
@@ -51,7 +63,8 @@ private:
             to.integer = mask_of_node(node);
             break;
         case NodeType::none:
-            planes[node.payload][place(node, 1)] = operand(node, 0).real;
+            if (node.operation == Operation::store) planes[node.payload][place(node, 1)] = operand(node, 0).real;
+            if (node.operation == Operation::next) values[static_cast<std::size_t>(node.of[0])] = operand(node, 1);
             break;
         }
     }
@@ -94,8 +107,10 @@ private:
             return planes[node.payload][place(node, 0)];
         case round_to_half:
             return float_from_half(half_from_float(a));
+        case loop:
+            return 0.f;
         default:
-            return a; // bits
+            return a; // bits; what is carried
         }
     }
     [[nodiscard]] std::int32_t integer_of_node(Node const& node) const {

@@ -14,16 +14,18 @@ enum class NodeType : std::uint8_t {
     real,    ///< a 32-bit float
     integer, ///< a 32-bit integer that wraps
     mask,    ///< a truth value
-    none     ///< a store, which has no value
+    none     ///< what has no value: a store, or the steps that end a turn of a loop
 };
 
-/// What a node of a recorded pass does.
+/// What a node of a recorded pass does. A loop is the nodes from `loop` to `end_loop`. What its turns hand on are variables: before it
+/// `carried` gives each its first value, in it `current` takes the value of this turn, `next` sets that of the next one, and `current`
+/// behind it takes the last.
 enum class Operation : std::uint8_t {
     // clang-format off
-    constant, uniform, add, subtract, multiply, divide, negate, minimum, maximum, absolute, square_root, floor, fused, select, to_real, from_bits, load, round_to_half,
+    constant, uniform, add, subtract, multiply, divide, negate, minimum, maximum, absolute, square_root, floor, fused, select, to_real, from_bits, load, round_to_half, carried, loop, current,
     constant_integer, uniform_integer, this_column, this_row, width, height, add_integer, subtract_integer, multiply_integer, and_integer, or_integer, xor_integer, shift_left, shift_right, clamp_integer, truncate, to_bits, select_integer,
     constant_mask, less, less_equal, greater, greater_equal, equal, not_equal, less_integer, equal_integer, both, either, invert, is_finite, sign_bit,
-    store
+    store, next, end_loop
     // clang-format on
 };
 
@@ -53,6 +55,9 @@ inline constexpr OperationInfo operation_infos[] = {
     {"from bits", NodeType::real, 1},
     {"load", NodeType::real, 1},
     {"round to half", NodeType::real, 1},
+    {"carried", NodeType::real, 1},
+    {"loop", NodeType::real, 1},
+    {"current", NodeType::real, 2},
     {"constant integer", NodeType::integer, 0},
     {"uniform integer", NodeType::integer, 0},
     {"column", NodeType::integer, 0},
@@ -86,17 +91,22 @@ inline constexpr OperationInfo operation_infos[] = {
     {"is finite", NodeType::mask, 1},
     {"sign bit", NodeType::mask, 1},
     {"store", NodeType::none, 2},
+    {"next", NodeType::none, 3},
+    {"end loop", NodeType::none, 1},
 };
-static_assert(std::size(operation_infos) == static_cast<std::size_t>(Operation::store) + 1);
+static_assert(std::size(operation_infos) == static_cast<std::size_t>(Operation::end_loop) + 1);
 
 /// What is to be known of an Operation.
 constexpr OperationInfo const& info_of(Operation operation) { return operation_infos[static_cast<std::size_t>(operation)]; }
 
 /// One step of a recorded pass. The steps before it, of which it takes values, go by their numbers.
 struct Node {
-    Operation operation;              ///< what it does
-    std::array<std::int32_t, 3> of{}; ///< the nodes that it takes; of a load: the place; of a store: the value and the place
-    /// Bits of a constant; the word of FrameBlock of a uniform; the fraction of a width or height; the plane of a load or store.
+    Operation operation; ///< what it does
+    /// The nodes that it takes. Of a load: the place; of a store: the value and the place. Of a loop, whose value is the turn's number from
+    /// 0: the number of turns. Of `current`: what is carried, and the loop; of `next`: also the value between them.
+    std::array<std::int32_t, 3> of{};
+    /// Bits of a constant; the word of FrameBlock of a uniform; the fraction of a width or height; the plane of a load or store; how many
+    /// nodes a loop has, with its end; of `current` 0 in the loop and 1 behind it.
     std::uint32_t payload = 0;
 
     /// Equal in all three.

@@ -148,11 +148,8 @@ template <class V>
 V select(RecordedMask mask, V const& a, V const& b) {
     return map([&](auto x, auto y) { return select(mask, x, y); }, a, b);
 }
-template <std::same_as<Recorded> Real> Real lane(Real, int) {
-    static_assert(detail::never<Real>, "a policy looks at the lanes of a pack one by one, which cannot be recorded: write it over whole "
-                                       "numbers of the cursor's Real");
-    return {};
-}
+// A recorded number is of one pixel: its only lane.
+inline Recorded lane(Recorded a, int) { return a; }
 /// @endcond
 
 namespace detail {

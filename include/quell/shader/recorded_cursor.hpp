@@ -135,6 +135,10 @@ template <class S> struct Pixel<Recorded, S, 1> {
         }
         return there;
     }
+    Pixel at(RecordedInteger dx, RecordedInteger dy) const {
+        auto const row = y + dy, height = size().height;
+        return {scope, x + dx, detail::within(row, height), both(row_inside, row >= 0, row < height)};
+    }
     RecordedMask inside() const {
         bool const here = detail::node_at(x.node).operation == Operation::this_column;
         return here ? row_inside : both(row_inside, x >= 0, x < size().width);

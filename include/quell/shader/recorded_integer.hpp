@@ -107,6 +107,7 @@ public:
         return made(
             Operation::subtract_integer, [](Bits i, Bits j) { return i - j; }, a, b);
     }
+    friend RecordedInteger operator-(RecordedInteger a) { return 0 - a; }
     friend RecordedInteger operator*(RecordedInteger a, RecordedInteger b) {
         return made(
             Operation::multiply_integer, [](Bits i, Bits j) { return i * j; }, a, b);
@@ -153,7 +154,7 @@ public:
     friend RecordedInteger clamped(RecordedInteger a, RecordedInteger low, RecordedInteger high) {
         return detail::recorded<RecordedInteger>(Operation::clamp_integer, a, low, high);
     }
-    friend std::int32_t lane(RecordedInteger, int) = delete; // a recorded kernel has no lanes
+    friend RecordedInteger lane(RecordedInteger a, int) { return a; }
     /// @endcond
 };
 

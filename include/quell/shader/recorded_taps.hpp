@@ -3,6 +3,7 @@
 #include <quell/filter/edge_taps.hpp>
 #include <quell/frame/cursor/taps.hpp>
 #include <quell/shader/recorded_cursor.hpp>
+#include <quell/shader/recorded_loop.hpp>
 
 /// @file
 /// Loops over taps that skip rows outside the image by a branch: recorded, such rows have weight 0, as columns have.

@@ -54,6 +54,9 @@ inline std::string ShaderWriter::expression(Node const& node) const {
         return call(wgsl ? "bitcast<i32>" : "floatBitsToInt");
     case load:
         return element(node, a);
+    case carried:
+    case current:
+        return a;
     case round_to_half:
         return call("rounded_to_half");
     case width:

@@ -27,7 +27,7 @@ class ShaderWriter {
     PassGraph const& graph;
     bool wgsl;
     std::vector<std::string> text; ///< of each node: its name, or itself where it is short
-    std::string code{};
+    std::string code{}, indent = "    ";
 
 public:
     ShaderWriter(PassGraph const& g, ShaderLanguage language) : graph(g), wgsl(language == ShaderLanguage::wgsl), text(g.nodes.size()) {}
@@ -44,7 +44,7 @@ public:
     }
 
 private:
-    void line(std::string const& statement) { code += "    " + statement + "\n"; }
+    void line(std::string const& statement) { code += indent + statement + "\n"; }
     static std::string length(std::string const& axis, int fraction) {
         auto const whole = "frame.size." + axis;
         return fraction == 1 ? whole : "(" + whole + " + " + number_text(fraction - 1) + ") / " + number_text(fraction);
@@ -107,11 +107,23 @@ private:
             text[number] = leaf;
             return;
         }
-        auto const type = node.type();
-        auto const declared = wgsl ? "let " : type == NodeType::real ? "precise float " : type == NodeType::integer ? "int " : "bool ";
         auto const name = "v" + std::to_string(number);
+        if (node.operation == Operation::next) return line(a + " = " + text[static_cast<std::size_t>(node.of[1])] + ";");
+        if (node.operation == Operation::end_loop) return end_loop();
+        if (node.operation == Operation::loop) return text[number] = name, begin_loop(name, a);
+        auto const type = node.type();
+        auto const constant = node.operation == Operation::carried ? "var " : "let ";
+        auto const declared = wgsl ? constant : type == NodeType::real ? "precise float " : type == NodeType::integer ? "int " : "bool ";
         line(declared + name + " = " + expression(node) + ";" + (node.operation == Operation::load ? " // " + channel(node) : ""));
         text[number] = name;
+    }
+    void begin_loop(std::string const& turn, std::string const& count) {
+        line(std::string(wgsl ? "for (var " : "for (float ") + turn + " = 0.0; " + turn + " < " + count + "; " + turn + " += 1.0) {");
+        indent.append(4, ' ');
+    }
+    void end_loop() {
+        indent.erase(0, 4);
+        line("}");
     }
     /// What is written where it is used; empty for what gets a name.
     [[nodiscard]] std::string short_text(Node const& node) const {

@@ -1,7 +1,6 @@
 // error: a policy branches on what it computes of a pixel, which cannot be recorded: use select(mask, a, b) or masked(mask, a)
 // error: a policy takes a column, a row, a size or bits for a number of the host, which cannot be recorded: use to_real(integer)
 // error: a policy takes what it computes of a pixel for a number of the host, which cannot be recorded
-// error: a policy looks at the lanes of a pack one by one, which cannot be recorded
 #include <quell/quell.hpp>
 #include <quell/shader/record.hpp>
 
@@ -19,7 +18,7 @@ struct Branches {
 #else
         auto width = Real(1.f);
         if (px.columns() < Real(3.f)) width = Real(static_cast<float>(px.size().width));
-        auto const darker = Real(0.5f * static_cast<float>(width)) * lane(width, 0);
+        auto const darker = Real(0.5f * static_cast<float>(width)) * width;
 #endif
         return scale(value, darker);
     }

@@ -55,6 +55,10 @@ template <class Trajectories, class Real> struct UsableSample {
         else
             return {{component<0>(at), component<1>(at), component<2>(at), component<3>(at), component<4>(at)}};
     }
+    /// The same with a sagitta of 0 where `bends` is false.
+    QUELL_KERNEL UsableSample bent_where(auto bends) const {
+        return {{component<0>(at), component<1>(at), component<2>(at), component<3>(at), component<4>(at), masked(bends, sagitta())}};
+    }
     QUELL_KERNEL vec2<Real> sweep() const { return {component<0>(at), component<1>(at)}; }
     QUELL_KERNEL Real time() const { return component<2>(at); }
     QUELL_KERNEL Real inverse_depth() const { return component<3>(at); }

@@ -36,41 +36,45 @@ template <ChannelTag S, class Trajectories> struct DirectionalMean {
         gather.tiles().for_each(px, [&](auto tile, int k) QUELL_INLINED {
             auto const speed_in_front = detail::in_lane(detail::speed_of(of.front), k);
             auto const speed_behind = detail::in_lane(detail::speed_of(of.back), k);
-            bool const two = lane(detail::inverse_depth_of(of.front), k) > 0.f,
-                       moves = dot(speed_behind, speed_behind) > detail::still_squared;
-            int const shares = two && moves ? 2 : 1;
-            if (two) average(px, front, foreground_sweep, speed_in_front, shares, tile, in_front);
-            if (moves) average(px, back, mean_sweep, speed_behind, shares, tile, behind);
+            using Lane = detail::LaneOf<Real>;
+            auto const two = lane(detail::inverse_depth_of(of.front), k) > Lane(0.f),
+                       moves = dot(speed_behind, speed_behind) > Lane(detail::still_squared), shared = both(two, moves);
+            if (any(two)) average(px, front, foreground_sweep, speed_in_front, two, shared, tile, in_front);
+            if (any(moves)) average(px, back, mean_sweep, speed_behind, moves, shared, tile, behind);
         });
         return emitted<Real>(front, in_front).with(back, behind);
     }
 
 private:
     /// Replaces the layer of a tile by its mean along the velocity `speed`. Number of samples stays: history weighs by it.
-    template <class Px, class Layer, class SweepChannel, class Mask, class V>
-    QUELL_KERNEL void average(Px const& px, Layer layer, SweepChannel of_layer, glm::vec2 speed, int shares, Mask tile, V& value) const {
+    /// @param wanted whether the tile has the layer @param shared whether two lines share its samples
+    template <class Px, class Layer, class SweepChannel, class Lane, class LaneMask, class Mask, class V>
+    QUELL_KERNEL void average(Px const& px, Layer layer, SweepChannel of_layer, vec2<Lane> const& speed, LaneMask wanted, LaneMask shared,
+                              Mask tile, V& value) const {
         using Real = typename Px::Real;
-        auto const line = gather.line(speed, {}, shares);
-        float const length = min(line.step * gaps, line.whole * max_part);
-        float const spacing = max(length / static_cast<float>(2 * taps + 1), 1.f);
-        int const each_side = static_cast<int>(min(static_cast<float>(taps), floor(0.5f * length / spacing)));
-        if (each_side <= 0) return;
+        auto const line = gather.line(speed, vec2<Lane>{Lane(0.f), Lane(0.f)}, shared);
+        auto const length = min(line.step * gaps, line.whole * max_part);
+        auto const spacing = max(length / static_cast<float>(2 * taps + 1), Lane(1.f));
+        auto const each_side = masked(wanted, min(Lane(static_cast<float>(taps)), floor(0.5f * length / spacing)));
+        if (!any(each_side > Lane(0.f))) return;
         auto const own = px[of_layer];
         auto const likeness = 1.f / fma(sqrt(fma(own.x, own.x, own.y * own.y)), Real(tolerance), Real(0.5f));
         auto const samples = samples_of(layer, value);
         auto sum = scale(value, samples);
         auto weights = samples;
-        for (int i = -each_side; i <= each_side; ++i) {
-            auto const offset = line.nearest(static_cast<float>(i) * spacing);
+        auto const add_neighbour = [&](Lane turn) QUELL_INLINED {
+            auto const i = turn - each_side;
+            auto const offset = line.nearest(select(i < Lane(0.f), i, i + 1.f) * spacing);
             auto const there = px.at(offset.x, offset.y);
-            if (i == 0 || !there.any_row_inside()) continue;
+            if (!there.any_row_inside()) return;
             auto const its = there[layer];
             auto const x = there[of_layer].x - own.x, y = there[of_layer].y - own.y;
             auto const alike = clamp(fma(sqrt(fma(x, x, y * y)) * likeness, Real(-2.f), Real(2.f)), Real(0.f), Real(1.f));
             auto const w = masked(there.inside(), alike * samples_of(layer, its));
             sum = add_scaled(sum, its, w);
             weights = weights + w;
-        }
+        };
+        for_each_turn(2.f * each_side, add_neighbour, sum, weights);
         auto const mean = scale(sum, 1.f / max(weights, Real(1e-30f)));
         value = select(both(tile, weights > samples), detail::layer_of(detail::signal_of(mean), detail::weight_of(value)), value);
     }

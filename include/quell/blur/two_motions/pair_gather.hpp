@@ -22,9 +22,9 @@ template <ChannelTag S, class Trajectories = StraightTrajectories> struct PairGa
     static constexpr bool leaves_signal = true;
     using reads = Channels<LayerMotions<Trajectories>, SampleTrajectory<Trajectories>>;
     using emits = Channels<ForegroundLayer<Signal>, ForegroundSweep, BackgroundLayer<Signal>, MeanSweep>;
-    static constexpr int max_samples = detail::LineOfPixels::max_steps; ///< largest useful `count`
-    static constexpr int max_lanes = 8;                                 ///< largest useful SIMD width: a tile's
-    static constexpr bool two_rows = true;                              ///< rows that share a pair look along the same lines
+    static constexpr int max_samples = detail::LineOfPixels<>::max_steps; ///< largest useful `count`
+    static constexpr int max_lanes = 8;                                   ///< largest useful SIMD width: a tile's
+    static constexpr bool two_rows = true;                                ///< rows that share a pair look along the same lines
     int count = 64;      ///< samples per pixel, up to `max_samples`; with two velocities, half along each
     float reach = 0.65f; ///< how far to look along a sweep, as a fraction of it: samples farther away rarely pass in time
     float width = 1.f;   ///< pixels, above 0; distance of closest approach at which a sample's weight reaches 0; less for sweeps under 2
@@ -43,9 +43,11 @@ template <ChannelTag S, class Trajectories = StraightTrajectories> struct PairGa
 
     /// @cond
     QUELL_KERNEL detail::RowTiles tiles() const { return {tile_width}; }
-    /// Where one of `shares` lines looks for samples.
-    QUELL_KERNEL detail::LineOfPixels line(glm::vec2 const& speed, glm::vec2 const& bend, int shares) const {
-        return {speed, bend, reach, (count < max_samples ? count : max_samples) / shares};
+    /// Where a line looks for samples, or one of two lines.
+    template <class Lane, class Mask>
+    QUELL_KERNEL detail::LineOfPixels<Lane> line(vec2<Lane> const& speed, vec2<Lane> const& bend, Mask is_one_of_two) const {
+        int const all = count < max_samples ? count : max_samples;
+        return {speed, bend, reach, select(is_one_of_two, Lane(static_cast<float>(all / 2)), Lane(static_cast<float>(all)))};
     }
     /// @endcond
 
@@ -53,6 +55,7 @@ private:
     template <class Px> struct Work {
         using Real = typename Px::Real;
         using Mask = decltype(Real(0.f) < Real(0.f));
+        using Lane = detail::LaneOf<Real>;
         using Colour = typename Px::Signal;
         using ScreenMotion = detail::ScreenMotion<Trajectories, Real>;
         PairGather const& settings;
@@ -86,7 +89,7 @@ private:
         /// One tile, by the velocities of lane k.
         QUELL_KERNEL void gather(Px const& px, Mask tile, int k) {
             in_front.restart(), behind.restart();
-            if constexpr (Trajectories::bent)
+            if constexpr (Trajectories::bent && !records<Real>)
                 if (lane(detail::sagitta_of(of.front), k) == 0.f && lane(detail::sagitta_of(of.back), k) == 0.f)
                     return gather_as<StraightTrajectories>(px, tile, k);
             gather_as<Trajectories>(px, tile, k);
@@ -94,25 +97,31 @@ private:
         /// @tparam As the model of trajectories: StraightTrajectories where nothing bends, which is cheaper
         template <class As> QUELL_KERNEL void gather_as(Px const& px, Mask tile, int k) {
             auto const behind_speed = detail::in_lane(detail::speed_of(of.back), k);
-            bool const moves = dot(behind_speed, behind_speed) > detail::still_squared;
-            if (lane(detail::inverse_depth_of(of.front), k) > 0.f) {
-                int const shares = moves ? 2 : 1;
-                gather_along<As>(ForBoth{}, px, k, tile, of.front, shares);
-                if (moves) gather_along<As>(ForBack{}, px, k, tile, of.back, shares);
+            auto const moves = dot(behind_speed, behind_speed) > Lane(detail::still_squared);
+            auto const two = lane(detail::inverse_depth_of(of.front), k) > Lane(0.f);
+            auto const shared = both(two, moves);
+            if constexpr (records<Real>) {
+                gather_along<As>(ForBoth{}, px, k, tile, of.front, shared, two, two);
+                // The foreground's line had the pixel itself.
+                gather_along<As>(ForBack{}, px, k, tile, of.back, shared, moves, both(moves, invert(two)));
+            } else if (two) {
+                gather_along<As>(ForBoth{}, px, k, tile, of.front, shared, true, true);
+                if (moves) gather_along<As>(ForBack{}, px, k, tile, of.back, shared, true, false);
             } else if (moves)
-                gather_along<As>(OnlyOne{}, px, k, tile, of.back, 1);
+                gather_along<As>(OnlyOne{}, px, k, tile, of.back, shared, true, true);
         }
         /// All lanes follow lane k's line, whatever each finds on it.
-        template <class As, class What>
-        QUELL_KERNEL void gather_along(What what, Px const& px, int k, Mask tile, ScreenMotion const& screen_motion, int shares) {
+        /// @param shared whether two lines share the samples @param wanted whether there is this line @param itself and on it the pixel
+        template <class As, class What, class LaneMask>
+        QUELL_KERNEL void gather_along(What what, Px const& px, int k, Mask tile, ScreenMotion const& screen_motion, LaneMask shared,
+                                       LaneMask wanted, LaneMask itself) {
             auto const speed = detail::in_lane(detail::speed_of(screen_motion), k),
                        bend = detail::in_lane(detail::bend_of(screen_motion), k);
-            auto const line = settings.line(speed, bend, shares);
-            auto const visit = [&](int dx, int dy) QUELL_INLINED { add<As>(what, px, dx, dy, tile); };
-            if constexpr (std::is_same_v<What, ForBack>)
-                line.for_each_other(visit); // the foreground's line had the pixel itself
-            else
-                line.for_each(visit);
+            auto line = settings.line(speed, bend, shared);
+            if constexpr (records<Real>) line.steps = masked(wanted, line.steps);
+            line.for_each_with(
+                itself, [&](auto dx, auto dy, auto... counts) QUELL_INLINED { add<As>(what, px, dx, dy, both(tile, counts...)); }, in_front,
+                behind, front_swept, back_swept, samples);
         }
 
         // What a line collects: samples of both layers, of the background, or of the only layer.
@@ -121,12 +130,15 @@ private:
         struct OnlyOne {};
 
         /// Adds the sample at an offset to its layer.
-        template <class As, class What> QUELL_KERNEL void add(What, Px const& px, int dx, int dy, Mask wanted) {
+        template <class As, class What> QUELL_KERNEL void add(What, Px const& px, auto dx, auto dy, Mask wanted) {
             auto const there = px.at(dx, dy);
             if (!there.any_row_inside()) return;
-            auto const sample = detail::usable_sample<Trajectories>(there).template as<As>();
+            auto sample = detail::usable_sample<Trajectories>(there).template as<As>();
+            // Recorded, there is no other model where neither surface bends.
+            if constexpr (Trajectories::bent && records<Real>)
+                sample = sample.bent_where(either(detail::sagitta_of(of.front) != Real(0.f), detail::sagitta_of(of.back) != Real(0.f)));
             auto const usable = both(wanted, there.inside(), sample.known());
-            vec2<Real> const away{Real(static_cast<float>(-dx)), Real(static_cast<float>(-dy))};
+            vec2<Real> const away{Real(to_real(-dx)), Real(to_real(-dy))};
             auto for_back = both(usable, sample.moves());
             if constexpr (!std::is_same_v<What, OnlyOne>) {
                 auto const shows_front = of.is_front(sample.screen_motion());

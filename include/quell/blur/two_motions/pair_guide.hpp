@@ -33,11 +33,19 @@ template <class Trajectories> struct LayerMotions : InternalChannel<Trajectories
 namespace detail {
 /// Rows that share a pair, and the row of them that holds it.
 inline constexpr int rows_of_pair = 2;
-QUELL_KERNEL int row_of_pair(int y, Extent size) {
-    int const row = y / rows_of_pair * rows_of_pair + rows_of_pair / 2, last = size.height - 1;
-    return row < last ? row : last;
+template <class Row> QUELL_KERNEL Row row_of_pair(Row y, auto const& size) {
+    static_assert((rows_of_pair & (rows_of_pair - 1)) == 0);
+    Row const row = (y & -rows_of_pair) + rows_of_pair / 2, last = size.height - 1;
+    return select_index(row < last, row, last);
 }
-template <class Px> QUELL_KERNEL bool has_pair(Px const& px) { return px.y == row_of_pair(px.y, px.size()); }
+template <class Px> QUELL_KERNEL auto has_pair(Px const& px) { return px.y == row_of_pair(px.y, px.size()); }
+/// What a row that holds a pair has of it. Recorded, 0 in others: on a CPU a branch has seen to them.
+template <class Px, class J> QUELL_KERNEL J in_rows_of_pairs([[maybe_unused]] Px const& px, J const& pair) {
+    if constexpr (records<typename Px::Real>)
+        return map([&](auto a) { return masked(has_pair(px), a); }, pair);
+    else
+        return pair;
+}
 
 /// Joins two motions into one value; one_of takes them apart.
 template <class M> QUELL_KERNEL auto joined(M const& first, M const& second) {
@@ -121,7 +129,7 @@ template <class Trajectories> struct LocalPairOf {
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
-        if (!has_pair(px)) return emitted<Real>(LocalPair<Trajectories>{}, zero<Value<LocalPair<Trajectories>::components, Real>>());
+        if (!any(has_pair(px))) return emitted<Real>(LocalPair<Trajectories>{}, zero<Value<LocalPair<Trajectories>::components, Real>>());
         auto const own = one_of<0>(px[RowExtremes<Trajectories>{}]);
         Extreme fastest{own, squared_speed(own)};
         for (int i = -radius; i <= radius; ++i) {
@@ -135,7 +143,8 @@ template <class Trajectories> struct LocalPairOf {
             other.offer(one_of<0>(row), squared_difference(one_of<0>(row), a));
             other.offer(one_of<1>(row), squared_difference(one_of<1>(row), a));
         }
-        return emitted<Real>(LocalPair<Trajectories>{}, ordered(a, fastest.maximum, other.screen_motion, other.maximum));
+        return emitted<Real>(LocalPair<Trajectories>{},
+                             in_rows_of_pairs(px, ordered(a, fastest.maximum, other.screen_motion, other.maximum)));
     }
 
 private:
@@ -177,7 +186,8 @@ template <class Trajectories> struct NearestPair {
 
     template <class Px> QUELL_KERNEL auto emit_channels(Px const& px) const {
         using Real = typename Px::Real;
-        if (!has_pair(px)) return emitted<Real>(LayerMotions<Trajectories>{}, zero<Value<LayerMotions<Trajectories>::components, Real>>());
+        if (!any(has_pair(px)))
+            return emitted<Real>(LayerMotions<Trajectories>{}, zero<Value<LayerMotions<Trajectories>::components, Real>>());
         auto const own = px[LocalPair<Trajectories>{}];
         auto pair = own;
         auto const screen_motion = one_of<1>(own);

@@ -118,7 +118,7 @@ template <ChannelTag S> struct PairBlend {
 
 private:
     /// Limit of the samples that a layer's past counts as, by its sweep.
-    template <class Real> QUELL_KERNEL Real at_most(float maximum, vec2<Real> const& of_layer) const {
+    template <class Real> QUELL_KERNEL Real at_most(auto maximum, vec2<Real> const& of_layer) const {
         return min(sqrt(fma(of_layer.x, of_layer.x, of_layer.y * of_layer.y)) * (maximum / slow), Real(maximum));
     }
     /// Share of this frame's samples in the mean.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/core/recording.hpp>
 #include <quell/core/value.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
@@ -81,6 +82,9 @@ private:
     }
 };
 
+/// Whether sums of each stratum are kept in place of samples: on a device, and where a kernel is recorded for one.
+template <class Real> inline constexpr bool keeps_sums = on_device || records<Real>;
+
 /// The same on a device: sums of each stratum, in a thread's registers. Of one pixel only.
 template <class V> struct StrataSums {
     using Real = real_of<V>;
@@ -91,7 +95,11 @@ template <class V> struct StrataSums {
     QUELL_KERNEL void restart() {}
     QUELL_KERNEL void add(V const& weighted, Real w, Real part, auto) {
         for_each_stratum<max_strata>([&](auto i) QUELL_INLINED {
-            if (part == Real(static_cast<float>(i))) value[i] = value[i] + weighted, weight.at[i] = weight.at[i] + w;
+            auto const here = part == Real(static_cast<float>(i));
+            if constexpr (records<Real>)
+                add_to<i>(map([&](auto a) { return masked(here, a); }, weighted), masked(here, w));
+            else if (here)
+                add_to<i>(weighted, w);
         });
     }
     QUELL_KERNEL Strata<Real> weights() const { return weight; }
@@ -109,6 +117,11 @@ template <class V> struct StrataSums {
 private:
     V value[max_strata]; ///< sum of values times weights
     Strata<Real> weight;
+
+    template <int i> QUELL_KERNEL void add_to(V const& weighted, Real w) {
+        value[i] = map([](auto sum, auto a) QUELL_INLINED { return sum + a; }, value[i], weighted);
+        weight.at[i] = weight.at[i] + w;
+    }
 };
 
 /// Stratified mean over the open shutter: samples are averaged within equal time strata, then the strata are averaged. An empty stratum
@@ -176,7 +189,7 @@ template <class V, int max_samples> struct StratifiedMean {
 
 private:
     Real count; ///< number of strata, from 1
-    std::conditional_t<on_device, StrataSums<V>, StrataSamples<V, max_samples>> samples;
+    std::conditional_t<keeps_sums<Real>, StrataSums<V>, StrataSamples<V, max_samples>> samples;
 
     template <int i> QUELL_KERNEL auto in_use() const { return Real(static_cast<float>(i)) < count; }
     /// Which strata have samples, and to which filled ones an empty one belongs.

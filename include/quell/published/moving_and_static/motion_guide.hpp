@@ -127,8 +127,10 @@ template <class Trajectories> struct MotionColumn {
         Real samples(0.f);
         for (int i = -radius; i <= radius; ++i) {
             auto const neighbour = px.at(0, i);
-            if (!neighbour.row_inside) continue;
-            auto const row = neighbour[Sums{}];
+            if (!neighbour.any_row_inside()) continue;
+            auto row = neighbour[Sums{}];
+            // Recorded, rows outside are looked at as well.
+            if constexpr (records<Real>) row = select(neighbour.row_inside, row, zero<MotionSumsOf<Trajectories, Real>>());
             samples = samples + row.at[Sums::all];
             auto const mean_depth = row.at[Sums::depth] / max(row.at[Sums::in_motion], Real(1.f));
             add_where(invert(hidden_behind(mean_depth, nearest, depth_tolerance)), sums, row);

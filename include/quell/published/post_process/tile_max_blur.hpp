@@ -43,7 +43,7 @@ private:
     template <class Px> QUELL_KERNEL auto place(Px const& px, float sign) const {
         using Real = typename Px::Real;
         auto const p = px.position();
-        Real const last_column(static_cast<float>(px.size().width - 1)), last_row(static_cast<float>(px.size().height - 1));
+        Real const last_column(to_real(px.size().width - 1)), last_row(to_real(px.size().height - 1));
         return PixelCoordinates<Real>(clamp(p.x + (sign * static_cast<float>(right) - 0.5f), Real(0.f), last_column),
                                       clamp(p.y + (sign * static_cast<float>(down) - 0.5f), Real(0.f), last_row));
     }
