@@ -38,8 +38,9 @@ void replace_all(std::string& text, std::string const& what, std::string const& 
 std::string with_named_buffers(std::string glsl) {
     for (auto const name_view : shader_buffer_names) {
         std::string const name(name_view);
-        replace_all(glsl, name + "[", name + ".floats[");
-        replace_all(glsl, "float " + name + ".floats[]; };", "float floats[]; } " + name + ";");
+        replace_all(glsl, name + "[", name + ".values[");
+        for (std::string const type : {"float ", "uint "})
+            replace_all(glsl, type + name + ".values[]; };", type + "values[]; } " + name + ";");
     }
     return glsl;
 }

@@ -169,3 +169,21 @@ TEST_CASE("a plan: what a shader must know of planes and passes") {
     CHECK(shader.find("; // smaller[0]") != std::string::npos);
     CHECK(to_string(plan.passes[1].graph).find("history_then") != std::string::npos);
 }
+
+TEST_CASE("a shader keeps words that are no numbers as integers") {
+    auto const plan = record(tests::two_sizes, "two sizes");
+    auto const of_language = [&](ShaderLanguage language) { return shader_text(plan, 1, false, language); };
+    auto const has = [](std::string const& text, char const* what) { return text.find(what) != std::string::npos; };
+    auto const wgsl = of_language(ShaderLanguage::wgsl), glsl = of_language(ShaderLanguage::glsl);
+    CHECK(has(wgsl, "> history_then: array<u32>;"));
+    CHECK(has(wgsl, "> inputs: array<f32>;"));
+    CHECK(has(glsl, "{ uint history_now[]; };"));
+    CHECK(has(glsl, "{ float picture[]; };"));
+    // The last frame's normal in one word: never a float on its way.
+    auto const load = wgsl.substr(0, wgsl.find("; // packed normal[0]"));
+    auto const name = load.substr(load.rfind("let ") + 4, load.rfind(" = ") - load.rfind("let ") - 4);
+    CHECK(has(wgsl, ("= i32(" + name + ");").c_str()));
+    CHECK_FALSE(has(wgsl, ("bitcast<f32>(" + name + ")").c_str()));
+    auto const last = shader_text(plan, 3, false, ShaderLanguage::wgsl);
+    CHECK(last.substr(last.rfind(" = ", last.find("; // packed normal[0]")), 7) == " = u32(");
+}

@@ -51,9 +51,10 @@ inline std::string ShaderWriter::expression(Node const& node) const {
     case Operation::from_bits:
         return call("of_bits");
     case to_bits:
+        if (auto const of = static_cast<std::size_t>(node.of[0]); is_word[of]) return (wgsl ? "i32(" : "int(") + word_name(of) + ")";
         return call(wgsl ? "bitcast<i32>" : "floatBitsToInt");
     case load:
-        return element(node, a);
+        return loaded(node);
     case carried:
     case current:
         return a;

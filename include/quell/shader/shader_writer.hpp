@@ -27,10 +27,19 @@ class ShaderWriter {
     PassGraph const& graph;
     bool wgsl;
     std::vector<std::string> text; ///< of each node: its name, or itself where it is short
+    std::vector<char> is_word;     ///< of each node: whether it is a load whose bits are taken or stored, as of a packed normal
     std::string code{}, indent = "    ";
 
 public:
-    ShaderWriter(PassGraph const& g, ShaderLanguage language) : graph(g), wgsl(language == ShaderLanguage::wgsl), text(g.nodes.size()) {}
+    ShaderWriter(PassGraph const& g, ShaderLanguage language)
+        : graph(g), wgsl(language == ShaderLanguage::wgsl), text(g.nodes.size()), is_word(g.nodes.size()) {
+        auto const of_words = [&](Node const& node) { return holds_words(graph.planes[node.payload].buffer); };
+        for (auto const& node : graph.nodes) {
+            auto const of = static_cast<std::size_t>(node.of[0]);
+            if (node.operation != Operation::to_bits && !(node.operation == Operation::store && of_words(node))) continue;
+            if (graph.nodes[of].operation == Operation::load && of_words(graph.nodes[of])) is_word[of] = true;
+        }
+    }
 
     [[nodiscard]] std::string written() {
         code += wgsl ? head_of_wgsl() : head_of_glsl();
@@ -44,6 +53,9 @@ public:
     }
 
 private:
+    /// Whether a buffer is declared as one of unsigned integers. What quell keeps for itself may be no number, and a device may flush or
+    /// change floats that it loads and stores.
+    static constexpr bool holds_words(ShaderBuffer buffer) { return buffer != ShaderBuffer::inputs && buffer != ShaderBuffer::output; }
     void line(std::string const& statement) { code += indent + statement + "\n"; }
     static std::string length(std::string const& axis, int fraction) {
         auto const whole = "frame.size." + axis;
@@ -60,7 +72,8 @@ private:
         head += "}\n@group(0) @binding(0) var<uniform> frame: Frame;\n";
         for (std::size_t i = 0; i < shader_buffer_names.size(); ++i)
             head += "@group(0) @binding(" + number_text(static_cast<int>(i) + 1) + ") var<storage, " + (i < 2 ? "read" : "read_write") +
-                    "> " + std::string(shader_buffer_names[i]) + ": array<f32>;\n";
+                    "> " + std::string(shader_buffer_names[i]) + ": array<" + (holds_words(static_cast<ShaderBuffer>(i)) ? "u32" : "f32") +
+                    ">;\n";
         return head +
                "fn finite(a: f32) -> bool { return (bitcast<i32>(a) & 0x7fffffff) < 0x7f800000; }\n"
                "fn truncated(a: f32) -> i32 { return select(-2147483647 - 1, i32(a), abs(a) < 2147483648.0); }\n"
@@ -80,7 +93,8 @@ private:
         for (std::size_t i = 0; i < shader_buffer_names.size(); ++i) {
             auto const number = number_text(static_cast<int>(i) + 1);
             head += "layout(std430, set = 0, binding = " + number + ") " + (i < 2 ? "readonly " : "") + "buffer Buffer" + number +
-                    " { float " + std::string(shader_buffer_names[i]) + "[]; };\n";
+                    (holds_words(static_cast<ShaderBuffer>(i)) ? " { uint " : " { float ") + std::string(shader_buffer_names[i]) +
+                    "[]; };\n";
         }
         return head + "bool finite(float a) { return (floatBitsToInt(a) & 0x7fffffff) < 0x7f800000; }\n"
                       "int truncated(float a) { return abs(a) < 2147483648.0 ? int(a) : -2147483647 - 1; }\n"
@@ -93,18 +107,40 @@ private:
         auto const& plane = graph.planes[node.payload];
         return std::string(name_of(plane.buffer)) + "[" + number_text(plane.slot) + " * pixels + " + place + "]";
     }
+    /// What is stored of a value: its bits where the buffer is one of words.
+    [[nodiscard]] std::string stored(Node const& node) const {
+        auto const number = static_cast<std::size_t>(node.of[0]);
+        if (!holds_words(graph.planes[node.payload].buffer)) return text[number];
+        if (is_word[number]) return word_name(number);
+        auto const& value = graph.nodes[number];
+        if (value.operation == Operation::from_bits) return (wgsl ? "u32(" : "uint(") + text[static_cast<std::size_t>(value.of[0])] + ")";
+        return (wgsl ? "bitcast<u32>(" : "floatBitsToUint(") + text[number] + ")";
+    }
+    [[nodiscard]] static std::string word_name(std::size_t number) { return "w" + std::to_string(number); }
+    [[nodiscard]] std::string loaded(Node const& node) const {
+        auto const at = element(node, text[static_cast<std::size_t>(node.of[0])]);
+        return holds_words(graph.planes[node.payload].buffer) ? float_of_word(at) : at;
+    }
+    [[nodiscard]] std::string float_of_word(std::string const& word) const {
+        return (wgsl ? "bitcast<f32>(" : "uintBitsToFloat(") + word + ")";
+    }
     [[nodiscard]] std::string channel(Node const& node) const {
         auto const& plane = graph.planes[node.payload];
         return plane.channel + "[" + number_text(plane.component) + "]";
     }
     void write(Node const& node, std::size_t number) {
-        auto const& a = text[static_cast<std::size_t>(node.of[0])];
         if (node.operation == Operation::store) {
             auto const& place = text[static_cast<std::size_t>(node.of[1])];
-            return line(element(node, place) + " = " + a + "; // " + channel(node));
+            return line(element(node, place) + " = " + stored(node) + "; // " + channel(node));
         }
         if (auto const leaf = short_text(node); !leaf.empty()) {
             text[number] = leaf;
+            return;
+        }
+        if (is_word[number]) {
+            auto const& place = text[static_cast<std::size_t>(node.of[0])];
+            line((wgsl ? "let " : "uint ") + word_name(number) + " = " + element(node, place) + "; // " + channel(node));
+            text[number] = float_of_word(word_name(number));
             return;
         }
         auto const name = "v" + std::to_string(number);
