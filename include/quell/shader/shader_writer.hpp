@@ -129,6 +129,7 @@ private:
         return plane.channel + "[" + number_text(plane.component) + "]";
     }
     void write(Node const& node, std::size_t number) {
+        auto const& a = text[static_cast<std::size_t>(node.of[0])];
         if (node.operation == Operation::store) {
             auto const& place = text[static_cast<std::size_t>(node.of[1])];
             return line(element(node, place) + " = " + stored(node) + "; // " + channel(node));
@@ -138,8 +139,7 @@ private:
             return;
         }
         if (is_word[number]) {
-            auto const& place = text[static_cast<std::size_t>(node.of[0])];
-            line((wgsl ? "let " : "uint ") + word_name(number) + " = " + element(node, place) + "; // " + channel(node));
+            line((wgsl ? "let " : "uint ") + word_name(number) + " = " + element(node, a) + "; // " + channel(node));
             text[number] = float_of_word(word_name(number));
             return;
         }
