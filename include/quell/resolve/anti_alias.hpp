@@ -232,6 +232,7 @@ void anti_alias(AntiAliased const& policy, E const& executor, ColouredFrame<Stor
         is_known = frame.knows_next;
     }
     detail::run_or_enqueue(executor, Region{0, 0, size.width, size.height}, job);
+    detail::submit_queue(executor);
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -158,7 +158,6 @@ struct RemodulatedRun {
                 return target;
         }();
         anti_alias(remodulated.policy, executor, kept.view(), std::span(before).first(history.known), {}, light, output);
-        if constexpr (QueueExecutor<E>) executor.submit();
         history.known = std::min(history.known + 1, std::size_t{frames});
         history.number = frame.number, history.complete = true;
         return output;
