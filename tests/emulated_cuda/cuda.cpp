@@ -4,6 +4,7 @@
 #include <quell/image/managed.cuh>
 #include <quell/presets/effects.hpp>
 #include <quell/presets/general.hpp>
+#include <quell/presets/resolve.hpp>
 #include <quell/quell.hpp>
 
 #include "../frames.hpp"
@@ -132,11 +133,41 @@ TEST_CASE("a warm frame allocates nothing and makes no graph") {
     run_frames(4);
     auto const warm = device::counts();
     run_frames(9);
+    CHECK(device::counts().waits == warm.waits + 1);
     auto const& now = device::counts();
     CHECK(now.allocations == warm.allocations);
     CHECK(now.releases == warm.releases);
     CHECK(now.graphs == warm.graphs);
     CHECK(now.graph_launches == warm.graph_launches + 9);
+}
+
+TEST_CASE("what stands behind a pipeline waits for nothing, and is on its way when run() returns") {
+    constexpr auto denoise = presets::resolve(presets::surface(radiance));
+    CudaGraphs graphs;
+    std::vector<std::vector<float>> pictures;
+    for (bool const by_graph : {false, true}) {
+        Emulated const executor{{.graphs = by_graph ? &graphs : nullptr}};
+        History history{{90, 50}, denoise, Device<>{}};
+        Frame rendered{{45, 25}, denoise};
+        Frame frame{rendered.size, denoise, Device<>{}};
+        auto const waits = [&](int number) {
+            tests::fill_randomly(rendered, static_cast<unsigned>(number));
+            for_each_channel(typename decltype(frame)::channels{}, [&](auto c) { upload(frame[c], rendered[c], executor.cuda); });
+            frame.number = number;
+            int const before = device::counts().waits;
+            auto const view = run(denoise, frame, history, executor);
+            int const during = device::counts().waits - before;
+            cudaStreamSynchronize(nullptr); // not the executor, which could put more in
+            int const kernels = device::counts().kernels;
+            pictures.push_back(tests::copy_of(download(view, executor.cuda).view()));
+            CHECK(device::counts().kernels == kernels);
+            return during;
+        };
+        constexpr int warm = 12; // all frames that are looked back at have their images
+        for (int i = 0; i < warm; ++i) waits(i);
+        CHECK(waits(warm) == 0);
+    }
+    for (std::size_t i = 0; i < 13; ++i) CHECK(pictures[i] == pictures[i + 13]);
 }
 
 TEST_CASE("histories in two streams do not disturb each other") {

@@ -187,7 +187,10 @@ cudaError_t cudaStreamDestroy(cudaStream_t stream) {
     delete stream;
     return status;
 }
-cudaError_t cudaStreamSynchronize(cudaStream_t) { return emulated_cuda::finish("cudaStreamSynchronize"); }
+cudaError_t cudaStreamSynchronize(cudaStream_t) {
+    ++machine().counts.waits;
+    return emulated_cuda::finish("cudaStreamSynchronize");
+}
 
 cudaError_t cudaLaunchKernel(void const* function, dim3 grid, dim3 block, void** arguments, std::size_t, cudaStream_t stream) {
     return emulated_cuda::launch("cudaLaunchKernel", function, grid, block, arguments, stream, false);

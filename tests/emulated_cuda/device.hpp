@@ -40,6 +40,7 @@ struct Counts {
     int graph_launches = 0;
     int changed_arguments = 0; ///< of kernels of graphs
     int kernels = 0;           ///< that have run
+    int waits = 0;             ///< for a stream
     std::size_t bytes = 0;     ///< held
 };
 Counts const& counts();

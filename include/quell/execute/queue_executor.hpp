@@ -70,6 +70,10 @@ template <class E, class Job> QUELL_FLATTENED void run_or_enqueue(E const& execu
     else
         executor.for_each_pixel(region, job);
 }
+/// Lets what was put into the executor's queue run.
+template <class E> void submit_queue(E const& executor) {
+    if constexpr (QueueExecutor<E>) executor.submit();
+}
 } // namespace detail
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -182,7 +182,7 @@ struct CompositeRun {
                 CompositeJob<decltype(frame.views(typename Composite<Ps...>::factors{})), Output, decltype(denoised)...> const job{
                     .frame = factors, .output = output, .denoised = {{denoised}...}};
                 run_or_enqueue(executor, Region{0, 0, frame.size.width, frame.size.height}, job);
-                if constexpr (QueueExecutor<E>) executor.submit();
+                submit_queue(executor);
             };
             // Initialiser lists are evaluated in order.
             std::apply(sum, std::tuple{denoised<typename Ps::Output>(

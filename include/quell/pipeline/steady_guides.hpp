@@ -78,8 +78,9 @@ private:
     template <class C> void apply_to(auto& frame, auto const& executor) {
         auto const from = run(accumulation<C>(cap), frame, std::get<HistoryOf<C>>(histories), executor);
         auto const to = frame[C{}].view();
-        executor.for_each_pixel(Region{0, 0, frame.size.width, frame.size.height},
-                                detail::SteadyJob<std::remove_const_t<decltype(from)>, std::remove_const_t<decltype(to)>>{from, to});
+        detail::run_or_enqueue(executor, Region{0, 0, frame.size.width, frame.size.height},
+                               detail::SteadyJob<std::remove_const_t<decltype(from)>, std::remove_const_t<decltype(to)>>{from, to});
+        detail::submit_queue(executor);
     }
 };
 

@@ -50,6 +50,7 @@ void anti_alias(AntiAliased const& policy, E const& executor, ColouredFrame<Stor
                 std::span<std::type_identity_t<ColouredFrame<Storage>> const> before,
                 std::span<std::type_identity_t<ColouredFrame<Storage>> const> after, Light const& light, To const& to) {
     detail::run_anti_alias(policy, executor, here, before, after, light, to);
+    detail::submit_queue(executor);
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -149,6 +149,14 @@ struct RemodulatedRun {
 
         auto& pool = OpenHistory::pool(history.pipeline);
         kept.take(pool), kept.jitter = frame.camera.jitter;
+        // Before the first pass, since it may fail for want of memory: passes in a queue are those of a whole frame.
+        auto const output = [&] {
+            if constexpr (std::is_same_v<Target, NoTarget>) {
+                history.output = pool.take(format_of<Storage, typename P::Output>);
+                return view_in<Storage, typename P::Output>(history.output);
+            } else
+                return target;
+        }();
         auto const now = kept.view();
         auto const past = history.kept.before();
         VectorConversion<P::motion_convention> const vectors(frame.size, kept.jitter, (past.empty() ? kept : past[0]).jitter);
@@ -157,16 +165,9 @@ struct RemodulatedRun {
 
         std::array<ColouredFrame<Storage>, std::size_t{frames}> before;
         std::transform(past.begin(), past.end(), before.begin(), [](auto const& each) { return each.view(); });
-        auto const output = [&] {
-            if constexpr (std::is_same_v<Target, NoTarget>) {
-                history.output = pool.take(format_of<Storage, typename P::Output>);
-                return view_in<Storage, typename P::Output>(history.output);
-            } else
-                return target;
-        }();
         run_anti_alias<E, Storage>(remodulated.policy, executor, now, std::span(before).first(past.size()), {},
                                    LightOfPicture{picture, now.colour}, output);
-        if constexpr (QueueExecutor<E>) executor.submit();
+        submit_queue(executor);
         history.kept.finish();
         return output;
     }

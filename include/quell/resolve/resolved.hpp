@@ -145,18 +145,9 @@ struct ResolvedRun {
         auto const& policies = resolved.resolve;
         constexpr bool sharpens = !std::is_same_v<std::remove_cvref_t<decltype(policies.sharpening)>, NoSharpening>,
                        has_target = !std::is_same_v<Target, NoTarget>;
+        // First what may fail for want of memory: passes in a queue are those of a whole frame.
         auto const past = history.frames.before();
         auto const& kept = begin(history, frame);
-        auto const now = kept.view();
-        auto const jitter_then = (past.empty() ? kept : *past[0]).jitter_at(frame.size);
-        auto const around = history.scratch->view();
-        VectorConversion<P::motion_convention> const vectors(frame.size, kept.jitter, jitter_then);
-        executor.for_each_pixel(Region{0, 0, frame.size.width, frame.size.height},
-                                PrepareResolve{policies, vectors, picture, frame[depth].view(), frame[motion].view(), now, around});
-
-        std::array<std::remove_const_t<decltype(now)>, std::size_t{Policy::past_frames + 1}> frames;
-        frames.fill(now);
-        std::transform(past.begin(), past.end(), frames.begin() + 1, [](auto const& each) { return each->view(); });
         auto const output = [&] {
             if constexpr (!has_target || sharpens) {
                 if (!history.output) history.output.emplace(history.extent);
@@ -164,23 +155,32 @@ struct ResolvedRun {
             } else
                 return target;
         }();
+        auto const sharpened = [&] {
+            if constexpr (!sharpens)
+                return output;
+            else if constexpr (has_target)
+                return target;
+            else {
+                if (!history.sharpened) history.sharpened.emplace(history.extent);
+                return history.sharpened->view();
+            }
+        }();
+        auto const now = kept.view();
+        auto const jitter_then = (past.empty() ? kept : *past[0]).jitter_at(frame.size);
+        auto const around = history.scratch->view();
+        VectorConversion<P::motion_convention> const vectors(frame.size, kept.jitter, jitter_then);
+        run_or_enqueue(executor, Region{0, 0, frame.size.width, frame.size.height},
+                       PrepareResolve{policies, vectors, picture, frame[depth].view(), frame[motion].view(), now, around});
+
+        std::array<std::remove_const_t<decltype(now)>, std::size_t{Policy::past_frames + 1}> frames;
+        frames.fill(now);
+        std::transform(past.begin(), past.end(), frames.begin() + 1, [](auto const& each) { return each->view(); });
         Region const everywhere{0, 0, history.extent.width, history.extent.height};
-        executor.for_each_pixel(everywhere, ResolveJob{policies, frames, static_cast<int>(past.size()) + 1, around, output});
+        run_or_enqueue(executor, everywhere, ResolveJob{policies, frames, static_cast<int>(past.size()) + 1, around, output});
+        if constexpr (sharpens) run_or_enqueue(executor, everywhere, SharpenJob{policies.sharpening, output, sharpened});
+        submit_queue(executor);
         history.frames.finish();
-        if constexpr (!sharpens)
-            return output;
-        else {
-            auto const to = [&] {
-                if constexpr (has_target)
-                    return target;
-                else {
-                    if (!history.sharpened) history.sharpened.emplace(history.extent);
-                    return history.sharpened->view();
-                }
-            }();
-            executor.for_each_pixel(everywhere, SharpenJob{policies.sharpening, output, to});
-            return to;
-        }
+        return sharpened;
     }
 
 private:
