@@ -28,8 +28,6 @@ ShaderPlan recorded(std::string const& name) {
     auto const all = shaders::recorded_presets();
     auto const found = std::ranges::find(all, name, &shaders::RecordedPreset::name);
     if (found != all.end()) return found->record();
-    if (name.starts_with("blur"))
-        raise_error("--preset " + name, "presets of motion blur look at lanes, so that they cannot be recorded", "take one of --list");
     raise_error("--preset " + name, "there is no such preset, or it is not compiled in", "take one of --list");
 }
 

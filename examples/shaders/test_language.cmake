@@ -1,4 +1,5 @@
-# Writes a preset in LANGUAGE, has each shader compiled where a compiler is at hand, and compares what plan.json says with what they bind.
+# Writes PRESET (general; `none` where it isn't compiled in) in LANGUAGE, has each shader compiled where a compiler is at hand, and
+# compares what plan.json says with what they bind.
 cmake_minimum_required(VERSION 3.22)
 include(${CMAKE_CURRENT_LIST_DIR}/../../tests/build/step.cmake)
 set(wanted glslangValidator spirv-val)
@@ -15,9 +16,12 @@ endforeach()
 
 file(REMOVE_RECURSE ${OUT})
 step(${PROGRAM} --list)
-set(preset none)
-if(output MATCHES "(^|\n)general(\n|$)")
-    set(preset general)
+if(NOT DEFINED PRESET)
+    set(PRESET general)
+endif()
+set(preset ${PRESET})
+if(NOT output MATCHES "(^|\n)${preset}(\n|$)")
+    set(preset none)
 endif()
 step(${PROGRAM} --preset ${preset} --language ${LANGUAGE} --out ${OUT})
 
