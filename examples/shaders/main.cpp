@@ -1,8 +1,8 @@
 // Writes a preset as compute shaders, one per pass, and plan.json, which says how a host runs them: docs/shaders.md.
 //     quell-shaders --preset general --language wgsl --out out/general
-#include "recorded_presets.hpp"
 #include "translation.hpp"
 
+#include <library/recorded_presets.hpp>
 #include <quell/core/error.hpp>
 #include <quell/shader/write_plan.hpp>
 #include <support/output_folder.hpp>

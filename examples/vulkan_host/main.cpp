@@ -1,6 +1,7 @@
 // Denoises by shaders on Vulkan, and compares with the CPU: a host of quell's shaders in which all is shown that one needs.
 //     quell-shaders --preset general --language spirv --out out/general
 //     vulkan_host out/general
+//     vulkan_host out/general 1920 1080    of one size
 #include "plan_runner.hpp"
 
 #include <quell/quell.hpp>
@@ -10,8 +11,11 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <ctime>
 #include <limits>
 #include <random>
+#include <vector>
 
 namespace {
 
@@ -62,14 +66,17 @@ float difference(auto const& clean, vulkan::PlanRunner const& on_device) {
     return worst;
 }
 
-void body(char const* folder) {
+/// Processor time of all threads in seconds, which others on the machine hardly lengthen.
+double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+void body(char const* folder, std::vector<Extent> const& sizes) {
     vulkan::Device const device;
     vulkan::PlanRunner shaders(device, folder);
     History history{{1, 1}, denoise};
     float worst = 0.f;
-    double seconds = 0;
+    double seconds = 0, by_shaders = 0, by_serial = 0;
     int runs = 0;
-    for (Extent const size : {Extent{253, 131}, Extent{64, 48}}) { // a window that is made smaller
+    for (Extent const size : sizes) {
         shaders.resize(size);
         history = History{size, denoise};
         Input frame(size, denoise);
@@ -79,14 +86,18 @@ void body(char const* folder) {
             render(frame, number);
             upload(frame, shaders);
             auto const start = std::chrono::steady_clock::now();
+            auto const processor_start = processor_time();
             shaders.run({.size = size, .frame_index = static_cast<std::int32_t>(number), .camera = frame.camera, .camera_then = then});
+            auto const between = processor_time();
             seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), ++runs;
-            auto const off = difference(run(denoise, frame, history, Serial{}), shaders);
-            worst = std::max(worst, off);
+            auto const clean = run(denoise, frame, history, Serial{});
+            by_shaders += between - processor_start, by_serial += processor_time() - between;
+            worst = std::max(worst, difference(clean, shaders));
             then = frame.camera;
         }
     }
-    std::printf("%s: %.2f ms a frame, %.2g from the CPU\n", device.name.c_str(), 1e3 * seconds / runs, static_cast<double>(worst));
+    std::printf("%s: %.2f ms a frame, of processor time %.0f, of Serial %.0f; %.2g from the CPU\n", device.name.c_str(),
+                1e3 * seconds / runs, 1e3 * by_shaders / runs, 1e3 * by_serial / runs, static_cast<double>(worst));
     if (!(worst <= 1e-4f))
         raise_error<Failure>("the picture", "it differs from the CPU's by " + std::to_string(worst), "see docs/shaders.md");
 }
@@ -95,8 +106,12 @@ void body(char const* folder) {
 
 int main(int argc, char** argv) {
     return examples::exit_code_of("vulkan_host", [&] {
-        if (argc != 2)
+        if (argc != 2 && argc != 4)
             raise_error("arguments", std::to_string(argc - 1), "give the folder that quell-shaders --language spirv has written");
-        body(argv[1]);
+        std::vector<Extent> sizes{{253, 131}, {64, 48}}; // a window that is made smaller
+        if (argc == 4) sizes = {{std::atoi(argv[2]), std::atoi(argv[3])}};
+        for (auto const& size : sizes)
+            if (size.width < 1 || size.height < 1) raise_error("size", to_string(size), "give width and height in pixels");
+        body(argv[1], sizes);
     });
 }

@@ -49,6 +49,15 @@ It has quell's presets, compiled, for C and all languages that call it." quell_l
 file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/shlibs CONTENT "libquell ${PROJECT_VERSION_MAJOR} ${library} (>= ${PROJECT_VERSION})\n")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_BINARY_DIR}/shlibs)
 
+set(shaders_library)
+if(TARGET quell_library_shaders_shared)
+    set(shaders_library "libquell-shaders${PROJECT_VERSION_MAJOR} (= ${PROJECT_VERSION}), ")
+    quell_debian_package(library_shaders libquell-shaders${PROJECT_VERSION_MAJOR} libs "" "Real-time denoising of ray-traced images, presets as shaders
+It writes quell's presets as compute shaders for WebGPU and Vulkan." quell_library_shaders_shared)
+    file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/shaders/shlibs
+        CONTENT "libquell-shaders ${PROJECT_VERSION_MAJOR} libquell-shaders${PROJECT_VERSION_MAJOR} (>= ${PROJECT_VERSION})\n")
+    set(CPACK_DEBIAN_LIBRARY_SHADERS_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_BINARY_DIR}/shaders/shlibs)
+endif()
 set(exr_library)
 if(TARGET quell_library_exr_shared)
     set(exr_library "libquell-exr${PROJECT_VERSION_MAJOR} (= ${PROJECT_VERSION}), ")
@@ -61,7 +70,7 @@ endif()
 
 # oneTBB: the static library is linked with it, and CMake's file of both libraries names it.
 quell_debian_package(library_development libquell-dev libdevel
-    "${library} (= ${PROJECT_VERSION}), ${exr_library}libquell-headers (= ${PROJECT_VERSION}), libtbb-dev (>= 2021)"
+    "${library} (= ${PROJECT_VERSION}), ${exr_library}${shaders_library}libquell-headers (= ${PROJECT_VERSION}), libtbb-dev (>= 2021)"
     "Real-time denoising of ray-traced images, development files
 Headers for C and C++, the static library, and what CMake and pkg-config
 find libquell by." quell_library_shared quell_library_static)
@@ -86,7 +95,7 @@ if(TARGET quell_python)
 endif()
 quell_debian_package(python python3-quell python "${depends}" "Real-time denoising of ray-traced images, for Python
 quell.Denoiser and quell.denoise work on NumPy arrays; metrics and EXR
-files beside them." quell_python_library quell_python_metrics quell_python_exr)
+files beside them." quell_python_library quell_python_metrics quell_python_shaders quell_python_exr)
 
 configure_file(${CMAKE_CURRENT_LIST_DIR}/what_was_built.cmake.in what_was_built.cmake @ONLY)
 file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/built_files_$<CONFIG>.cmake CONTENT "${built_files}")

@@ -2,7 +2,7 @@
 execute_process(COMMAND ${NM} -D --defined-only ${LIBRARY} OUTPUT_VARIABLE names COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "[^\n]+" lines "${names}")
 list(LENGTH lines count)
-if(count LESS 10)
+if(count LESS 8)
     message(SEND_ERROR "${LIBRARY} shows only ${count} names")
 endif()
 foreach(line IN LISTS lines)

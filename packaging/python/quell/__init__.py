@@ -13,7 +13,7 @@ from ._denoiser import Camera, Denoiser, Samples, Statistics, instruction_sets, 
 from ._errors import Error, Status
 from ._library import version
 from ._sequence import denoise
-from . import exr
+from . import exr, shaders
 
 __version__ = version
 __all__ = [
@@ -28,5 +28,6 @@ __all__ = [
     "instruction_sets",
     "metrics",
     "presets",
+    "shaders",
     "version",
 ]

@@ -1,6 +1,6 @@
 #include "recorded_presets.hpp"
 
-#include <library/preset_units.hpp>
+#include "preset_units.hpp"
 
 namespace quell::shaders {
 

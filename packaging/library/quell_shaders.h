@@ -1,0 +1,52 @@
+/* Presets as compute shaders, from C99 and every language that can call C: texts in memory, and the plan that says how to run them.
+ *
+ *     quell_shaders *shaders;
+ *     if (quell_shaders_create("general", "wgsl", &shaders) != QUELL_OK) puts(quell_shaders_error());
+ *     const char *name;
+ *     for (int32_t i = 0; (name = quell_shaders_name(shaders, i)) != NULL; ++i) compile(name, quell_shaders_text(shaders, i));
+ *     run(quell_shaders_plan(shaders));
+ *     quell_shaders_destroy(shaders);
+ *
+ * What the plan says, and what a host does with it: docs/shaders.md. The library is libquell-shaders. It does not need libquell, and libquell
+ * does not need it; they share the types of quell.h. A function that can fail returns a quell_status, and quell_shaders_error() then says in
+ * one sentence what is wrong, what was found and what to do. No exception leaves the library. Shaders belong to who had them written. */
+#ifndef QUELL_SHADERS_H
+#define QUELL_SHADERS_H
+
+#include "quell.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A preset as shaders, one or two for each pass. */
+typedef struct quell_shaders quell_shaders;
+
+/* What was wrong with this thread's last call that returned a quell_status; empty where nothing was. */
+QUELL_CALL const char *quell_shaders_error(void);
+
+/* Names of the presets that can be written; null beyond the last. */
+QUELL_CALL const char *quell_shaders_preset_name(int32_t index);
+/* Names of the languages that they can be written in; null beyond the last. */
+QUELL_CALL const char *quell_shaders_language_name(int32_t index);
+
+/* Writes a preset as shaders, in memory.
+ * @param preset   one that quell_shaders_preset_name() lists
+ * @param language "wgsl", or "glsl" for Vulkan. Others are made from glsl, by glslangValidator and spirv-cross: the program quell-shaders
+ *                 does it.
+ * @param shaders  set to them; to null where they can't be written */
+QUELL_CALL quell_status quell_shaders_create(const char *preset, const char *language, quell_shaders **shaders);
+/* Frees them and their texts. Null does nothing. */
+QUELL_CALL void quell_shaders_destroy(quell_shaders *shaders);
+
+/* File names of the shaders, such as 06-temporal.wgsl, by which the plan calls them; null beyond the last. */
+QUELL_CALL const char *quell_shaders_name(const quell_shaders *shaders, int32_t index);
+/* The text of a shader; null beyond the last. */
+QUELL_CALL const char *quell_shaders_text(const quell_shaders *shaders, int32_t index);
+/* The plan as JSON: passes in order, what they bind, and where everything lies. Usually written as plan.json. */
+QUELL_CALL const char *quell_shaders_plan(const quell_shaders *shaders);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

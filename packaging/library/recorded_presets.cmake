@@ -1,0 +1,15 @@
+# Presets as they are recorded for shaders. Recording runs each kernel once: optimising it would cost more than it saves. So this code must
+# not be linked beside that of compiled presets, which would then take functions that both have from here.
+set(recorded_units 3)
+quell_preset_units(recorded_files ${recorded_units} recorded_unit.cpp.in)
+# quell_recorded_code(name link)
+function(quell_recorded_code name link)
+    list(JOIN QUELL_PRESETS "," presets)
+    add_library(${name} OBJECT EXCLUDE_FROM_ALL recorded_presets.cpp ${recorded_files})
+    target_link_libraries(${name} PRIVATE ${link})
+    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/packaging/library)
+    target_compile_definitions(${name} PRIVATE QUELL_RECORDED_UNITS=${recorded_units} "QUELL_PRESETS=\"${presets}\"")
+    target_compile_options(${name} PRIVATE -O0)
+    set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+endfunction()
+quell_recorded_code(quell_recorded_code quell_develop)

@@ -1,0 +1,111 @@
+// The functions of quell_shaders.h.
+#define QUELL_CALL __attribute__((visibility("default")))
+#include "quell_shaders.h"
+
+#include "calls.hpp"
+#include "recorded_presets.hpp"
+
+#include <quell/core/error.hpp>
+#include <quell/shader/write_plan.hpp>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+struct quell_shaders_file {
+    std::string name, text;
+};
+struct quell_shaders {
+    std::vector<quell_shaders_file> files;
+    std::string plan;
+};
+
+namespace {
+
+using namespace quell_library;
+using quell::shaders::RecordedPreset;
+
+struct Language {
+    char const *name, *extension;
+    quell::ShaderLanguage language;
+};
+constexpr std::array<Language, 2> languages{{{"wgsl", "wgsl", quell::ShaderLanguage::wgsl}, {"glsl", "comp", quell::ShaderLanguage::glsl}}};
+
+std::vector<RecordedPreset> const& presets() {
+    static auto const all = quell::shaders::recorded_presets();
+    return all;
+}
+std::string names(auto const& all) {
+    std::string text;
+    for (auto const& each : all) (text += text.empty() ? "" : ", ") += each.name;
+    return text;
+}
+auto find(auto const& all, std::string_view name) {
+    return std::find_if(all.begin(), all.end(), [&](auto const& each) { return each.name == name; });
+}
+
+quell_status create(std::string const& preset, std::string const& language, quell_shaders** shaders) {
+    auto const found = find(presets(), preset);
+    if (found == presets().end())
+        return fail(QUELL_UNKNOWN_PRESET, "preset: there is no '" + preset + "' that can be written; give one of: " + names(presets()));
+    auto const in = find(languages, language);
+    if (in == languages.end()) {
+        bool const is_translated = language == "spirv" || language == "hlsl" || language == "metal";
+        if (is_translated)
+            return fail(QUELL_NOT_SUPPORTED,
+                        "language: '" + language + "' is made from glsl by other programs; the program quell-shaders runs them");
+        return fail(QUELL_INVALID_ARGUMENT, "language: '" + language + "'; give one of: " + names(languages));
+    }
+    auto const plan = found->record();
+    auto made = std::make_unique<quell_shaders>();
+    for (std::size_t pass = 0; pass < plan.passes.size(); ++pass)
+        for (bool const is_first : {false, true})
+            if (!is_first || plan.passes[pass].first)
+                made->files.push_back(
+                    {quell::shader_file_name(plan, pass, is_first, in->extension), quell::shader_text(plan, pass, is_first, in->language)});
+    made->plan = quell::to_json(plan, in->extension);
+    *shaders = made.release();
+    return QUELL_OK;
+}
+/// A name or text of a file; null beyond the last.
+char const* of_file(quell_shaders const* shaders, std::int32_t index, std::string quell_shaders_file::*part) {
+    if (shaders == nullptr || index < 0 || static_cast<std::size_t>(index) >= shaders->files.size()) return nullptr;
+    return (shaders->files[static_cast<std::size_t>(index)].*part).c_str();
+}
+
+} // namespace
+
+extern "C" {
+
+char const* quell_shaders_error() { return last_error().c_str(); }
+char const* quell_shaders_preset_name(std::int32_t index) {
+    // Names are literals.
+    return index >= 0 && static_cast<std::size_t>(index) < presets().size() ? presets()[static_cast<std::size_t>(index)].name.data()
+                                                                            : nullptr;
+}
+char const* quell_shaders_language_name(std::int32_t index) {
+    return index >= 0 && static_cast<std::size_t>(index) < languages.size() ? languages[static_cast<std::size_t>(index)].name : nullptr;
+}
+
+quell_status quell_shaders_create(char const* preset, char const* language, quell_shaders** shaders) {
+    return guarded([&] {
+        if (shaders == nullptr) return fail(QUELL_INVALID_ARGUMENT, "shaders: null; point it at a pointer");
+        *shaders = nullptr;
+        for (auto const& [what, text] : {std::pair{"preset", preset}, {"language", language}})
+            if (text == nullptr) return fail(QUELL_INVALID_ARGUMENT, std::string(what) + ": null; give its name");
+        return create(preset, language, shaders);
+    });
+}
+void quell_shaders_destroy(quell_shaders* shaders) { delete shaders; }
+
+char const* quell_shaders_name(quell_shaders const* shaders, std::int32_t index) {
+    return of_file(shaders, index, &quell_shaders_file::name);
+}
+char const* quell_shaders_text(quell_shaders const* shaders, std::int32_t index) {
+    return of_file(shaders, index, &quell_shaders_file::text);
+}
+char const* quell_shaders_plan(quell_shaders const* shaders) { return shaders != nullptr ? shaders->plan.c_str() : ""; }
+}

@@ -1,0 +1,44 @@
+"""Presets as compute shaders, for WebGPU and Vulkan."""
+
+import json
+import os
+import pathlib
+from typing import Any, NamedTuple, Union
+
+from . import _shaders
+
+__all__ = ["Shaders", "languages", "presets", "record", "write"]
+
+Path = Union[str, "os.PathLike[str]"]
+
+
+class Shaders(NamedTuple):
+    """A preset as shaders, one or two for each pass."""
+
+    plan: dict[str, Any]  #: what a host must know to run them: docs/shaders.md
+    texts: dict[str, str]  #: by the file names that the plan has, such as "06-temporal.wgsl"
+
+
+def presets() -> list[str]:
+    """Names of the presets that can be written."""
+    return _shaders.presets()
+
+
+def languages() -> list[str]:
+    """Names of the languages that they can be written in."""
+    return _shaders.languages()
+
+
+def record(preset: str, language: str = "wgsl") -> Shaders:
+    """A preset as shaders, in memory. Languages are "wgsl", and "glsl" for Vulkan; the program quell-shaders has others."""
+    plan, texts = _shaders.create(preset, language)
+    return Shaders(json.loads(plan), texts)
+
+
+def write(preset: str, folder: Path, language: str = "wgsl") -> None:
+    """Writes the shaders and plan.json into a folder, which is made where it is not there."""
+    plan, texts = _shaders.create(preset, language)
+    to = pathlib.Path(folder)
+    to.mkdir(parents=True, exist_ok=True)
+    for name, text in {**texts, "plan.json": plan}.items():
+        (to / name).write_bytes(text.encode())
