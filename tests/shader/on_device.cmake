@@ -1,14 +1,12 @@
-# Runs the shaders of all presets but trmv, whose passes are those of shadow, glossy and dual-cone, and which takes as long as all three; with
-# QUELL_SHADERS_OF naming presets, of these. Without glslangValidator or a Vulkan driver it is skipped.
+# Runs the shaders of presets: of General and Effects all but trmv, whose passes are those of shadow, glossy and dual-cone, and which takes as
+# long as all three; and blur. With QUELL_SHADERS_OF naming presets, of these. Without glslangValidator or a Vulkan driver it is skipped.
 cmake_minimum_required(VERSION 3.22)
 find_program(GLSLANG glslangValidator)
 if(NOT GLSLANG)
     message("skipped: there is no glslangValidator (apt install glslang-tools)")
     return()
 endif()
-execute_process(COMMAND ${SHADERS} --list OUTPUT_VARIABLE presets COMMAND_ERROR_IS_FATAL ANY OUTPUT_STRIP_TRAILING_WHITESPACE)
-string(REPLACE "\n" ";" presets "${presets}")
-list(REMOVE_ITEM presets trmv)
+set(presets none surface surface-clamp atrous svgf general final-frame accumulated shadow glossy dual-cone blur)
 if(NOT "$ENV{QUELL_SHADERS_OF}" STREQUAL "")
     set(presets $ENV{QUELL_SHADERS_OF})
 endif()
