@@ -35,20 +35,19 @@ void write_all(ShaderPlan const& plan, Options const& options) {
     auto const language = shaders::language_of(options.language);
     shaders::require_programs(language);
     examples::make_output_folder(options.out);
-    for (std::size_t pass = 0; pass < plan.passes.size(); ++pass)
-        for (bool const is_first : {false, true}) {
-            if (is_first && !plan.passes[pass].first) continue;
-            auto const file = [&](std::string_view extension) { return options.out / shader_file_name(plan, pass, is_first, extension); };
-            auto const text = shader_text(plan, pass, is_first, language.name == "wgsl" ? ShaderLanguage::wgsl : ShaderLanguage::glsl);
-            if (language.needs_cross) {
-                shaders::translate(text, file(language.extension), language);
-            } else if (language.needs_glslang) {
-                shaders::write_file(file("comp"), text);
-                shaders::compile_to_spirv(file("comp"), file(language.extension));
-            } else {
-                shaders::write_file(file(language.extension), text);
-            }
+    auto const written = language.name == "wgsl" ? ShaderLanguage::wgsl : ShaderLanguage::glsl;
+    for (auto const& [name, text] : shader_files(plan, written, language.extension)) {
+        auto const file = options.out / name;
+        if (language.needs_cross) {
+            shaders::translate(text, file, language);
+        } else if (language.needs_glslang) {
+            auto const glsl = std::filesystem::path(file).replace_extension("comp");
+            shaders::write_file(glsl, text);
+            shaders::compile_to_spirv(glsl, file);
+        } else {
+            shaders::write_file(file, text);
         }
+    }
     shaders::write_file(options.out / "plan.json", to_json(plan, language.extension));
 }
 

@@ -10,16 +10,12 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-struct quell_shaders_file {
-    std::string name, text;
-};
 struct quell_shaders {
-    std::vector<quell_shaders_file> files;
+    std::vector<quell::ShaderFile> files;
     std::string plan;
 };
 
@@ -60,18 +56,11 @@ quell_status create(std::string const& preset, std::string const& language, quel
         return fail(QUELL_INVALID_ARGUMENT, "language: '" + language + "'; give one of: " + names(languages));
     }
     auto const plan = found->record();
-    auto made = std::make_unique<quell_shaders>();
-    for (std::size_t pass = 0; pass < plan.passes.size(); ++pass)
-        for (bool const is_first : {false, true})
-            if (!is_first || plan.passes[pass].first)
-                made->files.push_back(
-                    {quell::shader_file_name(plan, pass, is_first, in->extension), quell::shader_text(plan, pass, is_first, in->language)});
-    made->plan = quell::to_json(plan, in->extension);
-    *shaders = made.release();
+    *shaders = new quell_shaders{quell::shader_files(plan, in->language, in->extension), quell::to_json(plan, in->extension)};
     return QUELL_OK;
 }
 /// A name or text of a file; null beyond the last.
-char const* of_file(quell_shaders const* shaders, std::int32_t index, std::string quell_shaders_file::*part) {
+char const* of_file(quell_shaders const* shaders, std::int32_t index, std::string quell::ShaderFile::*part) {
     if (shaders == nullptr || index < 0 || static_cast<std::size_t>(index) >= shaders->files.size()) return nullptr;
     return (shaders->files[static_cast<std::size_t>(index)].*part).c_str();
 }
@@ -102,10 +91,10 @@ quell_status quell_shaders_create(char const* preset, char const* language, quel
 void quell_shaders_destroy(quell_shaders* shaders) { delete shaders; }
 
 char const* quell_shaders_name(quell_shaders const* shaders, std::int32_t index) {
-    return of_file(shaders, index, &quell_shaders_file::name);
+    return of_file(shaders, index, &quell::ShaderFile::name);
 }
 char const* quell_shaders_text(quell_shaders const* shaders, std::int32_t index) {
-    return of_file(shaders, index, &quell_shaders_file::text);
+    return of_file(shaders, index, &quell::ShaderFile::text);
 }
 char const* quell_shaders_plan(quell_shaders const* shaders) { return shaders != nullptr ? shaders->plan.c_str() : ""; }
 }

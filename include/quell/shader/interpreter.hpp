@@ -22,14 +22,14 @@ class PassInterpreter {
     PassGraph const& graph;
     std::array<std::uint32_t, std::size_t{FrameBlock::words}> block;
     Extent size; ///< of the frame
-    bool fuses;  ///< whether products and sums are joined
+    bool joins;  ///< whether products and sums are joined
     std::vector<std::span<float>> planes;
     std::vector<Word> values;
     int column = 0, row = 0;
 
 public:
-    PassInterpreter(PassGraph const& g, FrameBlock const& frame, bool joins, std::vector<std::span<float>> of_planes)
-        : graph(g), block(frame.as_words()), size(frame.size), fuses(joins), planes(std::move(of_planes)), values(g.nodes.size()) {}
+    PassInterpreter(PassGraph const& g, FrameBlock const& frame, bool joins_them, std::vector<std::span<float>> of_planes)
+        : graph(g), block(frame.as_words()), size(frame.size), joins(joins_them), planes(std::move(of_planes)), values(g.nodes.size()) {}
 
     void run() {
         auto const extent = divided(size, graph.fraction);
@@ -99,7 +99,7 @@ private:
         case Operation::floor:
             return quell::floor(a);
         case fused:
-            return fuses ? quell::fma(a, b, c) : a * b + c;
+            return joins ? quell::fma(a, b, c) : a * b + c;
         case Operation::select:
             return operand(node, 0).integer != 0 ? b : c;
         case Operation::to_real:
@@ -202,14 +202,14 @@ class PlanInterpreter {
     ShaderPlan const& plan;
     std::size_t pixels;
     std::array<std::vector<float>, shader_buffer_names.size()> buffers;
-    bool has_past = false, fuses;
+    bool has_past = false, joins;
 
 public:
-    /// @param of    must outlive it
-    /// @param size  of the frames
-    /// @param joins whether a product and the sum behind it are rounded as one, as Serial does and devices may
-    PlanInterpreter(ShaderPlan const& of, Extent size, bool joins = true)
-        : plan(of), pixels(static_cast<std::size_t>(size.pixels())), fuses(joins) {
+    /// @param of         must outlive it
+    /// @param size       of the frames
+    /// @param joins_them whether a product and the sum behind it are rounded as one, as Serial does and devices may
+    PlanInterpreter(ShaderPlan const& of, Extent size, bool joins_them = true)
+        : plan(of), pixels(static_cast<std::size_t>(size.pixels())), joins(joins_them) {
         for (std::size_t i = 0; i < buffers.size(); ++i)
             buffers[i].resize(pixels * static_cast<std::size_t>(plan.slot_count(static_cast<ShaderBuffer>(i))));
     }
@@ -225,7 +225,7 @@ public:
             auto const& graph = pass.first && !has_past ? *pass.first : pass.graph;
             std::vector<std::span<float>> planes;
             for (auto const& each : graph.planes) planes.push_back(plane(each.buffer, each.slot));
-            detail::PassInterpreter(graph, frame, fuses, std::move(planes)).run();
+            detail::PassInterpreter(graph, frame, joins, std::move(planes)).run();
         }
         std::swap(buffers[static_cast<std::size_t>(ShaderBuffer::history_then)],
                   buffers[static_cast<std::size_t>(ShaderBuffer::history_now)]);

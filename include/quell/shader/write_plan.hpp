@@ -86,6 +86,24 @@ inline std::string to_json(ShaderPlan const& plan, std::string_view extension) {
            "],\n  \"picture\": [\n    " + host_planes(plan.output) + "],\n  \"passes\": [\n    " + passes + "]\n}\n";
 }
 
+/// A shader as a file.
+struct ShaderFile {
+    std::string name; ///< as to_json() says it
+    std::string text; ///< what is in it
+};
+/// All shaders of a plan.
+/// @param plan      what to write
+/// @param language  of the texts
+/// @param extension of the files
+inline std::vector<ShaderFile> shader_files(ShaderPlan const& plan, ShaderLanguage language, std::string_view extension) {
+    std::vector<ShaderFile> files;
+    for (std::size_t pass = 0; pass < plan.passes.size(); ++pass)
+        for (bool const is_first : {false, true})
+            if (!is_first || plan.passes[pass].first)
+                files.push_back({shader_file_name(plan, pass, is_first, extension), shader_text(plan, pass, is_first, language)});
+    return files;
+}
+
 /// A recorded pass for people: a line for each step.
 inline std::string to_string(PassGraph const& graph) {
     std::string text = graph.name + ": " + std::to_string(graph.nodes.size()) + " steps, " + std::to_string(graph.planes.size()) +
