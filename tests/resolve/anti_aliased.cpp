@@ -42,12 +42,12 @@ struct TestFrame {
 };
 
 /// Frames -`each_side` to `each_side`, and what is made of frame 0.
-struct Resolved {
+struct AntiAliasedRow {
     std::deque<TestFrame> before, after;
     TestFrame here;
     ImageOf<Planar<>, Albedo> to{size};
 
-    Resolved(Scene const& scene, AntiAliased policy, auto const& executor, int each_side = 4, float past_brightness = 1.f)
+    AntiAliasedRow(Scene const& scene, AntiAliased policy, auto const& executor, int each_side = 4, float past_brightness = 1.f)
         : here(scene, 0) {
         auto past = scene;
         past.brightness = past_brightness;
@@ -63,13 +63,13 @@ struct Resolved {
 } // namespace
 
 TEST_CASE("what one surface shows stays as it is") {
-    Resolved const made({}, {}, Simd{});
+    AntiAliasedRow const made({}, {}, Simd{});
     for (int const x : {2, 7, 18, 22}) CHECK(made.at(x) == doctest::Approx(x < 12 ? .5f : 1.f).epsilon(1e-5));
 }
 
 TEST_CASE("an edge is as mixed as its pixel is covered, by light of both sides") {
     // The thing ends at 12.3: in pixel 12 it covers .3, and no single frame shows more than all or nothing.
-    Resolved const made({.edge = 12.3f, .speed = 0.37f}, {}, Simd{});
+    AntiAliasedRow const made({.edge = 12.3f, .speed = 0.37f}, {}, Simd{});
     CHECK(made.here.colour.view().get(1, 12, 4) == 1.f);
     float const covered = (1.f - made.at(12)) / (1.f - .5f);
     CHECK(covered > .15f);
@@ -79,22 +79,22 @@ TEST_CASE("an edge is as mixed as its pixel is covered, by light of both sides")
 }
 
 TEST_CASE("a thing that touches what stands still leaves no trail on it") {
-    Resolved const made({.speed = 3.f, .in_front = 4.f}, {}, Simd{}); // no depth tells them apart
+    AntiAliasedRow const made({.speed = 3.f, .in_front = 4.f}, {}, Simd{}); // no depth tells them apart
     for (int x = 14; x < size.width; ++x) CHECK(made.at(x) == doctest::Approx(1.f).epsilon(1e-5));
-    Resolved const at_rest({.speed = 0.f}, {}, Simd{});
+    AntiAliasedRow const at_rest({.speed = 0.f}, {}, Simd{});
     CHECK(at_rest.at(14) == doctest::Approx(1.f).epsilon(1e-5));
 }
 
 TEST_CASE("what changes by itself is not averaged, where that is asked for") {
     // Beside an edge: where colours are all alike, none is averaged.
-    CHECK(Resolved({}, {.change = .1f}, Simd{}, 4, 3.f).at(12) < 1.001f);
-    CHECK(Resolved({}, {}, Simd{}, 4, 3.f).at(12) > 1.2f);
-    CHECK(Resolved({}, {}, Simd{}, 4, 3.f).at(20) == 1.f);
+    CHECK(AntiAliasedRow({}, {.change = .1f}, Simd{}, 4, 3.f).at(12) < 1.001f);
+    CHECK(AntiAliasedRow({}, {}, Simd{}, 4, 3.f).at(12) > 1.2f);
+    CHECK(AntiAliasedRow({}, {}, Simd{}, 4, 3.f).at(20) == 1.f);
 }
 
 TEST_CASE("means of many samples keep most of their own") {
     auto const own = [](float weight) {
-        Resolved const made({.edge = 12.3f, .speed = 0.37f}, {.own = weight, .by_surface = false}, Simd{});
+        AntiAliasedRow const made({.edge = 12.3f, .speed = 0.37f}, {.own = weight, .by_surface = false}, Simd{});
         return std::abs(made.at(12) - made.here.colour.view().get(1, 12, 4) * made.here.light.view().get(1, 12, 4));
     };
     CHECK(own(1e6f) < 1e-4f);
@@ -102,13 +102,13 @@ TEST_CASE("means of many samples keep most of their own") {
 }
 
 TEST_CASE("no frame around, and values that are not finite") {
-    Resolved const alone({}, {}, Simd{}, 0);
+    AntiAliasedRow const alone({}, {}, Simd{}, 0);
     for (int x = 1; x + 1 < size.width; ++x) CHECK(std::isfinite(alone.at(x)));
     CHECK(alone.at(20) == doctest::Approx(1.f).epsilon(1e-5));
     Scene broken;
     broken.behind = std::numeric_limits<float>::infinity();
     broken.speed = std::numeric_limits<float>::quiet_NaN();
-    Resolved const made(broken, {}, Simd{});
+    AntiAliasedRow const made(broken, {}, Simd{});
     for (int x = 0; x < size.width; ++x) CHECK(std::isfinite(made.at(x)));
 }
 
@@ -146,6 +146,6 @@ TEST_CASE("frames count up to the first of another size, and after this one as f
 }
 
 TEST_CASE("packs and single pixels agree") {
-    Resolved const packs({.edge = 12.3f, .speed = 0.37f}, {}, Simd{}), singles({.edge = 12.3f, .speed = 0.37f}, {}, Serial{});
+    AntiAliasedRow const packs({.edge = 12.3f, .speed = 0.37f}, {}, Simd{}), singles({.edge = 12.3f, .speed = 0.37f}, {}, Serial{});
     for (int x = 0; x < size.width; ++x) CHECK(packs.at(x) == doctest::Approx(singles.at(x)).epsilon(1e-5));
 }
