@@ -10,7 +10,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -23,13 +22,6 @@ struct Options {
     std::filesystem::path out;
     bool list = false, print = false;
 };
-
-ShaderPlan recorded(std::string const& name) {
-    auto const all = shaders::recorded_presets();
-    auto const found = std::ranges::find(all, name, &shaders::RecordedPreset::name);
-    if (found != all.end()) return found->record();
-    raise_error("--preset " + name, "there is no such preset, or it is not compiled in", "take one of --list");
-}
 
 void write_all(ShaderPlan const& plan, Options const& options) {
     auto const language = shaders::language_of(options.language);
@@ -57,7 +49,7 @@ void body(Options const& options) {
         return;
     }
     if (options.preset.empty()) raise_error("--preset", "none is given", "give one of --list");
-    auto const plan = recorded(options.preset);
+    auto const plan = shaders::recorded_preset_named(options.preset);
     if (options.print)
         for (auto const& pass : plan.passes) std::cout << to_string(pass.graph);
     if (!options.out.empty())

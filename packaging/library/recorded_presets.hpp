@@ -20,4 +20,8 @@ template <std::size_t unit> std::vector<RecordedPreset> presets_of_unit();
 /// All of them.
 std::vector<RecordedPreset> recorded_presets();
 
+/// The plan of one.
+/// @throws Error where it is not compiled in
+ShaderPlan recorded_preset_named(std::string_view name);
+
 } // namespace quell::shaders

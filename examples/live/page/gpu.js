@@ -23,12 +23,16 @@ class GpuDenoiser {
             entries: bindings.map(({binding, type}) => ({binding, visibility: GPUShaderStage.COMPUTE, buffer: {type}})),
         });
         const layout = device.createPipelineLayout({bindGroupLayouts: [this.layout]});
-        const compiled = name => device.createComputePipelineAsync({
-            layout, compute: {module: device.createShaderModule({code: texts[name]}), entryPoint: plan.entry_point},
-        });
+        const pipelines = new Map(); // by the shader's name
+        const compiled = name => {
+            if (!pipelines.has(name)) pipelines.set(name, device.createComputePipelineAsync({
+                layout, compute: {module: device.createShaderModule({code: texts[name]}), entryPoint: plan.entry_point},
+            }));
+            return pipelines.get(name);
+        };
         this.passes = await Promise.all(plan.passes.map(async ({shader, first = shader, fraction}) => {
-            const pipelines = await Promise.all([shader, first].map(compiled));
-            return {fraction, later: pipelines[0], first: pipelines[1]};
+            const [later, at_first] = await Promise.all([shader, first].map(compiled));
+            return {fraction, later, first: at_first};
         }));
         this.uniforms = device.createBuffer({size: plan.uniforms.bytes, usage: GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST});
         this.buffers = {};
@@ -58,11 +62,16 @@ class GpuDenoiser {
     /// Gives a plane of an input, as floats without padding.
     set_input({slot}, floats) { this.device.queue.writeBuffer(this.buffers.inputs, slot * this.plane, floats); }
 
+    /// The block of uniforms of a preset that needs no camera, without jitter.
+    block() {
+        const {bytes, members} = this.plan.uniforms, block = new Int32Array(bytes / 4);
+        block.set([this.width, this.height, this.frame], members.find(({name}) => name === "size").offset / 4);
+        return block;
+    }
+
     /// Denoises the inputs, and resolves to the picture's planes.
-    async run() {
+    async run(block = this.block()) {
         const {device, plan} = this;
-        const block = new Int32Array(plan.uniforms.bytes / 4);
-        block.set([this.width, this.height, this.frame], plan.uniforms.members.find(({name}) => name === "size").offset / 4);
         device.queue.writeBuffer(this.uniforms, 0, block);
         const encoder = device.createCommandEncoder();
         const pass = encoder.beginComputePass();
