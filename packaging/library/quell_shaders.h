@@ -46,6 +46,29 @@ QUELL_CALL const char *quell_shaders_text(const quell_shaders *shaders, int32_t 
 /* The plan as JSON: passes in order, what they bind, and where everything lies. Usually written as plan.json. */
 QUELL_CALL const char *quell_shaders_plan(const quell_shaders *shaders);
 
+/* What differs from frame to frame. Start from QUELL_SHADERS_FRAME. */
+typedef struct quell_shaders_frame {
+    size_t struct_size;
+    int32_t width, height;           /* in pixels */
+    int32_t number;                  /* of the frame: seed of random numbers */
+    int32_t needs_camera;            /* needs_camera of the plan: 1 where the matrices of cameras are looked at */
+    float shutter, shutter_then;     /* shutter time of this frame and of the previous one, as a part of the time between frames */
+    const quell_camera *camera;      /* null: none, which is without jitter */
+    const quell_camera *camera_then; /* of the previous frame; null: the same, as in a frame without a past */
+} quell_shaders_frame;
+#ifdef __cplusplus
+#define QUELL_SHADERS_FRAME                                                                                                                \
+    quell_shaders_frame { sizeof(quell_shaders_frame), 0, 0, 0, 0, 0.5f, 0.5f, nullptr, nullptr }
+#else
+#define QUELL_SHADERS_FRAME ((quell_shaders_frame){sizeof(quell_shaders_frame), 0, 0, 0, 0, 0.5f, 0.5f, NULL, NULL})
+#endif
+
+/* Bytes of the block of uniforms, which is the same for all presets. */
+QUELL_CALL size_t quell_shaders_block_size(void);
+/* Writes the block of uniforms of a frame, as shaders read it: what a host copies to its buffer. It is a matter of microseconds.
+ * @param bytes how many there are at `block`: quell_shaders_block_size() at least */
+QUELL_CALL quell_status quell_shaders_block(const quell_shaders_frame *frame, void *block, size_t bytes);
+
 #ifdef __cplusplus
 }
 #endif

@@ -8,6 +8,9 @@
 #include <quell/core/error.hpp>
 #include <quell/shader/write_plan.hpp>
 
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -59,6 +62,46 @@ quell_status create(std::string const& preset, std::string const& language, quel
     *shaders = new quell_shaders{quell::shader_files(plan, in->language, in->extension), quell::to_json(plan, in->extension)};
     return QUELL_OK;
 }
+quell::Camera camera_of(quell_camera const& given) {
+    return {glm::make_mat4(given.view), glm::make_mat4(given.projection), glm::make_vec2(given.jitter)};
+}
+/// A sentence where rays of pixels can't be had of a camera.
+std::string check_camera(std::string const& name, quell::Camera const& camera) {
+    std::pair<char const*, glm::mat4 const&> const matrices[] = {{"view", camera.view}, {"projection", camera.projection}};
+    for (auto const& [what, matrix] : matrices)
+        if (auto const volume = glm::determinant(matrix); !quell::is_finite(volume) || volume == 0.f)
+            return name + "." + what + ": a singular or non-finite matrix; give the host's";
+    auto const& p = camera.projection;
+    return p[0][3] == 0.f && p[1][3] == 0.f && p[2][3] == 0.f
+               ? name + ".projection: a matrix without perspective; give the host's, orthographic ones are not supported"
+               : std::string();
+}
+quell_status write_block(quell_shaders_frame const& frame, void* block, std::size_t bytes) {
+    quell::FrameBlock own{.size = {frame.width, frame.height},
+                          .frame_index = frame.number,
+                          .shutter = frame.shutter,
+                          .shutter_then = frame.shutter_then,
+                          .needs_camera = frame.needs_camera != 0};
+    auto const wrong = [](std::string const& sentence) { return fail(QUELL_INVALID_ARGUMENT, sentence); };
+    if (frame.width < 1 || frame.height < 1)
+        return wrong("frame.width, frame.height: " + quell::to_string(own.size) + "; give the frame's size in pixels");
+    for (auto const& [what, shutter] : {std::pair{"shutter", frame.shutter}, {"shutter_then", frame.shutter_then}})
+        if (!quell::is_finite(shutter) || shutter < 0.f)
+            return wrong(std::string("frame.") + what + ": " + std::to_string(shutter) +
+                         "; give a part of the time between frames, 0 or more");
+    if (own.needs_camera && frame.camera == nullptr) return wrong("frame.camera: null; the preset needs the camera, as its plan says");
+    if (frame.camera != nullptr) own.camera = camera_of(*frame.camera);
+    own.camera_then = frame.camera_then != nullptr ? camera_of(*frame.camera_then) : own.camera;
+    if (own.needs_camera)
+        for (auto const& [what, camera] : {std::pair{"frame.camera", own.camera}, {"frame.camera_then", own.camera_then}})
+            if (auto const sentence = check_camera(what, camera); !sentence.empty()) return wrong(sentence);
+    auto const words = own.as_words();
+    if (block == nullptr || bytes < sizeof(words))
+        return wrong("block: " + std::string(block == nullptr ? "null" : std::to_string(bytes) + " bytes") + "; give it " +
+                     std::to_string(sizeof(words)) + " bytes");
+    std::memcpy(block, words.data(), sizeof(words));
+    return QUELL_OK;
+}
 /// A name or text of a file; null beyond the last.
 char const* of_file(quell_shaders const* shaders, std::int32_t index, std::string quell::ShaderFile::*part) {
     if (shaders == nullptr || index < 0 || static_cast<std::size_t>(index) >= shaders->files.size()) return nullptr;
@@ -97,4 +140,16 @@ char const* quell_shaders_text(quell_shaders const* shaders, std::int32_t index)
     return of_file(shaders, index, &quell::ShaderFile::text);
 }
 char const* quell_shaders_plan(quell_shaders const* shaders) { return shaders != nullptr ? shaders->plan.c_str() : ""; }
+
+std::size_t quell_shaders_block_size() { return std::size_t{4} * quell::FrameBlock::words; }
+quell_status quell_shaders_block(quell_shaders_frame const* frame, void* block, std::size_t bytes) {
+    return guarded([&] {
+        if (frame == nullptr) return fail(QUELL_INVALID_ARGUMENT, "frame: null; start from QUELL_SHADERS_FRAME");
+        auto own = QUELL_SHADERS_FRAME;
+        auto const* const given = reinterpret_cast<std::byte const*>(frame);
+        if (auto const wrong = take_struct(own, given, "frame", "QUELL_SHADERS_FRAME", sizeof(own), "quell_shaders.h"); !wrong.empty())
+            return fail(QUELL_INVALID_ARGUMENT, wrong);
+        return write_block(own, block, bytes);
+    });
+}
 }

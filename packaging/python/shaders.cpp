@@ -1,9 +1,13 @@
 // quell_shaders.h for Python: the module quell._shaders.
 #include "errors.hpp"
 
+#include <pybind11/stl.h>
 #include <quell_shaders.h>
 
+#include <cstring>
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace py = pybind11;
 
@@ -34,10 +38,30 @@ py::tuple create(std::string const& preset, std::string const& language) {
     return py::make_tuple(quell_shaders_plan(made), texts);
 }
 
+/// Cameras as 34 floats, as quell_camera has them.
+py::bytes block(int width, int height, int number, bool needs_camera, float shutter, float shutter_then,
+                std::optional<std::vector<float>> const& camera, std::optional<std::vector<float>> const& camera_then) {
+    auto frame = QUELL_SHADERS_FRAME;
+    frame.width = width, frame.height = height, frame.number = number, frame.needs_camera = needs_camera;
+    frame.shutter = shutter, frame.shutter_then = shutter_then;
+    quell_camera now, then;
+    auto const take = [](auto const& numbers, quell_camera& to, quell_camera const*& in_frame) {
+        if (!numbers) return;
+        if (numbers->size() * sizeof(float) != sizeof(to)) throw py::value_error("a camera has 34 numbers");
+        std::memcpy(&to, numbers->data(), sizeof(to)), in_frame = &to;
+    };
+    take(camera, now, frame.camera), take(camera_then, then, frame.camera_then);
+    std::string bytes(quell_shaders_block_size(), '\0');
+    if (auto const status = quell_shaders_block(&frame, bytes.data(), bytes.size()); status != QUELL_OK)
+        quell_python::raise(quell_shaders_error(), status);
+    return bytes;
+}
+
 } // namespace
 
 PYBIND11_MODULE(_shaders, module) {
     module.def("presets", [] { return names(quell_shaders_preset_name); });
     module.def("languages", [] { return names(quell_shaders_language_name); });
     module.def("create", create);
+    module.def("block", block);
 }

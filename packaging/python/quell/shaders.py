@@ -3,9 +3,10 @@
 import json
 import os
 import pathlib
-from typing import Any, NamedTuple, Union
+from typing import Any, NamedTuple, Optional, Union
 
 from . import _shaders
+from ._denoiser import Camera, _packed
 
 __all__ = ["Shaders", "languages", "presets", "record", "write"]
 
@@ -17,6 +18,25 @@ class Shaders(NamedTuple):
 
     plan: dict[str, Any]  #: what a host must know to run them: docs/shaders.md
     texts: dict[str, str]  #: by the file names that the plan has, such as "06-temporal.wgsl"
+
+    def block(
+        self,
+        size: tuple[int, int],
+        number: int,
+        camera: Optional[Camera] = None,
+        camera_then: Optional[Camera] = None,
+        shutter: float = 0.5,
+        shutter_then: Optional[float] = None,
+    ) -> bytes:
+        """The block of uniforms of a frame, as shaders read it.
+
+        size: (height, width). number: the frame's, seed of random numbers. camera_then, shutter_then: of the previous frame; None for the
+        same, as in a frame without a past. shutter: as a part of the time between frames.
+        """
+        height, width = size
+        then = shutter if shutter_then is None else shutter_then
+        seen, seen_then = (_packed(name, each) for name, each in (("camera", camera), ("camera_then", camera_then)))
+        return _shaders.block(width, height, number, self.plan["needs_camera"], shutter, then, seen, seen_then)
 
 
 def presets() -> list[str]:
