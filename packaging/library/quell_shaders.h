@@ -36,6 +36,23 @@ QUELL_CALL const char *quell_shaders_language_name(int32_t index);
  *                 does it.
  * @param shaders  set to them; to null where they can't be written */
 QUELL_CALL quell_status quell_shaders_create(const char *preset, const char *language, quell_shaders **shaders);
+/* What is added to a preset's passes. Start from QUELL_SHADERS_OPTIONS; docs/shaders.md says more. */
+typedef struct quell_shaders_options {
+    size_t struct_size;
+    int32_t repair_guides; /* 1: guides that no scene has are repaired */
+    int32_t fill_holes;    /* passes that give missing samples what stands 2, 4, 8, ... pixels away */
+    int32_t counts;        /* 1: missing samples, impossible guides and suppressed light are counted */
+    int32_t most_slots;    /* of a buffer: what has more lies in several. 0: there is no limit. */
+} quell_shaders_options;
+#ifdef __cplusplus
+#define QUELL_SHADERS_OPTIONS                                                                                                              \
+    quell_shaders_options { sizeof(quell_shaders_options), 0, 0, 0, 0 }
+#else
+#define QUELL_SHADERS_OPTIONS ((quell_shaders_options){sizeof(quell_shaders_options), 0, 0, 0, 0})
+#endif
+/* The same with options; null: none. */
+QUELL_CALL quell_status quell_shaders_create_with(const char *preset, const char *language, const quell_shaders_options *options,
+                                                  quell_shaders **shaders);
 /* Frees them and their texts. Null does nothing. */
 QUELL_CALL void quell_shaders_destroy(quell_shaders *shaders);
 

@@ -13,12 +13,12 @@ std::vector<RecordedPreset> recorded_presets() {
     (std::make_index_sequence<QUELL_RECORDED_UNITS>{});
 }
 
-ShaderPlan recorded_preset_named(std::string_view name) {
+ShaderPlan recorded_preset_named(std::string_view name, RecordOptions const& options) {
     auto const all = recorded_presets();
     auto const found = std::ranges::find(all, name, &RecordedPreset::name);
     if (found == all.end())
         raise_error("preset " + std::string(name), "there is none, or it is not compiled in", "take one of quell-shaders --list");
-    return found->record();
+    return found->record(options);
 }
 
 } // namespace quell::shaders

@@ -31,6 +31,7 @@ struct Language {
     char const *name, *extension;
     quell::ShaderLanguage language;
 };
+constexpr int most_fill_holes = 16; // which is more than any image has
 constexpr std::array<Language, 2> languages{{{"wgsl", "wgsl", quell::ShaderLanguage::wgsl}, {"glsl", "comp", quell::ShaderLanguage::glsl}}};
 
 std::vector<RecordedPreset> const& presets() {
@@ -46,7 +47,7 @@ auto find(auto const& all, std::string_view name) {
     return std::find_if(all.begin(), all.end(), [&](auto const& each) { return each.name == name; });
 }
 
-quell_status create(std::string const& preset, std::string const& language, quell_shaders** shaders) {
+quell_status create(std::string const& preset, std::string const& language, quell_shaders_options const& options, quell_shaders** shaders) {
     auto const found = find(presets(), preset);
     if (found == presets().end())
         return fail(QUELL_UNKNOWN_PRESET, "preset: there is no '" + preset + "' that can be written; give one of: " + names(presets()));
@@ -58,7 +59,16 @@ quell_status create(std::string const& preset, std::string const& language, quel
                         "language: '" + language + "' is made from glsl by other programs; the program quell-shaders runs them");
         return fail(QUELL_INVALID_ARGUMENT, "language: '" + language + "'; give one of: " + names(languages));
     }
-    auto const plan = found->record();
+    if (options.fill_holes < 0 || options.fill_holes > most_fill_holes)
+        return fail(QUELL_INVALID_ARGUMENT, "options.fill_holes: " + std::to_string(options.fill_holes) + "; give 0 to " +
+                                                std::to_string(most_fill_holes) + " passes");
+    if (options.most_slots < 0)
+        return fail(QUELL_INVALID_ARGUMENT,
+                    "options.most_slots: " + std::to_string(options.most_slots) + "; give 1 or more, or 0 for no limit");
+    auto const plan = found->record({.repair_guides = options.repair_guides != 0,
+                                     .fill_holes = options.fill_holes,
+                                     .counts = options.counts != 0,
+                                     .most_slots = options.most_slots});
     *shaders = new quell_shaders{quell::shader_files(plan, in->language, in->extension), quell::to_json(plan, in->extension)};
     return QUELL_OK;
 }
@@ -123,12 +133,20 @@ char const* quell_shaders_language_name(std::int32_t index) {
 }
 
 quell_status quell_shaders_create(char const* preset, char const* language, quell_shaders** shaders) {
+    return quell_shaders_create_with(preset, language, nullptr, shaders);
+}
+quell_status quell_shaders_create_with(char const* preset, char const* language, quell_shaders_options const* options,
+                                       quell_shaders** shaders) {
     return guarded([&] {
         if (shaders == nullptr) return fail(QUELL_INVALID_ARGUMENT, "shaders: null; point it at a pointer");
         *shaders = nullptr;
         for (auto const& [what, text] : {std::pair{"preset", preset}, {"language", language}})
             if (text == nullptr) return fail(QUELL_INVALID_ARGUMENT, std::string(what) + ": null; give its name");
-        return create(preset, language, shaders);
+        auto own = QUELL_SHADERS_OPTIONS;
+        auto const* const given = reinterpret_cast<std::byte const*>(options != nullptr ? options : &own);
+        if (auto const wrong = take_struct(own, given, "options", "QUELL_SHADERS_OPTIONS", sizeof(own), "quell_shaders.h"); !wrong.empty())
+            return fail(QUELL_INVALID_ARGUMENT, wrong);
+        return create(preset, language, own, shaders);
     });
 }
 void quell_shaders_destroy(quell_shaders* shaders) { delete shaders; }

@@ -20,13 +20,15 @@ py::list names(char const* (*name_of)(std::int32_t)) {
 }
 
 /// The plan, and texts by the names of their files.
-py::tuple create(std::string const& preset, std::string const& language) {
+py::tuple create(std::string const& preset, std::string const& language, bool repair_guides, int fill_holes, bool counts, int most_slots) {
+    auto options = QUELL_SHADERS_OPTIONS;
+    options.repair_guides = repair_guides, options.fill_holes = fill_holes, options.counts = counts, options.most_slots = most_slots;
     quell_shaders* made = nullptr;
     quell_status status = QUELL_OK;
     std::string sentence;
     {
         py::gil_scoped_release const released;
-        status = quell_shaders_create(preset.c_str(), language.c_str(), &made);
+        status = quell_shaders_create_with(preset.c_str(), language.c_str(), &options, &made);
         sentence = quell_shaders_error();
     }
     if (status == QUELL_NO_MEMORY) quell_python::raise_no_memory("memory: there is no more; let go of other arrays");

@@ -116,6 +116,16 @@ TEST_CASE("shaders: what can't be written is refused in one sentence") {
     CHECK(refused("no-such-preset", "wgsl", QUELL_UNKNOWN_PRESET).find("preset: there is no 'no-such-preset'") == 0);
     char const* const preset = quell_shaders_preset_name(0);
     if (preset == nullptr) return; // QUELL_PRESETS has none that can be recorded
+    auto options = QUELL_SHADERS_OPTIONS;
+    quell_shaders* shaders = nullptr;
+    options.counts = options.most_slots = 1;
+    REQUIRE(quell_shaders_create_with(preset, "wgsl", &options, &shaders) == QUELL_OK);
+    CHECK(std::string(quell_shaders_plan(shaders)).find(R"("counts": [)") != std::string::npos);
+    CHECK(std::string(quell_shaders_plan(shaders)).find(R"("name": "inputs_2")") != std::string::npos);
+    quell_shaders_destroy(shaders);
+    options.fill_holes = -1;
+    CHECK(quell_shaders_create_with(preset, "wgsl", &options, &shaders) == QUELL_INVALID_ARGUMENT);
+    CHECK(std::string(quell_shaders_error()) == "options.fill_holes: -1; give 0 to 16 passes");
     CHECK(refused(preset, nullptr, QUELL_INVALID_ARGUMENT).find("language: null") == 0);
     CHECK(refused(preset, "cuda", QUELL_INVALID_ARGUMENT) == "language: 'cuda'; give one of: wgsl, glsl");
     CHECK(refused(preset, "spirv", QUELL_NOT_SUPPORTED).find("quell-shaders") != std::string::npos);

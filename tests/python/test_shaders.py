@@ -34,6 +34,15 @@ class Shaders(unittest.TestCase):
             for name, text in texts.items():
                 self.assertEqual((to / name).read_text(), text)
 
+    def test_options(self):
+        plain, more = shaders.record(self.preset), shaders.record(self.preset, counts=True, fill_holes=2, most_slots=2)
+        self.assertEqual(len(more.plan["passes"]), len(plain.plan["passes"]) + 4)
+        self.assertNotIn("counts", plain.plan)
+        self.assertEqual(more.plan["counts"][0]["what"], "missing samples")
+        self.assertLessEqual(max(each["slots"] for each in more.plan["buffers"]), 2)
+        with self.assertRaisesRegex(quell.Error, "options.fill_holes: -1"):
+            shaders.record(self.preset, fill_holes=-1)
+
     def test_the_block_lies_as_the_plan_says(self):
         made = shaders.record(self.preset)
         offsets = {member["name"]: member["offset"] for member in made.plan["uniforms"]["members"]}

@@ -26,7 +26,7 @@ void compare(vulkan::Device const& device, std::filesystem::path const& folder) 
         int slot = 0;
         for (auto const& each : plan.inputs) std::ranges::copy(frames.input(slot++), on_device.input(each.channel, each.component).begin());
         on_device.run(frames.block);
-        for (int c = 0; c < plan.slot_count(ShaderBuffer::output); ++c) frames.compare(c, on_device.picture(c));
+        for (int c = 0; c < frames.components(); ++c) frames.compare(c, on_device.picture(c));
     }
     auto const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::printf("%s: %.1e from the CPU, %.1e where it joins no product and sum, %.1f s\n", name.c_str(), static_cast<double>(frames.off[0]),

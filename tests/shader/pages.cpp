@@ -28,32 +28,35 @@ std::string planes(int count, auto const& plane) {
     return text + "]";
 }
 
-void write_case(std::string const& name, std::ostream& to) {
-    auto const plan = shaders::recorded_preset_named(name);
+/// All that can be added to passes, and buffers of few slots.
+constexpr RecordOptions everything{.repair_guides = true, .fill_holes = 2, .counts = true, .most_slots = 5};
+
+void write_case(std::string const& name, RecordOptions const& options, std::ostream& to) {
+    auto const plan = shaders::recorded_preset_named(name, options);
     to << "cases.push({name: '" << name << "', plan: " << to_json(plan, "wgsl") << ", texts: {\n";
     for (auto const& [file, text] : shader_files(plan, ShaderLanguage::wgsl, "wgsl")) to << "'" << file << "': `" << text << "`,\n";
     tests::PresetFrames frames(plan, tests::Missing::marked);
     to << "}, allowed: " << frames.allowed(name) << ", width: " << frames.size.width << ", height: " << frames.size.height
        << ", frames: [\n";
     while (frames.next()) {
-        auto const wanted = [&](std::size_t way) {
-            return planes(plan.slot_count(ShaderBuffer::output), [&](int c) { return frames.wanted(way, c); });
-        };
+        auto const wanted = [&](std::size_t way) { return planes(frames.components(), [&](int c) { return frames.wanted(way, c); }); };
         to << "{has_past: " << frames.has_past << ", block: " << words_of(frames.block.as_words())
            << ", inputs: " << planes(plan.slot_count(ShaderBuffer::inputs), [&](int slot) { return frames.input(slot); }) << ", wanted: ["
-           << wanted(0) << ", " << wanted(1) << "]},\n";
+           << wanted(0) << ", " << wanted(1) << "], totals: [";
+        for (auto const total : frames.totals()) to << total << ",";
+        to << "]},\n";
     }
     to << "]});\n";
 }
 
-/// Those that are compiled in, of a few quick ones or of those that are named.
+/// Those that are compiled in, of a few quick ones or of those that are named; behind + with everything that can be added.
 std::vector<std::string> chosen() {
     auto const* const named = std::getenv("QUELL_SHADERS_OF");
-    std::istringstream list(named && *named ? named : "surface-clamp;general;shadow");
+    std::istringstream list(named && *named ? named : "surface-clamp;+general;shadow");
     std::vector<std::string> names;
     auto const all = shaders::recorded_presets();
     for (std::string name; std::getline(list, name, ';');)
-        if (std::ranges::count(all, name, &shaders::RecordedPreset::name) > 0) names.push_back(name);
+        if (std::ranges::count(all, name.substr(name.starts_with('+')), &shaders::RecordedPreset::name) > 0) names.push_back(name);
     return names;
 }
 
@@ -69,6 +72,10 @@ int main(int argc, char** argv) {
             std::filesystem::copy_file(QUELL_GPU_SCRIPT, folder / "gpu.js", std::filesystem::copy_options::overwrite_existing);
             std::ofstream cases(folder / "cases.js");
             cases << "const cases = [];\n";
-            for (auto const& name : chosen()) write_case(name, cases);
+            for (auto const& name : chosen())
+                if (name[0] == '+')
+                    write_case(name.substr(1), everything, cases);
+                else
+                    write_case(name, {}, cases);
         });
 }

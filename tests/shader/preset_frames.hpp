@@ -67,6 +67,14 @@ public:
         }
         return true;
     }
+    /// Of the picture.
+    [[nodiscard]] int components() const { return static_cast<int>(plan.output.size()); }
+    /// What is counted of this frame, in the order of the plan.
+    [[nodiscard]] std::vector<double> totals() {
+        std::vector<double> all;
+        for (auto const& count : plan.counts) all.push_back(plan.total(count, size, wanted(0, count.slot)));
+        return all;
+    }
     [[nodiscard]] std::span<float const> input(int slot) { return interpreters[0].plane(ShaderBuffer::inputs, slot); }
     /// @param way 0: a product and the sum behind it are rounded as one; 1: one by one
     [[nodiscard]] std::span<float const> wanted(std::size_t way, int component) {
@@ -104,7 +112,16 @@ private:
         spoil(frame[indirect], sample({1, 1, 2e16f}));
         spoil(frame[visibility], sample({infinity, 1, 1}).x);
         spoil(frame[depth], infinity);
+        if (!plan.counts.empty()) break_frame(spoil);
         frame.camera = camera_of(number);
+    }
+    /// Guides that no scene has, and holes.
+    void break_frame(auto const& spoil) {
+        spoil(frame[albedo], glm::vec3(3, 0.5f, -0.5f));
+        spoil(frame[normal], glm::vec3(0, 2, 1));
+        spoil(frame[depth], -1.f);
+        for (int y = 0; y < 7; ++y)
+            for (int x = 0; x < 7; ++x) frame[radiance].set(x + 9, y, glm::vec3(-1));
     }
     void copy_inputs(PlanInterpreter& to) {
         int slot = 0;

@@ -49,16 +49,27 @@ def languages() -> list[str]:
     return _shaders.languages()
 
 
-def record(preset: str, language: str = "wgsl") -> Shaders:
-    """A preset as shaders, in memory. Languages are "wgsl", and "glsl" for Vulkan; the program quell-shaders has others."""
-    plan, texts = _shaders.create(preset, language)
+def record(preset: str, language: str = "wgsl", **options: Any) -> Shaders:
+    """A preset as shaders, in memory. Languages are "wgsl", and "glsl" for Vulkan; the program quell-shaders has others.
+
+    Options are added to the preset's passes. repair_guides=True: repairs guides that no scene has. fill_holes=n: so many passes give missing
+    samples what stands 2, 4, 8, ... pixels away. counts=True: counts missing samples, impossible guides and suppressed light.
+    most_slots=n: of a buffer.
+    """
+    plan, texts = _created(preset, language, **options)
     return Shaders(json.loads(plan), texts)
 
 
-def write(preset: str, folder: Path, language: str = "wgsl") -> None:
-    """Writes the shaders and plan.json into a folder, which is made where it is not there."""
-    plan, texts = _shaders.create(preset, language)
+def write(preset: str, folder: Path, language: str = "wgsl", **options: Any) -> None:
+    """Writes the shaders and plan.json into a folder, which is made where it is not there. Options are those of record()."""
+    plan, texts = _created(preset, language, **options)
     to = pathlib.Path(folder)
     to.mkdir(parents=True, exist_ok=True)
     for name, text in {**texts, "plan.json": plan}.items():
         (to / name).write_bytes(text.encode())
+
+
+def _created(
+    preset: str, language: str, *, repair_guides: bool = False, fill_holes: int = 0, counts: bool = False, most_slots: int = 0
+) -> tuple[str, dict[str, str]]:
+    return _shaders.create(preset, language, repair_guides, fill_holes, counts, most_slots)
