@@ -144,7 +144,7 @@ TEST_CASE("recorded passes that repair guides, fill holes and count do what run(
     constexpr Pipeline pipeline{
         radiance, Demodulate{}, SuppressFireflies{}, tests::accumulate, Spatial{tests::MakeSmaller{}}, Spatial{tests::UseSmaller{}}};
     auto const plan = record(pipeline, "checked", {.repair_guides = true, .fill_holes = 3, .counts = true});
-    for (Extent const size : {Extent{12, 11}, Extent{41, 23}, Extent{150, 70}}) {
+    for (Extent const size : {Extent{12, 11}, Extent{70, 9}, Extent{9, 70}}) {
         CAPTURE(to_string(size));
         Frame frame{size, pipeline};
         History history{size, pipeline};
