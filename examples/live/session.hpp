@@ -11,12 +11,12 @@ constexpr int traced_only = -1; ///< a preset's number
 
 /// What the reader of the page has chosen, for one frame.
 struct View {
-    int scene = 0;            ///< number
-    int preset = 0;           ///< number; traced_only: what is traced is denoised elsewhere
-    int samples = 1;          ///< per pixel
-    Moment at;                ///< time and light
-    float yaw = 0, pitch = 0; ///< radians
-    float distance = 3;       ///< of the camera from its target
+    int scene = 0;             ///< number
+    int preset = 0;            ///< number; traced_only: what is traced is denoised elsewhere
+    int samples = 1;           ///< per pixel
+    Moment at;                 ///< time and light
+    float yaw = 0, pitch = 0;  ///< radians
+    float distance = 3;        ///< of the camera from its target
     bool anti_aliased = false; ///< whether edges are smoothed, over frames whose samples lie elsewhere in the pixels
 };
 
