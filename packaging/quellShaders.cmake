@@ -1,16 +1,16 @@
-# quell_add_shaders(target PRESET general LANGUAGE spirv [OUTPUT folder])
+# quell_add_shaders(target PRESET general LANGUAGE spirv [OUTPUT folder] [OPTIONS --counts ...])
 # Writes a preset as compute shaders, and plan.json, whenever the target is built and quell-shaders is newer than they are. LANGUAGE is wgsl,
 # glsl, spirv, hlsl or metal. Sources of the target get the folder as a string, here QUELL_SHADERS_GENERAL_SPIRV; the target's property
 # QUELL_SHADER_FOLDERS lists all of its folders, for install(DIRECTORY). Without OUTPUT the folder is quell_shaders/general-spirv in the current
-# binary folder. The program is the target quell-shaders, else QUELL_SHADERS_PROGRAM, which is looked for.
+# binary folder. OPTIONS are quell-shaders' own. The program is the target quell-shaders, else QUELL_SHADERS_PROGRAM, which is looked for.
 function(quell_add_shaders target)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "PRESET;LANGUAGE;OUTPUT" "")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "PRESET;LANGUAGE;OUTPUT" "OPTIONS")
     set(call "quell_add_shaders(${target} PRESET ${arg_PRESET} LANGUAGE ${arg_LANGUAGE})")
     set(languages wgsl glsl spirv hlsl metal)
     if(NOT TARGET ${target})
         message(FATAL_ERROR "${call}: there is no target '${target}': call it behind add_executable or add_library.")
     elseif(arg_UNPARSED_ARGUMENTS OR NOT arg_PRESET OR NOT arg_LANGUAGE)
-        message(FATAL_ERROR "${call} was given '${ARGN}': give PRESET name LANGUAGE name, and OUTPUT folder if you like.")
+        message(FATAL_ERROR "${call} was given '${ARGN}': give PRESET name LANGUAGE name, and OUTPUT folder or OPTIONS if you like.")
     elseif(NOT arg_LANGUAGE IN_LIST languages)
         list(JOIN languages ", " names)
         message(FATAL_ERROR "${call}: there is no language '${arg_LANGUAGE}'; there are: ${names}.")
@@ -58,7 +58,7 @@ function(quell_add_shaders target)
         get_filename_component(folder ${arg_OUTPUT} ABSOLUTE BASE_DIR ${CMAKE_CURRENT_BINARY_DIR})
     endif()
     add_custom_command(OUTPUT ${folder}/plan.json
-        COMMAND ${program} --preset ${arg_PRESET} --language ${arg_LANGUAGE} --out ${folder}
+        COMMAND ${program} --preset ${arg_PRESET} --language ${arg_LANGUAGE} --out ${folder} ${arg_OPTIONS}
         DEPENDS ${program} COMMENT "Writing ${arg_PRESET} as shaders: ${arg_LANGUAGE}" VERBATIM)
     add_custom_target(${target}_shaders_${arg_PRESET}_${arg_LANGUAGE} DEPENDS ${folder}/plan.json)
     add_dependencies(${target} ${target}_shaders_${arg_PRESET}_${arg_LANGUAGE})

@@ -15,7 +15,7 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
-SOURCES = ["exports", "session", "denoise/general", "denoise/svgf", "denoise/surface_clamp"]
+SOURCES = ["exports", "session", "denoise/general", "denoise/svgf", "denoise/surface_clamp", "denoise/anti_aliasing"]
 # xsimd has packs for x86's instructions, of which emscripten makes WebAssembly's.
 COMPILE = ["-std=c++20", "-O3", "-msimd128", "-msse4.1", "-fno-rtti", "-Wall", "-Wextra", "-Werror", "-include", "bit_cast.hpp"]
 LINK = ["-O2", "--no-entry", "-sSTANDALONE_WASM", "-sALLOW_MEMORY_GROWTH", "-sERROR_ON_UNDEFINED_SYMBOLS=0", "-sWARN_ON_UNDEFINED_SYMBOLS=0"]

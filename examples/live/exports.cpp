@@ -49,8 +49,14 @@ QUELL_EXPORT(first_view) float first_view(int scene, int which) {
 
 /// Traces and denoises the next frame.
 QUELL_EXPORT(advance)
-void advance(int scene, int preset, int samples, float time, float light, float yaw, float pitch, float distance) {
-    page->session.advance({scene, preset, samples, {time, light}, yaw, pitch, distance});
+void advance(int scene, int preset, int samples, float time, float light, float yaw, float pitch, float distance, int anti_aliased) {
+    page->session.advance({scene, preset, samples, {time, light}, yaw, pitch, distance, anti_aliased != 0});
+}
+
+/// Where the frame's samples lie, from the pixels' middles: x and y; then of the frame before.
+QUELL_EXPORT(jitter) float jitter(int which) {
+    auto const at = which < 2 ? page->session.jitter_now() : page->session.jitter_before();
+    return which % 2 == 0 ? at.x : at.y;
 }
 
 /// Room for the three components of a picture.
@@ -83,6 +89,7 @@ QUELL_EXPORT(put_denoised) void put_denoised() {
     for (int c = 0; c < 3; ++c)
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x) view.set(c, x, y, *from++);
+    page->session.smooth();
 }
 
 QUELL_EXPORT(refine) void refine(int samples) { page->session.refine(samples); }

@@ -20,9 +20,17 @@ bool shows_the_same(View const& a, View const& b) {
            a.distance == b.distance;
 }
 
+/// A number from 0 to 1, far from those of the numbers before: the digits of `n` to a base, the other way round.
+float halton(uint32_t n, uint32_t base) {
+    float value = 0, digit = 1;
+    for (; n > 0; n /= base) digit /= static_cast<float>(base), value += digit * static_cast<float>(n % base);
+    return value;
+}
+ScreenPoint place_in_pixel(uint32_t number) { return {halton(number, 2) - 0.5f, halton(number, 3) - 0.5f}; }
+
 } // namespace
 
-Session::Session(Extent s) : size(s), frame(s), denoised(s), sums(static_cast<std::size_t>(s.pixels())) {}
+Session::Session(Extent s) : size(s), frame(s), denoised(s), sums(static_cast<std::size_t>(s.pixels())), denoised_frame(s) {}
 
 void Session::advance(View const& view) {
     bool const is_cut = !has_last || view.scene != last.scene;
@@ -30,14 +38,36 @@ void Session::advance(View const& view) {
     if (is_cut && denoiser) denoiser->forget();
     auto const& before = is_cut ? view : last;
     if (is_cut || !shows_the_same(view, last)) clear_reference();
+    jitter_then = jitter, jitter = view.anti_aliased ? place_in_pixel(1 + frame_number % 16) : ScreenPoint{};
+    if (is_cut) jitter_then = jitter;
+    frame.camera.jitter = {jitter.x, jitter.y};
+    if (!view.anti_aliased || is_cut) smoother.reset(); // it starts anew
     scene = moving_scene(view.scene, view.at, before.at);
     cameras = {camera_for(view, size), camera_for(before, size)};
     double const start = seconds_now();
     trace(view.samples);
     double const traced = seconds_now();
-    if (denoiser) denoiser->run(frame, denoised);
-    trace_seconds = traced - start, denoise_seconds = seconds_now() - traced;
     last = view, has_last = true;
+    times.clear();
+    if (denoiser) {
+        denoiser->run(frame, denoised);
+        times = denoiser->times;
+        smooth();
+    }
+    trace_seconds = traced - start, denoise_seconds = seconds_now() - traced;
+}
+
+void Session::smooth() {
+    if (!last.anti_aliased) return;
+    if (!smoother) smoother = make_anti_aliasing(size);
+    denoised_frame.camera.jitter = frame.camera.jitter;
+    auto const copy = [&](auto const& from, auto& to) {
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) to.set(x, y, from.get(x, y));
+    };
+    copy(denoised, denoised_frame[radiance]), copy(frame[depth], denoised_frame[depth]), copy(frame[motion], denoised_frame[motion]);
+    smoother->run(denoised_frame, denoised);
+    times.insert(times.end(), smoother->times.begin(), smoother->times.end());
 }
 
 void Session::choose(int number) {
@@ -51,7 +81,7 @@ void Session::trace(int samples) {
     bool const starts = samples_in_sums == 0;
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
-            auto const value = trace_pixel(scene, cameras, {.samples = samples, .frame = frame_number}, x, y);
+            auto const value = trace_pixel(scene, cameras, {.samples = samples, .frame = frame_number, .jitter = jitter}, x, y);
             frame[radiance].set(x, y, glm_of(value.radiance));
             frame[albedo].set(x, y, glm_of(value.albedo));
             frame[normal].set(x, y, glm_of(value.normal));
@@ -65,7 +95,8 @@ void Session::trace(int samples) {
 
 void Session::refine(int samples) {
     // Numbers that no frame has.
-    Tracing const tracing{.samples = samples, .frame = 0x80000000u + ++reference_number};
+    Tracing tracing{.samples = samples, .frame = 0x80000000u + ++reference_number};
+    if (last.anti_aliased) tracing.jitter = place_in_pixel(reference_number);
     bool const starts = samples_in_sums == 0;
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {

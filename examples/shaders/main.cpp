@@ -10,7 +10,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -22,14 +21,8 @@ struct Options {
     std::string preset, language = "wgsl";
     std::filesystem::path out;
     bool list = false, print = false;
+    RecordOptions record;
 };
-
-ShaderPlan recorded(std::string const& name) {
-    auto const all = shaders::recorded_presets();
-    auto const found = std::ranges::find(all, name, &shaders::RecordedPreset::name);
-    if (found != all.end()) return found->record();
-    raise_error("--preset " + name, "there is no such preset, or it is not compiled in", "take one of --list");
-}
 
 void write_all(ShaderPlan const& plan, Options const& options) {
     auto const language = shaders::language_of(options.language);
@@ -57,7 +50,7 @@ void body(Options const& options) {
         return;
     }
     if (options.preset.empty()) raise_error("--preset", "none is given", "give one of --list");
-    auto const plan = recorded(options.preset);
+    auto const plan = shaders::recorded_preset_named(options.preset, options.record);
     if (options.print)
         for (auto const& pass : plan.passes) std::cout << to_string(pass.graph);
     if (!options.out.empty())
@@ -77,6 +70,13 @@ int main(int argc, char** argv) {
                        std::string(shaders::language_names) + "; glslangValidator makes spirv, and spirv-cross of it hlsl and metal")
             ->check(CLI::IsMember({"wgsl", "glsl", "spirv", "hlsl", "metal"}));
         app.add_option("--out", options.out, "folder for the shaders and plan.json");
+        app.add_flag("--repair-guides", options.record.repair_guides, "repairs guides that no scene has, by a pass at the front");
+        app.add_option("--fill-holes", options.record.fill_holes,
+                       "so many passes give missing samples what stands 2, 4, 8, ... pixels away")
+            ->check(CLI::Range(0, 16));
+        app.add_flag("--counts", options.record.counts, "counts missing samples, impossible guides and suppressed light");
+        app.add_option("--buffer-slots", options.record.most_slots, "slots of a buffer at most: what has more lies in several")
+            ->check(CLI::Range(1, 1000));
         app.add_flag("--print", options.print, "prints the recorded steps of each pass, for people");
         app.add_flag("--list", options.list, "prints the presets that can be recorded, one a line");
         if (examples::parse(app, argc, argv)) body(options);

@@ -34,14 +34,17 @@ void replace_all(std::string& text, std::string const& what, std::string const& 
     for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) text.replace(at, what.size(), with);
 }
 
+/// Of a buffer, in parts of one slot.
+constexpr int most_parts = 128;
 /// GLSL from which spirv-cross writes what people can read: buffers with names, which nameless blocks lose.
 std::string with_named_buffers(std::string glsl) {
-    for (auto const name_view : shader_buffer_names) {
-        std::string const name(name_view);
-        replace_all(glsl, name + "[", name + ".values[");
-        for (std::string const type : {"float ", "uint "})
-            replace_all(glsl, type + name + ".values[]; };", type + "values[]; } " + name + ";");
-    }
+    for (std::size_t i = 0; i < shader_buffer_names.size(); ++i)
+        for (int part = 0; part < most_parts; ++part) {
+            auto const name = BoundBuffer{static_cast<ShaderBuffer>(i), part}.name();
+            replace_all(glsl, name + "[", name + ".values[");
+            for (std::string const type : {"float ", "uint "})
+                replace_all(glsl, type + name + ".values[]; };", type + "values[]; } " + name + ";");
+        }
     return glsl;
 }
 

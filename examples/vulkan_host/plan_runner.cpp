@@ -16,6 +16,8 @@ nlohmann::json read_plan(std::filesystem::path const& file) {
         raise_error(file.string(), "it is no plan of shaders", "write one by quell-shaders --language spirv --out FOLDER");
     if (auto const shader = plan["passes"][0]["shader"].get<std::string>(); !shader.ends_with(".spv"))
         raise_error(file.string(), "its shaders are not SPIR-V: " + shader, "write them by quell-shaders --language spirv");
+    if (plan["buffers"].size() != shader_buffer_names.size())
+        raise_error(file.string(), "its buffers are in parts", "write them without --buffer-slots: this host binds each as one");
     return plan;
 }
 constexpr VkDescriptorType type_of(std::size_t binding) {

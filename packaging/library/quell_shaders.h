@@ -36,6 +36,23 @@ QUELL_CALL const char *quell_shaders_language_name(int32_t index);
  *                 does it.
  * @param shaders  set to them; to null where they can't be written */
 QUELL_CALL quell_status quell_shaders_create(const char *preset, const char *language, quell_shaders **shaders);
+/* What is added to a preset's passes. Start from QUELL_SHADERS_OPTIONS; docs/shaders.md says more. */
+typedef struct quell_shaders_options {
+    size_t struct_size;
+    int32_t repair_guides; /* 1: guides that no scene has are repaired */
+    int32_t fill_holes;    /* passes that give missing samples what stands 2, 4, 8, ... pixels away */
+    int32_t counts;        /* 1: missing samples, impossible guides and suppressed light are counted */
+    int32_t most_slots;    /* of a buffer: what has more lies in several. 0: there is no limit. */
+} quell_shaders_options;
+#ifdef __cplusplus
+#define QUELL_SHADERS_OPTIONS                                                                                                              \
+    quell_shaders_options { sizeof(quell_shaders_options), 0, 0, 0, 0 }
+#else
+#define QUELL_SHADERS_OPTIONS ((quell_shaders_options){sizeof(quell_shaders_options), 0, 0, 0, 0})
+#endif
+/* The same with options; null: none. */
+QUELL_CALL quell_status quell_shaders_create_with(const char *preset, const char *language, const quell_shaders_options *options,
+                                                  quell_shaders **shaders);
 /* Frees them and their texts. Null does nothing. */
 QUELL_CALL void quell_shaders_destroy(quell_shaders *shaders);
 
@@ -45,6 +62,29 @@ QUELL_CALL const char *quell_shaders_name(const quell_shaders *shaders, int32_t 
 QUELL_CALL const char *quell_shaders_text(const quell_shaders *shaders, int32_t index);
 /* The plan as JSON: passes in order, what they bind, and where everything lies. Usually written as plan.json. */
 QUELL_CALL const char *quell_shaders_plan(const quell_shaders *shaders);
+
+/* What differs from frame to frame. Start from QUELL_SHADERS_FRAME. */
+typedef struct quell_shaders_frame {
+    size_t struct_size;
+    int32_t width, height;           /* in pixels */
+    int32_t number;                  /* of the frame: seed of random numbers */
+    int32_t needs_camera;            /* needs_camera of the plan: 1 where the matrices of cameras are looked at */
+    float shutter, shutter_then;     /* shutter time of this frame and of the previous one, as a part of the time between frames */
+    const quell_camera *camera;      /* null: none, which is without jitter */
+    const quell_camera *camera_then; /* of the previous frame; null: the same, as in a frame without a past */
+} quell_shaders_frame;
+#ifdef __cplusplus
+#define QUELL_SHADERS_FRAME                                                                                                                \
+    quell_shaders_frame { sizeof(quell_shaders_frame), 0, 0, 0, 0, 0.5f, 0.5f, nullptr, nullptr }
+#else
+#define QUELL_SHADERS_FRAME ((quell_shaders_frame){sizeof(quell_shaders_frame), 0, 0, 0, 0, 0.5f, 0.5f, NULL, NULL})
+#endif
+
+/* Bytes of the block of uniforms, which is the same for all presets. */
+QUELL_CALL size_t quell_shaders_block_size(void);
+/* Writes the block of uniforms of a frame, as shaders read it: what a host copies to its buffer. It is a matter of microseconds.
+ * @param bytes how many there are at `block`: quell_shaders_block_size() at least */
+QUELL_CALL quell_status quell_shaders_block(const quell_shaders_frame *frame, void *block, size_t bytes);
 
 #ifdef __cplusplus
 }

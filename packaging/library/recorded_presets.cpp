@@ -2,11 +2,23 @@
 
 #include "preset_units.hpp"
 
+#include <quell/core/error.hpp>
+
+#include <algorithm>
+
 namespace quell::shaders {
 
 std::vector<RecordedPreset> recorded_presets() {
     return []<std::size_t... unit>(std::index_sequence<unit...>) { return quell_library::in_order(std::array{presets_of_unit<unit>()...}); }
     (std::make_index_sequence<QUELL_RECORDED_UNITS>{});
+}
+
+ShaderPlan recorded_preset_named(std::string_view name, RecordOptions const& options) {
+    auto const all = recorded_presets();
+    auto const found = std::ranges::find(all, name, &RecordedPreset::name);
+    if (found == all.end())
+        raise_error("preset " + std::string(name), "there is none, or it is not compiled in", "take one of quell-shaders --list");
+    return found->record(options);
 }
 
 } // namespace quell::shaders

@@ -8,6 +8,9 @@
 #include <quell/core/error.hpp>
 #include <quell/shader/write_plan.hpp>
 
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -28,6 +31,7 @@ struct Language {
     char const *name, *extension;
     quell::ShaderLanguage language;
 };
+constexpr int most_fill_holes = 16; // which is more than any image has
 constexpr std::array<Language, 2> languages{{{"wgsl", "wgsl", quell::ShaderLanguage::wgsl}, {"glsl", "comp", quell::ShaderLanguage::glsl}}};
 
 std::vector<RecordedPreset> const& presets() {
@@ -43,7 +47,7 @@ auto find(auto const& all, std::string_view name) {
     return std::find_if(all.begin(), all.end(), [&](auto const& each) { return each.name == name; });
 }
 
-quell_status create(std::string const& preset, std::string const& language, quell_shaders** shaders) {
+quell_status create(std::string const& preset, std::string const& language, quell_shaders_options const& options, quell_shaders** shaders) {
     auto const found = find(presets(), preset);
     if (found == presets().end())
         return fail(QUELL_UNKNOWN_PRESET, "preset: there is no '" + preset + "' that can be written; give one of: " + names(presets()));
@@ -55,8 +59,57 @@ quell_status create(std::string const& preset, std::string const& language, quel
                         "language: '" + language + "' is made from glsl by other programs; the program quell-shaders runs them");
         return fail(QUELL_INVALID_ARGUMENT, "language: '" + language + "'; give one of: " + names(languages));
     }
-    auto const plan = found->record();
+    if (options.fill_holes < 0 || options.fill_holes > most_fill_holes)
+        return fail(QUELL_INVALID_ARGUMENT, "options.fill_holes: " + std::to_string(options.fill_holes) + "; give 0 to " +
+                                                std::to_string(most_fill_holes) + " passes");
+    if (options.most_slots < 0)
+        return fail(QUELL_INVALID_ARGUMENT,
+                    "options.most_slots: " + std::to_string(options.most_slots) + "; give 1 or more, or 0 for no limit");
+    auto const plan = found->record({.repair_guides = options.repair_guides != 0,
+                                     .fill_holes = options.fill_holes,
+                                     .counts = options.counts != 0,
+                                     .most_slots = options.most_slots});
     *shaders = new quell_shaders{quell::shader_files(plan, in->language, in->extension), quell::to_json(plan, in->extension)};
+    return QUELL_OK;
+}
+quell::Camera camera_of(quell_camera const& given) {
+    return {glm::make_mat4(given.view), glm::make_mat4(given.projection), glm::make_vec2(given.jitter)};
+}
+/// A sentence where rays of pixels can't be had of a camera.
+std::string check_camera(std::string const& name, quell::Camera const& camera) {
+    std::pair<char const*, glm::mat4 const&> const matrices[] = {{"view", camera.view}, {"projection", camera.projection}};
+    for (auto const& [what, matrix] : matrices)
+        if (auto const volume = glm::determinant(matrix); !quell::is_finite(volume) || volume == 0.f)
+            return name + "." + what + ": a singular or non-finite matrix; give the host's";
+    auto const& p = camera.projection;
+    return p[0][3] == 0.f && p[1][3] == 0.f && p[2][3] == 0.f
+               ? name + ".projection: a matrix without perspective; give the host's, orthographic ones are not supported"
+               : std::string();
+}
+quell_status write_block(quell_shaders_frame const& frame, void* block, std::size_t bytes) {
+    quell::FrameBlock own{.size = {frame.width, frame.height},
+                          .frame_index = frame.number,
+                          .shutter = frame.shutter,
+                          .shutter_then = frame.shutter_then,
+                          .needs_camera = frame.needs_camera != 0};
+    auto const wrong = [](std::string const& sentence) { return fail(QUELL_INVALID_ARGUMENT, sentence); };
+    if (frame.width < 1 || frame.height < 1)
+        return wrong("frame.width, frame.height: " + quell::to_string(own.size) + "; give the frame's size in pixels");
+    for (auto const& [what, shutter] : {std::pair{"shutter", frame.shutter}, {"shutter_then", frame.shutter_then}})
+        if (!quell::is_finite(shutter) || shutter < 0.f)
+            return wrong(std::string("frame.") + what + ": " + std::to_string(shutter) +
+                         "; give a part of the time between frames, 0 or more");
+    if (own.needs_camera && frame.camera == nullptr) return wrong("frame.camera: null; the preset needs the camera, as its plan says");
+    if (frame.camera != nullptr) own.camera = camera_of(*frame.camera);
+    own.camera_then = frame.camera_then != nullptr ? camera_of(*frame.camera_then) : own.camera;
+    if (own.needs_camera)
+        for (auto const& [what, camera] : {std::pair{"frame.camera", own.camera}, {"frame.camera_then", own.camera_then}})
+            if (auto const sentence = check_camera(what, camera); !sentence.empty()) return wrong(sentence);
+    auto const words = own.as_words();
+    if (block == nullptr || bytes < sizeof(words))
+        return wrong("block: " + std::string(block == nullptr ? "null" : std::to_string(bytes) + " bytes") + "; give it " +
+                     std::to_string(sizeof(words)) + " bytes");
+    std::memcpy(block, words.data(), sizeof(words));
     return QUELL_OK;
 }
 /// A name or text of a file; null beyond the last.
@@ -80,12 +133,20 @@ char const* quell_shaders_language_name(std::int32_t index) {
 }
 
 quell_status quell_shaders_create(char const* preset, char const* language, quell_shaders** shaders) {
+    return quell_shaders_create_with(preset, language, nullptr, shaders);
+}
+quell_status quell_shaders_create_with(char const* preset, char const* language, quell_shaders_options const* options,
+                                       quell_shaders** shaders) {
     return guarded([&] {
         if (shaders == nullptr) return fail(QUELL_INVALID_ARGUMENT, "shaders: null; point it at a pointer");
         *shaders = nullptr;
         for (auto const& [what, text] : {std::pair{"preset", preset}, {"language", language}})
             if (text == nullptr) return fail(QUELL_INVALID_ARGUMENT, std::string(what) + ": null; give its name");
-        return create(preset, language, shaders);
+        auto own = QUELL_SHADERS_OPTIONS;
+        auto const* const given = reinterpret_cast<std::byte const*>(options != nullptr ? options : &own);
+        if (auto const wrong = take_struct(own, given, "options", "QUELL_SHADERS_OPTIONS", sizeof(own), "quell_shaders.h"); !wrong.empty())
+            return fail(QUELL_INVALID_ARGUMENT, wrong);
+        return create(preset, language, own, shaders);
     });
 }
 void quell_shaders_destroy(quell_shaders* shaders) { delete shaders; }
@@ -97,4 +158,16 @@ char const* quell_shaders_text(quell_shaders const* shaders, std::int32_t index)
     return of_file(shaders, index, &quell::ShaderFile::text);
 }
 char const* quell_shaders_plan(quell_shaders const* shaders) { return shaders != nullptr ? shaders->plan.c_str() : ""; }
+
+std::size_t quell_shaders_block_size() { return std::size_t{4} * quell::FrameBlock::words; }
+quell_status quell_shaders_block(quell_shaders_frame const* frame, void* block, std::size_t bytes) {
+    return guarded([&] {
+        if (frame == nullptr) return fail(QUELL_INVALID_ARGUMENT, "frame: null; start from QUELL_SHADERS_FRAME");
+        auto own = QUELL_SHADERS_FRAME;
+        auto const* const given = reinterpret_cast<std::byte const*>(frame);
+        if (auto const wrong = take_struct(own, given, "frame", "QUELL_SHADERS_FRAME", sizeof(own), "quell_shaders.h"); !wrong.empty())
+            return fail(QUELL_INVALID_ARGUMENT, wrong);
+        return write_block(own, block, bytes);
+    });
+}
 }

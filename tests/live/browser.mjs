@@ -30,6 +30,7 @@ const look = (from = 0, to = 1) => {
 /// What the browser has complained about, but for WebGPU that it does not have.
 const problems = page => page.problems.filter(problem => problem !== "No available adapters.");
 
+let loading = 0; // milliseconds until the first frame was there
 await with_pages(async open => {
     const frames = (page, count) => page.evaluate(() => live.frames).then(now => page.until(end => live.frames >= end, now + count));
     const page = await open("index.html", {width: 1280});
@@ -37,6 +38,7 @@ await with_pages(async open => {
     await page.choose("#size", "160x90");
     await frames(page, 3);
     assert.ok(!await page.is_visible("#message"));
+    loading = Math.round(await page.evaluate(() => live.milliseconds_to_first));
     const first = await page.evaluate(look);
     assert.ok(first.colours > 500 && first.mean > 20 && first.mean < 235, JSON.stringify(first));
 
@@ -111,6 +113,18 @@ await with_pages(async open => {
         await page.save(`${scene}_${preset}`);
     }
     assert.match(await page.text("#trace"), /^[\d.]+ ms$/);
+
+    // Anti-aliasing is one pass more, and its pictures are not those without it.
+    const passes = await page.count("#passes tr");
+    await page.click("#smooth");
+    await frames(page, 3);
+    await page.until(before => document.querySelectorAll("#passes tr").length > before, passes);
+    assert.ok(await page.evaluate(() => [0, 1].some(which => live.program.call.jitter(which) !== 0)));
+    assert.ok((await page.evaluate(look)).colours > 500);
+    await page.save("anti_aliased");
+    await page.click("#smooth");
+    await frames(page, 1);
+    assert.deepEqual(await page.evaluate(() => [0, 1].map(which => live.program.call.jitter(which))), [0, 0]);
     assert.deepEqual(problems(page), []);
 
     // On a telephone nothing runs out of the page, in the light and in the dark; two fingers move the camera.
@@ -132,14 +146,14 @@ await with_pages(async open => {
 });
 
 /// The greatest difference of both ways to denoise the same frames, of 255, and how many numbers differ.
-async function gpu_against_cpu() {
+async function gpu_against_cpu(is_smooth) {
     const {program, program: {call}, gpu, choice} = live, width = 80, height = 45;
     choice.hold(true);
     const shown = async on_gpu => {
         program.resize(width, height);
         gpu.resize(width, height);
         for (let i = 0; i < 6; ++i) {
-            call.advance(0, on_gpu ? traced_only : 0, 1, i / 15, .5, .1 + .01 * i, .1, 3);
+            call.advance(0, on_gpu ? traced_only : 0, 1, i / 15, .5, .1 + .01 * i, .1, 3, is_smooth);
             if (on_gpu) await live.run_gpu();
         }
         return new Uint8Array(call.memory.buffer, call.picture(denoised, 1, 0, width), 4 * width * height).slice();
@@ -150,7 +164,7 @@ async function gpu_against_cpu() {
 }
 
 // WebGPU, by Chromium's own device without a GPU.
-let words = "the live page works in Chromium";
+let words = `the live page works in Chromium, and shows a frame ${loading} ms after it was opened`;
 const switches = ["--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan", "--enable-unsafe-webgpu"];
 await with_pages(async open => {
     const page = await open("index.html", {width: 1280});
@@ -169,8 +183,12 @@ await with_pages(async open => {
         wait();
     }));
     assert.ok((await page.evaluate(look)).colours > 500);
-    const off = await page.evaluate(gpu_against_cpu);
-    assert.ok(off.most <= 2, JSON.stringify(off));
+    for (const is_smooth of [false, true]) {
+        const off = await page.evaluate(gpu_against_cpu, is_smooth);
+        assert.ok(off.most <= 2, JSON.stringify({is_smooth, ...off}));
+    }
+    const times = await page.evaluate(() => live.gpu.clock && live.gpu.times);
+    if (times) assert.ok(times.some(({name, ms}) => name === "temporal" && ms > 0), JSON.stringify(times));
     assert.deepEqual(page.problems, []);
     words += ", and by WebGPU";
 }, switches);

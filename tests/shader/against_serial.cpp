@@ -9,11 +9,13 @@ template <> inline constexpr bool quell::detail::keeps_sums<float> = true;
 #include <quell/presets/blur.hpp>
 #include <quell/shader/interpreter.hpp>
 #include <quell/shader/record.hpp>
+#include <quell/shader/write_plan.hpp>
 
 #include <doctest/doctest.h>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
 
+#include <algorithm>
 #include <random>
 
 namespace {
@@ -48,7 +50,38 @@ template <class F> void fill(F& frame, unsigned number) {
         tests::fill(frame[sweep], [&](int x, int y) { return sweep_at(x + 3 * static_cast<int>(number), y); });
     frame.camera = camera_of(number, frame.size);
 }
-/// How many values of three frames differ in a bit between a recorded plan and Serial.
+/// How many values of a frame differ in a bit between a recorded plan and Serial.
+template <class P, class F, class H>
+int differing_in_frame(P const& pipeline, ShaderPlan const& plan, F const& frame, H& history, PlanInterpreter& interpreter,
+                       unsigned number) {
+    auto const size = frame.size;
+    int slot = 0, count = 0;
+    for_each_channel(typename F::channels{}, [&]<class C>(C c) {
+        auto const& image = frame[c];
+        for (int k = 0; k < C::components; ++k) {
+            auto const plane = interpreter.plane(ShaderBuffer::inputs, slot++);
+            for (int y = 0; y < image.size().height; ++y)
+                for (int x = 0; x < image.size().width; ++x)
+                    plane[static_cast<std::size_t>(y * image.size().width + x)] = image.get(k, x, y);
+        }
+    });
+    auto const clean = run(pipeline, frame, history, Serial{});
+    interpreter.run({.size = size,
+                     .frame_index = static_cast<std::int32_t>(number),
+                     .camera = frame.camera,
+                     .camera_then = number > 0 ? camera_of(number - 1, size) : frame.camera,
+                     .shutter = frame.shutter,
+                     .shutter_then = frame.shutter,
+                     .needs_camera = plan.needs_camera});
+    for (int c = 0; c < clean.components; ++c)
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                float const recorded = interpreter.plane(ShaderBuffer::output, c)[static_cast<std::size_t>(y * size.width + x)];
+                count += std::bit_cast<std::uint32_t>(recorded) != std::bit_cast<std::uint32_t>(clean.get(c, x, y));
+            }
+    return count;
+}
+/// The same of three frames.
 template <class P> int differing(P const& pipeline, ShaderPlan const& plan, Extent size) {
     Frame frame{size, pipeline};
     History history{size, pipeline};
@@ -56,30 +89,7 @@ template <class P> int differing(P const& pipeline, ShaderPlan const& plan, Exte
     int count = 0;
     for (unsigned number = 0; number < 3; ++number) {
         fill(frame, number);
-        int slot = 0;
-        for_each_channel(typename decltype(frame)::channels{}, [&]<class C>(C c) {
-            auto const& image = frame[c];
-            for (int k = 0; k < C::components; ++k) {
-                auto const plane = interpreter.plane(ShaderBuffer::inputs, slot++);
-                for (int y = 0; y < image.size().height; ++y)
-                    for (int x = 0; x < image.size().width; ++x)
-                        plane[static_cast<std::size_t>(y * image.size().width + x)] = image.get(k, x, y);
-            }
-        });
-        auto const clean = run(pipeline, frame, history, Serial{});
-        interpreter.run({.size = size,
-                         .frame_index = static_cast<std::int32_t>(number),
-                         .camera = frame.camera,
-                         .camera_then = number > 0 ? camera_of(number - 1, size) : frame.camera,
-                         .shutter = frame.shutter,
-                         .shutter_then = frame.shutter,
-                         .needs_camera = plan.needs_camera});
-        for (int c = 0; c < clean.components; ++c)
-            for (int y = 0; y < size.height; ++y)
-                for (int x = 0; x < size.width; ++x) {
-                    float const recorded = interpreter.plane(ShaderBuffer::output, c)[static_cast<std::size_t>(y * size.width + x)];
-                    count += std::bit_cast<std::uint32_t>(recorded) != std::bit_cast<std::uint32_t>(clean.get(c, x, y));
-                }
+        count += differing_in_frame(pipeline, plan, frame, history, interpreter, number);
     }
     return count;
 }
@@ -91,12 +101,66 @@ template <class P> void check_sizes(P const& pipeline) {
     }
 }
 
+/// Impossible guides, and a hole of nine by nine pixels.
+template <class F> void break_frame(F& frame, unsigned number) {
+    fill(frame, number);
+    auto const [width, height] = frame.size;
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            if (x < 9 && y < 9) frame[radiance].set(x, y, glm::vec3(nan));
+            if ((x + 3 * y) % 17 == 0) frame[albedo].set(x, y, glm::vec3(x % 2 == 0 ? infinity : 3.f, 0.5f, 0.5f));
+            if ((x + 5 * y) % 19 == 0) frame[normal].set(x, y, glm::vec3(1, x % 3 == 0 ? nan : 2.f, 0));
+            if ((x + 7 * y) % 23 == 0) frame[depth].set(x, y, x % 2 == 0 ? -1.f : nan);
+            if ((2 * x + y) % 29 == 0) frame[motion].set(x, y, glm::vec2(nan, 0));
+        }
+}
+/// The host's sum of a count over all squares.
+double total(ShaderPlan const& plan, PlanInterpreter& interpreter, Extent size, std::string_view what) {
+    auto const count = std::ranges::find(plan.counts, what, &ShaderCount::what);
+    REQUIRE(count != plan.counts.end());
+    return plan.total(*count, size, interpreter.plane(ShaderBuffer::output, count->slot));
+}
+
 } // namespace
 
 TEST_CASE("a recorded preset has the bits of Serial: general") { check_sizes(presets::general(radiance, Demodulate{})); }
+TEST_CASE("a pass of general binds at most 8 buffers of the 4 slots that 128 MiB have at 3840x2160") {
+    auto const plan = record(presets::general(radiance, Demodulate{}), "general", {.most_slots = 4});
+    for (auto const& pass : plan.passes) {
+        CAPTURE(pass.graph.name);
+        CHECK(detail::buffers_of(plan, pass).size() <= 8);
+    }
+    for (auto const& buffer : plan.bound_buffers()) CHECK(buffer.slots <= 4);
+}
 TEST_CASE("a recorded preset has the bits of Serial: shadow, which looks at the camera") { check_sizes(presets::shadow()); }
 TEST_CASE("a recorded preset has the bits of Serial: blur, whose loops are as long as a pixel wants") {
     check_sizes(presets::blur(radiance));
 }
 TEST_CASE("recorded passes of half the size have the bits of Serial") { check_sizes(tests::two_sizes); }
 TEST_CASE("what only a frame without a past looks at is still there") { check_sizes(tests::early_at_first); }
+
+TEST_CASE("recorded passes that repair guides, fill holes and count do what run() does") {
+    constexpr Pipeline pipeline{
+        radiance, Demodulate{}, SuppressFireflies{}, tests::accumulate, Spatial{tests::MakeSmaller{}}, Spatial{tests::UseSmaller{}}};
+    auto const plan = record(pipeline, "checked", {.repair_guides = true, .fill_holes = 3, .counts = true});
+    for (Extent const size : {Extent{12, 11}, Extent{70, 9}, Extent{9, 70}}) {
+        CAPTURE(to_string(size));
+        Frame frame{size, pipeline};
+        History history{size, pipeline};
+        PlanInterpreter interpreter(plan, size);
+        for (unsigned number = 0; number < 3; ++number) {
+            break_frame(frame, number);
+            CHECK(differing_in_frame(pipeline, plan, frame, history, interpreter, number) == 0);
+            auto const& statistics = history.statistics();
+            CHECK(total(plan, interpreter, size, "missing samples") == static_cast<double>(statistics.missing_samples));
+            CHECK(total(plan, interpreter, size, "impossible guides") == static_cast<double>(statistics.repaired_guides.pixels));
+            for_each_channel(Channels<Albedo, Normal, Depth, Motion>{}, [&]<class C>(C c) {
+                CHECK(total(plan, interpreter, size, "impossible " + std::string(C::name)) ==
+                      static_cast<double>(statistics.repaired_guides.of(c)));
+            });
+            CHECK(total(plan, interpreter, size, "suppressed light") == doctest::Approx(statistics.suppressed).epsilon(1e-5));
+            CHECK(statistics.suppressed > 0.);
+        }
+    }
+}

@@ -170,6 +170,20 @@ TEST_CASE("a plan: what a shader must know of planes and passes") {
     CHECK(to_string(plan.passes[1].graph).find("history_then") != std::string::npos);
 }
 
+TEST_CASE("a plan: buffers in parts, of which a shader has those that it uses") {
+    auto const plan = record(tests::two_sizes, "two sizes", {.most_slots = 4});
+    auto const has = [](std::string const& text, char const* what) { return text.find(what) != std::string::npos; };
+    auto const json = to_json(plan, "wgsl");
+    CHECK(has(json, R"("name": "inputs_3", "binding": 3, "access": "read", "slots": 1})"));
+    CHECK(has(json, R"("name": "history_then_2", "binding": 5, "access": "read", "slots": 2, "becomes": "history_now_2"})"));
+    CHECK(has(json, R"("component": 0, "fraction": 1, "buffer": "inputs_2", "slot": 1})"));
+    CHECK(has(json, R"("shader": "00-ingest.wgsl", "fraction": 1, "reads": ["inputs"], "writes": ["scratch"])"));
+    auto const wgsl = shader_text(plan, 2, false, ShaderLanguage::wgsl); // makes `smaller` of the signal
+    CHECK_FALSE(has(wgsl, "inputs"));
+    CHECK(has(shader_text(plan, 1, false, ShaderLanguage::wgsl), "@binding(5) var<storage, read> history_then_2: array<u32>;"));
+    CHECK(has(shader_text(plan, 1, false, ShaderLanguage::glsl), "binding = 5) readonly buffer Buffer5 { uint history_then_2[]; };"));
+}
+
 TEST_CASE("a shader keeps words that are no numbers as integers") {
     auto const plan = record(tests::two_sizes, "two sizes");
     auto const of_language = [&](ShaderLanguage language) { return shader_text(plan, 1, false, language); };

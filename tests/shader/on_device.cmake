@@ -23,4 +23,6 @@ if(NOT folders)
     message("skipped: quell-shaders is compiled without these presets (QUELL_PRESETS)")
     return()
 endif()
+# lavapipe compiles a quarter faster without LLVM's optimisations, and these pictures are small.
+set(ENV{GALLIVM_PERF} nopt)
 run_on_device(${PROGRAM} ${folders})

@@ -104,11 +104,12 @@ struct Tracing {
     int samples = 1;    ///< per pixel
     int surfaces = 3;   ///< that a path may meet
     uint32_t frame = 0; ///< chooses the random numbers
+    ScreenPoint jitter; ///< offset of all samples from the pixels' middles, pixels
 };
 
-/// One pixel: its guides, and the mean of its samples. All go through the pixel's middle.
+/// One pixel: its guides, and the mean of its samples. All go through one place of the pixel.
 QUELL_LIVE PixelValue trace_pixel(Scene const& scene, Cameras const& cameras, Tracing const& tracing, int x, int y) {
-    ScreenPoint const at{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
+    ScreenPoint const at{static_cast<float>(x) + 0.5f + tracing.jitter.x, static_cast<float>(y) + 0.5f + tracing.jitter.y};
     Ray const ray{cameras.now.eye, cameras.now.direction(at)};
     auto const hit = nearest(scene, ray);
     PixelValue value{.albedo = {1, 1, 1}, .motion = motion_of(scene, cameras, hit, ray.direction, at)};

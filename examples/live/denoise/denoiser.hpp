@@ -56,5 +56,7 @@ using MakeDenoiser = std::unique_ptr<Denoiser> (*)(Extent);
 std::unique_ptr<Denoiser> make_general(Extent size);
 std::unique_ptr<Denoiser> make_svgf(Extent size);
 std::unique_ptr<Denoiser> make_surface_clamp(Extent size);
+/// Not a preset: takes what one has made, with depth and motion, and smooths its edges.
+std::unique_ptr<Denoiser> make_anti_aliasing(Extent size);
 
 } // namespace quell::live

@@ -79,6 +79,7 @@ class Choice {
         this.samples = number("samples");
         this.light = number("light") / 100;
         this.motion = number("motion") / 10;
+        this.is_smooth = by_id("smooth").checked;
         this.view = document.querySelector("[name=view]:checked").value;
         // One border pushes the other.
         if (id === "a") by_id("b").value = Math.max(number("b"), number("a"));
@@ -88,7 +89,7 @@ class Choice {
         by_id("light-value").value = `${number("light")} %`;
         by_id("motion-value").value = this.motion.toFixed(1);
         by_id("borders").hidden = this.view !== "split";
-        if (["scene", "preset", "samples", "light", "motion", "size"].includes(id)) this.hold(false);
+        if (["scene", "preset", "samples", "light", "motion", "smooth", "size"].includes(id)) this.hold(false);
         this.changed(id);
     }
 
@@ -238,9 +239,9 @@ class Live {
         if (what === "scene" || what === "home") this.set_camera();
         if (what === "home") this.choice.hold(false);
         if (what === "hold" && this.choice.held) this.program.call.clear_reference();
-        if (what === "preset") this.passes.clear();
+        if (what === "preset" || what === "smooth") this.passes.clear();
         if (what === "preset" || what === "scene") this.gpu?.forget();
-        if (["size", "samples", "preset", "scene"].includes(what)) for (const mean of Object.values(this.means)) mean.clear();
+        if (["size", "samples", "preset", "smooth", "scene"].includes(what)) for (const mean of Object.values(this.means)) mean.clear();
         if (this.choice.held && this.program.call.reference_samples() > 0) this.draw();
     }
 
@@ -254,6 +255,7 @@ class Live {
 
     show(now) {
         this.draw();
+        this.milliseconds_to_first ??= performance.now();
         if (now - this.last_numbers < 250) return;
         this.last_numbers = now;
         this.write_numbers();
@@ -266,7 +268,7 @@ class Live {
             call.take_channel(channels.indexOf(input.channel), input.component);
             gpu.set_input(input, program.planes(program.width * program.height));
         }
-        const picture = await gpu.run().catch(error => {
+        const picture = await gpu.run(gpu.block([0, 1, 2, 3].map(call.jitter))).catch(error => {
             if (buffers === gpu.buffers) throw error;
         });
         if (buffers !== gpu.buffers) return false;
@@ -282,15 +284,16 @@ class Live {
         this.is_waiting = false;
         if (!is_done) return;
         this.means.denoise.add(performance.now() - start);
+        this.note_passes(this.gpu.times);
         this.show(now);
     }
 
     advance(now) {
-        const {scene, preset, samples, light, motion, camera} = this.choice;
+        const {scene, preset, samples, light, motion, camera, is_smooth} = this.choice;
         const passed = (now - this.last_frame) / 1000;
         this.last_frame = now;
         this.time += Math.min(.1, passed) * motion;
-        this.program.call.advance(scene, preset, samples, this.time, light, camera.yaw, camera.pitch, camera.distance);
+        this.program.call.advance(scene, preset, samples, this.time, light, camera.yaw, camera.pitch, camera.distance, is_smooth);
         ++this.frames;
         if (passed < 1) this.means.rate.add(passed);
         this.means.trace.add(this.program.call.trace_milliseconds());
@@ -299,7 +302,11 @@ class Live {
             return;
         }
         this.means.denoise.add(this.program.call.denoise_milliseconds());
-        for (const {name, ms} of this.program.passes()) {
+        this.note_passes(this.program.passes());
+    }
+
+    note_passes(times) {
+        for (const {name, ms} of times) {
             if (!this.passes.has(name)) this.passes.set(name, new Mean());
             this.passes.get(name).add(ms);
         }

@@ -2,9 +2,12 @@
 
 #include <quell/pipeline/composite.hpp>
 #include <quell/pipeline/run.hpp>
-#include <quell/shader/recorded_taps.hpp>
+#include <quell/shader/record_options.hpp>
+#include <quell/shader/recorded_counts.hpp>
+#include <quell/shader/shader_plan.hpp>
 
 #include <algorithm>
+#include <list>
 #include <memory>
 
 /// @file
@@ -16,14 +19,22 @@ namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 struct RecordedPass {
     PassGraph graph;
     std::vector<void const*> memory;
+    bool takes_given_guides = false; ///< else repaired ones, where they are repaired
 };
 
 /// Records passes by running each once for one pixel that may be any.
 class PassRecorder {
     std::unordered_map<void const*, KnownPlane> known;
     std::vector<RecordedPass> passes;
+    RecordOptions options;
+    int holes_to_fill = 0;      ///< passes of FillHoles that are to come
+    std::list<char> own_planes; ///< their addresses stand for memory of the recorder's own
+    std::vector<void const*> squares;
+    std::vector<ShaderCount> counted;
 
 public:
+    explicit PassRecorder(RecordOptions const& o) : options(o) {}
+
     /// A plane that the host fills, or a pass.
     template <class View> void note(View const& view, std::string_view channel, int fraction) {
         for (int c = 0; c < View::components; ++c)
@@ -31,30 +42,63 @@ public:
     }
     /// Passes since the last call.
     [[nodiscard]] std::vector<RecordedPass> take() { return std::exchange(passes, {}); }
+    /// Since the last call: what is counted, and the memory of the planes in which it is, by the slots of `counted`, from 0.
+    [[nodiscard]] std::pair<std::vector<ShaderCount>, std::vector<void const*>> take_counts() {
+        return {std::exchange(counted, {}), std::exchange(squares, {})};
+    }
 
     template <class Job> void record(Job const& job) {
         if constexpr (
             requires { job.finish; } || requires { job.output; })
             record_pass(job);
         // Others repair what a frame of numbers has: there is none here.
+        if constexpr (requires { requires IsCounted<decltype(Job::pass)>; }) {
+            holes_to_fill = options.fill_holes;
+            if (options.counts) count<CountsOfSamples<decltype(Job::pass)>>(job), count<CountsOfLight<decltype(Job::pass)>>(job);
+        }
+        // So run() goes on with FillHoles as long as is wanted.
+        if constexpr (requires { job.counts; })
+            if (job.counts) job.counts->holes = holes_to_fill-- > 0;
     }
-
-private:
-    void record_pass(auto const& job) {
-        note_stores(job);
+    /// Records a pass.
+    /// @param steps does what a pixel of it does, column and row given
+    void record_steps(std::string name, int fraction, auto const& steps) {
         PassRecording recording(known);
         graph_builder = &recording.builder, pass_recording = &recording;
         struct Restore {
             ~Restore() { graph_builder = nullptr, pass_recording = nullptr; }
         } const restore;
         recording.rays = rays_at(FrameBlock::rays_word), recording.rays_then = rays_at(FrameBlock::rays_then_word);
-        auto const x = recorded_leaf<RecordedInteger>(Operation::this_column, 0),
-                   y = recorded_leaf<RecordedInteger>(Operation::this_row, 0);
-        if constexpr (requires { job.finish; })
-            job.template at_pixels<Recorded, 1>(x, y, 1);
-        else
-            job(at_once<Recorded>, x, y, 1);
-        keep(recording, std::string(job.name), fraction_of_job(job));
+        steps(recorded_leaf<RecordedInteger>(Operation::this_column, 0), recorded_leaf<RecordedInteger>(Operation::this_row, 0));
+        keep(recording, std::move(name), fraction);
+    }
+
+private:
+    void record_pass(auto const& job) {
+        note_stores(job);
+        record_steps(std::string(job.name), fraction_of_job(job), [&](RecordedInteger x, RecordedInteger y) {
+            if constexpr (requires { job.finish; })
+                job.template at_pixels<Recorded, 1>(x, y, 1);
+            else
+                job(at_once<Recorded>, x, y, 1);
+        });
+    }
+    template <class Counted> void count(auto const& job) {
+        if constexpr (Counted::size > 0) {
+            auto const plane = [&](int fraction) {
+                void const* const address = &own_planes.emplace_back();
+                known[address] = {"counts", 0, fraction};
+                return address;
+            };
+            auto const small = plane(8), large = plane(counted_square);
+            record_steps("counts", 8, [&](auto, auto) { record_counts_of_pixels<Counted>(job, small); });
+            passes.back().takes_given_guides = Counted::takes_given_guides;
+            record_steps("sums of counts", counted_square, [&](auto, auto) { record_sums_of_counts<Counted::size>(small, large); });
+            int block = 0;
+            for (auto& name : Counted::names())
+                counted.push_back({std::move(name), std::string(Counted::signal), static_cast<int>(squares.size()), block++});
+            squares.push_back(large);
+        }
     }
     static RecordedRays rays_at(int word) {
         auto const vector = [&](int at) { return vec3<Recorded>{uniform(at), uniform(at + 1), uniform(at + 2)}; };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/shader/assign_planes.hpp>
+#include <quell/shader/recorded_repair.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
@@ -11,6 +12,8 @@ class PlanMaker {
     ShaderPlan plan;
 
 public:
+    /// @param counts their slots are counted from 0
+    void set_counts(std::vector<ShaderCount> counts) { plan.counts = std::move(counts); }
     template <ChannelTag C, class View> void add_input(View const& view) {
         for (int c = 0; c < View::components; ++c) {
             inputs.push_back(view.planes[c]);
@@ -29,7 +32,9 @@ public:
             add_output(p, later, uses[1], places), add_output(p, first, uses[0], places);
             if (!(first == later)) plan.passes.back().first = std::move(first);
         }
-        for (std::size_t c = 0; c < uses[1].output.size(); ++c) plan.output.push_back({std::string(picture), static_cast<int>(c), 1});
+        auto const planes = static_cast<int>(uses[1].output.size()) - (plan.counts.empty() ? 0 : plan.counts.back().slot + 1);
+        for (int c = 0; c < planes; ++c) plan.output.push_back({std::string(picture), c, 1});
+        for (auto& each : plan.counts) each.slot += planes;
         plan.history_slots = places.history_slots, plan.scratch_slots = places.scratch_slots;
         return std::move(plan);
     }
@@ -67,26 +72,34 @@ private:
 /// compile time.
 /// @param pipeline a Pipeline or Composite
 /// @param name     what the plan is called
+/// @param options  what is added to its passes
 /// @throws Failure where passes differ from frame to frame
-template <class P> ShaderPlan record(P const& pipeline, std::string_view name = "pipeline") {
+template <class P> ShaderPlan record(P const& pipeline, std::string_view name = "pipeline", RecordOptions const& options = {}) {
     constexpr Extent size{48, 32}; // of no matter: shaders get it with the frame
     Frame frame{size, pipeline};
     frame.camera.projection[2][3] = -1.f, frame.camera.projection[3][3] = 0.f, frame.camera.projection[3][2] = -1.f;
     History history{size, pipeline};
-    detail::PassRecorder recorder;
+    detail::PassRecorder recorder(options);
     detail::PlanMaker maker;
     for_each_channel(typename decltype(frame)::channels{}, [&]<class C>(C c) {
         recorder.note(frame[c].view(), C::name, C::fraction);
         maker.add_input<C>(frame[c].view());
     });
+    detail::RecordedRepair const repair(frame, recorder);
+    bool const repairs = options.repair_guides && repair.has_some;
     std::array<detail::RecordedFrame, 3> frames;
     for (auto& each : frames) {
+        if (repairs) repair.record(frame, recorder);
         auto const picture = run(pipeline, frame, history, detail::RecordingExecutor{&recorder});
         each.passes = recorder.take();
+        if (repairs) repair.redirect(each.passes);
         each.output.assign(std::begin(picture.planes), std::end(picture.planes));
+        auto [counts, squares] = recorder.take_counts();
+        each.output.insert(each.output.end(), squares.begin(), squares.end());
+        maker.set_counts(std::move(counts));
     }
     auto plan = maker.make(std::move(frames), P::Output::name);
-    plan.name = name, plan.needs_camera = P::needs_camera;
+    plan.name = name, plan.needs_camera = P::needs_camera, plan.most_slots = options.most_slots;
     return plan;
 }
 

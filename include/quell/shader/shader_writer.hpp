@@ -24,6 +24,7 @@ inline std::string number_text(int a) { return std::to_string(a); }
 
 /// Writes one pass.
 class ShaderWriter {
+    ShaderPlan const& plan;
     PassGraph const& graph;
     bool wgsl;
     std::vector<std::string> text; ///< of each node: its name, or itself where it is short
@@ -31,8 +32,8 @@ class ShaderWriter {
     std::string code{}, indent = "    ";
 
 public:
-    ShaderWriter(PassGraph const& g, ShaderLanguage language)
-        : graph(g), wgsl(language == ShaderLanguage::wgsl), text(g.nodes.size()), is_word(g.nodes.size()) {
+    ShaderWriter(ShaderPlan const& p, PassGraph const& g, ShaderLanguage language)
+        : plan(p), graph(g), wgsl(language == ShaderLanguage::wgsl), text(g.nodes.size()), is_word(g.nodes.size()) {
         auto const of_words = [&](Node const& node) { return holds_words(graph.planes[node.payload].buffer); };
         for (auto const& node : graph.nodes) {
             auto const of = static_cast<std::size_t>(node.of[0]);
@@ -70,10 +71,10 @@ private:
                                            : "vec4<i32>") +
                     ",\n";
         head += "}\n@group(0) @binding(0) var<uniform> frame: Frame;\n";
-        for (std::size_t i = 0; i < shader_buffer_names.size(); ++i)
-            head += "@group(0) @binding(" + number_text(static_cast<int>(i) + 1) + ") var<storage, " + (i < 2 ? "read" : "read_write") +
-                    "> " + std::string(shader_buffer_names[i]) + ": array<" + (holds_words(static_cast<ShaderBuffer>(i)) ? "u32" : "f32") +
-                    ">;\n";
+        for_each_buffer([&](BoundBuffer const& buffer, std::string const& binding) {
+            head += "@group(0) @binding(" + binding + ") var<storage, " + (buffer.is_read_only() ? "read" : "read_write") + "> " +
+                    buffer.name() + ": array<" + (holds_words(buffer.buffer) ? "u32" : "f32") + ">;\n";
+        });
         return head +
                "fn finite(a: f32) -> bool { return (bitcast<i32>(a) & 0x7fffffff) < 0x7f800000; }\n"
                "fn truncated(a: f32) -> i32 { return select(-2147483647 - 1, i32(a), abs(a) < 2147483648.0); }\n"
@@ -90,12 +91,10 @@ private:
         head += "layout(std140, set = 0, binding = 0) uniform Frame {\n";
         for (auto const& each : FrameBlock::members) head += "    " + std::string(each.type) + " " + std::string(each.name) + ";\n";
         head += "} frame;\n";
-        for (std::size_t i = 0; i < shader_buffer_names.size(); ++i) {
-            auto const number = number_text(static_cast<int>(i) + 1);
-            head += "layout(std430, set = 0, binding = " + number + ") " + (i < 2 ? "readonly " : "") + "buffer Buffer" + number +
-                    (holds_words(static_cast<ShaderBuffer>(i)) ? " { uint " : " { float ") + std::string(shader_buffer_names[i]) +
-                    "[]; };\n";
-        }
+        for_each_buffer([&](BoundBuffer const& buffer, std::string const& binding) {
+            head += "layout(std430, set = 0, binding = " + binding + ") " + (buffer.is_read_only() ? "readonly " : "") + "buffer Buffer" +
+                    binding + (holds_words(buffer.buffer) ? " { uint " : " { float ") + buffer.name() + "[]; };\n";
+        });
         return head + "bool finite(float a) { return (floatBitsToInt(a) & 0x7fffffff) < 0x7f800000; }\n"
                       "int truncated(float a) { return abs(a) < 2147483648.0 ? int(a) : -2147483647 - 1; }\n"
                       "float rounded_to_half(float a) { return unpackHalf2x16(packHalf2x16(vec2(clamp(a, -65504.0, 65504.0), 0.0))).x; }\n"
@@ -103,9 +102,22 @@ private:
                       "void main() {\n";
     }
 
+    /// Calls visit(buffer, its binding) for the buffers of the plan. Where they are in parts, for those alone that the pass uses: devices
+    /// bind few at once.
+    void for_each_buffer(auto const& visit) const {
+        int binding = 1;
+        for (auto const& buffer : plan.bound_buffers()) {
+            if (plan.most_slots == 0 || std::ranges::any_of(graph.planes, [&](GraphPlane const& plane) {
+                    return plan.slot(plane.buffer, plane.slot).buffer.is(buffer);
+                }))
+                visit(buffer, number_text(binding));
+            ++binding;
+        }
+    }
     [[nodiscard]] std::string element(Node const& node, std::string const& place) const {
         auto const& plane = graph.planes[node.payload];
-        return std::string(name_of(plane.buffer)) + "[" + number_text(plane.slot) + " * pixels + " + place + "]";
+        auto const slot = plan.slot(plane.buffer, plane.slot);
+        return slot.buffer.name() + "[" + number_text(slot.number) + " * pixels + " + place + "]";
     }
     /// What is stored of a value: its bits where the buffer is one of words.
     [[nodiscard]] std::string stored(Node const& node) const {

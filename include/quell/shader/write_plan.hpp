@@ -26,34 +26,56 @@ inline std::string joined(auto const& list, std::string_view between, auto const
     for (auto const& member : list) (all += all.empty() ? "" : between) += each(member);
     return all;
 }
-inline std::string host_planes(std::vector<HostPlane> const& planes) {
+inline std::string slot_text(ShaderPlan const& plan, ShaderBuffer buffer, int number) {
+    auto const slot = plan.slot(buffer, number);
+    return "\"buffer\": " + in_quotes(slot.buffer.name()) + ", \"slot\": " + std::to_string(slot.number);
+}
+inline std::string host_planes(ShaderPlan const& plan, ShaderBuffer buffer, std::vector<HostPlane> const& planes) {
     int slot = 0;
     return joined(planes, ",\n    ", [&](HostPlane const& plane) {
         return "{\"channel\": " + in_quotes(plane.channel) + ", \"component\": " + std::to_string(plane.component) +
-               ", \"fraction\": " + std::to_string(plane.fraction) + ", \"slot\": " + std::to_string(slot++) + "}";
+               ", \"fraction\": " + std::to_string(plane.fraction) + ", " + slot_text(plan, buffer, slot++) + "}";
     });
 }
-/// Names of the buffers that a pass loads from, or stores to.
-inline std::string buffers_of(PassGraph const& graph, Operation operation) {
-    std::array<bool, shader_buffer_names.size()> used{};
-    for (auto const& node : graph.nodes)
-        if (node.operation == operation) used[static_cast<std::size_t>(graph.planes[node.payload].buffer)] = true;
-    std::vector<std::string_view> names;
-    for (std::size_t i = 0; i < used.size(); ++i)
-        if (used[i]) names.push_back(shader_buffer_names[i]);
-    return "[" + joined(names, ", ", in_quotes) + "]";
+inline std::string counts_text(ShaderPlan const& plan) {
+    if (plan.counts.empty()) return {};
+    auto const count = [&](ShaderCount const& each) {
+        return "{\"what\": " + in_quotes(each.what) + ", \"signal\": " + in_quotes(each.signal) +
+               ", \"fraction\": " + std::to_string(counted_square) + ", " + slot_text(plan, ShaderBuffer::output, each.slot) +
+               ", \"block\": " + std::to_string(each.block) + "}";
+    };
+    return "  \"counts\": [\n    " + joined(plan.counts, ",\n    ", count) + "],\n";
+}
+/// The buffers that a pass uses, in the first frame or later.
+/// @param operation load or store; any for both
+inline std::vector<BoundBuffer> buffers_of(ShaderPlan const& plan, ShaderPass const& pass, std::optional<Operation> operation = {}) {
+    auto const uses = [&](PassGraph const& graph, BoundBuffer const& buffer) {
+        return std::ranges::any_of(graph.nodes, [&](Node const& node) {
+            if (node.operation != Operation::load && node.operation != Operation::store) return false;
+            auto const& plane = graph.planes[node.payload];
+            return (!operation || node.operation == *operation) && plan.slot(plane.buffer, plane.slot).buffer.is(buffer);
+        });
+    };
+    std::vector<BoundBuffer> used;
+    for (auto const& buffer : plan.bound_buffers())
+        if (uses(pass.graph, buffer) || (pass.first && uses(*pass.first, buffer))) used.push_back(buffer);
+    return used;
+}
+inline std::string buffer_names(std::vector<BoundBuffer> const& buffers) {
+    return "[" + joined(buffers, ", ", [](BoundBuffer const& buffer) { return in_quotes(buffer.name()); }) + "]";
 }
 /// The binding of a block or buffer, and in HLSL also the register, in which constants, what is read and what is written count apart.
 inline std::string binding_text(std::size_t binding, char kind, std::string_view extension) {
     auto const number = std::to_string(binding);
     return "\"binding\": " + number + (extension == "hlsl" ? ", \"register\": " + in_quotes(kind + number) : "");
 }
-inline std::string buffer_text(ShaderPlan const& plan, std::size_t number, std::string_view extension) {
-    auto const buffer = static_cast<ShaderBuffer>(number);
-    bool const then = buffer == ShaderBuffer::history_then, now = buffer == ShaderBuffer::history_now;
-    return "{\"name\": " + in_quotes(name_of(buffer)) + ", " + binding_text(number + 1, number < 2 ? 't' : 'u', extension) +
-           ", \"access\": " + in_quotes(number < 2 ? "read" : "read_write") + ", \"slots\": " + std::to_string(plan.slot_count(buffer)) +
-           (then || now ? ", \"becomes\": " + in_quotes(name_of(then ? ShaderBuffer::history_now : ShaderBuffer::history_then)) : "") + "}";
+inline std::string buffer_text(BoundBuffer const& buffer, std::size_t binding, std::string_view extension) {
+    bool const then = buffer.buffer == ShaderBuffer::history_then, now = buffer.buffer == ShaderBuffer::history_now;
+    auto other = buffer;
+    other.buffer = then ? ShaderBuffer::history_now : ShaderBuffer::history_then;
+    return "{\"name\": " + in_quotes(buffer.name()) + ", " + binding_text(binding, buffer.is_read_only() ? 't' : 'u', extension) +
+           ", \"access\": " + in_quotes(buffer.is_read_only() ? "read" : "read_write") + ", \"slots\": " + std::to_string(buffer.slots) +
+           (then || now ? ", \"becomes\": " + in_quotes(other.name()) : "") + "}";
 }
 } // namespace detail
 
@@ -66,14 +88,17 @@ inline std::string to_json(ShaderPlan const& plan, std::string_view extension) {
         return "{\"name\": " + in_quotes(member.name) + ", \"type\": " + in_quotes(member.type) +
                ", \"offset\": " + std::to_string(4 * member.word) + ", \"meaning\": " + in_quotes(member.meaning) + "}";
     });
-    std::size_t buffer = 0, number = 0;
-    auto const buffers = joined(shader_buffer_names, ",\n    ", [&](std::string_view) { return buffer_text(plan, buffer++, extension); });
+    std::size_t binding = 1, number = 0, most = 0;
+    auto const buffers =
+        joined(plan.bound_buffers(), ",\n    ", [&](BoundBuffer const& buffer) { return buffer_text(buffer, binding++, extension); });
+    for (auto const& pass : plan.passes) most = std::max(most, buffers_of(plan, pass).size());
     auto const passes = joined(plan.passes, ",\n    ", [&](ShaderPass const& pass) {
         auto const n = number++;
         auto const first = pass.first ? ", \"first\": " + in_quotes(shader_file_name(plan, n, true, extension)) : std::string();
         return "{\"name\": " + in_quotes(pass.graph.name) + ", \"shader\": " + in_quotes(shader_file_name(plan, n, false, extension)) +
                first + ", \"fraction\": " + std::to_string(pass.graph.fraction) +
-               ", \"reads\": " + buffers_of(pass.graph, Operation::load) + ", \"writes\": " + buffers_of(pass.graph, Operation::store) +
+               ", \"reads\": " + buffer_names(buffers_of(plan, pass, Operation::load)) +
+               ", \"writes\": " + buffer_names(buffers_of(plan, pass, Operation::store)) +
                ", \"steps\": " + std::to_string(pass.graph.nodes.size()) + "}";
     });
     auto const side = std::to_string(shader_workgroup);
@@ -82,8 +107,9 @@ inline std::string to_json(ShaderPlan const& plan, std::string_view extension) {
            ",\n  \"entry_point\": " + in_quotes(extension == "metal" ? "main0" : "main") + ",\n" + "  \"workgroup\": [" + side + ", " +
            side + "],\n  \"needs_camera\": " + (plan.needs_camera ? "true" : "false") + ",\n" + "  \"uniforms\": {\"name\": \"frame\", " +
            binding_text(0, 'b', extension) + ", \"bytes\": " + std::to_string(4 * FrameBlock::words) + ", \"members\": [\n      " +
-           members + "]},\n  \"buffers\": [\n    " + buffers + "],\n  \"inputs\": [\n    " + host_planes(plan.inputs) +
-           "],\n  \"picture\": [\n    " + host_planes(plan.output) + "],\n  \"passes\": [\n    " + passes + "]\n}\n";
+           members + "]},\n  \"buffers_of_a_pass\": " + std::to_string(most) + ",\n  \"buffers\": [\n    " + buffers +
+           "],\n  \"inputs\": [\n    " + host_planes(plan, ShaderBuffer::inputs, plan.inputs) + "],\n  \"picture\": [\n    " +
+           host_planes(plan, ShaderBuffer::output, plan.output) + "],\n" + counts_text(plan) + "  \"passes\": [\n    " + passes + "]\n}\n";
 }
 
 /// A shader as a file.

@@ -17,7 +17,7 @@ inline std::string shader_text(ShaderPlan const& plan, std::size_t pass, bool is
     auto const& graph = is_first && each.first ? *each.first : each.graph;
     auto const comment = "// quell, " + plan.name + ": " + graph.name + ", pass " + std::to_string(pass + 1) + " of " +
                          std::to_string(plan.passes.size()) + (is_first ? ", in a frame without a past" : "") + "\n";
-    auto written = detail::ShaderWriter(graph, language).written();
+    auto written = detail::ShaderWriter(plan, graph, language).written();
     // #version must come first.
     auto const behind = language == ShaderLanguage::glsl ? written.find('\n') + 1 : std::size_t{0};
     return written.insert(behind, comment);

@@ -1,3 +1,18 @@
+from typing import Optional, Sequence
+
 def presets() -> list[str]: ...
 def languages() -> list[str]: ...
-def create(preset: str, language: str, /) -> tuple[str, dict[str, str]]: ...
+def create(
+    preset: str, language: str, repair_guides: bool, fill_holes: int, counts: bool, most_slots: int, /
+) -> tuple[str, dict[str, str]]: ...
+def block(
+    width: int,
+    height: int,
+    number: int,
+    needs_camera: bool,
+    shutter: float,
+    shutter_then: float,
+    camera: Optional[Sequence[float]],
+    camera_then: Optional[Sequence[float]],
+    /,
+) -> bytes: ...

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <quell/core/instruction_set.hpp>
+
+namespace quell::inline QUELL_INSTRUCTION_SET {
+
+/// What record() adds to a pipeline's passes: parts of run() that only some hosts need.
+struct RecordOptions {
+    /// Whether guides that no scene has are repaired (docs/channels.md), by a pass at the front. It takes scratch for copies.
+    bool repair_guides = false;
+    /// Passes behind the ingest that give missing samples without a usable neighbour what stands 2, 4, 8, ... pixels away: with n of them,
+    /// up to 2^(n + 1) - 1 pixels in all. run() takes as many as a frame needs.
+    int fill_holes = 0;
+    /// Whether missing samples, impossible guides and suppressed light are counted: see ShaderPlan::counts.
+    bool counts = false;
+    /// Slots of a buffer at most: what has more lies in several. 0: there is no limit.
+    int most_slots = 0;
+};
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET
