@@ -53,8 +53,8 @@ QUELL_KERNEL EvidenceTerms evidence_of(Evidence const& rule, vec3<float> const& 
     for (int c = 0; c < 3; ++c) {
         float const limited = min(sample[c], rule.most * bright), off = a[c] - b[c], own = b_with[c] - b[c];
         float const of_own = rule.caution * own * own;
-        product += (limited - b[c]) * off + of_own;
-        square += off * off + of_own;
+        product += fma(limited - b[c], off, of_own);
+        square += fma(off, off, of_own);
         noise += (limited - 0.5f * (a[c] + b[c])) * off;
     }
     product *= per, square *= per, noise = noise * noise * per * per;
