@@ -19,7 +19,8 @@ using quell::Extent;
 
 /// @tparam n components of what comes out; of four the last is alpha
 template <int n> class HistoryChoiceOf final : public HistoryChoice {
-    using OneImage = typename OwnImages::Image<n>;
+    using OneImage = typename OwnImages::template Image<n>;
+    using View = typename OneImage::View;
     /// What is made of a frame: each by the preset or its judge, with the history (a) or without (b).
     enum Made { samples, left_over, a, b, b_with, alone_with, made };
 
@@ -111,7 +112,7 @@ private:
         quell::Evidence const rule{};
         for (int const left_out : {0, 1}) {
             use_memory();
-            quell::detail::CopyAllBut const job{view_of(samples), view_of(left_over), left_out};
+            quell::detail::CopyAllBut<View, View> const job{view_of(samples), view_of(left_over), left_out};
             executor.for_each_pixel({0, 0, judged.front().size.width, judged.front().size.height}, job);
             by_itself(judging, first, b);
             judging.learn(past);
