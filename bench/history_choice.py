@@ -117,12 +117,13 @@ def main():
         references = {path.name: picture_of(path) for path in sorted((options.folder / scene / "512").glob("frame_*.exr"))}
         for samples in options.samples:
             folder = options.folder / scene / samples
-            if not folder.is_dir():
+            measured = {name: picture for name, picture in references.items() if (folder / name).exists()}
+            if not measured:
                 continue
             for preset in options.presets:
-                print(f"| {scene}, {samples} | `{preset}` | {of_preset(preset, folder, references)} |", flush=True)
+                print(f"| {scene}, {samples} | `{preset}` | {of_preset(preset, folder, measured)} |", flush=True)
             if options.program:
-                print(f"| {scene}, {samples} | `quell-denoise` | {of_program(options.program, folder, references)} |", flush=True)
+                print(f"| {scene}, {samples} | `quell-denoise` | {of_program(options.program, folder, measured)} |", flush=True)
 
 
 if __name__ == "__main__":
