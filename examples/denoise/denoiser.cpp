@@ -6,7 +6,6 @@
 #include <quell/io/frame_image.hpp>
 
 #include <array>
-#include <limits>
 
 namespace quell::examples {
 
@@ -28,8 +27,8 @@ Way with_channels_for(Way way, std::optional<Extent> output) {
 
 Denoiser::Denoiser(Way const& w, Extent s, int count, std::optional<Extent> o)
     : way(with_channels_for(w, o)), size(s), output(o), threads(count) {
-    Parallel const parallel{.run = OwnThreads::run, .user = &threads, .threads = threads.count()};
-    code = output ? make_resolved(w, s, *output, parallel, {}) : w.make(s, parallel, {});
+    code = w.make(s, parallel(), {});
+    if (output) code = make_resolved(std::move(code), w, s, *output, parallel(), {});
 }
 
 std::vector<std::string> Denoiser::planes(io::ChannelNames const& names, bool optional) const {
@@ -50,7 +49,7 @@ void Denoiser::look_ahead(io::ExrImage const& image, io::ChannelNames const& nam
     window.push_back(std::move(frame));
 }
 
-metrics::Picture Denoiser::denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number) {
+metrics::Picture Denoiser::denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number, HistoryChoice* choice) {
     if (way.needs_camera && !io::camera_of(image))
         throw Error(image.name, "it has no camera, which this preset needs",
                     "write the 4x4 attributes quell:view and quell:projection, or choose another preset");
@@ -61,11 +60,11 @@ metrics::Picture Denoiser::denoise(io::ExrImage const& image, io::ChannelNames c
     drop_first(); // its memory stays; an error must not leave it to be denoised again
     found = findings_in(images.front(), image, names.motion);
     size = images.front().size;
-    return run_images();
+    return run_images(choice);
 }
 
 /// Denoises the first of `images`.
-metrics::Picture Denoiser::run_images() {
+metrics::Picture Denoiser::run_images(HistoryChoice* choice) {
     auto const made = output.value_or(size);
     metrics::Picture picture{made, std::vector<glm::vec3>(static_cast<std::size_t>(made.pixels()))};
     std::vector<glm::vec4> with_alpha(way.output_components == 4 ? picture.pixels.size() : 0);
@@ -73,34 +72,15 @@ metrics::Picture Denoiser::run_images() {
         with_alpha.empty() ? reinterpret_cast<std::byte*>(picture.pixels.data()) : reinterpret_cast<std::byte*>(with_alpha.data());
     std::ptrdiff_t const pixel = way.output_components * static_cast<std::ptrdiff_t>(sizeof(float));
     auto const begin = std::chrono::steady_clock::now();
-    code->run(images, {.data = to, .component_stride = sizeof(float), .pixel_stride = pixel, .row_stride = pixel * made.width});
+    quell_library::Image const into{.data = to, .component_stride = sizeof(float), .pixel_stride = pixel, .row_stride = pixel * made.width};
+    choice != nullptr ? choice->run(*code, images, into) : code->run(images, into);
     taken += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     denoised_alpha.clear();
     for (std::size_t i = 0; i < with_alpha.size(); ++i) picture.pixels[i] = with_alpha[i], denoised_alpha.push_back(with_alpha[i].a);
     return picture;
 }
 
-metrics::Picture Denoiser::estimate(io::ExrImage const& image, io::ChannelNames const& names, long long number, int left_out,
-                                    Denoiser const* shown) {
-    LoadedFrame frame;
-    frame.load(way.channels, image, names, number);
-    auto const place = way.place_of(way.output_components == 4 ? radiance_alpha.name : radiance.name);
-    if (place && left_out >= 0) {
-        auto const& samples = frame.images.channels[*place];
-        for (int y = 0; y < image.size.height; ++y)
-            for (int x = 0; x < image.size.width; ++x)
-                if ((x + y) % 2 == left_out)
-                    *reinterpret_cast<float*>(samples.data + x * samples.pixel_stride + y * samples.row_stride) =
-                        std::numeric_limits<float>::quiet_NaN();
-    }
-    size = image.size;
-    images.assign(1, frame.images);
-    if (shown != nullptr)
-        for (auto const& later : shown->window) images.push_back(later.images);
-    auto picture = run_images();
-    images.clear(); // the frame's memory goes
-    return picture;
-}
+std::unique_ptr<HistoryChoice> Denoiser::make_choice(Way const& judge) { return make_history_choice(way, judge, size, parallel(), {}); }
 
 std::vector<std::string> Denoiser::guides() const {
     std::vector<std::string> names;

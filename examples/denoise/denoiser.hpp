@@ -1,5 +1,6 @@
 #pragma once
 
+#include <library/history_choice.hpp>
 #include <library/loaded_frame.hpp>
 #include <library/own_threads.hpp>
 
@@ -64,13 +65,12 @@ public:
     /// What a channel of DebugChannels shows of the last frame, by its name: none where it makes none.
     [[nodiscard]] std::vector<DebugImage> debug_images(std::string const& view) { return code->debug_images(view); }
     /// The next frame, denoised: linear, row by row. Where its size is another one, history starts afresh.
-    [[nodiscard]] metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number);
-    /// Denoises a frame after what it remembers, with the samples of half of its pixels left out or not, and with the later frames that
-    /// another denoiser of the same channels was shown. What it remembers is of no use afterwards.
-    /// @param left_out pixels whose x + y is even (0) or odd (1); another number: none
-    /// @param shown    null: without later frames
-    [[nodiscard]] metrics::Picture estimate(io::ExrImage const& image, io::ChannelNames const& names, long long number, int left_out,
-                                            Denoiser const* shown);
+    /// @param choice of what denoisers of this way make with their history and without, which may serve several; null: with history
+    [[nodiscard]] metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number,
+                                           quell_library::HistoryChoice* choice = nullptr);
+    /// What puts together what denoisers of this way make of frames of this size.
+    /// @param judge the way of the preset's judge, see judge_of()
+    [[nodiscard]] std::unique_ptr<quell_library::HistoryChoice> make_choice(quell_library::Way const& judge);
     /// Names of the guides that it accumulates with the light.
     [[nodiscard]] std::vector<std::string> guides() const;
     /// One of them, of the frame that it has denoised last.
@@ -110,7 +110,10 @@ private:
     std::vector<Finding> found;
     std::vector<float> denoised_alpha;
 
-    [[nodiscard]] metrics::Picture run_images();
+    [[nodiscard]] quell_library::Parallel parallel() {
+        return {.run = quell_library::OwnThreads::run, .user = &threads, .threads = threads.count()};
+    }
+    [[nodiscard]] metrics::Picture run_images(quell_library::HistoryChoice* choice);
     void drop_first() { spare.push_back(std::move(window.front())), window.pop_front(); }
     [[nodiscard]] std::vector<std::string> planes(io::ChannelNames const& names, bool optional) const;
     [[nodiscard]] std::vector<Finding> findings_in(quell_library::FrameImages const& frame, io::ExrImage const& image,

@@ -253,8 +253,6 @@ double SequenceDenoiser::milliseconds() const {
     double sum = earlier_milliseconds + other_milliseconds;
     for (auto const& denoiser : denoisers)
         if (denoiser) sum += denoiser->milliseconds();
-    for (auto const& choice : choices)
-        if (choice) sum += choice->milliseconds();
     if (guides) sum += guides->milliseconds();
     if (upsampler) sum += upsampler->milliseconds();
     return whole ? sum + whole->milliseconds() : sum;
@@ -265,7 +263,7 @@ double SequenceDenoiser::bytes_per_pixel() const {
     for (auto const& denoiser : denoisers)
         if (denoiser) sum += denoiser->bytes_per_pixel();
     for (auto const& choice : choices)
-        if (choice) sum += choice->bytes_per_pixel();
+        if (choice) sum += static_cast<double>(choice->bytes()) / static_cast<double>(io::detail::size_of(canvas).pixels());
     if (guides) sum += guides->bytes_per_pixel();
     if (upsampler) sum += upsampler->bytes_per_pixel();
     return whole ? sum + whole->bytes_per_pixel() : sum;
@@ -345,14 +343,12 @@ void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
     }
 }
 
-/// A signal's light with its history, or by itself, or in between.
-metrics::Picture SequenceDenoiser::chosen(std::size_t signal, io::ExrImage const& image, io::ChannelNames const& names, long long number,
-                                          std::optional<HistoryContents> const& before, metrics::Picture const& with_history) {
-    if (!before || before->number != number - 1) return with_history;
+/// Between a signal's light with its history, and by itself.
+quell_library::HistoryChoice* SequenceDenoiser::choice_for(std::size_t signal) {
     auto const purpose = purpose_of(signal);
     auto& choice = choices[purpose == Purpose::with_alpha ? 1 : 0];
-    if (!choice) choice = std::make_unique<HistoryChoice>(settings.preset, purpose, io::detail::size_of(canvas), settings.threads);
-    return choice->choose(denoiser(signal), image, names, number, *before, with_history);
+    if (!choice) choice = denoiser(signal).make_choice(way_of(quell_library::judge_of(settings.preset), purpose));
+    return choice.get();
 }
 
 /// Whether a frame's light is twiced. The noise of few samples is so skewed that windows take it for light, in scenes of many small lamps
@@ -403,13 +399,8 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
     bool const gives_back = refines() && is_wanted && gives_light_back(front);
     auto const denoised = [&](std::size_t s) {
         auto const& channels = split.signals[s].channels;
-        bool const chooses = refines() && is_wanted;
-        auto const before = chooses ? denoiser(s).remembered() : std::nullopt;
-        auto result = denoiser(s).denoise(image, channels, number);
-        if (chooses) {
-            result = chosen(s, image, channels, number, before, result);
-            if (gives_back) add_back_residual(image, channels, result);
-        }
+        auto result = denoiser(s).denoise(image, channels, number, refines() && is_wanted ? choice_for(s) : nullptr);
+        if (gives_back) add_back_residual(image, channels, result);
         auto const counted = denoiser(s).statistics();
         missing += counted.missing_samples;
         // Guides are the same for all signals.

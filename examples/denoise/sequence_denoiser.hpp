@@ -4,7 +4,6 @@
 #include <denoise/anti_alias.hpp>
 #include <denoise/denoiser.hpp>
 #include <denoise/film_alpha.hpp>
-#include <denoise/history_choice.hpp>
 #include <denoise/light_split.hpp>
 #include <denoise/upsampler.hpp>
 #include <support/frame_pattern.hpp>
@@ -117,7 +116,7 @@ private:
     std::unique_ptr<Denoiser> any;                    ///< says what each of them wants
     std::vector<std::unique_ptr<Denoiser>> denoisers; ///< one per signal, and one of the rest; null before there was light for it
     /// Between light with history and without, for all signals: without alpha, and with it. Null before they were wanted.
-    std::array<std::unique_ptr<HistoryChoice>, 2> choices;
+    std::array<std::unique_ptr<quell_library::HistoryChoice>, 2> choices;
     std::optional<PictureGuides> guides; ///< where the preset accumulates them; none before the first frame
     std::unique_ptr<Denoiser> whole;     ///< of the picture beside its signals; null before it was wanted
     std::optional<Upsampler> upsampler;  ///< none before it was wanted
@@ -162,8 +161,7 @@ private:
     void add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const;
     [[nodiscard]] Purpose purpose_of(std::size_t signal) const;
     [[nodiscard]] Denoiser& denoiser(std::size_t signal);
-    [[nodiscard]] metrics::Picture chosen(std::size_t signal, io::ExrImage const& image, io::ChannelNames const& names, long long number,
-                                          std::optional<HistoryContents> const& before, metrics::Picture const& with_history);
+    [[nodiscard]] quell_library::HistoryChoice* choice_for(std::size_t signal);
     void mix_with_picture(DenoisedFrame& frame);
     void accumulate_guides(DenoisedFrame& frame);
     [[nodiscard]] Seen seen(io::ExrOriginal const& file, long long number) const;

@@ -170,6 +170,15 @@ public:
         this->use_memory();
         if constexpr (has_one_history<P>) put_contents(history, contents);
     }
+    void tell(quell::detail::KnownPast& to) const override {
+        if constexpr (has_one_history<P>)
+            quell::detail::OpenHistory::images(history).tell(to);
+        else
+            to.drop();
+    }
+    void learn([[maybe_unused]] quell::detail::KnownPast const& past) override {
+        if constexpr (has_one_history<P>) quell::detail::OpenHistory::images(history).learn(past);
+    }
 };
 
 /// A preset that uses the frames after each as well. Frames may lack what renderers leave out: then each is one sample, and motion to the
@@ -229,6 +238,8 @@ public:
         this->use_memory();
         put_contents(history.before, contents);
     }
+    void tell(quell::detail::KnownPast& to) const override { quell::detail::OpenHistory::images(history.before).tell(to); }
+    void learn(quell::detail::KnownPast const& past) override { quell::detail::OpenHistory::images(history.before).learn(past); }
 
 private:
     /// Returns whether the frame says where its pixels go in the next one.
@@ -264,6 +275,7 @@ template <class Make> void describe(Way& way) {
 }
 template <class Made, class P> Way way_of() {
     Way way{.output_components = P::Output::components, .needs_camera = P::needs_camera};
+    if constexpr (has_one_history<P>) way.signal = P::Output::name;
     quell::for_each_channel(typename Made::reads{}, [&]<class C>(C c) {
         way.channels.push_back({std::string(c.name), c.components, c.fraction, Made::Optional::template has<C>, c.is_guide});
     });

@@ -58,6 +58,11 @@ public:
     [[nodiscard]] virtual std::optional<quell::HistoryContents> remembered() const = 0;
     /// Makes it remember what another one of the same preset did, of a picture with or without alpha.
     virtual void remember(quell::HistoryContents const& contents) = 0;
+    /// The same as images that it holds: for another one to go on from there, of the same preset or of one that keeps and remembers no
+    /// other channel. Nothing is known where it remembers nothing, or not of one signal.
+    virtual void tell(quell::detail::KnownPast& to) const = 0;
+    /// Goes on from there.
+    virtual void learn(quell::detail::KnownPast const& past) = 0;
 };
 
 /// A channel that a denoiser reads.
@@ -79,6 +84,7 @@ struct MadeGuide {
 struct Way {
     std::vector<ReadChannel> channels{};
     std::vector<MadeGuide> guides{}; ///< that it accumulates
+    std::string signal{};            ///< the channel that its one history is of; empty: it has none, or several
     int output_components = 0;
     bool needs_camera = false;
     std::vector<std::string> (*passes)() = nullptr; ///< their names, in order

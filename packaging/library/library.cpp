@@ -71,7 +71,7 @@ struct quell_denoiser {
     quell_motion motion;
     bool two_sided;
     bool anti_aliases;
-    std::int32_t steady_guides; ///< as quell_settings has it
+    Additions with;
     Sizes sizes;
     int guide_width; ///< of the frame that was run last
     OwnThreads threads;
@@ -343,6 +343,8 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
         if (resolves) way = way->resolved.get();
         if (way == nullptr)
             return fail(QUELL_NOT_SUPPORTED, "settings.anti_alias: '" + wanted + "' makes no picture; leave it 0, and the output's size");
+        if (settings->choose_history != 0 && !way->plan_of_choice)
+            return fail(QUELL_NOT_SUPPORTED, "settings.choose_history: '" + wanted + "' has no history, or several; leave it 0");
         for (auto const& [bit, name] : {std::pair{1, "depth"}, std::pair{2, "albedo"}, std::pair{3, "motion"}})
             if ((settings->steady_guides & bit) != 0 && std::ranges::find(way->channels, name, &Channel::name) == way->channels.end())
                 return fail(QUELL_NOT_SUPPORTED, "settings.steady_guides: '" + wanted + "' reads no " + name + "; leave it 0");
@@ -352,7 +354,7 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
                                                                 .motion = settings->motion,
                                                                 .two_sided = settings->two_sided != 0,
                                                                 .anti_aliases = resolves,
-                                                                .steady_guides = settings->steady_guides,
+                                                                .with = {settings->steady_guides, settings->choose_history != 0},
                                                                 .sizes = sizes_of(*settings),
                                                                 .guide_width = settings->width,
                                                                 .threads = OwnThreads(settings->threads),
@@ -368,7 +370,7 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
         std::string error;
         auto const& given = settings->motion;
         Motion const motion{given.from_previous, given.unit, given.y_up, given.has_jitter};
-        made->instance = way->make(made->sizes, settings->steady_guides, motion, parallel, memory, outcome, error);
+        made->instance = way->make(made->sizes, made->with, motion, parallel, memory, outcome, error);
         if (outcome != Outcome::ok) return fail(status_of(outcome), error);
         *denoiser = made.release();
         return QUELL_OK;
@@ -425,7 +427,10 @@ char const* quell_plan(quell_denoiser const* denoiser) {
     if (denoiser == nullptr) return "";
     auto& plan = const_cast<quell_denoiser*>(denoiser)->plan;
     guarded([&] {
-        if (plan.empty()) plan = (denoiser->steady_guides != 0 ? plan_of_steady(denoiser->steady_guides) : "") + denoiser->way->plan();
+        auto const& [steady_guides, choose_history] = denoiser->with;
+        if (plan.empty())
+            plan = (steady_guides != 0 ? plan_of_steady(steady_guides) : "") + (choose_history ? denoiser->way->plan_of_choice() : "") +
+                   denoiser->way->plan();
         return QUELL_OK;
     });
     return plan.c_str();

@@ -98,6 +98,12 @@ struct Sizes {
     std::int32_t width = 0, height = 0, output_width = 0, output_height = 0;
 };
 
+/// What is done before a preset and with it.
+struct Additions {
+    std::int32_t steady_guides = 0; ///< as quell_settings has it
+    bool choose_history = false;    ///< where it can
+};
+
 /// A preset as code for one purpose.
 struct PresetWay {
     std::vector<Channel> channels{};
@@ -105,10 +111,10 @@ struct PresetWay {
     int output_components = 0;
     bool needs_camera = false;
     std::function<std::string()> plan{};
+    std::function<std::string()> plan_of_choice{}; ///< a sentence before it, where its history is chosen; null where it can't be
     /// Null, and what is wrong, where it can't be made.
-    /// @param steady_guides as quell_settings has it
-    std::function<std::unique_ptr<Instance>(Sizes const&, std::int32_t steady_guides, Motion const&, Parallel const&, Memory const&,
-                                            Outcome& outcome, std::string& error)>
+    std::function<std::unique_ptr<Instance>(Sizes const&, Additions const&, Motion const&, Parallel const&, Memory const&, Outcome& outcome,
+                                            std::string& error)>
         make{};
     std::shared_ptr<PresetWay const> resolved{}; ///< with temporal anti-aliasing behind it; null where that can't be
 

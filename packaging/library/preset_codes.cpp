@@ -1,6 +1,7 @@
 // The entry of libquell's code for one instruction set: QUELL_CODE_ENTRY is its name. Compiled presets, behind types that are the same for
 // all instruction sets.
 #include "compiled_preset.hpp"
+#include "history_choice.hpp"
 #include "resolved_denoiser.hpp"
 #include "steady_denoiser.hpp"
 
@@ -126,33 +127,40 @@ private:
     }
 };
 
-/// @param make makes the denoiser: make(sizes, parallel, memory)
-PresetWay way_of(Way const& way, std::vector<ReadChannel> const& channels, auto make) {
+/// @param judge of the preset that judges its history
+/// @param put_behind makes another denoiser of what the way makes: put_behind(denoiser, sizes, parallel, memory)
+PresetWay way_of(Way const& way, Way const& judge, std::vector<ReadChannel> const& channels, auto put_behind) {
     PresetWay code{.output_components = way.output_components, .needs_camera = way.needs_camera, .plan = way.plan};
     for (auto const& channel : channels) code.channels.push_back({channel.name, channel.components, channel.optional, channel.is_guide});
     for (auto const& guide : way.guides) code.guides.push_back({guide.name, guide.components});
-    code.make = [read = channels, make](Sizes const& sizes, std::int32_t steady_guides, Motion const& motion, Parallel const& parallel,
-                                        Memory const& memory, Outcome& outcome, std::string& error) {
+    if (can_choose_history(way)) code.plan_of_choice = [&way, &judge] { return plan_of_choice(way, judge); };
+    code.make = [read = channels, put_behind, &way, &judge](Sizes const& sizes, Additions const& with, Motion const& motion,
+                                                            Parallel const& parallel, Memory const& memory, Outcome& outcome,
+                                                            std::string& error) {
         std::unique_ptr<Instance> made;
         outcome = caught(error, [&] {
-            auto denoiser = make(sizes, parallel, memory);
-            if (SteadyChoice const steady{(steady_guides & 1) != 0, (steady_guides & 2) != 0})
-                denoiser = with_steady_guides(std::move(denoiser), read, steady, {sizes.width, sizes.height}, parallel, memory);
+            quell::Extent const size{sizes.width, sizes.height};
+            auto denoiser = way.make(size, parallel, memory);
+            if (with.choose_history)
+                denoiser = with_history_choice(std::move(denoiser), make_history_choice(way, judge, size, parallel, memory));
+            denoiser = put_behind(std::move(denoiser), sizes, parallel, memory);
+            if (SteadyChoice const steady{(with.steady_guides & 1) != 0, (with.steady_guides & 2) != 0})
+                denoiser = with_steady_guides(std::move(denoiser), read, steady, size, parallel, memory);
             made = std::make_unique<PresetInstance>(read, motion, std::move(denoiser));
         });
         return made;
     };
     return code;
 }
-PresetWay way_of(Way const& way) {
-    auto const size_of = [](Sizes const& sizes) { return quell::Extent{sizes.width, sizes.height}; };
-    auto code = way_of(way, way.channels, [=, &way](Sizes const& sizes, Parallel const& parallel, Memory const& memory) {
-        return way.make(size_of(sizes), parallel, memory);
-    });
+PresetWay way_of(Way const& way, Way const& judge) {
+    using Made = std::unique_ptr<CompiledDenoiser>;
+    auto code = way_of(way, judge, way.channels, [](Made made, Sizes const&, Parallel const&, Memory const&) { return made; });
     if (!can_resolve(way)) return code;
-    auto resolved = way_of(way, channels_of_resolved(way), [=, &way](Sizes const& sizes, Parallel const& parallel, Memory const& memory) {
-        return make_resolved(way, size_of(sizes), {sizes.output_width, sizes.output_height}, parallel, memory);
-    });
+    auto const resolve = [&way](Made made, Sizes const& sizes, Parallel const& parallel, Memory const& memory) {
+        return make_resolved(std::move(made), way, {sizes.width, sizes.height}, {sizes.output_width, sizes.output_height}, parallel,
+                             memory);
+    };
+    auto resolved = way_of(way, judge, channels_of_resolved(way), resolve);
     resolved.needs_camera = true, resolved.plan = [&way] { return plan_of_resolved(way); };
     code.resolved = std::make_shared<PresetWay const>(std::move(resolved));
     return code;
@@ -161,9 +169,10 @@ PresetWay way_of(Way const& way) {
 std::vector<PresetCode> all_codes() {
     std::vector<PresetCode> all;
     for (auto const& preset : compiled_presets()) {
-        all.push_back({.name = preset.name, .usual = way_of(preset.usual)});
-        if (preset.two_sided) all.back().two_sided = way_of(preset.two_sided);
-        if (preset.two_sided_alpha) all.back().two_sided_alpha = way_of(preset.two_sided_alpha);
+        auto const& judge = judge_of(preset);
+        all.push_back({.name = preset.name, .usual = way_of(preset.usual, judge.usual)});
+        if (preset.two_sided) all.back().two_sided = way_of(preset.two_sided, judge.two_sided);
+        if (preset.two_sided_alpha) all.back().two_sided_alpha = way_of(preset.two_sided_alpha, judge.two_sided_alpha);
     }
     return all;
 }

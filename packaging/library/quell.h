@@ -152,15 +152,19 @@ typedef struct quell_settings {
     int32_t steady_guides; /* guides that are noisy themselves, as out of focus or behind a pane, are accumulated along their motion first,
                               over 8 frames at most: 1 depth, 2 albedo, 3 both; 0 none. Not with two_sided. After a frame that was refused they
                               may be accumulated anew. */
+    int32_t choose_history; /* 1: each frame is denoised with its history and without, and both are put together by what samples speak for
+                               that neither has used: where light changes faster than a history can follow, the frame alone has the say.
+                               Presets of one history can; it takes several times their time (docs/library.md). */
+    int32_t reserved;       /* 0 */
 } quell_settings;
 #ifdef __cplusplus
 #define QUELL_SETTINGS \
     quell_settings {                                                                                                                       \
-        sizeof(quell_settings), nullptr, 0, 0, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0, 0, 0, 0, {}, 0, 0               \
+        sizeof(quell_settings), nullptr, 0, 0, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0, 0, 0, 0, {}, 0, 0, 0, 0         \
     }
 #else
 #define QUELL_SETTINGS \
-    ((quell_settings){sizeof(quell_settings), NULL, 0, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, 0, 0, 0, 0, {0, 0, 0, 0}, 0, 0})
+    ((quell_settings){sizeof(quell_settings), NULL, 0, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, 0, 0, 0, 0, {0, 0, 0, 0}, 0, 0, 0, 0})
 #endif
 
 /* Counts. Start from QUELL_STATISTICS. */

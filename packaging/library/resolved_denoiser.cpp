@@ -64,9 +64,9 @@ template <int n, class... Signals> class ResolvedDenoiser final : public Wrapped
     std::optional<std::tuple<Resolver<Signals>...>> resolvers; ///< made by the first frame
 
 public:
-    ResolvedDenoiser(Way const& way, Extent size, Extent output, Parallel const& parallel, Memory const& m)
-        : WrappedDenoiser(way.make(size, parallel, m)), output_size(quell::detail::checked(output)), memory(m), executor{parallel, &strips},
-          frame(size) {
+    ResolvedDenoiser(std::unique_ptr<CompiledDenoiser> d, Way const& way, Extent size, Extent output, Parallel const& parallel,
+                     Memory const& m)
+        : WrappedDenoiser(std::move(d)), output_size(quell::detail::checked(output)), memory(m), executor{parallel, &strips}, frame(size) {
         auto const channels = channels_of_resolved(way);
         auto const place_of = [&](std::string_view name) {
             return static_cast<std::size_t>(std::ranges::find(channels, name, &ReadChannel::name) - channels.begin());
@@ -155,16 +155,16 @@ std::string plan_of_resolved(Way const& way) {
            std::to_string((kept + scratch) * static_cast<int>(sizeof(float))) + " bytes a pixel of the frames.\n";
 }
 
-std::unique_ptr<CompiledDenoiser> make_resolved(Way const& way, Extent size, Extent output, Parallel const& parallel,
-                                                Memory const& memory) {
+std::unique_ptr<CompiledDenoiser> make_resolved(std::unique_ptr<CompiledDenoiser> denoiser, Way const& way, Extent size, Extent output,
+                                                Parallel const& parallel, Memory const& memory) {
     using namespace quell;
     switch (way.output_components) {
     case 1:
-        return std::make_unique<ResolvedDenoiser<1, Visibility>>(way, size, output, parallel, memory);
+        return std::make_unique<ResolvedDenoiser<1, Visibility>>(std::move(denoiser), way, size, output, parallel, memory);
     case 4:
-        return std::make_unique<ResolvedDenoiser<4, Radiance, Visibility>>(way, size, output, parallel, memory);
+        return std::make_unique<ResolvedDenoiser<4, Radiance, Visibility>>(std::move(denoiser), way, size, output, parallel, memory);
     default:
-        return std::make_unique<ResolvedDenoiser<3, Radiance>>(way, size, output, parallel, memory);
+        return std::make_unique<ResolvedDenoiser<3, Radiance>>(std::move(denoiser), way, size, output, parallel, memory);
     }
 }
 

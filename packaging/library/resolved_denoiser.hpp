@@ -17,11 +17,13 @@ namespace quell_library {
 /// A compiled preset with temporal anti-aliasing behind it (quell::presets::resolve), whose output may be larger than the frames. Its
 /// frames have the channels of channels_of_resolved(), and a camera that says their jitter. Their size may change: what was resolved stays.
 /// It is compiled for numbers of components, and not for each preset.
-/// @param way    one that can_resolve()
-/// @param size   of the frames
-/// @param output what comes out has this size
+/// @param denoiser made by the way
+/// @param way      one that can_resolve()
+/// @param size     of the frames
+/// @param output   what comes out has this size
 /// @throws quell::Error, std::bad_alloc
-[[nodiscard]] std::unique_ptr<CompiledDenoiser> make_resolved(Way const& way, quell::Extent size, quell::Extent output,
-                                                              Parallel const& parallel, Memory const& memory);
+[[nodiscard]] std::unique_ptr<CompiledDenoiser> make_resolved(std::unique_ptr<CompiledDenoiser> denoiser, Way const& way,
+                                                              quell::Extent size, quell::Extent output, Parallel const& parallel,
+                                                              Memory const& memory);
 
 } // namespace quell_library

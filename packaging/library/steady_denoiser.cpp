@@ -1,12 +1,11 @@
 #include "steady_denoiser.hpp"
 
-#include "for_each_strip.hpp"
 #include "host_images.hpp"
 #include "images_of_frame.hpp"
+#include "on_own_images.hpp"
 #include "take_rows.hpp"
 #include "wrapped_denoiser.hpp"
 
-#include <quell/execute/outlined.hpp>
 #include <quell/pipeline/steady_guides.hpp>
 
 #include <algorithm>
@@ -16,18 +15,6 @@ namespace quell_library {
 namespace {
 
 using quell::Extent;
-
-/// Runs kernels on images of quell's own, by the caller's threads.
-struct OnOwnImages {
-    Parallel parallel;
-
-    void for_each_pixel(quell::Region region, auto const& job) const {
-        for_each_strip(parallel, region.y1 - region.y0, [&](int y0, int y1) {
-            quell::Outlined<>{}.for_each_pixel({region.x0, region.y0 + y0, region.x1, region.y0 + y1}, job);
-        });
-        if (parallel.pass_done != nullptr) parallel.pass_done(parallel.user);
-    }
-};
 
 class SteadyDenoiser final : public WrappedDenoiser {
     template <class C> using Steady = quell::SteadyGuides<quell::Channels<C>, OwnImages>;

@@ -19,6 +19,8 @@ public:
     bool copy_guide(std::string_view name, Image const& output) override { return denoiser->copy_guide(name, output); }
     [[nodiscard]] std::optional<quell::HistoryContents> remembered() const override { return denoiser->remembered(); }
     void remember(quell::HistoryContents const& contents) override { denoiser->remember(contents); }
+    void tell(quell::detail::KnownPast& to) const override { denoiser->tell(to); }
+    void learn(quell::detail::KnownPast const& past) override { denoiser->learn(past); }
 };
 
 } // namespace quell_library

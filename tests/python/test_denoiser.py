@@ -104,6 +104,20 @@ class Results(unittest.TestCase):
             with self.assertRaisesRegex(quell.Error, "steady_guides|two_sided"):
                 quell.Denoiser("svgf", (HEIGHT, WIDTH), steady_guides=guides, **options)
 
+    def test_history_or_the_frame_alone_by_what_samples_say(self):
+        history, chosen = (quell.Denoiser("svgf", (HEIGHT, WIDTH), choose_history=choice) for choice in (False, True))
+        frames = [wall(HEIGHT, WIDTH, seed) for seed in range(8)]
+        frames[-1]["radiance"] = 10 * frames[-1]["radiance"]
+        for frame in frames:
+            with_history, made = history(frame), chosen(frame)
+        alone = quell.Denoiser("svgf", (HEIGHT, WIDTH))(frames[-1])
+        self.assertLess(np.abs(made - alone).mean(), 0.5 * np.abs(with_history - alone).mean())
+        in_sequence = list(quell.denoise(frames, "svgf", later_frames=0, choose_history=True))
+        self.assertTrue(same_bits(in_sequence[-1], made))
+        if "none" in quell.presets():
+            with self.assertRaisesRegex(quell.Error, "choose_history.*no history"):
+                quell.Denoiser("none", (HEIGHT, WIDTH), choose_history=True)
+
     @unittest.skipUnless("accumulated" in quell.presets(), "skipped: guides, which want the preset accumulated")
     def test_guides_are_the_means_of_the_frames(self):
         denoiser = quell.Denoiser("accumulated", (HEIGHT, WIDTH))

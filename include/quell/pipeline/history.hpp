@@ -10,6 +10,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 template <class... Ps> struct Composite;
 template <class P, class Policy> struct Resolved;
 template <class P, int frames> struct Remodulated;
+template <class P, class Judge> struct ByEvidence;
 template <class P, ImageStorage Storage> class History;
 
 namespace detail {
@@ -32,6 +33,7 @@ template <class... Parts> std::true_type a_pipeline(Pipeline<Parts...> const*);
 template <class... Ps> std::true_type a_pipeline(Composite<Ps...> const*);
 template <class P, class Policy> std::true_type a_pipeline(Resolved<P, Policy> const*);
 template <class P, int frames> std::true_type a_pipeline(Remodulated<P, frames> const*);
+template <class P, class Judge> std::true_type a_pipeline(ByEvidence<P, Judge> const*);
 std::false_type a_pipeline(void const*);
 template <class P, class Storage> std::true_type a_history(History<P, Storage> const*);
 std::false_type a_history(void const*);

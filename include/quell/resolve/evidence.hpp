@@ -37,6 +37,39 @@ struct Evidence {
     float spread = 1.f;   ///< standard deviation of the part about that, before samples are seen
 };
 
+namespace detail {
+/// What samples say: terms of the sums, or the sums.
+struct EvidenceTerms {
+    double product = 0.; ///< of I - B and A - B
+    double square = 0.;  ///< of A - B
+    double noise = 0.;   ///< the variance of the product
+};
+/// What a held-out sample says; nothing where it is not light.
+QUELL_KERNEL EvidenceTerms evidence_of(Evidence const& rule, vec3<float> const& sample, vec3<float> const& a, vec3<float> const& b,
+                                       vec3<float> const& b_with) {
+    if (!is_light(sample)) return {};
+    float const bright = 0.5f * abs(luminance(a) + luminance(b)) + rule.dark, per = 1.f / (bright * bright);
+    float product = 0, square = 0, noise = 0;
+    for (int c = 0; c < 3; ++c) {
+        float const limited = min(sample[c], rule.most * bright), off = a[c] - b[c], own = b_with[c] - b[c];
+        float const of_own = rule.caution * own * own;
+        product += fma(limited - b[c], off, of_own);
+        square += fma(off, off, of_own);
+        noise += (limited - 0.5f * (a[c] + b[c])) * off;
+    }
+    product *= per, square *= per, noise = noise * noise * per * per;
+    if (!is_finite(product) || !is_finite(square) || !is_finite(noise)) return {};
+    return {static_cast<double>(product), static_cast<double>(square), static_cast<double>(noise)};
+}
+/// The part of A that sums over a window speak for.
+QUELL_KERNEL float part_of_first(Evidence const& rule, EvidenceTerms const& sums) {
+    double const per_spread = 1. / (static_cast<double>(rule.spread) * static_cast<double>(rule.spread));
+    double const before = sums.noise * per_spread + 1e-30;
+    double const w = (sums.product * sums.square + before * static_cast<double>(rule.at_first)) / (sums.square * sums.square + before);
+    return static_cast<float>(w < 0. ? 0. : w > 1. ? 1. : w);
+}
+} // namespace detail
+
 /// Sums over windows, and what follows from them.
 class EvidenceSums {
     Extent size;
@@ -57,32 +90,14 @@ public:
     /// @param b_with the second one with this sample
     void add(Evidence const& rule, std::size_t pixel, vec3<float> const& sample, vec3<float> const& a, vec3<float> const& b,
              vec3<float> const& b_with) {
-        if (!detail::is_light(sample)) return;
-        float const bright = 0.5f * abs(luminance(a) + luminance(b)) + rule.dark, per = 1.f / (bright * bright);
-        float product = 0, square = 0, noise = 0;
-        for (int c = 0; c < 3; ++c) {
-            float const limited = std::min(sample[c], rule.most * bright), off = a[c] - b[c], own = b_with[c] - b[c];
-            float const of_own = rule.caution * own * own;
-            product += (limited - b[c]) * off + of_own;
-            square += off * off + of_own;
-            noise += (limited - 0.5f * (a[c] + b[c])) * off;
-        }
-        product *= per, square *= per, noise = noise * noise * per * per;
-        if (!is_finite(product) || !is_finite(square) || !is_finite(noise)) return;
-        of_product[pixel] += static_cast<double>(product), of_square[pixel] += static_cast<double>(square);
-        of_noise[pixel] += static_cast<double>(noise);
+        auto const terms = detail::evidence_of(rule, sample, a, b, b_with);
+        of_product[pixel] += terms.product, of_square[pixel] += terms.square, of_noise[pixel] += terms.noise;
     }
     /// The part of A for each pixel, row by row.
     [[nodiscard]] std::vector<float> parts(Evidence const& rule) {
         for (auto* const sums : {&of_product, &of_square, &of_noise}) box_sums(size, *sums, rule.radius);
         std::vector<float> result(of_square.size());
-        double const per_spread = 1. / (static_cast<double>(rule.spread) * static_cast<double>(rule.spread));
-        for (std::size_t i = 0; i < result.size(); ++i) {
-            double const before = of_noise[i] * per_spread + 1e-30;
-            double const w =
-                (of_product[i] * of_square[i] + before * static_cast<double>(rule.at_first)) / (of_square[i] * of_square[i] + before);
-            result[i] = static_cast<float>(std::clamp(w, 0., 1.));
-        }
+        for (std::size_t i = 0; i < result.size(); ++i) result[i] = detail::part_of_first(rule, {of_product[i], of_square[i], of_noise[i]});
         return result;
     }
 };

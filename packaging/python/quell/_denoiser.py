@@ -67,6 +67,8 @@ class Denoiser:
     output_size: (height, width) of the pictures, 1 to 4 times the frames', which are then anti-aliased; None for the frames' own.
     steady_guides: ("depth",), ("albedo",) or both: guides that are noisy themselves, as out of focus or behind a pane, are accumulated along
     their motion first, over 8 frames at most. Not with two_sided.
+    choose_history: denoises each frame with its history and without, and puts both together by what samples speak for that neither has used.
+    Presets of one history can; it takes several times their time.
 
     A denoiser is for one thread of Python at a time; another one gets an Error of Status.BUSY. While it runs, other threads do.
     """
@@ -84,14 +86,16 @@ class Denoiser:
         anti_alias: bool = False,
         output_size: Optional[Sequence[int]] = None,
         steady_guides: Sequence[str] = (),
+        choose_history: bool = False,
     ) -> None:
         height, width = _height_and_width("size", size)
         output = (0, 0) if output_size is None else _height_and_width("output_size", output_size)
         if output_size is not None and output == (0, 0):
             raise Error("output_size: it is (0, 0); give 1 to 4 times the frames' height and width, or leave it out")
         count = _whole("threads", threads, 32)
+        steady = _steady(steady_guides)
         self._denoiser = _library.Denoiser(
-            preset, width, height, count, instruction_set, two_sided, alpha, _motion(motion), anti_alias, output, _steady(steady_guides)
+            preset, width, height, count, instruction_set, two_sided, alpha, _motion(motion), anti_alias, output, steady, choose_history
         )
         self._channels = {name: (components, is_optional) for name, components, is_optional in self._denoiser.channels()}
         self._preset = preset

@@ -21,6 +21,7 @@ class Denoiser:
         anti_alias: bool,
         output_size: tuple[int, int],
         steady_guides: int,
+        choose_history: bool,
         /,
     ) -> None: ...
     def run(

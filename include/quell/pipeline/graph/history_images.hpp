@@ -40,6 +40,22 @@ struct LateCounts {
     }
 };
 
+/// What a history remembers of its last frame, for others that go on from there too. Images are shared: a pass overwrites none that is held
+/// here.
+struct KnownPast {
+    FrameState then{};
+    Extent size{0, 0};
+    long long frames = 0; ///< since that history began
+    bool is_known = false;
+
+    /// Whether it is the past of a frame.
+    [[nodiscard]] bool is_before(Extent frame, std::optional<long long> number) const {
+        return is_known && size == frame && (!number || !then.number || *number == *then.number + 1);
+    }
+    /// Drops the images, and keeps memory of its own.
+    void drop() { then.drop_images(), is_known = false; }
+};
+
 /// What a history holds, whatever its pipeline.
 struct HistoryImages {
     std::shared_ptr<ImagePool> pool;     ///< this history's own, or shared by a composite
@@ -96,6 +112,21 @@ struct HistoryImages {
         counted.missing_samples = samples.missing;
         counted.suppressed = samples.suppressed.total();
         counted.repaired_guides = guides.total();
+    }
+    /// Copies what it remembers.
+    void tell(KnownPast& to) const {
+        to.is_known = !empty;
+        to.then = then, to.size = size, to.frames = counted.frames;
+    }
+    /// Remembers what another history of a pipeline that keeps and remembers no less does.
+    void learn(KnownPast const& past) {
+        if (!(size == past.size)) restart(past.size);
+        then = past.then, empty = !past.is_known, counted.frames = past.frames;
+    }
+    /// Drops what it remembers and has put out, and leaves scratch to histories that share its pool.
+    void drop_past() {
+        forget();
+        then.drop_images(), output = {};
     }
     /// Ends a frame: what it has written is what the next one reads.
     void advance() {

@@ -86,6 +86,10 @@ public:
     void for_each(auto&& visit) const {
         for (auto const& [channel, image] : images) visit(image);
     }
+    /// Whether somebody else holds one of its images, beside the pool.
+    [[nodiscard]] bool is_shared() const {
+        return std::any_of(images.begin(), images.end(), [](auto const& image) { return image.second.pieces[0].use_count() > 2; });
+    }
     void swap(ImageTable& other) { images.swap(other.images); }
 
     /// The view of a channel's image; empty where there is none.

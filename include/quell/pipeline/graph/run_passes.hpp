@@ -161,9 +161,10 @@ private:
         auto const size = divided(facts.size, pass.fraction);
         pass.run({0, 0, size.width, size.height}, history.job.data(), typed.executor);
     }
-    /// The last pass also writes the guides for the next frame. Those of the last frame that it doesn't read are overwritten in place.
+    /// The last pass also writes the guides for the next frame. Those of the last frame that it doesn't read are overwritten in place,
+    /// unless a copy of that frame's state holds them too.
     void take_guides(FramePass const& last) {
-        if (facts.has_past && last.reads_remembered.size() == 0)
+        if (facts.has_past && last.reads_remembered.size() == 0 && !history.then.guides.is_shared())
             history.now.guides.swap(history.then.guides);
         else
             for (int i = 0; i < list.guide_count; ++i) {

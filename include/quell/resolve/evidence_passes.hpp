@@ -1,0 +1,206 @@
+#pragma once
+
+#include <quell/execute/queue_executor.hpp>
+#include <quell/image/memory.hpp>
+#include <quell/resolve/evidence.hpp>
+
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace quell::inline QUELL_INSTRUCTION_SET {
+
+namespace detail {
+/// A pixel as a colour: one component stands for three that are the same, and alpha is left out.
+QUELL_KERNEL vec3<float> colour_at(ImageView auto const& view, int x, int y) {
+    constexpr int last = std::remove_cvref_t<decltype(view)>::components > 1 ? 1 : 0;
+    return {view.get(0, x, y), view.get(last, x, y), view.get(2 * last, x, y)};
+}
+
+/// Copies a channel, without the samples that leave_out() takes out.
+template <class From, class To> struct CopyAllBut {
+    static constexpr auto name = "copy";
+    From from;
+    To to;
+    int left_out;
+
+    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
+        store_pixels<Real>(to, x, y, load_pixels<Real>(from, x, y), count);
+        if (left_out < 0) return;
+        for (int i = x + (x + y + left_out) % 2; i < x + count; i += 2)
+            for (int c = 0; c < To::components; ++c) to.set(c, i, y, std::numeric_limits<float>::quiet_NaN());
+    }
+};
+
+/// Numbers in planes of an image's size, row by row.
+struct NumberPlanes {
+    double* planes[3];
+    Extent size;
+
+    QUELL_KERNEL double* row(int plane, int y) const {
+        return planes[plane] + static_cast<std::ptrdiff_t>(y) * static_cast<std::ptrdiff_t>(size.width);
+    }
+};
+
+/// What the samples of one half of the checkerboard say.
+template <class Samples, class A, class B, class BWith> struct EvidenceJob {
+    static constexpr auto name = "evidence";
+    Evidence rule;
+    int left_out;
+    Samples samples;
+    A a;
+    B b;
+    BWith b_with;
+    NumberPlanes to;
+
+    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
+        for (int i = x + (x + y + left_out) % 2; i < x + count; i += 2) {
+            auto const said = evidence_of(rule, colour_at(samples, i, y), colour_at(a, i, y), colour_at(b, i, y), colour_at(b_with, i, y));
+            to.row(0, y)[i] = said.product, to.row(1, y)[i] = said.square, to.row(2, y)[i] = said.noise;
+        }
+    }
+};
+/// Each number becomes the sum of those to its left and itself, in all rows of three planes, one row after the other.
+struct SumAlongRows {
+    static constexpr auto name = "evidence, rows";
+    NumberPlanes of;
+
+    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int, int y, int) const {
+        auto* const row = of.row(y / of.size.height, y % of.size.height);
+        double sum = 0.;
+        for (int x = 0; x < of.size.width; ++x) row[x] = sum += row[x];
+    }
+};
+/// Sums over windows of rows, and of all rows above: from the first plane to the second. A pixel of its region is so many columns.
+struct SumDownColumns {
+    static constexpr auto name = "evidence, columns";
+    NumberPlanes of;
+    int radius, columns;
+
+    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int, int group, int) const {
+        int const width = of.size.width, first = group * columns, end = first + columns < width ? first + columns : width;
+        for (int y = 0; y < of.size.height; ++y)
+            for (int x = first; x < end; ++x) {
+                auto const* const row = of.row(0, y);
+                double const before = x - radius > 0 ? row[x - radius - 1] : 0.;
+                double const here = row[x + radius < width ? x + radius : width - 1] - before;
+                of.row(1, y)[x] = (y > 0 ? of.row(1, y - 1)[x] : 0.) + here;
+            }
+    }
+};
+/// Puts both estimates together. Alpha is that of the first.
+template <class A, class B, class To> struct MixByEvidence {
+    static constexpr auto name = "mix by evidence";
+    Evidence rule;
+    NumberPlanes sums;
+    A a;
+    B b;
+    To to;
+
+    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
+        for (int i = x; i < x + count; ++i) {
+            float const part = part_of_first(rule, {around(0, i, y), around(1, i, y), around(2, i, y)});
+            for (int c = 0; c < To::components; ++c) {
+                float const first = a.get(c, i, y), second = b.get(c, i, y);
+                to.set(c, i, y, c < 3 ? second + (first - second) * part : first);
+            }
+        }
+    }
+
+private:
+    QUELL_KERNEL double around(int plane, int x, int y) const {
+        int const last = sums.size.height - 1;
+        double const before = y - rule.radius > 0 ? sums.row(plane, y - rule.radius - 1)[x] : 0.;
+        return sums.row(plane, y + rule.radius < last ? y + rule.radius : last)[x] - before;
+    }
+};
+} // namespace detail
+
+/// Puts two estimates of a picture together by Evidence, in passes of an executor. For hosts with estimates of their own; that of a
+/// pipeline with its history and without is a ByEvidence.
+///
+///     EvidenceMix<> mix;
+///     for (int const left_out : {0, 1}) { /* make a and b without the samples that leave_out() takes out */
+///         mix.judge(rule, executor, left_out, samples, a, b, b_with); }
+///     mix.mix(rule, executor, a_with, b_with, to);
+///
+/// Views have one component, three, or four of which the last is alpha: it is not judged, and stays that of the first estimate. Memory is
+/// taken by the first frame, and where their size changes: 32 bytes a pixel. The result does not depend on the executor's threads.
+/// @tparam Memory where sums lie
+template <ImageMemory Memory = HostMemory> class EvidenceMix {
+    struct Release {
+        void operator()(double* numbers) const { Memory::release(numbers); }
+    };
+    std::unique_ptr<double[], Release> numbers;
+    Extent size{0, 0};
+
+public:
+    /// Looks at the samples of one half of the checkerboard. Both halves have to be looked at before mix().
+    /// @param rule     how terms weigh
+    /// @param executor runs the pass
+    /// @param left_out pixels whose x + y is even (0) or odd (1), which the estimates were made without
+    /// @param samples  a view of all samples
+    /// @param a        a view of the first estimate, without these
+    /// @param b        of the second one
+    /// @param b_with   of the second one, made of all samples
+    /// @throws Error where sizes differ, std::bad_alloc
+    template <Executor E>
+    void judge(Evidence const& rule, E const& executor, int left_out, ImageView auto const& samples, ImageView auto const& a,
+               ImageView auto const& b, ImageView auto const& b_with) {
+        take(samples.size);
+        for (auto const& [what, its] : {std::pair{"the first estimate without samples", a.size},
+                                        {"the second estimate without samples", b.size},
+                                        {"the second estimate", b_with.size}})
+            check(what, its);
+        detail::EvidenceJob<std::remove_cvref_t<decltype(samples)>, std::remove_cvref_t<decltype(a)>, std::remove_cvref_t<decltype(b)>,
+                            std::remove_cvref_t<decltype(b_with)>> const job{rule, left_out, samples, a, b, b_with, planes(0, 1, 2)};
+        detail::run_or_enqueue(executor, Region{0, 0, size.width, size.height}, job);
+    }
+    /// Writes the picture that the samples speak for.
+    /// @param rule     how
+    /// @param executor runs the passes
+    /// @param a        a view of the first estimate, made of all samples
+    /// @param b        of the second one
+    /// @param to       a view to write; it may be that of an estimate
+    /// @throws Error where sizes differ from those of the samples
+    template <Executor E>
+    void mix(Evidence const& rule, E const& executor, ImageView auto const& a, ImageView auto const& b, ImageView auto const& to) {
+        for (auto const& [what, its] : {std::pair{"the first estimate", a.size}, {"the second estimate", b.size}, {"the target", to.size}})
+            check(what, its);
+        detail::run_or_enqueue(executor, Region{0, 0, 1, 3 * size.height}, detail::SumAlongRows{planes(0, 1, 2)});
+        // Many columns at once are few lines of the cache; a device wants many threads.
+        int const columns = QueueExecutor<E> ? 1 : 32, groups = (size.width + columns - 1) / columns;
+        // A plane that was read is where the next one goes.
+        for (int plane = 0; plane < 3; ++plane)
+            detail::run_or_enqueue(executor, Region{0, 0, 1, groups},
+                                   detail::SumDownColumns{planes(plane, (plane + 3) % 4, 0), rule.radius, columns});
+        detail::MixByEvidence<std::remove_cvref_t<decltype(a)>, std::remove_cvref_t<decltype(b)>, std::remove_cvref_t<decltype(to)>> const
+            job{rule, planes(3, 0, 1), a, b, to};
+        detail::run_or_enqueue(executor, Region{0, 0, size.width, size.height}, job);
+        detail::submit_queue(executor);
+    }
+    /// Gives its memory back.
+    void release() { numbers.reset(), size = {0, 0}; }
+    /// What it takes.
+    [[nodiscard]] std::size_t bytes() const { return numbers ? bytes_of(size) : 0; }
+
+private:
+    static std::size_t bytes_of(Extent size) { return 4 * sizeof(double) * static_cast<std::size_t>(size.pixels()); }
+    void take(Extent wanted) {
+        if (wanted == size) return;
+        release();
+        numbers.reset(static_cast<double*>(Memory::allocate(bytes_of(wanted))));
+        size = wanted;
+    }
+    void check(char const* what, Extent its) const {
+        if (!(its == size))
+            raise_error(std::string("EvidenceMix: ") + what, to_string(its) + " beside samples of " + to_string(size),
+                        "give it the samples' size");
+    }
+    [[nodiscard]] detail::NumberPlanes planes(int first, int second, int third) const {
+        auto const plane = [&](int which) { return numbers.get() + static_cast<std::ptrdiff_t>(which) * size.pixels(); };
+        return {{plane(first), plane(second), plane(third)}, size};
+    }
+};
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -1,0 +1,227 @@
+#include "../frames.hpp"
+#include "../threads.hpp"
+
+#include <quell/presets/anti_aliased.hpp>
+#include <quell/presets/by_evidence.hpp>
+
+#include <limits>
+#include <random>
+
+using namespace quell;
+using tests::copy_of;
+
+namespace {
+
+constexpr Pipeline accumulate_light{radiance, Temporal{SurfaceMotion{}, RunningMean{.cap = 32}}, Spatial{Atrous<>{.levels = 3}}};
+constexpr auto denoise = presets::by_evidence(accumulate_light);
+constexpr Extent size{64, 48};
+/// With fewer levels: another judge.
+constexpr Pipeline cheaper{radiance, Temporal{SurfaceMotion{}, RunningMean{.cap = 32}}, Spatial{Atrous<>{.levels = 2}}};
+
+/// Light of one sample per pixel on two walls, of which the right one is `contrast` times as bright.
+template <class F> void fill_noisy(F& frame, unsigned number, float light, float contrast = 1.f) {
+    tests::fill_still(frame);
+    std::mt19937 random(number);
+    std::exponential_distribution<float> noise(1.f);
+    auto const is_left = [&](int x) { return x < frame.size.width / 2; };
+    auto const truth = [&](int x) { return is_left(x) ? light : light * contrast; };
+    tests::fill(frame[depth], [&](int x, int) { return is_left(x) ? 4.f : 8.f; });
+    tests::fill(frame[radiance], [&](int x, int) { return truth(x) * glm::vec3(noise(random), noise(random), noise(random)); });
+    frame.number = number;
+}
+/// The root mean square of what a picture of constant light is off by, as a part of the light.
+double error_of(ImageView auto const& picture, float light) {
+    auto const pixels = copy_of(picture);
+    return tests::root_mean_square(pixels, std::vector<float>(pixels.size(), light)) / static_cast<double>(light);
+}
+/// What a pipeline's errors are after so many frames of light 1, and then one of another light.
+template <class P> double error_after(P const& pipeline, unsigned frames, float light) {
+    Frame frame{size, pipeline};
+    History history{size, pipeline};
+    for (unsigned i = 0; i < frames; ++i) fill_noisy(frame, i, 1.f), run(pipeline, frame, history);
+    fill_noisy(frame, frames, light);
+    return error_of(run(pipeline, frame, history), light);
+}
+
+/// Memory that counts how often it is asked for.
+struct CountedMemory {
+    inline static int count = 0;
+    static void* allocate(std::size_t bytes) { return ++count, HostMemory::allocate(bytes); }
+    static void release(void* memory) { HostMemory::release(memory); }
+};
+
+} // namespace
+
+TEST_CASE("by evidence: history has the say where nothing changes") {
+    double const with = error_after(accumulate_light, 24, 1.f), alone = error_after(accumulate_light, 0, 1.f);
+    CHECK(with < .4 * alone);
+    CHECK(error_after(denoise, 24, 1.f) < 1.15 * with);
+    CHECK(error_after(presets::by_evidence(accumulate_light, cheaper), 24, 1.f) < 1.15 * with);
+}
+
+TEST_CASE("by evidence: the frame alone has the say where light has jumped") {
+    for (float const light : {.1f, 6.f}) {
+        CAPTURE(light);
+        double const with = error_after(accumulate_light, 24, light), alone = error_after(accumulate_light, 0, 1.f);
+        CHECK(with > 4. * alone);
+        CHECK(error_after(denoise, 24, light) < 1.6 * alone);
+        CHECK(error_after(presets::by_evidence(accumulate_light, cheaper), 24, light) < 1.6 * alone);
+    }
+}
+
+TEST_CASE("by evidence: each place has its own say") {
+    Frame frame{size, denoise};
+    History history{size, denoise};
+    auto const next = [&](unsigned number, float contrast) {
+        fill_noisy(frame, number, 1.f, contrast);
+        return copy_of(run(denoise, frame, history));
+    };
+    // The error at the left, where light stays, or at the right, where it jumps, away from the edge between them.
+    auto const error_at = [](std::vector<float> const& picture, int first, float light) {
+        double sum = 0.;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = first; x < first + 12; ++x) {
+                double const off = static_cast<double>(picture[static_cast<std::size_t>(3 * (y * size.width + x))]) / light - 1.;
+                sum += off * off;
+            }
+        return std::sqrt(sum / (12. * size.height));
+    };
+    unsigned number = 0;
+    double const alone = error_at(next(number++, 1.f), 2, 1.f);
+    while (number < 24) next(number++, 1.f);
+    auto const picture = next(number, 8.f);
+    CHECK(error_at(picture, 2, 1.f) < .6 * alone);
+    CHECK(error_at(picture, 50, 8.f) < 2. * alone);
+}
+
+TEST_CASE("by evidence: constant light stays as it is") {
+    Frame frame{size, denoise};
+    History history{size, denoise};
+    for (int i = 0; i < 4; ++i) {
+        tests::fill_still(frame);
+        tests::fill(frame[radiance], [](int, int) { return glm::vec3(.25f, .5f, .75f); });
+        auto const picture = run(denoise, frame, history);
+        CHECK(history.has_chosen() == (i > 0));
+        for (int c = 0; c < 3; ++c) CHECK(picture.get(c, 11, 7) == doctest::Approx(.25 * (c + 1)).epsilon(1e-5));
+    }
+    CHECK(history.statistics().frames == 4);
+    CHECK(history.statistics().resets == 1);
+    history.forget();
+    run(denoise, frame, history);
+    CHECK(!history.has_chosen());
+    frame.number = 7, run(denoise, frame, history);
+    frame.number = 9, run(denoise, frame, history);
+    CHECK(!history.has_chosen());
+}
+
+TEST_CASE("by evidence: what is sure beforehand is one of the two, whose history nothing has changed") {
+    constexpr float sure = 1e-12f;
+    auto const random_motion = [](auto const& pipeline) { return tests::sequence(pipeline, {37, 23}, Simd{}); };
+    auto const with = random_motion(presets::by_evidence(accumulate_light, Evidence{.at_first = 1.f, .spread = sure}));
+    CHECK(tests::difference(random_motion(accumulate_light), with) < 1e-5);
+    auto const alone = random_motion(presets::by_evidence(accumulate_light, Evidence{.at_first = 0.f, .spread = sure}));
+    Frame frame{Extent{37, 23}, accumulate_light};
+    History history{Extent{37, 23}, accumulate_light};
+    tests::fill_randomly(frame, 2);
+    CHECK(tests::difference(copy_of(run(accumulate_light, frame, history)), alone) < 1e-5);
+    CHECK(tests::difference(with, alone) > .01);
+}
+
+TEST_CASE("by evidence: passes say what the sums of plain numbers say") {
+    Frame<Channels<Radiance, Direct, Glossy, Indirect>> images(Extent{45, 29});
+    tests::fill_randomly(images, 5);
+    auto const view = [&](auto channel) { return images[channel].view(); };
+    auto const colour = [&](auto channel, int x, int y) {
+        return glm::vec3(view(channel).get(0, x, y), view(channel).get(1, x, y), view(channel).get(2, x, y));
+    };
+    for (Evidence const rule : {Evidence{}, Evidence{.radius = 3, .at_first = .2f, .spread = .3f}}) {
+        EvidenceSums sums(images.size);
+        EvidenceMix<> mix;
+        for (int const left_out : {1, 0}) mix.judge(rule, Simd{}, left_out, view(radiance), view(direct), view(glossy), view(indirect));
+        std::size_t i = 0;
+        for (int y = 0; y < images.size.height; ++y)
+            for (int x = 0; x < images.size.width; ++x)
+                sums.add(rule, i++, colour(radiance, x, y), colour(direct, x, y), colour(glossy, x, y), colour(indirect, x, y));
+        auto const parts = sums.parts(rule);
+        ImageOf<Planar<>, Radiance> result(images.size);
+        mix.mix(rule, Simd{}, view(direct), view(glossy), result.view());
+        i = 0;
+        for (int y = 0; y < images.size.height; ++y)
+            for (int x = 0; x < images.size.width; ++x, ++i)
+                CHECK(result.view().get(1, x, y) ==
+                      doctest::Approx(colour(glossy, x, y).y + (colour(direct, x, y).y - colour(glossy, x, y).y) * parts[i]).epsilon(1e-5));
+        ImageOf<Planar<>, Radiance> const other(Extent{45, 28});
+        CHECK(tests::message([&] {
+                  mix.mix(rule, Simd{}, view(direct), other.view(), result.view());
+              }).find("EvidenceMix: the second estimate: 45x28 beside samples of 45x29") != std::string::npos);
+    }
+}
+
+TEST_CASE("by evidence: any bits in, finite numbers out") {
+    for (Extent const each : {Extent{1, 1}, Extent{2, 1}, Extent{1, 5}, Extent{19, 17}}) {
+        CAPTURE(to_string(each));
+        auto const picture = tests::sequence(denoise, each, Simd{}, [](auto& frame, unsigned number) {
+            std::mt19937 random(number + 9);
+            std::uniform_int_distribution<std::uint32_t> bits;
+            for_each_channel(typename std::remove_reference_t<decltype(frame)>::channels{}, [&]<class C>(C channel) {
+                tests::fill(frame[channel], [&](int x, int y) {
+                    Value<C::components, float> value = frame[channel].get(x, y);
+                    if (random() % 3 == 0) value = value * std::bit_cast<float>(bits(random));
+                    return value;
+                });
+            });
+        });
+        CHECK(tests::all_finite(picture));
+    }
+    auto const nothing = tests::sequence(denoise, {9, 9}, Simd{}, [](auto& frame, unsigned) {
+        tests::fill(frame[radiance], [](int, int) { return glm::vec3(std::numeric_limits<float>::quiet_NaN()); });
+    });
+    CHECK(tests::all_finite(nothing));
+}
+
+TEST_CASE("by evidence: the executor does not change what comes out") {
+    for (Extent const each : {Extent{1, 3}, Extent{33, 21}, size}) {
+        CAPTURE(to_string(each));
+        auto const packs = tests::sequence(denoise, each, Simd{});
+        CHECK(tests::difference(packs, tests::sequence(denoise, each, Serial{})) < 2e-5);
+#if defined(QUELL_TEST_THREADS)
+        CHECK(packs == tests::sequence(denoise, each, Threads{.count = 1}));
+        CHECK(packs == tests::sequence(denoise, each, Threads{.count = 3, .tile = {16, 5}}));
+#endif
+    }
+}
+
+TEST_CASE("by evidence: the storage of the frame does not change what comes out, and nothing is allocated in warm frames") {
+    constexpr Extent small{31, 18};
+    Frame frame{small, denoise};
+    Frame<decltype(denoise)::reads, Interleaved<>> interleaved(small);
+    History history{small, denoise}, of_other{small, denoise};
+    History counted{small, denoise, Planar<Float32, CountedMemory>{}};
+    ImageOf<Interleaved<>, Radiance> target(small);
+    int before = 0;
+    std::size_t bytes = 0;
+    for (unsigned i = 0; i < 6; ++i) {
+        tests::fill_randomly(frame, i), tests::fill_randomly(interleaved, i);
+        auto const picture = copy_of(run(denoise, frame, history));
+        run_into(target.view(), denoise, interleaved, of_other);
+        CHECK(picture == copy_of(target.view()));
+        CHECK(picture == copy_of(run(denoise, frame, counted)));
+        if (i > 2) CHECK((CountedMemory::count == before && counted.bytes() == bytes));
+        before = CountedMemory::count, bytes = counted.bytes();
+    }
+    counted.release_scratch();
+    CHECK(counted.bytes() < bytes / 2);
+    CHECK(copy_of(run(denoise, frame, history)) == copy_of(run(denoise, frame, counted)));
+}
+
+TEST_CASE("by evidence: colours are anti-aliased behind it") {
+    constexpr auto smooth = presets::anti_aliased(denoise);
+    constexpr auto plain = presets::anti_aliased(accumulate_light);
+    auto const constant = [](auto const& pipeline) {
+        return tests::sequence(pipeline, {12, 9}, Simd{}, [](auto& frame, unsigned) {
+            tests::fill_still(frame);
+            tests::fill(frame[radiance], [](int, int) { return glm::vec3(.5f); });
+        });
+    };
+    CHECK(tests::difference(constant(smooth), constant(plain)) < 1e-5);
+}
