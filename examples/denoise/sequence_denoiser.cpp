@@ -8,7 +8,7 @@
 #include <quell/execute/threads.hpp>
 #include <quell/io/frame_image.hpp>
 #include <quell/io/part_names.hpp>
-#include <quell/resolve/twicing.hpp>
+#include <quell/resolve/residual_feedback.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -346,35 +346,34 @@ void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
 }
 
 /// A signal's light with its history, or by itself, or in between.
-metrics::Picture SequenceDenoiser::chosen(std::size_t signal, io::ExrImage const& image, io::ChannelNames const& names, long long number,
-                                          std::optional<HistoryContents> const& before, metrics::Picture const& with_history) {
-    if (!before || before->number != number - 1) return with_history;
+ChosenLight SequenceDenoiser::chosen(std::size_t signal, io::ExrImage const& image, io::ChannelNames const& names, long long number,
+                                     std::optional<HistoryContents> const& before, metrics::Picture const& with_history) {
+    if (!before || before->number != number - 1) return {with_history, with_history};
     auto const purpose = purpose_of(signal);
     auto& choice = choices[purpose == Purpose::with_alpha ? 1 : 0];
     if (!choice) choice = std::make_unique<HistoryChoice>(settings.preset, purpose, io::detail::size_of(canvas), settings.threads);
     return choice->choose(denoiser(signal), image, names, number, *before, with_history);
 }
 
-/// Whether a frame's light is twiced. The noise of few samples is so skewed that windows take it for light, in scenes of many small lamps
-/// above all, and so is light in a volume, which is a signal without a colour.
+/// Whether light that was filtered out is given back. Shares are those of known numbers of samples. Light in a volume, which is a signal
+/// without a colour, lies on no surface over which it could be smoothed.
 bool SequenceDenoiser::gives_light_back(Seen& seen) const {
-    constexpr int least_samples = 8;
-    if (seen.samples < least_samples) return false;
+    if (seen.samples < 1) return false;
     for (std::size_t s = 0; s < on_canvas.of_signals.size() && has_several_signals(on_canvas); ++s)
         if (on_canvas.of_signals[s].factor.empty() && split(seen, false).active[s]) return false;
     return true;
 }
 
 /// What the filter took out of a signal's light by mistake.
-void SequenceDenoiser::add_back_residual(io::ExrImage const& image, io::ChannelNames const& names, metrics::Picture& light) {
+void SequenceDenoiser::feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, int count, ChosenLight& chosen) {
     auto const planes = io::planes_of(Channels<Normal, Depth>{}, names);
     if (!image.has_all(planes)) return;
     Frame<Channels<Normal, Depth>> guides(image.size);
     io::load_channels(Channels<Normal, Depth>{}, guides, image, names);
     auto const samples = picture_of(image, io::sources_of(names, radiance), std::numeric_limits<float>::quiet_NaN());
     Timed const timed(other_milliseconds);
-    quell::add_back_residual(Twicing{}, Threads<>{.count = settings.threads}, samples.pixels, guides[normal].view(), guides[depth].view(),
-                             light.pixels);
+    quell::feed_back_residual({.samples = static_cast<float>(count)}, Threads<>{.count = settings.threads}, samples.pixels,
+                              guides[normal].view(), guides[depth].view(), chosen.alone.pixels, chosen.light.pixels);
 }
 
 DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long number, bool is_wanted) {
@@ -407,8 +406,9 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
         auto const before = chooses ? denoiser(s).remembered() : std::nullopt;
         auto result = denoiser(s).denoise(image, channels, number);
         if (chooses) {
-            result = chosen(s, image, channels, number, before, result);
-            if (gives_back) add_back_residual(image, channels, result);
+            auto choice = chosen(s, image, channels, number, before, result);
+            if (gives_back) feed_back_residual(image, channels, front.samples, choice);
+            result = std::move(choice.light);
         }
         auto const counted = denoiser(s).statistics();
         missing += counted.missing_samples;

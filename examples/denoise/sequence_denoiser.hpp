@@ -157,13 +157,13 @@ private:
     [[nodiscard]] SplitRule rule() const;
     [[nodiscard]] bool has_alpha(std::size_t signal) const;
     [[nodiscard]] bool gives_light_back(Seen& seen) const;
-    void add_back_residual(io::ExrImage const& image, io::ChannelNames const& names, metrics::Picture& light);
+    void feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, int samples, ChosenLight& chosen);
     void denoise_alpha(DenoisedFrame& frame, Seen const& seen, LightSplit const& split);
     void add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const;
     [[nodiscard]] Purpose purpose_of(std::size_t signal) const;
     [[nodiscard]] Denoiser& denoiser(std::size_t signal);
-    [[nodiscard]] metrics::Picture chosen(std::size_t signal, io::ExrImage const& image, io::ChannelNames const& names, long long number,
-                                          std::optional<HistoryContents> const& before, metrics::Picture const& with_history);
+    [[nodiscard]] ChosenLight chosen(std::size_t signal, io::ExrImage const& image, io::ChannelNames const& names, long long number,
+                                     std::optional<HistoryContents> const& before, metrics::Picture const& with_history);
     void mix_with_picture(DenoisedFrame& frame);
     void accumulate_guides(DenoisedFrame& frame);
     [[nodiscard]] Seen seen(io::ExrOriginal const& file, long long number) const;
