@@ -56,11 +56,11 @@ TEST_CASE("residual feedback: a picture that is as its samples stays") {
 }
 
 TEST_CASE("residual feedback: what a filter took out comes back") {
-    for (auto const& [count, most] : {std::pair{1.f, .95}, std::pair{4.f, .75}, std::pair{16.f, .45}}) {
-        CAPTURE(count);
+    for (auto const& each : {std::pair{1.f, .95}, std::pair{4.f, .75}, std::pair{16.f, .45}}) {
+        CAPTURE(each.first);
         Fed seen(waves, .1f);
         double const before = seen.error();
-        CHECK(seen.feed(Serial{}, count).error() < most * before);
+        CHECK(seen.feed(Serial{}, each.first).error() < each.second * before);
     }
 }
 
