@@ -63,21 +63,38 @@ metrics::Picture Denoiser::denoise(io::ExrImage const& image, io::ChannelNames c
     return run_images(choice);
 }
 
-/// Denoises the first of `images`.
-metrics::Picture Denoiser::run_images(HistoryChoice* choice) {
-    auto const made = output.value_or(size);
-    metrics::Picture picture{made, std::vector<glm::vec3>(static_cast<std::size_t>(made.pixels()))};
-    std::vector<glm::vec4> with_alpha(way.output_components == 4 ? picture.pixels.size() : 0);
+namespace {
+
+/// A picture, and its alpha where it has four components, of what `write` writes.
+std::pair<metrics::Picture, std::vector<float>> written(Extent size, int components, auto const& write) {
+    metrics::Picture picture{size, std::vector<glm::vec3>(static_cast<std::size_t>(size.pixels()))};
+    std::vector<glm::vec4> with_alpha(components == 4 ? picture.pixels.size() : 0);
     auto* const to =
         with_alpha.empty() ? reinterpret_cast<std::byte*>(picture.pixels.data()) : reinterpret_cast<std::byte*>(with_alpha.data());
-    std::ptrdiff_t const pixel = way.output_components * static_cast<std::ptrdiff_t>(sizeof(float));
-    auto const begin = std::chrono::steady_clock::now();
-    quell_library::Image const into{.data = to, .component_stride = sizeof(float), .pixel_stride = pixel, .row_stride = pixel * made.width};
-    choice != nullptr ? choice->run(*code, images, into) : code->run(images, into);
-    taken += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-    denoised_alpha.clear();
-    for (std::size_t i = 0; i < with_alpha.size(); ++i) picture.pixels[i] = with_alpha[i], denoised_alpha.push_back(with_alpha[i].a);
-    return picture;
+    std::ptrdiff_t const pixel = components * static_cast<std::ptrdiff_t>(sizeof(float));
+    write(quell_library::Image{.data = to, .component_stride = sizeof(float), .pixel_stride = pixel, .row_stride = pixel * size.width});
+    std::vector<float> alpha;
+    for (std::size_t i = 0; i < with_alpha.size(); ++i) picture.pixels[i] = with_alpha[i], alpha.push_back(with_alpha[i].a);
+    return {std::move(picture), std::move(alpha)};
+}
+
+} // namespace
+
+/// Denoises the first of `images`.
+metrics::Picture Denoiser::run_images(HistoryChoice* choice) {
+    auto [picture, alpha] = written(output.value_or(size), way.output_components, [&](quell_library::Image const& into) {
+        auto const begin = std::chrono::steady_clock::now();
+        choice != nullptr ? choice->run(*code, images, into) : code->run(images, into);
+        taken += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    });
+    denoised_alpha = std::move(alpha);
+    return std::move(picture);
+}
+
+std::optional<metrics::Picture> Denoiser::alone(HistoryChoice& choice) const {
+    bool is_there = false;
+    auto made = written(size, way.output_components, [&](auto const& into) { is_there = choice.copy_alone(into); }).first;
+    return is_there ? std::optional(std::move(made)) : std::nullopt;
 }
 
 std::unique_ptr<HistoryChoice> Denoiser::make_choice(Way const& judge) { return make_history_choice(way, judge, size, parallel(), {}); }

@@ -68,6 +68,8 @@ public:
     /// @param choice of what denoisers of this way make with their history and without, which may serve several; null: with history
     [[nodiscard]] metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number,
                                            quell_library::HistoryChoice* choice = nullptr);
+    /// What the frame alone makes of the last one, where the choice had two estimates of it; without alpha.
+    [[nodiscard]] std::optional<metrics::Picture> alone(quell_library::HistoryChoice& choice) const;
     /// What puts together what denoisers of this way make of frames of this size.
     /// @param judge the way of the preset's judge, see judge_of()
     [[nodiscard]] std::unique_ptr<quell_library::HistoryChoice> make_choice(quell_library::Way const& judge);

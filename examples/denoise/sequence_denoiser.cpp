@@ -8,7 +8,7 @@
 #include <quell/execute/threads.hpp>
 #include <quell/io/frame_image.hpp>
 #include <quell/io/part_names.hpp>
-#include <quell/resolve/twicing.hpp>
+#include <quell/resolve/residual_feedback.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -351,26 +351,27 @@ quell_library::HistoryChoice* SequenceDenoiser::choice_for(std::size_t signal) {
     return choice.get();
 }
 
-/// Whether a frame's light is twiced. The noise of few samples is so skewed that windows take it for light, in scenes of many small lamps
-/// above all, and so is light in a volume, which is a signal without a colour.
+/// Whether light that was filtered out is given back. Shares are those of known numbers of samples. Light in a volume, which is a signal
+/// without a colour, lies on no surface over which it could be smoothed.
 bool SequenceDenoiser::gives_light_back(Seen& seen) const {
-    constexpr int least_samples = 8;
-    if (seen.samples < least_samples) return false;
+    if (seen.samples < 1) return false;
     for (std::size_t s = 0; s < on_canvas.of_signals.size() && has_several_signals(on_canvas); ++s)
         if (on_canvas.of_signals[s].factor.empty() && split(seen, false).active[s]) return false;
     return true;
 }
 
 /// What the filter took out of a signal's light by mistake.
-void SequenceDenoiser::add_back_residual(io::ExrImage const& image, io::ChannelNames const& names, metrics::Picture& light) {
+/// @param alone the light by its frame alone
+void SequenceDenoiser::feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, int count,
+                                          metrics::Picture const& alone, metrics::Picture& light) {
     auto const planes = io::planes_of(Channels<Normal, Depth>{}, names);
     if (!image.has_all(planes)) return;
     Frame<Channels<Normal, Depth>> guides(image.size);
     io::load_channels(Channels<Normal, Depth>{}, guides, image, names);
     auto const samples = picture_of(image, io::sources_of(names, radiance), std::numeric_limits<float>::quiet_NaN());
     Timed const timed(other_milliseconds);
-    quell::add_back_residual(Twicing{}, Threads<>{.count = settings.threads}, samples.pixels, guides[normal].view(), guides[depth].view(),
-                             light.pixels);
+    quell::feed_back_residual({.samples = static_cast<float>(count)}, Threads<>{.count = settings.threads}, samples.pixels,
+                              guides[normal].view(), guides[depth].view(), alone.pixels, light.pixels);
 }
 
 DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long number, bool is_wanted) {
@@ -399,8 +400,9 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
     bool const gives_back = refines() && is_wanted && gives_light_back(front);
     auto const denoised = [&](std::size_t s) {
         auto const& channels = split.signals[s].channels;
-        auto result = denoiser(s).denoise(image, channels, number, refines() && is_wanted ? choice_for(s) : nullptr);
-        if (gives_back) add_back_residual(image, channels, result);
+        auto* const choice = refines() && is_wanted ? choice_for(s) : nullptr;
+        auto result = denoiser(s).denoise(image, channels, number, choice);
+        if (gives_back) feed_back_residual(image, channels, front.samples, denoiser(s).alone(*choice).value_or(result), result);
         auto const counted = denoiser(s).statistics();
         missing += counted.missing_samples;
         // Guides are the same for all signals.

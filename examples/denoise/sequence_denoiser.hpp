@@ -156,7 +156,8 @@ private:
     [[nodiscard]] SplitRule rule() const;
     [[nodiscard]] bool has_alpha(std::size_t signal) const;
     [[nodiscard]] bool gives_light_back(Seen& seen) const;
-    void add_back_residual(io::ExrImage const& image, io::ChannelNames const& names, metrics::Picture& light);
+    void feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, int samples, metrics::Picture const& alone,
+                            metrics::Picture& light);
     void denoise_alpha(DenoisedFrame& frame, Seen const& seen, LightSplit const& split);
     void add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const;
     [[nodiscard]] Purpose purpose_of(std::size_t signal) const;

@@ -34,6 +34,7 @@ template <int n> class HistoryChoiceOf final : public HistoryChoice {
     quell::detail::KnownPast past{};
     std::array<std::optional<OneImage>, made> images{};
     std::vector<FrameImages> judged{};
+    bool has_chosen = false; ///< between two estimates of the last frame
 
 public:
     HistoryChoiceOf(Way const& way, Way const& of_judge, Extent size, Parallel const& parallel, Memory const& m)
@@ -45,7 +46,8 @@ public:
     void run(CompiledDenoiser& denoiser, std::span<FrameImages const> window, Image const& output) override {
         auto const& frame = window.front();
         denoiser.tell(past);
-        if (!past.is_before(frame.size, frame.number)) {
+        has_chosen = past.is_before(frame.size, frame.number);
+        if (!has_chosen) {
             past.drop();
             return denoiser.run(window, output);
         }
@@ -56,14 +58,18 @@ public:
         past.drop();
         denoiser.run(window, image_of(a));
         use_memory();
-        HostTarget<n> const to{output.data, frame.size, output.component_stride, output.pixel_stride, output.row_stride, output.is_half};
-        mix.mix(quell::Evidence{}, executor, view_of(a), view_of(alone_with), to);
+        mix.mix(quell::Evidence{}, executor, view_of(a), view_of(alone_with), target_of(output, frame.size));
+    }
+    bool copy_alone(Image const& output) override {
+        if (has_chosen) copy(view_of(alone_with), target_of(output, images[alone_with]->size()));
+        return has_chosen;
     }
     void release_scratch() override {
         alone->release_scratch();
         if (judge) judge->release_scratch();
         mix.release();
         for (auto& each : images) each.reset();
+        has_chosen = false;
     }
     [[nodiscard]] std::size_t bytes() const override {
         std::size_t sum = alone->bytes() + (judge ? judge->bytes() : 0) + mix.bytes();
@@ -75,6 +81,12 @@ private:
     void use_memory() const { CallersMemory::current() = memory; }
     [[nodiscard]] auto view_of(Made which) const { return images[which]->view(); }
     [[nodiscard]] Image image_of(Made which) const { return image_of_view(view_of(which)); }
+    static HostTarget<n> target_of(Image const& image, Extent size) {
+        return {image.data, size, image.component_stride, image.pixel_stride, image.row_stride, image.is_half};
+    }
+    template <class To> void copy(View const& from, To const& to, int left_out = -1) const {
+        executor.for_each_pixel({0, 0, to.size.width, to.size.height}, quell::detail::CopyAllBut<View, To>{from, to, left_out});
+    }
 
     void take(FrameImages const& frame) {
         for (auto const which : {samples, left_over, a, b, b_with, alone_with}) {
@@ -112,8 +124,7 @@ private:
         quell::Evidence const rule{};
         for (int const left_out : {0, 1}) {
             use_memory();
-            quell::detail::CopyAllBut<View, View> const job{view_of(samples), view_of(left_over), left_out};
-            executor.for_each_pixel({0, 0, judged.front().size.width, judged.front().size.height}, job);
+            copy(view_of(samples), view_of(left_over), left_out);
             by_itself(judging, first, b);
             judging.learn(past);
             judging.run(judged, image_of(a));

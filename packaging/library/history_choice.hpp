@@ -32,6 +32,9 @@ public:
     /// @param output   written
     /// @throws quell::Error as CompiledDenoiser::run() does
     virtual void run(CompiledDenoiser& denoiser, std::span<FrameImages const> window, Image const& output) = 0;
+    /// Copies what the frame alone made of the last one. Returns false where there was nothing to choose, as it had no past.
+    /// @param output written; of the frame's size
+    virtual bool copy_alone(Image const& output) = 0;
     /// Gives its memory back, which the next frame takes again.
     virtual void release_scratch() = 0;
     [[nodiscard]] virtual std::size_t bytes() const = 0;

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
@@ -22,15 +23,24 @@ struct ResidualHalf {
     explicit ResidualHalf(Extent size) : sum(size), weight(size) {}
 };
 
+/// What a residual is not smoothed across.
+struct ResidualStops {
+    ViewOf<Planar<>, Normal> normal;
+    ViewOf<Planar<>, Depth> depth;
+    float depth_range;                              ///< part by which depths of one surface differ
+    std::optional<ViewOf<Planar<>, Depth>> light{}; ///< the logarithm of the picture's light; none: smooth across its edges
+    float light_range = 1.f;                        ///< how far that differs in one piece of light
+};
+
 /// Smooths both halves over surfaces by a B-spline's 5x5 taps, `step` pixels apart.
 struct SmoothResidual {
     static constexpr auto name = "smooth residual";
     using Colours = ViewOf<Planar<>, Albedo>;
     using Numbers = ViewOf<Planar<>, Depth>;
     int step;
-    float per_depth_range;
+    float per_depth_range, per_light_range; ///< the latter 0: light is not looked at
     ViewOf<Planar<>, Normal> normal;
-    Numbers depth;
+    Numbers depth, light;
     std::array<Colours, 2> sum, to_sum;
     std::array<Numbers, 2> weight, to_weight;
 
@@ -59,6 +69,11 @@ struct SmoothResidual {
                     auto const there = columns + static_cast<float>(i * step);
                     auto const usable = both(there >= Real(0.f), there < width, is_finite(p));
                     w = masked(usable, w * p / fma(off, off, Real(1.f)));
+                    if (per_light_range > 0.f) {
+                        auto const step_of_light =
+                            (load_pixels<Real>(light, column, row) - load_pixels<Real>(light, x, y)) * per_light_range;
+                        w = masked(usable, w / fma(step_of_light, step_of_light, Real(1.f)));
+                    }
                 }
                 whole = whole + w;
                 for (std::size_t half = 0; half < 2; ++half) {
@@ -75,17 +90,15 @@ struct SmoothResidual {
     }
 };
 
-/// What one band adds.
+/// What one band adds, or what one level is.
 struct ResidualBand {
     std::vector<glm::vec3> value; ///< made of all samples
     std::vector<glm::vec3> held;  ///< made of samples of the other half
 };
 
-/// The residual's bands, the finest first.
-/// @param depth_range part by which depths of one surface differ
-template <Executor E>
-std::array<ResidualBand, residual_bands> bands_of(E const& executor, PictureResidual const& residual, ViewOf<Planar<>, Normal> normal,
-                                                  ViewOf<Planar<>, Depth> depth, float depth_range) {
+/// The residual smoothed, the finest level first: each by steps twice as wide as those of the one before, from that one.
+template <std::size_t Count, Executor E>
+std::array<ResidualBand, Count> levels_of(E const& executor, PictureResidual const& residual, ResidualStops const& stops) {
     auto const size = residual.size;
     auto const pixels = residual.value.size();
     auto const each_pixel = [&](auto&& visit) {
@@ -101,17 +114,20 @@ std::array<ResidualBand, residual_bands> bands_of(E const& executor, PictureResi
             from[half].weight.view().set(0, x, y, here ? 1.f : 0.f);
         }
     });
-    std::array<ResidualBand, residual_bands> bands;
-    for (int band = 0; band < residual_bands; ++band) {
-        executor.for_each_pixel({0, 0, size.width, size.height}, SmoothResidual{.step = 1 << band,
-                                                                                .per_depth_range = 1.f / depth_range,
-                                                                                .normal = normal,
-                                                                                .depth = depth,
-                                                                                .sum = {from[0].sum.view(), from[1].sum.view()},
-                                                                                .to_sum = {to[0].sum.view(), to[1].sum.view()},
-                                                                                .weight = {from[0].weight.view(), from[1].weight.view()},
-                                                                                .to_weight = {to[0].weight.view(), to[1].weight.view()}});
-        auto& made = bands[static_cast<std::size_t>(band)];
+    std::array<ResidualBand, Count> levels;
+    int step = 1;
+    for (auto& made : levels) {
+        executor.for_each_pixel({0, 0, size.width, size.height},
+                                SmoothResidual{.step = step,
+                                               .per_depth_range = 1.f / stops.depth_range,
+                                               .per_light_range = stops.light ? 1.f / stops.light_range : 0.f,
+                                               .normal = stops.normal,
+                                               .depth = stops.depth,
+                                               .light = stops.light.value_or(stops.depth),
+                                               .sum = {from[0].sum.view(), from[1].sum.view()},
+                                               .to_sum = {to[0].sum.view(), to[1].sum.view()},
+                                               .weight = {from[0].weight.view(), from[1].weight.view()},
+                                               .to_weight = {to[0].weight.view(), to[1].weight.view()}});
         made.value.resize(pixels), made.held.resize(pixels);
         each_pixel([&](int x, int y, std::size_t i) {
             std::array<glm::vec3, 2> sum{};
@@ -125,10 +141,17 @@ std::array<ResidualBand, residual_bands> bands_of(E const& executor, PictureResi
             auto const other = 1 - residual.half_of(i);
             made.held[i] = weight[other] > .02f ? sum[other] / weight[other] : glm::vec3(0.f);
         });
-        std::swap(from, to);
+        std::swap(from, to), step *= 2;
     }
+    return levels;
+}
+
+/// The residual's bands, the finest first: what each level has more or less than the next.
+template <Executor E>
+std::array<ResidualBand, residual_bands> bands_of(E const& executor, PictureResidual const& residual, ResidualStops const& stops) {
+    auto bands = levels_of<residual_bands>(executor, residual, stops);
     for (std::size_t band = 0; band + 1 < bands.size(); ++band)
-        for (std::size_t i = 0; i < pixels; ++i)
+        for (std::size_t i = 0; i < residual.value.size(); ++i)
             bands[band].value[i] -= bands[band + 1].value[i], bands[band].held[i] -= bands[band + 1].held[i];
     return bands;
 }

@@ -1,13 +1,10 @@
 #pragma once
 
-#include <quell/core/error.hpp>
 #include <quell/resolve/residual_bands.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -122,18 +119,6 @@ inline void add_band(Twicing const& rule, ResidualBand const& band, PictureResid
     }
 }
 
-/// @throws Error where images of add_back_residual() differ in size
-inline void check_sizes(std::vector<glm::vec3> const& samples, Extent normal, Extent depth, std::vector<glm::vec3> const& picture) {
-    if (!(normal == depth))
-        raise_error("add_back_residual: the normals", to_string(normal) + " beside depths of " + to_string(depth),
-                    "give both the picture's size");
-    auto const pixels = static_cast<std::size_t>(depth.pixels());
-    for (auto const& [what, count] : {std::pair{"the samples", samples.size()}, std::pair{"the picture", picture.size()}})
-        if (count != pixels)
-            raise_error(std::string("add_back_residual: ") + what, std::to_string(count) + " pixels beside depths of " + to_string(depth),
-                        "give one value for each pixel, row by row");
-}
-
 } // namespace detail
 
 /// Adds to a picture what its samples tell that it lacks (Twicing).
@@ -147,9 +132,9 @@ inline void check_sizes(std::vector<glm::vec3> const& samples, Extent normal, Ex
 template <Executor E>
 void add_back_residual(Twicing const& rule, E const& executor, std::vector<glm::vec3> const& samples, ViewOf<Planar<>, Normal> normal,
                        ViewOf<Planar<>, Depth> depth, std::vector<glm::vec3>& picture) {
-    detail::check_sizes(samples, normal.size, depth.size, picture);
+    detail::check_residual_sizes("add_back_residual", samples, normal.size, depth.size, picture);
     detail::PictureResidual residual(rule.limits, depth.size, samples, picture);
-    auto const bands = detail::bands_of(executor, residual, normal, depth, rule.depth_range);
+    auto const bands = detail::bands_of(executor, residual, {normal, depth, rule.depth_range});
     auto const before = picture;
     for (std::size_t band = bands.size(); band-- > 0;) detail::add_band(rule, bands[band], residual, picture);
     for (std::size_t i = 0; i < picture.size(); ++i)

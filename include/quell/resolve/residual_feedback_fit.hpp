@@ -1,0 +1,65 @@
+#pragma once
+
+#include <quell/core/instruction_set.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace quell::inline QUELL_INSTRUCTION_SET {
+
+/// How much of each part of a residual is fed back (ResidualFeedback). N is the noise of samples relative to the light: a third of its
+/// logarithm to the base of 2.
+struct ResidualFeedbackShares {
+    float sample = 0;       ///< of what the pixel's own sample has more or less
+    float sample_noise = 0; ///< the same by N
+    float near_noise = 0;   ///< of the finest level, by N
+    float near_sure = 0;    ///< the same where it is more than noise
+    float near_held = 0;    ///< the same where held-out samples have it too
+    float fine_held = 0;    ///< of the finest band, where held-out samples surely have it too
+    float middle_held = 0;  ///< of the third band, the same way
+    float wide = 0;         ///< of the widest level
+    float wide_noise = 0;   ///< the same by N
+    float wide_texture = 0; ///< the same where the light varies
+    float alone = 0;        ///< of what the estimate without history has more or less
+
+    /// Shares fitted to renders of Cycles of 1 and of 16 samples; in between by the logarithm, as are those of 4.
+    /// @param samples of each pixel
+    [[nodiscard]] static ResidualFeedbackShares of_samples(float samples);
+};
+
+/// Fitted to renders of 1 sample.
+inline constexpr ResidualFeedbackShares feedback_of_1_sample{.sample = 0.0088f,
+                                                             .sample_noise = 0.0227f,
+                                                             .near_noise = 0.0142f,
+                                                             .near_sure = -0.2234f,
+                                                             .near_held = -0.0433f,
+                                                             .fine_held = 0.1052f,
+                                                             .middle_held = 0.342f,
+                                                             .wide = 0.2213f,
+                                                             .wide_noise = -0.0563f,
+                                                             .wide_texture = 0.2616f,
+                                                             .alone = -0.2076f};
+/// Fitted to renders of 16 samples.
+inline constexpr ResidualFeedbackShares feedback_of_16_samples{.sample = 0.0836f,
+                                                               .sample_noise = -0.0695f,
+                                                               .near_noise = 0.0522f,
+                                                               .near_sure = -0.3293f,
+                                                               .near_held = -0.13f,
+                                                               .fine_held = 0.897f,
+                                                               .middle_held = 1.431f,
+                                                               .wide = 0.3496f,
+                                                               .wide_noise = -0.0802f,
+                                                               .wide_texture = 0.2637f,
+                                                               .alone = -0.1305f};
+
+inline ResidualFeedbackShares ResidualFeedbackShares::of_samples(float samples) {
+    float const t = std::clamp(std::log2(std::max(samples, 1.f)) / 4.f, 0.f, 1.f);
+    using S = ResidualFeedbackShares;
+    auto shares = feedback_of_1_sample;
+    for (auto const share : {&S::sample, &S::sample_noise, &S::near_noise, &S::near_sure, &S::near_held, &S::fine_held, &S::middle_held,
+                             &S::wide, &S::wide_noise, &S::wide_texture, &S::alone})
+        shares.*share += (feedback_of_16_samples.*share - shares.*share) * t;
+    return shares;
+}
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET

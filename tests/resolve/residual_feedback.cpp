@@ -1,0 +1,153 @@
+#include <doctest/doctest.h>
+#include <quell/execute/threads.hpp>
+#include <quell/resolve/residual_feedback.hpp>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace quell;
+
+namespace {
+constexpr Extent size{96, 80};
+
+/// A picture that a filter made of a flat surface of light 1, its samples, and what is true.
+struct Fed {
+    std::vector<glm::vec3> truth, samples, picture;
+    ImageOf<Planar<>, Normal> normals{size};
+    ImageOf<Planar<>, Depth> depths{size};
+
+    /// @param at    the truth at a column and row
+    /// @param noise standard deviation of the samples
+    template <class Truth> Fed(Truth&& at, float noise, unsigned seed = 5) {
+        std::mt19937 random(seed);
+        std::normal_distribution<float> normal_distribution(0.f, noise);
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                truth.emplace_back(at(x, y));
+                samples.push_back(truth.back() + glm::vec3(normal_distribution(random)));
+                picture.emplace_back(1.f);
+                normals.view().set(2, x, y, 1.f), depths.view().set(0, x, y, 3.f);
+            }
+    }
+    double error() const {
+        double sum = 0;
+        for (std::size_t i = 0; i < truth.size(); ++i) sum += std::pow(static_cast<double>(picture[i].x - truth[i].x), 2.);
+        return std::sqrt(sum / static_cast<double>(truth.size()));
+    }
+    Fed& feed(Executor auto const& executor, float count) {
+        auto const alone = picture;
+        feed_back_residual({.samples = count}, executor, samples, normals.view(), depths.view(), alone, picture);
+        return *this;
+    }
+};
+float flat(int, int) { return 1.f; }
+float brighter(int, int) { return 1.1f; }
+/// Waves of 8 pixels that the picture lacks, in the left half.
+float waves(int x, int) { return x < size.width / 2 ? 1.f + .3f * std::sin(static_cast<float>(x) * .785398f) : 1.f; }
+} // namespace
+
+TEST_CASE("residual feedback: a picture that is as its samples stays") {
+    for (float const count : {1.f, 4.f, 16.f, 256.f}) {
+        Fed seen(flat, 0.f);
+        auto const before = seen.picture;
+        CHECK(seen.feed(Serial{}, count).picture == before);
+    }
+}
+
+TEST_CASE("residual feedback: what a filter took out comes back") {
+    for (auto const& each : {std::pair{1.f, .95}, std::pair{4.f, .75}, std::pair{16.f, .45}}) {
+        CAPTURE(each.first);
+        Fed seen(waves, .1f);
+        double const before = seen.error();
+        CHECK(seen.feed(Serial{}, each.first).error() < each.second * before);
+    }
+}
+
+TEST_CASE("residual feedback: light that the picture lacks everywhere comes back in part, and never more than that") {
+    for (float const noise : {0.f, .001f, .01f, .1f, .5f})
+        for (float const count : {1.f, 4.f, 16.f, 64.f}) {
+            CAPTURE(noise);
+            CAPTURE(count);
+            Fed seen(brighter, noise);
+            seen.feed(Serial{}, count);
+            double mean = 0;
+            for (auto const& colour : seen.picture) mean += static_cast<double>(colour.x) / static_cast<double>(size.pixels());
+            CHECK(mean > 1.01);
+            CHECK(mean < 1.11);
+        }
+}
+
+TEST_CASE("residual feedback: little of the noise comes back, and nothing of it in the mean") {
+    for (float const count : {1.f, 16.f}) {
+        CAPTURE(count);
+        double error = 0, mean = 0;
+        for (unsigned seed = 1; seed <= 8; ++seed) {
+            Fed seen(flat, .3f, seed);
+            error += seen.feed(Serial{}, count).error() / 8.;
+            for (auto const& colour : seen.picture) mean += static_cast<double>(colour.x - 1.f) / 8. / static_cast<double>(size.pixels());
+        }
+        CHECK(error < .2 * .3);
+        CHECK(std::abs(mean) < .003);
+    }
+}
+
+TEST_CASE("residual feedback: threads give the same bits, and packs nearly") {
+    Fed one(waves, .1f), two(waves, .1f), three(waves, .1f), packs(waves, .1f);
+    one.feed(Threads<>{.count = 1}, 16.f), two.feed(Threads<>{.count = 2}, 16.f), three.feed(Threads<>{.count = 3}, 16.f);
+    CHECK(one.picture == two.picture);
+    CHECK(one.picture == three.picture);
+    packs.feed(Simd{}, 16.f);
+    for (std::size_t i = 0; i < one.picture.size(); ++i) REQUIRE(packs.picture[i].x == doctest::Approx(one.picture[i].x).epsilon(1e-4));
+}
+
+TEST_CASE("residual feedback: what is bad spreads nothing") {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+    Fed seen(waves, .1f);
+    for (std::size_t i = 0; i < seen.samples.size(); i += 3) seen.samples[i].y = i % 2 == 0 ? nan : infinity;
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < size.width; ++x) seen.depths.view().set(0, x, y, infinity), seen.normals.view().set(2, x, y, 0.f);
+    auto alone = seen.picture;
+    alone[500] = glm::vec3(nan), seen.picture[700] = glm::vec3(infinity);
+    feed_back_residual({.samples = 16.f}, Simd{}, seen.samples, seen.normals.view(), seen.depths.view(), alone, seen.picture);
+    for (std::size_t i = 0; i < seen.picture.size(); ++i)
+        if (i != 700) REQUIRE((std::isfinite(seen.picture[i].x) && std::isfinite(seen.picture[i].y) && std::isfinite(seen.picture[i].z)));
+    CHECK(seen.picture[700] == glm::vec3(infinity));
+}
+
+TEST_CASE("residual feedback: of no samples the picture stays, and light never turns negative") {
+    Fed none(flat, 0.f), dark(flat, 0.f);
+    for (auto& sample : none.samples) sample = glm::vec3(std::numeric_limits<float>::infinity());
+    auto const before = none.picture;
+    CHECK(none.feed(Serial{}, 16.f).picture == before);
+    for (auto& sample : dark.samples) sample = glm::vec3(0.f);
+    for (auto const& colour : dark.feed(Serial{}, 16.f).picture) CHECK(colour.x >= .2f);
+}
+
+TEST_CASE("residual feedback: shares of few samples lie between those of 1 and of 16") {
+    auto const one = ResidualFeedbackShares::of_samples(1.f), four = ResidualFeedbackShares::of_samples(4.f),
+               many = ResidualFeedbackShares::of_samples(16.f);
+    CHECK(one.wide == feedback_of_1_sample.wide);
+    CHECK(four.fine_held == doctest::Approx(.5f * (one.fine_held + many.fine_held)));
+    CHECK(many.alone == doctest::Approx(feedback_of_16_samples.alone));
+    CHECK(ResidualFeedbackShares::of_samples(256.f).alone == many.alone);
+    CHECK(ResidualFeedbackShares::of_samples(0.f).alone == one.alone);
+}
+
+TEST_CASE("residual feedback: small images stay finite, and other sizes are refused") {
+    for (Extent const small : {Extent{1, 1}, Extent{1, 9}, Extent{17, 1}, Extent{3, 2}}) {
+        auto const pixels = static_cast<std::size_t>(small.pixels());
+        ImageOf<Planar<>, Normal> normals(small);
+        ImageOf<Planar<>, Depth> depths(small);
+        std::vector<glm::vec3> const samples(pixels, glm::vec3(2.f)), alone(pixels, glm::vec3(1.f));
+        auto picture = alone;
+        for (int y = 0; y < small.height; ++y)
+            for (int x = 0; x < small.width; ++x) normals.set(x, y, {0.f, 0.f, 1.f}), depths.set(x, y, 3.f);
+        feed_back_residual({}, Simd{}, samples, normals.view(), depths.view(), alone, picture);
+        for (auto const& colour : picture) CHECK((colour.x >= 1.f && colour.x <= 2.f));
+        picture.emplace_back(1.f);
+        CHECK_THROWS_AS(feed_back_residual({}, Simd{}, samples, normals.view(), depths.view(), alone, picture), Error);
+        picture.pop_back();
+        CHECK_THROWS_AS(feed_back_residual({}, Simd{}, samples, normals.view(), depths.view(), {}, picture), Error);
+    }
+}
