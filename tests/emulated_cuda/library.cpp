@@ -3,9 +3,23 @@
 
 #include <doctest/doctest.h>
 
+#include <library/cuda/cuda_presets.hpp>
+#include <library/images_of_frame.hpp>
 #include <quell_denoiser.hpp>
 
 #include <memory>
+
+/// A preset as programs know it, of which no code for a CPU is there.
+std::vector<quell_library::CompiledPreset> const& quell_library::compiled_presets() {
+    static auto const all = [] {
+        CompiledPreset svgf{.name = "svgf"}, other{.name = "general"};
+        for_each_channel(decltype(emulated_cuda::preset<2>())::reads{},
+                         [&](auto c) { svgf.usual.channels.push_back({.name = c.name, .components = c.components}); });
+        svgf.usual.output_components = 3;
+        return std::vector{svgf, other};
+    }();
+    return all;
+}
 
 // libquell on the emulated device: what a host hands over lies in memory that the host itself can't touch.
 namespace {
@@ -254,4 +268,36 @@ TEST_CASE("a frame that is refused leaves nothing behind, and a fault of the dev
     quell_statistics counted = QUELL_STATISTICS;
     CHECK(quell_get_statistics(denoiser.get(), &counted) == QUELL_OK);
     device::restart();
+}
+
+TEST_CASE("programs get the bits of Serial from presets on a device, and its sentences as errors") {
+    auto const expected = device::by_serial(2);
+    auto const& presets = quell_library::cuda_presets();
+    REQUIRE(presets.size() == 1);
+    CHECK(presets[0].name == "svgf");
+    auto const& way = presets[0].usual;
+    quell_library::Parallel const parallel{.run = quell_library::run_here};
+    auto const denoiser = way.make({width, height}, parallel, {});
+    std::vector<float> picture;
+    for (std::size_t i = 0; i < device::steps.size(); ++i) { // of two sizes
+        CAPTURE(i);
+        auto const& step = device::steps[i];
+        if (step.forgotten) denoiser->forget();
+        Frame frame({step.width, step.height});
+        device::fill(frame, step);
+        auto const images = quell_library::images_of(way, frame);
+        denoiser->run({&images, 1}, quell_library::image_of(picture, 3, frame.size));
+        CHECK(picture == expected[i].picture);
+        CHECK(denoiser->statistics().missing_samples == expected[i].missing);
+    }
+    CHECK(denoiser->bytes() > 0);
+    device::limit_memory(device::counts().bytes + 1000);
+    try {
+        way.make({width, height}, parallel, {});
+        FAIL("there is too little memory");
+    } catch (quell::Error const& error) {
+        CHECK(error.subject == "memory of the device");
+        CHECK(error.remedy.find("give smaller frames") == 0);
+    }
+    device::limit_memory(std::numeric_limits<std::size_t>::max());
 }
