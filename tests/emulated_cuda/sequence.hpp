@@ -2,7 +2,6 @@
 
 #include "../../bench/cuda/scene.hpp"
 
-#include <quell/presets/blur.hpp>
 #include <quell/presets/effects.hpp>
 
 #include <string>
@@ -45,12 +44,10 @@ template <int number> constexpr auto preset() {
     if constexpr (number == 1) return presets::surface_clamp(radiance, SuppressFireflies{});
     if constexpr (number == 2) return presets::svgf(radiance, Demodulate{});
     if constexpr (number == 3) return presets::glossy();
-    // Those that take long to compile: presets.cpp.
+    // Those that take long to compile: preset.cpp.
     if constexpr (number == 4) return presets::shadow();
     if constexpr (number == 5) return presets::dual_cone();
     if constexpr (number == 6) return presets::final_frame(radiance, Demodulate{});
-    if constexpr (number == 7) return presets::trmv();
-    if constexpr (number == 8) return presets::blur(radiance);
 }
 
 template <class F> void spoil_a_part(F& frame) {
