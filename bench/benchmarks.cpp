@@ -13,6 +13,7 @@ constexpr Extent smoke_size{96, 54};
 
 /// Threads 1, 2, 4, ... and as many as there are.
 std::vector<How> executors(Family const& family) {
+    if (family.storage == cuda_storage) return {{How::Kind::threads, max_threads()}}; // which copy images
     std::vector<How> all;
     if (family.has_serial()) all.push_back({How::Kind::serial});
     all.push_back({How::Kind::simd});
@@ -85,11 +86,10 @@ void register_size(std::vector<Family> const& all, Extent size) {
 
 } // namespace
 
-void register_benchmarks() {
-    auto const all = families();
+void register_benchmarks(std::vector<Family> const& all) {
     for (auto const size : sizes) register_size(all, size);
     for (auto const& family : all)
-        if (family.storage == reference_storage)
+        if (family.storage == reference_storage || family.storage == cuda_storage)
             benchmark::RegisterBenchmark(("smoke/" + family.preset).c_str(), [=](benchmark::State& state) {
                 run_preset(state, family, smoke_size, {How::Kind::threads, max_threads()});
             })->Iterations(1);

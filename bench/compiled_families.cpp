@@ -6,6 +6,7 @@
 #include "traced_sequence.hpp"
 #endif
 
+#include <library/cuda/cuda_presets.hpp>
 #include <library/images_of_frame.hpp>
 #include <library/name_list.hpp>
 #include <library/own_threads.hpp>
@@ -81,14 +82,25 @@ private:
 
 } // namespace
 
-std::vector<Family> compiled_families() {
+namespace {
+/// @param presets that live as long as the program
+std::vector<Family> families_of(std::vector<CompiledPreset> const& presets) {
     std::vector<Family> made;
-    for (auto const& preset : compiled_presets()) {
+    for (auto const& preset : presets) {
         auto const& way = preset.usual;
         if (!is_chosen(QUELL_BENCH_PRESETS, preset.name) || !(QUELL_BENCH_TRACES || reads_only(way, Input::channels{}))) continue;
         made.push_back({preset.name, reference_storage, pass_names(way.passes()),
                         [&way](Extent size) { return std::make_unique<CompiledWorkload>(way, size); }});
     }
+    return made;
+}
+
+} // namespace
+
+std::vector<Family> compiled_families() { return families_of(compiled_presets()); }
+std::vector<Family> cuda_families() {
+    auto made = families_of(cuda_presets());
+    for (auto& family : made) family.storage = cuda_storage, family.passes.clear(); // one after the other, on the device
     return made;
 }
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # The presets on an NVIDIA GPU: whether they agree with Serial over 8 frames, and what they cost.
 #   bench/cuda.sh build [folder]    with nvcc and without a GPU: makes folder/quell-cuda (and folder/example, the program of
-#                                   docs/using.md, and folder/cuda_host), which run on any machine with an NVIDIA driver, and
-#                                   folder/kernels.txt
+#                                   docs/using.md, folder/cuda_host, and folder/quell-library, which wants oneTBB), which run on
+#                                   any machine with an NVIDIA driver, and folder/kernels.txt
 #   bench/cuda.sh run [folder]      on a machine with a GPU; a minute. The folder is build/cuda unless it is given.
 # NVCC names another compiler, NVCC_FLAGS has more flags for it.
 set -euo pipefail
@@ -74,6 +74,8 @@ build() {
         for ((unit = 0; unit < units; ++unit)); do echo "unit_$unit.o -DUNIT=$unit -DUNITS=$units bench/cuda/presets.cu"; done
         echo "example.o $folder/example.cu"
         echo "cuda_host.o -Iexamples examples/cuda_host/main.cu"
+        echo "library.o -Ipackaging -Ipackaging/library bench/cuda/library.cu"
+        echo "quell_h.o -Ipackaging -Ipackaging/library -Iexamples bench/cuda/quell_h.cpp"
         echo "main.o bench/cuda/main.cpp"
         echo "check_layouts.o bench/cuda/check_layouts.cpp"
         echo "shifted.o tests/build/cuda/shifted.cu"
@@ -82,8 +84,9 @@ build() {
     "$nvcc" "${static[@]}" "$folder"/{main,check_layouts}.o "$folder"/unit_*.o -o "$folder/quell-cuda"
     "$nvcc" "${static[@]}" "$folder/example.o" -o "$folder/example"
     "$nvcc" "${static[@]}" "$folder/cuda_host.o" -o "$folder/cuda_host"
+    "$nvcc" "${static[@]}" "$folder"/{library,quell_h}.o -ltbb -o "$folder/quell-library"
     "$nvcc" "${static[@]}" "$folder"/{shifted,check_layouts}.o -o "$folder/shifted"
-    list_kernels "$folder"/unit_*.o.log >"$folder/kernels.txt"
+    list_kernels "$folder"/{unit_*,library}.o.log >"$folder/kernels.txt"
     rm "$folder"/*.o "$folder"/*.log
     du -h "$folder"/{quell-cuda,example}
 }
@@ -99,6 +102,12 @@ run)
     echo
     echo "examples/cuda_host says:"
     (cd "$folder" && ./cuda_host)
+    echo
+    if ldd "$folder/quell-library" | grep -q 'not found'; then
+        echo "skipped: libquell on a device, which wants oneTBB on this machine"
+    else
+        "$folder/quell-library"
+    fi
     ;;
 *) sed -n '2,7s/^# \{0,1\}//p' "bench/cuda.sh" >&2; exit 2 ;;
 esac

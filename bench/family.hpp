@@ -9,6 +9,8 @@
 
 namespace quell::bench {
 
+/// What families on a GPU have in a storage's place.
+inline constexpr auto cuda_storage = "cuda";
 /// The storage that all is compared with.
 inline constexpr auto reference_storage = "planar-float";
 
@@ -54,6 +56,9 @@ std::vector<std::string> pass_names(std::vector<std::string> const& passes);
 std::vector<Family> families();
 /// Those with the reference storage, in packs: compiled presets.
 std::vector<Family> compiled_families();
+/// Those that run on a GPU. Their storage is called cuda.
+/// @throws Error where the program was built without CUDA
+std::vector<Family> cuda_families();
 /// Every `units`-th of those with another storage, or one pixel after the other, from number `unit` on: in a generated file.
 template <class Storage, std::size_t unit, std::size_t units> std::vector<Family> families_of_unit();
 

@@ -50,12 +50,19 @@ void check_no_gap(FramePattern const& in, examples::FrameRange const& range) {
 }
 
 /// Those that make whole pictures of what the file has.
-std::vector<FileMethod> methods_for(io::ExrFile const& file, io::SequenceNames const& names) {
+/// @param device what runs them; the input itself is there in any case
+std::vector<FileMethod> methods_for(io::ExrFile const& file, io::SequenceNames const& names, std::string const& device) {
+    auto const& on_device = examples::presets_on(device);
     std::vector<FileMethod> methods;
     for (auto const& preset : examples::presets()) {
         if (examples::is_part(preset) || preset.wants_sharp_picture) continue;
         // The input itself is always there: it complains by name of what it lacks.
         if (preset.name != "none" && !examples::applies(preset, file, names)) continue;
+        if (device != "cpu" && preset.name != "none") {
+            auto const found = std::ranges::find(on_device, preset.name, &examples::Preset::name);
+            if (found != on_device.end()) methods.push_back({preset.name, *found});
+            continue;
+        }
         methods.push_back({preset.name, preset});
         if (examples::looks_ahead(preset)) methods.push_back({preset.name + "-two-sided", preset, examples::usual_later_frames});
     }
@@ -72,7 +79,7 @@ FileSequence file_sequence(ChartOptions const& options, Files const& files, std:
     return {scene,      in,
             reference,  map,
             range,      examples::numbers_of_references(reference, range),
-            first.size, methods_for(first, map ? *map : examples::recognised(first))};
+            first.size, methods_for(first, map ? *map : examples::recognised(first), options.device)};
 }
 
 std::vector<Wanted> wanted_of(FileSequence const& sequence) {

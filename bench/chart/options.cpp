@@ -2,6 +2,7 @@
 
 #include "judge.hpp"
 
+#include <denoise/presets.hpp>
 #include <quell/core/error.hpp>
 #include <support/program.hpp>
 #include <support/size_in.hpp>
@@ -40,6 +41,8 @@ void describe(CLI::App& app, ChartOptions& o, Words& words) {
     app.add_option("--size", words.size, "width x height in pixels")->capture_default_str();
     app.add_option("--frames", o.frames, "number of frames; 24, 28, 31 to 34, 36 and 40 are scored")
         ->check(CLI::Range(ChartOptions::first_timed + 1, 100000))
+        ->capture_default_str();
+    app.add_option("--device", o.device, "what denoises --in: cpu, or cuda, an NVIDIA GPU, where this program was built for it")
         ->capture_default_str();
     examples::add_threads(app, o.threads);
     app.add_option("--seed", o.seed, "of the noise")->capture_default_str();
@@ -85,7 +88,8 @@ void check_files_or_scenes(CLI::App const& app) {
             if (app.count(option) > 0) throw Error(option, found, remedy);
     };
     if (app.count("--in") == 0)
-        return check_none({"--reference", "--map", "--first", "--last"}, "there is no --in", "give the noisy frames, or leave it out");
+        return check_none({"--reference", "--map", "--first", "--last", "--device"}, "there is no --in",
+                          "give the noisy frames, or leave it out");
     check_none({"--scene", "--effect", "--size", "--frames", "--seed", "--tolerance", "--few", "--times", "--sweep", "--external"},
                "it is for scenes, and --in is for files", "chart the one without the other");
 }
@@ -126,6 +130,7 @@ ChartOptions chart_options(int argc, char const* const* argv) {
     options.size = examples::size_in(words.size);
     if (!options.times && options.frames <= ChartOptions::first_scored)
         throw Error("--frames", std::to_string(options.frames) + ", of which none is scored", "give more than 24, or --times too");
+    examples::check_device(options.device);
     check_files_or_scenes(app);
     options.files = files_of(words);
     if (options.files.empty()) options.cases = cases_of(words.scenes, words.effects);

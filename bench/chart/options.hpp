@@ -30,8 +30,9 @@ struct ChartOptions {
     std::optional<long long> first, last; ///< of their frames; what isn't given is what there is
     std::filesystem::path out = "out/chart";
     Extent size{480, 270};
-    int frames = 41; ///< more than first_scored, or than first_timed if only times are wanted
-    int threads = 0; ///< the number of threads; on the command line 0 means all
+    int frames = 41;            ///< more than first_scored, or than first_timed if only times are wanted
+    std::string device = "cpu"; ///< what denoises files: cpu or cuda
+    int threads = 0;            ///< the number of threads; on the command line 0 means all
     std::uint32_t seed = 0;
     double tolerance = 0; ///< of the references: mean FLIP between two independent halves; 0: by the effect
     bool few = false;     ///< score frames 24, 32 and 40 only

@@ -21,6 +21,7 @@ foreach(library quell_support quell_sequence quell_denoise quell_presets)
     get_target_property(files ${library} SOURCES)
     get_target_property(folder ${library} SOURCE_DIR)
     list(FILTER files EXCLUDE REGEX "TARGET_OBJECTS") # compiled for this instruction set below
+    list(FILTER files EXCLUDE REGEX "^${PROJECT_BINARY_DIR}/.*/cuda_[^/]*$") # of a GPU, which such a program does not know
     foreach(file IN LISTS files)
         get_filename_component(file ${file} ABSOLUTE BASE_DIR ${folder})
         list(APPEND sources ${file})

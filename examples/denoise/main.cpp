@@ -138,6 +138,7 @@ public:
         for (auto const number : frames) (options.skip_existing && output->has(number) ? summary.skipped : wanted).push_back(number);
         if (wanted.empty()) return;
         choice = views->choose(choice.preset, options.signal, in.path(wanted.front()));
+        choice.preset = &preset_on(options.device, *choice.preset);
         summary.preset = choice.preset->name, summary.preset_reason = choice.reason, summary.signal = options.signal;
         for (auto const& view : views->all) {
             if (!options.layers.empty()) output->check(wanted.front(), view.names);
@@ -217,7 +218,7 @@ private:
                 .later_frames = later_frames(options, *choice.preset),
                 .keeps_alpha = options.keep_alpha,
                 .anti_aliases = !options.quick,
-                .refines = !options.quick && choice.preset->name == "final-frame",
+                .refines = !options.quick && choice.preset->name == "final-frame" && options.device == "cpu",
                 .diagnose = options.diagnose,
                 .upsampling = upsampling,
                 .debug_views = options.debug_views};
@@ -333,7 +334,7 @@ int main(int argc, char** argv) {
         if (!options) return;
         if (options->plan) return print_plan(*options);
         if (!options->list) return denoise(*options);
-        for (auto const& preset : presets()) std::cout << preset.name << '\n';
+        for (auto const& preset : presets_on(options->device)) std::cout << preset.name << '\n';
     };
     return exit_code_of("quell-denoise", body,
                         "choose a --preset that takes less (--plan says how much), or give --quick or --extra-frames 0");

@@ -107,6 +107,11 @@ void describe(CLI::App& app, DenoiseOptions& options) {
         ->delimiter(',');
     app.set_version_flag("--version", "quell-denoise " + std::string(version) + " for " QUELL_ISA,
                          "Print the version and the instruction set that runs");
+    app.add_option(
+           "--device", options.device,
+           "What denoises: cpu, or cuda, an NVIDIA GPU, where this program was built for it: without later frames, as a host does in "
+           "real time, and without what --quick leaves out but anti-aliased colours")
+        ->capture_default_str();
     app.add_option("--isa", options.isa,
                    "Instruction set to run, of those that this program is compiled for: " QUELL_ISAS
                    " (default: the best that the machine has)");
@@ -142,6 +147,15 @@ void check_output(DenoiseOptions const& options) {
         if (is_there && options.out.empty()) throw Error(name, "--out is missing", "say where the result goes");
 }
 
+void check_beside_device(DenoiseOptions const& options) {
+    check_device(options.device);
+    if (options.device == "cpu") return;
+    for (auto const& [name, is_there] : {std::pair{"--extra-frames", options.extra_frames.value_or(0) != 0},
+                                         {"--debug-view", !options.debug_views.empty()},
+                                         {"--diagnose", options.diagnose}})
+        if (is_there) throw Error(name, "--device " + options.device + " does not know it", "leave one of the two out");
+}
+
 /// The picture alone is enlarged.
 void check_upsample(DenoiseOptions const& options) {
     if (!options.upsample) return;
@@ -157,6 +171,7 @@ void check_upsample(DenoiseOptions const& options) {
 void check(DenoiseOptions const& options) {
     if (!options.isa.empty() && options.isa != QUELL_ISA)
         throw Error("--isa", "this program has no code for '" + options.isa + "'", "choose one of: " QUELL_ISAS);
+    check_beside_device(options);
     if (options.list) return;
     check_upsample(options);
     if (options.plan && options.in.empty() && options.preset.empty())

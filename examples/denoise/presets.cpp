@@ -1,5 +1,6 @@
 #include <denoise/presets.hpp>
 
+#include <library/cuda/cuda_presets.hpp>
 #include <quell/core/error.hpp>
 
 #include <fmt/format.h>
@@ -23,6 +24,25 @@ Preset const& preset_of(std::string const& name) {
     throw Error("--preset", "there is no preset '" + name + "'",
                 fmt::format("choose one of: {}{}", fmt::join(presets() | std::views::transform(&Preset::name), ", "),
                             std::string_view(QUELL_PRESETS).empty() ? "" : " (those of QUELL_PRESETS)"));
+}
+
+void check_device(std::string const& device) {
+    if (device == "cuda")
+        static_cast<void>(quell_library::cuda_presets());
+    else if (device != "cpu")
+        throw Error("--device", "there is no '" + device + "'", "choose one of: cpu, cuda");
+}
+std::vector<Preset> const& presets_on(std::string const& device) {
+    check_device(device);
+    return device == "cuda" ? quell_library::cuda_presets() : presets();
+}
+Preset const& preset_on(std::string const& device, Preset const& preset) {
+    auto const& all = presets_on(device);
+    auto const found = std::ranges::find(all, preset.name, &Preset::name);
+    if (found != all.end()) return *found;
+    throw Error("--device", "preset " + preset.name + " is not compiled for " + device,
+                fmt::format("choose one of: {} (those of QUELL_CUDA_PRESETS that make a picture)",
+                            fmt::join(all | std::views::transform(&Preset::name), ", ")));
 }
 
 bool applies(Preset const& preset, io::ExrListing const& file, io::SequenceNames const& names) {

@@ -13,6 +13,16 @@ namespace quell::examples {
 /// @throws Error, listing the names, where there is no such preset
 [[nodiscard]] Preset const& preset_of(std::string const& name);
 
+/// @throws Error where there is no such device, or the program was not built for it
+void check_device(std::string const& device);
+/// The presets that a device runs, in the same order.
+/// @param device cpu or cuda
+/// @throws Error as check_device() does
+[[nodiscard]] std::vector<Preset> const& presets_on(std::string const& device);
+/// A preset on a device.
+/// @throws Error where it is not compiled for it
+[[nodiscard]] Preset const& preset_on(std::string const& device, Preset const& preset);
+
 /// Whether a file has all the planes that a preset wants for these signals, and a camera where it needs one.
 [[nodiscard]] bool applies(Preset const& preset, io::ExrListing const& file, io::SequenceNames const& names);
 

@@ -343,9 +343,10 @@ void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
     }
 }
 
-/// Between a signal's light with its history, and by itself.
+/// Between a signal's light with its history, and by itself; null where its preset can't choose.
 quell_library::HistoryChoice* SequenceDenoiser::choice_for(std::size_t signal) {
     auto const purpose = purpose_of(signal);
+    if (!can_choose_history(way_of(settings.preset, purpose))) return nullptr;
     auto& choice = choices[purpose == Purpose::with_alpha ? 1 : 0];
     if (!choice) choice = denoiser(signal).make_choice(way_of(quell_library::judge_of(settings.preset), purpose));
     return choice.get();
@@ -402,7 +403,10 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
         auto const& channels = split.signals[s].channels;
         auto* const choice = refines() && is_wanted ? choice_for(s) : nullptr;
         auto result = denoiser(s).denoise(image, channels, number, choice);
-        if (gives_back) feed_back_residual(image, channels, front.samples, denoiser(s).alone(*choice).value_or(result), result);
+        if (gives_back) {
+            auto const alone = choice != nullptr ? denoiser(s).alone(*choice) : std::nullopt;
+            feed_back_residual(image, channels, front.samples, alone.value_or(result), result);
+        }
         auto const counted = denoiser(s).statistics();
         missing += counted.missing_samples;
         // Guides are the same for all signals.

@@ -90,7 +90,7 @@ struct Way {
     std::vector<std::string> (*passes)() = nullptr; ///< their names, in order
     std::string (*plan)() = nullptr;                ///< a table in Markdown
     /// @throws quell::Error, std::bad_alloc
-    std::unique_ptr<CompiledDenoiser> (*make)(quell::Extent size, Parallel const&, Memory const&) = nullptr;
+    std::function<std::unique_ptr<CompiledDenoiser>(quell::Extent size, Parallel const&, Memory const&)> make{};
 
     explicit operator bool() const { return make != nullptr; }
     /// The place of a channel among those that it reads; none where it does not read it.

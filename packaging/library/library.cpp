@@ -3,6 +3,7 @@
 #include "quell.h"
 
 #include "calls.hpp"
+#include "cuda/cuda_code.hpp"
 #include "own_threads.hpp"
 #include "preset_code.hpp"
 #include "steady_plan.hpp"
@@ -26,6 +27,7 @@ struct Code {
     bool runs_anywhere; ///< it is for the machine that it was built on
 };
 constexpr Code codes[] = {QUELL_CODES}; // the best first
+constexpr Code cuda_code{"cuda", +[] { return cuda_codes(); }, true};
 
 bool runs_here(Code const& code) { return code.runs_anywhere || machine_runs(code.name); }
 
@@ -47,6 +49,22 @@ Code const* code_for(char const* wanted, quell_status& status) {
     status = fail(QUELL_NOT_SUPPORTED, wanted == nullptr ? "the machine: it lacks all instruction sets of this library (" + all + ")"
                                                          : "instruction_set: '" + std::string(wanted) + "'; give one of: " + all);
     return nullptr;
+}
+
+/// A sentence where a device can't do what the settings ask for, or there is no code for it.
+std::string check_device(quell_settings const& settings, bool resolves) {
+    if (cuda_codes() == nullptr)
+        return std::string("settings.device: QUELL_CUDA, and this library was built without CUDA; ") + build_with_cuda;
+    for (auto const& [name, is_set] : {std::pair{"two_sided", settings.two_sided != 0},
+                                       {"alpha", settings.alpha != 0},
+                                       {"anti_alias, or an output of another size", resolves},
+                                       {"steady_guides", settings.steady_guides != 0},
+                                       {"choose_history", settings.choose_history != 0},
+                                       {"allocate", settings.allocate != nullptr},
+                                       {"instruction_set", settings.instruction_set != nullptr}})
+        if (is_set)
+            return std::string("settings.device: QUELL_CUDA with ") + name + ", which a device does not know; leave one of the two out";
+    return {};
 }
 
 struct Range {
@@ -219,7 +237,9 @@ std::string check_camera(quell_denoiser const& denoiser, quell_camera const* cam
 }
 
 std::string take_frame(quell_denoiser& denoiser, Frame& to, quell_frame const& frame) {
-    if (frame.device != nullptr) return "frame.device: device memory is not supported yet; leave it null and give host memory";
+    if (frame.device != nullptr)
+        return "frame.device: it is not null; leave it so: settings.device says what denoises, and with QUELL_CUDA pointers say where "
+               "images lie";
     if (auto const wrong = take_size(denoiser, to, frame); !wrong.empty()) return wrong;
     if (auto const wrong = take_channels(denoiser, to, frame); !wrong.empty()) return wrong;
     if (auto const wrong = check_camera(denoiser, frame.camera); !wrong.empty()) return wrong;
@@ -236,6 +256,8 @@ quell_status status_of(Outcome outcome) {
         return QUELL_OK;
     case Outcome::invalid:
         return QUELL_INVALID_ARGUMENT;
+    case Outcome::not_supported:
+        return QUELL_NOT_SUPPORTED;
     case Outcome::no_memory:
         return QUELL_NO_MEMORY;
     default:
@@ -294,6 +316,8 @@ std::string check(quell_settings const& settings) {
         return "settings: an output of " + size(sizes.output_width, sizes.output_height) + " for frames of " +
                size(sizes.width, sizes.height) +
                "; give 1 to 4 times their width and height as output_width and output_height, or 0 and 0 for the frames' own size";
+    if (settings.device != QUELL_CPU && settings.device != QUELL_CUDA)
+        return "settings.device: " + std::to_string(settings.device) + "; give QUELL_CPU or QUELL_CUDA";
     if (settings.motion.unit < 0 || settings.motion.unit > 2)
         return "settings.motion.unit: " + std::to_string(settings.motion.unit) +
                "; give 0 (pixels), 1 or 2 (the image is 1 or 2 wide and high)";
@@ -311,6 +335,13 @@ char const* quell_preset_name(int32_t index) {
     auto const& all = *code->presets();
     return static_cast<std::size_t>(index) < all.size() ? all[static_cast<std::size_t>(index)].name.c_str() : nullptr;
 }
+char const* quell_device_preset_name(int32_t device, int32_t index) {
+    if (device == QUELL_CPU) return quell_preset_name(index);
+    auto const* const all = device == QUELL_CUDA ? cuda_codes() : nullptr;
+    return all != nullptr && index >= 0 && static_cast<std::size_t>(index) < all->size()
+               ? (*all)[static_cast<std::size_t>(index)].name.c_str()
+               : nullptr;
+}
 char const* quell_instruction_set_name(int32_t index) {
     return index >= 0 && static_cast<std::size_t>(index) < std::size(codes) ? codes[index].name : nullptr;
 }
@@ -327,19 +358,21 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
         if (!wrong.empty()) return fail(QUELL_INVALID_ARGUMENT, wrong);
         settings = &own;
         quell_status status = QUELL_OK;
-        auto const* const code = code_for(settings->instruction_set, status);
+        bool const on_device = settings->device != QUELL_CPU, resolves = anti_aliases(*settings);
+        if (on_device)
+            if (auto const refused = check_device(*settings, resolves); !refused.empty()) return fail(QUELL_NOT_SUPPORTED, refused);
+        auto const* const code = on_device ? &cuda_code : code_for(settings->instruction_set, status);
         if (code == nullptr) return status;
         auto const& all = *code->presets();
         auto const wanted = std::string(settings->preset != nullptr ? settings->preset : "");
         auto const preset = std::ranges::find(all, wanted, &PresetCode::name);
         if (preset == all.end())
-            return fail(QUELL_UNKNOWN_PRESET, "settings.preset: there is no '" + wanted +
-                                                  "'; give one of: " + joined(all, [](auto const& each) { return each.name; }));
+            return fail(QUELL_UNKNOWN_PRESET, "settings.preset: there is no '" + wanted + (on_device ? "' for CUDA" : "'") +
+                                                  "; give one of: " + joined(all, [](auto const& each) { return each.name; }));
         auto const* way = settings->alpha != 0 ? &preset->two_sided_alpha : settings->two_sided != 0 ? &preset->two_sided : &preset->usual;
         if (!*way)
             return fail(QUELL_NOT_SUPPORTED, std::string("settings.") + (settings->alpha != 0 ? "alpha" : "two_sided") + ": '" + wanted +
                                                  "' has no such way; take general or final-frame");
-        bool const resolves = anti_aliases(*settings);
         if (resolves) way = way->resolved.get();
         if (way == nullptr)
             return fail(QUELL_NOT_SUPPORTED, "settings.anti_alias: '" + wanted + "' makes no picture; leave it 0, and the output's size");
@@ -362,9 +395,10 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
                                                                 .instance = {},
                                                                 .frames = {},
                                                                 .output = {}});
-        Parallel const parallel = settings->parallel != nullptr
-                                      ? Parallel{.run = settings->parallel, .user = settings->parallel_user, .threads = settings->threads}
-                                      : Parallel{.run = OwnThreads::run, .user = &made->threads, .threads = made->threads.count()};
+        Parallel parallel = settings->parallel != nullptr
+                                ? Parallel{.run = settings->parallel, .user = settings->parallel_user, .threads = settings->threads}
+                                : Parallel{.run = OwnThreads::run, .user = &made->threads, .threads = made->threads.count()};
+        parallel.stream = settings->stream;
         Memory const memory{settings->allocate, settings->release, settings->memory_user};
         Outcome outcome = Outcome::ok;
         std::string error;

@@ -62,6 +62,7 @@ struct Parallel {
     void* user = nullptr;
     std::int32_t threads = 1;                ///< that there are, as far as is known: none should idle
     void (*pass_done)(void* user) = nullptr; ///< called behind each pass, if at all
+    void* stream = nullptr;                  ///< of a device, for code that runs on one
 };
 /// Where images lie.
 struct Memory {
@@ -75,7 +76,7 @@ struct Statistics {
     std::size_t bytes = 0;
 };
 
-enum class Outcome { ok, invalid, no_memory, failed };
+enum class Outcome { ok, invalid, not_supported, no_memory, failed };
 
 /// A preset with its history.
 class Instance {
@@ -128,7 +129,7 @@ struct PresetCode {
     PresetWay two_sided_alpha{}; ///< the same for a picture with alpha
 };
 
-/// All presets, compiled for one instruction set.
+/// All presets, compiled for one instruction set, or for a device.
 using PresetCodes = std::vector<PresetCode> const*();
 
 } // namespace quell_library

@@ -1,13 +1,12 @@
 // The entry of libquell's code for one instruction set: QUELL_CODE_ENTRY is its name. Compiled presets, behind types that are the same for
 // all instruction sets.
 #include "compiled_preset.hpp"
+#include "convert_motion.hpp"
 #include "history_choice.hpp"
 #include "resolved_denoiser.hpp"
 #include "steady_denoiser.hpp"
 
 #include <quell/core/error.hpp>
-#include <quell/frame/channels.hpp>
-#include <quell/frame/motion_convention.hpp>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -39,21 +38,11 @@ template <class F> Outcome caught(std::string& error, F&& f) noexcept {
     }
 }
 
-quell::MotionConvention convention_of(Motion const& given) {
-    using C = quell::MotionConvention;
-    constexpr C::Unit units[] = {C::Unit::pixel, C::Unit::uv, C::Unit::ndc};
-    return {.points = given.from_previous != 0 ? C::Points::from_previous : C::Points::to_previous,
-            .unit = units[given.unit],
-            .y = given.y_up != 0 ? C::Y::up : C::Y::down,
-            .jitter = given.has_jitter != 0 ? C::Jitter::left_in : C::Jitter::left_out};
-}
-
 class PresetInstance final : public Instance {
     std::vector<ReadChannel> const& channels;
     quell::MotionConvention motion;
-    glm::vec2 jitter_then{0.f};    ///< of the frame that was denoised last
-    quell::Extent size_then{1, 1}; ///< its size
-    bool has_guides = false;       ///< whether the last frame, which was denoised to the end, has some
+    JitterOf before;         ///< of the frame that was denoised last
+    bool has_guides = false; ///< whether the last frame, which was denoised to the end, has some
     std::unique_ptr<CompiledDenoiser> denoiser;
     std::vector<FrameImages> window;
 
@@ -65,14 +54,14 @@ public:
         return caught(error, [&] {
             window.resize(frames.size());
             for (std::size_t i = 0; i < frames.size(); ++i) {
-                take(window[i], frames[i]);
-                if (i > 0)
-                    convert_motion(window[i], window[i - 1].camera.jitter, window[i - 1].size);
-                else
-                    convert_motion(window[i], jitter_then, size_then);
+                auto& images = window[i];
+                take(images, frames[i]);
+                JitterOf const now{images.camera.jitter, images.size},
+                    then = i > 0 ? JitterOf{window[i - 1].camera.jitter, window[i - 1].size} : before;
+                convert_motion(motion, channels, images.channels, now, then);
             }
             denoise(output);
-            jitter_then = window.front().camera.jitter, size_then = window.front().size;
+            before = {window.front().camera.jitter, window.front().size};
         });
     }
     Outcome copy_guide(std::string const& name, Image const& output, std::string& error) noexcept override {
@@ -106,24 +95,6 @@ private:
         if (given.camera == nullptr) return; // that of the last frame
         images.camera = {glm::make_mat4(given.camera->view), glm::make_mat4(given.camera->projection),
                          glm::make_vec2(given.camera->jitter)};
-    }
-    /// A sample offset by +jitter shifts the image by -jitter. A vector between jittered images is therefore off by the change of jitter.
-    /// @param before      the jitter of the frame before it, in pixels of that frame
-    /// @param size_before of that frame
-    void convert_motion(FrameImages& images, glm::vec2 before, quell::Extent size_before) const {
-        if (motion == quell::MotionConvention{}) return;
-        auto const ratio = [](int now, int then) { return static_cast<float>(now) / static_cast<float>(then); };
-        before *= glm::vec2(ratio(images.size.width, size_before.width), ratio(images.size.height, size_before.height));
-        for (std::size_t i = 0; i < images.channels.size(); ++i) {
-            bool const is_next = channels[i].name == quell::motion_next.name;
-            if (!is_next && channels[i].name != quell::motion.name) continue;
-            auto its_own = motion;
-            if (is_next) its_own.points = quell::MotionConvention::Points::to_previous;
-            auto const scale = quell::detail::to_pixels(its_own, images.size);
-            bool const has_jitter = !is_next && motion.jitter == quell::MotionConvention::Jitter::left_in;
-            auto const offset = has_jitter ? before - images.camera.jitter : glm::vec2(0.f);
-            for (int c = 0; c < 2; ++c) images.channels[i].scale[c] = scale[c], images.channels[i].offset[c] = offset[c];
-        }
     }
 };
 

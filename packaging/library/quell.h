@@ -50,6 +50,12 @@ typedef enum quell_format {
     QUELL_FLOAT16 = 1 /* IEEE binary16 */
 } quell_format;
 
+/* What denoises. */
+typedef enum quell_device {
+    QUELL_CPU = 0,
+    QUELL_CUDA = 1 /* an NVIDIA GPU, where this library was built for it */
+} quell_device;
+
 /* An image in the caller's memory. Strides are in bytes and may be negative; 0 stands for the usual one: components side by side, pixels
  * side by side, rows without gaps. */
 typedef struct quell_image {
@@ -102,7 +108,7 @@ typedef struct quell_frame {
     int64_t number;             /* of the frame in its sequence; where numbers do not follow each other, history starts afresh */
     int32_t has_number;         /* 0: frames follow each other */
     float shutter;              /* shutter time as a part of the time between frames, for motion blur */
-    const void *device;         /* null: images are in host memory. Device memory is not supported yet. */
+    const void *device;         /* null: settings.device says what denoises, and with QUELL_CUDA an image lies where its pointer says */
     const int32_t *fractions;   /* of the channels, in their order: an image's width and height as a part of the frame's. Null: all 1, which
                                    is all that presets support so far. */
     const quell_samples *samples; /* of the channels, in their order. Null: every pixel of all channels has one. Guides (albedo, normal,
@@ -155,16 +161,22 @@ typedef struct quell_settings {
     int32_t choose_history; /* 1: each frame is denoised with its history and without, and both are put together by what samples speak for
                                that neither has used: where light changes faster than a history can follow, the frame alone has the say.
                                Presets of one history can; it takes several times their time (docs/library.md). */
-    int32_t reserved;       /* 0 */
+    int32_t device; /* a quell_device. With QUELL_CUDA: of the calling thread's current device. Images of frames, and the output, may lie in
+                       its memory, in memory that CUDA manages, or in host memory, from which they are copied. quell_run() puts its work into
+                       the stream and returns, where no image lies in host memory: until the stream has come there, the images must stay.
+                       Not with two_sided, alpha, anti_alias, another output size, steady_guides, choose_history, allocate and
+                       instruction_set. */
+    int32_t reserved; /* 0 */
+    void *stream;   /* with QUELL_CUDA: a cudaStream_t; null is the default stream */
 } quell_settings;
 #ifdef __cplusplus
 #define QUELL_SETTINGS \
     quell_settings {                                                                                                                       \
-        sizeof(quell_settings), nullptr, 0, 0, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0, 0, 0, 0, {}, 0, 0, 0, 0         \
+        sizeof(quell_settings), nullptr, 0, 0, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0, 0, 0, 0, {}, 0, 0, 0, 0, 0, nullptr \
     }
 #else
 #define QUELL_SETTINGS \
-    ((quell_settings){sizeof(quell_settings), NULL, 0, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, 0, 0, 0, 0, {0, 0, 0, 0}, 0, 0, 0, 0})
+    ((quell_settings){sizeof(quell_settings), NULL, 0, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, 0, 0, 0, 0, {0, 0, 0, 0}, 0, 0, 0, 0, 0, NULL})
 #endif
 
 /* Counts. Start from QUELL_STATISTICS. */
@@ -189,6 +201,8 @@ QUELL_CALL const char *quell_version(void);
 QUELL_CALL const char *quell_error(void);
 /* Names of presets; null behind the last. */
 QUELL_CALL const char *quell_preset_name(int32_t index);
+/* Names of presets that a device denoises by; null behind the last: with QUELL_CUDA none, where the library was built without CUDA. */
+QUELL_CALL const char *quell_device_preset_name(int32_t device, int32_t index);
 /* Names of instruction sets that the library is compiled for, the best first; null behind the last. */
 QUELL_CALL const char *quell_instruction_set_name(int32_t index);
 

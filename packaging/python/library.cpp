@@ -4,9 +4,11 @@
 #include <quell.h>
 
 #include <pybind11/numpy.h>
+#include <pybind11/stl.h>
 
 #include <cstring>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 namespace py = pybind11;
@@ -23,40 +25,88 @@ void check(quell_status status) {
 }
 [[noreturn]] void refuse(std::string const& sentence) { raise(sentence, QUELL_INVALID_ARGUMENT); }
 
-std::string shape_of(py::array const& array) { return py::str(array.attr("shape")); }
-
-/// What quell.h calls the type of the array's numbers.
-quell_format format_of(std::string const& what, py::array const& array) {
-    auto const dtype = array.dtype();
-    bool const is_native = dtype.attr("isnative").cast<bool>();
-    if (dtype.kind() == 'f' && is_native && dtype.itemsize() == 4) return QUELL_FLOAT32;
-    if (dtype.kind() == 'f' && is_native && dtype.itemsize() == 2) return QUELL_FLOAT16;
-    refuse(what + ": its numbers are " + std::string(py::str(py::handle(dtype))) +
+/// What quell.h calls the type of an array's numbers.
+quell_format format_of(std::string const& what, py::dtype const& type) {
+    bool const is_native = type.attr("isnative").cast<bool>();
+    if (type.kind() == 'f' && is_native && type.itemsize() == 4) return QUELL_FLOAT32;
+    if (type.kind() == 'f' && is_native && type.itemsize() == 2) return QUELL_FLOAT16;
+    refuse(what + ": its numbers are " + std::string(py::str(py::handle(type))) +
            "; give float32 or float16 of this machine's byte order, as array.astype(numpy.float32) makes them");
 }
 
+/// An array of NumPy's, or memory of a device: OnDevice of _arrays.py.
+struct Pixels {
+    void* data;
+    quell_format format;
+    std::vector<std::ptrdiff_t> shape, strides; ///< strides in bytes
+
+    [[nodiscard]] std::string shape_text() const { return py::str(py::tuple(py::cast(shape))); }
+};
+Pixels pixels_of(std::string const& what, py::handle value) {
+    if (py::isinstance<py::array>(value)) {
+        auto const array = py::reinterpret_borrow<py::array>(value);
+        return {const_cast<void*>(array.data()),
+                format_of(what, array.dtype()),
+                {array.shape(), array.shape() + array.ndim()},
+                {array.strides(), array.strides() + array.ndim()}};
+    }
+    return {reinterpret_cast<void*>(value.attr("address").cast<std::uintptr_t>()),
+            format_of(what, py::dtype::from_args(value.attr("type").cast<py::object>())),
+            value.attr("shape").cast<std::vector<std::ptrdiff_t>>(), value.attr("strides").cast<std::vector<std::ptrdiff_t>>()};
+}
+
 /// The array as an image of at least so many components. Its memory is the array's own.
-quell_image image_of(std::string const& what, py::array const& array, int components, int width, int height) {
-    auto const format = format_of(what, array);
-    bool const has_components = array.ndim() == 3;
-    if ((!has_components && !(array.ndim() == 2 && components == 1)) || array.shape(0) != height || array.shape(1) != width ||
-        (has_components && array.shape(2) < components)) {
+quell_image image_of(std::string const& what, py::handle value, int components, int width, int height) {
+    auto const array = pixels_of(what, value);
+    auto const& shape = array.shape;
+    bool const has_components = shape.size() == 3;
+    if ((!has_components && !(shape.size() == 2 && components == 1)) || shape[0] != height || shape[1] != width ||
+        (has_components && shape[2] < components)) {
         auto const size = std::to_string(height) + ", " + std::to_string(width);
         auto const wanted = components == 1 ? "(" + size + ")" : "(" + size + ", " + std::to_string(components) + ")";
-        bool const is_planar = has_components && array.shape(0) >= components && array.shape(1) == height && array.shape(2) == width;
-        refuse(what + ": its shape is " + shape_of(array) + "; give " + wanted +
+        bool const is_planar = has_components && shape[0] >= components && shape[1] == height && shape[2] == width;
+        refuse(what + ": its shape is " + array.shape_text() + "; give " + wanted +
                (is_planar ? ", which array.transpose(1, 2, 0) is, without a copy" : ""));
     }
     // quell.h takes a stride of 0 for the usual one. NumPy has it where an array is broadcast; of one alone it does not matter.
-    auto const stride = [&](py::ssize_t axis) -> std::ptrdiff_t {
-        if (array.shape(axis) == 1) return 0;
-        if (array.strides(axis) == 0)
+    auto const stride = [&](std::size_t axis) -> std::ptrdiff_t {
+        if (shape[axis] == 1) return 0;
+        if (array.strides[axis] == 0)
             refuse(what + ": it is broadcast: its stride " + std::to_string(axis) +
                    " is 0; give one with memory for every pixel, as numpy.ascontiguousarray(array) makes it");
-        return array.strides(axis);
+        return array.strides[axis];
     };
-    return {const_cast<void*>(array.data()), format,    has_components ? static_cast<std::int32_t>(array.shape(2)) : 1,
-            has_components ? stride(2) : 0,  stride(1), stride(0)};
+    return {array.data, array.format, has_components ? static_cast<std::int32_t>(shape[2]) : 1, has_components ? stride(2) : 0,
+            stride(1),  stride(0)};
+}
+
+/// The tensor in a capsule of DLPack, which keeps it: address, shape, strides in bytes or None, and the type of its numbers.
+py::tuple tensor_in(py::capsule const& capsule) {
+    struct Tensor { // as DLPack lays it out
+        std::byte* data;
+        std::int32_t device_type, device_id, dimensions;
+        std::uint8_t code, bits;
+        std::uint16_t lanes;
+        std::int64_t *shape, *strides; // strides in numbers; null: without gaps
+        std::uint64_t offset;
+    };
+    if (capsule.name() == nullptr || std::string_view(capsule.name()) != "dltensor")
+        refuse("DLPack: a capsule of another name; give one that was not used yet");
+    auto const& tensor = *capsule.get_pointer<Tensor>();
+    constexpr std::uint8_t is_float = 2;
+    if (tensor.code != is_float || tensor.lanes != 1 || tensor.bits % 8 != 0)
+        refuse("DLPack: numbers of type " + std::to_string(tensor.code) + " and " + std::to_string(tensor.bits) +
+               " bits; give float32 or float16");
+    int const bytes = tensor.bits / 8;
+    std::vector<std::int64_t> const shape(tensor.shape, tensor.shape + tensor.dimensions);
+    py::object strides = py::none();
+    if (tensor.strides != nullptr) {
+        std::vector<std::int64_t> all(tensor.strides, tensor.strides + tensor.dimensions);
+        for (auto& each : all) each *= bytes;
+        strides = py::tuple(py::cast(all));
+    }
+    return py::make_tuple(reinterpret_cast<std::uintptr_t>(tensor.data + tensor.offset), py::tuple(py::cast(shape)), strides,
+                          "=f" + std::to_string(bytes));
 }
 
 /// A frame in the words of quell.h, and what it points to. The arrays are Python's.
@@ -80,10 +130,12 @@ class Denoiser {
 public:
     /// @param motion      the four numbers of quell_motion
     /// @param output_size height and width of what comes out; 0, 0: the frames' own
-    /// @param steady_guides the number of quell_settings
+    /// @param steady_guides, device the numbers of quell_settings
     /// @param choose_history whether both are put together, with history and without
+    /// @param stream of the device
     Denoiser(std::string const& preset, int w, int h, int threads, char const* instruction_set, bool two_sided, bool alpha,
-             py::tuple const& motion, bool anti_alias, py::tuple const& output_size, int steady_guides, bool choose_history)
+             py::tuple const& motion, bool anti_alias, py::tuple const& output_size, int steady_guides, bool choose_history, int device,
+             std::uintptr_t stream)
         : is_two_sided(two_sided), guide_width(w), guide_height(h) {
         quell_settings settings = QUELL_SETTINGS;
         settings.preset = preset.c_str(), settings.width = w, settings.height = h;
@@ -92,15 +144,17 @@ public:
         settings.output_height = output_size[0].cast<int>(), settings.output_width = output_size[1].cast<int>();
         settings.motion = {motion[0].cast<int>(), motion[1].cast<int>(), motion[2].cast<int>(), motion[3].cast<int>()};
         settings.steady_guides = steady_guides, settings.choose_history = choose_history;
+        settings.device = device, settings.stream = reinterpret_cast<void*>(stream);
         quell_denoiser* made = nullptr;
         check(quell_create(&settings, &made));
         denoiser.reset(made);
     }
 
     /// Denoises the first of some frames.
-    /// @param frames (channels, camera, number, shutter, samples, size) each: arrays by name; 34 floats as quell_camera has them, or None;
+    /// @param frames (channels, camera, number, shutter, samples, size) each: arrays, or memory of a device, by name; 34 floats as
+    /// quell_camera has them, or None;
     ///               an int, or None; a float; by name, the first five numbers of quell_samples; height and width
-    void run(py::list const& frames, py::array const& out) {
+    void run(py::list const& frames, py::object const& out) {
         auto const given = std::make_unique<Given[]>(frames.size()); // its frames point into it
         std::vector<quell_frame> all;
         for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -181,16 +235,16 @@ private:
             auto const components = quell_channel_components(denoiser.get(), name);
             auto const what = prefix + "channel '" + name + "'";
             // The library has a sentence for names that the preset does not read.
-            auto const array = py::reinterpret_borrow<py::array>(value);
+            auto const shape = value.attr("shape").cast<std::vector<std::ptrdiff_t>>();
             auto const pattern = samples.contains(key) ? samples[key].cast<py::tuple>() : py::tuple();
-            bool const is_part = pattern.size() == 5 && array.ndim() >= 2; // its size says which
+            bool const is_part = pattern.size() == 5 && shape.size() >= 2; // its size says which
             // To quell.h 0 columns and rows are those of an image that has all samples, and its size would not be looked at.
             if (is_part && pattern[0].cast<int>() == 0 && pattern[1].cast<int>() == 0)
                 refuse(prefix + "samples of channel '" + name +
                        "': blocks of 0x0; give 1 to 8 columns and rows, or leave it out where every pixel has a sample");
-            auto const w = is_part ? static_cast<int>(array.shape(1)) : given.frame.width,
-                       h = is_part ? static_cast<int>(array.shape(0)) : given.frame.height;
-            given.channels.push_back({name, components > 0 ? image_of(what, array, components, w, h) : quell_image{}});
+            auto const w = is_part ? static_cast<int>(shape[1]) : given.frame.width,
+                       h = is_part ? static_cast<int>(shape[0]) : given.frame.height;
+            given.channels.push_back({name, components > 0 ? image_of(what, value, components, w, h) : quell_image{}});
             given.samples.push_back({});
             if (is_part)
                 given.samples.back() = {pattern[0].cast<int>(),
@@ -205,7 +259,7 @@ private:
 };
 
 /// What a function of quell.h lists by index.
-py::list names(char const* (*name_of)(std::int32_t)) {
+py::list names(auto const& name_of) {
     py::list all;
     for (std::int32_t i = 0; char const* const name = name_of(i); ++i) all.append(name);
     return all;
@@ -215,10 +269,12 @@ py::list names(char const* (*name_of)(std::int32_t)) {
 
 PYBIND11_MODULE(_library, module) {
     module.attr("version") = quell_version();
-    module.def("presets", [] { return names(quell_preset_name); });
+    module.def("presets", [](int device) { return names([&](std::int32_t i) { return quell_device_preset_name(device, i); }); });
+    module.def("tensor_in", tensor_in);
     module.def("instruction_sets", [] { return names(quell_instruction_set_name); });
     py::class_<Denoiser>(module, "Denoiser")
-        .def(py::init<std::string const&, int, int, int, char const*, bool, bool, py::tuple const&, bool, py::tuple const&, int, bool>())
+        .def(py::init<std::string const&, int, int, int, char const*, bool, bool, py::tuple const&, bool, py::tuple const&, int, bool, int,
+                      std::uintptr_t>())
         .def("run", &Denoiser::run)
         .def("forget", &Denoiser::forget)
         .def("copy_guide", &Denoiser::copy_guide)

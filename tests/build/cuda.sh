@@ -27,7 +27,7 @@ if "$folder/shifted" "$folder/shifted.ptx"; then fail "a job that is laid out in
 [ "$(du -m "$folder/quell-cuda" | cut -f1)" -lt 60 ] || fail "quell-cuda is larger than 60 MiB"
 # Programs end with a sentence, and status 1, where there is no GPU.
 if [ ! -e /dev/nvidiactl ]; then
-    for program in quell-cuda example cuda_host; do
+    for program in quell-cuda example cuda_host quell-library; do
         status=0
         "$folder/$program" 2>"$folder/$program.said" >&2 || status=$?
         [ "$status" = 1 ] || fail "$program ended with status $status where there is no GPU"

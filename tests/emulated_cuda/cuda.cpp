@@ -8,69 +8,17 @@
 #include <quell/quell.hpp>
 
 #include "../frames.hpp"
-#include "sequence.hpp"
+#include "run_steps.hpp"
 
 using namespace quell;
 
 // The executor Cuda as it is, on a device that is emulated. What Serial makes of the same frames comes from by_serial.cpp.
 namespace {
 namespace device = emulated_cuda;
-
-/// Cuda. It tells the device what kernels there are, which nvcc does else.
-struct Emulated {
-    Cuda cuda;
-
-    template <class Job> void for_each_pixel(Region r, Job const& job) const {
-        device::make_known(quell::detail::each_pixel<Job>);
-        cuda.for_each_pixel(r, job);
-    }
-    template <class Job> void enqueue(Region r, Job const& job) const {
-        device::make_known(quell::detail::each_pixel<Job>);
-        cuda.enqueue(r, job);
-    }
-    template <class Work> void enqueue_grid(Region r, Work const& work) const {
-        device::make_known(quell::detail::whole_grid<Work>);
-        cuda.enqueue_grid(r, work);
-    }
-    void clear(void* memory, std::size_t bytes) const { cuda.clear(memory, bytes); }
-    void read(void* to, void const* from, std::size_t bytes) const { cuda.read(to, from, bytes); }
-    void submit() const { cuda.submit(); }
-    void drop() const { cuda.drop(); }
-};
-static_assert(QueueExecutor<Emulated>);
-
-/// A frame in the device's memory.
-template <class P> auto uploaded(P const& denoise, device::Step const& step, Cuda const& cuda) {
-    Frame rendered{{step.width, step.height}, denoise};
-    device::fill(rendered, step);
-    Frame frame{rendered.size, denoise, Device<>{}};
-    for_each_channel(typename decltype(frame)::channels{}, [&](auto channel) { upload(frame[channel], rendered[channel], cuda); });
-    frame.camera = rendered.camera, frame.number = rendered.number;
-    return frame;
-}
-
-/// Runs a step, and returns the picture.
-template <class P, class H> device::Result run_step(P const& denoise, device::Step const& step, H& history, Emulated const& executor) {
-    auto const frame = uploaded(denoise, step, executor.cuda);
-    auto const view = run(denoise, frame, history, executor);
-    return device::result_of(history, download(view, executor.cuda).view());
-}
-template <class P> auto history_of(P const& denoise) {
-    return History{{device::steps[0].width, device::steps[0].height}, denoise, Device<>{}};
-}
-
-template <int number> void check_preset(CudaGraphs* graphs) {
-    constexpr auto denoise = device::preset<number>();
-    auto const expected = device::by_serial(number);
-    Emulated const executor{{.graphs = graphs}};
-    auto history = history_of(denoise);
-    for (std::size_t i = 0; i < device::steps.size(); ++i) {
-        CAPTURE(number);
-        CAPTURE(i);
-        if (device::steps[i].forgotten) history.forget();
-        CHECK(run_step(denoise, device::steps[i], history, executor) == expected[i]);
-    }
-}
+using device::Emulated;
+using device::history_of;
+using device::run_step;
+using device::uploaded;
 
 constexpr auto clamped = device::preset<1>();
 /// A pass of a host.
@@ -84,17 +32,17 @@ struct Shine {
 } // namespace
 
 TEST_CASE("Cuda gives the bits of Serial, whatever happens between frames") {
-    check_preset<0>(nullptr);
-    check_preset<1>(nullptr);
-    check_preset<2>(nullptr);
-    check_preset<3>(nullptr);
+    device::check_preset<0>(device::by_serial(0), nullptr);
+    device::check_preset<1>(device::by_serial(1), nullptr);
+    device::check_preset<2>(device::by_serial(2), nullptr);
+    device::check_preset<3>(device::by_serial(3), nullptr);
 }
 
 TEST_CASE("a graph that is run again has the frame's own camera, jitter, number and images") {
     auto const before = device::counts();
     CudaGraphs graphs;
-    check_preset<0>(&graphs);
-    check_preset<3>(&graphs);
+    device::check_preset<0>(device::by_serial(0), &graphs);
+    device::check_preset<3>(device::by_serial(3), &graphs);
     auto const& now = device::counts();
     CHECK(now.launches == before.launches);
     CHECK(now.graph_launches - before.graph_launches >= 2 * static_cast<int>(device::steps.size()));
@@ -241,9 +189,28 @@ TEST_CASE("a launch that fails is an Error with the pass's name, and the next fr
     CHECK(fails({}, "cudaLaunchKernel", 1) == with("temporal"));
     CHECK(fails({}, "cudaLaunchCooperativeKernel", 0) == with("completion of ingest"));
     CHECK(fails({{.graphs = &graphs}}, "cudaGraphLaunch", 0) == with("of a graph"));
-    CHECK(fails({{.graphs = &graphs}}, "cudaGraphExecKernelNodeSetParams", 0) == with("ingest"));
-    graphs.drop();
-    CHECK(fails({{.graphs = &graphs}}, "cudaGraphExecKernelNodeSetParams", 2) == with("temporal"));
+}
+
+TEST_CASE("a graph that refuses changed arguments is made anew, and the frame is whole") {
+    auto const expected = device::by_serial(1);
+    CudaGraphs graphs;
+    Emulated const executor{{.graphs = &graphs}};
+    auto history = history_of(clamped);
+    for (std::size_t i = 0; i < 4; ++i) {
+        auto const before = device::counts();
+        // Of the graph with a past, which the third frame has from the second; the first pass or one behind it.
+        if (i > 1) device::fail("cudaGraphExecKernelNodeSetParams", i == 2 ? 0 : 2, cudaErrorInvalidValue);
+        CHECK(run_step(clamped, device::steps[i], history, executor) == expected[i]);
+        CHECK(cudaGetLastError() == cudaSuccess);
+        if (i > 1) CHECK(device::counts().graphs == before.graphs + 1);
+        device::restart();
+    }
+    // Where a new one can't be made either, the pass is named.
+    device::fail("cudaGraphExecKernelNodeSetParams", 2, cudaErrorInvalidValue);
+    device::fail("cudaGraphInstantiate", 0, cudaErrorMemoryAllocation);
+    CHECK(tests::message([&] { run_step(clamped, device::steps[3], history, executor); }) ==
+          "pass 'temporal' on the device: out of memory; use smaller images or Float16");
+    device::restart();
 }
 
 TEST_CASE("where memory is short at any place, the history can be used again, and nothing of the frame runs behind its end") {

@@ -40,6 +40,14 @@ void Machine::release(void* block) {
     munmap(block, found->second.bytes);
     memory.erase(found);
 }
+cudaMemoryType Machine::type_of(void const* pointer) const {
+    auto const* const at = static_cast<std::byte const*>(pointer);
+    for (auto const& [block, kind] : memory) {
+        auto const* const begin = static_cast<std::byte const*>(block);
+        if (at >= begin && at < begin + kind.bytes) return kind.for_host ? cudaMemoryTypeManaged : cudaMemoryTypeDevice;
+    }
+    return cudaMemoryTypeUnregistered;
+}
 void Machine::protect(bool closed) {
     for (auto const& [block, kind] : memory)
         if (!kind.for_host) mprotect(block, kind.bytes, closed ? PROT_NONE : PROT_READ | PROT_WRITE);
@@ -150,6 +158,8 @@ char const* cudaGetErrorString(cudaError_t error) {
     return "unknown error";
 }
 cudaError_t cudaGetLastError() { return machine().take_error(); }
+cudaError_t cudaGetDeviceCount(int* count) { return *count = 1, machine().end(machine().begin("cudaGetDeviceCount")); }
+cudaError_t cudaSetDevice(int device) { return machine().end(device == 0 ? cudaSuccess : cudaErrorInvalidValue); }
 cudaError_t cudaGetDevice(int* device) { return *device = 0, machine().end(machine().begin("cudaGetDevice")); }
 cudaError_t cudaDeviceGetAttribute(int* value, cudaDeviceAttr, int) {
     *value = static_cast<int>(emulated_cuda::multiprocessors);
@@ -164,6 +174,14 @@ cudaError_t cudaFree(void* memory) {
     auto const status = machine().finish(); // CUDA waits for the device, too
     if (memory) machine().release(memory);
     return machine().end(status);
+}
+cudaError_t cudaMemGetInfo(std::size_t* free, std::size_t* all) {
+    *all = machine().most_bytes, *free = *all - machine().counts.bytes;
+    return machine().end(machine().begin("cudaMemGetInfo"));
+}
+cudaError_t cudaPointerGetAttributes(cudaPointerAttributes* attributes, void const* pointer) {
+    *attributes = {machine().type_of(pointer), 0, nullptr, nullptr};
+    return machine().end(machine().begin("cudaPointerGetAttributes"));
 }
 cudaError_t cudaMemset(void* memory, int value, std::size_t bytes) {
     auto const status = cudaMemsetAsync(memory, value, bytes, cudaStreamLegacy);

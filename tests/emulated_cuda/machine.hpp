@@ -41,6 +41,8 @@ public:
 
     cudaError_t allocate(void** to, std::size_t bytes, bool for_host);
     void release(void* block);
+    /// Where a pointer points to.
+    [[nodiscard]] cudaMemoryType type_of(void const* pointer) const;
 
     void enqueue(cudaStream_t stream, std::function<void()> run) { waiting.push_back({stream, std::move(run)}); }
     /// Runs all that waits. Returns what is wrong with the device.

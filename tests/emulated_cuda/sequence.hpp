@@ -2,6 +2,8 @@
 
 #include "../../bench/cuda/scene.hpp"
 
+#include <quell/presets/effects.hpp>
+
 #include <string>
 #include <vector>
 
@@ -42,15 +44,22 @@ template <int number> constexpr auto preset() {
     if constexpr (number == 1) return presets::surface_clamp(radiance, SuppressFireflies{});
     if constexpr (number == 2) return presets::svgf(radiance, Demodulate{});
     if constexpr (number == 3) return presets::glossy();
+    // Those that take long to compile: preset.cpp.
+    if constexpr (number == 4) return presets::shadow();
+    if constexpr (number == 5) return presets::dual_cone();
+    if constexpr (number == 6) return presets::final_frame(radiance, Demodulate{});
 }
-inline constexpr int preset_count = 4;
 
 template <class F> void spoil_a_part(F& frame) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     quell::for_each_channel(typename F::channels{}, [&]<class C>(C) {
-        if constexpr (std::is_same_v<C, quell::Radiance> || std::is_same_v<C, quell::Glossy>)
-            for (int y = 9; y < 31; ++y)
-                for (int x = 6; x < 29; ++x) frame[C{}].set(x, y, glm::vec3(nan));
+        constexpr bool is_light =
+            std::is_same_v<C, quell::Radiance> || std::is_same_v<C, quell::Glossy> || std::is_same_v<C, quell::Indirect>;
+        for (int y = 9; y < 31; ++y)
+            for (int x = 6; x < 29; ++x) {
+                if constexpr (is_light) frame[C{}].set(x, y, glm::vec3(nan));
+                if constexpr (std::is_same_v<C, quell::Visibility>) frame[C{}].set(x, y, nan);
+            }
     });
     if constexpr (F::template has<quell::Depth>) frame[quell::depth].set(10, 3, -1.f);
     if constexpr (F::template has<quell::Normal>) frame[quell::normal].set(11, 31, glm::vec3(nan));
@@ -74,7 +83,22 @@ template <class History, class View> Result result_of(History const& history, Vi
     return result;
 }
 
-/// What Serial makes of all steps, compiled for the host. In a file of its own.
+/// What Serial makes of all steps, compiled for the host. In files of their own.
+template <int number> std::vector<Result> results_by_serial() {
+    constexpr auto denoise = preset<number>();
+    std::vector<Result> all;
+    quell::History history{{steps[0].width, steps[0].height}, denoise};
+    for (auto const& step : steps) {
+        quell::Frame frame{{step.width, step.height}, denoise};
+        fill(frame, step);
+        if (step.forgotten) history.forget();
+        auto const view = quell::run(denoise, frame, history, quell::Serial{});
+        all.push_back(result_of(history, view));
+    }
+    return all;
+}
 std::vector<Result> by_serial(int preset);
+/// Of one of those that take long to compile.
+template <int number> std::vector<Result> by_serial_of();
 
 } // namespace emulated_cuda

@@ -350,6 +350,10 @@ TEST_CASE("wrong settings and wrong calls are refused with a sentence") {
     settings.output_width = 5, refused(settings, QUELL_INVALID_ARGUMENT, {"5x0", "output_width"}), settings.output_width = 0;
     settings.motion.unit = 3, refused(settings, QUELL_INVALID_ARGUMENT, {"motion.unit", "3"}), settings.motion.unit = 0;
     settings.threads = -1, refused(settings, QUELL_INVALID_ARGUMENT, {"threads"}), settings.threads = 0;
+    settings.device = 7, refused(settings, QUELL_INVALID_ARGUMENT, {"device", "7", "QUELL_CPU"}), settings.device = QUELL_CUDA;
+    if (quell_device_preset_name(QUELL_CUDA, 0) == nullptr) refused(settings, QUELL_NOT_SUPPORTED, {"without CUDA", "QUELL_CUDA=ON"});
+    settings.device = QUELL_CPU;
+    CHECK(std::string(quell_device_preset_name(QUELL_CPU, 0)) == quell_preset_name(0));
     settings.instruction_set = "z80", refused(settings, QUELL_NOT_SUPPORTED, {"'z80'", quell_instruction_set_name(0)});
     settings.instruction_set = nullptr, settings.struct_size = 1, refused(settings, QUELL_INVALID_ARGUMENT, {"struct_size"});
     settings = settings_of(), settings.width = settings.height = 1 << 20;

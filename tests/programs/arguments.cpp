@@ -57,6 +57,10 @@ TEST_CASE("quell-denoise refuses what it can't use in one line") {
     auto const in = input(folder), both = in + output(folder);
     check_refused(denoise(""), {"--in is missing"});
     check_refused(denoise(in), {"none of --out, --reference and --diagnose"});
+    check_refused(denoise(both + "--device tpu"), {"--device", "'tpu'", "cpu, cuda"});
+#if !defined(QUELL_CUDA_CODE)
+    check_refused(denoise(both + "--device cuda"), {"--device", "without CUDA", "QUELL_CUDA=ON"});
+#endif
     check_refused(denoise(both + "--nonsense"), {"--nonsense", "--help"});
     check_refused(denoise(both + "--first x"), {"--first"});
     check_refused(denoise(both + "--preset best"), {"'best'", "none, surface, ", ", final-frame, "});

@@ -208,7 +208,7 @@ class Refused(unittest.TestCase):
     def test_memory_of_devices(self):
         self.refused(["channel 'depth'", "CUDA", "host"], quell.Status.NOT_SUPPORTED, depth=OnDevice())
         self.refused(["channel 'depth'", "CUDA", "host"], quell.Status.NOT_SUPPORTED, depth=WithCuda())
-        self.refused(["out", "CUDA", "host"], quell.Status.NOT_SUPPORTED, out=OnDevice())
+        self.refused(["out", "CUDA", "host", 'device="cuda"'], quell.Status.NOT_SUPPORTED, out=OnDevice())
 
     def test_channels(self):
         self.refused(["'colour'", "svgf", "radiance, albedo"], colour=self.frame["albedo"])
@@ -247,6 +247,10 @@ class Refused(unittest.TestCase):
             self.assertEqual(caught.exception.status, status)
 
         status = quell.Status
+        refused(status.INVALID_ARGUMENT, ["device", "'tpu'", "cpu, cuda"], "svgf", (HEIGHT, WIDTH), device="tpu")
+        refused(status.INVALID_ARGUMENT, ["stream", '"cpu"'], "svgf", (HEIGHT, WIDTH), stream=7)
+        if not quell.presets("cuda"):
+            refused(status.NOT_SUPPORTED, ["without CUDA", "QUELL_CUDA=ON"], "svgf", (HEIGHT, WIDTH), device="cuda")
         refused(status.UNKNOWN_PRESET, ["'best'", "svgf"], "best", (HEIGHT, WIDTH))
         refused(status.INVALID_ARGUMENT, ["61x0"], "svgf", (0, WIDTH))
         refused(status.INVALID_ARGUMENT, ["-61x34"], "svgf", (HEIGHT, -WIDTH))

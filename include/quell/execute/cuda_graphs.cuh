@@ -12,8 +12,8 @@
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// CUDA graphs of frames, for the executor Cuda: a frame then costs the host less than its launches would. A graph is made for each row of
-/// kernels that a frame turns out to be; later frames put their arguments into it. One object serves one stream, and must live until no
-/// executor that points to it is used any more:
+/// kernels that a frame turns out to be; later frames put their arguments into it, or make it anew where it does not take them. One object
+/// serves one stream, and must live until no executor that points to it is used any more:
 ///
 ///     CudaGraphs graphs;
 ///     run(denoise, frame, history, Cuda{.stream = stream, .graphs = &graphs});
@@ -26,7 +26,7 @@ public:
 
     /// Drops all graphs. The next frame makes them again.
     void drop() {
-        for (auto& each : made) cudaGraphExecDestroy(each.runnable), cudaGraphDestroy(each.graph);
+        for (auto& each : made) destroy(each);
         made.clear();
     }
 
@@ -59,12 +59,16 @@ public:
         if (nodes.empty() && clears.empty()) return cudaSuccess;
         pass = "of a graph";
         auto same = std::find_if(made.begin(), made.end(), [&](Made const& each) { return is_like(each); });
+        if (same != made.end() && update(*same, pass) != cudaSuccess) {
+            cudaGetLastError(); // forgets it: the graph is made anew, in place of one that does not take the arguments
+            destroy(*same);
+            made.erase(same), same = made.end();
+        }
         auto status = cudaSuccess;
         if (same == made.end()) {
             status = make();
             if (status == cudaSuccess) same = made.end() - 1;
-        } else
-            status = update(*same, pass);
+        }
         if (status == cudaSuccess) status = cudaGraphLaunch(same->runnable, stream);
         drop_frame();
         return status;
@@ -94,6 +98,8 @@ private:
         cudaGraph_t graph;
         cudaGraphExec_t runnable;
     };
+    static void destroy(Made& each) { cudaGraphExecDestroy(each.runnable), cudaGraphDestroy(each.graph); }
+
     std::vector<Node> nodes; ///< of the running frame
     std::vector<Clear> clears;
     std::vector<Place> arguments;

@@ -1,10 +1,10 @@
 import operator
-from typing import Any, Iterable, Mapping, NamedTuple, Optional, Sequence
+from typing import Any, Iterable, Mapping, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 
 from . import _library
-from ._arrays import Array, lent
+from ._arrays import Array, OnDevice, lent
 from ._errors import Error, Status
 
 
@@ -69,6 +69,10 @@ class Denoiser:
     their motion first, over 8 frames at most. Not with two_sided.
     choose_history: denoises each frame with its history and without, and puts both together by what samples speak for that neither has used.
     Presets of one history can; it takes several times their time.
+    device: "cpu", or "cuda" for presets("cuda"). Arrays may then lie on the GPU (__cuda_array_interface__, DLPack), where they are read and
+    written as they are, or in the host's memory, from which they are copied.
+    stream: with "cuda", the number of the stream that the work goes into, such as torch.cuda.current_stream().cuda_stream; 0 is CUDA's
+    default. Where all arrays and `out` lie on the GPU, a call returns before the work is done: `out` is complete in the order of the stream.
 
     A denoiser is for one thread of Python at a time; another one gets an Error of Status.BUSY. While it runs, other threads do.
     """
@@ -87,15 +91,33 @@ class Denoiser:
         output_size: Optional[Sequence[int]] = None,
         steady_guides: Sequence[str] = (),
         choose_history: bool = False,
+        device: str = "cpu",
+        stream: int = 0,
     ) -> None:
         height, width = _height_and_width("size", size)
         output = (0, 0) if output_size is None else _height_and_width("output_size", output_size)
         if output_size is not None and output == (0, 0):
             raise Error("output_size: it is (0, 0); give 1 to 4 times the frames' height and width, or leave it out")
         count = _whole("threads", threads, 32)
-        steady = _steady(steady_guides)
+        on_device = _device(device)
+        if stream and not on_device:
+            raise Error(f'stream: {stream}, and the device is "cpu"; make it by Denoiser(..., device="cuda"), or leave it out')
+        self._stream = _whole("stream", stream, 65) if on_device else None
         self._denoiser = _library.Denoiser(
-            preset, width, height, count, instruction_set, two_sided, alpha, _motion(motion), anti_alias, output, steady, choose_history
+            preset,
+            width,
+            height,
+            count,
+            instruction_set,
+            two_sided,
+            alpha,
+            _motion(motion),
+            anti_alias,
+            output,
+            _steady(steady_guides),
+            choose_history,
+            on_device,
+            self._stream or 0,
         )
         self._channels = {name: (components, is_optional) for name, components, is_optional in self._denoiser.channels()}
         self._preset = preset
@@ -140,7 +162,7 @@ class Denoiser:
         if out is None:
             written = out = np.empty(self._output_shape(), np.float32)
         else:
-            written, is_writable = lent("out", out)
+            written, is_writable = lent("out", out, self._stream)
             if not is_writable:
                 raise Error("out: its memory is read-only; give memory that may be written, such as a new array")
         self._denoiser.run(frames, written)
@@ -209,14 +231,14 @@ class Denoiser:
 
     def _given(
         self, frame: Mapping[str, Any], prefix: str, names: Iterable[str]
-    ) -> tuple[dict[str, Array], Optional[Array], Optional[int], float, dict[str, tuple[int, int, int, int, int]], tuple[int, int]]:
+    ) -> tuple[dict[str, Union[Array, OnDevice]], Optional[Array], Optional[int], float, dict[str, tuple[int, int, int, int, int]], tuple[int, int]]:
         """What the library takes of a frame. `prefix` stands before what errors name."""
         number, shutter = frame.get("number"), frame.get("shutter")
         samples = frame.get("samples") or {}
         for name in samples:
             if name not in frame:
                 raise Error(f"{prefix}samples: there is no channel '{name}'; give it, or leave its samples out")
-        arrays = {name: lent(f"{prefix}channel '{name}'", frame[name]).array for name in names if name in frame}
+        arrays = {name: lent(f"{prefix}channel '{name}'", frame[name], self._stream).array for name in names if name in frame}
         # Depth is there for every pixel.
         varies = self._is_anti_aliased and "depth" in arrays and arrays["depth"].ndim in (2, 3)
         return (
@@ -242,9 +264,9 @@ class Denoiser:
         return self._output_size if components == 1 else (*self._output_size, components)
 
 
-def presets() -> list[str]:
-    """Names of presets: docs/presets.md says what they are for."""
-    return _library.presets()
+def presets(device: str = "cpu") -> list[str]:
+    """Names of presets: docs/presets.md says what they are for. Of "cuda": none where quell was built without CUDA."""
+    return _library.presets(_device(device))
 
 
 def instruction_sets() -> list[str]:
@@ -284,6 +306,16 @@ def _motion(convention: Mapping[str, str]) -> tuple[int, int, int, int]:
             raise Error(f"motion: {{{name!r}: {word!r}}}; give some of: " + "; ".join(f"{n}: {', '.join(w)}" for n, w in _MOTION.items()))
     points, unit, y, jitter = (words.index(convention.get(name, words[0])) for name, words in _MOTION.items())
     return points, unit, y, jitter
+
+
+# In the order of quell_device's numbers.
+_DEVICES = ("cpu", "cuda")
+
+
+def _device(name: str) -> int:
+    if name not in _DEVICES:
+        raise Error(f"device: {name!r}; give one of: {', '.join(_DEVICES)}")
+    return _DEVICES.index(name)
 
 
 def _steady(guides: Sequence[str]) -> int:

@@ -1,11 +1,12 @@
-from typing import Optional
+from typing import Any, Optional, Union
 
-from ._arrays import Array
+from ._arrays import Array, OnDevice
 
 version: str
 
-def presets() -> list[str]: ...
+def presets(device: int, /) -> list[str]: ...
 def instruction_sets() -> list[str]: ...
+def tensor_in(capsule: Any, /) -> tuple[int, tuple[int, ...], Optional[tuple[int, ...]], str]: ...
 
 class Denoiser:
     def __init__(
@@ -22,14 +23,16 @@ class Denoiser:
         output_size: tuple[int, int],
         steady_guides: int,
         choose_history: bool,
+        device: int,
+        stream: int,
         /,
     ) -> None: ...
     def run(
         self,
         frames: list[
-            tuple[dict[str, Array], Optional[Array], Optional[int], float, dict[str, tuple[int, int, int, int, int]], tuple[int, int]]
+            tuple[dict[str, Union[Array, OnDevice]], Optional[Array], Optional[int], float, dict[str, tuple[int, int, int, int, int]], tuple[int, int]]
         ],
-        out: Array,
+        out: Union[Array, OnDevice],
         /,
     ) -> None: ...
     def forget(self) -> None: ...
