@@ -131,7 +131,7 @@ TEST_CASE("a pass of general binds at most 8 buffers of the 4 slots that 128 MiB
         CAPTURE(pass.graph.name);
         CHECK(detail::buffers_of(plan, pass).size() <= 8);
     }
-    for (auto const& buffer : plan.bound_buffers()) CHECK(buffer.slots <= 4);
+    for (auto const& buffer : plan.bound_buffers()) CHECK(buffer.slot_count <= 4);
 }
 TEST_CASE("a recorded preset has the bits of Serial: shadow, which looks at the camera") { check_sizes(presets::shadow()); }
 TEST_CASE("a recorded preset has the bits of Serial: blur, whose loops are as long as a pixel wants") {

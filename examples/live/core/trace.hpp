@@ -101,10 +101,10 @@ QUELL_LIVE ScreenPoint motion_of(Scene const& scene, Cameras const& cameras, Hit
 
 /// How a picture is traced.
 struct Tracing {
-    int samples = 1;    ///< per pixel
-    int surfaces = 3;   ///< that a path may meet
-    uint32_t frame = 0; ///< chooses the random numbers
-    ScreenPoint jitter; ///< offset of all samples from the pixels' middles, pixels
+    int samples = 1;      ///< per pixel
+    int surfaces = 3;     ///< that a path may meet
+    uint32_t frame = 0;   ///< chooses the random numbers
+    ScreenPoint jitter{}; ///< offset of all samples from the pixels' middles, pixels
 };
 
 /// One pixel: its guides, and the mean of its samples. All go through one place of the pixel.

@@ -164,11 +164,12 @@ void feed_back_residual(ResidualFeedback const& rule, E const& executor, std::ve
         };
         // No frequency is fed back more than whole, however many parts have it.
         float const own = std::clamp(by.sample + by.sample_noise * n, 0.f, 1.f);
-        float const near = std::min((by.near_noise + by.near_sure * number(sure[i]) + by.near_held * number(fine.share[i])) * n, 1.f - own);
-        float const left = 1.f - own - std::max(near, 0.f);
+        float const finest_share =
+            std::min((by.near_noise + by.near_sure * number(sure[i]) + by.near_held * number(fine.share[i])) * n, 1.f - own);
+        float const left = 1.f - own - std::max(finest_share, 0.f);
         auto const& finest = levels[0].value[i];
         add(own, residual.value[i]);
-        add(near, finest);
+        add(finest_share, finest);
         add(std::min(by.fine_held * number(fine.share[i] * fine.sure[i]), left), finest - levels[1].value[i]);
         add(std::min(by.middle_held * number(middle.share[i] * middle.sure[i]), left), levels[2].value[i] - levels[3].value[i]);
         add(std::min(by.wide + by.wide_noise * n + by.wide_texture * number(gates.texture[i]), left), levels[3].value[i]);

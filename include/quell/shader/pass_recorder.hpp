@@ -90,14 +90,14 @@ private:
                 known[address] = {"counts", 0, fraction};
                 return address;
             };
-            auto const small = plane(8), large = plane(counted_square);
-            record_steps("counts", 8, [&](auto, auto) { record_counts_of_pixels<Counted>(job, small); });
+            auto const of_8 = plane(8), of_64 = plane(counted_square);
+            record_steps("counts", 8, [&](auto, auto) { record_counts_of_pixels<Counted>(job, of_8); });
             passes.back().takes_given_guides = Counted::takes_given_guides;
-            record_steps("sums of counts", counted_square, [&](auto, auto) { record_sums_of_counts<Counted::size>(small, large); });
+            record_steps("sums of counts", counted_square, [&](auto, auto) { record_sums_of_counts<Counted::size>(of_8, of_64); });
             int block = 0;
             for (auto& name : Counted::names())
                 counted.push_back({std::move(name), std::string(Counted::signal), static_cast<int>(squares.size()), block++});
-            squares.push_back(large);
+            squares.push_back(of_64);
         }
     }
     static RecordedRays rays_at(int word) {

@@ -45,7 +45,7 @@ constexpr std::string_view name_of(ShaderBuffer buffer) { return shader_buffer_n
 struct BoundBuffer {
     ShaderBuffer buffer = ShaderBuffer::inputs; ///< whose
     int part = 0,                               ///< from 0
-        slots = 0;                              ///< how many it has
+        slot_count = 0;                         ///< how many it has
     /// Of the same name.
     [[nodiscard]] bool is(BoundBuffer const& other) const { return buffer == other.buffer && part == other.part; }
     /// In shaders: inputs, inputs_2, ...
@@ -99,8 +99,8 @@ struct ShaderPlan {
         std::vector<BoundBuffer> all;
         for (std::size_t i = 0; i < shader_buffer_names.size(); ++i)
             for (int part = 0, rest = slot_count(static_cast<ShaderBuffer>(i)); part == 0 || rest > 0; ++part) {
-                int const slots = most_slots > 0 && rest > most_slots ? most_slots : rest;
-                all.push_back({static_cast<ShaderBuffer>(i), part, slots}), rest -= slots;
+                int const here = most_slots > 0 && rest > most_slots ? most_slots : rest;
+                all.push_back({static_cast<ShaderBuffer>(i), part, here}), rest -= here;
             }
         return all;
     }

@@ -74,8 +74,8 @@ inline std::string buffer_text(BoundBuffer const& buffer, std::size_t binding, s
     auto other = buffer;
     other.buffer = then ? ShaderBuffer::history_now : ShaderBuffer::history_then;
     return "{\"name\": " + in_quotes(buffer.name()) + ", " + binding_text(binding, buffer.is_read_only() ? 't' : 'u', extension) +
-           ", \"access\": " + in_quotes(buffer.is_read_only() ? "read" : "read_write") + ", \"slots\": " + std::to_string(buffer.slots) +
-           (then || now ? ", \"becomes\": " + in_quotes(other.name()) : "") + "}";
+           ", \"access\": " + in_quotes(buffer.is_read_only() ? "read" : "read_write") +
+           ", \"slots\": " + std::to_string(buffer.slot_count) + (then || now ? ", \"becomes\": " + in_quotes(other.name()) : "") + "}";
 }
 } // namespace detail
 
