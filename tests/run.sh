@@ -18,10 +18,10 @@ clang_tests=(blur radiance execute two_units fast_math same_bits no_exceptions)
 # Filters, kernels of the slow presets, and the motion sources of effects meet the sanitizers in the fuzz step.
 asan_tests=(core image frame blend pipeline io metrics report)
 tsan_tests=(races)
-# Without the preset pipelines of test "presets", which take as long to compile as all of these: "cross" has two of them.
-cross_tests=(core image blend filter pipeline execute cross)
-# What of these differs between instruction sets. With AVX2 on Windows, packs lie on the stack as calling conventions say: "cross" has whole
-# pipelines, and filters and stages are tested with SSE2 and on 64-bit Arm.
+# What differs between instruction sets: "cross" has two whole pipelines. Without the tests of stages and of preset pipelines, which take
+# longest to compile and run; "tests/run.sh pipeline aarch64" has those of stages.
+cross_tests=(core image filter execute cross)
+# With AVX2 on Windows, packs lie on the stack as calling conventions say; filters are tested with SSE2 and on 64-bit Arm.
 sse2_tests=(core filter execute cross)
 avx2_tests=(core image execute cross)
 
