@@ -1,39 +1,18 @@
+#include "flat_surface.hpp"
+
 #include <doctest/doctest.h>
 #include <quell/resolve/twicing.hpp>
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 using namespace quell;
+using namespace quell::tests;
 
 namespace {
-constexpr Extent size{96, 80};
+struct Denoised : FlatSurface {
+    using FlatSurface::FlatSurface;
 
-/// A picture that a filter made, its samples, and what is true, of one flat surface.
-struct Denoised {
-    std::vector<glm::vec3> truth, samples, picture;
-    ImageOf<Planar<>, Normal> normals{size};
-    ImageOf<Planar<>, Depth> depths{size};
-
-    /// @param at    the truth at a column and row
-    /// @param noise standard deviation of the samples
-    template <class Truth> Denoised(Truth&& at, float noise, unsigned seed = 5) {
-        std::mt19937 random(seed);
-        std::normal_distribution<float> normal_distribution(0.f, noise);
-        for (int y = 0; y < size.height; ++y)
-            for (int x = 0; x < size.width; ++x) {
-                truth.emplace_back(at(x, y));
-                samples.push_back(truth.back() + glm::vec3(normal_distribution(random)));
-                picture.emplace_back(1.f);
-                normals.view().set(2, x, y, 1.f), depths.view().set(0, x, y, 3.f);
-            }
-    }
-    double error() const {
-        double sum = 0;
-        for (std::size_t i = 0; i < truth.size(); ++i) sum += std::pow(static_cast<double>(picture[i].x - truth[i].x), 2.);
-        return std::sqrt(sum / static_cast<double>(truth.size()));
-    }
     Denoised& twice(Executor auto const& executor, Twicing const& rule = {}) {
         add_back_residual(rule, executor, samples, normals.view(), depths.view(), picture);
         return *this;
