@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
         app.add_flag("--repair-guides", options.record.repair_guides, "repairs guides that no scene has, by a pass at the front");
         app.add_option("--fill-holes", options.record.fill_holes,
                        "so many passes give missing samples what stands 2, 4, 8, ... pixels away")
-            ->check(CLI::Range(0, 16));
+            ->check(CLI::Range(0, RecordOptions::most_fill_holes));
         app.add_flag("--counts", options.record.counts, "counts missing samples, impossible guides and suppressed light");
         app.add_option("--buffer-slots", options.record.most_slots, "slots of a buffer at most: what has more lies in several")
             ->check(CLI::Range(1, 1000));

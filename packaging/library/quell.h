@@ -167,16 +167,18 @@ typedef struct quell_settings {
                        Not with two_sided, alpha, anti_alias, another output size, steady_guides, choose_history, allocate and
                        instruction_set. */
     int32_t reserved; /* 0 */
-    void *stream;   /* with QUELL_CUDA: a cudaStream_t; null is the default stream */
+    void *stream;     /* with QUELL_CUDA: a cudaStream_t; null is the default stream */
 } quell_settings;
 #ifdef __cplusplus
 #define QUELL_SETTINGS \
     quell_settings {                                                                                                                       \
-        sizeof(quell_settings), nullptr, 0, 0, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0, 0, 0, 0, {}, 0, 0, 0, 0, 0, nullptr \
+        sizeof(quell_settings), nullptr, 0, 0, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0, 0, 0, 0, {}, 0, 0, 0, 0, 0,     \
+            nullptr                                                                                                                        \
     }
 #else
 #define QUELL_SETTINGS \
-    ((quell_settings){sizeof(quell_settings), NULL, 0, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, 0, 0, 0, 0, {0, 0, 0, 0}, 0, 0, 0, 0, 0, NULL})
+    ((quell_settings){sizeof(quell_settings), NULL, 0, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, 0, 0, 0, 0, {0, 0, 0, 0}, 0, 0, 0, 0, 0, \
+                      NULL})
 #endif
 
 /* Counts. Start from QUELL_STATISTICS. */

@@ -6,10 +6,10 @@
 #include "recorded_presets.hpp"
 
 #include <quell/core/error.hpp>
+#include <quell/pipeline/graph/check_frame.hpp>
 #include <quell/shader/write_plan.hpp>
 
 #include <glm/gtc/type_ptr.hpp>
-#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,6 @@ struct Language {
     char const *name, *extension;
     quell::ShaderLanguage language;
 };
-constexpr int most_fill_holes = 16; // which is more than any image has
 constexpr std::array<Language, 2> languages{{{"wgsl", "wgsl", quell::ShaderLanguage::wgsl}, {"glsl", "comp", quell::ShaderLanguage::glsl}}};
 
 std::vector<RecordedPreset> const& presets() {
@@ -59,6 +58,7 @@ quell_status create(std::string const& preset, std::string const& language, quel
                         "language: '" + language + "' is made from glsl by other programs; the program quell-shaders runs them");
         return fail(QUELL_INVALID_ARGUMENT, "language: '" + language + "'; give one of: " + names(languages));
     }
+    constexpr int most_fill_holes = quell::RecordOptions::most_fill_holes;
     if (options.fill_holes < 0 || options.fill_holes > most_fill_holes)
         return fail(QUELL_INVALID_ARGUMENT, "options.fill_holes: " + std::to_string(options.fill_holes) + "; give 0 to " +
                                                 std::to_string(most_fill_holes) + " passes");
@@ -79,8 +79,7 @@ quell::Camera camera_of(quell_camera const& given) {
 std::string check_camera(std::string const& name, quell::Camera const& camera) {
     std::pair<char const*, glm::mat4 const&> const matrices[] = {{"view", camera.view}, {"projection", camera.projection}};
     for (auto const& [what, matrix] : matrices)
-        if (auto const volume = glm::determinant(matrix); !quell::is_finite(volume) || volume == 0.f)
-            return name + "." + what + ": a singular or non-finite matrix; give the host's";
+        if (!quell::detail::usable(matrix)) return name + "." + what + ": a singular or non-finite matrix; give the host's";
     auto const& p = camera.projection;
     return p[0][3] == 0.f && p[1][3] == 0.f && p[2][3] == 0.f
                ? name + ".projection: a matrix without perspective; give the host's, orthographic ones are not supported"

@@ -152,8 +152,8 @@ public:
 
     /// Denoises the first of some frames.
     /// @param frames (channels, camera, number, shutter, samples, size) each: arrays, or memory of a device, by name; 34 floats as
-    /// quell_camera has them, or None;
-    ///               an int, or None; a float; by name, the first five numbers of quell_samples; height and width
+    ///               quell_camera has them, or None; an int, or None; a float; by name, the first five numbers of quell_samples; height
+    ///               and width
     void run(py::list const& frames, py::object const& out) {
         auto const given = std::make_unique<Given[]>(frames.size()); // its frames point into it
         std::vector<quell_frame> all;

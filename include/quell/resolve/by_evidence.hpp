@@ -31,9 +31,8 @@ template <class P, class Judge> constexpr bool can_judge() {
 /// Each frame with a past is denoised once with it and once by itself. A judge does both without the even pixels' samples, and without the
 /// odd ones', and once more by itself with all samples, which the pipeline has done already where it is its own judge.
 /// @tparam P     a Pipeline with a Temporal
-/// @tparam Judge a Pipeline of the same signal that keeps and remembers nothing else: the same one, or one that takes less time, as general
-/// is
-///               for final_frame
+/// @tparam Judge a Pipeline of the same signal that keeps and remembers nothing else: the same one, or one that takes less time, as
+///               general is for final_frame
 template <class P, class Judge = P> struct ByEvidence {
     static_assert(detail::has_one_history<P>, "ByEvidence{pipeline, judge, rule}: the first must be a Pipeline with a Temporal{...}, which "
                                               "alone has a history to choose");

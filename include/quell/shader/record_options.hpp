@@ -11,6 +11,7 @@ struct RecordOptions {
     /// Passes behind the ingest that give missing samples without a usable neighbour what stands 2, 4, 8, ... pixels away: with n of them,
     /// up to 2^(n + 1) - 1 pixels in all. run() takes as many as a frame needs.
     int fill_holes = 0;
+    static constexpr int most_fill_holes = 16; ///< which is more than any image needs
     /// Whether missing samples, impossible guides and suppressed light are counted: see ShaderPlan::counts.
     bool counts = false;
     /// Slots of a buffer at most: what has more lies in several. 0: there is no limit.
