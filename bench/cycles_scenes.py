@@ -1,16 +1,17 @@
 # Renders a small scene with Blender's Cycles (apt-get install --no-install-recommends blender; tested with 3.4.1), 48 frames long:
-#   blender -b --factory-startup -noaudio -P cycles_scenes.py -- SCENE OUT_FOLDER SPP FIRST LAST WIDTH HEIGHT [box|default]
+#   blender -b --factory-startup -noaudio -P cycles_scenes.py -- SCENE OUT_FOLDER SPP FIRST LAST WIDTH HEIGHT [box|default [SEED [window]]]
 # box: Cycles' filter of that name, which is always a pixel wide: samples lie anywhere within their pixel. default: Cycles' own filter, by
 # which they lie anywhere within a pixel and a half. With both the first sample of a pixel lies at its centre. The seed differs from frame to
 # frame. Multi-layer EXR: Combined, light and colour passes, Depth, Normal, Vector (to the last and to the next frame).
 # lamp, train, brass have Position and IndexOB too; their passes are clean and complete. In the others colour passes, alpha or sums are not:
 #   fog (volume passes), dof (depth of field), film (transparent film), glass (no transmission passes), mblur (motion blur: Vector is 0),
 #   gamut (components below 0, wants python3-openimageio), and as controls leaves (outdoors) and tiles (indoors, fine textures).
-# Of bench/scoreboard.sh: street, office, crossing, night, fur, chrome.
+# Of bench/scoreboard.sh: street, office, crossing, night, fur, chrome; and of bench/held_out.sh, by which nothing was ever chosen: kitchen,
+# market, stairs, garden, workshop.
 # bench/cycles.sh calls this.
 import bpy, sys, math, os, random
 name, out, spp, first, last, width, height = (lambda a: (a[0], a[1], *map(int, a[2:7])))(sys.argv[sys.argv.index("--") + 1:])
-pixel_filter = (sys.argv[sys.argv.index("--") + 8:] + ["box"])[0]
+pixel_filter, seed = (sys.argv[sys.argv.index("--") + 8:] + ["box", "0"][len(sys.argv) - sys.argv.index("--") - 8:])[:2]
 N = 48
 bpy.ops.wm.read_factory_settings(use_empty=True)
 scene = bpy.context.scene
@@ -20,10 +21,15 @@ cycles.device, cycles.samples, cycles.use_adaptive_sampling, cycles.use_denoisin
 if pixel_filter == 'box': cycles.pixel_filter_type = 'BOX'
 cycles.max_bounces, cycles.sample_clamp_indirect = 4, 0
 cycles.caustics_reflective = cycles.caustics_refractive = False
-cycles.use_animated_seed = True
+cycles.use_animated_seed, cycles.seed = True, int(seed)
 render = scene.render
 render.resolution_x, render.resolution_y, render.resolution_percentage = width, height, 100
 render.image_settings.file_format, render.image_settings.color_depth, render.image_settings.exr_codec = 'OPEN_EXR_MULTILAYER', '16', 'ZIP'
+windows = {'kitchen': (60, 35), 'market': (90, 60), 'stairs': (170, 120), 'garden': (130, 60), 'workshop': (130, 85)}    # left and bottom, of 480x270
+if 'window' in sys.argv:    # a quarter of the frame costs a quarter, and its pixels are as fine as the whole's
+    x, y = windows[name]
+    render.use_border = render.use_crop_to_border = True
+    render.border_min_x, render.border_max_x, render.border_min_y, render.border_max_y = x / 480, x / 480 + .5, y / 270, y / 270 + .5
 render.filepath = os.path.join(out, 'frame_####')
 render.use_persistent_data = True
 scene.frame_start, scene.frame_end = first, last
@@ -59,7 +65,7 @@ def pattern(n, dark, bright, scale, kind='Noise', **k):
     a, b = r.color_ramp.elements
     a.position, a.color, b.position, b.color = .4, (*dark, 1), .6, (*bright, 1)
     m.node_tree.links.new(m.node_tree.nodes.new('ShaderNodeTexCoord').outputs['Object'], t.inputs['Vector'])
-    m.node_tree.links.new(t.outputs['Fac'], r.inputs['Fac'])
+    m.node_tree.links.new(t.outputs['Distance' if kind == 'Voronoi' else 'Fac'], r.inputs['Fac'])
     m.node_tree.links.new(r.outputs['Color'], m.node_tree.nodes['Principled BSDF'].inputs['Base Color'])
     return m
 def glassy(n, color):
@@ -397,6 +403,146 @@ elif name == 'chrome':  # rough metal plates and balls of several roughnesses re
     light('AREA', (1.5, -2.5, 4), 140, .8, (math.radians(30), math.radians(20), 0), (.9, .95, 1))
     eye, _ = camera((0, -4.6, 1.7), (0, .5, .6))
     move(eye, 'location', [(1, (1, -4.5, 1.7)), (48, (-1, -4.5, 1.6))])
+elif name == 'kitchen':  # sunlight through curtains that blow, on glossy tiles, steel and glaze; a kettle is carried, the camera walks
+    sky(1.6, 1.9, 2.4)
+    add(P.primitive_plane_add, material('floor', (.55, .5, .45), .25, checker=16), (0, 0, 0), (3.2, 3, 1))
+    add(P.primitive_plane_add, pattern('tiles', (.55, .68, .72), (.88, .86, .8), 9, 'Brick', rough=.12), (0, 2.4, 1.4), (3.2, 1.4, 1), (half, 0, 0))
+    add(P.primitive_plane_add, material('top', (.85, .84, .8), .9), (0, 0, 2.8), (3.2, 3, 1))
+    add(P.primitive_plane_add, material('right', (.75, .55, .35), .8), (3, 0, 1.4), (1.4, 3, 1), (0, half, 0))
+    for y, z, h, v in ((-2.2, 1.4, .9, 1.4), (2.1, 1.4, .5, 1.4), (.2, .45, 1.6, .45), (.2, 2.5, 1.6, .3), (.2, 1.5, .04, .8)): add(P.primitive_cube_add, material('left', (.8, .8, .76), .85), (-3, y, z), (.08, h, v))
+    for i in range(14):
+        a = i * .9
+        o = add(P.primitive_cube_add, material('curtain', (.8, .45, .3) if i % 2 else (.85, .8, .7), .9), (-2.75, -1.3 + .23 * i, 1.6), (.012, .085, .85))
+        move(o, 'rotation_euler', [(1 + 6 * k, (.12 * math.sin(a + 1.3 * k), .16 * math.cos(a + 1.1 * k), .9 * math.sin(a * .7 + k))) for k in range(9)])
+    add(P.primitive_cube_add, pattern('counter', (.2, .2, .22), (.5, .48, .46), 30, rough=.2), (.2, 1.9, .9), (2.4, .5, .04))
+    for i in range(5): add(P.primitive_cube_add, pattern('door%d' % i, (.3, .16, .08), (.5, .3, .16), 5, 'Wave', rough=.35), (-1.7 + .95 * i, 1.9, .43), (.46, .46, .41))
+    for i, r in enumerate((.08, .2, .35)): add(P.primitive_cylinder_add, material('pot%d' % i, (.8, .78, .76), r, 1), (-1.3 + .5 * i, 1.9, 1.06 + .03 * i), (.18, .18, .12 + .03 * i)), bpy.ops.object.shade_smooth()
+    for i in range(7): add(P.primitive_uv_sphere_add, material('fruit%d' % i, ((.85, .35, .05), (.7, .1, .08), (.5, .65, .1))[i % 3], .3), (.5 + .15 * (i % 4), 1.75 + .14 * (i // 4), 1.02), (.075, .075, .075)), bpy.ops.object.shade_smooth()
+    for i in range(6): add(P.primitive_cylinder_add, material('ladle', (.75, .75, .78), .25, 1), (1.1 + .16 * i, 2.32, 1.75), (.012, .012, .22 + .03 * (i % 3)))
+    kettle = add(P.primitive_uv_sphere_add, material('kettle', (.9, .5, .35), .18, 1), (0, 1.2, 1.1), (.2, .2, .17))
+    bpy.ops.object.shade_smooth()
+    move(kettle, 'location', [(1, (1.9, .9, 1.15)), (28, (.1, .8, 1.35)), (48, (-1.3, 1.1, 1.2))])
+    sun = light('SUN', (0, 0, 5), 14, .012, (0, math.radians(-57), math.radians(-14)), (1, .9, .75))
+    eye, target = camera((.9, -2.6, 1.6), (-.2, 1.6, 1.05), 25)
+    move(eye, 'location', [(1, (1.3, -2.6, 1.55)), (48, (.2, -2.35, 1.65))])
+elif name == 'market':  # outdoors: striped awnings, cobbles, heaps of fruit, lanterns; people-sized things pass before each other
+    sky(.3, .38, .5)
+    add(P.primitive_plane_add, pattern('cobbles', (.2, .19, .18), (.5, .46, .42), 40, 'Voronoi', rough=.7), (0, 2, 0), (7, 6, 1))
+    for i, c in enumerate(((.75, .6, .45), (.6, .35, .28), (.7, .68, .55), (.45, .5, .55))): add(P.primitive_cube_add, pattern('house%d' % i, [.7 * x for x in c], c, 6, 'Brick', rough=.9), (-5 + 3.4 * i, 6 + .6 * (i % 2), 2), (1.6, .6, 2.2 + .5 * (i % 3)))
+    for i in range(4):
+        x = -3.3 + 2.2 * i
+        add(P.primitive_cube_add, pattern('awning%d' % i, ((.75, .1, .08), (.1, .35, .2), (.1, .2, .5), (.8, .55, .1))[i], (.9, .88, .82), 2.2, 'Wave', rough=.9), (x, 2.6, 1.75), (.95, .6, .015), (-.3, 0, 0))
+        add(P.primitive_cube_add, pattern('stall%d' % i, (.25, .15, .08), (.5, .34, .2), 7, 'Wave'), (x, 2.5, .35), (.85, .45, .35))
+        for s in (-.88, .88): add(P.primitive_cylinder_add, material('post', (.4, .3, .2), .6), (x + s, 2.1, .8), (.025, .025, .8))
+        chance = random.Random(60 + i)
+        for k in range(26): add(P.primitive_uv_sphere_add, material('fruit%d' % (k % 3), (((.85, .4, .05), (.6, .7, .15), (.7, .1, .1)), ((.5, .1, .3), (.8, .75, .2), (.2, .45, .1)))[i % 2][k % 3], .4), (x + chance.uniform(-.7, .7), 2.15 + chance.uniform(0, .5), .74 + chance.uniform(0, .1)), (.075, .075, .075), segments=14, ring_count=8)
+    for i in range(9):
+        o = add(P.primitive_plane_add, material('flag%d' % i, ((.8, .15, .1), (.9, .75, .2), (.15, .4, .7))[i % 3], .9, checker=2), (-4 + i, 1.5 + .1 * (i % 2), 2.25), (.16, .2, 1), (half, 0, 0))
+        move(o, 'rotation_euler', [(1 + 6 * k, (half + .35 * math.sin(i + 1.7 * k), 0, .3 * math.cos(i + k))) for k in range(9)])
+    add(P.primitive_cylinder_add, material('rope', (.15, .12, .1), .8), (0, 1.5, 2.46), (.01, .01, 7), (0, half, 0))
+    for i in range(7):
+        c, y, v = ((.2, .3, .5), (.6, .2, .2), (.5, .5, .3), (.15, .35, .25), (.7, .6, .5), (.3, .2, .35), (.2, .2, .22))[i], .1 + .3 * i, (-1) ** i * (1.1 + .35 * (i % 3))
+        body = add(P.primitive_cylinder_add, pattern('coat%d' % i, [.4 * x for x in c], c, 5, ('Wave', 'Checker', 'Noise')[i % 3]), (0, y, .5), (.19, .15, .5))
+        head = add(P.primitive_uv_sphere_add, material('skin%d' % i, ((.7, .5, .38), (.35, .22, .15))[i % 2], .6), (0, y, 1.17), (.13, .13, .16))
+        x = (-2.4 + 1.3 * i if i % 2 else 2.8 - 1.2 * i) - v
+        for o, z in (body, .5), (head, 1.17): move(o, 'location', [(1 + 4 * k, (x + v * k / 6, y, z + .03 * (k % 2))) for k in range(13)])
+    for i in range(5): add(P.primitive_uv_sphere_add, material('lantern%d' % i, (1, .6, .25), emit=2.5), (-3 + 1.6 * i, 3, 1.45), (.09, .09, .12))
+    light('SUN', (0, 0, 5), 3.6, .015, (math.radians(42), math.radians(-32), 0), (1, .93, .82))
+    eye, target = camera((0, -3.2, 1.55), (0, 2, 1), 27)
+    move(eye, 'location', [(1, (-1, -3.2, 1.5)), (48, (.9, -3, 1.6))])
+    move(target, 'location', [(1, (-1.1, 2, 1)), (48, (.5, 2, 1.05))])
+elif name == 'stairs':  # a staircase at night: a bare bulb swings behind banisters, a sign flickers, someone climbs
+    sky(.003, .004, .009)
+    add(P.primitive_plane_add, pattern('floor', (.18, .17, .16), (.42, .4, .36), 5, 'Checker', rough=.3), (0, 0, 0), (4, 4, 1))
+    add(P.primitive_plane_add, pattern('plaster', (.45, .4, .32), (.68, .63, .54), 2.5, rough=.9), (0, 2.6, 1.8), (4, 1.8, 1), (half, 0, 0))
+    add(P.primitive_plane_add, material('left', (.5, .58, .55), .85), (-2.8, 0, 1.8), (1.8, 4, 1), (0, half, 0))
+    add(P.primitive_plane_add, material('top', (.7, .7, .68), .9), (0, 0, 3.6), (4, 4, 1))
+    for i in range(11):
+        add(P.primitive_cube_add, pattern('step', (.25, .13, .07), (.42, .25, .14), 6, 'Wave', rough=.4), (-1.9 + .36 * i, 1.8, .1 + .19 * i), (.18, .75, .1))
+        add(P.primitive_cube_add, material('riser', (.6, .57, .5), .8), (-2.06 + .36 * i, 1.8, .095 * i), (.015, .74, .095 * i + .01))
+        for k in (0, 1): add(P.primitive_cylinder_add, material('banister', (.12, .1, .1), .35, .8), (-1.98 + .36 * i + .18 * k, 1.08, .62 + .19 * i + .095 * k), (.014, .014, .42))
+    add(P.primitive_cylinder_add, material('rail', (.35, .18, .08), .25), (-.1, 1.08, 2.0), (.035, .035, 2.25), (0, math.radians(62.2), 0))
+    bulb = light('POINT', (0, .2, 2.4), 70, .05, color=(1, .74, .42))
+    shade = add(P.primitive_cone_add, material('shade', (.1, .25, .2), .4), (0, .2, 2.6), (.2, .2, .12))
+    for o, up in (bulb, 0), (shade, .22): move(o, 'location', [(1 + 6 * k, (.1 + 1.0 * (-1) ** k, .1 + .25 * math.sin(k), 2.25 + up)) for k in range(9)])
+    sign = material('sign', (1, .15, .35), emit=1)
+    for i in range(4): add(P.primitive_torus_add, sign, (1.1 + .42 * i, 2.5, 2.75 - .1 * (i % 2)), (.17, .17, .17), (half, 0, 0), major_segments=32, minor_radius=.12)
+    e = sign.node_tree.nodes['Principled BSDF'].inputs['Emission Strength']
+    for f in range(1, 49): e.default_value = (9, 9, 7, 0, 8, 2, 9, 9, 0, 0, 6)[f * 5 % 11]; e.keyframe_insert('default_value', frame=f)
+    for c in sign.node_tree.animation_data.action.fcurves:
+        for k in c.keyframe_points: k.interpolation = 'CONSTANT'
+    body, head = add(P.primitive_cylinder_add, pattern('coat', (.1, .12, .3), (.3, .35, .6), 4, 'Checker'), (0, 1.6, 1), (.17, .14, .45)), add(P.primitive_uv_sphere_add, material('skin', (.6, .42, .32), .6), (0, 1.6, 1.6), (.12, .12, .15))
+    for o, z in (body, .75), (head, 1.35): move(o, 'location', [(1, (-1.9, 1.7, z + .1)), (48, (1.1, 1.7, z + 1.68))])
+    for i in range(3): add(P.primitive_cube_add, pattern('crate%d' % i, (.3, .2, .1), (.55, .4, .22), 3, 'Brick'), ((1.2, 1.75, 1.45)[i], (.35, .6, .45)[i], (.25, .25, .72)[i]), (.25, .25, .22 + .03 * (i < 2)), (0, 0, .3 * i))
+    add(P.primitive_cylinder_add, material('bin', (.6, .62, .6), .3, 1), (-1.2, .1, .35), (.24, .24, .35))
+    eye, target = camera((.6, -3.4, 1.5), (0, 1.2, 1.25), 26)
+    move(eye, 'location', [(1, (.9, -3.5, 1.4)), (48, (.1, -3.2, 1.75))])
+elif name == 'garden':  # outdoors: fine grass, flowers, canes and a net before a hedge, clouds in the sky, a swing swings, the camera pans
+    new, link = world.node_tree.nodes.new, world.node_tree.links.new
+    t, r = new('ShaderNodeTexNoise'), new('ShaderNodeValToRGB')
+    t.inputs['Scale'].default_value, t.inputs['Detail'].default_value = 3, 6
+    a, b = r.color_ramp.elements
+    a.position, a.color, b.position, b.color = .42, (.22, .36, .62, 1), .66, (.85, .87, .9, 1)
+    link(new('ShaderNodeTexCoord').outputs['Generated'], t.inputs['Vector'])
+    link(t.outputs['Fac'], r.inputs['Fac'])
+    link(r.outputs['Color'], world.node_tree.nodes['Background'].inputs[0])
+    add(P.primitive_plane_add, pattern('earth', (.09, .07, .04), (.2, .22, .08), 22), (0, 2, 0), (8, 7, 1))
+    strips('grass', pattern('blade', (.05, .2, .03), (.3, .5, .1), 3, rough=.7), places(16000, 21, (-4.5, -1.5, 0), (4.5, 5, 0)), .008, .2, 22)
+    for i, c in enumerate(((.85, .2, .3), (.9, .8, .2), (.6, .4, .85))): strips('flowers%d' % i, material('petal%d' % i, c, .8), places(150, 30 + i, (-3, -.4, .16), (3, 3, .26)), .04, .05, 33 + i)
+    o = strips('hedge', pattern('leaf', (.03, .12, .03), (.22, .36, .08), 9, rough=.5), places(9000, 24, (-6, 4.6, 0), (6, 5.4, 1.5)), .06, .12, 25)
+    for i in range(15): add(P.primitive_cylinder_add, material('cane', (.65, .5, .28), .7), (-2.9 + .32 * i, 1.3 + .25 * (i % 3), .75), (.012, .012, .8), (.05 * (-1) ** i, .06 * (i % 4 - 1.5), 0))
+    for i in range(26): add(P.primitive_cylinder_add, material('net', (.85, .85, .8), .8), (1.4 + .07 * i, 2.6, .7), (.006, .006, .7))
+    for i in range(10): add(P.primitive_cylinder_add, material('net', (.85, .85, .8), .8), (2.3, 2.6, .14 * i + .07), (.006, .006, .9), (0, half, 0))
+    for x in (-1.5, .1): add(P.primitive_cylinder_add, material('frame', (.45, .12, .1), .4), (x, .9, .9), (.035, .035, .9))
+    add(P.primitive_cylinder_add, material('frame', (.45, .12, .1), .4), (-.7, .9, 1.8), (.035, .035, .85), (0, half, 0))
+    pivot = bpy.data.objects.new('Pivot', None)
+    scene.collection.objects.link(pivot)
+    pivot.location = (-.7, .9, 1.8)
+    for o in [add(P.primitive_cylinder_add, material('rope', (.7, .62, .45), .9), (x, 0, -.62), (.012, .012, .62)) for x in (-.28, .28)] + [add(P.primitive_cube_add, pattern('seat', (.3, .18, .08), (.6, .42, .2), 6, 'Wave'), (0, 0, -1.24), (.34, .15, .025))]: o.parent = pivot
+    move(pivot, 'rotation_euler', [(1 + 4 * k, (.6 * math.sin(k * 1.1), 0, 0)) for k in range(13)])
+    crown = strips('crown', pattern('crown', (.06, .2, .04), (.4, .5, .12), 7, rough=.6), [(x * (1 - .2 * z), y, z + 1.9) for x, y, z in places(1600, 27, (-.9, -.8, -.5), (.9, .8, .9))], .06, .11, 28)
+    crown.location = (1.7, 3.4, 0)
+    move(crown, 'rotation_euler', [(1 + 6 * k, (.025 * (-1) ** k, .02 * math.sin(k), .01 * k)) for k in range(9)])
+    add(P.primitive_cylinder_add, pattern('trunk', (.14, .09, .06), (.32, .24, .17), 8), (1.7, 3.4, .85), (.1, .1, .9))
+    ball = add(P.primitive_uv_sphere_add, material('ball', (.9, .25, .15), .3, checker=6), (0, 0, .22), (.17, .17, .17))
+    move(ball, 'location', [(1, (1.9, .1, .2)), (48, (-1.5, .5, .2))])
+    move(ball, 'rotation_euler', [(1, (0, 0, 0)), (48, (2, -14, 0))])
+    light('SUN', (0, 0, 5), 3.4, .01, (math.radians(48), math.radians(22), 0), (1, .95, .85))
+    eye, target = camera((0, -3, 1.25), (0, 2, .75), 30)
+    move(eye, 'location', [(1, (.3, -3, 1.2)), (48, (-.3, -2.9, 1.3))])
+    move(target, 'location', [(1, (1.2, 2, .75)), (48, (-1.2, 2, .75))])
+elif name == 'workshop':    # indoors: rough metal everywhere, a robot's arm turns its joints and welds, boxes ride on a belt, a saw turns
+    sky(.02, .025, .03)
+    add(P.primitive_plane_add, pattern('floor', (.25, .26, .27), (.42, .41, .4), 3, rough=.35), (0, 0, 0), (5, 5, 1))
+    add(P.primitive_plane_add, pattern('back', (.3, .35, .38), (.5, .54, .55), 12, 'Wave', rough=.5, metal=.9), (0, 3.2, 1.7), (5, 1.7, 1), (half, 0, 0))
+    add(P.primitive_plane_add, material('right', (.65, .6, .45), .85), (3.4, 0, 1.7), (1.7, 5, 1), (0, half, 0))
+    add(P.primitive_cube_add, pattern('belt', (.04, .04, .04), (.13, .13, .13), 10, 'Wave', rough=.6), (0, .7, .45), (3.6, .35, .05))
+    for i in range(8): add(P.primitive_cylinder_add, material('roll', (.7, .7, .72), .3, 1), (-3.2 + .9 * i, .33, .45), (.05, .05, .04), (half, 0, 0))
+    for i in range(8):
+        o = add(P.primitive_cube_add, (pattern('card%d' % i, (.35, .24, .13), (.6, .45, .28), 3, 'Brick'), material('tin%d' % i, (.75, .75, .78), .28, 1), material('blue%d' % i, (.1, .25, .6), .3))[i % 3], (0, .7, .66), (.2, .2, .16), (0, 0, .3 * (i % 3)))
+        move(o, 'location', [(1, (-4.4 + 1.05 * i, .7, .66)), (48, (-2.3 + 1.05 * i, .7, .66))])
+    paint, steel = material('paint', (.85, .35, .05), .35), material('steel', (.6, .6, .62), .3, 1)
+    add(P.primitive_cylinder_add, paint, (-.5, 1.8, .35), (.4, .4, .35))
+    joint = []
+    for i, at in enumerate(((-.5, 1.8, .75), (0, 0, 1.0), (0, 0, .85))):
+        j = bpy.data.objects.new('Joint%d' % i, None)
+        scene.collection.objects.link(j)
+        j.location = at
+        j.parent = joint[-1] if joint else None
+        joint.append(j)
+        for o in add(P.primitive_uv_sphere_add, steel, (0, 0, 0), (.17 - .03 * i,) * 3), add(P.primitive_cube_add, paint, (0, 0, (.5, .42, .2)[i]), (.11 - .02 * i, .13 - .02 * i, (.42, .34, .2)[i])): o.parent = j
+    for j, size, pace in zip(joint, (.5, .9, .8), (.8, 1.1, 1.5)): move(j, 'rotation_euler', [(1 + 4 * k, (.55 * size + .25 * size * math.sin(pace * k), .7 * size * math.cos(.7 * pace * k), .2 * math.sin(k))) for k in range(13)])
+    spark = light('POINT', (0, 0, .48), 0, .04, color=(.65, .8, 1))
+    spark.parent = joint[2]
+    for f in range(1, 49): spark.data.energy = (110, 60, 140, 90, 0, 120, 80)[f * 3 % 7]; spark.data.keyframe_insert('energy', frame=f)
+    blade = add(P.primitive_cylinder_add, material('blade', (.75, .75, .76), .2, 1, checker=3), (1.9, 1.6, 1.05), (.42, .42, .012), (half, 0, 0), vertices=18)
+    move(blade, 'rotation_euler', [(1, (half, 0, 0)), (48, (half, 21, 0))])
+    add(P.primitive_cube_add, pattern('bench', (.18, .22, .2), (.3, .36, .32), 6, rough=.4, metal=.6), (1.9, 1.6, .4), (.7, .4, .4))
+    for i in range(9): add(P.primitive_cylinder_add, material('pipe%d' % i, ((.75, .5, .3), (.7, .7, .72), (.35, .36, .38))[i % 3], .15 + .1 * (i % 3), 1), (-3 + .22 * i, 2.9, 1.5), (.045, .045, 1.5))
+    for i in range(10): add(P.primitive_torus_add, material('gear%d' % i, (.6, .55, .45), .4, 1), (-2.2 + .17 * i, -.25 + .1 * (i % 3), .06), (.1, .1, .1), (.3 * (i % 3), .2 * (i % 4), 0))
+    for i in range(3): add(P.primitive_cube_add, material('tube%d' % i, (.85, .95, 1), emit=24), (-2 + 2 * i, 1, 3), (.7, .04, .03))
+    eye, target = camera((.4, -3.6, 1.7), (.1, 1.2, 1), 26)
+    move(eye, 'location', [(1, (1.1, -3.5, 1.6)), (48, (-.4, -3.6, 1.8))])
 else: sys.exit('cycles_scenes.py: no scene ' + name)
 
 def out_of_gamut(file):     # takes the linear colours for Rec.2020 and writes them as Rec.709, where pure ones have components below 0

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Renders sequences that nothing was chosen by, denoises them by Open Image Denoise's networks and by quell-denoise, and prints the tables of
+# docs/figures.md, "Held out".
+#   bench/held_out.sh [FOLDER [SCENES [PARTS]]]            for instance: bench/held_out.sh out/held "kitchen stairs" 4
+# Scenes: kitchen, market, stairs, workshop, garden of cycles_scenes.py, a window of 240x135 of frames of 480x270. The reference, of frames 37
+# to 41, is the mean of PARTS renders of 256 samples, each with a seed of its own (default: 4). Input: 1 sample from frame 21 on, 16 from 32
+# on, 64 from 37 and 256 from 39. What has been made stays in the folder and isn't made again; measuring alone: bench/held_out.py FOLDER.
+# Numbers and choices are never to be fitted to these scenes: figures of them then say nothing of others.
+set -euo pipefail
+folder=$(realpath -m "${1:-out/held}")
+read -ra scenes <<<"${2:-kitchen market stairs workshop garden}"
+parts=${3:-4}
+cd "$(dirname "$0")/.."
+source .ci/packages.sh
+command -v blender >/dev/null || install_packages blender
+denoise=${DENOISE:-build/release/examples/denoise/quell-denoise}
+[ -x "$denoise" ] || { cmake --preset release && cmake --build --preset release --target quell-denoise; }
+
+filter() { case $1 in kitchen | stairs) echo box ;; *) echo default ;; esac; }
+
+# render scene to samples first last seed
+render() {
+    local to=$folder/$1/$2
+    [ -s "$to/frame_$(printf %04d "$5").exr" ] && return
+    mkdir -p "$to"
+    echo "rendering $1, $3 samples, frames $4 to $5" >&2
+    blender -b --factory-startup -noaudio -P bench/cycles_scenes.py -- "$1" "$to" "$3" "$4" "$5" 480 270 "$(filter "$1")" "$6" window >"$to.log" 2>&1 ||
+        { tail -3 "$to.log" >&2 && exit 1; }
+}
+for scene in "${scenes[@]}"; do
+    render "$scene" 1 1 21 45 0
+    render "$scene" 16 16 32 43 0
+    render "$scene" 64 64 37 42 0
+    render "$scene" 256 256 39 42 0
+    for ((part = 1; part <= parts; ++part)); do render "$scene" "part_$part" 256 37 41 "$part"; done
+    mkdir -p "$folder/$scene/reference"
+    for frame in 37 38 39 40 41; do
+        to=$folder/$scene/reference/frame_00$frame.exr
+        [ -s "$to" ] || /usr/bin/python3 bench/average_exr.py "$to" "$folder/$scene"/part_*/"frame_00$frame.exr"
+        for samples in 1 16; do
+            for kind in base large; do
+                at=$folder/$scene/$samples/oidn
+                mkdir -p "$at"
+                [ -s "$at/${kind}_00$frame.exr" ] || bench/oidn.sh "$kind" "$folder/$scene/$samples/frame_%04d.exr" "$at/${kind}_%04d.exr" "$frame" "$frame" >/dev/null
+            done
+        done
+    done
+done
+/usr/bin/python3 bench/held_out.py "$folder" "${scenes[@]}" --denoise "$denoise"
