@@ -15,7 +15,10 @@ history     each frame beside the same frame denoised by itself; and of windows 
             more, the percentage in which the frame has at most 1.05 times the RMSE of the frame by itself
 clean       frames of many samples beside the input: the largest ratio of a frame, and which frames are worse than the input
 
-RMSE in the tables has the reference's own noise in it, which adds the same to each row. Wants apt's python3-numpy and python3-openimageio.
+FLIP, RMSE and flicker have the reference's own noise in them, which brings ratios nearer to 1. Where FOLDER/SCENE/half_1 and half_2 are means
+of halves of the reference's samples, a table gives the errors without it: the products of differences to one half and to the other have no
+noise of the reference in their mean. Flicker is the root of the mean square over pixels there. Wants apt's python3-numpy and
+python3-openimageio.
 """
 
 import argparse
@@ -58,28 +61,39 @@ class Sequence:
 
     def __init__(self, program, folder, scene, samples):
         self.program, self.at, self.scene, self.samples = program, folder / scene / str(samples), scene, samples
-        self.reference = folder / scene / "reference"
+        self.reference, self.read = folder / scene / "reference", {}
+        self.halves = [name for name in ("half_1", "half_2") if (folder / scene / name).is_dir()]
         self.frames = [int(path.stem[len("frame_") :]) for path in sorted(self.reference.glob("frame_*.exr"))]
         self.frames = [number for number in self.frames if (self.at / f"frame_{number:04d}.exr").exists()]
 
     def run(self, source, frames, options):
-        """FLIP, RMSE and SSIM of each frame, and the difference to the reference in each pixel."""
+        """FLIP, RMSE and SSIM of each frame, the difference to the reference in each pixel, and the pictures."""
         with tempfile.TemporaryDirectory() as to:
             command = [self.program, "--quiet", "--in", source, "--out", f"{to}/%04d.exr", "--layers", "picture", "--frames", ",".join(map(str, frames))]
             command += ["--reference", self.reference / "frame_%04d.exr", *options]
             text = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
             rows = [line.split(",") for line in text.splitlines()]
             scores = {int(row[0]): {"rmse": float(row[1]), "ssim": float(row[2]), "flip": float(row[3])} for row in rows if row[0].isdigit()}
-            errors = [displayed(f"{to}/{number:04d}.exr") - displayed(self.reference / f"frame_{number:04d}.exr") for number in frames]
-        return scores, np.stack(errors)
+            pictures = np.stack([displayed(f"{to}/{number:04d}.exr") for number in frames])
+        return scores, pictures - self.reference_of("reference", frames), pictures
+
+    def reference_of(self, name, frames):
+        if name not in self.read:
+            self.read[name] = {number: displayed(self.reference.parent / name / f"frame_{number:04d}.exr") for number in self.frames}
+        return np.stack([self.read[name][number] for number in frames])
 
     def measure(self, *options, source=None, frames=None):
         source, frames = source or self.at / "frame_%04d.exr", frames or self.frames
-        scores, errors = self.run(source, frames, options)
+        scores, errors, pictures = self.run(source, frames, options)
         result = {name: float(np.mean([scores[number][name] for number in frames])) for name in ("flip", "rmse", "ssim")}
         result["frames"] = {str(number): scores[number] for number in frames}
         if len(frames) > 1:
             result["flicker"] = float(errors.std(axis=0).mean())
+        if len(frames) > 1 and len(self.halves) == 2:
+            first, second = (pictures - self.reference_of(name, frames) for name in self.halves)
+            result["clean_rmse"] = float(np.sqrt(max((first * second).mean(), 0)))
+            first, second = first - first.mean(axis=0), second - second.mean(axis=0)
+            result["clean_flicker"] = float(np.sqrt(max((first * second).mean() * len(frames) / (len(frames) - 1), 0)))
         return result, errors
 
     def network(self, kind):
@@ -162,6 +176,19 @@ def print_networks(results):
     table(["FLIP (RMSE)", "input", "`quell-denoise`", "base", "large", "SSIM, large's", "flicker, large's", *columns], with_mean(rows, columns))
 
 
+def print_without_noise(results):
+    rows = []
+    for name, found in results.items():
+        quell, large = found["quell"], found.get("large")
+        if "clean_rmse" not in quell or not large:
+            continue
+        better = min(each["clean_rmse"] for each in (large, found["base"] or large))
+        said = [" / ".join(f"{each[what]:.4f}" for each in (found["input"], quell, found["base"] or large, large)) for what in ("clean_rmse", "clean_flicker")]
+        rows.append((name, [said[0], said[1]], [quell["clean_rmse"] / better, quell["clean_flicker"] / large["clean_flicker"]]))
+    if rows:
+        table(["without the reference's noise", "RMSE: input / `quell-denoise` / base / large", "flicker, the same", "RMSE, over the better", "flicker, over large"], with_mean(rows, ["", ""]))
+
+
 def print_real_time(results):
     rows = []
     for name, found in results.items():
@@ -223,6 +250,7 @@ def main():
         options.save.write_text(json.dumps(results, indent=1))
     if "networks" in options.parts:
         print_networks(results)
+        print_without_noise(results)
     if "real-time" in options.parts:
         print_real_time(results)
     if "history" in options.parts:
