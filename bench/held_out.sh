@@ -37,11 +37,11 @@ for scene in "${scenes[@]}"; do
     for frame in 37 38 39 40 41; do
         to=$folder/$scene/reference/frame_00$frame.exr
         if [ ! -s "$to" ]; then
-            at=("$folder/$scene"/part_*/"frame_00$frame.exr")
-            half=$((${#at[@]} / 2))
-            [ "$half" = 0 ] || /usr/bin/python3 bench/average_exr.py "${to/reference/half_1}" "${at[@]:0:half}"
-            [ "$half" = 0 ] || /usr/bin/python3 bench/average_exr.py "${to/reference/half_2}" "${at[@]:half:half}"
-            /usr/bin/python3 bench/average_exr.py "$to" "${at[@]}"
+            parts_of=("$folder/$scene"/part_*/"frame_00$frame.exr")
+            half=$((${#parts_of[@]} / 2))
+            [ "$half" = 0 ] || /usr/bin/python3 bench/average_exr.py "${to/reference/half_1}" "${parts_of[@]:0:half}"
+            [ "$half" = 0 ] || /usr/bin/python3 bench/average_exr.py "${to/reference/half_2}" "${parts_of[@]:half:half}"
+            /usr/bin/python3 bench/average_exr.py "$to" "${parts_of[@]}"
         fi
         for samples in 1 16; do
             for kind in base large; do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Prints quell beside Open Image Denoise: FLIP (RMSE) on sequences, and geometric means of the ratios to OIDN's large network.
-#   bench/scoreboard.sh FOLDER [SCENE...]       SAMPLES="1 16" DENOISE=other/quell-denoise bench/scoreboard.sh /work/renders/big office lamp
+#   bench/scoreboard.sh FOLDER [SCENE...]       SAMPLES="1 16" DENOISE=other/quell-denoise bench/scoreboard.sh out/cycles office lamp
 # A sequence is FOLDER/SCENE/SAMPLES/frame_0001.exr and so on, its references FOLDER/SCENE/512 or 2048 of some of the frames, which are
 # measured. What the networks made, and what they and the input scored, is kept in FOLDER/SCENE/SAMPLES/oidn; ROWS="input svgf quell" chooses
 # rows, of which those that are not named below are presets.
