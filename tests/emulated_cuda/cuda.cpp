@@ -38,6 +38,12 @@ TEST_CASE("Cuda gives the bits of Serial, whatever happens between frames") {
     device::check_preset<3>(device::by_serial(3), nullptr);
 }
 
+TEST_CASE("a choice of history by evidence is that of Serial") {
+    device::check_preset<4>(device::by_serial(4), nullptr);
+    CudaGraphs graphs;
+    device::check_preset<4>(device::by_serial(4), &graphs);
+}
+
 TEST_CASE("a graph that is run again has the frame's own camera, jitter, number and images") {
     auto const before = device::counts();
     CudaGraphs graphs;
