@@ -7,5 +7,6 @@ std::vector<Result> by_serial(int preset) {
                                             results_by_serial<4>};
     return all[preset]();
 }
+std::vector<Result> by_serial_in_halves() { return results_by_serial<1, quell::Float16>(); }
 
 } // namespace emulated_cuda

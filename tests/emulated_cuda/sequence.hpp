@@ -86,10 +86,10 @@ template <class History, class View> Result result_of(History const& history, Vi
 }
 
 /// What Serial makes of all steps, compiled for the host. In files of their own.
-template <int number> std::vector<Result> results_by_serial() {
+template <int number, class Format = quell::Float32> std::vector<Result> results_by_serial() {
     constexpr auto denoise = preset<number>();
     std::vector<Result> all;
-    quell::History history{{steps[0].width, steps[0].height}, denoise};
+    quell::History history{{steps[0].width, steps[0].height}, denoise, quell::Planar<Format>{}};
     for (auto const& step : steps) {
         quell::Frame frame{{step.width, step.height}, denoise};
         fill(frame, step);
@@ -100,6 +100,8 @@ template <int number> std::vector<Result> results_by_serial() {
     return all;
 }
 std::vector<Result> by_serial(int preset);
+/// Of preset 1 with a history in 16 bits.
+std::vector<Result> by_serial_in_halves();
 /// Of one of those that take long to compile.
 template <int number> std::vector<Result> by_serial_of();
 
