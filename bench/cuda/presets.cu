@@ -4,6 +4,7 @@
 
 #include <quell/execute/cuda.cuh>
 #include <quell/execute/device.cuh>
+#include <quell/presets/by_evidence.hpp>
 #include <quell/presets/named.hpp>
 
 #include <chrono>
@@ -156,6 +157,11 @@ template <class Preset> Cost cost(int width, int height, int rounds) {
     return found;
 }
 
+/// A choice of history by evidence, which has passes that no preset has.
+struct ClampByEvidence {
+    static constexpr auto usual() { return presets::by_evidence(presets::surface_clamp(radiance, Demodulate{})); }
+};
+
 static bool list_presets() {
     for_each_preset_index<UNIT, UNITS>([](auto i) {
         if constexpr (std::get<i>(named_presets).group != PresetGroup::published) {
@@ -163,6 +169,8 @@ static bool list_presets() {
             measured_presets().push_back({std::string(std::get<i>(named_presets).name), i, agreement<Preset>, cost<Preset>});
         }
     });
+    if constexpr (UNIT == 0)
+        measured_presets().push_back({"surface-clamp by evidence", preset_count, agreement<ClampByEvidence>, cost<ClampByEvidence>});
     return true;
 }
 static bool const listed = list_presets();

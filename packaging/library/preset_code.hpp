@@ -69,6 +69,7 @@ struct Memory {
     void* (*allocate)(void* user, std::size_t bytes, std::size_t alignment) = nullptr;
     void (*release)(void* user, void* memory) = nullptr;
     void* user = nullptr;
+    bool may_move = false; ///< to and from a device that has too little, as passes need it
 };
 
 struct Statistics {

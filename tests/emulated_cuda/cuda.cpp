@@ -38,6 +38,24 @@ TEST_CASE("Cuda gives the bits of Serial, whatever happens between frames") {
     device::check_preset<3>(device::by_serial(3), nullptr);
 }
 
+TEST_CASE("a history in 16 bits is that of Serial, beside a frame in 32") {
+    auto const expected = device::by_serial_in_halves();
+    Emulated const executor;
+    auto history = history_of<Float16>(clamped);
+    for (std::size_t i = 0; i < device::steps.size(); ++i) {
+        CAPTURE(i);
+        if (device::steps[i].forgotten) history.forget();
+        CHECK(run_step(clamped, device::steps[i], history, executor) == expected[i]);
+    }
+    CHECK(expected[1].picture != device::by_serial(1)[1].picture);
+}
+
+TEST_CASE("a choice of history by evidence is that of Serial") {
+    device::check_preset<4>(device::by_serial(4), nullptr);
+    CudaGraphs graphs;
+    device::check_preset<4>(device::by_serial(4), &graphs);
+}
+
 TEST_CASE("a graph that is run again has the frame's own camera, jitter, number and images") {
     auto const before = device::counts();
     CudaGraphs graphs;

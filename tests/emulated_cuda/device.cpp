@@ -14,6 +14,7 @@ Counts const& counts() { return machine().counts; }
 void make_known(void const* function, Kernel kernel) { machine().kernels.try_emplace(function, std::move(kernel)); }
 void fail(std::string const& call, int after, cudaError_t error) { machine().fail(call, after, error); }
 void limit_memory(std::size_t bytes) { machine().most_bytes = bytes; }
+void move_memory(bool can) { machine().moves_memory = can; }
 void break_device() { machine().break_next = true; }
 void restart() { machine().restart(); }
 
@@ -27,16 +28,16 @@ cudaError_t Machine::begin(std::string const& call) {
 }
 
 cudaError_t Machine::allocate(void** to, std::size_t bytes, bool for_host) {
-    if (counts.bytes + bytes > most_bytes) return cudaErrorMemoryAllocation;
+    if (!(for_host && moves_memory) && counts.bytes - managed_in_host() + bytes > most_bytes) return cudaErrorMemoryAllocation;
     *to = mmap(nullptr, bytes, for_host ? PROT_READ | PROT_WRITE : PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (*to == MAP_FAILED) return cudaErrorMemoryAllocation;
-    ++counts.allocations, counts.bytes += bytes;
+    ++counts.allocations, counts.bytes += bytes, counts.managed_bytes += for_host ? bytes : 0;
     memory[*to] = {bytes, for_host};
     return cudaSuccess;
 }
 void Machine::release(void* block) {
     auto const found = memory.find(block);
-    ++counts.releases, counts.bytes -= found->second.bytes;
+    ++counts.releases, counts.bytes -= found->second.bytes, counts.managed_bytes -= found->second.for_host ? found->second.bytes : 0;
     munmap(block, found->second.bytes);
     memory.erase(found);
 }
@@ -161,8 +162,8 @@ cudaError_t cudaGetLastError() { return machine().take_error(); }
 cudaError_t cudaGetDeviceCount(int* count) { return *count = 1, machine().end(machine().begin("cudaGetDeviceCount")); }
 cudaError_t cudaSetDevice(int device) { return machine().end(device == 0 ? cudaSuccess : cudaErrorInvalidValue); }
 cudaError_t cudaGetDevice(int* device) { return *device = 0, machine().end(machine().begin("cudaGetDevice")); }
-cudaError_t cudaDeviceGetAttribute(int* value, cudaDeviceAttr, int) {
-    *value = static_cast<int>(emulated_cuda::multiprocessors);
+cudaError_t cudaDeviceGetAttribute(int* value, cudaDeviceAttr attribute, int) {
+    *value = attribute == cudaDevAttrMultiProcessorCount ? static_cast<int>(emulated_cuda::multiprocessors) : machine().moves_memory;
     return machine().end(machine().begin("cudaDeviceGetAttribute"));
 }
 
@@ -176,7 +177,7 @@ cudaError_t cudaFree(void* memory) {
     return machine().end(status);
 }
 cudaError_t cudaMemGetInfo(std::size_t* free, std::size_t* all) {
-    *all = machine().most_bytes, *free = *all - machine().counts.bytes;
+    *all = machine().most_bytes, *free = *all - (machine().counts.bytes - machine().managed_in_host());
     return machine().end(machine().begin("cudaMemGetInfo"));
 }
 cudaError_t cudaPointerGetAttributes(cudaPointerAttributes* attributes, void const* pointer) {

@@ -38,17 +38,20 @@ struct Counts {
     int launches = 0;                  ///< of kernels, by themselves
     int graphs = 0;                    ///< made
     int graph_launches = 0;
-    int changed_arguments = 0; ///< of kernels of graphs
-    int kernels = 0;           ///< that have run
-    int waits = 0;             ///< for a stream
-    std::size_t bytes = 0;     ///< held
+    int changed_arguments = 0;     ///< of kernels of graphs
+    int kernels = 0;               ///< that have run
+    int waits = 0;                 ///< for a stream
+    std::size_t managed_bytes = 0; ///< of `bytes`
+    std::size_t bytes = 0;         ///< held
 };
 Counts const& counts();
 
 /// Lets the call with that name fail once, after it has succeeded so many times.
 void fail(std::string const& call, int after, cudaError_t error);
-/// The most bytes of memory that can be held.
+/// The most bytes of memory that can be held, without managed memory where that can be moved to and from the device.
 void limit_memory(std::size_t bytes);
+/// Whether the device can use more managed memory than it has.
+void move_memory(bool can);
 /// The next kernel to run fails, and with it all calls until restart().
 void break_device();
 /// What the end of the program and a new one would do: there is no error any more.

@@ -291,6 +291,7 @@ TEST_CASE("programs get the bits of Serial from presets on a device, and its sen
         CHECK(denoiser->statistics().missing_samples == expected[i].missing);
     }
     CHECK(denoiser->bytes() > 0);
+    CHECK(device::counts().managed_bytes == 0);
     device::limit_memory(device::counts().bytes + 1000);
     try {
         way.make({width, height}, parallel, {});
@@ -300,4 +301,34 @@ TEST_CASE("programs get the bits of Serial from presets on a device, and its sen
         CHECK(error.remedy.find("give smaller frames") == 0);
     }
     device::limit_memory(std::numeric_limits<std::size_t>::max());
+}
+
+TEST_CASE("where a device has too little memory for a program's frames, images move to and from it, and the bits are the same") {
+    auto const expected = device::by_serial(2);
+    auto const& way = quell_library::cuda_presets()[0].usual;
+    quell_library::Parallel const parallel{.run = quell_library::run_here};
+    device::move_memory(true);
+    std::size_t bytes = 0;
+    for (bool const has_room : {true, false}) {
+        if (!has_room) device::limit_memory(device::counts().bytes + bytes / 2);
+        auto const denoiser = way.make({width, height}, parallel, {});
+        std::vector<float> picture;
+        for (std::size_t i = 0; i < device::steps.size(); ++i) {
+            auto const& step = device::steps[i];
+            if (step.forgotten) denoiser->forget();
+            Frame frame({step.width, step.height});
+            device::fill(frame, step);
+            auto const images = quell_library::images_of(way, frame);
+            denoiser->run({&images, 1}, quell_library::image_of(picture, 3, frame.size));
+            CAPTURE(i);
+            CHECK(picture == expected[i].picture);
+            CHECK((device::counts().managed_bytes == 0) == has_room);
+            bytes = std::max(bytes, device::counts().bytes);
+        }
+    }
+    CHECK(device::counts().managed_bytes == 0);
+    device::limit_memory(device::counts().bytes + 1000);
+    refused(settings_of(), QUELL_NO_MEMORY); // a host with a frame to show in time rather knows
+    device::limit_memory(std::numeric_limits<std::size_t>::max());
+    device::move_memory(false);
 }

@@ -30,7 +30,7 @@ public:
     Counts counts;
     std::map<void const*, Kernel> kernels;
     std::size_t most_bytes = std::numeric_limits<std::size_t>::max();
-    bool break_next = false;
+    bool break_next = false, moves_memory = false;
 
     /// Begins a call: the error that it must return.
     cudaError_t begin(std::string const& call);
@@ -39,6 +39,8 @@ public:
     void fail(std::string const& call, int after, cudaError_t error) { failures[call] = {after, error}; }
     void restart() { last = lost = cudaSuccess, waiting.clear(), failures.clear(), break_next = false; }
 
+    /// Managed memory that need not be on the device.
+    [[nodiscard]] std::size_t managed_in_host() const { return moves_memory ? counts.managed_bytes : 0; }
     cudaError_t allocate(void** to, std::size_t bytes, bool for_host);
     void release(void* block);
     /// Where a pointer points to.

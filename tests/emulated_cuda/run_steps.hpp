@@ -25,8 +25,8 @@ template <class P, class H> Result run_step(P const& denoise, Step const& step, 
     auto const view = run(denoise, frame, history, executor);
     return result_of(history, download(view, executor.cuda).view());
 }
-template <class P> auto history_of(P const& denoise) {
-    return quell::History{{steps[0].width, steps[0].height}, denoise, quell::Device<>{}};
+template <class Format = quell::Float32, class P> auto history_of(P const& denoise) {
+    return quell::History{{steps[0].width, steps[0].height}, denoise, quell::Device<Format>{}};
 }
 
 template <int number> void check_preset(std::vector<Result> const& expected, quell::CudaGraphs* graphs) {

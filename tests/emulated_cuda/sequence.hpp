@@ -2,6 +2,7 @@
 
 #include "../../bench/cuda/scene.hpp"
 
+#include <quell/presets/by_evidence.hpp>
 #include <quell/presets/effects.hpp>
 
 #include <string>
@@ -44,10 +45,11 @@ template <int number> constexpr auto preset() {
     if constexpr (number == 1) return presets::surface_clamp(radiance, SuppressFireflies{});
     if constexpr (number == 2) return presets::svgf(radiance, Demodulate{});
     if constexpr (number == 3) return presets::glossy();
+    if constexpr (number == 4) return presets::by_evidence(presets::surface_clamp(radiance, SuppressFireflies{}));
     // Those that take long to compile: preset.cpp.
-    if constexpr (number == 4) return presets::shadow();
-    if constexpr (number == 5) return presets::dual_cone();
-    if constexpr (number == 6) return presets::final_frame(radiance, Demodulate{});
+    if constexpr (number == 5) return presets::shadow();
+    if constexpr (number == 6) return presets::dual_cone();
+    if constexpr (number == 7) return presets::final_frame(radiance, Demodulate{});
 }
 
 template <class F> void spoil_a_part(F& frame) {
@@ -84,10 +86,10 @@ template <class History, class View> Result result_of(History const& history, Vi
 }
 
 /// What Serial makes of all steps, compiled for the host. In files of their own.
-template <int number> std::vector<Result> results_by_serial() {
+template <int number, class Format = quell::Float32> std::vector<Result> results_by_serial() {
     constexpr auto denoise = preset<number>();
     std::vector<Result> all;
-    quell::History history{{steps[0].width, steps[0].height}, denoise};
+    quell::History history{{steps[0].width, steps[0].height}, denoise, quell::Planar<Format>{}};
     for (auto const& step : steps) {
         quell::Frame frame{{step.width, step.height}, denoise};
         fill(frame, step);
@@ -98,6 +100,8 @@ template <int number> std::vector<Result> results_by_serial() {
     return all;
 }
 std::vector<Result> by_serial(int preset);
+/// Of preset 1 with a history in 16 bits.
+std::vector<Result> by_serial_in_halves();
 /// Of one of those that take long to compile.
 template <int number> std::vector<Result> by_serial_of();
 

@@ -33,6 +33,15 @@ bool is_equal(Vector a, Vector b) { return a.x == b.x && a.y == b.y && a.z == b.
 
 } // namespace
 
+TEST_CASE("parts of a turn are those of sine and cosine") {
+    for (int i = 0; i <= 4096; ++i) {
+        double const part = i / 4096., angle = 6.283185307179586 * part;
+        auto const turn = turn_by(static_cast<float>(part));
+        CHECK(std::abs(static_cast<double>(turn.sine) - std::sin(angle)) < 5e-7);
+        CHECK(std::abs(static_cast<double>(turn.cosine) - std::cos(angle)) < 5e-7);
+    }
+}
+
 TEST_CASE("live: in an even light a sphere is as bright as its reflectance") {
     Scene scene;
     scene.sky = {.zenith = {1, 1, 1}, .horizon = {1, 1, 1}};

@@ -13,17 +13,17 @@ struct LightSample {
 };
 
 /// A unit vector that is at an angle to another one.
-QUELL_LIVE Vector turned_away(Vector axis, float cosine, float around) {
+QUELL_LIVE Vector turned_away(Vector axis, float cosine, Turn around) {
     Vector const other = fabsf(axis.x) > 0.7f ? Vector{0, 1, 0} : Vector{1, 0, 0};
     auto const across = normalized(cross(axis, other)), along = cross(axis, across);
     float const sine = sqrtf(larger(0, 1 - cosine * cosine));
-    return axis * cosine + across * (sine * cosf(around)) + along * (sine * sinf(around));
+    return axis * cosine + across * (sine * around.cosine) + along * (sine * around.sine);
 }
 
 /// Towards an even choice of directions within a cone.
 QUELL_LIVE Vector in_cone(Vector axis, float least_cosine, Random& random) {
     float const cosine = 1 - random.next() * (1 - least_cosine);
-    return turned_away(axis, cosine, 2 * pi * random.next());
+    return turned_away(axis, cosine, turn_by(random.next()));
 }
 
 QUELL_LIVE LightSample towards_rectangle(Shape const& shape, Vector emission, Vector from, Random& random) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vector.hpp"
+#include "turn.hpp"
 
 #include <stdint.h>
 
@@ -28,8 +28,9 @@ struct Random {
     QUELL_LIVE float next() { return static_cast<float>(bits() >> 8) * 0x1p-24f; }
     /// Even on the sphere of radius 1.
     QUELL_LIVE Vector direction() {
-        float const z = 1 - 2 * next(), around = 2 * pi * next(), r = sqrtf(larger(0, 1 - z * z));
-        return {r * cosf(around), r * sinf(around), z};
+        float const z = 1 - 2 * next(), r = sqrtf(larger(0, 1 - z * z));
+        auto const around = turn_by(next());
+        return {r * around.cosine, r * around.sine, z};
     }
 };
 

@@ -6,7 +6,6 @@
 
 #include <limits>
 #include <memory>
-#include <utility>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
@@ -71,14 +70,15 @@ struct SumAlongRows {
         for (int x = 0; x < of.size.width; ++x) row[x] = sum += row[x];
     }
 };
-/// Sums over windows of rows, and of all rows above: from the first plane to the second. A pixel of its region is so many columns.
+/// Sums over windows of rows, and of all rows above: from the first plane to the second. A pixel of its region, which is a row or a column
+/// of pixels, is so many columns.
 struct SumDownColumns {
     static constexpr auto name = "evidence, columns";
     NumberPlanes of;
     int radius, columns;
 
-    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int, int group, int) const {
-        int const width = of.size.width, first = group * columns, end = first + columns < width ? first + columns : width;
+    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x_group, int y_group, int) const {
+        int const width = of.size.width, first = (x_group + y_group) * columns, end = first + columns < width ? first + columns : width;
         for (int y = 0; y < of.size.height; ++y)
             for (int x = first; x < end; ++x) {
                 auto const* const row = of.row(0, y);
@@ -148,10 +148,9 @@ public:
     void judge(Evidence const& rule, E const& executor, int left_out, ImageView auto const& samples, ImageView auto const& a,
                ImageView auto const& b, ImageView auto const& b_with) {
         take(samples.size);
-        for (auto const& [what, its] : {std::pair{"the first estimate without samples", a.size},
-                                        {"the second estimate without samples", b.size},
-                                        {"the second estimate", b_with.size}})
-            check(what, its);
+        check("the first estimate without samples", a.size);
+        check("the second estimate without samples", b.size);
+        check("the second estimate", b_with.size);
         detail::EvidenceJob<std::remove_cvref_t<decltype(samples)>, std::remove_cvref_t<decltype(a)>, std::remove_cvref_t<decltype(b)>,
                             std::remove_cvref_t<decltype(b_with)>> const job{rule, left_out, samples, a, b, b_with, planes(0, 1, 2)};
         detail::run_or_enqueue(executor, Region{0, 0, size.width, size.height}, job);
@@ -165,15 +164,17 @@ public:
     /// @throws Error where sizes differ from those of the samples
     template <Executor E>
     void mix(Evidence const& rule, E const& executor, ImageView auto const& a, ImageView auto const& b, ImageView auto const& to) {
-        for (auto const& [what, its] : {std::pair{"the first estimate", a.size}, {"the second estimate", b.size}, {"the target", to.size}})
-            check(what, its);
+        check("the first estimate", a.size);
+        check("the second estimate", b.size);
+        check("the target", to.size);
         detail::run_or_enqueue(executor, Region{0, 0, 1, 3 * size.height}, detail::SumAlongRows{planes(0, 1, 2)});
-        // Many columns at once are few lines of the cache; a device wants many threads.
-        int const columns = QueueExecutor<E> ? 1 : 32, groups = (size.width + columns - 1) / columns;
+        // Many columns at once are few lines of the cache; a device wants many threads, and neighbours in a row of them.
+        constexpr bool on_device = QueueExecutor<E>;
+        int const columns = on_device ? 1 : 32, groups = (size.width + columns - 1) / columns;
+        Region const all_columns{0, 0, on_device ? groups : 1, on_device ? 1 : groups};
         // A plane that was read is where the next one goes.
         for (int plane = 0; plane < 3; ++plane)
-            detail::run_or_enqueue(executor, Region{0, 0, 1, groups},
-                                   detail::SumDownColumns{planes(plane, (plane + 3) % 4, 0), rule.radius, columns});
+            detail::run_or_enqueue(executor, all_columns, detail::SumDownColumns{planes(plane, (plane + 3) % 4, 0), rule.radius, columns});
         detail::MixByEvidence<std::remove_cvref_t<decltype(a)>, std::remove_cvref_t<decltype(b)>, std::remove_cvref_t<decltype(to)>> const
             job{rule, planes(3, 0, 1), a, b, to};
         detail::run_or_enqueue(executor, Region{0, 0, size.width, size.height}, job);

@@ -67,6 +67,7 @@ template <class Make, class E> class CudaInstance final : public Instance {
 
     std::vector<Channel> const& channels;
     int device = detail::current_device();
+    bool may_move; ///< images, to and from the device
     Parallel parallel;
     quell::Cuda cuda;
     quell::CudaGraphs graphs; // lives longer than the history
@@ -81,14 +82,15 @@ template <class Make, class E> class CudaInstance final : public Instance {
     std::vector<Image> given;
 
 public:
-    CudaInstance(std::vector<Channel> const& read, quell::Extent size, Motion const& m, Parallel const& p)
-        : channels(read),
+    CudaInstance(std::vector<Channel> const& read, quell::Extent size, Motion const& m, Parallel const& p, bool moves)
+        : channels(read), may_move(moves),
           parallel(p), cuda{.stream = static_cast<cudaStream_t>(p.stream)}, executor{quell::Cuda{.stream = cuda.stream, .graphs = &graphs}},
           motion(convention_of(m)), frame(size), history(size, pipeline) {}
 
     Outcome run(std::vector<Frame> const& frames, Image const& output, std::string& error) noexcept override {
         return caught_on_device(error, [&] {
             OnDevice const on(device);
+            MayMove const moves(may_move);
             try {
                 denoise(frames.front(), output);
             } catch (...) {
@@ -224,8 +226,8 @@ template <class E, class Make> PresetCode cuda_code(std::string const& name, Mak
     });
     way.plan = [] { return to_string(device_plan_of(Make{}())); };
     way.make = [channels = std::make_shared<std::vector<Channel> const>(way.channels)](
-                   Sizes const& sizes, Additions const&, Motion const& motion, Parallel const& parallel, Memory const&, Outcome& outcome,
-                   std::string& error) -> std::unique_ptr<Instance> {
+                   Sizes const& sizes, Additions const&, Motion const& motion, Parallel const& parallel, Memory const& memory,
+                   Outcome& outcome, std::string& error) -> std::unique_ptr<Instance> {
         int devices = 0;
         if (auto const status = cudaGetDeviceCount(&devices); status != cudaSuccess || devices == 0) {
             cudaGetLastError();
@@ -239,8 +241,9 @@ template <class E, class Make> PresetCode cuda_code(std::string const& name, Mak
         outcome = caught_on_device(error, [&] {
             using Made = CudaInstance<Make, E>;
             quell::Extent const size{sizes.width, sizes.height};
-            check_free_memory(Made::bytes_of_plan(size), size);
-            made = std::make_unique<Made>(*channels, size, motion, parallel);
+            bool const moves = memory.may_move && can_move(detail::current_device());
+            if (!moves) check_free_memory(Made::bytes_of_plan(size), size);
+            made = std::make_unique<Made>(*channels, size, motion, parallel, moves);
         });
         return made;
     };

@@ -69,7 +69,7 @@ CompiledPreset on_cuda(CompiledPreset preset, PresetWay const& way) {
     preset.usual.make = [&way](quell::Extent size, Parallel const& parallel, Memory const&) -> std::unique_ptr<CompiledDenoiser> {
         Outcome outcome = Outcome::ok;
         std::string error;
-        auto made = way.make({size.width, size.height, size.width, size.height}, {}, {}, parallel, {}, outcome, error);
+        auto made = way.make({size.width, size.height, size.width, size.height}, {}, {}, parallel, {.may_move = true}, outcome, error);
         if (outcome != Outcome::ok) raise(error, outcome);
         return std::make_unique<CudaDenoiser>(std::move(made));
     };
