@@ -68,7 +68,6 @@ class Behind {
     void fill(std::vector<io::Source>& sources, float const* at_misses) {
         for (std::size_t c = 0; c < sources.size(); ++c)
             for (auto& name : sources[c].sum) {
-                if (image.find(name) == nullptr) return;
                 auto const seen = "quell:behind " + name;
                 if (image.find(seen) == nullptr) {
                     auto plane = image[name];
@@ -86,13 +85,22 @@ class Behind {
     void fill_guides(io::ChannelNames& channels, float farthest) {
         std::array const far_depth{farthest};
         std::array const far_normal{0.f, 0.f, 1.f};
-        for (auto& [name, sources] : channels.sources)
-            if (name == quell::depth.name)
-                fill(sources, far_depth.data());
-            else if (name == normal.name)
-                fill(sources, far_normal.data());
-            else if (name == motion.name || name == motion_next.name || name == position.name || name == instance.name)
-                fill(sources, nullptr);
+        auto const fill_guide = [&](auto guide, float const* at_misses) {
+            auto sources = io::sources_of(channels, guide);
+            if (!image.has_all(io::planes_of(sources))) return;
+            fill(sources, at_misses);
+            channels.sources[std::string(guide.name)] = std::move(sources);
+        };
+        fill_guide(quell::depth, far_depth.data()), fill_guide(normal, far_normal.data());
+        fill_guide(motion, nullptr), fill_guide(motion_next, nullptr), fill_guide(position, nullptr), fill_guide(instance, nullptr);
+    }
+    /// Puts a picture among the planes. It is rounded as those that it stands for: what that explains is no light.
+    std::vector<io::Source> put(std::string const& name, metrics::Picture const& picture, std::vector<io::Source> const& instead_of) {
+        auto const type = image[io::planes_of(instead_of).front()].type;
+        auto const first = image.planes.size();
+        auto sources = put_picture(image.planes, "behind " + name, picture);
+        for (auto i = first; i < image.planes.size(); ++i) image.planes[i].type = type;
+        return sources;
     }
     /// The colour of what was hit, and light that comes from there through the volume.
     void divide(io::SignalNames& signal) {
@@ -107,16 +115,18 @@ class Behind {
                 colour.pixels[i][c] = whole, light.pixels[i][c] *= own / whole;
             }
         }
-        signal.factor = put_picture(image.planes, "behind colour of " + signal.name, colour);
-        signal.channels.sources["radiance"] = put_picture(image.planes, "behind light of " + signal.name, light);
+        signal.factor = put("colour of " + signal.name, colour, signal.factor);
+        auto const given = io::sources_of(signal.channels, radiance);
+        signal.channels.sources["radiance"] = put("light of " + signal.name, light, given);
     }
     void add_to_volume(io::SignalNames& signal) {
         auto light = volume, rest = added;
         for (std::size_t i = 0; i < light.size(); ++i)
             if (is_near[i] && is_finite(added[i].x) && is_finite(added[i].y) && is_finite(added[i].z))
                 light[i] += added[i], rest[i] = glm::vec3(0.f);
-        signal.channels.sources["radiance"] = put_picture(image.planes, "behind light of " + signal.name, {image.size, std::move(light)});
-        if (!names.added.empty()) names.added = put_picture(image.planes, "behind added", {image.size, std::move(rest)});
+        auto const given = io::sources_of(signal.channels, radiance);
+        signal.channels.sources["radiance"] = put("light of " + signal.name, {image.size, std::move(light)}, given);
+        if (!names.added.empty()) names.added = put("added", {image.size, std::move(rest)}, names.added);
     }
 
 public:
@@ -165,6 +175,11 @@ std::optional<io::SequenceNames> names_behind_volume(io::ExrImage& image, io::Se
     auto wanted = io::planes_of(of_depth);
     for (auto const& plane : io::planes_of(of_normal)) wanted.push_back(plane);
     if (!image.has_all(wanted)) return std::nullopt;
+    for (auto const& signal : names.of_signals)
+        if (io::planes_of(io::sources_of(signal.channels, radiance)).empty() ||
+            (!signal.factor.empty() && io::planes_of(signal.factor).empty()))
+            return std::nullopt; // a constant
+    if (!names.added.empty() && io::planes_of(names.added).empty()) return std::nullopt;
     Behind behind(image, names, *of_volume);
     if (!behind.has_volume()) return std::nullopt;
     return behind.see();
