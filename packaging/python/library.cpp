@@ -272,7 +272,7 @@ PYBIND11_MODULE(_library, module) {
     module.def("tensor_in", tensor_in);
     module.def("instruction_sets", [] { return names(quell_instruction_set_name); });
     py::class_<Denoiser>(module, "Denoiser")
-        .def(py::init<std::string const&, int, int, int, char const*, bool, bool, py::tuple const&, bool, py::tuple const&, int, bool, int,
+        .def(py::init<std::string const&, int, int, int, char const*, bool, bool, py::tuple const&, bool, py::tuple const&, int, int, int,
                       std::uintptr_t>())
         .def("run", &Denoiser::run)
         .def("forget", &Denoiser::forget)
