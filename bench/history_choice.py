@@ -5,7 +5,7 @@
         [--samples 1 16] [--presets general final-frame] [--program build/release/examples/denoise/quell-denoise]
 
 A sequence is FOLDER/SCENE/SAMPLES/frame_0001.exr and so on, by Blender's Cycles; frames with a reference in FOLDER/SCENE/512 are measured.
-Presets denoise the picture as one signal in real time, by its diffuse and glossy colour (Denoiser(preset, choose_history=True)); "alone" is
+Presets denoise the picture as one signal in real time, by its diffuse and glossy colour (Denoiser(preset, choose_history=SAMPLES)); "alone" is
 the same frame after forget(). Last is the part of windows of 25x25 pixels, every fifth one of those whose RMSE is .002 or more, in which the
 choice has at most 1.05 times the RMSE of the frame alone; in brackets the same without a choice. --program adds a row for what that program
 makes of the files with all that it does, beside the frame alone, which the program then denoises without those around it.
@@ -72,11 +72,11 @@ class Row:
         return f"{alone:.4f} | {history:.4f} | {chosen:.4f} | {self.worst:.3f} | {shares[0]:.1f} % ({shares[1]:.1f} %)"
 
 
-def of_preset(preset, folder, references):
+def of_preset(preset, folder, references, samples):
     """What the library makes."""
     paths = sorted(folder.glob("frame_*.exr"))
     height, width = picture_of(paths[0]).shape[:2]
-    chosen, history, alone = [quell.Denoiser(preset, (height, width), choose_history=choice) for choice in (True, False, False)]
+    chosen, history, alone = [quell.Denoiser(preset, (height, width), choose_history=choice) for choice in (samples, 0, 0)]
     row = Row()
     for path in paths:
         if path.name > max(references):
@@ -121,7 +121,7 @@ def main():
             if not measured:
                 continue
             for preset in options.presets:
-                print(f"| {scene}, {samples} | `{preset}` | {of_preset(preset, folder, measured)} |", flush=True)
+                print(f"| {scene}, {samples} | `{preset}` | {of_preset(preset, folder, measured, int(samples))} |", flush=True)
             if options.program:
                 print(f"| {scene}, {samples} | `quell-denoise` | {of_program(options.program, folder, measured)} |", flush=True)
 

@@ -1,3 +1,4 @@
+#include <denoise/behind_volume.hpp>
 #include <denoise/composite.hpp>
 #include <denoise/converted_history.hpp>
 #include <denoise/layers.hpp>
@@ -288,7 +289,9 @@ void SequenceDenoiser::read(FramePattern const& in, long long number) {
 SequenceDenoiser::Seen SequenceDenoiser::seen(io::ExrOriginal const& file, long long number) const {
     Seen frame{number, file.read(planes(file.listed), canvas), false, {}, {}};
     frame.samples = samples_in(file.listed);
-    if (anti_aliases()) frame.around = frame_around(frame.image, on_canvas, frame.samples);
+    if (refines()) frame.behind = names_behind_volume(frame.image, on_canvas);
+    auto const& names = names_of(frame);
+    if (anti_aliases()) frame.around = frame_around(frame.image, names, frame.samples);
     if (!on_canvas.view.empty()) frame.image.attributes = attributes_of_view(file, on_canvas);
     put_cameras_on_canvas(frame.image, size, canvas);
     auto split_by = rule();
@@ -296,14 +299,14 @@ SequenceDenoiser::Seen SequenceDenoiser::seen(io::ExrOriginal const& file, long 
     bool const is_opaque = alpha.empty() || std::ranges::all_of(frame.image[alpha].values, [](float a) { return a == 1.f; });
     if (!is_opaque) frame.around.reset(); // colours of transparent film are those of what is hit, times its alpha
     if (frame.around) split_by.samples_of_guides = frame.around->policy.by_surface ? 4.f : 2.f;
-    frame.as_one = is_better_as_one(frame.image, on_canvas, split_by);
-    frame.mixes = refines() && frame.around && !frame.as_one && is_better_as_one(frame.image, on_canvas, rule());
+    frame.as_one = is_better_as_one(frame.image, names, split_by);
+    frame.mixes = refines() && frame.around && !frame.as_one && is_better_as_one(frame.image, names, rule());
     return frame;
 }
 
 LightSplit const& SequenceDenoiser::split(Seen& seen, bool as_one) const {
     auto& way = seen.ways[as_one ? 1 : 0];
-    if (!way) way = split_light(seen.image, on_canvas, rule(), as_one);
+    if (!way) way = split_light(seen.image, names_of(seen), rule(), as_one);
     return *way;
 }
 
@@ -313,7 +316,8 @@ void SequenceDenoiser::hand_over(FramePattern const& in) {
     for (auto const& each : denoisers)
         if (each) each->drop_ahead();
     if (!std::filesystem::exists(in.path(*last))) return;
-    auto const shares = signal_shares(seen(io::ExrOriginal(in.path(*last)), *last).image, on_canvas, rule());
+    auto const before = seen(io::ExrOriginal(in.path(*last)), *last);
+    auto const shares = signal_shares(before.image, names_of(before), rule());
     auto const signals = on_canvas.of_signals.size();
     if (was_as_one) {
         auto const whole = denoiser(signals).remembered();
@@ -353,9 +357,10 @@ quell_library::HistoryChoice* SequenceDenoiser::choice_for(std::size_t signal) {
 }
 
 /// Whether light that was filtered out is given back. Shares are those of known numbers of samples. Light in a volume, which is a signal
-/// without a colour, lies on no surface over which it could be smoothed.
+/// without a colour, lies on no surface over which it could be smoothed, but where the frame is seen through it.
 bool SequenceDenoiser::gives_light_back(Seen& seen) const {
     if (seen.samples < 1) return false;
+    if (seen.behind) return true;
     for (std::size_t s = 0; s < on_canvas.of_signals.size() && has_several_signals(on_canvas); ++s)
         if (on_canvas.of_signals[s].factor.empty() && split(seen, false).active[s]) return false;
     return true;

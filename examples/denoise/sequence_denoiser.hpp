@@ -140,8 +140,10 @@ private:
         std::shared_ptr<FrameAround const> around;     ///< what frames around it see
         bool mixes = false; ///< whether its guides are so noisy that the picture as one is as good as its signals
         int samples = 0;    ///< of each pixel; 0: the file doesn't say
+        std::optional<io::SequenceNames> behind{}; ///< by which it is read where it is seen through a volume
     };
     [[nodiscard]] LightSplit const& split(Seen& seen, bool as_one) const;
+    [[nodiscard]] io::SequenceNames const& names_of(Seen const& seen) const { return seen.behind ? *seen.behind : on_canvas; }
     std::deque<Seen> window;
     KeptFrames<std::shared_ptr<FrameAround const>, AntiAliased::most_frames> earlier; ///< frames that have been denoised
 

@@ -34,6 +34,7 @@ template <int n> class HistoryChoiceOf final : public HistoryChoice {
     quell::detail::KnownPast past{};
     std::array<std::optional<OneImage>, made> images{};
     std::vector<FrameImages> judged{};
+    quell::Evidence rule{};
     bool has_chosen = false; ///< between two estimates of the last frame
 
 public:
@@ -58,12 +59,13 @@ public:
         past.drop();
         denoiser.run(window, image_of(a));
         use_memory();
-        mix.mix(quell::Evidence{}, executor, view_of(a), view_of(alone_with), target_of(output, frame.size));
+        mix.mix(rule, executor, view_of(a), view_of(alone_with), target_of(output, frame.size));
     }
     bool copy_alone(Image const& output) override {
         if (has_chosen) copy(view_of(alone_with), target_of(output, images[alone_with]->size()));
         return has_chosen;
     }
+    void tell_samples(float of_each_pixel) override { rule = quell::Evidence::of_samples(of_each_pixel); }
     void release_scratch() override {
         alone->release_scratch();
         if (judge) judge->release_scratch();
@@ -121,7 +123,6 @@ private:
         auto const first = std::span<FrameImages const>(judged).first(1);
         if (judge) by_itself(*judge, first, b_with);
         judged.front().channels[judged_place] = image_of(left_over);
-        quell::Evidence const rule{};
         for (int const left_out : {0, 1}) {
             use_memory();
             copy(view_of(samples), view_of(left_over), left_out);

@@ -387,7 +387,7 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
                                                                 .motion = settings->motion,
                                                                 .two_sided = settings->two_sided != 0,
                                                                 .anti_aliases = resolves,
-                                                                .with = {settings->steady_guides, settings->choose_history != 0},
+                                                                .with = {settings->steady_guides, settings->choose_history},
                                                                 .sizes = sizes_of(*settings),
                                                                 .guide_width = settings->width,
                                                                 .threads = OwnThreads(settings->threads),
@@ -463,8 +463,8 @@ char const* quell_plan(quell_denoiser const* denoiser) {
     guarded([&] {
         auto const& [steady_guides, choose_history] = denoiser->with;
         if (plan.empty())
-            plan = (steady_guides != 0 ? plan_of_steady(steady_guides) : "") + (choose_history ? denoiser->way->plan_of_choice() : "") +
-                   denoiser->way->plan();
+            plan = (steady_guides != 0 ? plan_of_steady(steady_guides) : "") +
+                   (choose_history != 0 ? denoiser->way->plan_of_choice() : "") + denoiser->way->plan();
         return QUELL_OK;
     });
     return plan.c_str();

@@ -102,8 +102,8 @@ struct Sizes {
 
 /// What is done before a preset and with it.
 struct Additions {
-    std::int32_t steady_guides = 0; ///< as quell_settings has it
-    bool choose_history = false;    ///< where it can
+    std::int32_t steady_guides = 0;  ///< as quell_settings has it
+    std::int32_t choose_history = 0; ///< as quell_settings has it, where it can
 };
 
 /// A preset as code for one purpose.

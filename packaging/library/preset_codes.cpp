@@ -112,8 +112,11 @@ PresetWay way_of(Way const& way, Way const& judge, std::vector<ReadChannel> cons
         outcome = caught(error, [&] {
             quell::Extent const size{sizes.width, sizes.height};
             auto denoiser = way.make(size, parallel, memory);
-            if (with.choose_history)
-                denoiser = with_history_choice(std::move(denoiser), make_history_choice(way, judge, size, parallel, memory));
+            if (with.choose_history != 0) {
+                auto choice = make_history_choice(way, judge, size, parallel, memory);
+                choice->tell_samples(static_cast<float>(with.choose_history));
+                denoiser = with_history_choice(std::move(denoiser), std::move(choice));
+            }
             denoiser = put_behind(std::move(denoiser), sizes, parallel, memory);
             if (SteadyChoice const steady{(with.steady_guides & 1) != 0, (with.steady_guides & 2) != 0})
                 denoiser = with_steady_guides(std::move(denoiser), read, steady, size, parallel, memory);

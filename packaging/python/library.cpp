@@ -130,11 +130,10 @@ class Denoiser {
 public:
     /// @param motion      the four numbers of quell_motion
     /// @param output_size height and width of what comes out; 0, 0: the frames' own
-    /// @param steady_guides, device the numbers of quell_settings
-    /// @param choose_history whether both are put together, with history and without
+    /// @param steady_guides, choose_history, device the numbers of quell_settings
     /// @param stream of the device
     Denoiser(std::string const& preset, int w, int h, int threads, char const* instruction_set, bool two_sided, bool alpha,
-             py::tuple const& motion, bool anti_alias, py::tuple const& output_size, int steady_guides, bool choose_history, int device,
+             py::tuple const& motion, bool anti_alias, py::tuple const& output_size, int steady_guides, int choose_history, int device,
              std::uintptr_t stream)
         : is_two_sided(two_sided), guide_width(w), guide_height(h) {
         quell_settings settings = QUELL_SETTINGS;
@@ -273,7 +272,7 @@ PYBIND11_MODULE(_library, module) {
     module.def("tensor_in", tensor_in);
     module.def("instruction_sets", [] { return names(quell_instruction_set_name); });
     py::class_<Denoiser>(module, "Denoiser")
-        .def(py::init<std::string const&, int, int, int, char const*, bool, bool, py::tuple const&, bool, py::tuple const&, int, bool, int,
+        .def(py::init<std::string const&, int, int, int, char const*, bool, bool, py::tuple const&, bool, py::tuple const&, int, int, int,
                       std::uintptr_t>())
         .def("run", &Denoiser::run)
         .def("forget", &Denoiser::forget)

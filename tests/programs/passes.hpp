@@ -36,7 +36,7 @@ inline void add_guides(io::ExrImage& image, auto const& depth, glm::vec2 const& 
     image.planes.push_back(plane("depth.Z", image.size, depth));
     for (auto const& [name, value] :
          {std::pair{"normal.X", 0.f}, {"normal.Y", 0.f}, {"normal.Z", 1.f}, {"motion.X", motion.x}, {"motion.Y", motion.y}})
-        image.planes.push_back(plane(name, image.size, [=](int, int) { return value; }));
+        image.planes.push_back(plane(name, image.size, [number = value](int, int) { return number; }));
 }
 inline Colours pass(io::ExrImage const& image, std::string const& layer) {
     auto const of = [&](char const* letter) -> auto const& { return image[layer.empty() ? letter : layer + "." + letter].values; };

@@ -40,6 +40,20 @@ TEST_CASE("an estimate that follows its pixels' own noise is not taken for one t
     CHECK(part(.2f, 0.f, {}, .5f) > .85);
 }
 
+TEST_CASE("of many samples, what a pixel's own one changes counts for the estimate that has it") {
+    CHECK(Evidence::of_samples(1.f).caution == Evidence{}.caution);
+    CHECK(Evidence::of_samples(0.f).caution == Evidence{}.caution);
+    CHECK(Evidence::of_samples(16.f).caution == doctest::Approx(-.6));
+    CHECK(Evidence::of_samples(1024.f).caution == -1.f);
+    // B, held out, is off by .2 as A is to the other side, but with its sample it comes nearer.
+    double const blind = part(.2f, -.2f, {.caution = 0.f}, .3f), many = part(.2f, -.2f, Evidence::of_samples(16.f), .3f);
+    CHECK(blind == doctest::Approx(.5).epsilon(.2));
+    CHECK(many < .2);
+    CHECK(part(.2f, -.2f, {}, .3f) > blind);
+    // What samples do not change is judged as ever.
+    CHECK(part(0.f, .5f, Evidence::of_samples(16.f)) == doctest::Approx(part(0.f, .5f)));
+}
+
 TEST_CASE("little evidence changes little") {
     CHECK(part(.05f, 0.f, {.radius = 1, .spread = .1f}) > .9);
     CHECK(part(.05f, 0.f, {.radius = 1, .spread = 1e4f}) < .7);

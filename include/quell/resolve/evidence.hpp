@@ -6,6 +6,7 @@
 #include <quell/resolve/box_sums.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -24,7 +25,9 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// the even pixels, and once without the odd ones.
 ///
 /// What is chosen for are estimates that do use a pixel's own sample, and have a part of its noise. In A, which has many samples, that is
-/// little. In B it is d, what the sample changes of B. sum d^2 is added above and below: it is the error that comes with 1 - w.
+/// little. In B it is d, what the sample changes of B. Where samples are noisy, sum d^2 is added above and below: it is the error that
+/// comes with 1 - w. Where a pixel has many samples, d is more truth than noise: B is better than it was when the sample was held out. A
+/// negative caution then takes sum d^2 away above, and adds it below.
 ///
 /// The part's own variance, n / (sum (A - B)^2)^2 with n = sum ((I - (A + B) / 2)(A - B))^2, says how far it is to be trusted over what was
 /// taken before any sample was seen: a normal distribution about `at_first`.
@@ -32,9 +35,15 @@ struct Evidence {
     int radius = 12;      ///< of the window
     float dark = 0.01f;   ///< added to the luminance that terms are divided by
     float most = 20.f;    ///< samples are at most so many times that luminance
-    float caution = 2.f;  ///< how often sum d^2 counts
+    float caution = 2.f;  ///< how often sum d^2 counts; below 0: for B
     float at_first = 1.f; ///< the part where nothing is known
     float spread = 1.f;   ///< standard deviation of the part about that, before samples are seen
+
+    /// For frames of so many samples of each pixel, of which caution depends: 2 at 1 sample, -0.6 at 16, -1 from 25 on.
+    /// @param samples of each pixel; less than 1 counts as 1
+    [[nodiscard]] static Evidence of_samples(float samples) {
+        return {.caution = std::max(2.f - 0.65f * std::log2(std::max(samples, 1.f)), -1.f)};
+    }
 };
 
 namespace detail {
@@ -54,7 +63,7 @@ QUELL_KERNEL EvidenceTerms evidence_of(Evidence const& rule, vec3<float> const& 
         float const limited = min(sample[c], rule.most * bright), off = a[c] - b[c], own = b_with[c] - b[c];
         float const of_own = rule.caution * own * own;
         product += fma(limited - b[c], off, of_own);
-        square += fma(off, off, of_own);
+        square += fma(off, off, abs(of_own));
         noise += (limited - 0.5f * (a[c] + b[c])) * off;
     }
     product *= per, square *= per, noise = noise * noise * per * per;

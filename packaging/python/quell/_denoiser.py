@@ -68,7 +68,8 @@ class Denoiser:
     steady_guides: ("depth",), ("albedo",) or both: guides that are noisy themselves, as out of focus or behind a pane, are accumulated along
     their motion first, over 8 frames at most. Not with two_sided.
     choose_history: denoises each frame with its history and without, and puts both together by what samples speak for that neither has used.
-    Presets of one history can; it takes several times their time.
+    Give the number of samples of each pixel, or True (1) where it is not known: with many it takes more to speak for history. Presets of one
+    history can; it takes several times their time.
     device: "cpu", or "cuda" for presets("cuda"). Arrays may then lie on the GPU (__cuda_array_interface__, DLPack), where they are read and
     written as they are, or in the host's memory, from which they are copied.
     stream: with "cuda", the number of the stream that the work goes into, such as torch.cuda.current_stream().cuda_stream; 0 is CUDA's
@@ -90,7 +91,7 @@ class Denoiser:
         anti_alias: bool = False,
         output_size: Optional[Sequence[int]] = None,
         steady_guides: Sequence[str] = (),
-        choose_history: bool = False,
+        choose_history: int = False,
         device: str = "cpu",
         stream: int = 0,
     ) -> None:
@@ -115,7 +116,7 @@ class Denoiser:
             anti_alias,
             output,
             _steady(steady_guides),
-            choose_history,
+            _whole("choose_history", choose_history, 32),
             on_device,
             self._stream or 0,
         )

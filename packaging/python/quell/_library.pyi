@@ -22,7 +22,7 @@ class Denoiser:
         anti_alias: bool,
         output_size: tuple[int, int],
         steady_guides: int,
-        choose_history: bool,
+        choose_history: int,
         device: int,
         stream: int,
         /,

@@ -20,7 +20,7 @@ def denoise(
     anti_alias: bool = False,
     output_size: Optional[Sequence[int]] = None,
     steady_guides: Sequence[str] = (),
-    choose_history: bool = False,
+    choose_history: int = False,
 ) -> Iterator[Array]:
     """Denoises a sequence and yields a new array for each frame.
 
