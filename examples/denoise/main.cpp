@@ -151,7 +151,7 @@ public:
 
     void run() {
         if (wanted.empty()) return;
-        auto const remembered = choice.preset->warm_up + (upsampling && upsampling->resolves() ? frames_of_upsampling : 0);
+        auto const remembered = choice.preset->warm_up + frames_in_full();
         WarmUp const warm_up{options.warmup ? *options.warmup : remembered, !options.warmup};
         auto const steps = steps_for(wanted, warm_up, in.on_disk());
         Progress progress(choice.preset->name, static_cast<long long>(steps.size()), !options.quiet);
@@ -162,7 +162,7 @@ public:
             if (step.is_written)
                 write(step.number, progress);
             else
-                warm_up_with(step.number, is_upsampled_with_later(steps, done), progress);
+                warm_up_with(step.number, is_wanted_in_full(steps, done), progress);
         }
         comparison->finish();
     }
@@ -218,7 +218,7 @@ private:
                 .later_frames = later_frames(options, *choice.preset),
                 .keeps_alpha = options.keep_alpha,
                 .anti_aliases = !options.quick,
-                .refines = !options.quick && choice.preset->name == "final-frame" && options.device == "cpu",
+                .refines = refines(),
                 .diagnose = options.diagnose,
                 .upsampling = upsampling,
                 .debug_views = options.debug_views};
@@ -247,10 +247,16 @@ private:
             (finding.mistake == Mistake::not_checked ? summary.not_checked : summary.findings).push_back(text);
         }
     }
+    /// Whether pictures of frames take part in those after them, beside their history.
+    [[nodiscard]] bool refines() const { return !options.quick && choice.preset->name == "final-frame" && options.device == "cpu"; }
+    /// How many frames before one have pictures that take part in its own.
+    [[nodiscard]] int frames_in_full() const {
+        return (upsampling && upsampling->resolves() ? frames_of_upsampling : 0) + (refines() ? 1 : 0);
+    }
     /// Whether one of the next steps writes a frame that the picture of the one before it takes part in.
-    [[nodiscard]] bool is_upsampled_with_later(std::vector<Step> const& steps, std::size_t next) const {
-        auto const end = std::min(steps.size(), next + frames_of_upsampling);
-        for (auto i = next; upsampling && upsampling->resolves() && i < end && !steps[i].begins; ++i)
+    [[nodiscard]] bool is_wanted_in_full(std::vector<Step> const& steps, std::size_t next) const {
+        auto const end = std::min(steps.size(), next + static_cast<std::size_t>(frames_in_full()));
+        for (auto i = next; i < end && !steps[i].begins; ++i)
             if (steps[i].is_written) return true;
         return false;
     }

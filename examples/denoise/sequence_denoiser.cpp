@@ -9,6 +9,7 @@
 #include <quell/execute/threads.hpp>
 #include <quell/io/frame_image.hpp>
 #include <quell/io/part_names.hpp>
+#include <quell/resolve/repeated_residual.hpp>
 #include <quell/resolve/residual_feedback.hpp>
 
 #include <algorithm>
@@ -209,6 +210,7 @@ void SequenceDenoiser::forget() {
     upsampler.reset();
     window.clear();
     last.reset();
+    lacking.reset();
     film.forget();
 }
 
@@ -267,6 +269,7 @@ double SequenceDenoiser::bytes_per_pixel() const {
         if (choice) sum += static_cast<double>(choice->bytes()) / static_cast<double>(io::detail::size_of(canvas).pixels());
     if (guides) sum += guides->bytes_per_pixel();
     if (upsampler) sum += upsampler->bytes_per_pixel();
+    if (lacking) sum += sizeof(glm::vec3);
     return whole ? sum + whole->bytes_per_pixel() : sum;
 }
 
@@ -428,6 +431,7 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
         return anti_aliasing.product(s, light);
     });
     if (front.mixes) mix_with_picture(frame);
+    if (refines() && is_wanted) give_back_repeated(frame, split);
     if (accumulates_guides(settings.preset)) accumulate_guides(frame);
     if (!has_several_signals(on_canvas)) frame.signals.clear(); // it is the picture
     if (!alpha.empty()) denoise_alpha(frame, front, split);
@@ -453,6 +457,34 @@ void SequenceDenoiser::mix_with_picture(DenoisedFrame& frame) {
         auto const off = (as_one.pixels[i] - frame.picture.pixels[i]) * 0.5f;
         if (is_finite(off.x) && is_finite(off.y) && is_finite(off.z)) frame.picture.pixels[i] += off, rest[i] += off;
     }
+}
+
+/// What this picture and the one before both lack of their samples. It is added to the rest too, so that the signals stay the picture's.
+void SequenceDenoiser::give_back_repeated(DenoisedFrame& frame, LightSplit const& split) {
+    auto const& front = window.front();
+    auto const& channels = on_canvas.of_signals[0].channels;
+    if (!front.image.has_all(io::planes_of(Channels<Motion>{}, channels))) return;
+    Frame<Channels<Motion>> vectors(front.image.size);
+    io::load_channels(Channels<Motion>{}, vectors, front.image, channels);
+    std::vector<bool> is_missing(front.image.pixels());
+    auto const samples_of = [&](std::size_t s) {
+        auto samples =
+            picture_of(front.image, io::sources_of(split.signals[s].channels, radiance), std::numeric_limits<float>::quiet_NaN());
+        for (std::size_t i = 0; i < is_missing.size(); ++i) is_missing[i] = is_missing[i] || !detail::is_light(vec3<float>(samples.pixels[i]));
+        return samples;
+    };
+    long long not_finite = 0;
+    std::vector<metrics::Picture> parts;
+    auto samples = composite(front.image, split, samples_of, not_finite, parts);
+    for (std::size_t i = 0; i < is_missing.size(); ++i)
+        if (is_missing[i]) samples.pixels[i] = glm::vec3(std::numeric_limits<float>::quiet_NaN());
+    Timed const timed(other_milliseconds);
+    bool const follows = lacking && lacking->first + 1 == front.number && lacking->second.size() == samples.pixels.size();
+    auto const given = frame.picture.pixels;
+    lacking.emplace(front.number, quell::give_back_repeated({}, samples.pixels, vectors[motion].view(),
+                                                            follows ? lacking->second : std::vector<glm::vec3>(), frame.picture.pixels));
+    auto& rest = frame.signals.back().pixels;
+    for (std::size_t i = 0; i < rest.size(); ++i) rest[i] += frame.picture.pixels[i] - given[i];
 }
 
 /// Frames that follow want those before, whether or not they are shown.

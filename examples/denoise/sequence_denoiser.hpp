@@ -118,11 +118,13 @@ private:
     /// Between light with history and without, for all signals: without alpha, and with it. Null before they were wanted.
     std::array<std::unique_ptr<quell_library::HistoryChoice>, 2> choices;
     std::optional<PictureGuides> guides; ///< where the preset accumulates them; none before the first frame
-    std::unique_ptr<Denoiser> whole;     ///< of the picture beside its signals; null before it was wanted
-    std::optional<Upsampler> upsampler;  ///< none before it was wanted
-    bool was_as_one = false;             ///< whether the last frame was filtered as one picture
-    std::optional<long long> last;       ///< number of the frame that was denoised last
-    std::string alpha;                   ///< the plane of the film's alpha; empty: none
+    /// What the picture of the last frame lacked of its samples, and that frame's number; none before the first, or where it was not shown.
+    std::optional<std::pair<long long, std::vector<glm::vec3>>> lacking;
+    std::unique_ptr<Denoiser> whole;    ///< of the picture beside its signals; null before it was wanted
+    std::optional<Upsampler> upsampler; ///< none before it was wanted
+    bool was_as_one = false;            ///< whether the last frame was filtered as one picture
+    std::optional<long long> last;      ///< number of the frame that was denoised last
+    std::string alpha;                  ///< the plane of the film's alpha; empty: none
     FilmAlpha film;
     bool alpha_stays = false; ///< whether some film was transparent whose alpha the preset can't denoise
     long long missing = 0;
@@ -138,8 +140,8 @@ private:
         bool as_one;                                   ///< whether it is better filtered as one picture
         std::array<std::optional<LightSplit>, 2> ways; ///< its light by signals, and as one: where it was wanted
         std::shared_ptr<FrameAround const> around;     ///< what frames around it see
-        bool mixes = false; ///< whether its guides are so noisy that the picture as one is as good as its signals
-        int samples = 0;    ///< of each pixel; 0: the file doesn't say
+        bool mixes = false;                        ///< whether its guides are so noisy that the picture as one is as good as its signals
+        int samples = 0;                           ///< of each pixel; 0: the file doesn't say
         std::optional<io::SequenceNames> behind{}; ///< by which it is read where it is seen through a volume
     };
     [[nodiscard]] LightSplit const& split(Seen& seen, bool as_one) const;
@@ -166,6 +168,7 @@ private:
     [[nodiscard]] Denoiser& denoiser(std::size_t signal);
     [[nodiscard]] quell_library::HistoryChoice* choice_for(std::size_t signal);
     void mix_with_picture(DenoisedFrame& frame);
+    void give_back_repeated(DenoisedFrame& frame, LightSplit const& split);
     void accumulate_guides(DenoisedFrame& frame);
     [[nodiscard]] Seen seen(io::ExrOriginal const& file, long long number) const;
     void hand_over(FramePattern const& in);

@@ -29,6 +29,33 @@ inline double product_of(glm::vec3 const& a, glm::vec3 const& b) {
     return sum;
 }
 
+/// Means over the square around each pixel, as far as it lies in the image.
+inline std::vector<double> box_means(Extent size, std::vector<double> values, int radius) {
+    box_sums(size, values, radius);
+    std::size_t i = 0;
+    for (int y = 0; y < size.height; ++y) {
+        int const rows = std::min(y + radius + 1, size.height) - std::max(y - radius, 0);
+        for (int x = 0; x < size.width; ++x, ++i)
+            values[i] /= static_cast<double>(rows * (std::min(x + radius + 1, size.width) - std::max(x - radius, 0)));
+    }
+    return values;
+}
+
+/// The light of a picture around each pixel, and a little of that of the whole picture.
+inline std::vector<double> light_around(Extent size, std::vector<glm::vec3> const& picture) {
+    std::vector<double> light(picture.size());
+    double sum = 0.;
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        float const here = luminance(vec3<float>(picture[i]));
+        if (is_finite(here)) light[i] = std::abs(static_cast<double>(here));
+        sum += light[i];
+    }
+    double const dark = .02 * sum / static_cast<double>(light.size()) + 1e-6;
+    light = box_means(size, std::move(light), 2);
+    for (auto& each : light) each += dark;
+    return light;
+}
+
 /// Samples minus picture.
 struct PictureResidual {
     Extent size;

@@ -33,18 +33,6 @@ namespace detail {
 
 inline constexpr int feedback_levels = 4; ///< of 1, 2, 4 and 8 pixels
 
-/// Means over the square around each pixel, as far as it lies in the image.
-inline std::vector<double> box_means(Extent size, std::vector<double> values, int radius) {
-    box_sums(size, values, radius);
-    std::size_t i = 0;
-    for (int y = 0; y < size.height; ++y) {
-        int const rows = std::min(y + radius + 1, size.height) - std::max(y - radius, 0);
-        for (int x = 0; x < size.width; ++x, ++i)
-            values[i] /= static_cast<double>(rows * (std::min(x + radius + 1, size.width) - std::max(x - radius, 0)));
-    }
-    return values;
-}
-
 /// What the shares of each pixel depend on.
 struct FeedbackGates {
     std::vector<double> light;    ///< around the pixel
@@ -55,15 +43,7 @@ struct FeedbackGates {
     FeedbackGates(PictureResidual const& residual, std::vector<glm::vec3> const& picture) {
         auto const size = residual.size;
         auto const pixels = picture.size();
-        std::vector<double> bright(pixels);
-        double sum = 0.;
-        for (std::size_t i = 0; i < pixels; ++i) {
-            float const here = luminance(vec3<float>(picture[i]));
-            if (is_finite(here)) bright[i] = std::abs(static_cast<double>(here));
-            sum += bright[i];
-        }
-        light = box_means(size, bright, 2);
-        for (auto& each : light) each += .02 * sum / static_cast<double>(pixels) + 1e-6;
+        light = light_around(size, picture);
         // Where there is no sample, noise is that of the samples around.
         auto squares = residual.mean_square;
         auto const around = box_means(size, squares, 3);
