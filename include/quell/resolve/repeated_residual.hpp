@@ -110,7 +110,7 @@ inline void add_repeated(Extent size, ResidualImage const& now, ResidualImage co
 /// @param samples that the picture was made of, linear, row by row; not finite where there is none
 /// @param motion  a view of where each surface was in the frame before, less where it is, in pixels; not finite: unknown
 /// @param before  what this returned for the frame before; empty: there was none, and the picture stays as it is
-/// @param picture the denoised one, which lies everywhere in the image; is changed
+/// @param picture the denoised one; is changed
 /// @return this frame's residual: what the picture that was given lacks of its samples
 /// @throws Error where these are not of one size, std::bad_alloc
 inline std::vector<glm::vec3> give_back_repeated(RepeatedResidual const& rule, std::vector<glm::vec3> const& samples,

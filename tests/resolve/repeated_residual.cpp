@@ -1,0 +1,102 @@
+#include <quell/resolve/repeated_residual.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace {
+
+using namespace quell;
+
+constexpr Extent size{64, 48};
+constexpr std::size_t pixels = 64 * 48;
+using Colours = std::vector<glm::vec3>;
+using Motions = ImageOf<Planar<>, Motion>;
+
+Motions motion_of(float x, float y) {
+    Motions motion(size);
+    for (int j = 0; j < size.height; ++j)
+        for (int i = 0; i < size.width; ++i) motion.view().set(0, i, j, x), motion.view().set(1, i, j, y);
+    return motion;
+}
+/// Stripes that move right by `shift`, finer than a filter keeps.
+Colours stripes(int shift) {
+    Colours picture(pixels);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            picture[static_cast<std::size_t>(y * size.width + x)] = glm::vec3((x - shift + 64) % 4 < 2 ? 1.5f : .5f);
+    return picture;
+}
+Colours with_noise(Colours picture, float deviation, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<float> noise(0.f, deviation);
+    for (auto& pixel : picture) pixel += glm::vec3(noise(random));
+    return picture;
+}
+double error_of(Colours const& picture, Colours const& truth) {
+    double sum = 0.;
+    for (std::size_t i = 0; i < pixels; ++i) sum += detail::product_of(picture[i] - truth[i], picture[i] - truth[i]);
+    return std::sqrt(sum / (3. * static_cast<double>(pixels)));
+}
+
+TEST_CASE("what two frames both lack comes back, and noise does not") {
+    RepeatedResidual const rule;
+    Colours const flat(pixels, glm::vec3(1.f));
+    auto const motion = motion_of(-1.f, 0.f);
+    auto const both = [&](Colours const& before, Colours const& now, ViewOf<Planar<>, Motion> vectors) {
+        auto earlier = flat, picture = flat;
+        auto const lacking = give_back_repeated(rule, before, vectors, {}, earlier);
+        CHECK(earlier == flat);
+        give_back_repeated(rule, now, vectors, lacking, picture);
+        return picture;
+    };
+    SUBCASE("without noise it is all there") { CHECK(error_of(both(stripes(0), stripes(1), motion.view()), stripes(1)) < .05); }
+    SUBCASE("with noise as strong, more is gained than of one of both frames, whose best share of a half leaves .35") {
+        auto const picture = both(with_noise(stripes(0), .5f, 1), with_noise(stripes(1), .5f, 2), motion.view());
+        CHECK(error_of(picture, stripes(1)) < .34);
+    }
+    SUBCASE("noise alone changes nearly nothing") {
+        auto const picture = both(with_noise(flat, .5f, 1), with_noise(flat, .5f, 2), motion.view());
+        CHECK(error_of(picture, flat) < .05);
+    }
+    SUBCASE("what is not where its surface came from was no mistake of the filter") {
+        auto const picture = both(stripes(0), stripes(2), motion_of(0.f, 0.f).view());
+        CHECK(picture == flat);
+    }
+    SUBCASE("without motion vectors nothing is known") {
+        float const unknown = std::numeric_limits<float>::quiet_NaN();
+        CHECK(both(stripes(0), stripes(1), motion_of(unknown, unknown).view()) == flat);
+    }
+    SUBCASE("missing samples are no residual") {
+        auto missing = stripes(1);
+        for (auto& pixel : missing) pixel.y = std::numeric_limits<float>::quiet_NaN();
+        CHECK(both(stripes(0), missing, motion.view()) == flat);
+    }
+}
+
+TEST_CASE("given back light is as bright as the samples, and finite, whatever these are") {
+    RepeatedResidual const rule;
+    auto const motion = motion_of(0.f, 0.f);
+    Colours picture(pixels, glm::vec3(1.f)), samples = picture;
+    samples[100] = glm::vec3(1e30f), samples[200] = glm::vec3(std::numeric_limits<float>::infinity());
+    picture[300] = glm::vec3(std::numeric_limits<float>::quiet_NaN());
+    auto earlier = picture;
+    auto const lacking = give_back_repeated(rule, samples, motion.view(), {}, earlier);
+    give_back_repeated(rule, samples, motion.view(), lacking, picture);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        if (i == 300) continue;
+        CHECK(std::isfinite(picture[i].x));
+        CHECK(picture[i].x <= 1.f + rule.most * 3.f);
+    }
+}
+
+TEST_CASE("images of other sizes are refused by name") {
+    Colours picture(pixels, glm::vec3(1.f)), few(3);
+    auto const motion = motion_of(0.f, 0.f);
+    CHECK_THROWS_AS(give_back_repeated({}, few, motion.view(), {}, picture), Error);
+    CHECK_THROWS_AS(give_back_repeated({}, picture, motion.view(), few, picture), Error);
+}
+
+} // namespace
