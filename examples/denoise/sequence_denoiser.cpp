@@ -470,7 +470,8 @@ void SequenceDenoiser::give_back_repeated(DenoisedFrame& frame, LightSplit const
     auto const samples_of = [&](std::size_t s) {
         auto samples =
             picture_of(front.image, io::sources_of(split.signals[s].channels, radiance), std::numeric_limits<float>::quiet_NaN());
-        for (std::size_t i = 0; i < is_missing.size(); ++i) is_missing[i] = is_missing[i] || !detail::is_light(vec3<float>(samples.pixels[i]));
+        for (std::size_t i = 0; i < is_missing.size(); ++i)
+            is_missing[i] = is_missing[i] || !detail::is_light(vec3<float>(samples.pixels[i]));
         return samples;
     };
     long long not_finite = 0;
@@ -481,8 +482,9 @@ void SequenceDenoiser::give_back_repeated(DenoisedFrame& frame, LightSplit const
     Timed const timed(other_milliseconds);
     bool const follows = lacking && lacking->first + 1 == front.number && lacking->second.size() == samples.pixels.size();
     auto const given = frame.picture.pixels;
-    lacking.emplace(front.number, quell::give_back_repeated({}, samples.pixels, vectors[motion].view(),
-                                                            follows ? lacking->second : std::vector<glm::vec3>(), frame.picture.pixels));
+    lacking.emplace(front.number, quell::give_back_repeated({.samples = static_cast<float>(std::max(front.samples, 1))}, samples.pixels,
+                                                            vectors[motion].view(), follows ? lacking->second : std::vector<glm::vec3>(),
+                                                            frame.picture.pixels));
     auto& rest = frame.signals.back().pixels;
     for (std::size_t i = 0; i < rest.size(); ++i) rest[i] += frame.picture.pixels[i] - given[i];
 }

@@ -42,7 +42,7 @@ double error_of(Colours const& picture, Colours const& truth) {
 }
 
 TEST_CASE("what two frames both lack comes back, and noise does not") {
-    RepeatedResidual const rule;
+    RepeatedResidual const rule{.samples = 64.f};
     Colours const flat(pixels, glm::vec3(1.f));
     auto const motion = motion_of(-1.f, 0.f);
     auto const both = [&](Colours const& before, Colours const& now, ViewOf<Planar<>, Motion> vectors) {
@@ -64,6 +64,13 @@ TEST_CASE("what two frames both lack comes back, and noise does not") {
     SUBCASE("what is not where its surface came from was no mistake of the filter") {
         auto const picture = both(stripes(0), stripes(2), motion_of(0.f, 0.f).view());
         CHECK(picture == flat);
+    }
+    SUBCASE("of single samples the finest part may be of points alone") {
+        auto earlier = flat, picture = flat;
+        auto const lacking = give_back_repeated({}, stripes(0), motion.view(), {}, earlier);
+        give_back_repeated({}, stripes(1), motion.view(), lacking, picture);
+        CHECK(error_of(picture, stripes(1)) > .15);
+        CHECK(error_of(picture, stripes(1)) < .5);
     }
     SUBCASE("without motion vectors nothing is known") {
         float const unknown = std::numeric_limits<float>::quiet_NaN();

@@ -20,7 +20,11 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// Both residuals are split into three bands. For each, over a window, c is the sum of the product of both, less its standard error times
 /// `caution`; v and u are the sums of their squares. What is added is x now + y before, with the least expected error: v x + c y = c and
 /// c x + u y = c.
+///
+/// Where a pixel holds fewer samples, more of what the finest band repeats is no mistake: a single sample sees the same point of a leaf
+/// again, wherever in its pixel that lies, and a picture of such points is jagged. Of that band a part of 1 / samples is left out.
 struct RepeatedResidual {
+    float samples = 1.f;                          ///< of each pixel
     std::array<float, 2> deviation{0.7f, 2.f};    ///< of the Gaussians between the bands, in pixels
     std::array<int, 3> radius{8, 10, 16};         ///< of each band's windows, in pixels
     std::array<float, 3> caution{1.f, 1.5f, 3.f}; ///< more for wider bands, whose neighbouring pixels hold the same noise
@@ -84,7 +88,7 @@ inline ResidualImage moved(ResidualImage const& before, ViewOf<Planar<>, Motion>
 
 /// Adds to a picture what one band of both residuals tells that it lacks.
 inline void add_repeated(Extent size, ResidualImage const& now, ResidualImage const& before, std::vector<double> const& light, int radius,
-                         float caution, ResidualImage& picture) {
+                         float caution, float part, ResidualImage& picture) {
     std::vector<double> common(now.size()), error(now.size()), square(now.size()), square_before(now.size());
     for (std::size_t i = 0; i < now.size(); ++i) {
         double const per_light = 1. / (light[i] * light[i]);
@@ -99,7 +103,7 @@ inline void add_repeated(Extent size, ResidualImage const& now, ResidualImage co
         if (!(c > 0.)) continue;
         double const determinant = v * u - c * c;
         double const x = std::clamp(c * (u - c) / determinant, 0., 1.), y = std::clamp(c * (v - c) / determinant, 0., 1. - x);
-        picture[i] += static_cast<float>(x) * now[i] + static_cast<float>(y) * before[i];
+        picture[i] += part * (static_cast<float>(x) * now[i] + static_cast<float>(y) * before[i]);
     }
 }
 
@@ -138,7 +142,8 @@ inline std::vector<glm::vec3> give_back_repeated(RepeatedResidual const& rule, s
     auto rest = residual, rest_before = before_here;
     std::vector<glm::vec3> off(picture.size(), glm::vec3(0.f));
     auto const add = [&](std::vector<glm::vec3> const& now, std::vector<glm::vec3> const& then, std::size_t band) {
-        add_repeated(size, now, then, light, rule.radius[band], rule.caution[band], off);
+        add_repeated(size, now, then, light, rule.radius[band], rule.caution[band],
+                     band == 0 ? 1.f - 1.f / std::max(rule.samples, 1.f) : 1.f, off);
     };
     for (std::size_t band = 0; band < rule.deviation.size(); ++band) {
         auto wider = blurred(size, residual, rule.deviation[band]), wider_before = blurred(size, before_here, rule.deviation[band]);
