@@ -22,7 +22,8 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// c x + u y = c.
 ///
 /// Where a pixel holds fewer samples, more of what the finest band repeats is no mistake: a single sample sees the same point of a leaf
-/// again, wherever in its pixel that lies, and a picture of such points is jagged. Of that band a part of 1 / samples is left out.
+/// again, wherever in its pixel that lies, and a picture of such points is jagged. Of that band a part of 1 / samples is left out. And
+/// noise of few samples is skewed, so that by chance more of it is alike: caution is 1 + 1 / samples times as large.
 struct RepeatedResidual {
     float samples = 1.f;                          ///< of each pixel
     std::array<float, 2> deviation{0.7f, 2.f};    ///< of the Gaussians between the bands, in pixels
@@ -141,9 +142,10 @@ inline std::vector<glm::vec3> give_back_repeated(RepeatedResidual const& rule, s
     limited(before_here);
     auto rest = residual, rest_before = before_here;
     std::vector<glm::vec3> off(picture.size(), glm::vec3(0.f));
+    float const per_samples = 1.f / std::max(rule.samples, 1.f);
     auto const add = [&](std::vector<glm::vec3> const& now, std::vector<glm::vec3> const& then, std::size_t band) {
-        add_repeated(size, now, then, light, rule.radius[band], rule.caution[band],
-                     band == 0 ? 1.f - 1.f / std::max(rule.samples, 1.f) : 1.f, off);
+        add_repeated(size, now, then, light, rule.radius[band], rule.caution[band] * (1.f + per_samples),
+                     band == 0 ? 1.f - per_samples : 1.f, off);
     };
     for (std::size_t band = 0; band < rule.deviation.size(); ++band) {
         auto wider = blurred(size, residual, rule.deviation[band]), wider_before = blurred(size, before_here, rule.deviation[band]);
