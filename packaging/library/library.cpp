@@ -303,6 +303,8 @@ bool anti_aliases(quell_settings const& settings) {
 std::string check(quell_settings const& settings) {
     if (settings.width < 1 || settings.height < 1)
         return "settings: a size of " + size(settings.width, settings.height) + "; give a width and a height of at least one pixel";
+    if (settings.choose_history < 0)
+        return "settings.choose_history: " + std::to_string(settings.choose_history) + "; give the samples of each pixel, or 0";
     if (settings.steady_guides < 0 || settings.steady_guides > 3)
         return "settings.steady_guides: " + std::to_string(settings.steady_guides) + "; give 1 (depth), 2 (albedo), 3 (both) or 0 (none)";
     if (settings.steady_guides != 0 && settings.two_sided != 0)

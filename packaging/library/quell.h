@@ -158,7 +158,8 @@ typedef struct quell_settings {
     int32_t steady_guides; /* guides that are noisy themselves, as out of focus or behind a pane, are accumulated along their motion first,
                               over 8 frames at most: 1 depth, 2 albedo, 3 both; 0 none. Not with two_sided. After a frame that was refused they
                               may be accumulated anew. */
-    int32_t choose_history; /* the samples of each pixel (1 where they are not known): each frame is denoised with its history and without, and both are put together by what samples speak for
+    int32_t choose_history; /* the samples of each pixel (1 where they are not known): each frame is denoised with its
+                               history and without, and both are put together by what samples speak for
                                that neither has used: where light changes faster than a history can follow, the frame alone has the say.
                                With many samples it takes more to speak for history. 0: no choice. Presets of one history can; it takes
                                several times their time (docs/library.md). */

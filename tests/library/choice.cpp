@@ -160,4 +160,7 @@ TEST_CASE("a choice of histories: what has none is refused with a sentence") {
         settings.choose_history = 1;
         check_refused(quell_create(&settings, &none), QUELL_NOT_SUPPORTED, {"settings.choose_history", preset, "leave it 0"});
     }
+    auto settings = settings_of("none");
+    settings.choose_history = -4;
+    check_refused(quell_create(&settings, &none), QUELL_INVALID_ARGUMENT, {"settings.choose_history", "-4", "samples"});
 }
