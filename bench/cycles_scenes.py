@@ -6,7 +6,7 @@
 # lamp, train, brass have Position and IndexOB too; their passes are clean and complete. In the others colour passes, alpha or sums are not:
 #   fog (volume passes), dof (depth of field), film (transparent film), glass (no transmission passes), mblur (motion blur: Vector is 0),
 #   gamut (components below 0, wants python3-openimageio), and as controls leaves (outdoors) and tiles (indoors, fine textures).
-# Of bench/scoreboard.sh: street, office, crossing, night, fur, chrome; and of bench/held_out.sh, by which nothing was ever chosen: kitchen,
+# Of bench/scoreboard.sh: street, office, crossing, night, fur, chrome; and of bench/held_out.sh, to which nothing is fitted: kitchen,
 # market, stairs, garden, workshop.
 # bench/cycles.sh calls this.
 import bpy, sys, math, os, random

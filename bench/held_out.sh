@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Renders sequences that nothing was chosen by, denoises them by Open Image Denoise's networks and by quell-denoise, and prints the tables of
+# Renders sequences that nothing is fitted to, denoises them by Open Image Denoise's networks and by quell-denoise, and prints the tables of
 # docs/figures.md, "Held out".
 #   bench/held_out.sh [FOLDER [SCENES [PARTS]]]            for instance: bench/held_out.sh out/held "kitchen stairs" 4
 # Scenes: kitchen, market, stairs, workshop, garden of cycles_scenes.py, a window of 240x135 of frames of 480x270. The reference, of frames 37

@@ -122,8 +122,7 @@ class Behind {
     void add_to_volume(io::SignalNames& signal) {
         auto light = volume, rest = added;
         for (std::size_t i = 0; i < light.size(); ++i)
-            if (is_near[i] && is_finite(added[i].x) && is_finite(added[i].y) && is_finite(added[i].z))
-                light[i] += added[i], rest[i] = glm::vec3(0.f);
+            if (is_near[i] && all_finite(added[i])) light[i] += added[i], rest[i] = glm::vec3(0.f);
         auto const given = io::sources_of(signal.channels, radiance);
         signal.channels.sources["radiance"] = put("light of " + signal.name, {image.size, std::move(light)}, given);
         if (!names.added.empty()) names.added = put("added", {image.size, std::move(rest)}, names.added);

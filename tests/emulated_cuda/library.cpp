@@ -270,6 +270,15 @@ TEST_CASE("a frame that is refused leaves nothing behind, and a fault of the dev
     device::restart();
 }
 
+/// A step's picture as a program gets it.
+void run_step(quell_library::CompiledDenoiser& denoiser, quell_library::Way const& way, auto const& step, std::vector<float>& picture) {
+    if (step.forgotten) denoiser.forget();
+    Frame frame({step.width, step.height});
+    device::fill(frame, step);
+    auto const images = quell_library::images_of(way, frame);
+    denoiser.run({&images, 1}, quell_library::image_of(picture, 3, frame.size));
+}
+
 TEST_CASE("programs get the bits of Serial from presets on a device, and its sentences as errors") {
     auto const expected = device::by_serial(2);
     auto const& presets = quell_library::cuda_presets();
@@ -281,12 +290,7 @@ TEST_CASE("programs get the bits of Serial from presets on a device, and its sen
     std::vector<float> picture;
     for (std::size_t i = 0; i < device::steps.size(); ++i) { // of two sizes
         CAPTURE(i);
-        auto const& step = device::steps[i];
-        if (step.forgotten) denoiser->forget();
-        Frame frame({step.width, step.height});
-        device::fill(frame, step);
-        auto const images = quell_library::images_of(way, frame);
-        denoiser->run({&images, 1}, quell_library::image_of(picture, 3, frame.size));
+        run_step(*denoiser, way, device::steps[i], picture);
         CHECK(picture == expected[i].picture);
         CHECK(denoiser->statistics().missing_samples == expected[i].missing);
     }
@@ -314,12 +318,7 @@ TEST_CASE("where a device has too little memory for a program's frames, images m
         auto const denoiser = way.make({width, height}, parallel, {});
         std::vector<float> picture;
         for (std::size_t i = 0; i < device::steps.size(); ++i) {
-            auto const& step = device::steps[i];
-            if (step.forgotten) denoiser->forget();
-            Frame frame({step.width, step.height});
-            device::fill(frame, step);
-            auto const images = quell_library::images_of(way, frame);
-            denoiser->run({&images, 1}, quell_library::image_of(picture, 3, frame.size));
+            run_step(*denoiser, way, device::steps[i], picture);
             CAPTURE(i);
             CHECK(picture == expected[i].picture);
             CHECK((device::counts().managed_bytes == 0) == has_room);
