@@ -380,8 +380,8 @@ void SequenceDenoiser::feed_back_residual(io::ExrImage const& image, io::Channel
     io::load_channels(Channels<Normal, Depth>{}, guides, image, names);
     auto const samples = picture_of(image, io::sources_of(names, radiance), std::numeric_limits<float>::quiet_NaN());
     Timed const timed(other_milliseconds);
-    quell::feed_back_residual({.samples = static_cast<float>(count)}, Threads<>{.count = settings.threads}, samples.pixels,
-                              guides[normal].view(), guides[depth].view(), alone.pixels, light.pixels);
+    quell::feed_back_residual({.samples = static_cast<float>(count), .shares = settings.feedback}, Threads<>{.count = settings.threads},
+                              samples.pixels, guides[normal].view(), guides[depth].view(), alone.pixels, light.pixels);
 }
 
 DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long number, bool is_wanted) {

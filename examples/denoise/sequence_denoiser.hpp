@@ -11,6 +11,7 @@
 #include <quell/io/exr/exr_original.hpp>
 #include <quell/io/sequence_names.hpp>
 #include <quell/resolve/kept_frames.hpp>
+#include <quell/resolve/residual_feedback_fit.hpp>
 
 #include <array>
 #include <deque>
@@ -23,16 +24,17 @@ namespace quell::examples {
 /// How a sequence is denoised.
 struct SequenceSettings {
     Preset preset;
-    int threads = 0;                      ///< 0: all that there are
-    std::optional<io::SequenceNames> map; ///< how the files name their channels; without one, that is recognised from the first file
-    std::optional<float> shutter;         ///< how long it is open, whatever the files or the map say
-    std::optional<float> field_of_view{}; ///< vertical, degrees: of files whose depth is the length of rays, where they have no camera
-    int later_frames = 0;                 ///< that each frame is denoised with, where the preset makes use of them and the files are there
-    bool keeps_alpha = false;             ///< leave alpha as the files have it
-    bool anti_aliases = false;            ///< put colours together from frames around
-    bool refines = false;                 ///< take what is best of several estimates: light with history and without
-    bool diagnose = false;                ///< look at each frame for what its renderer got wrong
-    std::optional<Upsampling> upsampling{}; ///< of the picture and its alpha, which are then all that a frame has; empty: none
+    int threads = 0;                        ///< 0: all that there are
+    std::optional<io::SequenceNames> map{}; ///< how the files name their channels; without one, that is recognised from the first file
+    std::optional<float> shutter{};         ///< how long it is open, whatever the files or the map say
+    std::optional<float> field_of_view{};   ///< vertical, degrees: of files whose depth is the length of rays, where they have no camera
+    int later_frames = 0;      ///< that each frame is denoised with, where the preset makes use of them and the files are there
+    bool keeps_alpha = false;  ///< leave alpha as the files have it
+    bool anti_aliases = false; ///< put colours together from frames around
+    bool refines = false;      ///< take what is best of several estimates: light with history and without
+    bool diagnose = false;     ///< look at each frame for what its renderer got wrong
+    std::optional<ResidualFeedbackShares> feedback{}; ///< of what residual feedback gives back; none: as they were fitted
+    std::optional<Upsampling> upsampling{};           ///< of the picture and its alpha, which are then all that a frame has; empty: none
     std::vector<std::string> debug_views{}; ///< names of DebugChannels that debug_images() will be asked for: slower, and on one thread
 };
 

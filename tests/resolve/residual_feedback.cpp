@@ -113,6 +113,25 @@ TEST_CASE("residual feedback: shares of few samples lie between those of 1 and o
     CHECK(ResidualFeedbackShares::of_samples(0.f).alone == one.alone);
 }
 
+TEST_CASE("residual feedback: other shares take the place of fitted ones") {
+    auto const fed_by = [](ResidualFeedbackShares const& shares) {
+        Fed seen(brighter, 0.f);
+        auto const alone = seen.picture;
+        feed_back_residual({.shares = shares}, Serial{}, seen.samples, seen.normals.view(), seen.depths.view(), alone, seen.picture);
+        return seen.picture;
+    };
+    Fed const before(brighter, 0.f);
+    CHECK(fed_by({}) == before.picture);
+    for (auto const& [name, share] : feedback_shares) {
+        CAPTURE(name);
+        ResidualFeedbackShares one;
+        one.*share = 1.f;
+        auto const whole = fed_by(one)[size.width * size.height / 2 + size.width / 2].x;
+        if (share == &ResidualFeedbackShares::sample || share == &ResidualFeedbackShares::wide) CHECK(whole == doctest::Approx(1.1f));
+        if (share == &ResidualFeedbackShares::alone) CHECK(whole == doctest::Approx(1.f));
+    }
+}
+
 TEST_CASE("residual feedback: small images stay finite, and other sizes are refused") {
     for (Extent const small : {Extent{1, 1}, Extent{1, 9}, Extent{17, 1}, Extent{3, 2}}) {
         auto const pixels = static_cast<std::size_t>(small.pixels());

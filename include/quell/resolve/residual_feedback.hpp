@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -21,12 +22,13 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// held out by a checkerboard have in common with the band (as in Twicing). The picture also moves away from the estimate of the frame
 /// alone: windows that choose between it and history (Evidence) trust history too little.
 struct ResidualFeedback {
-    float samples = 1.f;       ///< of each pixel; shares lie between those of 1 and of 16
-    float depth_range = 0.05f; ///< part by which depths of one surface differ
-    float light_range = 0.15f; ///< by how much the logarithm of one piece of light differs
-    float most = 3.f;          ///< what is added of each part is at most so many times the light around
-    float darkest = 0.2f;      ///< of the picture's light so much stays at least
-    ResidualLimits limits{};   ///< of the residual
+    float samples = 1.f;                            ///< of each pixel; shares lie between those of 1 and of 16
+    std::optional<ResidualFeedbackShares> shares{}; ///< others; none: those that were fitted for `samples`
+    float depth_range = 0.05f;                      ///< part by which depths of one surface differ
+    float light_range = 0.15f;                      ///< by how much the logarithm of one piece of light differs
+    float most = 3.f;                               ///< what is added of each part is at most so many times the light around
+    float darkest = 0.2f;                           ///< of the picture's light so much stays at least
+    ResidualLimits limits{};                        ///< of the residual
 };
 
 namespace detail {
@@ -132,7 +134,7 @@ void feed_back_residual(ResidualFeedback const& rule, E const& executor, std::ve
     auto const levels = levels_of<feedback_levels>(executor, residual, {normal, depth, rule.depth_range, light.view(), rule.light_range});
     auto const sure = sureness(size, levels[0], gates.variance);
     HeldShares const fine(residual, levels[0].held, levels[1].held), middle(residual, levels[2].held, levels[3].held);
-    auto const by = ResidualFeedbackShares::of_samples(rule.samples);
+    auto const by = rule.shares.value_or(ResidualFeedbackShares::of_samples(rule.samples));
     for (std::size_t i = 0; i < picture.size(); ++i) {
         if (!all_finite(vec3<float>(picture[i]))) continue;
         auto const number = [](double value) { return static_cast<float>(value); };

@@ -3,6 +3,7 @@
 #include <quell/core/instruction_set.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -27,7 +28,25 @@ struct ResidualFeedbackShares {
     [[nodiscard]] static ResidualFeedbackShares of_samples(float samples);
 };
 
-/// Fitted to renders of 1 sample.
+/// The name of a share, as fits print it, and the share.
+struct NamedFeedbackShare {
+    char const* name;                     ///< in snake case
+    float ResidualFeedbackShares::*share; ///< which it is
+};
+/// All of them.
+inline constexpr std::array<NamedFeedbackShare, 11> feedback_shares{{{"sample", &ResidualFeedbackShares::sample},
+                                                                     {"sample_noise", &ResidualFeedbackShares::sample_noise},
+                                                                     {"near_noise", &ResidualFeedbackShares::near_noise},
+                                                                     {"near_sure", &ResidualFeedbackShares::near_sure},
+                                                                     {"near_held", &ResidualFeedbackShares::near_held},
+                                                                     {"fine_held", &ResidualFeedbackShares::fine_held},
+                                                                     {"middle_held", &ResidualFeedbackShares::middle_held},
+                                                                     {"wide", &ResidualFeedbackShares::wide},
+                                                                     {"wide_noise", &ResidualFeedbackShares::wide_noise},
+                                                                     {"wide_texture", &ResidualFeedbackShares::wide_texture},
+                                                                     {"alone", &ResidualFeedbackShares::alone}}};
+
+/// Fitted to renders of 1 sample, by bench/fit_feedback.py.
 inline constexpr ResidualFeedbackShares feedback_of_1_sample{.sample = 0.0088f,
                                                              .sample_noise = 0.0227f,
                                                              .near_noise = 0.0142f,
@@ -39,7 +58,7 @@ inline constexpr ResidualFeedbackShares feedback_of_1_sample{.sample = 0.0088f,
                                                              .wide_noise = -0.0563f,
                                                              .wide_texture = 0.2616f,
                                                              .alone = -0.2076f};
-/// Fitted to renders of 16 samples.
+/// Fitted to renders of 16 samples, by bench/fit_feedback.py.
 inline constexpr ResidualFeedbackShares feedback_of_16_samples{.sample = 0.0836f,
                                                                .sample_noise = -0.0695f,
                                                                .near_noise = 0.0522f,
@@ -54,11 +73,8 @@ inline constexpr ResidualFeedbackShares feedback_of_16_samples{.sample = 0.0836f
 
 inline ResidualFeedbackShares ResidualFeedbackShares::of_samples(float samples) {
     float const t = std::clamp(std::log2(std::max(samples, 1.f)) / 4.f, 0.f, 1.f);
-    using S = ResidualFeedbackShares;
     auto shares = feedback_of_1_sample;
-    for (auto const share : {&S::sample, &S::sample_noise, &S::near_noise, &S::near_sure, &S::near_held, &S::fine_held, &S::middle_held,
-                             &S::wide, &S::wide_noise, &S::wide_texture, &S::alone})
-        shares.*share += (feedback_of_16_samples.*share - shares.*share) * t;
+    for (auto const& [name, share] : feedback_shares) shares.*share += (feedback_of_16_samples.*share - shares.*share) * t;
     return shares;
 }
 
