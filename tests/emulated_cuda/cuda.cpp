@@ -38,6 +38,15 @@ TEST_CASE("Cuda gives the bits of Serial, whatever happens between frames") {
     device::check_preset<3>(device::by_serial(3), nullptr);
 }
 
+TEST_CASE("frames that are traced and denoised on the device, as by examples/cuda_host, are those of the host") {
+    auto const expected = device::rendered_by_serial();
+    CHECK(expected.size() > 4);
+    CHECK(expected[4] != expected[3]);
+    device::check_rendered<0>(expected, nullptr);
+    CudaGraphs graphs;
+    device::check_rendered<0>(expected, &graphs);
+}
+
 TEST_CASE("a history in 16 bits is that of Serial, beside a frame in 32") {
     auto const expected = device::by_serial_in_halves();
     Emulated const executor;
