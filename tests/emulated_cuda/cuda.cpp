@@ -116,6 +116,25 @@ TEST_CASE("a warm frame allocates nothing and makes no graph") {
     CHECK(now.graph_launches == warm.graph_launches + 9);
 }
 
+TEST_CASE("a thousand frames take no more memory and no more graphs than the first ones") {
+    CudaGraphs graphs;
+    Emulated const executor{{.graphs = &graphs}};
+    auto history = history_of(clamped);
+    auto frame = uploaded(clamped, {.number = 0, .width = 9, .height = 5}, executor.cuda);
+    auto const run_frames = [&](int count) {
+        for (int i = 0; i < count; ++i, ++*frame.number) {
+            run(clamped, frame, history, executor);
+            executor.cuda.synchronize();
+        }
+    };
+    run_frames(10);
+    auto const warm = device::counts();
+    run_frames(1000);
+    CHECK(device::counts().bytes == warm.bytes);
+    CHECK(device::counts().allocations == warm.allocations);
+    CHECK(device::counts().graphs == warm.graphs);
+}
+
 TEST_CASE("what stands behind a pipeline waits for nothing, and is on its way when run() returns") {
     constexpr auto denoise = presets::resolve(presets::surface(radiance));
     CudaGraphs graphs;
