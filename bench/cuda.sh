@@ -38,8 +38,11 @@ compile() {
     rm -r "$object.parts"
 }
 
-# The program that docs/using.md shows.
-write_example() { sed -n '/^```cuda$/,/^```$/{/^```/!p}' docs/using.md >"$folder/example.cu"; }
+# The programs that docs/using.md shows.
+write_examples() {
+    awk -v folder="$folder" '/^```cuda$/ { file = folder "/" (++count == 1 ? "example" : "vulkan_memory") ".cu"; next }
+        /^```$/ { file = "" } file != "" { print >file }' docs/using.md
+}
 
 # Registers, bytes of the stack frame and of spilled registers of each kernel, as ptxas says; the greatest where several kernels are of one
 # pass. Grids behind the ingest are named "grid".
@@ -64,7 +67,7 @@ build() {
     find_nvcc
     rm -rf "$folder"
     mkdir -p "$folder"
-    write_example
+    write_examples
     # Longest first, two or more at once.
     local unit jobs
     jobs=$(nproc)
@@ -73,6 +76,7 @@ build() {
     {
         for ((unit = 0; unit < units; ++unit)); do echo "unit_$unit.o -DUNIT=$unit -DUNITS=$units bench/cuda/presets.cu"; done
         echo "example.o $folder/example.cu"
+        echo "vulkan_memory.o $folder/vulkan_memory.cu"
         echo "cuda_host.o -Iexamples examples/cuda_host/main.cu"
         echo "library.o -Ipackaging -Ipackaging/library bench/cuda/library.cu"
         echo "quell_h.o -Ipackaging -Ipackaging/library -Iexamples bench/cuda/quell_h.cpp"
@@ -86,7 +90,7 @@ build() {
     "$nvcc" "${static[@]}" "$folder/cuda_host.o" -o "$folder/cuda_host"
     "$nvcc" "${static[@]}" "$folder"/{library,quell_h}.o -ltbb -o "$folder/quell-library"
     "$nvcc" "${static[@]}" "$folder"/{shifted,check_layouts}.o -o "$folder/shifted"
-    list_kernels "$folder"/{unit_*,library}.o.log >"$folder/kernels.txt"
+    list_kernels "$folder"/{unit_*,library,cuda_host}.o.log >"$folder/kernels.txt"
     rm "$folder"/*.o "$folder"/*.log
     du -h "$folder"/{quell-cuda,example}
 }
@@ -101,7 +105,7 @@ run)
     "$folder/example"
     echo
     echo "examples/cuda_host says:"
-    (cd "$folder" && ./cuda_host)
+    (cd "$folder" && for preset in general trmv; do echo "$preset:"; ./cuda_host --preset "$preset"; done)
     echo
     if ldd "$folder/quell-library" | grep -q 'not found'; then
         echo "skipped: libquell on a device, which wants oneTBB on this machine"

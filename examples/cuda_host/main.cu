@@ -1,49 +1,24 @@
-// Renders and denoises on a GPU: the live page's path tracer fills frames in the device's memory, `general` denoises them there, and the
-// host sees the last picture only. nvcc alone builds it:
+// Renders and denoises on a GPU: the live page's path tracer fills frames in the device's memory, `general` or `trmv` denoises them there,
+// and the host sees the last picture only. nvcc alone builds it:
 //     nvcc -std=c++20 --expt-relaxed-constexpr -arch=sm_80 -Iinclude -Iexamples examples/cuda_host/main.cu -o cuda_host
-//     ./cuda_host [frames [width height]]      prints times, and writes noisy.png and denoised.png
+//     ./cuda_host [--preset general|trmv] [frames [width height]]      prints times, and writes noisy.png and denoised.png
 #include "png.hpp"
+#include "renderer.hpp"
 
-#include <live/core/scenes.hpp>
-#include <live/core/trace.hpp>
 #include <live/pictures.hpp>
 
 #include <quell/execute/device.cuh>
+#include <quell/presets/effects.hpp>
 #include <quell/presets/general.hpp>
 #include <quell/quell.hpp>
 
 #include <chrono>
 #include <cstdlib>
+#include <string_view>
 
 namespace {
 
 using namespace quell;
-constexpr auto denoise = presets::general(radiance, Demodulate{});
-using DeviceFrame = Frame<decltype(denoise)::reads, Device<>>;
-template <class C> using View = ViewOf<Device<>, C>;
-
-/// A pass of this host's own: one path for each pixel, into the frame that is denoised next.
-struct Trace {
-    static constexpr auto name = "trace";
-    live::Scene const* scene; ///< the device's
-    live::Cameras cameras;
-    live::Tracing tracing;
-    View<Radiance> radiance;
-    View<Albedo> albedo;
-    View<Normal> normal;
-    View<Depth> depth;
-    View<Motion> motion;
-
-    __device__ void operator()(AtOnce<float>, int x, int y, int) const {
-        auto const value = live::trace_pixel(*scene, cameras, tracing, x, y);
-        put(radiance, x, y, value.radiance), put(albedo, x, y, value.albedo), put(normal, x, y, value.normal);
-        depth.set(0, x, y, value.depth);
-        motion.set(0, x, y, value.motion.x), motion.set(1, x, y, value.motion.y);
-    }
-    __device__ static void put(auto const& view, int x, int y, live::Vector a) {
-        view.set(0, x, y, a.x), view.set(1, x, y, a.y), view.set(2, x, y, a.z);
-    }
-};
 
 /// Marks in a stream, between which the device tells the time.
 struct Mark {
@@ -60,33 +35,45 @@ struct Mark {
     }
 };
 
-void write(char const* path, auto const& image) {
-    auto const size = image.size();
+/// @param colour_at gives a pixel's colour
+void write(char const* path, Extent size, auto const& colour_at) {
     std::vector<unsigned char> rows;
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
-            auto const colour = live::packed(live::ToneMap{}({image.get(0, x, y), image.get(1, x, y), image.get(2, x, y)}));
+            auto const colour = live::packed(live::ToneMap{}(colour_at(x, y)));
             for (int shift : {0, 8, 16}) rows.push_back(static_cast<unsigned char>(colour >> shift));
         }
     if (!cuda_host::PngFile(path).write(static_cast<unsigned>(size.width), static_cast<unsigned>(size.height), rows))
         raise_error<Failure>(path, "can't be written", "run it in a folder where you may write");
 }
 
-/// Where everything is at a frame.
-live::Moment moment_of(int number) { return {.time = static_cast<float>(number) / 30}; }
-live::Camera camera_of(int number, Extent size) {
-    auto orbit = live::first_orbit(0);
-    orbit.yaw += 0.004f * static_cast<float>(number);
-    return live::camera_of(live::within_reach(0, orbit), size.width, size.height);
+/// What the host has of the last frame.
+template <class R> void write_pictures(R const& renderer, Extent size, auto const& picture, Cuda const& cuda) {
+    auto const of = [](auto const& image) {
+        return [&image](int x, int y) { return live::Vector{image.get(0, x, y), image.get(1, x, y), image.get(2, x, y)}; };
+    };
+    auto const image_of = [&](auto channel) { return download(renderer[channel].view(), cuda); };
+    auto const denoised = download(picture, cuda);
+    write("denoised.png", size, of(denoised));
+    if constexpr (R::template has<Radiance>) {
+        auto const noisy = image_of(radiance);
+        write("noisy.png", size, of(noisy));
+    } else {
+        auto const direct = image_of(quell::direct), glossy = image_of(quell::glossy);
+        auto const albedo = image_of(quell::albedo), indirect = image_of(quell::indirect);
+        auto const visibility = image_of(quell::visibility);
+        write("noisy.png", size, [&](int x, int y) {
+            return of(direct)(x, y) * visibility.get(0, x, y) + of(glossy)(x, y) + of(albedo)(x, y) * of(indirect)(x, y);
+        });
+    }
 }
 
-void render(int frames, Extent size) {
+template <class P> void render(P const& denoiser, int frames, Extent size) {
     cudaStream_t stream = nullptr;
     cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking);
     CudaGraphs graphs;
     Cuda const cuda{.stream = stream}, by_graph{.stream = stream, .graphs = &graphs};
-    DeviceFrame frame{size};
-    History history{size, denoise, Device<>{}};
+    cuda_host::Renderer<P, Device<>> renderer{denoiser, size};
     auto* const scene = static_cast<live::Scene*>(DeviceMemory::allocate(sizeof(live::Scene)));
     Mark start, traced, denoised;
     float trace_time = 0, denoise_time = 0;
@@ -94,20 +81,12 @@ void render(int frames, Extent size) {
     int timed = 0;
     auto picture = ViewOf<Device<>, Radiance>{};
     for (int i = 0; i < frames; ++i) {
-        auto const now = live::moving_scene(0, moment_of(i), moment_of(i > 0 ? i - 1 : 0));
-        cuda.copy(scene, &now, sizeof(now));
+        cuda.copy(scene, &renderer.scene_of(i), sizeof(live::Scene));
         start.set(stream);
-        cuda.enqueue({0, 0, size.width, size.height}, Trace{scene,
-                                                            {camera_of(i, size), camera_of(i > 0 ? i - 1 : 0, size)},
-                                                            {.samples = 1, .frame = static_cast<std::uint32_t>(i + 1)},
-                                                            frame[radiance].view(),
-                                                            frame[albedo].view(),
-                                                            frame[normal].view(),
-                                                            frame[depth].view(),
-                                                            frame[motion].view()});
+        cuda.enqueue({0, 0, size.width, size.height}, renderer.trace(i, scene));
         traced.set(stream);
         auto const begun = std::chrono::steady_clock::now();
-        picture = run(denoise, frame, history, by_graph);
+        picture = renderer.denoise(by_graph);
         std::chrono::duration<double, std::milli> const took = std::chrono::steady_clock::now() - begun;
         denoised.set(stream);
         cuda.synchronize(); // for the times alone
@@ -118,8 +97,7 @@ void render(int frames, Extent size) {
     }
     std::printf("%dx%d, milliseconds a frame: traced %.3f, denoised %.3f; run() returns after %.3f\n", size.width, size.height,
                 trace_time / static_cast<float>(timed), denoise_time / static_cast<float>(timed), host_time / timed);
-    write("noisy.png", download(frame[radiance].view(), cuda));
-    write("denoised.png", download(picture, cuda));
+    write_pictures(renderer, size, picture, cuda);
     DeviceMemory::release(scene);
     cudaStreamDestroy(stream);
 }
@@ -127,10 +105,17 @@ void render(int frames, Extent size) {
 } // namespace
 
 int main(int count, char** arguments) {
+    std::string_view preset = "general";
+    bool good = true;
+    if (count > 1 && std::string_view(arguments[1]) == "--preset") {
+        if (count > 2) preset = arguments[2];
+        good = count > 2 && (preset == "general" || preset == "trmv");
+        count -= 2, arguments += 2;
+    }
     auto const number = [&](int i, int otherwise) { return count > i ? std::atoi(arguments[i]) : otherwise; };
     int const frames = number(1, 64), width = number(2, 1280), height = number(3, 720);
-    if (count == 3 || count > 4 || frames < 1 || width < 1 || height < 1 || width > 16384 || height > 16384) {
-        std::fprintf(stderr, "usage: cuda_host [frames [width height]]\n");
+    if (!good || count == 3 || count > 4 || frames < 1 || width < 1 || height < 1 || width > 16384 || height > 16384) {
+        std::fprintf(stderr, "usage: cuda_host [--preset general|trmv] [frames [width height]]\n");
         return 2;
     }
     int devices = 0;
@@ -141,7 +126,10 @@ int main(int count, char** arguments) {
         return 1;
     }
     try {
-        render(frames, {width, height});
+        if (preset == "trmv")
+            render(presets::trmv(), frames, {width, height});
+        else
+            render(presets::general(radiance, Demodulate{}), frames, {width, height});
     } catch (Error const& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;

@@ -1,4 +1,4 @@
-#include "sequence.hpp"
+#include "rendered.hpp"
 
 namespace emulated_cuda {
 
@@ -8,5 +8,6 @@ std::vector<Result> by_serial(int preset) {
     return all[preset]();
 }
 std::vector<Result> by_serial_in_halves() { return results_by_serial<1, quell::Float16>(); }
+Pictures rendered_by_serial() { return pictures_by_serial<0>(); }
 
 } // namespace emulated_cuda

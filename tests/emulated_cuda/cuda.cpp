@@ -38,6 +38,15 @@ TEST_CASE("Cuda gives the bits of Serial, whatever happens between frames") {
     device::check_preset<3>(device::by_serial(3), nullptr);
 }
 
+TEST_CASE("frames that are traced and denoised on the device, as by examples/cuda_host, are those of the host") {
+    auto const expected = device::rendered_by_serial();
+    CHECK(expected.size() > 4);
+    CHECK(expected[4] != expected[3]);
+    device::check_rendered<0>(expected, nullptr);
+    CudaGraphs graphs;
+    device::check_rendered<0>(expected, &graphs);
+}
+
 TEST_CASE("a history in 16 bits is that of Serial, beside a frame in 32") {
     auto const expected = device::by_serial_in_halves();
     Emulated const executor;
@@ -105,6 +114,25 @@ TEST_CASE("a warm frame allocates nothing and makes no graph") {
     CHECK(now.releases == warm.releases);
     CHECK(now.graphs == warm.graphs);
     CHECK(now.graph_launches == warm.graph_launches + 9);
+}
+
+TEST_CASE("a thousand frames take no more memory and no more graphs than the first ones") {
+    CudaGraphs graphs;
+    Emulated const executor{{.graphs = &graphs}};
+    auto history = history_of(clamped);
+    auto frame = uploaded(clamped, {.number = 0, .width = 9, .height = 5}, executor.cuda);
+    auto const run_frames = [&](int count) {
+        for (int i = 0; i < count; ++i, ++*frame.number) {
+            run(clamped, frame, history, executor);
+            executor.cuda.synchronize();
+        }
+    };
+    run_frames(10);
+    auto const warm = device::counts();
+    run_frames(1000);
+    CHECK(device::counts().bytes == warm.bytes);
+    CHECK(device::counts().allocations == warm.allocations);
+    CHECK(device::counts().graphs == warm.graphs);
 }
 
 TEST_CASE("what stands behind a pipeline waits for nothing, and is on its way when run() returns") {

@@ -4,7 +4,7 @@
 
 #include <quell/execute/device.cuh>
 
-#include "sequence.hpp"
+#include "rendered.hpp"
 
 // Runs the steps on the emulated device.
 namespace emulated_cuda {
@@ -39,6 +39,22 @@ template <int number> void check_preset(std::vector<Result> const& expected, que
         if (steps[i].forgotten) history.forget();
         CHECK(run_step(denoise, steps[i], history, executor) == expected[i]);
     }
+}
+
+/// Renders the frames of examples/cuda_host on the device.
+template <int number> void check_rendered(Pictures const& expected, quell::CudaGraphs* graphs) {
+    Emulated const executor, by_graph{{.graphs = graphs}};
+    RendererOf<number, quell::Device<>> renderer{preset<number>(), rendered_size};
+    auto* const scene = static_cast<quell::live::Scene*>(quell::DeviceMemory::allocate(sizeof(quell::live::Scene)));
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        CAPTURE(number);
+        CAPTURE(i);
+        executor.cuda.copy(scene, &renderer.scene_of(static_cast<int>(i)), sizeof *scene);
+        executor.enqueue({0, 0, rendered_size.width, rendered_size.height}, renderer.trace(static_cast<int>(i), scene));
+        auto const picture = renderer.denoise(by_graph);
+        CHECK(components_of_picture(download(picture, executor.cuda).view()) == expected[i]);
+    }
+    quell::DeviceMemory::release(scene);
 }
 
 } // namespace emulated_cuda

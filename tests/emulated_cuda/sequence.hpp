@@ -50,6 +50,7 @@ template <int number> constexpr auto preset() {
     if constexpr (number == 5) return presets::shadow();
     if constexpr (number == 6) return presets::dual_cone();
     if constexpr (number == 7) return presets::final_frame(radiance, Demodulate{});
+    if constexpr (number == 8) return presets::trmv();
 }
 
 template <class F> void spoil_a_part(F& frame) {
@@ -74,14 +75,19 @@ template <class F> void fill(F& frame, Step const& step) {
     frame.number = step.number;
     if (step.spoiled) spoil_a_part(frame);
 }
+template <class View> std::vector<float> components_of_picture(View const& view) {
+    std::vector<float> all;
+    for (int y = 0; y < view.size.height; ++y)
+        for (int x = 0; x < view.size.width; ++x)
+            for (int c = 0; c < View::components; ++c) all.push_back(view.get(c, x, y));
+    return all;
+}
 template <class History, class View> Result result_of(History const& history, View const& view) {
     Result result;
     auto const counted = history.statistics();
     result.missing = counted.missing_samples, result.repaired = counted.repaired_guides.pixels;
     result.resets = counted.resets, result.suppressed = counted.suppressed;
-    for (int y = 0; y < view.size.height; ++y)
-        for (int x = 0; x < view.size.width; ++x)
-            for (int c = 0; c < View::components; ++c) result.picture.push_back(view.get(c, x, y));
+    result.picture = components_of_picture(view);
     return result;
 }
 

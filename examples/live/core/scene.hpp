@@ -23,6 +23,7 @@ struct Sky {
     Vector sun{};                ///< radiance of its disk
     Vector towards_sun{0, 1, 0}; ///< unit vector
     float sun_cosine = 1;        ///< of the angle that its disk has about its middle; 1: no sun
+    Vector towards_sun_before{}; ///< in the previous frame
 };
 
 /// Neighbouring shapes, with a box around them: rays that miss it miss them all.

@@ -117,7 +117,7 @@ QUELL_LIVE Scene court(Moment at) {
                  .horizon = {0.75f, 0.85f, 1},
                  .sun = {},
                  .towards_sun = normalized({cosf(way), 0.7f * height, 0.6f})};
-    scene.sky.sun_cosine = cosf(0.02f);
+    scene.sky.sun_cosine = cosf(0.02f), scene.sky.towards_sun_before = scene.sky.towards_sun;
     float const low = 1 - height;
     scene.sky.sun = Vector{1, 0.92f - 0.3f * low, 0.8f - 0.5f * low} * 3600;
     scene.add(Light{LightKind::sun, -1, 1});
@@ -151,6 +151,7 @@ QUELL_LIVE Scene moving_scene(int number, Moment now, Moment before) {
     Scene scene = scene_by_number(number, now);
     Scene const then = scene_by_number(number, before);
     for (int i = 0; i < scene.shape_count; ++i) scene.shapes[i].before = then.shapes[i].now;
+    scene.sky.towards_sun_before = then.sky.towards_sun;
     return scene;
 }
 

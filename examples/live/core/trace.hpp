@@ -17,6 +17,15 @@ QUELL_LIVE Vector albedo_of(Material const& m, Vector colour) {
     return m.is_metal ? colour : Vector{m.coat, m.coat, m.coat} + colour * (1 - m.coat);
 }
 
+constexpr float surface_offset = 1e-3f; ///< of rays that leave a surface, along its normal
+
+/// The share of light that the coat of a surface mirrors, by Schlick (1994).
+/// @param direction towards the surface, of any length
+QUELL_LIVE float mirrored_share(Material const& m, Vector direction, Vector normal) {
+    float const cosine = -dot(normalized(direction), normal), rest = 1 - smaller(1, larger(0, cosine));
+    return m.coat > 0 ? m.coat + (1 - m.coat) * rest * rest * rest * rest * rest : 0;
+}
+
 /// Light along a ray: paths of at most `surfaces` surfaces. Where they scatter, one sample of a light is taken.
 struct Path {
     Scene const& scene;
@@ -60,12 +69,11 @@ struct Path {
             return false;
         }
         auto const colour = colour_at(material, hit.local, hit.local_outwards);
-        ray.origin = hit.point + hit.normal * 1e-3f;
+        ray.origin = hit.point + hit.normal * surface_offset;
         if (material.is_metal) {
             reflect(hit, material.roughness, colour);
         } else {
-            float const cosine = -dot(normalized(ray.direction), hit.normal), rest = 1 - smaller(1, larger(0, cosine));
-            float const mirrored = material.coat > 0 ? material.coat + (1 - material.coat) * rest * rest * rest * rest * rest : 0;
+            float const mirrored = mirrored_share(material, ray.direction, hit.normal);
             if (mirrored > 0 && random.next() < mirrored)
                 reflect(hit, material.roughness, {1, 1, 1});
             else
@@ -73,9 +81,10 @@ struct Path {
         }
         return luminance(carried) > 0;
     }
-    /// Follows the path from its first hit.
-    QUELL_LIVE Vector follow(Hit hit, int surfaces) {
-        for (int depth = 0;; ++depth) {
+    /// Follows the path from a hit.
+    /// @param depth how many surfaces the path has met before
+    QUELL_LIVE Vector follow(Hit hit, int surfaces, int depth = 0) {
+        for (;; ++depth) {
             if (hit.shape < 0) {
                 leave();
                 break;
@@ -107,22 +116,45 @@ struct Tracing {
     ScreenPoint jitter{}; ///< offset of all samples from the pixels' middles, pixels
 };
 
-/// One pixel: its guides, and the mean of its samples. All go through one place of the pixel.
-QUELL_LIVE PixelValue trace_pixel(Scene const& scene, Cameras const& cameras, Tracing const& tracing, int x, int y) {
+/// What is seen through a pixel.
+struct Seen {
+    ScreenPoint at{}; ///< its place
+    Ray ray{};        ///< from the eye
+    Hit hit{};        ///< the first
+};
+QUELL_LIVE Seen seen_at(Scene const& scene, Cameras const& cameras, Tracing const& tracing, int x, int y) {
     ScreenPoint const at{static_cast<float>(x) + 0.5f + tracing.jitter.x, static_cast<float>(y) + 0.5f + tracing.jitter.y};
     Ray const ray{cameras.now.eye, cameras.now.direction(at)};
-    auto const hit = nearest(scene, ray);
-    PixelValue value{.albedo = {1, 1, 1}, .motion = motion_of(scene, cameras, hit, ray.direction, at)};
+    return {at, ray, nearest(scene, ray)};
+}
+
+/// The guides of a pixel, without its radiance.
+QUELL_LIVE PixelValue guides_of(Scene const& scene, Cameras const& cameras, Seen const& seen) {
+    auto const& hit = seen.hit;
+    PixelValue value{.albedo = {1, 1, 1}, .motion = motion_of(scene, cameras, hit, seen.ray.direction, seen.at)};
     if (hit.shape >= 0) {
         auto const& material = scene.materials[scene.shapes[hit.shape].material];
         value.albedo = albedo_of(material, colour_at(material, hit.local, hit.local_outwards));
         value.normal = hit.normal, value.depth = hit.distance;
     }
+    return value;
+}
+
+/// The mean of a pixel's samples.
+QUELL_LIVE Vector radiance_of(Scene const& scene, Seen const& seen, Tracing const& tracing, int x, int y) {
+    Vector sum;
     for (int i = 0; i < tracing.samples; ++i) {
         Random random(x, y, tracing.frame, i);
-        value.radiance += Path(scene, random, ray).follow(hit, tracing.surfaces);
+        sum += Path(scene, random, seen.ray).follow(seen.hit, tracing.surfaces);
     }
-    value.radiance = value.radiance * (1 / static_cast<float>(tracing.samples));
+    return sum * (1 / static_cast<float>(tracing.samples));
+}
+
+/// One pixel: its guides, and the mean of its samples. All go through one place of the pixel.
+QUELL_LIVE PixelValue trace_pixel(Scene const& scene, Cameras const& cameras, Tracing const& tracing, int x, int y) {
+    auto const seen = seen_at(scene, cameras, tracing, x, y);
+    auto value = guides_of(scene, cameras, seen);
+    value.radiance = radiance_of(scene, seen, tracing, x, y);
     return value;
 }
 
