@@ -3,6 +3,7 @@
 #include <denoise/converted_history.hpp>
 #include <denoise/layers.hpp>
 #include <denoise/map_file.hpp>
+#include <denoise/repeated_detail.hpp>
 #include <denoise/sequence_denoiser.hpp>
 
 #include <quell/core/real.hpp>
@@ -211,6 +212,7 @@ void SequenceDenoiser::forget() {
     window.clear();
     last.reset();
     lacking.reset();
+    detail_before.reset();
     film.forget();
 }
 
@@ -270,6 +272,7 @@ double SequenceDenoiser::bytes_per_pixel() const {
     if (guides) sum += guides->bytes_per_pixel();
     if (upsampler) sum += upsampler->bytes_per_pixel();
     if (lacking) sum += sizeof(glm::vec3);
+    if (detail_before) sum += sizeof(glm::vec3);
     return whole ? sum + whole->bytes_per_pixel() : sum;
 }
 
@@ -302,8 +305,10 @@ SequenceDenoiser::Seen SequenceDenoiser::seen(io::ExrOriginal const& file, long 
     bool const is_opaque = alpha.empty() || std::ranges::all_of(frame.image[alpha].values, [](float a) { return a == 1.f; });
     if (!is_opaque) frame.around.reset(); // colours of transparent film are those of what is hit, times its alpha
     if (frame.around) split_by.samples_of_guides = frame.around->policy.by_surface ? 4.f : 2.f;
+    // Noise of guides is taken off the signals' picture: it is never filtered as one for that.
+    if (frame.around && refines()) split_by.samples_of_guides = std::numeric_limits<float>::infinity();
     frame.as_one = is_better_as_one(frame.image, names, split_by);
-    frame.mixes = refines() && frame.around && !frame.as_one && is_better_as_one(frame.image, names, rule());
+    frame.has_noisy_guides = refines() && frame.around && !frame.as_one && is_better_as_one(frame.image, names, rule());
     return frame;
 }
 
@@ -431,7 +436,7 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
         Timed const timed(other_milliseconds);
         return anti_aliasing.product(s, light);
     });
-    if (front.mixes) mix_with_picture(frame);
+    if (front.has_noisy_guides) take_off_noise_of_guides(frame);
     if (refines() && is_wanted) give_back_repeated(frame, split);
     if (accumulates_guides(settings.preset)) accumulate_guides(frame);
     if (!has_several_signals(on_canvas)) frame.signals.clear(); // it is the picture
@@ -442,31 +447,56 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
     return frame;
 }
 
-/// The picture as one is filtered by its own noisy samples, the signals by theirs and by noisy guides: the mean of both has less error than
-/// either.
-void SequenceDenoiser::mix_with_picture(DenoisedFrame& frame) {
+/// Where its surfaces were in the frame before; nothing where the file doesn't say.
+std::optional<Frame<Channels<Motion>>> SequenceDenoiser::motion_of(Seen const& seen) const {
+    auto const& channels = on_canvas.of_signals[0].channels;
+    if (!seen.image.has_all(io::planes_of(Channels<Motion>{}, channels))) return std::nullopt;
+    std::optional<Frame<Channels<Motion>>> vectors(std::in_place, seen.image.size);
+    io::load_channels(Channels<Motion>{}, *vectors, seen.image, channels);
+    return vectors;
+}
+
+/// The picture as one has no noise of guides, and lacks their texture. Of what the signals have more in their finest detail, that part is
+/// taken off which guides do not repeat from frame to frame. It is taken off the rest too, so that the signals stay the picture's.
+void SequenceDenoiser::take_off_noise_of_guides(DenoisedFrame& frame) {
     if (!whole) whole = std::make_unique<Denoiser>(way_of(settings.preset), io::detail::size_of(canvas), settings.threads);
-    auto const number = window.front().number;
+    auto& front = window.front();
+    auto const number = front.number;
     for (auto& seen : window) {
         if (seen.number > number + settings.later_frames) break;
         auto const& channels = split(seen, true).signals.back().channels;
         whole->look_ahead(seen.image, channels, seen.number);
     }
-    auto const as_one = whole->denoise(window.front().image, split(window.front(), true).signals.back().channels, number);
+    auto difference = whole->denoise(front.image, split(front, true).signals.back().channels, number);
+    Timed const timed(other_milliseconds);
+    auto const vectors = motion_of(front);
+    if (!vectors) return;
+    RepeatedDetail const rule;
+    auto const& colours = front.around->colours;
+    metrics::Picture guides{front.image.size, std::vector<glm::vec3>(frame.picture.pixels.size(), glm::vec3(0.f))};
+    for (std::size_t s = 0; s < colours.size(); ++s) {
+        if (colours[s].pixels.empty()) continue;
+        auto const part = s + 1 < colours.size() ? detail_of_colour(rule, colours[s], frame.signals[s]) : finest_detail(rule, colours[s]);
+        for (std::size_t i = 0; i < guides.pixels.size(); ++i) guides.pixels[i] += part.pixels[i];
+    }
+    bool const follows = detail_before && detail_before->first + 1 == number;
+    auto const shares =
+        repeated_share(rule, guides, frame.picture, (*vectors)[motion].view(), follows ? detail_before->second : metrics::Picture{});
+    for (std::size_t i = 0; i < difference.pixels.size(); ++i) difference.pixels[i] = frame.picture.pixels[i] - difference.pixels[i];
+    auto const detail = finest_detail(rule, std::move(difference));
     auto& rest = frame.signals.back().pixels;
     for (std::size_t i = 0; i < rest.size(); ++i) {
-        auto const off = (as_one.pixels[i] - frame.picture.pixels[i]) * 0.5f;
-        if (is_finite(off.x) && is_finite(off.y) && is_finite(off.z)) frame.picture.pixels[i] += off, rest[i] += off;
+        auto const noise = (1.f - shares[i]) * detail.pixels[i];
+        frame.picture.pixels[i] -= noise, rest[i] -= noise;
     }
+    detail_before.emplace(number, std::move(guides));
 }
 
 /// What this picture and the one before both lack of their samples. It is added to the rest too, so that the signals stay the picture's.
 void SequenceDenoiser::give_back_repeated(DenoisedFrame& frame, LightSplit const& split) {
     auto const& front = window.front();
-    auto const& channels = on_canvas.of_signals[0].channels;
-    if (!front.image.has_all(io::planes_of(Channels<Motion>{}, channels))) return;
-    Frame<Channels<Motion>> vectors(front.image.size);
-    io::load_channels(Channels<Motion>{}, vectors, front.image, channels);
+    auto const vectors = motion_of(front);
+    if (!vectors) return;
     std::vector<bool> is_missing(front.image.pixels());
     auto const samples_of = [&](std::size_t s) {
         auto samples =
@@ -484,7 +514,7 @@ void SequenceDenoiser::give_back_repeated(DenoisedFrame& frame, LightSplit const
     bool const follows = lacking && lacking->first + 1 == front.number && lacking->second.size() == samples.pixels.size();
     auto const given = frame.picture.pixels;
     lacking.emplace(front.number, quell::give_back_repeated({.samples = static_cast<float>(std::max(front.samples, 1))}, samples.pixels,
-                                                            vectors[motion].view(), follows ? lacking->second : std::vector<glm::vec3>(),
+                                                            (*vectors)[motion].view(), follows ? lacking->second : std::vector<glm::vec3>(),
                                                             frame.picture.pixels));
     auto& rest = frame.signals.back().pixels;
     for (std::size_t i = 0; i < rest.size(); ++i) rest[i] += frame.picture.pixels[i] - given[i];

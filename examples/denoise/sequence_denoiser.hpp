@@ -122,6 +122,8 @@ private:
     std::optional<PictureGuides> guides; ///< where the preset accumulates them; none before the first frame
     /// What the picture of the last frame lacked of its samples, and that frame's number; none before the first, or where it was not shown.
     std::optional<std::pair<long long, std::vector<glm::vec3>>> lacking;
+    /// The finest detail that noisy guides added to the picture of the last frame, and that frame's number; none before one that has it.
+    std::optional<std::pair<long long, metrics::Picture>> detail_before;
     std::unique_ptr<Denoiser> whole;    ///< of the picture beside its signals; null before it was wanted
     std::optional<Upsampler> upsampler; ///< none before it was wanted
     bool was_as_one = false;            ///< whether the last frame was filtered as one picture
@@ -142,9 +144,9 @@ private:
         bool as_one;                                   ///< whether it is better filtered as one picture
         std::array<std::optional<LightSplit>, 2> ways; ///< its light by signals, and as one: where it was wanted
         std::shared_ptr<FrameAround const> around;     ///< what frames around it see
-        bool mixes = false;                        ///< whether its guides are so noisy that the picture as one is as good as its signals
-        int samples = 0;                           ///< of each pixel; 0: the file doesn't say
-        std::optional<io::SequenceNames> behind{}; ///< by which it is read where it is seen through a volume
+        bool has_noisy_guides = false;                 ///< so that the picture as one has less noise than its signals
+        int samples = 0;                               ///< of each pixel; 0: the file doesn't say
+        std::optional<io::SequenceNames> behind{};     ///< by which it is read where it is seen through a volume
     };
     [[nodiscard]] LightSplit const& split(Seen& seen, bool as_one) const;
     [[nodiscard]] io::SequenceNames const& names_of(Seen const& seen) const { return seen.behind ? *seen.behind : on_canvas; }
@@ -169,7 +171,8 @@ private:
     [[nodiscard]] Purpose purpose_of(std::size_t signal) const;
     [[nodiscard]] Denoiser& denoiser(std::size_t signal);
     [[nodiscard]] quell_library::HistoryChoice* choice_for(std::size_t signal);
-    void mix_with_picture(DenoisedFrame& frame);
+    [[nodiscard]] std::optional<Frame<Channels<Motion>>> motion_of(Seen const& seen) const;
+    void take_off_noise_of_guides(DenoisedFrame& frame);
     void give_back_repeated(DenoisedFrame& frame, LightSplit const& split);
     void accumulate_guides(DenoisedFrame& frame);
     [[nodiscard]] Seen seen(io::ExrOriginal const& file, long long number) const;

@@ -65,6 +65,17 @@ TEST_CASE("what two frames both lack comes back, and noise does not") {
         auto const picture = both(stripes(0), stripes(2), motion_of(0.f, 0.f).view());
         CHECK(picture == flat);
     }
+    SUBCASE("texture finer than pixels between pixels: its loss on the way is made up for") {
+        std::mt19937 random(3);
+        std::normal_distribution<float> half(1.f, .7f); // each pixel shows two
+        Colours texture(2 * pixels + 1), earlier(pixels), later(pixels);
+        for (auto& each : texture) each = glm::vec3(half(random));
+        for (std::size_t i = 0; i < pixels; ++i)
+            earlier[i] = .5f * (texture[2 * i] + texture[2 * i + 1]), later[i] = .5f * (texture[2 * i + 1] + texture[2 * i + 2]);
+        auto const picture = both(with_noise(earlier, .3f, 1), with_noise(later, .3f, 2), motion_of(.5f, 0.f).view());
+        CHECK(error_of(flat, later) > .45);
+        CHECK(error_of(picture, later) < .33);
+    }
     SUBCASE("of single samples the finest part may be of points alone") {
         auto earlier = flat, picture = flat;
         auto const lacking = give_back_repeated({}, stripes(0), motion.view(), {}, earlier);

@@ -18,8 +18,9 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// (samples minus picture) of both frames have in common over a window is a measure of that mistake, whatever the noise is.
 ///
 /// Both residuals are split into three bands. For each, over a window, c is the sum of the product of both, less its standard error times
-/// `caution`; v and u are the sums of their squares. What is added is x now + y before, with the least expected error: v x + c y = c and
-/// c x + u y = c.
+/// `caution`; v and u are the sums of their squares. The mistake that is in the residual of now is b = c v / u, at least c: moving the
+/// residual before between pixels takes as much off c as off u where detail is finer than pixels. What is added is x now + y before, with
+/// the least expected error: v x + c y = b and c x + u y = c.
 ///
 /// Where a pixel holds fewer samples, more of what the finest band repeats is no mistake: a single sample sees the same point of a leaf
 /// again, wherever in its pixel that lies, and a picture of such points is jagged. Of that band a part of 1 / samples is left out. And
@@ -102,8 +103,8 @@ inline void add_repeated(Extent size, ResidualImage const& now, ResidualImage co
         double const sure = common[i] - static_cast<double>(caution) * std::sqrt(std::max(error[i], 0.));
         double const c = std::min({sure, u, v, .98 * std::sqrt(u * v)});
         if (!(c > 0.)) continue;
-        double const determinant = v * u - c * c;
-        double const x = std::clamp(c * (u - c) / determinant, 0., 1.), y = std::clamp(c * (v - c) / determinant, 0., 1. - x);
+        double const determinant = v * u - c * c, b = std::max(c * v / u, c);
+        double const x = std::clamp((b * u - c * c) / determinant, 0., 1.), y = std::clamp(c * (v - b) / determinant, 0., 1. - x);
         picture[i] += part * (static_cast<float>(x) * now[i] + static_cast<float>(y) * before[i]);
     }
 }

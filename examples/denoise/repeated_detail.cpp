@@ -1,0 +1,59 @@
+#include <denoise/repeated_detail.hpp>
+
+#include <quell/resolve/repeated_residual.hpp>
+#include <quell/resolve/residual.hpp>
+
+#include <algorithm>
+
+namespace quell::examples {
+
+metrics::Picture finest_detail(RepeatedDetail const& rule, metrics::Picture picture) {
+    for (auto& pixel : picture.pixels)
+        if (!is_finite(pixel.x) || !is_finite(pixel.y) || !is_finite(pixel.z)) pixel = glm::vec3(0.f);
+    auto const wider = quell::detail::blurred(picture.size, picture.pixels, rule.deviation);
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) picture.pixels[i] -= wider[i];
+    return picture;
+}
+
+metrics::Picture detail_of_colour(RepeatedDetail const& rule, metrics::Picture const& colour, metrics::Picture const& signal) {
+    constexpr double darkest = 1e-4; // of a colour
+    auto detail = finest_detail(rule, colour);
+    auto const pixels = colour.pixels.size();
+    for (int c = 0; c < 3; ++c) {
+        std::vector<double> colours(pixels), lights(pixels);
+        for (std::size_t i = 0; i < pixels; ++i)
+            if (is_finite(colour.pixels[i][c]) && is_finite(signal.pixels[i][c]))
+                colours[i] = static_cast<double>(colour.pixels[i][c]), lights[i] = static_cast<double>(signal.pixels[i][c]);
+        box_sums(colour.size, colours, rule.light_radius), box_sums(colour.size, lights, rule.light_radius);
+        for (std::size_t i = 0; i < pixels; ++i) detail.pixels[i][c] *= static_cast<float>(lights[i] / std::max(colours[i], darkest));
+    }
+    return detail;
+}
+
+std::vector<float> repeated_share(RepeatedDetail const& rule, metrics::Picture& detail, metrics::Picture const& picture,
+                                  ViewOf<Planar<>, Motion> motion, metrics::Picture const& before) {
+    using quell::detail::product_of;
+    auto const size = detail.size;
+    auto const light = quell::detail::light_around(size, picture.pixels);
+    for (std::size_t i = 0; i < detail.pixels.size(); ++i)
+        for (int c = 0; c < 3; ++c) {
+            float const most = rule.most * static_cast<float>(light[i]);
+            float& value = detail.pixels[i][c];
+            value = is_finite(value) ? std::clamp(value, -most, most) : 0.f;
+        }
+    std::vector<float> shares(detail.pixels.size(), 1.f);
+    if (before.pixels.size() != detail.pixels.size()) return shares;
+    auto const before_here = quell::detail::moved(before.pixels, motion);
+    std::vector<double> common(shares.size()), square(shares.size());
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        double const per_light = 1. / (light[i] * light[i]);
+        common[i] = product_of(detail.pixels[i], before_here[i]) * per_light;
+        square[i] = product_of(before_here[i], before_here[i]) * per_light;
+    }
+    box_sums(size, common, rule.radius), box_sums(size, square, rule.radius);
+    for (std::size_t i = 0; i < shares.size(); ++i)
+        if (square[i] > 0.) shares[i] = static_cast<float>(std::clamp(common[i] / square[i], 0., 1.));
+    return shares;
+}
+
+} // namespace quell::examples

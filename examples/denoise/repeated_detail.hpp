@@ -1,0 +1,37 @@
+#pragma once
+
+#include <quell/frame/channels.hpp>
+#include <quell/image/planar.hpp>
+#include <quell/metrics/picture.hpp>
+
+#include <vector>
+
+namespace quell::examples {
+
+/// Tells texture of guides from their noise: the finest detail is noise as far as the frame before had another one there. Over a window,
+/// the share that stays is the sum of the product of both frames' detail over the sum of the square of that before. Moving detail between
+/// pixels takes as much off the product as off the square where it is finer than pixels, and less where it is wider, so that texture stays.
+struct RepeatedDetail {
+    float deviation = .7f; ///< of the Gaussian that detail is finer than, in pixels
+    int radius = 16;       ///< of the windows, in pixels
+    int light_radius = 4;  ///< of those that say how much light guides are multiplied by
+    float most = 3.f;      ///< detail of guides is at most so many times the light around
+};
+
+/// The finest detail of a picture; what is not finite counts as 0.
+[[nodiscard]] metrics::Picture finest_detail(RepeatedDetail const& rule, metrics::Picture picture);
+
+/// What the finest detail of a signal's colour adds to the picture.
+/// @param colour that the signal is multiplied by
+/// @param signal the denoised signal times its colour
+[[nodiscard]] metrics::Picture detail_of_colour(RepeatedDetail const& rule, metrics::Picture const& colour, metrics::Picture const& signal);
+
+/// How much of the guides' detail the frame before has too: from 0 to 1, for each pixel; 1 where that is not known.
+/// @param detail  that guides add to the picture; is limited by its light
+/// @param picture linear, finite: bright and dark parts of it count alike
+/// @param motion  a view of where each surface was in the frame before, less where it is, in pixels; not finite: unknown
+/// @param before  the same detail of the frame before, limited; empty: there was none
+[[nodiscard]] std::vector<float> repeated_share(RepeatedDetail const& rule, metrics::Picture& detail, metrics::Picture const& picture,
+                                                ViewOf<Planar<>, Motion> motion, metrics::Picture const& before);
+
+} // namespace quell::examples
