@@ -18,8 +18,8 @@ function find_chromium() {
 
 /// Lets the program write sample pages, or takes those of a folder, then calls check(open): open(name, options) opens one of them. A folder
 /// for screenshots may be the second argument; page.save(name) and page.save_whole(name) then leave some there. `switches` are
-/// Chromium's.
-export async function with_pages(check, switches = []) {
+/// Chromium's. `address` is that of a server on 127.0.0.1 which has the pages; without one they are opened as files.
+export async function with_pages(check, switches = [], address = "") {
     const [program, screenshots] = process.argv.slice(2);
     const chromium_program = find_chromium();
     const folder = mkdtempSync(join(tmpdir(), "quell_browser_"));
@@ -32,9 +32,10 @@ export async function with_pages(check, switches = []) {
             mkdirSync(pages);
             execFileSync(program, [pages]);
         }
-        chromium = new Chromium(chromium_program, join(folder, "profile"), switches);
+        const more = address ? ["--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"] : [];
+        chromium = new Chromium(chromium_program, join(folder, "profile"), [...switches, ...more]);
         await check(async (name, options) => {
-            const page = await Page.open(chromium, pathToFileURL(join(pages, name)).href, options);
+            const page = await Page.open(chromium, address ? address + name : pathToFileURL(join(pages, name)).href, options);
             const save = async (picture, task) => {
                 if (screenshots) writeFileSync(join(screenshots, `${picture}.png`), await task(), "base64");
             };

@@ -4,10 +4,11 @@ import assert from "node:assert/strict";
 const patience = 8000; // milliseconds
 
 export class Page {
-    /// Opens an address; `problems` collects whatever the console or the network complains about.
+    /// Opens an address; `problems` collects whatever the console or the network complains about, and what is fetched from elsewhere.
     static async open(chromium, address, {width = 1400, height = 900, touch = false, dark = false} = {}) {
         const page = new Page();
         page.problems = [];
+        page.origin = address.startsWith("file:") ? "file:" : new URL(address).origin;
         const session = await chromium.open_tab(event => page.hear(event));
         page.send = (method, params) => chromium.send(method, params, session);
         for (const domain of ["Page", "Runtime", "Log", "Network"]) await page.send(`${domain}.enable`);
@@ -31,7 +32,7 @@ export class Page {
         if (method === "Runtime.consoleAPICalled" && ["error", "warning"].includes(params.type))
             this.problems.push(params.args.map(part => part.value ?? part.description).join(" "));
         if (method === "Log.entryAdded" && ["error", "warning"].includes(params.entry.level)) this.problems.push(params.entry.text);
-        if (method === "Network.requestWillBeSent" && !/^(file|data|blob):/.test(params.request.url))
+        if (method === "Network.requestWillBeSent" && !/^(data|blob):/.test(params.request.url) && !params.request.url.startsWith(this.origin))
             this.problems.push(`request: ${params.request.url}`);
     }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds the live page into a folder, as plain files that need no server:
+"""Builds the live page into a folder, as plain files that need no server, and run on several threads behind serve.py:
 
     examples/live/build.py --out build/live
 
@@ -16,9 +16,14 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 SOURCES = ["exports", "session", "denoise/general", "denoise/svgf", "denoise/surface_clamp", "denoise/anti_aliasing"]
-# xsimd has packs for x86's instructions, of which emscripten makes WebAssembly's.
-COMPILE = ["-std=c++20", "-O3", "-msimd128", "-msse4.1", "-fno-rtti", "-Wall", "-Wextra", "-Werror", "-include", "bit_cast.hpp"]
-LINK = ["-O2", "--no-entry", "-sSTANDALONE_WASM", "-sALLOW_MEMORY_GROWTH", "-sERROR_ON_UNDEFINED_SYMBOLS=0", "-sWARN_ON_UNDEFINED_SYMBOLS=0"]
+# xsimd has packs for x86's instructions, of which emscripten makes WebAssembly's. Compiled for threads: both programs are linked of the same.
+COMPILE = ["-std=c++20", "-O3", "-pthread", "-msimd128", "-msse4.1", "-fno-rtti", "-Wall", "-Wextra", "-Werror", "-include", "bit_cast.hpp"]
+LINK = ["-O2", "--no-entry", "-sALLOW_MEMORY_GROWTH"]
+# What a program is linked of beside, and how. That of one thread is a module alone, for which live.js has all that it needs; that of several
+# comes with emscripten's own script, which starts them before it is asked for a frame.
+ONE_THREAD = (["one_thread"], ["-sSTANDALONE_WASM", "-sERROR_ON_UNDEFINED_SYMBOLS=0", "-sWARN_ON_UNDEFINED_SYMBOLS=0"], "live.wasm")
+THREADS = (["workers"], ["-pthread", "-Wno-pthreads-mem-growth", "-sPTHREAD_POOL_SIZE=Module.helpers", "-sMODULARIZE", "-sEXPORT_NAME=live_threads",
+                         "-sENVIRONMENT=web,worker,node"], "live_threads.js")
 
 
 def options():
@@ -45,8 +50,8 @@ def needs(made, listed):
     return any(not os.path.exists(path) or os.path.getmtime(path) > os.path.getmtime(made) for path in paths)
 
 
-def compiled(given, kept):
-    """The program, as bytes."""
+def environment_for(given, kept):
+    """What the compiler runs in, and its switches for folders."""
     # Links to the two libraries alone: beside them may lie headers of this machine's own C library.
     libraries = os.path.join(kept, "include")
     os.makedirs(libraries, exist_ok=True)
@@ -58,20 +63,26 @@ def compiled(given, kept):
             os.remove(link)
         os.symlink(os.path.join(os.path.abspath(given.headers), name), link)
     environment = dict(os.environ)
+    environment.setdefault("NODE_PATH", "/usr/share/nodejs") # where Debian has what emscripten's scripts need, whichever node there is
     if shutil.which("ccache"):
         environment.setdefault("EM_COMPILER_WRAPPER", "ccache")
-    objects = []
-    for source in SOURCES:
+    return environment, [f"-I{ROOT}/include", "-isystem", libraries]
+
+
+def linked(given, kept):
+    """Compiles and links both programs into `kept`."""
+    environment, folders = environment_for(given, kept)
+
+    def compiled(source):
         made = os.path.join(kept, os.path.basename(source) + ".o")
         listed = made[:-1] + "d"
         if needs(made, listed):
-            folders = [f"-I{ROOT}/include", "-isystem", libraries]
             run([given.compiler, *COMPILE, *folders, "-MMD", "-MF", listed, "-c", source + ".cpp", "-o", made], environment)
-        objects.append(made)
-    program = os.path.join(kept, "live.wasm")
-    run([given.compiler, *objects, *LINK, "-o", program], environment)
-    with open(program, "rb") as file:
-        return file.read()
+        return made
+    shared = [compiled(source) for source in SOURCES]
+    for sources, switches, name in (ONE_THREAD, THREADS):
+        objects = shared + [compiled(source) for source in sources]
+        run([given.compiler, *objects, *LINK, *switches, "-o", os.path.join(kept, name)], environment)
 
 
 def shaders_in(folder):
@@ -97,12 +108,15 @@ def main():
         sys.exit(77)
     out = os.path.abspath(given.out)
     shaders = shaders_in(given.shaders)
-    program = compiled(given, out + ".kept")
+    kept = out + ".kept"
+    linked(given, kept)
     shutil.rmtree(out, ignore_errors=True)
     shutil.copytree(os.path.join(HERE, "page"), out)
     shutil.copy(os.path.join(ROOT, "docs/site/style.css"), out)
-    with open(os.path.join(out, "live_wasm.js"), "w", encoding="utf-8") as file:
-        file.write(f'const live_wasm = "{base64.b64encode(program).decode()}";\n')
+    for name in ("live_threads.js", "live_threads.worker.js", "live_threads.wasm"):
+        shutil.copy(os.path.join(kept, name), out)
+    with open(os.path.join(kept, "live.wasm"), "rb") as program, open(os.path.join(out, "live_wasm.js"), "w", encoding="utf-8") as file:
+        file.write(f'const live_wasm = "{base64.b64encode(program.read()).decode()}";\n') # pages that are files may not load it otherwise
     with open(os.path.join(out, "live_shaders.js"), "w", encoding="utf-8") as file:
         file.write(f"const live_shaders = {json.dumps(shaders)};\n")
     size = sum(os.path.getsize(os.path.join(out, name)) for name in os.listdir(out))

@@ -6,8 +6,6 @@
 
 #define QUELL_EXPORT(name) extern "C" __attribute__((export_name(#name)))
 
-extern "C" __attribute__((import_module("page"), import_name("milliseconds"))) double page_milliseconds();
-
 namespace quell::live {
 namespace {
 
@@ -24,8 +22,10 @@ struct Page {
     };
     uint32_t const* for_each_pixel(Columns columns, auto&& make) {
         auto const size = session.extent();
-        for (int y = 0; y < size.height; ++y)
-            for (int x = columns.from; x < columns.to; ++x) pixels[static_cast<std::size_t>(y * size.width + x)] = make(x, y);
+        share_rows(0, size.height, [&](int y0, int y1) {
+            for (int y = y0; y < y1; ++y)
+                for (int x = columns.from; x < columns.to; ++x) pixels[static_cast<std::size_t>(y * size.width + x)] = make(x, y);
+        });
         return pixels.data();
     }
 };
@@ -33,7 +33,8 @@ std::unique_ptr<Page> page;
 
 } // namespace
 
-double seconds_now() { return page_milliseconds() * 1e-3; }
+/// How many threads a frame is traced and denoised by from now on. The first call says how many there are.
+QUELL_EXPORT(use_threads) void use_threads(int count) { set_thread_count(count); }
 
 /// Pictures of another size from now on.
 QUELL_EXPORT(resize) void resize(int width, int height) {

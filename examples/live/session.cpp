@@ -57,14 +57,18 @@ void Session::advance(View const& view) {
     trace_seconds = traced - start, denoise_seconds = seconds_now() - traced;
 }
 
+void Session::for_each_pixel(auto const& task) const {
+    share_rows(0, size.height, [&](int y0, int y1) {
+        for (int y = y0; y < y1; ++y)
+            for (int x = 0; x < size.width; ++x) task(x, y);
+    });
+}
+
 void Session::smooth() {
     if (!last.anti_aliased) return;
     if (!smoother) smoother = make_anti_aliasing(size);
     denoised_frame.camera.jitter = frame.camera.jitter;
-    auto const copy = [&](auto const& from, auto& to) {
-        for (int y = 0; y < size.height; ++y)
-            for (int x = 0; x < size.width; ++x) to.set(x, y, from.get(x, y));
-    };
+    auto const copy = [&](auto const& from, auto& to) { for_each_pixel([&](int x, int y) { to.set(x, y, from.get(x, y)); }); };
     copy(denoised, denoised_frame[radiance]), copy(frame[depth], denoised_frame[depth]), copy(frame[motion], denoised_frame[motion]);
     smoother->run(denoised_frame, denoised);
     times.insert(times.end(), smoother->times.begin(), smoother->times.end());
@@ -79,17 +83,16 @@ void Session::choose(int number) {
 void Session::trace(int samples) {
     ++frame_number;
     bool const starts = samples_in_sums == 0;
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) {
-            auto const value = trace_pixel(scene, cameras, {.samples = samples, .frame = frame_number, .jitter = jitter}, x, y);
-            frame[radiance].set(x, y, glm_of(value.radiance));
-            frame[albedo].set(x, y, glm_of(value.albedo));
-            frame[normal].set(x, y, glm_of(value.normal));
-            frame[depth].set(x, y, value.depth);
-            frame[motion].set(x, y, {value.motion.x, value.motion.y});
-            auto& sum = sums[static_cast<std::size_t>(y * size.width + x)];
-            sum = (starts ? Vector{} : sum) + value.radiance * static_cast<float>(samples);
-        }
+    for_each_pixel([&](int x, int y) {
+        auto const value = trace_pixel(scene, cameras, {.samples = samples, .frame = frame_number, .jitter = jitter}, x, y);
+        frame[radiance].set(x, y, glm_of(value.radiance));
+        frame[albedo].set(x, y, glm_of(value.albedo));
+        frame[normal].set(x, y, glm_of(value.normal));
+        frame[depth].set(x, y, value.depth);
+        frame[motion].set(x, y, {value.motion.x, value.motion.y});
+        auto& sum = sums[static_cast<std::size_t>(y * size.width + x)];
+        sum = (starts ? Vector{} : sum) + value.radiance * static_cast<float>(samples);
+    });
     samples_in_sums += samples;
 }
 
@@ -98,12 +101,11 @@ void Session::refine(int samples) {
     Tracing tracing{.samples = samples, .frame = 0x80000000u + ++reference_number};
     if (last.anti_aliased) tracing.jitter = place_in_pixel(reference_number);
     bool const starts = samples_in_sums == 0;
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) {
-            auto& sum = sums[static_cast<std::size_t>(y * size.width + x)];
-            auto const value = trace_pixel(scene, cameras, tracing, x, y);
-            sum = (starts ? Vector{} : sum) + value.radiance * static_cast<float>(samples);
-        }
+    for_each_pixel([&](int x, int y) {
+        auto& sum = sums[static_cast<std::size_t>(y * size.width + x)];
+        auto const value = trace_pixel(scene, cameras, tracing, x, y);
+        sum = (starts ? Vector{} : sum) + value.radiance * static_cast<float>(samples);
+    });
     samples_in_sums += samples;
 }
 

@@ -63,6 +63,8 @@ public:
     [[nodiscard]] std::vector<PassTime> const& pass_times() const { return times; }
 
 private:
+    /// Calls task(x, y) for all pixels, on all threads.
+    void for_each_pixel(auto const& task) const;
     void trace(int samples);
     void choose(int number);
 };

@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 
@@ -18,7 +19,7 @@ namespace {
 using namespace quell;
 
 struct Options {
-    std::string preset, language = "wgsl";
+    std::string preset, language = "wgsl", workgroup = "8x8";
     std::filesystem::path out;
     bool list = false, print = false;
     RecordOptions record;
@@ -44,13 +45,31 @@ void write_all(ShaderPlan const& plan, Options const& options) {
     shaders::write_file(options.out / "plan.json", to_json(plan, language.extension));
 }
 
+Extent workgroup_in(std::string const& text) {
+    constexpr int most = 128; // which every device has
+    Extent threads;
+    char behind = 0;
+    bool const two = std::sscanf(text.c_str(), "%4dx%4d%c", &threads.width, &threads.height, &behind) == 2;
+    if (!two || threads.width < 1 || threads.height < 1 || threads.pixels() > most)
+        raise_error("--workgroup", "'" + text + "'",
+                    "give threads along x and y, " + std::to_string(most) + " or fewer together, as in 8x8");
+    return threads;
+}
+RecordOptions checked(Options const& options) {
+    auto record = options.record;
+    record.workgroup = workgroup_in(options.workgroup);
+    if (record.texel_loads && options.language != "glsl" && options.language != "spirv")
+        raise_error("--texel-loads", "the language is " + options.language, "give --language glsl or spirv");
+    return record;
+}
+
 void body(Options const& options) {
     if (options.list) {
         for (auto const& preset : shaders::recorded_presets()) std::cout << preset.name << "\n";
         return;
     }
     if (options.preset.empty()) raise_error("--preset", "none is given", "give one of --list");
-    auto const plan = shaders::recorded_preset_named(options.preset, options.record);
+    auto const plan = shaders::recorded_preset_named(options.preset, checked(options));
     if (options.print)
         for (auto const& pass : plan.passes) std::cout << to_string(pass.graph);
     if (!options.out.empty())
@@ -77,6 +96,9 @@ int main(int argc, char** argv) {
         app.add_flag("--counts", options.record.counts, "counts missing samples, impossible guides and suppressed light");
         app.add_option("--buffer-slots", options.record.most_slots, "slots of a buffer at most: what has more lies in several")
             ->check(CLI::Range(1, 1000));
+        app.add_flag("--texel-loads", options.record.texel_loads,
+                     "loads of views of the buffers: for glsl and spirv on a device that is a CPU");
+        app.add_option("--workgroup", options.workgroup, "threads of a workgroup along each axis")->capture_default_str();
         app.add_flag("--print", options.print, "prints the recorded steps of each pass, for people");
         app.add_flag("--list", options.list, "prints the presets that can be recorded, one a line");
         if (examples::parse(app, argc, argv)) body(options);

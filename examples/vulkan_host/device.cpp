@@ -53,7 +53,7 @@ Device::Device() : instance(make_instance()) {
     }
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(physical, &properties);
-    name = properties.deviceName;
+    name = properties.deviceName, most_texels = properties.limits.maxTexelBufferElements;
 }
 Device::~Device() {
     vkDestroyCommandPool(device, commands, nullptr);

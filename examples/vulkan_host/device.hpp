@@ -33,6 +33,7 @@ public:
     VkQueue queue = VK_NULL_HANDLE;
     VkCommandPool commands = VK_NULL_HANDLE;
     std::string name;
+    std::uint32_t most_texels = 0; ///< of a view of a buffer
 
 private:
     VkInstance instance = VK_NULL_HANDLE;

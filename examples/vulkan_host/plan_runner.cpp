@@ -20,7 +20,9 @@ nlohmann::json read_plan(std::filesystem::path const& file) {
         raise_error(file.string(), "its buffers are in parts", "write them without --buffer-slots: this host binds each as one");
     return plan;
 }
+/// Of the block and the buffers; those of views come behind them.
 constexpr VkDescriptorType type_of(std::size_t binding) {
+    if (binding > shader_buffer_names.size()) return VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
     return binding == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 }
 constexpr bool is_of_host(ShaderBuffer buffer) { return buffer == ShaderBuffer::inputs || buffer == ShaderBuffer::output; }
@@ -28,9 +30,15 @@ constexpr bool is_of_host(ShaderBuffer buffer) { return buffer == ShaderBuffer::
 
 PlanRunner::PlanRunner(Device const& device, std::filesystem::path const& folder) : on(device) {
     auto const plan = read_plan(folder / "plan.json");
-    make_layouts();
     for (auto const& each : plan["inputs"]) inputs.push_back({each["channel"], each["component"], each["fraction"]});
-    for (std::size_t i = 0; i < buffer_count; ++i) slot_counts[i] = plan["buffers"][i]["slots"];
+    workgroup = {plan["workgroup"][0], plan["workgroup"][1]};
+    for (std::size_t i = 0; i < buffer_count; ++i) {
+        auto const& buffer = plan["buffers"][i];
+        slot_counts[i] = buffer["slots"];
+        if (buffer.contains("view"))
+            views[i] = {buffer["view"]["binding"], buffer["view"]["format"] == "R32_UINT" ? VK_FORMAT_R32_UINT : VK_FORMAT_R32_SFLOAT};
+    }
+    make_layouts();
     for (auto const& each : plan["passes"]) {
         auto& pass = passes.emplace_back();
         pass.fraction = each["fraction"];
@@ -51,9 +59,13 @@ PlanRunner::~PlanRunner() {
 }
 
 void PlanRunner::make_layouts() {
-    std::array<VkDescriptorSetLayoutBinding, buffer_count + 1> bindings{};
-    for (std::size_t i = 0; i < bindings.size(); ++i)
-        bindings[i] = {static_cast<std::uint32_t>(i), type_of(i), 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
+    std::vector<VkDescriptorSetLayoutBinding> bindings;
+    auto const add = [&](std::size_t i) {
+        bindings.push_back({static_cast<std::uint32_t>(i), type_of(i), 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
+    };
+    for (std::size_t i = 0; i <= buffer_count; ++i) add(i);
+    for (auto const& view : views)
+        if (view.format != VK_FORMAT_UNDEFINED) add(view.binding);
     VkDescriptorSetLayoutCreateInfo of_set{};
     of_set.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     of_set.bindingCount = static_cast<std::uint32_t>(bindings.size()), of_set.pBindings = bindings.data();
@@ -88,12 +100,12 @@ VkPipeline PlanRunner::pipeline(std::filesystem::path const& shader) const {
 }
 
 void PlanRunner::make_sets() {
-    std::array<VkDescriptorPoolSize, 2> const of_types{
-        {{type_of(0), static_cast<std::uint32_t>(sets.size())}, {type_of(1), static_cast<std::uint32_t>(sets.size() * buffer_count)}}};
+    auto const count = static_cast<std::uint32_t>(sets.size()), of_buffers = count * static_cast<std::uint32_t>(buffer_count);
+    std::array<VkDescriptorPoolSize, 3> const of_types{
+        {{type_of(0), count}, {type_of(1), of_buffers}, {type_of(buffer_count + 1), of_buffers}}};
     VkDescriptorPoolCreateInfo of_pool{};
     of_pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
-    of_pool.maxSets = static_cast<std::uint32_t>(sets.size()), of_pool.poolSizeCount = static_cast<std::uint32_t>(of_types.size()),
-    of_pool.pPoolSizes = of_types.data();
+    of_pool.maxSets = count, of_pool.poolSizeCount = static_cast<std::uint32_t>(of_types.size()), of_pool.pPoolSizes = of_types.data();
     check(vkCreateDescriptorPool(on.device, &of_pool, nullptr, &pool), "vkCreateDescriptorPool");
     std::array const layouts{set_layout, set_layout};
     VkDescriptorSetAllocateInfo of_sets{};
@@ -111,11 +123,25 @@ void PlanRunner::resize(Extent to) {
     drop_buffers();
     size = to;
     auto const bytes_of_slot = static_cast<VkDeviceSize>(size.pixels()) * 4;
-    for (std::size_t i = 0; i < buffer_count; ++i)
-        buffers[i] = on.make_buffer(std::max<VkDeviceSize>(slot_counts[i], 1) * bytes_of_slot, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+    for (std::size_t i = 0; i < buffer_count; ++i) {
+        buffers[i] = on.make_buffer(std::max<VkDeviceSize>(slot_counts[i], 1) * bytes_of_slot,
+                                    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
                                     is_of_host(static_cast<ShaderBuffer>(i)));
+        if (views[i].format != VK_FORMAT_UNDEFINED) make_view(views[i], i);
+    }
     bind_buffers();
     forget();
+}
+void PlanRunner::make_view(View& view, std::size_t buffer) const {
+    auto const texels = slot_counts[buffer] * static_cast<VkDeviceSize>(size.pixels());
+    if (texels > on.most_texels)
+        raise_error<Failure>("a view of " + std::string(shader_buffer_names[buffer]),
+                             std::to_string(texels) + " texels, and the device has " + std::to_string(on.most_texels) + " at most",
+                             "write the shaders without --texel-loads");
+    VkBufferViewCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO;
+    info.buffer = buffers[buffer].buffer, info.format = view.format, info.range = VK_WHOLE_SIZE;
+    check(vkCreateBufferView(on.device, &info, nullptr, &view.view), "vkCreateBufferView");
 }
 void PlanRunner::bind_buffers() {
     for (std::size_t s = 0; s < sets.size(); ++s)
@@ -130,9 +156,17 @@ void PlanRunner::bind_buffers() {
             write.dstSet = sets[s], write.dstBinding = static_cast<std::uint32_t>(binding), write.descriptorCount = 1;
             write.descriptorType = type_of(binding), write.pBufferInfo = &of_buffer;
             vkUpdateDescriptorSets(on.device, 1, &write, 0, nullptr);
+            if (binding == 0 || views[which].format == VK_FORMAT_UNDEFINED) continue;
+            write.dstBinding = views[binding - 1].binding, write.descriptorType = type_of(write.dstBinding);
+            write.pBufferInfo = nullptr, write.pTexelBufferView = &views[which].view;
+            vkUpdateDescriptorSets(on.device, 1, &write, 0, nullptr);
         }
 }
 void PlanRunner::drop_buffers() {
+    for (auto& each : views) {
+        vkDestroyBufferView(on.device, each.view, nullptr);
+        each.view = VK_NULL_HANDLE;
+    }
     for (auto& each : buffers) on.destroy(each);
 }
 
@@ -156,9 +190,9 @@ void PlanRunner::record(FrameBlock const& frame) {
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout, 0, 1, &sets[turn], 0, nullptr);
     for (auto const& pass : passes) {
         auto const extent = divided(frame.size, pass.fraction);
-        auto const groups = [](int pixels) { return static_cast<std::uint32_t>((pixels + 7) / 8); };
+        auto const groups = [](int pixels, int threads) { return static_cast<std::uint32_t>((pixels + threads - 1) / threads); };
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, !has_past && pass.first ? pass.first : pass.later);
-        vkCmdDispatch(commands, groups(extent.width), groups(extent.height), 1);
+        vkCmdDispatch(commands, groups(extent.width, workgroup.width), groups(extent.height, workgroup.height), 1);
         // The next pass, or the host, sees what this one has written.
         VkMemoryBarrier barrier{};
         barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;

@@ -42,6 +42,14 @@ private:
     Device const& on;
     std::vector<HostPlane> inputs;
     std::array<VkDeviceSize, buffer_count> slot_counts{};
+    /// Of a buffer that shaders load from as one of texels.
+    struct View {
+        std::uint32_t binding = 0;
+        VkFormat format = VK_FORMAT_UNDEFINED; ///< undefined: there is none
+        VkBufferView view = VK_NULL_HANDLE;
+    };
+    std::array<View, buffer_count> views{};
+    Extent workgroup;
     std::vector<Pass> passes;
     VkDescriptorSetLayout set_layout = VK_NULL_HANDLE;
     VkPipelineLayout layout = VK_NULL_HANDLE;
@@ -57,6 +65,7 @@ private:
     void make_layouts();
     void make_sets();
     void bind_buffers();
+    void make_view(View& view, std::size_t buffer) const;
     void drop_buffers();
     [[nodiscard]] VkPipeline pipeline(std::filesystem::path const& shader) const;
     void record(FrameBlock const& frame);

@@ -2,9 +2,9 @@
 find_program(GLSLANG glslangValidator)
 find_program(SPIRV_VAL spirv-val)
 
-# write_spirv(preset folder): its shaders, which must be valid.
+# write_spirv(preset folder options...): its shaders, which must be valid.
 function(write_spirv preset folder)
-    execute_process(COMMAND ${SHADERS} --preset ${preset} --language spirv --out ${folder} COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND ${SHADERS} --preset ${preset} --language spirv --out ${folder} ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
     if(SPIRV_VAL)
         file(GLOB binaries ${folder}/*.spv)
         foreach(binary IN LISTS binaries)

@@ -1,4 +1,4 @@
-# Writes the shaders of `general`, and runs them. Without glslangValidator or a Vulkan driver it is skipped.
+# Writes the shaders of `general`, and runs them: those that load of buffers, and those that load of views of them. Without glslangValidator or a Vulkan driver it is skipped.
 cmake_minimum_required(VERSION 3.22)
 include(${CMAKE_CURRENT_LIST_DIR}/run_on_device.cmake)
 if(NOT GLSLANG)
@@ -12,3 +12,5 @@ if(NOT presets MATCHES "(^|\n)general\n")
 endif()
 write_spirv(general ${FOLDER})
 run_on_device(${HOST} ${FOLDER})
+write_spirv(general ${FOLDER}.texels --texel-loads --workgroup 64x1)
+run_on_device(${HOST} ${FOLDER}.texels)

@@ -1,7 +1,10 @@
 // Drives the live page in Chromium: node browser.mjs FOLDER_OF_THE_PAGE [FOLDER_FOR_SCREENSHOTS]
 import assert from "node:assert/strict";
+import {spawn} from "node:child_process";
+import {once} from "node:events";
 import {existsSync, readdirSync, statSync} from "node:fs";
 import {join} from "node:path";
+import {fileURLToPath} from "node:url";
 import {with_pages} from "../browser.mjs";
 
 const folder = process.argv[2];
@@ -113,6 +116,7 @@ await with_pages(async open => {
         await page.save(`${scene}_${preset}`);
     }
     assert.match(await page.text("#trace"), /^[\d.]+ ms$/);
+    assert.ok(!await page.is_visible("#threads-choice")); // a page from a folder may have one
 
     // Anti-aliasing is one pass more, and its pictures are not those without it.
     const passes = await page.count("#passes tr");
@@ -145,6 +149,58 @@ await with_pages(async open => {
     }
 });
 
+/// What several threads make of a few frames of each preset, one of them, and the program of one: sums over all pixels, by which they differ.
+async function several_against_one() {
+    const {program, choice} = live, width = 83, height = 45;
+    choice.hold(true);
+    const pictures = (of, threads) => {
+        of.call.use_threads(threads);
+        of.resize(width, height);
+        const bytes = [];
+        for (const preset of [0, 1, 2])
+            for (let i = 0; i < 6; ++i) {
+                of.call.advance(i > 3 ? 1 : 0, preset, 1, i / 15, .5, .1 + .01 * i, .1, 3, preset === 0);
+                of.call.refine(1);
+                for (const which of [noisy, denoised, reference])
+                    bytes.push(...new Uint8Array(of.memory.buffer, of.call.picture(which, 1, 0, width), 4 * width * height));
+            }
+        return bytes;
+    };
+    const several = pictures(program, program.most_threads);
+    const others = [pictures(program, 1), pictures(await Program.of_one_thread(), 1)];
+    return {colours: new Set(several).size, differ: others.map(other => other.filter((byte, i) => byte !== several[i]).length)};
+}
+
+// Behind a server that allows it, the page has several threads, and shows the same.
+let threads = 0;
+const server = spawn("python3", [fileURLToPath(new URL("../../examples/live/serve.py", import.meta.url)), folder, "--port", "0"],
+                     {stdio: ["ignore", "pipe", "inherit"]});
+try {
+    const [line] = await once(server.stdout, "data");
+    await with_pages(async open => {
+        const page = await open("index.html", {width: 1280});
+        await page.until(() => window.live?.frames > 2);
+        assert.ok(await page.evaluate(() => crossOriginIsolated));
+        threads = await page.evaluate(() => live.program.most_threads);
+        assert.equal(threads, await page.evaluate(() => Math.min(16, navigator.hardwareConcurrency)));
+        const off = await page.evaluate(several_against_one);
+        assert.ok(off.colours > 100, JSON.stringify(off));
+        assert.deepEqual(off.differ, [0, 0]);
+        if (threads > 1) {
+            assert.equal(await page.evaluate(() => live.program.workers.length), threads - 1);
+            await page.choose("#size", "160x90");
+            await page.fill("#threads", "1");
+            assert.equal(await page.text("#threads-value"), "1");
+            const now = await page.evaluate(() => live.frames);
+            await page.until(end => live.frames > end, now + 2);
+        }
+        await page.save("threads");
+        assert.deepEqual(problems(page), []);
+    }, [], line.toString().trim());
+} finally {
+    server.kill();
+}
+
 /// The greatest difference of both ways to denoise the same frames, of 255, and how many numbers differ.
 async function gpu_against_cpu(is_smooth) {
     const {program, program: {call}, gpu, choice} = live, width = 80, height = 45;
@@ -156,7 +212,7 @@ async function gpu_against_cpu(is_smooth) {
             call.advance(0, on_gpu ? traced_only : 0, 1, i / 15, .5, .1 + .01 * i, .1, 3, is_smooth);
             if (on_gpu) await live.run_gpu();
         }
-        return new Uint8Array(call.memory.buffer, call.picture(denoised, 1, 0, width), 4 * width * height).slice();
+        return new Uint8Array(program.memory.buffer, call.picture(denoised, 1, 0, width), 4 * width * height).slice();
     };
     const [one, other] = [await shown(false), await shown(true)];
     const off = one.map((value, i) => Math.abs(value - other[i]));
@@ -164,7 +220,7 @@ async function gpu_against_cpu(is_smooth) {
 }
 
 // WebGPU, by Chromium's own device without a GPU.
-let words = `the live page works in Chromium, and shows a frame ${loading} ms after it was opened`;
+let words = `the live page works in Chromium, and shows a frame ${loading} ms after it was opened; behind a server it has ${threads} threads`;
 const switches = ["--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan", "--enable-unsafe-webgpu"];
 await with_pages(async open => {
     const page = await open("index.html", {width: 1280});

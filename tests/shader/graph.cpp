@@ -184,6 +184,39 @@ TEST_CASE("a plan: buffers in parts, of which a shader has those that it uses") 
     CHECK(has(shader_text(plan, 1, false, ShaderLanguage::glsl), "binding = 5) readonly buffer Buffer5 { uint history_then_2[]; };"));
 }
 
+TEST_CASE("a plan with views of its buffers: shaders load of them what they do not write") {
+    auto const plain = record(tests::two_sizes, "two sizes");
+    auto const plan = record(tests::two_sizes, "two sizes", {.texel_loads = true, .workgroup = {64, 1}});
+    auto const has = [](std::string const& text, std::string const& what) { return text.find(what) != std::string::npos; };
+    auto const json = to_json(plan, "comp");
+    CHECK(has(json, R"("workgroup": [64, 1])"));
+    CHECK(has(json, R"("name": "inputs", "binding": 1, )"));
+    CHECK(has(json, R"("view": {"binding": 6, "format": "R32_SFLOAT"})"));
+    CHECK(has(json, R"("view": {"binding": 9, "format": "R32_UINT"})"));
+    CHECK_FALSE(has(json, R"("view": {"binding": 10)")); // no pass loads of the picture
+    CHECK_FALSE(has(to_json(plain, "comp"), "view"));
+    int loads = 0, stores = 0;
+    for (std::size_t pass = 0; pass < plan.passes.size(); ++pass)
+        for (bool const is_first : {false, true}) {
+            auto const glsl = shader_text(plan, pass, is_first, ShaderLanguage::glsl);
+            CHECK(has(glsl, "layout(local_size_x = 64, local_size_y = 1) in;"));
+            CHECK(has(glsl, "layout(set = 0, binding = 6) uniform samplerBuffer inputs_texels;"));
+            CHECK(has(glsl, "layout(set = 0, binding = 9) uniform usamplerBuffer scratch_texels;"));
+            CHECK_FALSE(has(glsl, "= inputs["));
+            for (auto const* const name : {"history_now", "scratch"})
+                for (int slot = 0; slot < 32; ++slot) {
+                    auto const place = std::to_string(slot) + " * pixels + ";
+                    bool const is_stored = has(glsl, "    " + std::string(name) + "[" + place);
+                    bool const is_fetched = has(glsl, "texelFetch(" + std::string(name) + "_texels, " + place);
+                    CHECK_FALSE((is_stored && is_fetched));
+                    loads += is_fetched, stores += is_stored;
+                }
+        }
+    CHECK((loads > 0 && stores > 0));
+    CHECK(has(shader_text(plan, 1, false, ShaderLanguage::wgsl), "@workgroup_size(64, 1)"));
+    CHECK_FALSE(has(shader_text(plan, 1, false, ShaderLanguage::wgsl), "texel"));
+}
+
 TEST_CASE("a shader keeps words that are no numbers as integers") {
     auto const plan = record(tests::two_sizes, "two sizes");
     auto const of_language = [&](ShaderLanguage language) { return shader_text(plan, 1, false, language); };

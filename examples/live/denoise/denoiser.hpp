@@ -1,8 +1,11 @@
 #pragma once
 
+#include "../threads.hpp"
+
 #include <quell/execute/outlined.hpp>
 #include <quell/frame/frame.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -21,14 +24,25 @@ struct PassTime {
 /// The seconds since some moment; each program says where they come from.
 double seconds_now();
 
-/// Runs what it is given, and notes the time of each pass.
+/// Calls rows(first, the one after the last) for parts of [from, to), on all threads. Parts begin where pairs of rows do.
+void share_rows(int from, int to, auto const& rows) {
+    if (thread_count() == 1) return rows(from, to);
+    constexpr int parts_of_thread = 8, most_rows = 16;
+    int const fair = (to - from) / (parts_of_thread * thread_count()) / 2 * 2, height = std::clamp(fair, 2, most_rows);
+    share((to - from + height - 1) / height, [&](int part) {
+        int const first = from + part * height;
+        rows(first, std::min(first + height, to));
+    });
+}
+
+/// Runs what it is given on all threads, and notes the time of each pass.
 struct Timed {
     std::vector<PassTime>* times; ///< one for each name
 
     /// See Executor.
     void for_each_pixel(Region region, auto const& job) const {
         double const start = seconds_now();
-        Outlined<>{}.for_each_pixel(region, job);
+        share_rows(region.y0, region.y1, [&](int y0, int y1) { Outlined<>{}.for_each_pixel({region.x0, y0, region.x1, y1}, job); });
         double const taken = seconds_now() - start;
         for (auto& time : *times)
             if (std::string_view(time.name) == job.name) {

@@ -8,19 +8,48 @@ const traced_only = -1; // a preset's number
 const channels = ["radiance", "albedo", "normal", "depth", "motion"]; // by the program's numbers
 const full_error = .25; // has the last colour of the map
 
+/// Runs a script that lies beside the page. Pages that are files get at what lies there in no other way.
+const load_script = name => new Promise((resolve, reject) => {
+    const script = document.createElement("script");
+    script.src = name;
+    script.onload = resolve;
+    script.onerror = () => reject(new Error(`${name} is not there`));
+    document.head.append(script);
+});
+
 /// The program: its functions, and what its memory holds.
 class Program {
+    /// The one of several threads where the page may have memory that threads share: its server must allow that.
     static async load() {
+        const most = window.crossOriginIsolated ? Math.min(16, navigator.hardwareConcurrency) : 1;
+        return most > 1 && await Program.of_threads(most).catch(() => null) || Program.of_one_thread();
+    }
+
+    constructor(call, memory, threads) {
+        this.call = call;
+        this.memory = memory;
+        this.most_threads = threads;
+    }
+
+    static async of_one_thread() {
+        await load_script("live_wasm.js");
         const bytes = Uint8Array.from(atob(live_wasm), letter => letter.charCodeAt(0));
         const fail = name => () => { throw new Error(`the program stopped (${name})`); };
-        const {instance} = await WebAssembly.instantiate(bytes, {
+        const {instance: {exports}} = await WebAssembly.instantiate(bytes, {
             page: {milliseconds: () => performance.now()},
             env: {emscripten_notify_memory_growth: () => {}},
             wasi_snapshot_preview1: new Proxy({}, {get: (_, name) => fail(name)}),
         });
-        const program = new Program();
-        program.call = instance.exports;
-        program.call._initialize();
+        exports._initialize();
+        return new Program(exports, exports.memory, 1);
+    }
+
+    static async of_threads(count) {
+        await load_script("live_threads.js");
+        const {asm, wasmMemory, PThread} = await live_threads({helpers: count - 1});
+        asm.use_threads(count);
+        const program = new Program(asm, wasmMemory, count);
+        program.workers = PThread.runningWorkers;
         return program;
     }
 
@@ -30,18 +59,18 @@ class Program {
         this.call.resize(width, height);
     }
 
-    /// Pixels at a place of the memory, which may have grown since.
-    pixels(place) { return new ImageData(new Uint8ClampedArray(this.call.memory.buffer, place, 4 * this.width * this.height), this.width, this.height); }
+    /// Pixels at a place of the memory, which may have grown since. They are copied: a canvas takes none that threads share.
+    pixels(place) { return new ImageData(new Uint8ClampedArray(this.memory.buffer, place, 4 * this.width * this.height).slice(), this.width, this.height); }
 
     text(place) {
-        const bytes = new Uint8Array(this.call.memory.buffer, place);
-        return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
+        const bytes = new Uint8Array(this.memory.buffer, place);
+        return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
     }
 
     /// Floats of all components that go to a device or come back; `count` of them.
     planes(count) {
         const place = this.call.planes(); // first: the memory may grow by it
-        return new Float32Array(this.call.memory.buffer, place, count);
+        return new Float32Array(this.memory.buffer, place, count);
     }
 
     passes() {
@@ -79,6 +108,7 @@ class Choice {
         this.samples = number("samples");
         this.light = number("light") / 100;
         this.motion = number("motion") / 10;
+        this.threads = number("threads");
         this.is_smooth = by_id("smooth").checked;
         this.view = document.querySelector("[name=view]:checked").value;
         // One border pushes the other.
@@ -88,6 +118,7 @@ class Choice {
         by_id("samples-value").value = this.samples;
         by_id("light-value").value = `${number("light")} %`;
         by_id("motion-value").value = this.motion.toFixed(1);
+        by_id("threads-value").value = this.threads;
         by_id("borders").hidden = this.view !== "split";
         if (["scene", "preset", "samples", "light", "motion", "smooth", "size"].includes(id)) this.hold(false);
         this.changed(id);
@@ -204,12 +235,20 @@ class Live {
         this.last_frame = this.last_numbers = 0;
         this.passes = new Map();
         this.frames = 0;
+        this.set_threads();
         this.choice = new Choice(what => this.changed(what));
         new Gestures(this.choice);
         this.set_size();
         this.set_camera();
         by_id("message").hidden = true;
         requestAnimationFrame(now => this.step(now));
+    }
+
+    set_threads() {
+        const {most_threads} = this.program;
+        by_id("threads").max = by_id("threads").value = most_threads;
+        by_id("threads-choice").hidden = most_threads === 1;
+        by_id("cores").textContent = most_threads === 1 ? "one core" : `${most_threads} threads`;
     }
 
     set_size() {
@@ -236,12 +275,13 @@ class Live {
     changed(what) {
         if (!this.choice) return; // it is being made
         if (what === "size") this.set_size();
+        if (what === "threads") this.program.call.use_threads(this.choice.threads);
         if (what === "scene" || what === "home") this.set_camera();
         if (what === "home") this.choice.hold(false);
         if (what === "hold" && this.choice.held) this.program.call.clear_reference();
-        if (what === "preset" || what === "smooth") this.passes.clear();
+        if (what === "preset" || what === "smooth" || what === "threads") this.passes.clear();
         if (what === "preset" || what === "scene") this.gpu?.forget();
-        if (["size", "samples", "preset", "smooth", "scene"].includes(what)) for (const mean of Object.values(this.means)) mean.clear();
+        if (["size", "samples", "preset", "smooth", "scene", "threads"].includes(what)) for (const mean of Object.values(this.means)) mean.clear();
         if (this.choice.held && this.program.call.reference_samples() > 0) this.draw();
     }
 

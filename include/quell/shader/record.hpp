@@ -100,6 +100,7 @@ template <class P> ShaderPlan record(P const& pipeline, std::string_view name = 
     }
     auto plan = maker.make(std::move(frames), P::Output::name);
     plan.name = name, plan.needs_camera = P::needs_camera, plan.most_slots = options.most_slots;
+    plan.texel_loads = options.texel_loads, plan.workgroup = options.workgroup;
     return plan;
 }
 

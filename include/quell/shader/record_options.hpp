@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/core/instruction_set.hpp>
+#include <quell/image/extent.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
@@ -16,6 +17,11 @@ struct RecordOptions {
     bool counts = false;
     /// Slots of a buffer at most: what has more lies in several. 0: there is no limit.
     int most_slots = 0;
+    /// Whether GLSL loads planes by texelFetch, of views of the buffers: a device that is a CPU does that several times as fast. WGSL has
+    /// no such views.
+    bool texel_loads = false;
+    /// Threads of a workgroup along each axis.
+    Extent workgroup{8, 8};
 };
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -41,6 +41,10 @@ inline constexpr std::array<std::string_view, 5> shader_buffer_names{"inputs", "
 /// The name of a buffer in shaders.
 constexpr std::string_view name_of(ShaderBuffer buffer) { return shader_buffer_names[static_cast<std::size_t>(buffer)]; }
 
+/// Whether a buffer is one of unsigned integers in shaders. What quell keeps for itself may be no number, and a device may flush or change
+/// floats that it loads and stores.
+constexpr bool holds_words(ShaderBuffer buffer) { return buffer != ShaderBuffer::inputs && buffer != ShaderBuffer::output; }
+
 /// A buffer as it is bound: one of ShaderBuffer, or a part of one.
 struct BoundBuffer {
     ShaderBuffer buffer = ShaderBuffer::inputs; ///< whose
@@ -74,6 +78,8 @@ struct ShaderPlan {
         scratch_slots = 0;             ///< of the scratch
     bool needs_camera = false;         ///< whether FrameBlock's matrices and rays are looked at
     int most_slots = 0;                ///< of a buffer: what has more lies in several; 0: without a limit
+    bool texel_loads = false;          ///< whether GLSL loads of views of the buffers
+    Extent workgroup{8, 8};            ///< threads of one
 
     /// Slots of a buffer.
     [[nodiscard]] int slot_count(ShaderBuffer buffer) const {
@@ -104,6 +110,9 @@ struct ShaderPlan {
             }
         return all;
     }
+    /// Whether shaders load of a view of a buffer too, as of a buffer of texels. Its binding is that of the buffer, and the number of all
+    /// buffers more.
+    [[nodiscard]] bool has_view(BoundBuffer const& buffer) const { return texel_loads && buffer.buffer != ShaderBuffer::output; }
     /// The sum of a count over a frame.
     /// @param count one of `counts`
     /// @param size  of the frame

@@ -16,9 +16,6 @@ enum class ShaderLanguage : std::uint8_t {
     glsl  ///< GLSL 4.5 for Vulkan, from which glslangValidator makes SPIR-V
 };
 
-/// Threads of a workgroup along each axis.
-inline constexpr int shader_workgroup = 8;
-
 namespace detail {
 inline std::string number_text(int a) { return std::to_string(a); }
 
@@ -29,11 +26,17 @@ class ShaderWriter {
     bool wgsl;
     std::vector<std::string> text; ///< of each node: its name, or itself where it is short
     std::vector<char> is_word;     ///< of each node: whether it is a load whose bits are taken or stored, as of a packed normal
+    std::vector<char> is_stored;   ///< of each plane: whether the pass writes it
     std::string code{}, indent = "    ";
 
 public:
     ShaderWriter(ShaderPlan const& p, PassGraph const& g, ShaderLanguage language)
-        : plan(p), graph(g), wgsl(language == ShaderLanguage::wgsl), text(g.nodes.size()), is_word(g.nodes.size()) {
+        : plan(p), graph(g), wgsl(language == ShaderLanguage::wgsl), text(g.nodes.size()), is_word(g.nodes.size()),
+          is_stored(g.planes.size()) {
+        for (auto const& node : graph.nodes)
+            if (node.operation == Operation::store)
+                for (std::size_t i = 0; i < graph.planes.size(); ++i)
+                    if (lies_with(graph.planes[i], graph.planes[node.payload])) is_stored[i] = true;
         auto const of_words = [&](Node const& node) { return holds_words(graph.planes[node.payload].buffer); };
         for (auto const& node : graph.nodes) {
             auto const of = static_cast<std::size_t>(node.of[0]);
@@ -54,9 +57,7 @@ public:
     }
 
 private:
-    /// Whether a buffer is declared as one of unsigned integers. What quell keeps for itself may be no number, and a device may flush or
-    /// change floats that it loads and stores.
-    static constexpr bool holds_words(ShaderBuffer buffer) { return buffer != ShaderBuffer::inputs && buffer != ShaderBuffer::output; }
+    static bool lies_with(GraphPlane const& a, GraphPlane const& b) { return a.buffer == b.buffer && a.slot == b.slot; }
     void line(std::string const& statement) { code += indent + statement + "\n"; }
     static std::string length(std::string const& axis, int fraction) {
         auto const whole = "frame.size." + axis;
@@ -71,9 +72,9 @@ private:
                                            : "vec4<i32>") +
                     ",\n";
         head += "}\n@group(0) @binding(0) var<uniform> frame: Frame;\n";
-        for_each_buffer([&](BoundBuffer const& buffer, std::string const& binding) {
-            head += "@group(0) @binding(" + binding + ") var<storage, " + (buffer.is_read_only() ? "read" : "read_write") + "> " +
-                    buffer.name() + ": array<" + (holds_words(buffer.buffer) ? "u32" : "f32") + ">;\n";
+        for_each_buffer([&](BoundBuffer const& buffer, int number) {
+            head += "@group(0) @binding(" + number_text(number) + ") var<storage, " + (buffer.is_read_only() ? "read" : "read_write") +
+                    "> " + buffer.name() + ": array<" + (holds_words(buffer.buffer) ? "u32" : "f32") + ">;\n";
         });
         return head +
                "fn finite(a: f32) -> bool { return (bitcast<i32>(a) & 0x7fffffff) < 0x7f800000; }\n"
@@ -82,18 +83,23 @@ private:
                "0.0))).x; }\n"
                "fn of_bits(a: i32) -> f32 { return bitcast<f32>(a); }\n"
                "@compute @workgroup_size(" +
-               number_text(shader_workgroup) + ", " + number_text(shader_workgroup) +
+               number_text(plan.workgroup.width) + ", " + number_text(plan.workgroup.height) +
                ") fn main(@builtin(global_invocation_id) id: vec3<u32>) {\n";
     }
     [[nodiscard]] std::string head_of_glsl() const {
-        auto const side = number_text(shader_workgroup);
-        std::string head = "#version 450\nlayout(local_size_x = " + side + ", local_size_y = " + side + ") in;\n";
+        std::string head = "#version 450\nlayout(local_size_x = " + number_text(plan.workgroup.width) +
+                           ", local_size_y = " + number_text(plan.workgroup.height) + ") in;\n";
         head += "layout(std140, set = 0, binding = 0) uniform Frame {\n";
         for (auto const& each : FrameBlock::members) head += "    " + std::string(each.type) + " " + std::string(each.name) + ";\n";
         head += "} frame;\n";
-        for_each_buffer([&](BoundBuffer const& buffer, std::string const& binding) {
+        auto const buffer_count = static_cast<int>(plan.bound_buffers().size());
+        for_each_buffer([&](BoundBuffer const& buffer, int number) {
+            auto const binding = number_text(number);
             head += "layout(std430, set = 0, binding = " + binding + ") " + (buffer.is_read_only() ? "readonly " : "") + "buffer Buffer" +
                     binding + (holds_words(buffer.buffer) ? " { uint " : " { float ") + buffer.name() + "[]; };\n";
+            if (plan.has_view(buffer))
+                head += "layout(set = 0, binding = " + number_text(number + buffer_count) +
+                        (holds_words(buffer.buffer) ? ") uniform usamplerBuffer " : ") uniform samplerBuffer ") + view_name(buffer) + ";\n";
         });
         return head + "bool finite(float a) { return (floatBitsToInt(a) & 0x7fffffff) < 0x7f800000; }\n"
                       "int truncated(float a) { return abs(a) < 2147483648.0 ? int(a) : -2147483647 - 1; }\n"
@@ -110,7 +116,7 @@ private:
             if (plan.most_slots == 0 || std::ranges::any_of(graph.planes, [&](GraphPlane const& plane) {
                     return plan.slot(plane.buffer, plane.slot).buffer.is(buffer);
                 }))
-                visit(buffer, number_text(binding));
+                visit(buffer, binding);
             ++binding;
         }
     }
@@ -118,6 +124,14 @@ private:
         auto const& plane = graph.planes[node.payload];
         auto const slot = plan.slot(plane.buffer, plane.slot);
         return slot.buffer.name() + "[" + number_text(slot.number) + " * pixels + " + place + "]";
+    }
+    static std::string view_name(BoundBuffer const& buffer) { return buffer.name() + "_texels"; }
+    /// What a load takes: a float or a word. Of a view only what the pass does not write: what it has written need not be seen there.
+    [[nodiscard]] std::string taken(Node const& node, std::string const& place) const {
+        auto const& plane = graph.planes[node.payload];
+        auto const slot = plan.slot(plane.buffer, plane.slot);
+        if (wgsl || !plan.has_view(slot.buffer) || is_stored[node.payload]) return element(node, place);
+        return "texelFetch(" + view_name(slot.buffer) + ", " + number_text(slot.number) + " * pixels + " + place + ").x";
     }
     /// What is stored of a value: its bits where the buffer is one of words.
     [[nodiscard]] std::string stored(Node const& node) const {
@@ -130,7 +144,7 @@ private:
     }
     [[nodiscard]] static std::string word_name(std::size_t number) { return "w" + std::to_string(number); }
     [[nodiscard]] std::string loaded(Node const& node) const {
-        auto const at = element(node, text[static_cast<std::size_t>(node.of[0])]);
+        auto const at = taken(node, text[static_cast<std::size_t>(node.of[0])]);
         return holds_words(graph.planes[node.payload].buffer) ? float_of_word(at) : at;
     }
     [[nodiscard]] std::string float_of_word(std::string const& word) const {
@@ -151,7 +165,7 @@ private:
             return;
         }
         if (is_word[number]) {
-            line((wgsl ? "let " : "uint ") + word_name(number) + " = " + element(node, a) + "; // " + channel(node));
+            line((wgsl ? "let " : "uint ") + word_name(number) + " = " + taken(node, a) + "; // " + channel(node));
             text[number] = float_of_word(word_name(number));
             return;
         }

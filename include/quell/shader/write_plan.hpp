@@ -69,13 +69,16 @@ inline std::string binding_text(std::size_t binding, char kind, std::string_view
     auto const number = std::to_string(binding);
     return "\"binding\": " + number + (extension == "hlsl" ? ", \"register\": " + in_quotes(kind + number) : "");
 }
-inline std::string buffer_text(BoundBuffer const& buffer, std::size_t binding, std::string_view extension) {
+inline std::string buffer_text(ShaderPlan const& plan, BoundBuffer const& buffer, std::size_t binding, std::string_view extension) {
     bool const then = buffer.buffer == ShaderBuffer::history_then, now = buffer.buffer == ShaderBuffer::history_now;
     auto other = buffer;
     other.buffer = then ? ShaderBuffer::history_now : ShaderBuffer::history_then;
+    auto const view = std::to_string(binding + plan.bound_buffers().size());
+    auto const format = in_quotes(holds_words(buffer.buffer) ? "R32_UINT" : "R32_SFLOAT");
     return "{\"name\": " + in_quotes(buffer.name()) + ", " + binding_text(binding, buffer.is_read_only() ? 't' : 'u', extension) +
            ", \"access\": " + in_quotes(buffer.is_read_only() ? "read" : "read_write") +
-           ", \"slots\": " + std::to_string(buffer.slot_count) + (then || now ? ", \"becomes\": " + in_quotes(other.name()) : "") + "}";
+           ", \"slots\": " + std::to_string(buffer.slot_count) + (then || now ? ", \"becomes\": " + in_quotes(other.name()) : "") +
+           (plan.has_view(buffer) ? ", \"view\": {\"binding\": " + view + ", \"format\": " + format + "}" : "") + "}";
 }
 } // namespace detail
 
@@ -90,7 +93,7 @@ inline std::string to_json(ShaderPlan const& plan, std::string_view extension) {
     });
     std::size_t binding = 1, number = 0, most = 0;
     auto const buffers =
-        joined(plan.bound_buffers(), ",\n    ", [&](BoundBuffer const& buffer) { return buffer_text(buffer, binding++, extension); });
+        joined(plan.bound_buffers(), ",\n    ", [&](BoundBuffer const& buffer) { return buffer_text(plan, buffer, binding++, extension); });
     for (auto const& pass : plan.passes) most = std::max(most, buffers_of(plan, pass).size());
     auto const passes = joined(plan.passes, ",\n    ", [&](ShaderPass const& pass) {
         auto const n = number++;
@@ -101,11 +104,11 @@ inline std::string to_json(ShaderPlan const& plan, std::string_view extension) {
                ", \"writes\": " + buffer_names(buffers_of(plan, pass, Operation::store)) +
                ", \"steps\": " + std::to_string(pass.graph.nodes.size()) + "}";
     });
-    auto const side = std::to_string(shader_workgroup);
     // In Metal's language no function may be named `main`: spirv-cross writes `main0`.
     return "{\n  \"format\": 1,\n  \"name\": " + in_quotes(plan.name) +
-           ",\n  \"entry_point\": " + in_quotes(extension == "metal" ? "main0" : "main") + ",\n" + "  \"workgroup\": [" + side + ", " +
-           side + "],\n  \"needs_camera\": " + (plan.needs_camera ? "true" : "false") + ",\n" + "  \"uniforms\": {\"name\": \"frame\", " +
+           ",\n  \"entry_point\": " + in_quotes(extension == "metal" ? "main0" : "main") + ",\n" + "  \"workgroup\": [" +
+           std::to_string(plan.workgroup.width) + ", " + std::to_string(plan.workgroup.height) +
+           "],\n  \"needs_camera\": " + (plan.needs_camera ? "true" : "false") + ",\n" + "  \"uniforms\": {\"name\": \"frame\", " +
            binding_text(0, 'b', extension) + ", \"bytes\": " + std::to_string(4 * FrameBlock::words) + ", \"members\": [\n      " +
            members + "]},\n  \"buffers_of_a_pass\": " + std::to_string(most) + ",\n  \"buffers\": [\n    " + buffers +
            "],\n  \"inputs\": [\n    " + host_planes(plan, ShaderBuffer::inputs, plan.inputs) + "],\n  \"picture\": [\n    " +
