@@ -26,12 +26,15 @@ struct RepeatedDetail {
 /// @param signal the denoised signal times its colour
 [[nodiscard]] metrics::Picture detail_of_colour(RepeatedDetail const& rule, metrics::Picture const& colour, metrics::Picture const& signal);
 
-/// How much of the guides' detail the frame before has too: from 0 to 1, for each pixel; 1 where that is not known.
-/// @param detail  that guides add to the picture; is limited by its light
-/// @param picture linear, finite: bright and dark parts of it count alike
+/// Limits detail by the light of the picture that has it.
+void limit_detail(RepeatedDetail const& rule, metrics::Picture const& picture, metrics::Picture& detail);
+
+/// How much of detail the frame before has too: from 0 to 1, for each pixel; 1 where that is not known.
+/// @param detail  that guides add to the picture
+/// @param picture bright and dark parts of it count alike
 /// @param motion  a view of where each surface was in the frame before, less where it is, in pixels; not finite: unknown
-/// @param before  the same detail of the frame before, limited; empty: there was none
-[[nodiscard]] std::vector<float> repeated_share(RepeatedDetail const& rule, metrics::Picture& detail, metrics::Picture const& picture,
+/// @param before  the same detail of the frame before; without pixels: there was none
+[[nodiscard]] std::vector<float> repeated_share(RepeatedDetail const& rule, metrics::Picture const& detail, metrics::Picture const& picture,
                                                 ViewOf<Planar<>, Motion> motion, metrics::Picture const& before);
 
 } // namespace quell::examples

@@ -479,6 +479,7 @@ void SequenceDenoiser::take_off_noise_of_guides(DenoisedFrame& frame) {
         auto const part = s + 1 < colours.size() ? detail_of_colour(rule, colours[s], frame.signals[s]) : finest_detail(rule, colours[s]);
         for (std::size_t i = 0; i < guides.pixels.size(); ++i) guides.pixels[i] += part.pixels[i];
     }
+    limit_detail(rule, frame.picture, guides);
     bool const follows = detail_before && detail_before->first + 1 == number;
     auto const shares =
         repeated_share(rule, guides, frame.picture, (*vectors)[motion].view(), follows ? detail_before->second : metrics::Picture{});
