@@ -30,19 +30,23 @@ metrics::Picture detail_of_colour(RepeatedDetail const& rule, metrics::Picture c
     return detail;
 }
 
-std::vector<float> repeated_share(RepeatedDetail const& rule, metrics::Picture& detail, metrics::Picture const& picture,
-                                  ViewOf<Planar<>, Motion> motion, metrics::Picture const& before) {
-    using quell::detail::product_of;
-    auto const size = detail.size;
-    auto const light = quell::detail::light_around(size, picture.pixels);
+void limit_detail(RepeatedDetail const& rule, metrics::Picture const& picture, metrics::Picture& detail) {
+    auto const light = quell::detail::light_around(detail.size, picture.pixels);
     for (std::size_t i = 0; i < detail.pixels.size(); ++i)
         for (int c = 0; c < 3; ++c) {
             float const most = rule.most * static_cast<float>(light[i]);
             float& value = detail.pixels[i][c];
             value = is_finite(value) ? std::clamp(value, -most, most) : 0.f;
         }
+}
+
+std::vector<float> repeated_share(RepeatedDetail const& rule, metrics::Picture const& detail, metrics::Picture const& picture,
+                                  ViewOf<Planar<>, Motion> motion, metrics::Picture const& before) {
+    using quell::detail::product_of;
     std::vector<float> shares(detail.pixels.size(), 1.f);
     if (before.pixels.size() != detail.pixels.size()) return shares;
+    auto const size = detail.size;
+    auto const light = quell::detail::light_around(size, picture.pixels);
     auto const before_here = quell::detail::moved(before.pixels, motion);
     std::vector<double> common(shares.size()), square(shares.size());
     for (std::size_t i = 0; i < shares.size(); ++i) {

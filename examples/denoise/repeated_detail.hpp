@@ -15,7 +15,7 @@ struct RepeatedDetail {
     float deviation = .7f; ///< of the Gaussian that detail is finer than, in pixels
     int radius = 16;       ///< of the windows, in pixels
     int light_radius = 4;  ///< of those that say how much light guides are multiplied by
-    float most = 3.f;      ///< detail of guides is at most so many times the light around
+    float most = 3.f;      ///< what guides add, and their detail, is at most so many times the light around
 };
 
 /// The finest detail of a picture; what is not finite counts as 0.
@@ -23,15 +23,18 @@ struct RepeatedDetail {
 
 /// What the finest detail of a signal's colour adds to the picture.
 /// @param colour that the signal is multiplied by
-/// @param signal the denoised signal times its colour
+/// @param signal light times its colour, of single samples or denoised
 [[nodiscard]] metrics::Picture detail_of_colour(RepeatedDetail const& rule, metrics::Picture const& colour, metrics::Picture const& signal);
 
-/// How much of the guides' detail the frame before has too: from 0 to 1, for each pixel; 1 where that is not known.
-/// @param detail  that guides add to the picture; is limited by its light
-/// @param picture linear, finite: bright and dark parts of it count alike
+/// Limits detail, or what else adds to a picture, by its light around each pixel. What is not finite becomes 0.
+void limit_detail(RepeatedDetail const& rule, metrics::Picture const& picture, metrics::Picture& detail);
+
+/// How much of detail the frame before has too: from 0 to 1, for each pixel; 1 where that is not known.
+/// @param detail  that guides add to the picture
+/// @param picture bright and dark parts of it count alike
 /// @param motion  a view of where each surface was in the frame before, less where it is, in pixels; not finite: unknown
-/// @param before  the same detail of the frame before, limited; empty: there was none
-[[nodiscard]] std::vector<float> repeated_share(RepeatedDetail const& rule, metrics::Picture& detail, metrics::Picture const& picture,
+/// @param before  the same detail of the frame before; without pixels: there was none
+[[nodiscard]] std::vector<float> repeated_share(RepeatedDetail const& rule, metrics::Picture const& detail, metrics::Picture const& picture,
                                                 ViewOf<Planar<>, Motion> motion, metrics::Picture const& before);
 
 } // namespace quell::examples

@@ -3,7 +3,6 @@
 #include <denoise/converted_history.hpp>
 #include <denoise/layers.hpp>
 #include <denoise/map_file.hpp>
-#include <denoise/repeated_detail.hpp>
 #include <denoise/sequence_denoiser.hpp>
 
 #include <quell/core/real.hpp>
@@ -436,7 +435,7 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
         Timed const timed(other_milliseconds);
         return anti_aliasing.product(s, light);
     });
-    if (front.has_noisy_guides) take_off_noise_of_guides(frame);
+    if (front.has_noisy_guides) take_off_noise_of_guides(frame, split);
     if (refines() && is_wanted) give_back_repeated(frame, split);
     if (accumulates_guides(settings.preset)) accumulate_guides(frame);
     if (!has_several_signals(on_canvas)) frame.signals.clear(); // it is the picture
@@ -456,9 +455,31 @@ std::optional<Frame<Channels<Motion>>> SequenceDenoiser::motion_of(Seen const& s
     return vectors;
 }
 
+/// What noisy guides add to the picture in their finest detail. It goes by the file and by the picture as one, so that it is the same in
+/// frames that are denoised for those after them.
+metrics::Picture SequenceDenoiser::detail_of_guides(RepeatedDetail const& rule, Seen const& seen, LightSplit const& light,
+                                                    metrics::Picture const& as_one) const {
+    auto const& colours = seen.around->colours;
+    auto const signals = colours.size() - 1;
+    metrics::Picture detail{seen.image.size, std::vector<glm::vec3>(as_one.pixels.size(), glm::vec3(0.f))};
+    auto const add = [&](metrics::Picture const& part) {
+        for (std::size_t i = 0; i < detail.pixels.size(); ++i) detail.pixels[i] += part.pixels[i];
+    };
+    for (std::size_t s = 0; s < signals; ++s) {
+        if (colours[s].pixels.empty() || !light.active[s]) continue;
+        auto product = picture_of(seen.image, io::sources_of(light.signals[s].channels, radiance), 0.f);
+        for (std::size_t i = 0; i < product.pixels.size(); ++i) product.pixels[i] *= colours[s].pixels[i];
+        limit_detail(rule, as_one, product); // of few bright samples
+        add(detail_of_colour(rule, colours[s], product));
+    }
+    if (!colours[signals].pixels.empty()) add(finest_detail(rule, colours[signals]));
+    limit_detail(rule, as_one, detail);
+    return detail;
+}
+
 /// The picture as one has no noise of guides, and lacks their texture. Of what the signals have more in their finest detail, that part is
 /// taken off which guides do not repeat from frame to frame. It is taken off the rest too, so that the signals stay the picture's.
-void SequenceDenoiser::take_off_noise_of_guides(DenoisedFrame& frame) {
+void SequenceDenoiser::take_off_noise_of_guides(DenoisedFrame& frame, LightSplit const& light) {
     if (!whole) whole = std::make_unique<Denoiser>(way_of(settings.preset), io::detail::size_of(canvas), settings.threads);
     auto& front = window.front();
     auto const number = front.number;
@@ -467,22 +488,17 @@ void SequenceDenoiser::take_off_noise_of_guides(DenoisedFrame& frame) {
         auto const& channels = split(seen, true).signals.back().channels;
         whole->look_ahead(seen.image, channels, seen.number);
     }
-    auto difference = whole->denoise(front.image, split(front, true).signals.back().channels, number);
+    auto const as_one = whole->denoise(front.image, split(front, true).signals.back().channels, number);
     Timed const timed(other_milliseconds);
     auto const vectors = motion_of(front);
     if (!vectors) return;
     RepeatedDetail const rule;
-    auto const& colours = front.around->colours;
-    metrics::Picture guides{front.image.size, std::vector<glm::vec3>(frame.picture.pixels.size(), glm::vec3(0.f))};
-    for (std::size_t s = 0; s < colours.size(); ++s) {
-        if (colours[s].pixels.empty()) continue;
-        auto const part = s + 1 < colours.size() ? detail_of_colour(rule, colours[s], frame.signals[s]) : finest_detail(rule, colours[s]);
-        for (std::size_t i = 0; i < guides.pixels.size(); ++i) guides.pixels[i] += part.pixels[i];
-    }
+    auto guides = detail_of_guides(rule, front, light, as_one);
     bool const follows = detail_before && detail_before->first + 1 == number;
     auto const shares =
-        repeated_share(rule, guides, frame.picture, (*vectors)[motion].view(), follows ? detail_before->second : metrics::Picture{});
-    for (std::size_t i = 0; i < difference.pixels.size(); ++i) difference.pixels[i] = frame.picture.pixels[i] - difference.pixels[i];
+        repeated_share(rule, guides, as_one, (*vectors)[motion].view(), follows ? detail_before->second : metrics::Picture{});
+    auto difference = frame.picture;
+    for (std::size_t i = 0; i < difference.pixels.size(); ++i) difference.pixels[i] -= as_one.pixels[i];
     auto const detail = finest_detail(rule, std::move(difference));
     auto& rest = frame.signals.back().pixels;
     for (std::size_t i = 0; i < rest.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <denoise/denoiser.hpp>
 #include <denoise/film_alpha.hpp>
 #include <denoise/light_split.hpp>
+#include <denoise/repeated_detail.hpp>
 #include <denoise/upsampler.hpp>
 #include <support/frame_pattern.hpp>
 
@@ -172,7 +173,9 @@ private:
     [[nodiscard]] Denoiser& denoiser(std::size_t signal);
     [[nodiscard]] quell_library::HistoryChoice* choice_for(std::size_t signal);
     [[nodiscard]] std::optional<Frame<Channels<Motion>>> motion_of(Seen const& seen) const;
-    void take_off_noise_of_guides(DenoisedFrame& frame);
+    [[nodiscard]] metrics::Picture detail_of_guides(RepeatedDetail const& rule, Seen const& seen, LightSplit const& light,
+                                                    metrics::Picture const& as_one) const;
+    void take_off_noise_of_guides(DenoisedFrame& frame, LightSplit const& light);
     void give_back_repeated(DenoisedFrame& frame, LightSplit const& split);
     void accumulate_guides(DenoisedFrame& frame);
     [[nodiscard]] Seen seen(io::ExrOriginal const& file, long long number) const;

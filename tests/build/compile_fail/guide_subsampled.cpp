@@ -1,4 +1,4 @@
-// error: Subsampled<pattern, Channels<...>>: albedo, normal, depth and motion must be there for every pixel
+// error: Subsampled<pattern, Channels<...>>: albedo, normal, depth, motion and motion_next must be there for every pixel
 // error: Subsampled<pattern, Channels<...>, Storage>: a block of the pattern has 1 to 8 columns and rows
 #include <quell/quell.hpp>
 using namespace quell;

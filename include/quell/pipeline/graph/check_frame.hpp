@@ -58,8 +58,9 @@ template <class P, class Set, class Storage> void check_frame(Frame<Set, Storage
                                                  : "give it 1/" + std::to_string(c.fraction) +
                                                        " of the frame's width and height: " + to_string(wanted));
         if constexpr (requires { decltype(view)::samples.columns; }) {
-            static_assert(!c.is_guide,
-                          "Subsampled<pattern, Channels<...>>: albedo, normal, depth and motion must be there for every pixel");
+            static_assert(
+                !c.is_guide,
+                "Subsampled<pattern, Channels<...>>: albedo, normal, depth, motion and motion_next must be there for every pixel");
             check_samples(c.name, view);
             check_memory<Storage>(c.name, view.stored);
         } else
