@@ -74,7 +74,7 @@ build() {
     export -f compile
     export folder nvcc
     {
-        for ((unit = 0; unit < units; ++unit)); do echo "unit_$unit.o -DUNIT=$unit -DUNITS=$units bench/cuda/presets.cu"; done
+        for ((unit = units - 1; unit >= 0; --unit)); do echo "unit_$unit.o -DUNIT=$unit -DUNITS=$units -Ipackaging bench/cuda/presets.cu"; done
         echo "example.o $folder/example.cu"
         echo "vulkan_memory.o $folder/vulkan_memory.cu"
         echo "cuda_host.o -Iexamples examples/cuda_host/main.cu"

@@ -7,6 +7,8 @@
 #include <quell/presets/by_evidence.hpp>
 #include <quell/presets/named.hpp>
 
+#include <library/preset_share.hpp>
+
 #include <chrono>
 
 // Compiled several times, with other UNITs of UNITS, so that presets are compiled side by side.
@@ -162,12 +164,15 @@ struct ClampByEvidence {
     static constexpr auto usual() { return presets::by_evidence(presets::surface_clamp(radiance, Demodulate{})); }
 };
 
+constexpr auto is_usual = [](auto const& preset) { return preset.group != PresetGroup::published; };
+
 static bool list_presets() {
-    for_each_preset_index<UNIT, UNITS>([](auto i) {
-        if constexpr (std::get<i>(named_presets).group != PresetGroup::published) {
-            using Preset = std::remove_cvref_t<decltype(std::get<i>(named_presets))>;
-            measured_presets().push_back({std::string(std::get<i>(named_presets).name), i, agreement<Preset>, cost<Preset>});
-        }
+    for_each_preset_index([](auto i) {
+        if constexpr (is_usual(std::get<i>(named_presets)))
+            if constexpr (quell_library::share_of_preset<UNITS>(i, is_usual) == UNIT) {
+                using Preset = std::remove_cvref_t<decltype(std::get<i>(named_presets))>;
+                measured_presets().push_back({std::string(std::get<i>(named_presets).name), i, agreement<Preset>, cost<Preset>});
+            }
     });
     if constexpr (UNIT == 0)
         measured_presets().push_back({"surface-clamp by evidence", preset_count, agreement<ClampByEvidence>, cost<ClampByEvidence>});

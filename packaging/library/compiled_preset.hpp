@@ -125,8 +125,8 @@ struct CompiledPreset {
 
 /// All that are compiled, in the order of quell::named_presets.
 [[nodiscard]] std::vector<CompiledPreset> const& compiled_presets();
-/// Every `units`-th of the presets of the first three groups (`published` false) or of the published ones, from number `unit` on, without a
-/// name where it is of the others or not among QUELL_PRESETS: in a generated file.
+/// A share of the presets of the first three groups (`published` false) or of the published ones, number `unit` of `units`: those among
+/// QUELL_PRESETS, in a generated file.
 template <bool published, std::size_t unit, std::size_t units> [[nodiscard]] std::vector<CompiledPreset> compiled_presets_of_unit();
 
 } // namespace quell_library

@@ -7,7 +7,7 @@ namespace quell_library {
 
 namespace {
 template <bool published, std::size_t... i> std::vector<CompiledPreset> of_units(std::index_sequence<i...>) {
-    return in_order(std::array{compiled_presets_of_unit<published, i, sizeof...(i)>()...});
+    return joined(std::array{compiled_presets_of_unit<published, i, sizeof...(i)>()...});
 }
 } // namespace
 

@@ -11,12 +11,15 @@
 #include <mutex>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace quell_library {
 
 /// How far a pass may look, in rows, at images of which rows are taken strip by strip. Where one looks further, they are copied as a whole.
 inline constexpr int farthest_in_strips = 8;
+
+// Whatever runs a pass is flattened: what all passes share must say that it stays a function, or each would have a copy of it.
 
 /// Rows of the caller's images as planes in padded rows, for one strip of one pass. It stays in the cache.
 class StripOfImages {
@@ -34,7 +37,7 @@ class StripOfImages {
 
 public:
     /// Makes memory for so many components, so that take() needs none.
-    void prepare(quell::Extent of_images, std::size_t components) {
+    QUELL_NOINLINE void prepare(quell::Extent of_images, std::size_t components) {
         if (!(size == of_images)) planes.clear(), size = of_images;
         planes.reserve(components), taken.reserve(components);
         while (planes.size() < components) planes.emplace_back(quell::Extent{size.width, rows_of_plane});
@@ -49,13 +52,7 @@ public:
         if (view.in_strips == nullptr) return;
         auto const& image = *view.in_strips;
         view.in_strips = nullptr;
-        first = std::max(first, 0), end = std::min(end, size.height);
-        for (auto const& each : taken)
-            if (each.image == &image && each.first <= first && each.end >= end) return point(view, each);
-        taken.push_back({&image, first, end, used});
-        used += std::size_t{View::components};
-        point(view, taken.back());
-        take_rows(image, View::components, view.planes, view.row_stride(), size.width, first, end);
+        point(image, View::components, view.planes, view.row_stride(), std::max(first, 0), std::min(end, size.height));
     }
     [[nodiscard]] std::size_t bytes() const {
         std::size_t sum = 0;
@@ -64,9 +61,17 @@ public:
     }
 
 private:
-    template <class View> void point(View& view, Taken const& rows) const {
-        for (std::size_t c = 0; c < std::size_t{View::components}; ++c)
-            view.planes[c] = planes[rows.plane + c].view().planes[0] - rows.first * view.row_stride();
+    QUELL_NOINLINE void point(Image const& image, int components, float** to, std::ptrdiff_t to_row, int first, int end) {
+        auto const planes_of = [&](Taken const& rows) {
+            for (std::size_t c = 0; c < static_cast<std::size_t>(components); ++c)
+                to[c] = planes[rows.plane + c].view().planes[0] - rows.first * to_row;
+        };
+        for (auto const& each : taken)
+            if (each.image == &image && each.first <= first && each.end >= end) return planes_of(each);
+        taken.push_back({&image, first, end, used});
+        used += static_cast<std::size_t>(components);
+        planes_of(taken.back());
+        take_rows(image, components, to, to_row, size.width, first, end);
     }
 };
 
@@ -79,7 +84,7 @@ class StripPool {
 
 public:
     /// Makes what so many threads need: no memory is made on the host's own threads, which could not be told that there is none.
-    void prepare(int threads, quell::Extent size, std::size_t components) {
+    QUELL_NOINLINE void prepare(int threads, quell::Extent size, std::size_t components) {
         auto const count = static_cast<std::size_t>(std::max(threads, 1));
         while (strips.size() < count) strips.push_back(std::make_unique<StripOfImages>());
         idle.clear();
@@ -89,11 +94,7 @@ public:
     template <class F> void with_strip(F const& function) {
         auto& strip = take();
         function(strip);
-        {
-            std::scoped_lock const lock(mutex);
-            idle.push_back(&strip);
-        }
-        returned.notify_one();
+        give_back(strip);
     }
     void release() { idle.clear(), strips.clear(); }
     [[nodiscard]] std::size_t bytes() const {
@@ -103,12 +104,19 @@ public:
     }
 
 private:
-    StripOfImages& take() {
+    QUELL_NOINLINE StripOfImages& take() {
         std::unique_lock lock(mutex);
         returned.wait(lock, [&] { return !idle.empty(); });
         auto& strip = *idle.back();
         idle.pop_back();
         return strip;
+    }
+    QUELL_NOINLINE void give_back(StripOfImages& strip) {
+        {
+            std::scoped_lock const lock(mutex);
+            idle.push_back(&strip);
+        }
+        returned.notify_one();
     }
 };
 
@@ -147,8 +155,7 @@ struct Strips {
         auto copy = job;
         for_each_view(copy, [&]<class View>(View const& view, int rows) {
             if (view.in_strips == nullptr) return;
-            if (rows > farthest_in_strips)
-                throw std::logic_error("pass '" + std::string(job.name) + "' looks farther away than the plan says");
+            if (rows > farthest_in_strips) looks_too_far(job.name);
             components += static_cast<std::size_t>(View::components), size = view.size;
         });
         if (components > 0) pool->prepare(parallel.threads, size, components);
@@ -163,6 +170,9 @@ struct Strips {
     }
 
 private:
+    [[noreturn]] QUELL_NOINLINE static void looks_too_far(std::string_view pass) {
+        throw std::logic_error("pass '" + std::string(pass) + "' looks farther away than the plan says");
+    }
     static void run(quell::Region region, auto const& job) { quell::Outlined<>{}.for_each_pixel(region, job); }
     template <class Job> static void run_on(StripOfImages& rows, quell::Region region, Job const& job) {
         auto its_own = job;

@@ -5,14 +5,19 @@
 #include <quell/presets/named.hpp>
 
 #include <library/name_list.hpp>
+#include <library/preset_share.hpp>
 
 namespace quell::fuzz {
 
-/// Makes every `units`-th preset known from number `unit` on, as far as QUELL_FUZZ_PRESETS names them.
+/// Whether QUELL_FUZZ_PRESETS names a preset.
+inline constexpr auto is_named = [](auto const& preset) { return quell_library::is_chosen(QUELL_FUZZ_PRESETS, preset.name); };
+
+/// Makes a share of the presets known that QUELL_FUZZ_PRESETS names, number `unit` of `units`.
 template <std::size_t unit, std::size_t units> bool make_presets_known() {
-    for_each_preset_index<unit, units>([](auto i) {
+    for_each_preset_index([](auto i) {
         constexpr auto preset = std::get<i>(named_presets);
-        if constexpr (quell_library::is_chosen(QUELL_FUZZ_PRESETS, preset.name)) known(std::string(preset.name), preset.usual());
+        if constexpr (is_named(preset))
+            if constexpr (quell_library::share_of_preset<units>(i, is_named) == unit) known(std::string(preset.name), preset.usual());
     });
     return true;
 }
