@@ -319,6 +319,16 @@ TEST_CASE("several estimates: noisy guides have less error than by one, and fog 
     }
 }
 
+TEST_CASE("noisy guides: a frame is the same whether the one before it is written or not" * doctest::test_suite("shared data")) {
+    auto const from = shared("data/cases/dof");
+    if (from.empty()) return;
+    Folder const folder;
+    auto const at = "--in '" + (from / "frame_%04d.exr").string() + "' --preset final-frame --quiet --layers picture ";
+    REQUIRE(denoise(at + output(folder, "both.") + "--frames 5,6").code == 0);
+    REQUIRE(denoise(at + output(folder, "last.") + "--frames 6").code == 0);
+    CHECK(bytes_of(folder / numbered("last.", 6)) == bytes_of(folder / numbered("both.", 6)));
+}
+
 TEST_CASE("a glass ball without its passes keeps its light" * doctest::test_suite("shared data")) {
     auto const from = shared("data/cases/glassenter");
     if (from.empty()) return;
