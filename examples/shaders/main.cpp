@@ -94,6 +94,8 @@ int main(int argc, char** argv) {
                        "so many passes give missing samples what stands 2, 4, 8, ... pixels away")
             ->check(CLI::Range(0, RecordOptions::most_fill_holes));
         app.add_flag("--counts", options.record.counts, "counts missing samples, impossible guides and suppressed light");
+        app.add_flag("--half-precision", options.record.half_precision,
+                     "keeps history and scratch as 16-bit floats where the CPU would: two of a pixel to a word");
         app.add_option("--buffer-slots", options.record.most_slots, "slots of a buffer at most: what has more lies in several")
             ->check(CLI::Range(1, 1000));
         app.add_flag("--texel-loads", options.record.texel_loads,

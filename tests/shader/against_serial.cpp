@@ -82,9 +82,9 @@ int differing_in_frame(P const& pipeline, ShaderPlan const& plan, F const& frame
     return count;
 }
 /// The same of three frames.
-template <class P> int differing(P const& pipeline, ShaderPlan const& plan, Extent size) {
+template <class P, class Storage> int differing(P const& pipeline, ShaderPlan const& plan, Extent size, Storage const& storage) {
     Frame frame{size, pipeline};
-    History history{size, pipeline};
+    History history{size, pipeline, storage};
     PlanInterpreter interpreter(plan, size);
     int count = 0;
     for (unsigned number = 0; number < 3; ++number) {
@@ -93,13 +93,15 @@ template <class P> int differing(P const& pipeline, ShaderPlan const& plan, Exte
     }
     return count;
 }
-template <class P> void check_sizes(P const& pipeline) {
-    auto const plan = record(pipeline);
+template <class P, class Storage = Planar<>>
+void check_sizes(P const& pipeline, RecordOptions const& options = {}, Storage const& storage = {}) {
+    auto const plan = record(pipeline, "recorded", options);
     for (Extent const size : {Extent{1, 1}, Extent{2, 1}, Extent{3, 7}, Extent{16, 5}, Extent{41, 23}}) {
         CAPTURE(to_string(size));
-        CHECK(differing(pipeline, plan, size) == 0);
+        CHECK(differing(pipeline, plan, size, storage) == 0);
     }
 }
+constexpr RecordOptions in_halves{.half_precision = true};
 
 /// Impossible guides, and a hole of nine by nine pixels.
 template <class F> void break_frame(F& frame, unsigned number) {
@@ -138,6 +140,11 @@ TEST_CASE("a recorded preset has the bits of Serial: blur, whose loops are as lo
     check_sizes(presets::blur(radiance));
 }
 TEST_CASE("recorded passes of half the size have the bits of Serial") { check_sizes(tests::two_sizes); }
+TEST_CASE("recorded in half precision it has the bits of Serial with a history in half: general") {
+    check_sizes(presets::general(radiance, Demodulate{}), in_halves, Planar<Float16>{});
+}
+TEST_CASE("the same: svgf, whose variances are kept as roots") { check_sizes(presets::svgf(radiance), in_halves, Planar<Float16>{}); }
+TEST_CASE("the same: passes of half the size") { check_sizes(tests::two_sizes, in_halves, Planar<Float16>{}); }
 TEST_CASE("what only a frame without a past looks at is still there") { check_sizes(tests::early_at_first); }
 
 TEST_CASE("recorded passes that repair guides, fill holes and count do what run() does") {

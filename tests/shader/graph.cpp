@@ -217,6 +217,59 @@ TEST_CASE("a plan with views of its buffers: shaders load of them what they do n
     CHECK_FALSE(has(shader_text(plan, 1, false, ShaderLanguage::wgsl), "texel"));
 }
 
+TEST_CASE("a plan in half precision: two planes of a pass share words, a pixel's alone") {
+    auto const plan = record(tests::two_sizes, "two sizes", {.half_precision = true}), whole = record(tests::two_sizes, "two sizes");
+    auto const has = [](std::string const& text, char const* what) { return text.find(what) != std::string::npos; };
+    CHECK(plan.history_slots == 2 + 1 + 1); // signal and length of the history; depth; normal
+    CHECK(plan.scratch_slots < whole.scratch_slots);
+    CHECK(has(to_string(plan.passes[0].graph), ": signal[0], signal[1]"));
+    auto const temporal = to_string(plan.passes[1].graph);
+    CHECK(has(temporal, " = pack halves "));
+    CHECK(has(temporal, " = upper half "));
+    for (auto const& pass : plan.passes)
+        for (auto const& plane : pass.graph.planes)
+            if (!plane.beside.empty()) CHECK((plane.is_half && holds_words(plane.buffer)));
+    auto const wgsl = shader_text(plan, 1, false, ShaderLanguage::wgsl), glsl = shader_text(plan, 1, false, ShaderLanguage::glsl);
+    CHECK(has(wgsl, " = unpack2x16float(w"));
+    CHECK(has(glsl, " = unpackHalf2x16(w"));
+    CHECK(has(glsl, " = packed_halves(v"));
+    CHECK_FALSE(has(shader_text(whole, 1, false, ShaderLanguage::wgsl), "halves"));
+}
+
+TEST_CASE("packing halves rounds as the CPU, and leaves loops whole") {
+    // What a pass would store in two planes: f(turns) of a loop, and a number of the block.
+    detail::GraphBuilder builder;
+    detail::graph_builder = &builder;
+    Recorded sum(0.f);
+    for_each_turn(
+        Recorded(3.f), [&](Recorded turn) { sum += turn * detail::uniform(0); }, sum);
+    std::uint32_t plane = 0;
+    for (auto const value : {sum, detail::uniform(1)}) {
+        auto const half = detail::recorded<Recorded>(Operation::round_to_half, value);
+        builder.add({Operation::store, {half.node, RecordedInteger(0).node}, plane++});
+    }
+    detail::graph_builder = nullptr;
+    PassGraph const written{"steps", 1, builder.take(), {{"a"}, {"b"}}};
+    PassGraph read{"read", 1, {}, {{"a"}, {"b"}, {"output", 0, 1, ShaderBuffer::output, 0}, {"output", 1, 1, ShaderBuffer::output, 1}}};
+    read.nodes = {{Operation::constant},     {Operation::constant_integer}, {Operation::load, {1}, 1},
+                  {Operation::load, {1}, 0}, {Operation::store, {3, 1}, 2}, {Operation::store, {2, 1}, 3}};
+    using enum detail::WordPart;
+    ShaderPlan plan{.name = "halves", .passes = {}, .inputs = {}, .output = {{"a"}, {"b"}}, .scratch_slots = 1};
+    plan.passes.push_back({detail::HalfPacker(written, {lower, upper}).take(), {}});
+    plan.passes.push_back({detail::HalfPacker(read, {lower, upper, whole, whole}).take(), {}});
+    CHECK(plan.passes[1].graph.planes.size() == 3);
+    CHECK(count(plan.passes[1].graph.nodes, Operation::load) == 1);
+    CHECK(count(plan.passes[0].graph.nodes, Operation::round_to_half) == 0);
+    PlanInterpreter interpreter(plan, {1, 1});
+    for (float const value : {0.f, -0.1f, 1.0005f, 65520.f, -1e30f, 3e-6f, std::numeric_limits<float>::infinity()}) {
+        FrameBlock block{.size = {1, 1}};
+        block.camera.projection[0][0] = 1.0005f, block.camera.projection[0][1] = value; // words 0 and 1 of the block
+        interpreter.run(block);
+        CHECK(interpreter.plane(ShaderBuffer::output, 0)[0] == float_from_half(half_from_float(3.f * 1.0005f)));
+        CHECK(interpreter.plane(ShaderBuffer::output, 1)[0] == float_from_half(half_from_float(value)));
+    }
+}
+
 TEST_CASE("a shader keeps words that are no numbers as integers") {
     auto const plan = record(tests::two_sizes, "two sizes");
     auto const of_language = [&](ShaderLanguage language) { return shader_text(plan, 1, false, language); };

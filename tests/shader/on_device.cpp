@@ -1,5 +1,6 @@
 // Runs the shaders of presets on the first Vulkan device, and compares their pictures with the CPU's.
-//     shaders_on_device FOLDER...   each as `quell-shaders --language spirv --out FOLDER` has written it
+//     shaders_on_device FOLDER...   each as `quell-shaders --language spirv --out FOLDER` has written it, named as the preset; NAME-half
+//                                   with --half-precision
 #include "preset_frames.hpp"
 
 #include <library/recorded_presets.hpp>
@@ -18,7 +19,8 @@ void compare(vulkan::Device const& device, std::filesystem::path const& folder) 
     auto const start = std::chrono::steady_clock::now();
     vulkan::PlanRunner on_device(device, folder);
     auto const name = folder.filename().string();
-    auto const plan = shaders::recorded_preset_named(name);
+    auto const preset = name.substr(0, name.rfind("-half"));
+    auto const plan = shaders::recorded_preset_named(preset, {.half_precision = preset != name});
     tests::PresetFrames frames(plan, tests::Missing::as_it_comes);
     on_device.resize(frames.size);
     while (frames.next()) {

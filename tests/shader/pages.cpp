@@ -31,12 +31,16 @@ std::string planes(int count, auto const& plane) {
 /// All that can be added to passes, and buffers of few slots.
 constexpr RecordOptions everything{.repair_guides = true, .fill_holes = 2, .counts = true, .most_slots = 5};
 
-void write_case(std::string const& name, RecordOptions const& options, std::ostream& to) {
-    auto const plan = shaders::recorded_preset_named(name, options);
-    to << "cases.push({name: '" << name << "', plan: " << to_json(plan, "wgsl") << ", texts: {\n";
+/// The preset of a case: NAME, +NAME with everything that can be added, NAME-half in half precision.
+std::string without_sign(std::string const& name) { return name.substr(name.starts_with('+')); }
+std::string preset_of(std::string const& name) { return without_sign(name).substr(0, without_sign(name).rfind("-half")); }
+void write_case(std::string const& name, std::ostream& to) {
+    auto const plan = shaders::recorded_preset_named(
+        preset_of(name), name[0] == '+' ? everything : RecordOptions{.half_precision = name.ends_with("-half")});
+    to << "cases.push({name: '" << without_sign(name) << "', plan: " << to_json(plan, "wgsl") << ", texts: {\n";
     for (auto const& [file, text] : shader_files(plan, ShaderLanguage::wgsl, "wgsl")) to << "'" << file << "': `" << text << "`,\n";
     tests::PresetFrames frames(plan, tests::Missing::marked);
-    to << "}, allowed: " << frames.allowed(name) << ", width: " << frames.size.width << ", height: " << frames.size.height
+    to << "}, allowed: " << frames.allowed(without_sign(name)) << ", width: " << frames.size.width << ", height: " << frames.size.height
        << ", frames: [\n";
     while (frames.next()) {
         auto const wanted = [&](std::size_t way) { return planes(frames.components(), [&](int c) { return frames.wanted(way, c); }); };
@@ -49,14 +53,14 @@ void write_case(std::string const& name, RecordOptions const& options, std::ostr
     to << "]});\n";
 }
 
-/// Those that are compiled in, of a few quick ones or of those that are named; behind + with everything that can be added.
+/// Those that are compiled in, of a few quick ones or of those that are named.
 std::vector<std::string> chosen() {
     auto const* const named = std::getenv("QUELL_SHADERS_OF");
     std::istringstream list(named && *named ? named : "surface-clamp;+general;shadow");
     std::vector<std::string> names;
     auto const all = shaders::recorded_presets();
     for (std::string name; std::getline(list, name, ';');)
-        if (std::ranges::count(all, name.substr(name.starts_with('+')), &shaders::RecordedPreset::name) > 0) names.push_back(name);
+        if (std::ranges::count(all, preset_of(name), &shaders::RecordedPreset::name) > 0) names.push_back(name);
     return names;
 }
 
@@ -72,10 +76,6 @@ int main(int argc, char** argv) {
             std::filesystem::copy_file(QUELL_GPU_SCRIPT, folder / "gpu.js", std::filesystem::copy_options::overwrite_existing);
             std::ofstream cases(folder / "cases.js");
             cases << "const cases = [];\n";
-            for (auto const& name : chosen())
-                if (name[0] == '+')
-                    write_case(name.substr(1), everything, cases);
-                else
-                    write_case(name, {}, cases);
+            for (auto const& name : chosen()) write_case(name, cases);
         });
 }

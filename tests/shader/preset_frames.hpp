@@ -87,7 +87,10 @@ public:
 
     /// What devices may be off: five times what docs/limits.md allows Serial itself. Random frames have pixels where something is just or
     /// just not chosen, so that it is enough to be near one of both ways to round.
-    static float allowed(std::string_view preset) { return preset == "dual-cone" || preset == "trmv" ? 1e-3f : 1e-4f; }
+    static float allowed(std::string_view preset) {
+        bool const keeps_halves = preset == "dual-cone" || preset == "trmv" || preset.ends_with("-half");
+        return keeps_halves ? 1e-3f : 1e-4f;
+    }
 
 private:
     static Camera camera_of(int of_frame) {

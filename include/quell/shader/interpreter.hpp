@@ -108,6 +108,10 @@ private:
             return planes[node.payload][place(node, 0)];
         case round_to_half:
             return float_from_half(half_from_float(a));
+        case lower_half:
+            return float_from_half(static_cast<std::uint16_t>(operand(node, 0).integer));
+        case upper_half:
+            return float_from_half(static_cast<std::uint16_t>(static_cast<std::uint32_t>(operand(node, 0).integer) >> 16));
         case loop:
             return 0.f;
         default:
@@ -155,6 +159,10 @@ private:
             return quell::truncate(operand(node, 0).real);
         case select_integer:
             return a != 0 ? b : c;
+        case pack_halves: {
+            auto const upper = static_cast<std::uint32_t>(half_from_float(operand(node, 1).real)) << 16;
+            return wrapped(upper | half_from_float(operand(node, 0).real));
+        }
         default:
             return a; // bits
         }

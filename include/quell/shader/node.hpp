@@ -19,11 +19,11 @@ enum class NodeType : std::uint8_t {
 
 /// What a node of a recorded pass does. A loop is the nodes from `loop` to `end_loop`. What its turns hand on are variables: before it
 /// `carried` gives each its first value, in it `current` takes the value of this turn, `next` sets that of the next one, and `current`
-/// behind it takes the last.
+/// behind it takes the last. Halves are 16-bit floats, of which a word has two.
 enum class Operation : std::uint8_t {
     // clang-format off
-    constant, uniform, add, subtract, multiply, divide, negate, minimum, maximum, absolute, square_root, floor, fused, select, to_real, from_bits, load, round_to_half, carried, loop, current,
-    constant_integer, uniform_integer, this_column, this_row, width, height, add_integer, subtract_integer, multiply_integer, and_integer, or_integer, xor_integer, shift_left, shift_right, clamp_integer, truncate, to_bits, select_integer,
+    constant, uniform, add, subtract, multiply, divide, negate, minimum, maximum, absolute, square_root, floor, fused, select, to_real, from_bits, load, round_to_half, lower_half, upper_half, carried, loop, current,
+    constant_integer, uniform_integer, this_column, this_row, width, height, add_integer, subtract_integer, multiply_integer, and_integer, or_integer, xor_integer, shift_left, shift_right, clamp_integer, truncate, to_bits, select_integer, pack_halves,
     constant_mask, less, less_equal, greater, greater_equal, equal, not_equal, less_integer, equal_integer, both, either, invert, is_finite, sign_bit,
     store, next, end_loop
     // clang-format on
@@ -55,6 +55,8 @@ inline constexpr OperationInfo operation_infos[] = {
     {"from bits", NodeType::real, 1},
     {"load", NodeType::real, 1},
     {"round to half", NodeType::real, 1},
+    {"lower half", NodeType::real, 1},
+    {"upper half", NodeType::real, 1},
     {"carried", NodeType::real, 1},
     {"loop", NodeType::real, 1},
     {"current", NodeType::real, 2},
@@ -76,6 +78,7 @@ inline constexpr OperationInfo operation_infos[] = {
     {"truncate", NodeType::integer, 1},
     {"to bits", NodeType::integer, 1},
     {"select integer", NodeType::integer, 3},
+    {"pack halves", NodeType::integer, 2},
     {"constant mask", NodeType::mask, 0},
     {"less", NodeType::mask, 2},
     {"less equal", NodeType::mask, 2},

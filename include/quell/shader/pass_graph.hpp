@@ -25,7 +25,14 @@ struct GraphPlane {
     int component = 0;                           ///< of the channel, from 0
     int fraction = 1;                            ///< its size = frame size / fraction, rounded up
     ShaderBuffer buffer = ShaderBuffer::scratch; ///< where it lies
-    int slot = 0; ///< and which of the buffer's slots, each of which has room for a plane of the frame's size
+    int slot = 0;         ///< and which of the buffer's slots, each of which has room for a plane of the frame's size
+    bool is_half = false; ///< whether it is kept as 16-bit floats, so that two planes may share the words of a slot
+    std::string beside{}; ///< the plane in the upper halves of its words, if there is one
+
+    /// Its name for people, such as "signal[0]"; both where two share words.
+    [[nodiscard]] std::string label() const {
+        return channel + "[" + std::to_string(component) + "]" + (beside.empty() ? beside : ", " + beside);
+    }
 
     /// Equal in every member.
     friend bool operator==(GraphPlane const&, GraphPlane const&) = default;
@@ -92,6 +99,15 @@ inline void drop_dead(std::vector<Node>& nodes) {
     reorder(nodes, order);
 }
 
+/// Tells each loop how many nodes it has.
+inline void measure_loops(std::vector<Node>& nodes) {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (nodes[i].operation == Operation::end_loop) {
+            auto const begin = static_cast<std::size_t>(nodes[i].of[0]);
+            nodes[begin].payload = static_cast<std::uint32_t>(i - begin);
+        }
+}
+
 /// Collects the nodes of a pass while its kernel runs over Recorded. A node stands in the innermost loop of those that it takes: what is
 /// the same in each turn stands before the loop.
 class GraphBuilder {
@@ -145,12 +161,7 @@ public:
     /// The nodes that stores need.
     [[nodiscard]] std::vector<Node> take() {
         reorder(nodes, open.front().order);
-        drop_dead(nodes);
-        for (std::size_t i = 0; i < nodes.size(); ++i)
-            if (nodes[i].operation == Operation::end_loop) {
-                auto const begin = static_cast<std::size_t>(nodes[i].of[0]);
-                nodes[begin].payload = static_cast<std::uint32_t>(i - begin);
-            }
+        drop_dead(nodes), measure_loops(nodes);
         return std::move(nodes);
     }
 

@@ -4,6 +4,7 @@
 #include <quell/pipeline/run.hpp>
 #include <quell/shader/record_options.hpp>
 #include <quell/shader/recorded_counts.hpp>
+#include <quell/shader/recorded_marks.hpp>
 #include <quell/shader/shader_plan.hpp>
 
 #include <algorithm>
@@ -37,8 +38,9 @@ public:
 
     /// A plane that the host fills, or a pass.
     template <class View> void note(View const& view, std::string_view channel, int fraction) {
+        bool const is_half = options.half_precision && !std::is_same_v<typename View::Element, float>;
         for (int c = 0; c < View::components; ++c)
-            if (view.planes[c]) known[view.planes[c]] = {std::string(channel), c, fraction};
+            if (view.planes[c]) known[view.planes[c]] = {std::string(channel), c, fraction, is_half};
     }
     /// Passes since the last call.
     [[nodiscard]] std::vector<RecordedPass> take() { return std::exchange(passes, {}); }
@@ -47,7 +49,22 @@ public:
         return {std::exchange(counted, {}), std::exchange(squares, {})};
     }
 
-    template <class Job> void record(Job const& job) {
+    void record(auto const& job) { record_job(recorded_job(job)); }
+    /// Records a pass.
+    /// @param steps does what a pixel of it does, column and row given
+    void record_steps(std::string name, int fraction, auto const& steps) {
+        PassRecording recording(known, options.half_precision);
+        graph_builder = &recording.builder, pass_recording = &recording;
+        struct Restore {
+            ~Restore() { graph_builder = nullptr, pass_recording = nullptr; }
+        } const restore;
+        recording.rays = rays_at(FrameBlock::rays_word), recording.rays_then = rays_at(FrameBlock::rays_then_word);
+        steps(recorded_leaf<RecordedInteger>(Operation::this_column, 0), recorded_leaf<RecordedInteger>(Operation::this_row, 0));
+        keep(recording, std::move(name), fraction);
+    }
+
+private:
+    template <class Job> void record_job(Job const& job) {
         if constexpr (
             requires { job.finish; } || requires { job.output; })
             record_pass(job);
@@ -60,20 +77,6 @@ public:
         if constexpr (requires { job.counts; })
             if (job.counts) job.counts->holes = holes_to_fill-- > 0;
     }
-    /// Records a pass.
-    /// @param steps does what a pixel of it does, column and row given
-    void record_steps(std::string name, int fraction, auto const& steps) {
-        PassRecording recording(known);
-        graph_builder = &recording.builder, pass_recording = &recording;
-        struct Restore {
-            ~Restore() { graph_builder = nullptr, pass_recording = nullptr; }
-        } const restore;
-        recording.rays = rays_at(FrameBlock::rays_word), recording.rays_then = rays_at(FrameBlock::rays_then_word);
-        steps(recorded_leaf<RecordedInteger>(Operation::this_column, 0), recorded_leaf<RecordedInteger>(Operation::this_row, 0));
-        keep(recording, std::move(name), fraction);
-    }
-
-private:
     void record_pass(auto const& job) {
         note_stores(job);
         record_steps(std::string(job.name), fraction_of_job(job), [&](RecordedInteger x, RecordedInteger y) {
@@ -132,7 +135,8 @@ private:
             if (its < 0) {
                 its = static_cast<std::int32_t>(memory.size());
                 auto const& plane = recording.planes[node.payload];
-                graph.planes.push_back({plane.channel, plane.component, plane.fraction});
+                graph.planes.push_back(
+                    {.channel = plane.channel, .component = plane.component, .fraction = plane.fraction, .is_half = plane.is_half});
                 memory.push_back(recording.memory[node.payload]);
             }
             node.payload = static_cast<std::uint32_t>(its);

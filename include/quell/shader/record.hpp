@@ -27,10 +27,16 @@ public:
         SlotsOfFrame const places(uses[0], uses[1], uses[2]);
         for (std::size_t p = 0; p < frames[1].passes.size(); ++p) {
             require(frames[1].passes[p].graph == frames[2].passes[p].graph);
-            auto& later = plan.passes.emplace_back(ShaderPass{placed(frames[1].passes[p].graph, uses[1].of_pass[p], places), {}}).graph;
-            auto first = placed(frames[0].passes[p].graph, uses[0].of_pass[p], places);
-            add_output(p, later, uses[1], places), add_output(p, first, uses[0], places);
-            if (!(first == later)) plan.passes.back().first = std::move(first);
+            auto const graph_of = [&](std::size_t frame) {
+                auto graph = frames[frame].passes[p].graph;
+                auto parts = places.place(graph.planes, uses[frame].of_pass[p]);
+                add_output(p, graph, uses[frame], places);
+                parts.resize(graph.planes.size(), WordPart::whole);
+                bool const shares = std::ranges::any_of(parts, [](WordPart part) { return part != WordPart::whole; });
+                return shares ? HalfPacker(graph, parts).take() : graph;
+            };
+            auto& later = plan.passes.emplace_back(ShaderPass{graph_of(1), {}}).graph;
+            if (auto first = graph_of(0); !(first == later)) plan.passes.back().first = std::move(first);
         }
         auto const planes = static_cast<int>(uses[1].output.size()) - (plan.counts.empty() ? 0 : plan.counts.back().slot + 1);
         for (int c = 0; c < planes; ++c) plan.output.push_back({std::string(picture), c, 1});
@@ -45,10 +51,6 @@ private:
             raise_error<Failure>("recorded frames", "a later frame has other steps than the one before",
                                  "a pipeline that is recorded must do "
                                  "the same with every frame");
-    }
-    static PassGraph placed(PassGraph graph, std::vector<PlaneUse> const& uses, SlotsOfFrame const& places) {
-        for (std::size_t i = 0; i < uses.size(); ++i) places.place(graph.planes[i], uses[i]);
-        return graph;
     }
     /// The picture, where the next frame reads it too: the pass that makes it stores it twice.
     static void add_output(std::size_t pass, PassGraph& graph, PlaneUses const& uses, SlotsOfFrame const& places) {
@@ -78,7 +80,7 @@ template <class P> ShaderPlan record(P const& pipeline, std::string_view name = 
     constexpr Extent size{48, 32}; // of no matter: shaders get it with the frame
     Frame frame{size, pipeline};
     frame.camera.projection[2][3] = -1.f, frame.camera.projection[3][3] = 0.f, frame.camera.projection[3][2] = -1.f;
-    History history{size, pipeline};
+    History history{size, pipeline, Planar<detail::HalfIfAsked>{}};
     detail::PassRecorder recorder(options);
     detail::PlanMaker maker;
     for_each_channel(typename decltype(frame)::channels{}, [&]<class C>(C c) {

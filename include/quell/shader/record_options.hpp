@@ -15,6 +15,9 @@ struct RecordOptions {
     static constexpr int most_fill_holes = 16; ///< which is more than any image needs
     /// Whether missing samples, impossible guides and suppressed light are counted: see ShaderPlan::counts.
     bool counts = false;
+    /// Whether history and scratch are kept as a History of Planar<Float16> keeps them: what tolerates it is rounded to 16-bit floats, two
+    /// of a pixel to a word where that is possible. The device needs no 16-bit types for it.
+    bool half_precision = false;
     /// Slots of a buffer at most: what has more lies in several. 0: there is no limit.
     int most_slots = 0;
     /// Whether GLSL loads planes by texelFetch, of views of the buffers: a device that is a CPU does that several times as fast. WGSL has

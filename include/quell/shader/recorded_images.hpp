@@ -45,6 +45,14 @@ namespace detail {
 struct KnownPlane {
     std::string channel;
     int component = 0, fraction = 1;
+    bool is_half = false; ///< see GraphPlane
+};
+/// How a history that is recorded keeps what Planar<Float16> keeps as halves: so, or as floats, as RecordOptions say.
+struct SquaredHalfIfAsked : SquaredFloat16 {
+    using Squares = SquaredHalfIfAsked;
+};
+struct HalfIfAsked : Float16 {
+    using Squares = SquaredHalfIfAsked;
 };
 
 /// The pass that this thread records.
@@ -54,8 +62,9 @@ struct PassRecording {
     std::vector<void const*> memory{}; ///< of each plane that it touches
     std::vector<KnownPlane> planes{};
     RecordedRays rays{}, rays_then{};
+    bool half_precision; ///< see RecordOptions
 
-    explicit PassRecording(std::unordered_map<void const*, KnownPlane> const& images) : known(images) {}
+    PassRecording(std::unordered_map<void const*, KnownPlane> const& images, bool in_halves) : known(images), half_precision(in_halves) {}
 
     std::uint32_t plane(void const* address) {
         for (std::size_t i = 0; i < memory.size(); ++i)
@@ -83,7 +92,12 @@ inline RecordedInteger place_of(RecordedInteger x, RecordedInteger y, int fracti
     };
     return inside(y, Operation::this_row, size.height) * size.width + inside(x, Operation::this_column, size.width);
 }
-template <class Format> inline constexpr bool is_half = !std::is_same_v<typename Format::Element, float>;
+/// Whether a format rounds to half.
+template <class Format> bool is_half() {
+    if (std::is_base_of_v<HalfIfAsked, Format> || std::is_base_of_v<SquaredHalfIfAsked, Format>) return pass_recording->half_precision;
+    return !std::is_same_v<typename Format::Element, float>;
+}
+template <class Format> bool keeps_roots() { return std::is_base_of_v<SquaredFloat16, Format> && is_half<Format>(); }
 
 template <class Format, int N, class Memory>
 Recorded load_plane(PlanarView<Format, N, Memory> const& view, int c, RecordedInteger x, RecordedInteger y) {
@@ -91,13 +105,13 @@ Recorded load_plane(PlanarView<Format, N, Memory> const& view, int c, RecordedIn
     auto const place = place_of(x, y, pass_recording->planes[plane].fraction);
     Recorded loaded;
     loaded.node = graph_builder->add({Operation::load, {place.node}, plane});
-    return std::is_same_v<Format, SquaredFloat16> ? loaded * loaded : loaded;
+    return keeps_roots<Format>() ? loaded * loaded : loaded;
 }
 template <class Format, int N, class Memory>
 void store_plane(PlanarView<Format, N, Memory> const& view, int c, RecordedInteger x, RecordedInteger y, Recorded value) {
     auto const plane = pass_recording->plane(view.planes[c]);
-    if constexpr (std::is_same_v<Format, SquaredFloat16>) value = sqrt(max(value, Recorded(0.f)));
-    if constexpr (is_half<Format>) value = recorded<Recorded>(Operation::round_to_half, value);
+    if (keeps_roots<Format>()) value = sqrt(max(value, Recorded(0.f)));
+    if (is_half<Format>()) value = recorded<Recorded>(Operation::round_to_half, value);
     graph_builder->add({Operation::store, {value.node, place_of(x, y, pass_recording->planes[plane].fraction).node}, plane});
 }
 

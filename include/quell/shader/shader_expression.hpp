@@ -60,6 +60,12 @@ inline std::string ShaderWriter::expression(Node const& node) const {
         return a;
     case round_to_half:
         return call("rounded_to_half");
+    case lower_half:
+    case upper_half:
+        return (wgsl ? "unpack2x16float(" : "unpackHalf2x16(") + word_name(static_cast<std::size_t>(node.of[0])) +
+               (node.operation == lower_half ? ").x" : ").y");
+    case pack_halves:
+        return "packed_halves(" + a + ", " + b + ")";
     case width:
         return length("x", static_cast<int>(node.payload));
     case height:

@@ -40,7 +40,9 @@ public:
         auto const of_words = [&](Node const& node) { return holds_words(graph.planes[node.payload].buffer); };
         for (auto const& node : graph.nodes) {
             auto const of = static_cast<std::size_t>(node.of[0]);
-            if (node.operation != Operation::to_bits && !(node.operation == Operation::store && of_words(node))) continue;
+            bool const takes_bits =
+                node.operation == Operation::to_bits || node.operation == Operation::lower_half || node.operation == Operation::upper_half;
+            if (!takes_bits && !(node.operation == Operation::store && of_words(node))) continue;
             if (graph.nodes[of].operation == Operation::load && of_words(graph.nodes[of])) is_word[of] = true;
         }
     }
@@ -63,6 +65,9 @@ private:
         auto const whole = "frame.size." + axis;
         return fraction == 1 ? whole : "(" + whole + " + " + number_text(fraction - 1) + ") / " + number_text(fraction);
     }
+    [[nodiscard]] bool packs_halves() const {
+        return std::ranges::any_of(graph.nodes, [](Node const& node) { return node.operation == Operation::pack_halves; });
+    }
     [[nodiscard]] std::string head_of_wgsl() const {
         std::string head = "struct Frame {\n";
         for (auto const& each : FrameBlock::members)
@@ -81,9 +86,11 @@ private:
                "fn truncated(a: f32) -> i32 { return select(-2147483647 - 1, i32(a), abs(a) < 2147483648.0); }\n"
                "fn rounded_to_half(a: f32) -> f32 { return unpack2x16float(pack2x16float(vec2<f32>(clamp(a, -65504.0, 65504.0), "
                "0.0))).x; }\n"
-               "fn of_bits(a: i32) -> f32 { return bitcast<f32>(a); }\n"
-               "@compute @workgroup_size(" +
-               number_text(plan.workgroup.width) + ", " + number_text(plan.workgroup.height) +
+               "fn of_bits(a: i32) -> f32 { return bitcast<f32>(a); }\n" +
+               (packs_halves() ? "fn packed_halves(a: f32, b: f32) -> i32 { return bitcast<i32>(pack2x16float(clamp(vec2<f32>(a, b), "
+                                 "vec2<f32>(-65504.0), vec2<f32>(65504.0)))); }\n"
+                               : "") +
+               "@compute @workgroup_size(" + number_text(plan.workgroup.width) + ", " + number_text(plan.workgroup.height) +
                ") fn main(@builtin(global_invocation_id) id: vec3<u32>) {\n";
     }
     [[nodiscard]] std::string head_of_glsl() const {
@@ -101,11 +108,14 @@ private:
                 head += "layout(set = 0, binding = " + number_text(number + buffer_count) +
                         (holds_words(buffer.buffer) ? ") uniform usamplerBuffer " : ") uniform samplerBuffer ") + view_name(buffer) + ";\n";
         });
-        return head + "bool finite(float a) { return (floatBitsToInt(a) & 0x7fffffff) < 0x7f800000; }\n"
-                      "int truncated(float a) { return abs(a) < 2147483648.0 ? int(a) : -2147483647 - 1; }\n"
-                      "float rounded_to_half(float a) { return unpackHalf2x16(packHalf2x16(vec2(clamp(a, -65504.0, 65504.0), 0.0))).x; }\n"
-                      "float of_bits(int a) { return intBitsToFloat(a); }\n"
-                      "void main() {\n";
+        return head +
+               "bool finite(float a) { return (floatBitsToInt(a) & 0x7fffffff) < 0x7f800000; }\n"
+               "int truncated(float a) { return abs(a) < 2147483648.0 ? int(a) : -2147483647 - 1; }\n"
+               "float rounded_to_half(float a) { return unpackHalf2x16(packHalf2x16(vec2(clamp(a, -65504.0, 65504.0), 0.0))).x; }\n"
+               "float of_bits(int a) { return intBitsToFloat(a); }\n" +
+               (packs_halves() ? "int packed_halves(float a, float b) { return int(packHalf2x16(clamp(vec2(a, b), -65504.0, 65504.0))); }\n"
+                               : "") +
+               "void main() {\n";
     }
 
     /// Calls visit(buffer, its binding) for the buffers of the plan. Where they are in parts, for those alone that the pass uses: devices
@@ -150,10 +160,7 @@ private:
     [[nodiscard]] std::string float_of_word(std::string const& word) const {
         return (wgsl ? "bitcast<f32>(" : "uintBitsToFloat(") + word + ")";
     }
-    [[nodiscard]] std::string channel(Node const& node) const {
-        auto const& plane = graph.planes[node.payload];
-        return plane.channel + "[" + number_text(plane.component) + "]";
-    }
+    [[nodiscard]] std::string channel(Node const& node) const { return graph.planes[node.payload].label(); }
     void write(Node const& node, std::size_t number) {
         auto const& a = text[static_cast<std::size_t>(node.of[0])];
         if (node.operation == Operation::store) {

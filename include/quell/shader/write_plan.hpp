@@ -150,8 +150,7 @@ inline std::string to_string(PassGraph const& graph) {
         case Operation::load:
         case Operation::store: {
             auto const& plane = graph.planes[node.payload];
-            text += " " + std::string(name_of(plane.buffer)) + " " + std::to_string(plane.slot) + ": " + plane.channel + "[" +
-                    std::to_string(plane.component) + "]";
+            text += " " + std::string(name_of(plane.buffer)) + " " + std::to_string(plane.slot) + ": " + plane.label();
             break;
         }
         case Operation::uniform:
