@@ -46,7 +46,7 @@ void write_all(ShaderPlan const& plan, Options const& options) {
 }
 
 Extent workgroup_in(std::string const& text) {
-    constexpr int most = 128; // which every device has
+    constexpr int most = RecordOptions::most_threads;
     Extent threads;
     char behind = 0;
     bool const two = std::sscanf(text.c_str(), "%4dx%4d%c", &threads.width, &threads.height, &behind) == 2;

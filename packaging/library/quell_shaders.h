@@ -36,19 +36,23 @@ QUELL_CALL const char *quell_shaders_language_name(int32_t index);
  *                 does it.
  * @param shaders  set to them; to null where they can't be written */
 QUELL_CALL quell_status quell_shaders_create(const char *preset, const char *language, quell_shaders **shaders);
-/* What is added to a preset's passes. Start from QUELL_SHADERS_OPTIONS; docs/shaders.md says more. */
+/* What is added to a preset's passes, and how they are written. Start from QUELL_SHADERS_OPTIONS; docs/shaders.md says more. */
 typedef struct quell_shaders_options {
     size_t struct_size;
-    int32_t repair_guides; /* 1: guides that no scene has are repaired */
-    int32_t fill_holes;    /* passes that give missing samples what stands 2, 4, 8, ... pixels away */
-    int32_t counts;        /* 1: missing samples, impossible guides and suppressed light are counted */
-    int32_t most_slots;    /* of a buffer: what has more lies in several. 0: there is no limit. */
+    int32_t repair_guides;    /* 1: guides that no scene has are repaired */
+    int32_t fill_holes;       /* passes that give missing samples what stands 2, 4, 8, ... pixels away */
+    int32_t counts;           /* 1: missing samples, impossible guides and suppressed light are counted */
+    int32_t most_slots;       /* of a buffer: what has more lies in several. 0: there is no limit. */
+    int32_t half_precision;   /* 1: history and scratch are kept in 16 bits a component */
+    int32_t texel_loads;      /* 1: GLSL loads planes by texelFetch, for devices that are a CPU */
+    int32_t workgroup_width;  /* threads of a workgroup along each axis, 128 in all at most. 0: 8 */
+    int32_t workgroup_height;
 } quell_shaders_options;
 #ifdef __cplusplus
 #define QUELL_SHADERS_OPTIONS                                                                                                              \
-    quell_shaders_options { sizeof(quell_shaders_options), 0, 0, 0, 0 }
+    quell_shaders_options { sizeof(quell_shaders_options), 0, 0, 0, 0, 0, 0, 0, 0 }
 #else
-#define QUELL_SHADERS_OPTIONS ((quell_shaders_options){sizeof(quell_shaders_options), 0, 0, 0, 0})
+#define QUELL_SHADERS_OPTIONS ((quell_shaders_options){sizeof(quell_shaders_options), 0, 0, 0, 0, 0, 0, 0, 0})
 #endif
 /* The same with options; null: none. */
 QUELL_CALL quell_status quell_shaders_create_with(const char *preset, const char *language, const quell_shaders_options *options,

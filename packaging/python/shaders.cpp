@@ -20,9 +20,12 @@ py::list names(char const* (*name_of)(std::int32_t)) {
 }
 
 /// The plan, and texts by the names of their files.
-py::tuple create(std::string const& preset, std::string const& language, bool repair_guides, int fill_holes, bool counts, int most_slots) {
+py::tuple create(std::string const& preset, std::string const& language, bool repair_guides, int fill_holes, bool counts, int most_slots,
+                 bool half_precision, bool texel_loads, std::pair<int, int> workgroup) {
     auto options = QUELL_SHADERS_OPTIONS;
     options.repair_guides = repair_guides, options.fill_holes = fill_holes, options.counts = counts, options.most_slots = most_slots;
+    options.half_precision = half_precision, options.texel_loads = texel_loads;
+    options.workgroup_width = workgroup.first, options.workgroup_height = workgroup.second;
     quell_shaders* made = nullptr;
     quell_status status = QUELL_OK;
     std::string sentence;

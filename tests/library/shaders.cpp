@@ -123,6 +123,18 @@ TEST_CASE("shaders: what can't be written is refused in one sentence") {
     CHECK(std::string(quell_shaders_plan(shaders)).find(R"("counts": [)") != std::string::npos);
     CHECK(std::string(quell_shaders_plan(shaders)).find(R"("name": "inputs_2")") != std::string::npos);
     quell_shaders_destroy(shaders);
+    auto as_written = QUELL_SHADERS_OPTIONS;
+    as_written.half_precision = as_written.texel_loads = 1, as_written.workgroup_width = 64, as_written.workgroup_height = 1;
+    REQUIRE(quell_shaders_create_with(preset, "glsl", &as_written, &shaders) == QUELL_OK);
+    std::string const text = quell_shaders_text(shaders, 0);
+    for (auto const* const part : {"local_size_x = 64, local_size_y = 1", "texelFetch", "packHalf2x16"})
+        CHECK_MESSAGE(text.find(part) != std::string::npos, part);
+    quell_shaders_destroy(shaders);
+    CHECK(quell_shaders_create_with(preset, "wgsl", &as_written, &shaders) == QUELL_INVALID_ARGUMENT);
+    CHECK(std::string(quell_shaders_error()) == "options.texel_loads: the language is wgsl; give glsl");
+    as_written.texel_loads = 0, as_written.workgroup_height = 3;
+    CHECK(quell_shaders_create_with(preset, "wgsl", &as_written, &shaders) == QUELL_INVALID_ARGUMENT);
+    CHECK(std::string(quell_shaders_error()).find("options.workgroup_width, workgroup_height: 64x3; give") == 0);
     options.fill_holes = -1;
     CHECK(quell_shaders_create_with(preset, "wgsl", &options, &shaders) == QUELL_INVALID_ARGUMENT);
     CHECK(std::string(quell_shaders_error()) == "options.fill_holes: -1; give 0 to 16 passes");

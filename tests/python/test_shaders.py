@@ -40,6 +40,10 @@ class Shaders(unittest.TestCase):
         self.assertNotIn("counts", plain.plan)
         self.assertEqual(more.plan["counts"][0]["what"], "missing samples")
         self.assertLessEqual(max(each["slots"] for each in more.plan["buffers"]), 2)
+        half = shaders.record(self.preset, "glsl", half_precision=True, texel_loads=True, workgroup=(32, 2))
+        self.assertEqual(half.plan["workgroup"], [32, 2])
+        with self.assertRaisesRegex(quell.Error, "options.workgroup_width, workgroup_height: -1x2"):
+            shaders.record(self.preset, workgroup=(-1, 2))
         with self.assertRaisesRegex(quell.Error, "options.fill_holes: -1"):
             shaders.record(self.preset, fill_holes=-1)
 

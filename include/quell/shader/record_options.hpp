@@ -25,6 +25,7 @@ struct RecordOptions {
     bool texel_loads = false;
     /// Threads of a workgroup along each axis.
     Extent workgroup{8, 8};
+    static constexpr int most_threads = 128; ///< of a workgroup in all, which every device has
 };
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

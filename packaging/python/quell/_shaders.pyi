@@ -3,7 +3,16 @@ from typing import Optional, Sequence
 def presets() -> list[str]: ...
 def languages() -> list[str]: ...
 def create(
-    preset: str, language: str, repair_guides: bool, fill_holes: int, counts: bool, most_slots: int, /
+    preset: str,
+    language: str,
+    repair_guides: bool,
+    fill_holes: int,
+    counts: bool,
+    most_slots: int,
+    half_precision: bool,
+    texel_loads: bool,
+    workgroup: tuple[int, int],
+    /,
 ) -> tuple[str, dict[str, str]]: ...
 def block(
     width: int,

@@ -54,7 +54,8 @@ def record(preset: str, language: str = "wgsl", **options: Any) -> Shaders:
 
     Options are added to the preset's passes. repair_guides=True: repairs guides that no scene has. fill_holes=n: so many passes give missing
     samples what stands 2, 4, 8, ... pixels away. counts=True: counts missing samples, impossible guides and suppressed light.
-    most_slots=n: of a buffer.
+    most_slots=n: of a buffer. half_precision=True: history and scratch are kept in 16 bits a component. texel_loads=True: GLSL loads planes by
+    texelFetch, for devices that are a CPU. workgroup=(width, height): threads of a workgroup.
     """
     plan, texts = _created(preset, language, **options)
     return Shaders(json.loads(plan), texts)
@@ -70,6 +71,17 @@ def write(preset: str, folder: Path, language: str = "wgsl", **options: Any) -> 
 
 
 def _created(
-    preset: str, language: str, *, repair_guides: bool = False, fill_holes: int = 0, counts: bool = False, most_slots: int = 0
+    preset: str,
+    language: str,
+    *,
+    repair_guides: bool = False,
+    fill_holes: int = 0,
+    counts: bool = False,
+    most_slots: int = 0,
+    half_precision: bool = False,
+    texel_loads: bool = False,
+    workgroup: tuple[int, int] = (8, 8),
 ) -> tuple[str, dict[str, str]]:
-    return _shaders.create(preset, language, repair_guides, fill_holes, counts, most_slots)
+    return _shaders.create(
+        preset, language, repair_guides, fill_holes, counts, most_slots, half_precision, texel_loads, workgroup
+    )
