@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/pipeline/graph/job_in_scope.hpp>
 #include <quell/pipeline/run.hpp>
 
 #include <algorithm>
@@ -99,16 +100,7 @@ struct RecordingExecutor {
                              .frame_index = s.frame_index,
                              .has_past = s.has_past,
                              .vectors = s.vectors};
-        detail::PassJob<Pass, Recorded, SignalView, Made, Work, Set, marks> const recording{.pass = job.pass,
-                                                                                            .scope = scope,
-                                                                                            .signal = job.signal,
-                                                                                            .made = job.made,
-                                                                                            .finish = job.finish,
-                                                                                            .store_signal = job.store_signal,
-                                                                                            .store_output = job.store_output,
-                                                                                            .store_remembered = job.store_remembered,
-                                                                                            .stored_channels = job.stored_channels,
-                                                                                            .counts = job.counts};
+        auto const recording = detail::job_in_scope(job, scope);
         for (int y = r.y0; y < r.y1; ++y)
             for (int x = r.x0; x < r.x1; ++x) {
                 recorder.x = x, recorder.y = y;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/pipeline/graph/job.hpp>
+#include <quell/pipeline/graph/job_in_scope.hpp>
 #include <quell/shader/recorded_images.hpp>
 
 /// @file
@@ -37,17 +37,7 @@ template <class Job> Job const& recorded_job(Job const& job) { return job; }
 template <class Pass, class S, class SignalView, class MadeViews, class FinishWork, class RememberedSet, bool keeps_marks>
     requires is_half_if_asked<decltype(S::signal)>
 auto recorded_job(PassJob<Pass, S, SignalView, MadeViews, FinishWork, RememberedSet, keeps_marks> const& job) {
-    return PassJob<Pass, RecordedScope<S>, SignalView, MadeViews, FinishWork, RememberedSet, keeps_marks>{
-        .pass = job.pass,
-        .scope = {job.scope},
-        .signal = job.signal,
-        .made = job.made,
-        .finish = job.finish,
-        .store_signal = job.store_signal,
-        .store_output = job.store_output,
-        .store_remembered = job.store_remembered,
-        .stored_channels = job.stored_channels,
-        .counts = job.counts};
+    return job_in_scope(job, RecordedScope<S>{job.scope});
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::detail
