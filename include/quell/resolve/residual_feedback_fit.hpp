@@ -46,7 +46,7 @@ inline constexpr std::array<NamedFeedbackShare, 11> feedback_shares{{{"sample", 
                                                                      {"wide_texture", &ResidualFeedbackShares::wide_texture},
                                                                      {"alone", &ResidualFeedbackShares::alone}}};
 
-/// Fitted to renders of 1 sample, by bench/fit_feedback.py.
+/// Fitted to renders of 1 sample; bench/fit_feedback.py fits them anew.
 inline constexpr ResidualFeedbackShares feedback_of_1_sample{.sample = 0.0088f,
                                                              .sample_noise = 0.0227f,
                                                              .near_noise = 0.0142f,
@@ -58,7 +58,7 @@ inline constexpr ResidualFeedbackShares feedback_of_1_sample{.sample = 0.0088f,
                                                              .wide_noise = -0.0563f,
                                                              .wide_texture = 0.2616f,
                                                              .alone = -0.2076f};
-/// Fitted to renders of 16 samples, by bench/fit_feedback.py.
+/// Fitted to renders of 16 samples, likewise.
 inline constexpr ResidualFeedbackShares feedback_of_16_samples{.sample = 0.0836f,
                                                                .sample_noise = -0.0695f,
                                                                .near_noise = 0.0522f,
