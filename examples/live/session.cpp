@@ -6,7 +6,7 @@ namespace {
 constexpr MakeDenoiser makers[] = {make_general, make_svgf, make_surface_clamp};
 constexpr int preset_count = sizeof makers / sizeof *makers;
 
-glm::vec3 glm_of(Vector a) { return {a.x, a.y, a.z}; }
+Vector vector_of(glm::vec3 a) { return {a.x, a.y, a.z}; }
 
 Camera camera_for(View const& view, Extent size) {
     auto orbit = first_orbit(view.scene);
@@ -80,18 +80,19 @@ void Session::choose(int number) {
     denoiser = number >= 0 && number < preset_count ? makers[number](size) : nullptr;
 }
 
+/// @param starts whether what the sum was before counts no more
+void Session::add_to_sum(int x, int y, Vector radiance, int samples, bool starts) {
+    auto& sum = sums[static_cast<std::size_t>(y * size.width + x)];
+    sum = (starts ? Vector{} : sum) + radiance * static_cast<float>(samples);
+}
+
 void Session::trace(int samples) {
-    ++frame_number;
+    Tracing const tracing{.samples = samples, .frame = ++frame_number, .jitter = jitter};
+    auto const views = frame.views(decltype(frame)::channels{});
     bool const starts = samples_in_sums == 0;
     for_each_pixel([&](int x, int y) {
-        auto const value = trace_pixel(scene, cameras, {.samples = samples, .frame = frame_number, .jitter = jitter}, x, y);
-        frame[radiance].set(x, y, glm_of(value.radiance));
-        frame[albedo].set(x, y, glm_of(value.albedo));
-        frame[normal].set(x, y, glm_of(value.normal));
-        frame[depth].set(x, y, value.depth);
-        frame[motion].set(x, y, {value.motion.x, value.motion.y});
-        auto& sum = sums[static_cast<std::size_t>(y * size.width + x)];
-        sum = (starts ? Vector{} : sum) + value.radiance * static_cast<float>(samples);
+        TracedPixel(views, x, y).trace(scene, cameras, tracing);
+        add_to_sum(x, y, vector_of(frame[radiance].get(x, y)), samples, starts);
     });
     samples_in_sums += samples;
 }
@@ -102,9 +103,8 @@ void Session::refine(int samples) {
     if (last.anti_aliased) tracing.jitter = place_in_pixel(reference_number);
     bool const starts = samples_in_sums == 0;
     for_each_pixel([&](int x, int y) {
-        auto& sum = sums[static_cast<std::size_t>(y * size.width + x)];
-        auto const value = trace_pixel(scene, cameras, tracing, x, y);
-        sum = (starts ? Vector{} : sum) + value.radiance * static_cast<float>(samples);
+        auto const seen = seen_at(scene, cameras, tracing, x, y);
+        add_to_sum(x, y, radiance_of(scene, seen, tracing, x, y), samples, starts);
     });
     samples_in_sums += samples;
 }

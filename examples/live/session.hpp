@@ -1,7 +1,7 @@
 #pragma once
 
+#include "channels.hpp"
 #include "core/scenes.hpp"
-#include "core/trace.hpp"
 #include "denoise/denoiser.hpp"
 #include "pictures.hpp"
 
@@ -65,6 +65,7 @@ public:
 private:
     /// Calls task(x, y) for all pixels, on all threads.
     void for_each_pixel(auto const& task) const;
+    void add_to_sum(int x, int y, Vector radiance, int samples, bool starts);
     void trace(int samples);
     void choose(int number);
 };

@@ -46,13 +46,12 @@ void write_all(ShaderPlan const& plan, Options const& options) {
 }
 
 Extent workgroup_in(std::string const& text) {
-    constexpr int most = RecordOptions::most_threads;
     Extent threads;
     char behind = 0;
     bool const two = std::sscanf(text.c_str(), "%4dx%4d%c", &threads.width, &threads.height, &behind) == 2;
-    if (!two || threads.width < 1 || threads.height < 1 || threads.pixels() > most)
+    if (!two || !RecordOptions::is_workgroup(threads))
         raise_error("--workgroup", "'" + text + "'",
-                    "give threads along x and y, " + std::to_string(most) + " or fewer together, as in 8x8");
+                    "give threads along x and y, " + std::to_string(RecordOptions::most_threads) + " or fewer together, as in 8x8");
     return threads;
 }
 RecordOptions checked(Options const& options) {

@@ -1,4 +1,5 @@
-# Writes the shaders of `general`, and runs them: those that load of buffers, and those that load of views of them. Without glslangValidator or a Vulkan driver it is skipped.
+# Writes the shaders of `general`, and runs them: those that load of buffers, and those that load of views of them. Without glslangValidator
+# or a Vulkan driver it is skipped.
 cmake_minimum_required(VERSION 3.22)
 include(${CMAKE_CURRENT_LIST_DIR}/run_on_device.cmake)
 if(NOT GLSLANG)

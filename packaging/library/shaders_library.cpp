@@ -69,11 +69,10 @@ quell_status create(std::string const& preset, std::string const& language, quel
         return fail(QUELL_INVALID_ARGUMENT, "options.texel_loads: the language is " + language + "; give glsl");
     auto const threads = [](std::int32_t given) { return given == 0 ? 8 : given; };
     quell::Extent const workgroup{threads(options.workgroup_width), threads(options.workgroup_height)};
-    constexpr int most_threads = quell::RecordOptions::most_threads;
-    auto const fits = [](int side) { return side >= 1 && side <= most_threads; };
-    if (!fits(workgroup.width) || !fits(workgroup.height) || workgroup.pixels() > most_threads)
+    if (!quell::RecordOptions::is_workgroup(workgroup))
         return fail(QUELL_INVALID_ARGUMENT, "options.workgroup_width, workgroup_height: " + quell::to_string(workgroup) +
-                                                "; give 1 or more along each axis, " + std::to_string(most_threads) + " in all at most");
+                                                "; give 1 or more along each axis, " + std::to_string(quell::RecordOptions::most_threads) +
+                                                " in all at most");
     auto const plan = found->record({.repair_guides = options.repair_guides != 0,
                                      .fill_holes = options.fill_holes,
                                      .counts = options.counts != 0,

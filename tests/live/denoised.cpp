@@ -28,14 +28,9 @@ live::Cameras cameras_at(int scene, int number, Extent size) {
 live::Moment moment_of(int number) { return {.time = static_cast<float>(number) / 30}; }
 
 void trace(Traced& frame, live::Scene const& scene, live::Cameras const& cameras, live::Tracing const& tracing) {
-    auto const vector = [](live::Vector a) { return glm::vec3(a.x, a.y, a.z); };
+    auto const views = frame.views(Traced::channels{});
     for (int y = 0; y < frame.size.height; ++y)
-        for (int x = 0; x < frame.size.width; ++x) {
-            auto const value = live::trace_pixel(scene, cameras, tracing, x, y);
-            frame[radiance].set(x, y, vector(value.radiance)), frame[albedo].set(x, y, vector(value.albedo));
-            frame[normal].set(x, y, vector(value.normal)), frame[depth].set(x, y, value.depth);
-            frame[motion].set(x, y, glm::vec2(value.motion.x, value.motion.y));
-        }
+        for (int x = 0; x < frame.size.width; ++x) live::TracedPixel(views, x, y).trace(scene, cameras, tracing);
 }
 double rmse(auto const& picture, auto const& truth) {
     double sum = 0;

@@ -53,12 +53,12 @@ QUELL_LIVE DirectLight direct_light(Scene const& scene, Seen const& seen, Reflec
     }
     auto const from = above(seen.hit), normal = seen.hit.normal;
     Vector irradiance;
-    Lottery lottery{random.next()};
+    Reservoir reservoir{random.next()};
     int chosen = -1;
     for (int i = 0; i < scene.light_count; ++i) {
         auto const part = irradiance_of(scene, scene.lights[i], from, normal);
         irradiance += part;
-        if (lottery.wins(luminance(part))) chosen = i;
+        if (reservoir.takes(luminance(part))) chosen = i;
     }
     value.direct = reflectance.diffuse * irradiance * (1 / pi);
     if (chosen < 0) return value;

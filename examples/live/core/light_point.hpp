@@ -11,19 +11,19 @@ struct Followed {
 /// A point of a shape, which is given in the shape's own space.
 QUELL_LIVE Followed followed(Shape const& shape, Vector local) { return {shape.now.to_world(local), shape.before.to_world(local)}; }
 
-/// Keeps one of several things that come one by one, each as likely as its weight is of all.
-struct Lottery {
+/// A weighted reservoir: keeps one of several things that come one by one, each as likely as its weight is of all.
+struct Reservoir {
     float draw;    ///< a random number from 0 to 1; used up
     float sum = 0; ///< of all weights so far
 
     /// Whether the next thing takes the place of what was kept.
-    QUELL_LIVE bool wins(float weight) {
+    QUELL_LIVE bool takes(float weight) {
         if (!(weight > 0)) return false;
         sum += weight;
         float const share = weight / sum;
-        bool const is_won = draw < share;
-        draw = is_won ? draw / share : (draw - share) / (1 - share);
-        return is_won;
+        bool const is_taken = draw < share;
+        draw = is_taken ? draw / share : (draw - share) / (1 - share);
+        return is_taken;
     }
 };
 
@@ -63,7 +63,7 @@ QUELL_LIVE Followed point_of_sun(Sky const& sky, Vector from, Vector direction) 
 QUELL_LIVE Followed light_point(Scene const& scene, Light const& light, Vector from, Vector normal, Random& random) {
     constexpr int candidates = 8;
     float const first_u = random.next(), first_v = random.next();
-    Lottery lottery{random.next()};
+    Reservoir reservoir{random.next()};
     auto const cone = light.kind == LightKind::rectangle ? Cone{} : cone_of(scene, light, from);
     Followed chosen;
     for (int i = 0; i < candidates; ++i) {
@@ -71,10 +71,10 @@ QUELL_LIVE Followed light_point(Scene const& scene, Light const& light, Vector f
         float const u = Repeated(first_u + part).rest, v = Repeated(first_v + 5 * part).rest;
         if (light.kind == LightKind::rectangle) {
             auto const next = point_of_rectangle(scene.shapes[light.shape], u, v, from, normal);
-            if (lottery.wins(next.weight)) chosen = next.point;
+            if (reservoir.takes(next.weight)) chosen = next.point;
         } else {
             auto const direction = turned_away(cone.axis, 1 - u * (1 - cone.cosine), turn_by(v));
-            if (!lottery.wins(dot(direction, normal))) continue;
+            if (!reservoir.takes(dot(direction, normal))) continue;
             chosen = light.kind == LightKind::sun ? point_of_sun(scene.sky, from, direction)
                                                   : point_of_sphere(scene.shapes[light.shape], from, direction);
         }

@@ -26,6 +26,11 @@ struct RecordOptions {
     /// Threads of a workgroup along each axis.
     Extent workgroup{8, 8};
     static constexpr int most_threads = 128; ///< of a workgroup in all, which every device has
+    /// Whether every device has workgroups of so many threads.
+    [[nodiscard]] static constexpr bool is_workgroup(Extent threads) {
+        auto const fits = [](int side) { return side >= 1 && side <= most_threads; };
+        return fits(threads.width) && fits(threads.height) && threads.pixels() <= most_threads;
+    }
 };
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET
