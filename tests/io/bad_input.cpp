@@ -78,6 +78,19 @@ TEST_CASE("a header that claims more than a picture can have is refused before m
     check_error([&] { static_cast<void>(io::read_exr(folder / "large.exr")); }, {"large.exr", "window", "2^28"});
 }
 
+TEST_CASE("tiles that are larger than any picture are refused before memory is taken") {
+    Folder const folder;
+    write_tiles(folder / "tiles.exr", box(0, 0, 39, 19), {"Z"});
+    auto bytes = bytes_of(folder / "tiles.exr");
+    auto const tiles = bytes.find("tiledesc") + std::string("tiledesc\0\0\0\0\0", 13).size();
+    for (auto const* const height : {"\xff\xff\xff\x01", "\xff\xff\xff\x7f"}) {
+        bytes.replace(tiles + 4, 4, height, 4); // of a tile, behind its width
+        write_bytes(folder / "tiles.exr", bytes);
+        check_error([&] { static_cast<void>(io::read_exr(folder / "tiles.exr")); }, {"tiles.exr", "again"});
+        check_error([&] { static_cast<void>(io::ExrOriginal{folder / "tiles.exr"}.is_whole()); }, {"tiles.exr", "again"});
+    }
+}
+
 TEST_CASE("a missing channel is named together with those that there are") {
     Folder const folder;
     io::write_exr(folder / "a.exr", good_image());

@@ -10,6 +10,7 @@
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfTileDescription.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -126,9 +127,8 @@ inline Plane placed(Incoming&& in, Imath::Box2i const& data, Imath::Box2i const&
 
 /// Few damaged bytes in a header can ask for more memory than there is.
 /// @param unasked bytes that any file may unpack to
-inline void check_memory(std::string const& file, std::size_t channels, Imath::Box2i const& window, double unasked) {
-    auto const [width, height] = extent_of(window);
-    auto const claimed = static_cast<double>(width * height) * 4. * static_cast<double>(channels);
+inline void check_memory(std::string const& file, std::size_t channels, std::pair<std::int64_t, std::int64_t> extent, double unasked) {
+    auto const claimed = static_cast<double>(extent.first) * static_cast<double>(extent.second) * 4. * static_cast<double>(channels);
     std::error_code none;
     auto const present = static_cast<double>(std::filesystem::file_size(file, none));
     // No noisy picture packs to 1/4000.
@@ -136,15 +136,21 @@ inline void check_memory(std::string const& file, std::size_t channels, Imath::B
         throw Error(file, "it claims to unpack to " + std::to_string(static_cast<long long>(claimed / 1e6)) + " MB", "write it again");
 }
 
-} // namespace detail
+/// The OpenEXR library takes memory for a whole tile of all channels, however little of it lies in the picture.
+inline void check_tiles(std::string const& file, Imf::Header const& header) {
+    if (!header.hasTileDescription()) return;
+    auto const& tiles = header.tileDescription();
+    std::size_t channels = 0;
+    for (auto i = header.channels().begin(); i != header.channels().end(); ++i) ++channels;
+    check_memory(file, channels, {tiles.xSize, tiles.ySize}, 4e8);
+}
 
-namespace detail {
 /// Adds channels of a part to an image of a canvas: what of the part's data window lies in it.
 inline void read_part(Imf::MultiPartInputFile& file, std::string const& name, int part, std::vector<ExrChannel const*> const& wanted,
                       Imath::Box2i const& canvas, ExrImage& image) {
     auto const window = file.header(part).dataWindow();
-    check_memory(name, wanted.size(), window, 1e8);
-    check_memory(name, wanted.size(), canvas, 1e9); // most of it lies outside a region that was rendered alone
+    check_memory(name, wanted.size(), extent_of(window), 1e8);
+    check_memory(name, wanted.size(), extent_of(canvas), 1e9); // most of it lies outside a region that was rendered alone
     auto const [width, height] = extent_of(window);
     std::vector<Incoming> incoming;
     naming_file(name, "its pixels can't be read, it is truncated or damaged", [&, w = width, h = height] {
@@ -186,6 +192,7 @@ inline void ExrFile::list_part(int part) {
     if (header.hasType() && Imf::isDeepData(header.type())) return;
     if (!file->partComplete(part)) throw Error(name, "it is truncated: rows of pixels are missing", "render or copy it again");
     detail::check_window(name, "data", header.dataWindow());
+    detail::check_tiles(name, header);
     auto const part_name = header.hasName() ? header.name() : std::to_string(part);
     for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
         bool const taken = std::ranges::any_of(channels, [&](auto const& c) { return c.name == i.name(); });
