@@ -64,8 +64,8 @@ public:
         denoiser->run(window, image);
         try {
             give(frame, made);
-        } catch (...) { // what this picture lacks is not known to the next
-            give_back.forget();
+        } catch (...) { // the history has seen a frame that the caller has no picture of
+            forget();
             throw;
         }
         write(made, frame.size, output);
