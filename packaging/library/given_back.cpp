@@ -108,9 +108,8 @@ private:
     }
     void give(FrameImages const& frame, Pixels& made) {
         CallersMemory::current() = memory;
-        quell::GiveBack::Guides const guides{{normal.take(frame, executor.parallel)},
-                                             {depth.take(frame, executor.parallel)},
-                                             {motion.take(frame, executor.parallel)}};
+        quell::GiveBack::Guides const guides{
+            {normal.take(frame, executor.parallel)}, {depth.take(frame, executor.parallel)}, {motion.take(frame, executor.parallel)}};
         auto const samples = samples_of(frame);
         auto picture = colours_of(made);
         Pixels by_itself;
@@ -126,7 +125,8 @@ private:
             for (int y = y0; y < y1; ++y)
                 for (int x = 0; x < size.width; ++x)
                     for (int c = 0; c < n; ++c)
-                        to.set(c, x, y, made[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x)][c]);
+                        to.set(c, x, y,
+                               made[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x)][c]);
         });
     }
 };
@@ -144,8 +144,8 @@ std::string plan_of_given_back() {
     constexpr int kept = quell::Normal::components + quell::Depth::components + quell::Motion::components + 3;
     return "Behind it, light is given back that it took out by mistake, by shares for the number of samples, and where two frames in a row "
            "lack it. That takes " +
-           std::to_string(kept * static_cast<int>(sizeof(float))) + " bytes a pixel of the frames, and " + std::to_string(bytes_while_running) +
-           " more while a frame is denoised.\n\n";
+           std::to_string(kept * static_cast<int>(sizeof(float))) + " bytes a pixel of the frames, and " +
+           std::to_string(bytes_while_running) + " more while a frame is denoised.\n\n";
 }
 
 std::unique_ptr<CompiledDenoiser> with_light_given_back(std::unique_ptr<CompiledDenoiser> denoiser, Way const& way, HistoryChoice* choice,

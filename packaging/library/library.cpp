@@ -389,20 +389,21 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
         for (auto const& [bit, name] : {std::pair{1, "depth"}, std::pair{2, "albedo"}, std::pair{3, "motion"}})
             if ((settings->steady_guides & bit) != 0 && std::ranges::find(way->channels, name, &Channel::name) == way->channels.end())
                 return fail(QUELL_NOT_SUPPORTED, "settings.steady_guides: '" + wanted + "' reads no " + name + "; leave it 0");
-        std::unique_ptr<quell_denoiser> made(new quell_denoiser{.code = code,
-                                                                .preset = &*preset,
-                                                                .way = way,
-                                                                .motion = settings->motion,
-                                                                .two_sided = settings->two_sided != 0,
-                                                                .anti_aliases = resolves,
-                                                                .with = {settings->steady_guides, settings->choose_history, settings->give_back},
-                                                                .sizes = sizes_of(*settings),
-                                                                .guide_width = settings->width,
-                                                                .threads = OwnThreads(settings->threads),
-                                                                .plan = {},
-                                                                .instance = {},
-                                                                .frames = {},
-                                                                .output = {}});
+        std::unique_ptr<quell_denoiser> made(
+            new quell_denoiser{.code = code,
+                               .preset = &*preset,
+                               .way = way,
+                               .motion = settings->motion,
+                               .two_sided = settings->two_sided != 0,
+                               .anti_aliases = resolves,
+                               .with = {settings->steady_guides, settings->choose_history, settings->give_back},
+                               .sizes = sizes_of(*settings),
+                               .guide_width = settings->width,
+                               .threads = OwnThreads(settings->threads),
+                               .plan = {},
+                               .instance = {},
+                               .frames = {},
+                               .output = {}});
         Parallel parallel = settings->parallel != nullptr
                                 ? Parallel{.run = settings->parallel, .user = settings->parallel_user, .threads = settings->threads}
                                 : Parallel{.run = OwnThreads::run, .user = &made->threads, .threads = made->threads.count()};

@@ -114,7 +114,7 @@ struct PresetWay {
     int output_components = 0;
     bool needs_camera = false;
     std::function<std::string()> plan{};
-    std::function<std::string()> plan_of_choice{}; ///< a sentence before it, where its history is chosen; null where it can't be
+    std::function<std::string()> plan_of_choice{};     ///< a sentence before it, where its history is chosen; null where it can't be
     std::function<std::string()> plan_of_given_back{}; ///< a sentence before it, where light is given back; null where it can't be
     /// Null, and what is wrong, where it can't be made.
     std::function<std::unique_ptr<Instance>(Sizes const&, Additions const&, Motion const&, Parallel const&, Memory const&, Outcome& outcome,

@@ -100,7 +100,7 @@ public:
         lacking = give_back_repeated(repeated, samples, guides.view(motion), before, picture);
     }
     /// Drops what it keeps: for cuts.
-    void forget() { lacking = {}; }
+    void forget() { lacking = std::vector<glm::vec3>(); }
     /// What it keeps.
     [[nodiscard]] std::size_t bytes() const { return lacking.capacity() * sizeof(glm::vec3); }
 };
