@@ -26,15 +26,21 @@ template <class Channel> std::optional<Frame<Channels<Channel>>> vectors_of(Seen
 /// frames that are denoised for those after them.
 metrics::Picture detail_in(RepeatedDetail const& rule, SeenFrame const& seen, LightSplit const& light, metrics::Picture const& as_one) {
     auto const& colours = seen.around->colours;
-    auto const count = colours.size() - 1;
-    std::vector<ColouredSignal> signals;
-    for (std::size_t s = 0; s < count; ++s) {
+    auto const signals = colours.size() - 1;
+    metrics::Picture detail{seen.image.size, std::vector<glm::vec3>(as_one.pixels.size(), glm::vec3(0.f))};
+    auto const add = [&](metrics::Picture const& part) {
+        for (std::size_t i = 0; i < detail.pixels.size(); ++i) detail.pixels[i] += part.pixels[i];
+    };
+    for (std::size_t s = 0; s < signals; ++s) {
         if (colours[s].pixels.empty() || !light.active[s]) continue;
         auto product = picture_of(seen.image, io::sources_of(light.signals[s].channels, radiance), 0.f);
         for (std::size_t i = 0; i < product.pixels.size(); ++i) product.pixels[i] *= colours[s].pixels[i];
-        signals.push_back({colours[s], std::move(product)});
+        limit_detail(rule, as_one, product); // of few bright samples
+        add(detail_of_colour(rule, colours[s], product));
     }
-    return detail_of_guides(rule, std::move(signals), colours[count], as_one);
+    if (!colours[signals].pixels.empty()) add(finest_detail(rule, colours[signals]));
+    limit_detail(rule, as_one, detail);
+    return detail;
 }
 
 } // namespace
@@ -51,9 +57,10 @@ void PictureRefiner::take_off_noise_of_guides(SeenFrame const& seen, io::Channel
     auto difference = frame.picture;
     for (std::size_t i = 0; i < difference.pixels.size(); ++i) difference.pixels[i] -= as_one.pixels[i];
     auto const detail = finest_detail(rule, std::move(difference));
+    auto const theirs = share_of_guides(rule, detail, guides, as_one);
     auto& rest = frame.signals.back().pixels;
     for (std::size_t i = 0; i < rest.size(); ++i) {
-        auto const noise = (1.f - shares[i]) * detail.pixels[i];
+        auto const noise = theirs[i] * (1.f - shares[i]) * detail.pixels[i];
         frame.picture.pixels[i] -= noise, rest[i] -= noise;
     }
     detail_before.emplace(seen.number, std::move(guides));

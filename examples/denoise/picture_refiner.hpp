@@ -22,7 +22,7 @@ class PictureRefiner {
 
 public:
     /// The picture as one has no noise of guides, and lacks their texture. Of what the signals have more in their finest detail, that part
-    /// is taken off which guides do not repeat from frame to frame.
+    /// is taken off which is the guides', and which these do not repeat from frame to frame.
     /// @param names  by which the frame's guides are read
     /// @param light  the frame's, by signals
     /// @param as_one the picture, denoised as one

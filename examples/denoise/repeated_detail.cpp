@@ -4,6 +4,7 @@
 #include <quell/resolve/residual.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace quell::examples {
 
@@ -15,48 +16,18 @@ metrics::Picture finest_detail(RepeatedDetail const& rule, metrics::Picture pict
     return picture;
 }
 
-metrics::Picture detail_of_guides(RepeatedDetail const& rule, std::vector<ColouredSignal> signals, metrics::Picture const& added,
-                                  metrics::Picture const& picture) {
+metrics::Picture detail_of_colour(RepeatedDetail const& rule, metrics::Picture const& colour, metrics::Picture const& signal) {
     constexpr double darkest = 1e-4; // of a colour
-    auto const size = picture.size;
-    auto const pixels = picture.pixels.size();
-    metrics::Picture detail{size, std::vector<glm::vec3>(pixels, glm::vec3(0.f))};
-    auto const sums_of = [&](metrics::Picture const& image, int c, metrics::Picture const& where) {
-        std::vector<double> values(pixels);
-        for (std::size_t i = 0; i < pixels; ++i)
-            if (is_finite(image.pixels[i][c]) && is_finite(where.pixels[i][c])) values[i] = static_cast<double>(image.pixels[i][c]);
-        box_sums(size, values, rule.light_radius);
-        return values;
-    };
-    std::vector<metrics::Picture> details;
-    for (auto& signal : signals) {
-        limit_detail(rule, picture, signal.product); // of few bright samples
-        details.push_back(finest_detail(rule, signal.colour));
-    }
+    auto detail = finest_detail(rule, colour);
+    auto const pixels = colour.pixels.size();
     for (int c = 0; c < 3; ++c) {
-        std::vector<double> whole(pixels);
-        for (std::size_t s = 0; s < signals.size(); ++s) {
-            auto const& [colour, product] = signals[s];
-            auto const colours = sums_of(colour, c, product), lights = sums_of(product, c, colour);
-            for (std::size_t i = 0; i < pixels; ++i) {
-                detail.pixels[i][c] += details[s].pixels[i][c] * static_cast<float>(lights[i] / std::max(colours[i], darkest));
-                whole[i] += lights[i];
-            }
-        }
-        auto wanted = sums_of(picture, c, picture);
-        if (!added.pixels.empty()) {
-            auto const taken = sums_of(added, c, added);
-            for (std::size_t i = 0; i < pixels; ++i) wanted[i] -= taken[i];
-        }
-        double const most = static_cast<double>(rule.most_scale);
+        std::vector<double> colours(pixels), lights(pixels);
         for (std::size_t i = 0; i < pixels; ++i)
-            if (whole[i] > 0.) detail.pixels[i][c] *= static_cast<float>(std::clamp(wanted[i] / whole[i], 1. / most, most));
+            if (is_finite(colour.pixels[i][c]) && is_finite(signal.pixels[i][c]))
+                colours[i] = static_cast<double>(colour.pixels[i][c]), lights[i] = static_cast<double>(signal.pixels[i][c]);
+        box_sums(colour.size, colours, rule.light_radius), box_sums(colour.size, lights, rule.light_radius);
+        for (std::size_t i = 0; i < pixels; ++i) detail.pixels[i][c] *= static_cast<float>(lights[i] / std::max(colours[i], darkest));
     }
-    if (!added.pixels.empty()) {
-        auto const own = finest_detail(rule, added);
-        for (std::size_t i = 0; i < pixels; ++i) detail.pixels[i] += own.pixels[i];
-    }
-    limit_detail(rule, picture, detail);
     return detail;
 }
 
@@ -68,6 +39,26 @@ void limit_detail(RepeatedDetail const& rule, metrics::Picture const& picture, m
             float& value = detail.pixels[i][c];
             value = is_finite(value) ? std::clamp(value, -most, most) : 0.f;
         }
+}
+
+std::vector<float> share_of_guides(RepeatedDetail const& rule, metrics::Picture const& detail, metrics::Picture const& guides,
+                                   metrics::Picture const& picture) {
+    using quell::detail::product_of;
+    auto const size = detail.size;
+    auto const light = quell::detail::light_around(size, picture.pixels);
+    std::vector<double> common(light.size()), square(light.size()), square_of_guides(light.size());
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        double const per_light = 1. / (light[i] * light[i]);
+        common[i] = product_of(detail.pixels[i], guides.pixels[i]) * per_light;
+        square[i] = product_of(detail.pixels[i], detail.pixels[i]) * per_light;
+        square_of_guides[i] = product_of(guides.pixels[i], guides.pixels[i]) * per_light;
+    }
+    for (auto* const each : {&common, &square, &square_of_guides}) box_sums(size, *each, rule.radius);
+    std::vector<float> shares(light.size(), 0.f);
+    for (std::size_t i = 0; i < shares.size(); ++i)
+        if (double const product = square[i] * square_of_guides[i]; product > 0.)
+            shares[i] = static_cast<float>(std::clamp(static_cast<double>(rule.alike) * common[i] / std::sqrt(product), 0., 1.));
+    return shares;
 }
 
 std::vector<float> repeated_share(RepeatedDetail const& rule, metrics::Picture const& detail, metrics::Picture const& picture,

@@ -27,14 +27,14 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 ///
 /// Where a pixel holds fewer samples, more of what the finest band repeats is no mistake: a single sample sees the same point of a leaf
 /// again, wherever in its pixel that lies, and a picture of such points is jagged. Of that band a part of 1 / samples is left out. And
-/// noise of few samples is skewed, so that by chance more of it is alike: caution is 1 + 1 / samples times as large.
+/// noise of few samples is skewed, so that by chance more of it is alike: caution is 1 + 2 / samples times as large.
 struct RepeatedResidual {
-    float samples = 1.f;                          ///< of each pixel
-    std::array<float, 2> deviation{0.7f, 2.f};    ///< of the Gaussians between the bands, in pixels
-    std::array<int, 3> radius{8, 10, 16};         ///< of each band's windows, in pixels
-    std::array<float, 3> caution{1.f, 1.5f, 3.f}; ///< more for wider bands, whose neighbouring pixels hold the same noise
-    float most = 20.f;                            ///< a residual is at most so many times the light around
-    float darkest = 0.2f;                         ///< of the picture's light so much stays at least
+    float samples = 1.f;                         ///< of each pixel
+    std::array<float, 2> deviation{0.7f, 2.f};   ///< of the Gaussians between the bands, in pixels
+    std::array<int, 3> radius{8, 10, 16};        ///< of each band's windows, in pixels
+    std::array<float, 3> caution{.7f, 1.f, 2.f}; ///< more for wider bands, whose neighbouring pixels hold the same noise
+    float most = 20.f;                           ///< a residual is at most so many times the light around
+    float darkest = 0.2f;                        ///< of the picture's light so much stays at least
 };
 
 namespace detail {
@@ -195,7 +195,7 @@ inline void give_back_repeated(RepeatedResidual const& rule, Extent size, std::v
     std::vector<glm::vec3> off(picture.size(), glm::vec3(0.f));
     float const per_samples = 1.f / std::max(rule.samples, 1.f);
     auto const add = [&](ResidualImage const& now, std::vector<ResidualAround> const& then, std::size_t band) {
-        add_repeated(size, now, then, light, rule.radius[band], rule.caution[band] * (1.f + per_samples),
+        add_repeated(size, now, then, light, rule.radius[band], rule.caution[band] * (1.f + 2.f * per_samples),
                      band == 0 ? 1.f - per_samples : 1.f, off);
     };
     for (std::size_t band = 0; band < rule.deviation.size(); ++band) {
