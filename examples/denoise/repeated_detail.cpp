@@ -4,6 +4,7 @@
 #include <quell/resolve/residual.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace quell::examples {
 
@@ -38,6 +39,26 @@ void limit_detail(RepeatedDetail const& rule, metrics::Picture const& picture, m
             float& value = detail.pixels[i][c];
             value = is_finite(value) ? std::clamp(value, -most, most) : 0.f;
         }
+}
+
+std::vector<float> share_of_guides(RepeatedDetail const& rule, metrics::Picture const& detail, metrics::Picture const& guides,
+                                   metrics::Picture const& picture) {
+    using quell::detail::product_of;
+    auto const size = detail.size;
+    auto const light = quell::detail::light_around(size, picture.pixels);
+    std::vector<double> common(light.size()), square(light.size()), square_of_guides(light.size());
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        double const per_light = 1. / (light[i] * light[i]);
+        common[i] = product_of(detail.pixels[i], guides.pixels[i]) * per_light;
+        square[i] = product_of(detail.pixels[i], detail.pixels[i]) * per_light;
+        square_of_guides[i] = product_of(guides.pixels[i], guides.pixels[i]) * per_light;
+    }
+    for (auto* const each : {&common, &square, &square_of_guides}) box_sums(size, *each, rule.radius);
+    std::vector<float> shares(light.size(), 0.f);
+    for (std::size_t i = 0; i < shares.size(); ++i)
+        if (double const product = square[i] * square_of_guides[i]; product > 0.)
+            shares[i] = static_cast<float>(std::clamp(static_cast<double>(rule.alike) * common[i] / std::sqrt(product), 0., 1.));
+    return shares;
 }
 
 std::vector<float> repeated_share(RepeatedDetail const& rule, metrics::Picture const& detail, metrics::Picture const& picture,

@@ -9,29 +9,32 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
-/// Gives back to a denoised picture what two frames in a row lack. Noise of samples is new in each frame, but what a filter takes out by
-/// mistake, such as leaves smaller than a pixel or reflections, is lacking again where their surface has moved to. So what the residuals
-/// (samples minus picture) of both frames have in common over a window is a measure of that mistake, whatever the noise is.
+/// Gives back to a denoised picture what frames in a row lack. Noise of samples is new in each frame, but what a filter takes out by
+/// mistake, such as leaves smaller than a pixel or reflections, is lacking again where their surface has moved to. So what the residual
+/// (samples minus picture) of this frame has in common with those of the frames before and after, over a window, is a measure of that
+/// mistake, whatever the noise is.
 ///
-/// Both residuals are split into three bands. For each, over a window, c is the sum of the product of both, less its standard error times
-/// `caution`; v and u are the sums of their squares. The mistake that is in the residual of now is b = c v / u, at least c: moving the
-/// residual before between pixels takes as much off c as off u where detail is finer than pixels. What is added is x now + y before, with
-/// the least expected error: v x + c y = b and c x + u y = c.
+/// All residuals are split into three bands, and those of the frames around, where their surfaces are now, are put together as their mean.
+/// For each band, over a window, c is the sum of the product of this residual and that mean, less its standard error times `caution`; v and
+/// u are the sums of their squares, and w is the mean of the sums of squares of each frame around: its noise is not less for the mean. The
+/// mistake that is in the residual of now is b = c v / w, at least c: moving residuals between pixels takes as much off c as off w where
+/// detail is finer than pixels. What is added is x now + y mean, with the least expected error: v x + c y = b and c x + u y = c.
 ///
 /// Where a pixel holds fewer samples, more of what the finest band repeats is no mistake: a single sample sees the same point of a leaf
 /// again, wherever in its pixel that lies, and a picture of such points is jagged. Of that band a part of 1 / samples is left out. And
-/// noise of few samples is skewed, so that by chance more of it is alike: caution is 1 + 1 / samples times as large.
+/// noise of few samples is skewed, so that by chance more of it is alike: caution is 1 + 2 / samples times as large.
 struct RepeatedResidual {
-    float samples = 1.f;                          ///< of each pixel
-    std::array<float, 2> deviation{0.7f, 2.f};    ///< of the Gaussians between the bands, in pixels
-    std::array<int, 3> radius{8, 10, 16};         ///< of each band's windows, in pixels
-    std::array<float, 3> caution{1.f, 1.5f, 3.f}; ///< more for wider bands, whose neighbouring pixels hold the same noise
-    float most = 20.f;                            ///< a residual is at most so many times the light around
-    float darkest = 0.2f;                         ///< of the picture's light so much stays at least
+    float samples = 1.f;                         ///< of each pixel
+    std::array<float, 2> deviation{0.7f, 2.f};   ///< of the Gaussians between the bands, in pixels
+    std::array<int, 3> radius{8, 10, 16};        ///< of each band's windows, in pixels
+    std::array<float, 3> caution{.7f, 1.f, 2.f}; ///< more for wider bands, whose neighbouring pixels hold the same noise
+    float most = 20.f;                           ///< a residual is at most so many times the light around
+    float darkest = 0.2f;                        ///< of the picture's light so much stays at least
 };
 
 namespace detail {
@@ -62,10 +65,12 @@ inline ResidualImage blurred(Extent size, ResidualImage const& image, float devi
     return along(along(image, size.height, size.width, width, 1), size.width, size.height, 1, width);
 }
 
-/// What a residual of the frame before is where its surfaces are now, between its pixels; 0 where they were not in the image.
-inline ResidualImage moved(ResidualImage const& before, ViewOf<Planar<>, Motion> motion) {
+/// What an image of the frame before, or after, is where its surfaces are now, between its pixels.
+/// @param motion    a view of where each surface is in that frame, less where it is now
+/// @param elsewhere where they are not in the image
+inline ResidualImage moved(ResidualImage const& before, ImageView auto motion, glm::vec3 const& elsewhere = glm::vec3(0.f)) {
     auto const size = motion.size;
-    ResidualImage now(before.size(), glm::vec3(0.f));
+    ResidualImage now(before.size(), elsewhere);
     std::size_t i = 0;
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x, ++i) {
@@ -74,6 +79,7 @@ inline ResidualImage moved(ResidualImage const& before, ViewOf<Planar<>, Motion>
                                 row < static_cast<float>(size.height) - 0.5f;
             if (!is_finite(column) || !is_finite(row) || !inside) continue;
             float const left = std::floor(column), top = std::floor(row);
+            now[i] = glm::vec3(0.f);
             for (int down = 0; down < 2; ++down)
                 for (int right = 0; right < 2; ++right) {
                     auto const there = [](float first, int more, int length) {
@@ -88,79 +94,123 @@ inline ResidualImage moved(ResidualImage const& before, ViewOf<Planar<>, Motion>
     return now;
 }
 
-/// Adds to a picture what one band of both residuals tells that it lacks.
-inline void add_repeated(Extent size, ResidualImage const& now, ResidualImage const& before, std::vector<double> const& light, int radius,
-                         float caution, float part, ResidualImage& picture) {
-    std::vector<double> common(now.size()), error(now.size()), square(now.size()), square_before(now.size());
+/// A residual of a frame before or after, where its surfaces are now.
+struct ResidualAround {
+    ResidualImage value;        ///< 0 where it is not known
+    std::vector<bool> is_known; ///< of each pixel
+};
+
+/// Values are at most so many times the light; what is not finite becomes 0.
+inline void limit_residual(std::vector<double> const& light, float times, ResidualImage& residual) {
+    for (std::size_t i = 0; i < residual.size(); ++i)
+        for (int c = 0; c < 3; ++c) {
+            float const most = times * static_cast<float>(light[i]);
+            residual[i][c] = is_finite(residual[i][c]) ? std::clamp(residual[i][c], -most, most) : 0.f;
+        }
+}
+
+/// What is finer than a Gaussian; the rest stays.
+inline ResidualImage take_finer(Extent size, ResidualImage const& whole, float deviation, ResidualImage& rest) {
+    auto wider = blurred(size, whole, deviation), finer = std::move(rest);
+    for (std::size_t i = 0; i < finer.size(); ++i) finer[i] -= wider[i];
+    rest = std::move(wider);
+    return finer;
+}
+
+/// Adds to a picture what one band of all residuals tells that it lacks.
+inline void add_repeated(Extent size, ResidualImage const& now, std::vector<ResidualAround> const& around, std::vector<double> const& light,
+                         int radius, float caution, float part, ResidualImage& picture) {
+    ResidualImage mean(now.size(), glm::vec3(0.f));
+    std::vector<double> common(now.size()), error(now.size()), square(now.size()), square_mean(now.size()), square_each(now.size());
     for (std::size_t i = 0; i < now.size(); ++i) {
         double const per_light = 1. / (light[i] * light[i]);
-        common[i] = product_of(now[i], before[i]) * per_light, error[i] = common[i] * common[i];
-        square[i] = product_of(now[i], now[i]) * per_light, square_before[i] = product_of(before[i], before[i]) * per_light;
+        float known = 0.f;
+        for (auto const& each : around) {
+            if (!each.is_known[i]) continue;
+            mean[i] += each.value[i], known += 1.f;
+            square_each[i] += product_of(each.value[i], each.value[i]) * per_light;
+        }
+        if (known > 1.f) mean[i] /= known, square_each[i] /= static_cast<double>(known);
+        common[i] = product_of(now[i], mean[i]) * per_light, error[i] = common[i] * common[i];
+        square[i] = product_of(now[i], now[i]) * per_light, square_mean[i] = product_of(mean[i], mean[i]) * per_light;
     }
-    for (auto* const each : {&common, &error, &square, &square_before}) box_sums(size, *each, radius);
+    for (auto* const each : {&common, &error, &square, &square_mean, &square_each}) box_sums(size, *each, radius);
     for (std::size_t i = 0; i < now.size(); ++i) {
-        double const v = std::max(square[i], 0.), u = std::max(square_before[i], 0.);
+        double const v = std::max(square[i], 0.), u = std::max(square_mean[i], 0.), w = std::max(square_each[i], u);
         double const sure = common[i] - static_cast<double>(caution) * std::sqrt(std::max(error[i], 0.));
         double const c = std::min({sure, u, v, .98 * std::sqrt(u * v)});
         if (!(c > 0.)) continue;
-        double const determinant = v * u - c * c, b = std::max(c * v / u, c);
+        double const determinant = v * u - c * c, b = std::max(c * v / w, c);
         double const x = std::clamp((b * u - c * c) / determinant, 0., 1.), y = std::clamp(c * (v - b) / determinant, 0., 1. - x);
-        picture[i] += part * (static_cast<float>(x) * now[i] + static_cast<float>(y) * before[i]);
+        picture[i] += part * (static_cast<float>(x) * now[i] + static_cast<float>(y) * mean[i]);
     }
 }
 
 } // namespace detail
 
-/// Adds to a picture what it and the picture of the frame before lack (RepeatedResidual).
-/// @param rule    how
+/// What a picture lacks of its samples (RepeatedResidual): these minus the picture, within limits, and 0 where there is no sample.
 /// @param samples that the picture was made of, linear, row by row; not finite where there is none
-/// @param motion  a view of where each surface was in the frame before, less where it is, in pixels; not finite: unknown
-/// @param before  what this returned for the frame before; empty: there was none, and the picture stays as it is
-/// @param picture the denoised one; is changed
-/// @return this frame's residual: what the picture that was given lacks of its samples
 /// @throws Error where these are not of one size, std::bad_alloc
-inline std::vector<glm::vec3> give_back_repeated(RepeatedResidual const& rule, std::vector<glm::vec3> const& samples,
-                                                 ViewOf<Planar<>, Motion> motion, std::vector<glm::vec3> const& before,
-                                                 std::vector<glm::vec3>& picture) {
-    using namespace detail;
-    auto const size = motion.size;
-    check_residual_sizes("give_back_repeated", samples, size, size, picture);
-    if (!before.empty()) check_residual_sizes("give_back_repeated, the frame before", before, size, size, picture);
-    auto const light = light_around(size, picture);
-    auto const limited = [&](std::vector<glm::vec3>& residual) {
-        for (std::size_t i = 0; i < residual.size(); ++i)
-            for (int c = 0; c < 3; ++c) {
-                float const most = rule.most * static_cast<float>(light[i]);
-                residual[i][c] = is_finite(residual[i][c]) ? std::clamp(residual[i][c], -most, most) : 0.f;
-            }
-    };
+[[nodiscard]] inline std::vector<glm::vec3> lacking_of_samples(RepeatedResidual const& rule, Extent size,
+                                                               std::vector<glm::vec3> const& samples,
+                                                               std::vector<glm::vec3> const& picture) {
+    detail::check_residual_sizes("lacking_of_samples", samples, size, size, picture);
     std::vector<glm::vec3> residual(samples.size());
     for (std::size_t i = 0; i < residual.size(); ++i)
-        residual[i] = is_light(vec3<float>(samples[i])) ? samples[i] - picture[i] : glm::vec3(0.f);
-    limited(residual);
-    if (before.empty()) return residual;
-    auto before_here = moved(before, motion);
-    limited(before_here);
-    auto rest = residual, rest_before = before_here;
+        residual[i] = detail::is_light(vec3<float>(samples[i])) ? samples[i] - picture[i] : glm::vec3(0.f);
+    detail::limit_residual(detail::light_around(size, picture), rule.most, residual);
+    return residual;
+}
+
+/// What the picture of a frame before or after lacks, where its surfaces are now; not finite where that is not known.
+/// @param lacking of that frame: what lacking_of_samples() says
+/// @param motion  a view of where each surface is in that frame, less where it is now, in pixels; not finite: unknown
+/// @throws Error where these are not of one size, std::bad_alloc
+[[nodiscard]] inline std::vector<glm::vec3> lacking_moved(std::vector<glm::vec3> const& lacking, ImageView auto motion) {
+    detail::check_residual_sizes("lacking_moved", lacking, motion.size, motion.size, lacking);
+    return detail::moved(lacking, motion, glm::vec3(std::numeric_limits<float>::quiet_NaN()));
+}
+
+/// Adds to a picture what it and the pictures of frames around lack (RepeatedResidual). Where there are none, it stays as it is.
+/// @param rule    how
+/// @param lacking of the picture: what lacking_of_samples() says
+/// @param around  what lacking_moved() says of the frame before, of that after, or of both
+/// @param picture the denoised one; is changed
+/// @throws Error where these are not of one size, std::bad_alloc
+inline void give_back_repeated(RepeatedResidual const& rule, Extent size, std::vector<glm::vec3> const& lacking,
+                               std::vector<std::vector<glm::vec3>> const& around, std::vector<glm::vec3>& picture) {
+    using namespace detail;
+    check_residual_sizes("give_back_repeated", lacking, size, size, picture);
+    for (auto const& each : around) check_residual_sizes("give_back_repeated, a frame around", each, size, size, picture);
+    if (around.empty()) return;
+    auto const light = light_around(size, picture);
+    std::vector<ResidualAround> whole_around;
+    for (auto const& each : around) {
+        whole_around.push_back({each, std::vector<bool>(each.size())});
+        for (std::size_t i = 0; i < each.size(); ++i) whole_around.back().is_known[i] = is_finite(each[i].x);
+        limit_residual(light, rule.most, whole_around.back().value);
+    }
+    auto rest_around = whole_around;
+    auto rest = lacking;
     std::vector<glm::vec3> off(picture.size(), glm::vec3(0.f));
     float const per_samples = 1.f / std::max(rule.samples, 1.f);
-    auto const add = [&](std::vector<glm::vec3> const& now, std::vector<glm::vec3> const& then, std::size_t band) {
-        add_repeated(size, now, then, light, rule.radius[band], rule.caution[band] * (1.f + per_samples),
+    auto const add = [&](ResidualImage const& now, std::vector<ResidualAround> const& then, std::size_t band) {
+        add_repeated(size, now, then, light, rule.radius[band], rule.caution[band] * (1.f + 2.f * per_samples),
                      band == 0 ? 1.f - per_samples : 1.f, off);
     };
     for (std::size_t band = 0; band < rule.deviation.size(); ++band) {
-        auto wider = blurred(size, residual, rule.deviation[band]), wider_before = blurred(size, before_here, rule.deviation[band]);
-        for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= wider[i], rest_before[i] -= wider_before[i];
-        add(rest, rest_before, band);
-        rest = std::move(wider), rest_before = std::move(wider_before);
+        auto const now = take_finer(size, lacking, rule.deviation[band], rest);
+        std::vector<ResidualAround> then;
+        for (std::size_t k = 0; k < rest_around.size(); ++k)
+            then.push_back({take_finer(size, whole_around[k].value, rule.deviation[band], rest_around[k].value), rest_around[k].is_known});
+        add(now, then, band);
     }
-    add(rest, rest_before, rule.deviation.size());
+    add(rest, rest_around, rule.deviation.size());
     for (std::size_t i = 0; i < picture.size(); ++i)
         for (int c = 0; c < 3; ++c) {
             float const old = picture[i][c], made = old + off[i][c];
             if (is_finite(made)) picture[i][c] = std::max(made, std::min(old, rule.darkest * old));
         }
-    return residual;
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET
