@@ -4,6 +4,7 @@
 
 #include <quell/core/light.hpp>
 #include <quell/core/real.hpp>
+#include <quell/execute/threads.hpp>
 #include <quell/io/frame_image.hpp>
 #include <quell/resolve/repeated_residual.hpp>
 
@@ -67,7 +68,7 @@ void PictureRefiner::take_off_noise_of_guides(SeenFrame const& seen, io::Channel
 }
 
 std::vector<glm::vec3> PictureRefiner::lacking(SeenFrame const& seen, io::ChannelNames const& names, LightSplit const& light,
-                                               metrics::Picture const& picture) {
+                                               metrics::Picture const& picture) const {
     if (!seen.image.has_all(io::planes_of(Channels<Motion>{}, names))) return {};
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
     std::vector<bool> is_missing(seen.image.pixels());
@@ -82,20 +83,21 @@ std::vector<glm::vec3> PictureRefiner::lacking(SeenFrame const& seen, io::Channe
     auto samples = composite(seen.image, light, samples_of, not_finite, parts);
     for (std::size_t i = 0; i < is_missing.size(); ++i)
         if (is_missing[i]) samples.pixels[i] = glm::vec3(none);
-    return lacking_of_samples({}, samples.size, samples.pixels, picture.pixels);
+    return lacking_of_samples({}, Threads<>{.count = threads}, samples.size, samples.pixels, picture.pixels);
 }
 
 void PictureRefiner::give_back_repeated(SeenFrame const& seen, io::ChannelNames const& names, std::vector<glm::vec3> here,
                                         std::vector<glm::vec3> const* next, DenoisedFrame& frame) {
     std::vector<std::vector<glm::vec3>> around;
     auto const add = [&](std::vector<glm::vec3> const& there, auto const& vectors, auto channel) {
-        if (vectors && there.size() == here.size()) around.push_back(lacking_moved(there, (*vectors)[channel].view()));
+        if (vectors && there.size() == here.size())
+            around.push_back(lacking_moved(Threads<>{.count = threads}, there, (*vectors)[channel].view()));
     };
     if (lacking_before && lacking_before->first + 1 == seen.number) add(lacking_before->second, vectors_of<Motion>(seen, names), motion);
     if (next != nullptr) add(*next, vectors_of<MotionNext>(seen, names), motion_next);
     auto const given = frame.picture.pixels;
-    quell::give_back_repeated({.samples = static_cast<float>(std::max(seen.samples, 1))}, frame.picture.size, here, around,
-                              frame.picture.pixels);
+    quell::give_back_repeated({.samples = static_cast<float>(std::max(seen.samples, 1))}, Threads<>{.count = threads}, frame.picture.size,
+                              here, around, frame.picture.pixels);
     auto& rest = frame.signals.back().pixels;
     for (std::size_t i = 0; i < rest.size(); ++i) rest[i] += frame.picture.pixels[i] - given[i];
     lacking_before.emplace(seen.number, std::move(here));

@@ -19,8 +19,12 @@ class PictureRefiner {
     template <typename T> using OfFrame = std::optional<std::pair<long long, T>>;
     OfFrame<metrics::Picture> detail_before;        ///< the finest that noisy guides added
     OfFrame<std::vector<glm::vec3>> lacking_before; ///< what the picture lacked of its samples
+    int threads;
 
 public:
+    /// @param count of threads; 0: as many as the machine has
+    explicit PictureRefiner(int count) : threads(count) {}
+
     /// The picture as one has no noise of guides, and lacks their texture. Of what the signals have more in their finest detail, that part
     /// is taken off which is the guides', and which these do not repeat from frame to frame.
     /// @param names  by which the frame's guides are read
@@ -33,8 +37,8 @@ public:
     /// @param names   by which the frame's guides are read
     /// @param light   as the picture is made of it
     /// @param picture without what is given back
-    [[nodiscard]] static std::vector<glm::vec3> lacking(SeenFrame const& seen, io::ChannelNames const& names, LightSplit const& light,
-                                                        metrics::Picture const& picture);
+    [[nodiscard]] std::vector<glm::vec3> lacking(SeenFrame const& seen, io::ChannelNames const& names, LightSplit const& light,
+                                                 metrics::Picture const& picture) const;
 
     /// Gives back what this picture, the one before and the one after lack of their samples.
     /// @param names of the frame's guides

@@ -60,7 +60,7 @@ std::map<std::string, io::Attribute, std::less<>> attributes_of_view(io::ExrOrig
 
 } // namespace
 
-SequenceDenoiser::SequenceDenoiser(SequenceSettings settings_) : settings(std::move(settings_)) {
+SequenceDenoiser::SequenceDenoiser(SequenceSettings settings_) : settings(std::move(settings_)), refiner(settings.threads) {
     check_debug_views(settings.preset, settings.debug_views);
 }
 
@@ -408,7 +408,7 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
     }
     if (refines() && is_wanted) {
         Timed const timed(other_milliseconds);
-        made.lacking = PictureRefiner::lacking(front, guide_names, split, frame.picture);
+        made.lacking = refiner.lacking(front, guide_names, split, frame.picture);
     }
     if (!alpha.empty()) frame.alpha = denoised_alpha(front, split);
     was_as_one = as_one, last = number, earlier.finish();

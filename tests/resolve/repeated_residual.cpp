@@ -1,3 +1,4 @@
+#include <quell/execute/threads.hpp>
 #include <quell/resolve/repeated_residual.hpp>
 
 #include <doctest/doctest.h>
@@ -35,9 +36,10 @@ Colours with_noise(Colours picture, float deviation, unsigned seed) {
     for (auto& pixel : picture) pixel += glm::vec3(noise(random));
     return picture;
 }
+double product_of(glm::vec3 const& a, glm::vec3 const& b) { return static_cast<double>(dot(vec3<float>(a), vec3<float>(b))); }
 double error_of(Colours const& picture, Colours const& truth) {
     double sum = 0.;
-    for (std::size_t i = 0; i < pixels; ++i) sum += detail::product_of(picture[i] - truth[i], picture[i] - truth[i]);
+    for (std::size_t i = 0; i < pixels; ++i) sum += product_of(picture[i] - truth[i], picture[i] - truth[i]);
     return std::sqrt(sum / (3. * static_cast<double>(pixels)));
 }
 
@@ -46,10 +48,10 @@ Colours made_with(RepeatedResidual const& rule, Colours const& samples, Colours 
                   Motions const& next) {
     Colours const flat(pixels, glm::vec3(1.f));
     std::vector<Colours> around;
-    if (before != nullptr) around.push_back(lacking_moved(lacking_of_samples(rule, size, *before, flat), motion.view()));
-    if (after != nullptr) around.push_back(lacking_moved(lacking_of_samples(rule, size, *after, flat), next.view()));
+    if (before != nullptr) around.push_back(lacking_moved(Simd{}, lacking_of_samples(rule, Simd{}, size, *before, flat), motion.view()));
+    if (after != nullptr) around.push_back(lacking_moved(Simd{}, lacking_of_samples(rule, Simd{}, size, *after, flat), next.view()));
     auto picture = flat;
-    give_back_repeated(rule, size, lacking_of_samples(rule, size, samples, flat), around, picture);
+    give_back_repeated(rule, Simd{}, size, lacking_of_samples(rule, Simd{}, size, samples, flat), around, picture);
     return picture;
 }
 
@@ -126,7 +128,7 @@ TEST_CASE("the frame after says as much as the one before, and both say more") {
         double along_now = 0., square = 0.;
         for (std::size_t i = 0; i < pixels; ++i) {
             auto const noise = now[i] - truth[i];
-            along_now += detail::product_of(made[i] - flat[i], noise), square += detail::product_of(noise, noise);
+            along_now += product_of(made[i] - flat[i], noise), square += product_of(noise, noise);
         }
         CHECK(along_now / square < .2); // x: a seventh; by the square of the mean, as if this frame had as little noise, .3
     }
@@ -138,8 +140,8 @@ TEST_CASE("given back light is as bright as the samples, and finite, whatever th
     Colours picture(pixels, glm::vec3(1.f)), samples = picture;
     samples[100] = glm::vec3(1e30f), samples[200] = glm::vec3(std::numeric_limits<float>::infinity());
     picture[300] = glm::vec3(std::numeric_limits<float>::quiet_NaN());
-    auto const lacking = lacking_of_samples(rule, size, samples, picture);
-    give_back_repeated(rule, size, lacking, {lacking_moved(lacking, motion.view())}, picture);
+    auto const lacking = lacking_of_samples(rule, Simd{}, size, samples, picture);
+    give_back_repeated(rule, Simd{}, size, lacking, {lacking_moved(Simd{}, lacking, motion.view())}, picture);
     for (std::size_t i = 0; i < pixels; ++i) {
         if (i == 300) continue;
         CHECK(std::isfinite(picture[i].x));
@@ -150,10 +152,47 @@ TEST_CASE("given back light is as bright as the samples, and finite, whatever th
 TEST_CASE("images of other sizes are refused by name") {
     Colours picture(pixels, glm::vec3(1.f)), few(3);
     auto const motion = motion_of(0.f, 0.f);
-    CHECK_THROWS_AS(static_cast<void>(lacking_of_samples({}, size, few, picture)), Error);
-    CHECK_THROWS_AS(static_cast<void>(lacking_moved(few, motion.view())), Error);
-    CHECK_THROWS_AS(give_back_repeated({}, size, few, {}, picture), Error);
-    CHECK_THROWS_AS(give_back_repeated({}, size, picture, {few}, picture), Error);
+    CHECK_THROWS_AS(static_cast<void>(lacking_of_samples({}, Simd{}, size, few, picture)), Error);
+    CHECK_THROWS_AS(static_cast<void>(lacking_moved(Simd{}, few, motion.view())), Error);
+    CHECK_THROWS_AS(give_back_repeated({}, Simd{}, size, few, {}, picture), Error);
+    CHECK_THROWS_AS(give_back_repeated({}, Simd{}, size, picture, {few}, picture), Error);
+    CHECK_THROWS_AS(give_back_repeated({}, Simd{}, size, picture, {picture, picture, picture}, picture), Error);
+    CHECK_THROWS_AS(give_back_repeated({.radius = {8, 10, 17}}, Simd{}, size, picture, {picture}, picture), Error);
+    CHECK_THROWS_AS(give_back_repeated({.deviation = {.7f, 6.f}}, Simd{}, size, picture, {picture}, picture), Error);
+    CHECK_THROWS_AS(give_back_repeated({.deviation = {0.f, 2.f}}, Simd{}, size, picture, {picture}, picture), Error);
+}
+
+TEST_CASE("threads give the same bits, and packs what single pixels give") {
+    RepeatedResidual const rule{.samples = 16.f};
+    Colours const flat(pixels, glm::vec3(1.f));
+    auto const motion = motion_of(-.4f, .3f);
+    auto const made_by = [&](Executor auto const& executor) {
+        auto picture = flat;
+        auto const lacking = [&](Colours const& samples) { return lacking_of_samples(rule, executor, size, samples, flat); };
+        auto const before = lacking(with_noise(stripes(0), .5f, 1)), now = lacking(with_noise(stripes(1), .5f, 2));
+        give_back_repeated(rule, executor, size, now, {lacking_moved(executor, before, motion.view())}, picture);
+        return picture;
+    };
+    auto const one = made_by(Threads<>{.count = 1}), single = made_by(Serial{});
+    CHECK(one == made_by(Threads<>{.count = 3}));
+    CHECK(one == made_by(Simd{}));
+    CHECK(error_of(one, flat) > .1);
+    CHECK(error_of(one, single) < 1e-5);
+}
+
+TEST_CASE("a Gaussian's mean of what is the same everywhere is that, and of a line it is the Gaussian") {
+    detail::Planes<3> image(size);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) image.view().set(0, x, y, 2.f), image.view().set(1, x, y, x == 30 ? 1.f : 0.f);
+    auto const blurred = detail::blurred(Simd{}, image.view(), 2.f);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            REQUIRE(blurred.view().get(0, x, y) == doctest::Approx(2.f));
+            if (x < 24 || x > 36) REQUIRE(blurred.view().get(1, x, y) == 0.f);
+        }
+    float const peak = blurred.view().get(1, 30, 5);
+    CHECK(peak == doctest::Approx(1. / (2. * std::sqrt(2. * 3.14159265))).epsilon(.01));
+    CHECK(blurred.view().get(1, 28, 20) == doctest::Approx(peak * std::exp(-.5f)));
 }
 
 } // namespace

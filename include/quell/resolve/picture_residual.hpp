@@ -57,6 +57,21 @@ struct Brightness {
     [[nodiscard]] float dark(float part) const { return part * mean + 1e-6f; }
 };
 
+/// The light of a picture around each pixel, and a little of that of the whole picture.
+template <Executor E, int most> Planes<1> light_around(E const& executor, WindowSums<most>& sums, Brightness const& brightness) {
+    constexpr int radius = 2;
+    auto const from = brightness.of_pixels.view();
+    auto const size = from.size;
+    Planes<1> light(size);
+    float const dark = brightness.dark(.02f);
+    sums.template around<1>(
+        executor, radius, [=]<class Real>(AtOnce<Real>, int x, int y) { return std::array{load_pixels<Real>(from, x, y)}; },
+        [=, to = light.view()]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
+            store_pixels<Real>(to, x, y, around[0] / pixels_in_square<Real>(x, y, radius, size) + dark, count);
+        });
+    return light;
+}
+
 /// Which half of a checkerboard pixels are of: 0 or 1.
 template <class Real> QUELL_KERNEL Real checkerboard_half(int x, int y) {
     auto const sum = Real(static_cast<float>(x + y)) + lanes<Real>();

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <quell/resolve/logarithm.hpp>
-#include <quell/resolve/residual.hpp>
 #include <quell/resolve/residual_feedback_fit.hpp>
 #include <quell/resolve/residual_levels.hpp>
+#include <quell/resolve/residual_sizes.hpp>
 
 #include <algorithm>
 #include <array>
@@ -48,32 +48,26 @@ struct FeedbackGates {
     template <Executor E>
     FeedbackGates(E const& executor, WindowSums<4>& sums, PictureResidual const& residual, PlanesView<3> picture,
                   Brightness const& brightness)
-        : light(residual.size), light_logarithm(residual.size), variance(residual.size), noise(residual.size), texture(residual.size) {
+        : light(light_around(executor, sums, brightness)), light_logarithm(residual.size), variance(residual.size), noise(residual.size),
+          texture(residual.size) {
         auto const size = residual.size;
-        auto const pixels_in_square = [=]<class Real>(AtOnce<Real>, int x, int y, int radius) {
-            auto const across = pixels_around(Real(static_cast<float>(x)) + lanes<Real>(), radius, size.width);
-            return across * pixels_around(Real(static_cast<float>(y)), radius, size.height);
-        };
-        auto const square = residual.mean_square.view(), spread = variance.view(), bright = brightness.of_pixels.view(),
-                   around_light = light.view(), logarithms = light_logarithm.view(), noises = noise.view(), textures = texture.view();
+        auto const square = residual.mean_square.view(), spread = variance.view(), around_light = light.view(),
+                   logarithms = light_logarithm.view(), noises = noise.view(), textures = texture.view();
         constexpr int near = 2, wide = 3, of_texture = 4;
         // Where there is no sample, noise is that of the samples around.
         sums.around<1>(
             executor, wide, [=]<class Real>(AtOnce<Real>, int x, int y) { return std::array{load_pixels<Real>(square, x, y)}; },
-            [=]<class Real>(AtOnce<Real> at, int x, int y, int count, auto const& around) {
+            [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
                 auto const own = load_pixels<Real>(square, x, y);
-                store_pixels<Real>(spread, x, y, select(own > Real(0.f), own, around[0] / pixels_in_square(at, x, y, wide)), count);
+                store_pixels<Real>(spread, x, y, select(own > Real(0.f), own, around[0] / pixels_in_square<Real>(x, y, wide, size)), count);
             });
-        float const dark = brightness.dark(.02f), log_mean = logarithm(brightness.mean + dark);
-        sums.around<2>(
-            executor, near,
-            [=]<class Real>(AtOnce<Real>, int x, int y) {
-                return std::array{load_pixels<Real>(bright, x, y), load_pixels<Real>(spread, x, y)};
-            },
-            [=]<class Real>(AtOnce<Real> at, int x, int y, int count, auto const& around) {
-                auto const per_pixels = 1.f / pixels_in_square(at, x, y, near);
-                auto const its_light = fma(around[0], per_pixels, Real(dark)), its = max(around[1] * per_pixels / 3.f, Real(1e-20f));
-                store_pixels<Real>(around_light, x, y, its_light, count), store_pixels<Real>(spread, x, y, its, count);
+        float const log_mean = logarithm(brightness.mean + brightness.dark(0.f));
+        sums.around<1>(
+            executor, near, [=]<class Real>(AtOnce<Real>, int x, int y) { return std::array{load_pixels<Real>(spread, x, y)}; },
+            [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
+                auto const its_light = load_pixels<Real>(around_light, x, y);
+                auto const its = max(around[0] / pixels_in_square<Real>(x, y, near, size) / 3.f, Real(1e-20f));
+                store_pixels<Real>(spread, x, y, its, count);
                 auto const logarithm_of_noise = logarithm(sqrt(its) / its_light + 1e-3f) * 1.44269504f; // to the base of 2
                 store_pixels<Real>(noises, x, y, clamp(logarithm_of_noise / 3.f, Real(-2.f), Real(1.5f)), count);
                 auto const own = luminance(load_pixels<Real>(picture, x, y));
@@ -86,8 +80,8 @@ struct FeedbackGates {
                 auto const its = logarithm(load_pixels<Real>(around_light, x, y)) - log_mean;
                 return std::array{its, its * its};
             },
-            [=]<class Real>(AtOnce<Real> at, int x, int y, int count, auto const& around) {
-                auto const per_pixels = 1.f / pixels_in_square(at, x, y, of_texture), mean = around[0] * per_pixels;
+            [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
+                auto const per_pixels = 1.f / pixels_in_square<Real>(x, y, of_texture, size), mean = around[0] * per_pixels;
                 auto const varies = max(fma(around[1], per_pixels, -(mean * mean)), Real(0.f));
                 store_pixels<Real>(textures, x, y, min(2.f * sqrt(varies), Real(1.5f)), count);
             });

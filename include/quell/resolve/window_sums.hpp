@@ -34,6 +34,12 @@ template <class Real> QUELL_KERNEL Real pixels_around(Real at, int radius, int l
     return min(at + reach, Real(static_cast<float>(length - 1))) - max(at - reach, Real(0.f)) + 1.f;
 }
 
+/// How many pixels the square around each pixel has in the image.
+template <class Real> QUELL_KERNEL Real pixels_in_square(int x, int y, int radius, Extent size) {
+    return pixels_around(Real(static_cast<float>(x)) + lanes<Real>(), radius, size.width) *
+           pixels_around(Real(static_cast<float>(y)), radius, size.height);
+}
+
 /// Sums of numbers over the square around each pixel, as far as that lies in the image. No sum is a difference of larger ones, so that
 /// what is dark beside something bright stays exact.
 /// @tparam most numbers a pixel
