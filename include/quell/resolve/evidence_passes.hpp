@@ -127,8 +127,8 @@ private:
 ///     mix.mix(rule, executor, a_with, b_with, to);
 ///
 /// Views have one component, three, or four of which the last is alpha: it is not judged, and stays that of the first estimate. Memory is
-/// taken by the first frame, and where their size changes: 32 bytes a pixel, 40 for a rule
-/// with doubt. The result does not depend on the executor's threads.
+/// taken by the first frame, and where their size changes: 32 bytes a pixel, 40 for a rule with doubt. The result does not depend on the
+/// executor's threads.
 /// @tparam Memory where sums lie
 template <ImageMemory Memory = HostMemory> class EvidenceMix {
     struct Release {
