@@ -1,7 +1,5 @@
 #include <denoise/repeated_detail.hpp>
 
-#include <quell/resolve/residual.hpp>
-
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -54,6 +54,28 @@ TEST_CASE("of many samples, what a pixel's own one changes counts for the estima
     CHECK(part(0.f, .5f, Evidence::of_samples(16.f)) == doctest::Approx(part(0.f, .5f)));
 }
 
+TEST_CASE("doubt takes caution away as far as samples leave nothing of the first estimate") {
+    // A is off, B is right but for its own noise: caution keeps a part of A, full doubt nearly nothing of it.
+    double const cautious = part(.8f, 0.f, {}, .15f), doubtful = part(.8f, 0.f, {.doubt = 1.f}, .15f);
+    double const blind = part(.8f, 0.f, {.caution = 0.f}, .15f);
+    CHECK(cautious > .05);
+    CHECK(blind < .02);
+    CHECK(doubtful < blind + .3 * (cautious - blind));
+    CHECK(part(.8f, 0.f, {.doubt = .5f}, .15f) == doctest::Approx(.5 * (cautious + blind)).epsilon(.2));
+    // Where samples speak for A, the part stays what caution makes of it.
+    CHECK(part(0.f, .5f, {.doubt = 1.f}, .3f) == doctest::Approx(part(0.f, .5f, {}, .3f)).epsilon(.02));
+    CHECK(part(.2f, 0.f, {.caution = 0.f, .doubt = 1.f}, .5f) == part(.2f, 0.f, {.caution = 0.f}, .5f));
+}
+
+TEST_CASE("a history that has seen later frames is doubted more, the more samples there are") {
+    CHECK(Evidence::with_later_frames(0.f).doubt == 0.f);
+    CHECK(Evidence::with_later_frames(1.f).doubt == 0.f);
+    CHECK(Evidence::with_later_frames(4.f).doubt == doctest::Approx(.375));
+    CHECK(Evidence::with_later_frames(16.f).doubt == doctest::Approx(.75));
+    CHECK(Evidence::with_later_frames(256.f).doubt == doctest::Approx(.75));
+    CHECK(Evidence::with_later_frames(16.f).caution == Evidence{}.caution);
+}
+
 TEST_CASE("little evidence changes little") {
     CHECK(part(.05f, 0.f, {.radius = 1, .spread = .1f}) > .9);
     CHECK(part(.05f, 0.f, {.radius = 1, .spread = 1e4f}) < .7);

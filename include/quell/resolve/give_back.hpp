@@ -97,7 +97,11 @@ public:
         auto before = std::exchange(lacking, {}); // after an error it is not known
         if (!has_past || before.size() != picture.size()) before.clear();
         feed_back_residual(feedback, executor, samples, guides.view(normal), guides.view(depth), alone, picture);
-        lacking = give_back_repeated(repeated, samples, guides.view(motion), before, picture);
+        auto const size = guides.view(motion).size;
+        auto now = lacking_of_samples(repeated, executor, size, samples, picture);
+        if (!before.empty())
+            give_back_repeated(repeated, executor, size, now, {lacking_moved(executor, before, guides.view(motion))}, picture);
+        lacking = std::move(now);
     }
     /// Drops what it keeps: for cuts.
     void forget() { lacking = std::vector<glm::vec3>(); }
