@@ -67,13 +67,17 @@ TEST_CASE("doubt takes caution away as far as samples leave nothing of the first
     CHECK(part(.2f, 0.f, {.caution = 0.f, .doubt = 1.f}, .5f) == part(.2f, 0.f, {.caution = 0.f}, .5f));
 }
 
-TEST_CASE("a history that has seen later frames is doubted more, the more samples there are") {
-    CHECK(Evidence::with_later_frames(0.f).doubt == 0.f);
-    CHECK(Evidence::with_later_frames(1.f).doubt == 0.f);
-    CHECK(Evidence::with_later_frames(4.f).doubt == doctest::Approx(.375));
-    CHECK(Evidence::with_later_frames(16.f).doubt == doctest::Approx(.75));
-    CHECK(Evidence::with_later_frames(256.f).doubt == doctest::Approx(.75));
-    CHECK(Evidence::with_later_frames(16.f).caution == Evidence{}.caution);
+TEST_CASE("a history that has seen later frames is trusted less, the more samples there are") {
+    for (float const few : {0.f, 1.f}) {
+        CHECK(Evidence::with_later_frames(few).doubt == 0.f);
+        CHECK(Evidence::with_later_frames(few).caution == Evidence{}.caution);
+    }
+    CHECK(Evidence::with_later_frames(4.f).doubt == doctest::Approx(.5));
+    for (float const many : {16.f, 64.f, 1024.f}) CHECK(Evidence::with_later_frames(many).doubt == 1.f);
+    CHECK(Evidence::with_later_frames(16.f).caution == doctest::Approx(2.));
+    CHECK(Evidence::with_later_frames(32.f).caution == doctest::Approx(.75));
+    CHECK(Evidence::with_later_frames(64.f).caution == doctest::Approx(-.5));
+    CHECK(Evidence::with_later_frames(1024.f).caution == -.5f);
 }
 
 TEST_CASE("little evidence changes little") {

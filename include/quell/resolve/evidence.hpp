@@ -48,10 +48,12 @@ struct Evidence {
     [[nodiscard]] static Evidence of_samples(float samples) {
         return {.caution = std::max(2.f - 0.65f * std::log2(std::max(samples, 1.f)), -1.f)};
     }
-    /// For a history that has seen later frames too: its caution is that for 1 sample, with a doubt that goes up to 0.75 at 16 samples.
+    /// For a history that has seen later frames too, and deserves more trust: caution is 2 up to 16 samples, with a doubt that goes up to 1
+    /// there; from then on it falls, to 0.75 at 32 samples and -0.5 from 64 on.
     /// @param samples of each pixel; less than 1 counts as 1
     [[nodiscard]] static Evidence with_later_frames(float samples) {
-        return {.doubt = 0.75f * std::min(std::log2(std::max(samples, 1.f)) / 4.f, 1.f)};
+        float const octaves = std::log2(std::max(samples, 1.f)), beyond = std::max(octaves - 4.f, 0.f);
+        return {.caution = std::max(2.f - 1.25f * beyond, -0.5f), .doubt = std::min(octaves / 4.f, 1.f)};
     }
 };
 
