@@ -207,7 +207,8 @@ double SequenceDenoiser::bytes_per_pixel() const {
     if (guides) sum += guides->bytes_per_pixel();
     if (upsampler) sum += upsampler->bytes_per_pixel();
     sum += refiner.bytes_per_pixel();
-    if (ahead) sum += static_cast<double>((2 + ahead->frame.signals.size()) * sizeof(glm::vec3));
+    if (ahead) // its picture, what that lacks, and its signals
+        sum += static_cast<double>((2 + ahead->frame.signals.size()) * sizeof(glm::vec3) + (alpha.empty() ? 0 : sizeof(float)));
     return whole ? sum + whole->bytes_per_pixel() : sum;
 }
 
