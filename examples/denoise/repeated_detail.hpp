@@ -16,8 +16,8 @@ namespace quell::examples {
 struct RepeatedDetail {
     float deviation = .7f; ///< of the Gaussian that detail is finer than, in pixels
     int radius = 16;       ///< of the windows, in pixels
-    float alike = 4.f;     ///< detail whose correlation with that of guides is the inverse counts as theirs: colours that were anti-aliased
-                           ///< are means of nine frames' samples, which are correlated by a third with those of one frame
+    float alike = 6.f;     ///< detail whose correlation with that of guides is a sixth counts as theirs: colours that were anti-aliased are
+                           ///< means of some nine frames' samples, and light has noise of its own
     int light_radius = 4;  ///< of those that say how much light guides are multiplied by
     float most = 3.f;      ///< what guides add, and their detail, is at most so many times the light around
 };

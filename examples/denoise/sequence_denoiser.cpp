@@ -1,16 +1,11 @@
-#include <denoise/behind_volume.hpp>
-#include <denoise/canvas.hpp>
 #include <denoise/composite.hpp>
 #include <denoise/converted_history.hpp>
 #include <denoise/file_remedies.hpp>
-#include <denoise/layers.hpp>
-#include <denoise/map_file.hpp>
 #include <denoise/sequence_denoiser.hpp>
 
 #include <quell/core/real.hpp>
 #include <quell/execute/threads.hpp>
 #include <quell/io/frame_image.hpp>
-#include <quell/io/part_names.hpp>
 #include <quell/resolve/residual_feedback.hpp>
 
 #include <algorithm>
@@ -45,81 +40,39 @@ void check_debug_views(Preset const& preset, std::vector<std::string> const& vie
                         "leave it out, or choose a preset that clamps, such as surface-clamp");
 }
 
-/// Whether the light of a file goes through it as one picture or as its signals, not as parts that it knows by name.
-bool denoises_picture(Preset const& preset) { return preset.of_signals.size() == 1 && preset.of_signals[0].name == radiance.name; }
-
-/// Attributes of the view's own part. In a part that several stereo views share, the camera is that of the default one, if of any.
-std::map<std::string, io::Attribute, std::less<>> attributes_of_view(io::ExrOriginal const& file, io::SequenceNames const& names) {
-    auto attributes = file.attributes_of(home_part(file.listed, names));
-    auto const& eyes = file.listed.eyes;
-    if (!names.eye.empty() && (eyes.empty() || eyes[0] != names.eye))
-        for (auto const* const name : {"quell:view", "quell:projection", "quell:view_previous", "quell:projection_previous"})
-            attributes.erase(name);
-    return attributes;
-}
-
 } // namespace
 
-SequenceDenoiser::SequenceDenoiser(SequenceSettings settings_) : settings(std::move(settings_)), refiner(settings.threads) {
-    check_debug_views(settings.preset, settings.debug_views);
-}
-
-void SequenceDenoiser::begin(io::ExrOriginal const& file) {
-    settings.map = settings.map ? io::names_in_parts(*settings.map, file.listed) : recognised(file.listed);
-    if (settings.field_of_view)
-        for (auto& signal : settings.map->of_signals) signal.channels.depth.vertical_field_of_view = *settings.field_of_view;
-    if (settings.shutter)
-        for (auto& signal : settings.map->of_signals) signal.channels.shutter = settings.shutter;
-    auto const others = file.canvas();
-    if (!(file.listed.size == size)) canvas = others;
-    size = file.listed.size;
-    canvas = {std::min(canvas.x0, others.x0), std::min(canvas.y0, others.y0), std::max(canvas.x1, others.x1),
-              std::max(canvas.y1, others.y1)};
-    check_field_of_view(file.listed, *settings.map, canvas);
-    if (settings.upsampling) check_upsampling(file.listed);
-    on_canvas = names_on_canvas(*settings.map, size, canvas);
-    if (!denoises_picture(settings.preset)) on_canvas.picture.clear();
-    alpha = denoises_picture(settings.preset) ? alpha_plane(file.listed, *settings.map).value_or("") : "";
-    any = denoiser_of(settings.preset, {1, 1}, 1);
-    denoisers.resize(on_canvas.of_signals.size() + 1);
-}
-
-/// Outside of the display window there is no picture to enlarge.
-void SequenceDenoiser::check_upsampling(io::ExrListing const& file) {
-    if (!(io::detail::size_of(canvas) == size))
-        throw Error(file.name, "it holds pixels outside of its display window, which --upsample can't enlarge",
-                    "leave out --upsample, or what lies outside of the display window");
-    auto const planes = io::planes_of(Channels<Depth, Motion>{}, settings.map->of_signals[0].channels);
-    if (settings.upsampling->resolves() && !file.has_all(planes)) settings.upsampling->alone = "the files lack depth or motion";
-    static_cast<void>(settings.upsampling->enlarged(size));
+SequenceDenoiser::SequenceDenoiser(SequenceSettings settings) : frames(std::move(settings)), refiner(frames.settings.threads) {
+    check_debug_views(frames.settings.preset, frames.settings.debug_views);
 }
 
 /// The picture and its alpha are all that is left of the frame.
 void SequenceDenoiser::upsample(DenoisedFrame& frame, SeenFrame const& seen) {
-    if (!upsampler) upsampler.emplace(size, *settings.upsampling, settings.threads);
-    upsampler->next(seen.image, on_canvas.of_signals[0].channels, seen.number, frame.picture, frame.alpha);
+    if (!upsampler) upsampler.emplace(frames.size(), *frames.settings.upsampling, frames.settings.threads);
+    upsampler->next(seen.image, frames.guide_names(), seen.number, frame.picture, frame.alpha);
     frame.canvas = {0, 0, frame.picture.size.width, frame.picture.size.height};
     frame.signals.clear(), frame.guides.clear(), frame.added = {};
 }
 
+void SequenceDenoiser::begin(io::ExrOriginal const& file) {
+    frames.begin(file);
+    denoisers.resize(frames.names().of_signals.size() + 1);
+}
+
 Purpose SequenceDenoiser::purpose_of(std::size_t signal) const {
-    if (!settings.debug_views.empty()) return Purpose::watched;
-    return !rule().alpha.empty() && has_alpha(signal) ? Purpose::with_alpha : Purpose::picture;
+    if (!frames.settings.debug_views.empty()) return Purpose::watched;
+    return !frames.rule().alpha.empty() && frames.has_alpha(signal) ? Purpose::with_alpha : Purpose::picture;
 }
 
 Denoiser& SequenceDenoiser::denoiser(std::size_t signal) {
     auto& made = denoisers[signal];
     if (made) return *made;
-    auto const whole = io::detail::size_of(canvas);
-    made = std::make_unique<Denoiser>(way_of(settings.preset, purpose_of(signal)), whole, settings.threads);
-    if (!settings.diagnose && !checks) made->check_first_frames(), checks = true;
-    if (settings.diagnose)
-        made->diagnose(signal < on_canvas.of_signals.size() ? on_canvas.of_signals[signal].factor : std::vector<io::Source>());
+    auto const whole = frames.canvas_size();
+    made = std::make_unique<Denoiser>(way_of(frames.settings.preset, purpose_of(signal)), whole, frames.settings.threads);
+    if (!frames.settings.diagnose && !checks) made->check_first_frames(), checks = true;
+    if (frames.settings.diagnose)
+        made->diagnose(signal < frames.names().of_signals.size() ? frames.names().of_signals[signal].factor : std::vector<io::Source>());
     return *made;
-}
-
-bool SequenceDenoiser::is_inside(Region const& other) const {
-    return other.x0 >= canvas.x0 && other.y0 >= canvas.y0 && other.x1 <= canvas.x1 && other.y1 <= canvas.y1;
 }
 
 void SequenceDenoiser::release_scratch() {
@@ -158,29 +111,13 @@ void SequenceDenoiser::collect(std::vector<Finding> const& findings, std::vector
             into.push_back({finding.mistake, finding.evidence, finding.remedy + remedy_for_files(finding), finding.also, finding.or_else});
 }
 
-std::vector<std::string> SequenceDenoiser::planes(io::ExrListing const& file) const {
-    auto planes = split_planes(file, on_canvas);
-    if (anti_aliases())
-        for (auto const& plane : planes_of_frame_around(file, on_canvas)) planes.push_back(plane);
-    if (!alpha.empty()) planes.push_back(alpha);
-    if (settings.upsampling && settings.upsampling->resolves())
-        for (auto const& plane : io::planes_of(Channels<Depth, Motion>{}, on_canvas.of_signals[0].channels)) planes.push_back(plane);
-    for (auto const& signal : on_canvas.of_signals) {
-        auto const more = any->planes(signal.channels);
-        planes.insert(planes.end(), more.begin(), more.end());
-        for (auto const& plane : any->optional_planes(signal.channels))
-            if (file.find(plane)) planes.push_back(plane);
-    }
-    return planes;
-}
-
 std::vector<std::pair<std::string, DebugImage>> SequenceDenoiser::debug_images(std::string const& view) {
     std::vector<std::pair<std::string, DebugImage>> all;
     auto const& split = *current->seen.ways[current->seen.as_one ? 1 : 0];
     for (std::size_t s = 0; s < split.signals.size(); ++s) {
         if (!split.active[s]) continue;
         auto images = denoisers[s]->debug_images(view);
-        auto const signal = has_several_signals(on_canvas) ? split.signals[s].name + "." : std::string();
+        auto const signal = has_several_signals(frames.names()) ? split.signals[s].name + "." : std::string();
         for (auto& image : images) {
             auto const part = images.size() > 1 ? image.signal + "." : std::string();
             all.emplace_back(signal + part + view, std::move(image));
@@ -203,11 +140,13 @@ double SequenceDenoiser::bytes_per_pixel() const {
     for (auto const& denoiser : denoisers)
         if (denoiser) sum += denoiser->bytes_per_pixel();
     for (auto const& choice : choices)
-        if (choice) sum += static_cast<double>(choice->bytes()) / static_cast<double>(io::detail::size_of(canvas).pixels());
+        if (choice) sum += static_cast<double>(choice->bytes()) / static_cast<double>(frames.canvas_size().pixels());
     if (guides) sum += guides->bytes_per_pixel();
     if (upsampler) sum += upsampler->bytes_per_pixel();
     sum += refiner.bytes_per_pixel();
-    if (ahead) sum += static_cast<double>((2 + ahead->frame.signals.size()) * sizeof(glm::vec3));
+    if (ahead) // its picture, what that lacks, and its signals
+        sum +=
+            static_cast<double>((2 + ahead->frame.signals.size()) * sizeof(glm::vec3) + (frames.alpha_plane().empty() ? 0 : sizeof(float)));
     return whole ? sum + whole->bytes_per_pixel() : sum;
 }
 
@@ -215,43 +154,17 @@ double SequenceDenoiser::bytes_per_pixel() const {
 void SequenceDenoiser::read(FramePattern const& in, long long number, bool is_ahead) {
     io::ExrOriginal const file(in.path(number));
     if (denoisers.empty()) begin(file);
-    if (!(file.listed.size == size))
-        throw Error(file.listed.name, "it is " + to_string(file.listed.size) + " but the frames before it are " + to_string(size),
+    if (!(file.listed.size == frames.size()))
+        throw Error(file.listed.name, "it is " + to_string(file.listed.size) + " but the frames before it are " + to_string(frames.size()),
                     "denoise frames of one size, or each size by itself (--first, --last)");
-    if (!is_inside(file.canvas())) {
+    if (!frames.is_inside(file.canvas())) {
         if (is_ahead)
             throw Error(file.listed.name, "it holds more around its display window than the frames before it", "denoise it without them");
         forget();
         begin(file);
         ++changes;
     }
-    window.push_back(seen(file, number));
-}
-
-SeenFrame SequenceDenoiser::seen(io::ExrOriginal const& file, long long number) const {
-    SeenFrame frame{number, file.read(planes(file.listed), canvas), false, {}, {}};
-    frame.samples = samples_in(file.listed);
-    if (refines()) frame.behind = names_behind_volume(frame.image, on_canvas);
-    auto const& names = names_of(frame);
-    if (anti_aliases()) frame.around = frame_around(frame.image, names, frame.samples);
-    if (!on_canvas.view.empty()) frame.image.attributes = attributes_of_view(file, on_canvas);
-    put_cameras_on_canvas(frame.image, size, canvas);
-    auto split_by = rule();
-    // Anti-aliasing takes the mean of several samples.
-    bool const is_opaque = alpha.empty() || std::ranges::all_of(frame.image[alpha].values, [](float a) { return a == 1.f; });
-    if (!is_opaque) frame.around.reset(); // colours of transparent film are those of what is hit, times its alpha
-    if (frame.around) split_by.samples_of_guides = frame.around->policy.by_surface ? 4.f : 2.f;
-    // Noise of guides is taken off the signals' picture: it is never filtered as one for that.
-    if (frame.around && refines()) split_by.samples_of_guides = std::numeric_limits<float>::infinity();
-    frame.as_one = is_better_as_one(frame.image, names, split_by);
-    frame.has_noisy_guides = refines() && frame.around && !frame.as_one && is_better_as_one(frame.image, names, rule());
-    return frame;
-}
-
-LightSplit const& SequenceDenoiser::split(SeenFrame& seen, bool as_one) const {
-    auto& way = seen.ways[as_one ? 1 : 0];
-    if (!way) way = split_light(seen.image, names_of(seen), rule(), as_one);
-    return *way;
+    window.push_back(frames.seen(file, number));
 }
 
 /// Where the picture is filtered as one from this frame on, or by its signals, their histories become that of the picture, or the other way
@@ -260,9 +173,9 @@ void SequenceDenoiser::hand_over(FramePattern const& in) {
     for (auto const& each : denoisers)
         if (each) each->drop_ahead();
     if (!std::filesystem::exists(in.path(*last))) return;
-    auto const before = seen(io::ExrOriginal(in.path(*last)), *last);
-    auto const shares = signal_shares(before.image, names_of(before), rule());
-    auto const signals = on_canvas.of_signals.size();
+    auto const before = frames.seen(io::ExrOriginal(in.path(*last)), *last);
+    auto const shares = signal_shares(before.image, frames.names_of(before), frames.rule());
+    auto const signals = frames.names().of_signals.size();
     if (was_as_one) {
         auto const whole = denoiser(signals).remembered();
         for (std::size_t s = 0; s < signals && whole; ++s) denoiser(s).remember(part_of_history(*whole, shares, s));
@@ -278,10 +191,7 @@ void SequenceDenoiser::hand_over(FramePattern const& in) {
 
 /// A frame that is missing, broken or larger ends the window, and is dealt with when it is its turn: those before it are written whole.
 void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
-    if (!looks_ahead(settings.preset) || !settings.debug_views.empty()) return;
-    auto const farthest =
-        anti_aliases() && settings.later_frames > 0 ? std::max(settings.later_frames, AntiAliased::most_frames) : settings.later_frames;
-    for (auto later = window.back().number + 1; later <= number + farthest; ++later) {
+    for (auto later = window.back().number + 1; later <= number + frames.settings.frames_ahead(); ++later) {
         if (!std::filesystem::exists(in.path(later))) return;
         try {
             read(in, later, true);
@@ -295,9 +205,9 @@ void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
 /// the rule of one that has not, ten of ten scenes had more error at 16 samples.
 quell_library::HistoryChoice* SequenceDenoiser::choice_for(std::size_t signal) {
     auto const purpose = purpose_of(signal);
-    if (!can_choose_history(way_of(settings.preset, purpose))) return nullptr;
+    if (!can_choose_history(way_of(frames.settings.preset, purpose))) return nullptr;
     auto& choice = choices[purpose == Purpose::with_alpha ? 1 : 0];
-    if (!choice) choice = denoiser(signal).make_choice(way_of(quell_library::judge_of(settings.preset), purpose));
+    if (!choice) choice = denoiser(signal).make_choice(way_of(quell_library::judge_of(frames.settings.preset), purpose));
     choice->tell_rule(Evidence::with_later_frames(static_cast<float>(window.front().samples)));
     return choice.get();
 }
@@ -307,8 +217,8 @@ quell_library::HistoryChoice* SequenceDenoiser::choice_for(std::size_t signal) {
 bool SequenceDenoiser::gives_light_back(SeenFrame& seen) const {
     if (seen.samples < 1) return false;
     if (seen.behind) return true;
-    for (std::size_t s = 0; s < on_canvas.of_signals.size() && has_several_signals(on_canvas); ++s)
-        if (on_canvas.of_signals[s].factor.empty() && split(seen, false).active[s]) return false;
+    for (std::size_t s = 0; s < frames.names().of_signals.size() && has_several_signals(frames.names()); ++s)
+        if (frames.names().of_signals[s].factor.empty() && frames.split(seen, false).active[s]) return false;
     return true;
 }
 
@@ -322,8 +232,9 @@ void SequenceDenoiser::feed_back_residual(io::ExrImage const& image, io::Channel
     io::load_channels(Channels<Normal, Depth>{}, guides, image, names);
     auto const samples = picture_of(image, io::sources_of(names, radiance), std::numeric_limits<float>::quiet_NaN());
     Timed const timed(other_milliseconds);
-    quell::feed_back_residual({.samples = static_cast<float>(count), .shares = settings.feedback}, Threads<>{.count = settings.threads},
-                              samples.pixels, guides[normal].view(), guides[depth].view(), alone.pixels, light.pixels);
+    quell::feed_back_residual({.samples = static_cast<float>(count), .shares = frames.settings.feedback},
+                              Threads<>{.count = frames.settings.threads}, samples.pixels, guides[normal].view(), guides[depth].view(),
+                              alone.pixels, light.pixels);
 }
 
 DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long number, bool is_wanted) {
@@ -332,7 +243,7 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
     current = is_there ? std::exchange(ahead, std::nullopt) : denoised(in, number, is_wanted);
     ahead.reset();
     auto& seen = current->seen;
-    if (seen.image.planes.empty()) seen = this->seen(io::ExrOriginal(in.path(number)), number); // its memory was given back
+    if (seen.image.planes.empty()) seen = frames.seen(io::ExrOriginal(in.path(number)), number); // its memory was given back
     if (is_wanted && sees_next(seen)) denoise_ahead(in, number + 1);
     found = current->found, missing += current->missing, repaired += current->repaired;
     return finished(*current);
@@ -340,8 +251,8 @@ DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long num
 
 /// Whether the picture of the frame after takes part in this frame's.
 bool SequenceDenoiser::sees_next(SeenFrame const& seen) const {
-    return refines() && settings.later_frames > 0 &&
-           seen.image.has_all(io::planes_of(Channels<Motion, MotionNext>{}, on_canvas.of_signals[0].channels));
+    return frames.settings.is_refined() && frames.settings.later_frames > 0 &&
+           seen.image.has_all(io::planes_of(Channels<Motion, MotionNext>{}, frames.guide_names()));
 }
 
 /// A frame that is missing or broken is dealt with when it is its turn.
@@ -366,20 +277,20 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
     bool const as_one = front.as_one;
     if (last && *last + 1 == number && as_one != was_as_one) hand_over(in);
     for (auto& seen : window) {
-        if (seen.number > number + settings.later_frames) break; // it is there for its guides
-        for (std::size_t s = 0; auto const& signal : split(seen, as_one).signals)
-            if (auto const signal_number = s++; split(seen, as_one).active[signal_number])
+        if (seen.number > number + frames.settings.later_frames) break; // it is there for its guides
+        for (std::size_t s = 0; auto const& signal : frames.split(seen, as_one).signals)
+            if (auto const signal_number = s++; frames.split(seen, as_one).active[signal_number])
                 denoiser(signal_number).look_ahead(seen.image, signal.channels, seen.number);
     }
     auto const& image = front.image;
     auto const& split = *front.ways[as_one ? 1 : 0];
     DenoisedSignals made;
     auto& frame = made.frame;
-    frame.canvas = canvas;
-    bool const gives_back = refines() && is_wanted && gives_light_back(front);
+    frame.canvas = frames.region();
+    bool const gives_back = frames.settings.is_refined() && is_wanted && gives_light_back(front);
     auto const denoised_signal = [&](std::size_t s) {
         auto const& channels = split.signals[s].channels;
-        auto* const choice = refines() && is_wanted ? choice_for(s) : nullptr;
+        auto* const choice = frames.settings.is_refined() && is_wanted ? choice_for(s) : nullptr;
         auto result = denoiser(s).denoise(image, channels, number, choice);
         if (gives_back) {
             auto const alone = choice != nullptr ? denoiser(s).alone(*choice) : std::nullopt;
@@ -393,7 +304,7 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
         collect(denoiser(s).findings(), made.found);
         return result;
     };
-    AntiAliasing anti_aliasing{front.around, earlier.before(), {}, settings.threads};
+    AntiAliasing anti_aliasing{front.around, earlier.before(), {}, frames.settings.threads};
     for (std::size_t k = 1; k < std::min(window.size(), AntiAliased::most_frames + std::size_t{1}); ++k)
         anti_aliasing.after.push_back(window[k].around);
     frame.picture =
@@ -401,17 +312,16 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
             Timed const timed(other_milliseconds);
             return anti_aliasing.product(s, light);
         });
-    auto const& guide_names = on_canvas.of_signals[0].channels;
     if (front.has_noisy_guides) {
         auto const whole_picture = denoised_as_one(front);
         Timed const timed(other_milliseconds);
-        refiner.take_off_noise_of_guides(front, guide_names, split, whole_picture, frame);
+        refiner.take_off_noise_of_guides(front, frames.guide_names(), split, whole_picture, frame);
     }
-    if (refines() && is_wanted) {
+    if (frames.settings.is_refined() && is_wanted) {
         Timed const timed(other_milliseconds);
-        made.lacking = refiner.lacking(front, guide_names, split, frame.picture);
+        made.lacking = refiner.lacking(front, frames.guide_names(), split, frame.picture);
     }
-    if (!alpha.empty()) frame.alpha = denoised_alpha(front, split);
+    if (!frames.alpha_plane().empty()) frame.alpha = denoised_alpha(front, split);
     was_as_one = as_one, last = number, earlier.finish();
     made.seen = std::move(front);
     window.pop_front();
@@ -420,39 +330,40 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
 
 /// What comes out of it, in the order of frames.
 DenoisedFrame SequenceDenoiser::finished(DenoisedSignals& signals) {
-    auto& [seen, frame, lacking, missing_of_frame, repaired_of_frame, found_in_frame] = signals;
-    if (!lacking.empty()) {
+    auto& seen = signals.seen;
+    auto& frame = signals.frame;
+    if (!signals.lacking.empty()) {
         Timed const timed(other_milliseconds);
         auto const* const next = ahead && !ahead->lacking.empty() ? &ahead->lacking : nullptr;
-        refiner.give_back_repeated(seen, on_canvas.of_signals[0].channels, std::move(lacking), next, frame);
+        refiner.give_back_repeated(seen, frames.guide_names(), std::move(signals.lacking), next, frame);
     }
-    if (accumulates_guides(settings.preset)) accumulate_guides(frame, seen);
-    if (!has_several_signals(on_canvas)) frame.signals.clear(); // it is the picture
-    if (!alpha.empty()) clear_empty_film(frame, seen);
-    add_as_in_file(frame, seen.image, split(seen, seen.as_one));
-    if (settings.upsampling) upsample(frame, seen);
+    if (accumulates_guides(frames.settings.preset)) accumulate_guides(frame, seen);
+    if (!has_several_signals(frames.names())) frame.signals.clear(); // it is the picture
+    if (!frames.alpha_plane().empty()) clear_empty_film(frame, seen);
+    add_as_in_file(frame, seen.image, frames.split(seen, seen.as_one));
+    if (frames.settings.upsampling) upsample(frame, seen);
     return std::move(frame);
 }
 
 /// The picture of a frame of the window, which is its first, denoised as one.
 metrics::Picture SequenceDenoiser::denoised_as_one(SeenFrame& front) {
-    if (!whole) whole = std::make_unique<Denoiser>(way_of(settings.preset), io::detail::size_of(canvas), settings.threads);
+    if (!whole) whole = std::make_unique<Denoiser>(way_of(frames.settings.preset), frames.canvas_size(), frames.settings.threads);
     for (auto& seen : window) {
-        if (seen.number > front.number + settings.later_frames) break;
-        whole->look_ahead(seen.image, split(seen, true).signals.back().channels, seen.number);
+        if (seen.number > front.number + frames.settings.later_frames) break;
+        whole->look_ahead(seen.image, frames.split(seen, true).signals.back().channels, seen.number);
     }
-    return whole->denoise(front.image, split(front, true).signals.back().channels, front.number);
+    return whole->denoise(front.image, frames.split(front, true).signals.back().channels, front.number);
 }
 
 /// Frames that follow want those before, whether or not they are shown.
 void SequenceDenoiser::accumulate_guides(DenoisedFrame& frame, SeenFrame& seen) {
-    if (!guides) guides.emplace(settings.preset, settings.threads);
-    frame.guides = guides->next(seen.image, on_canvas, seen.number);
+    if (!guides) guides.emplace(frames.settings.preset, frames.settings.threads);
+    frame.guides = guides->next(seen.image, frames.names(), seen.number);
 }
 
 /// Layers are added up with what the file adds: of what a split takes of that, or scales down, the rest has the difference.
 void SequenceDenoiser::add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const {
-    auto const& added = on_canvas.added;
+    auto const& added = frames.names().added;
     for (std::size_t c = 0; c < added.size(); ++c)
         for (auto const& plane : added[c].sum) // the offset is added once
             frame.added[c].push_back({&image[plane].values, added[c].scale, frame.added[c].empty() ? added[c].offset : 0.f});
@@ -463,20 +374,9 @@ void SequenceDenoiser::add_as_in_file(DenoisedFrame& frame, io::ExrImage const& 
         if (auto const off = taken.pixels[i] - whole.pixels[i]; is_finite(off.x) && is_finite(off.y) && is_finite(off.z)) rest[i] += off;
 }
 
-SplitRule SequenceDenoiser::rule() const {
-    bool const can = settings.preset.two_sided_alpha && !settings.keeps_alpha && settings.debug_views.empty();
-    return {.by_albedo = settings.preset.by_albedo, .alpha = can ? alpha : ""};
-}
-
-/// The only signal, where it has no factor, or else the rest: as split_light() gives it.
-bool SequenceDenoiser::has_alpha(std::size_t signal) const {
-    bool const is_rest = signal == on_canvas.of_signals.size();
-    return is_rest || (!has_several_signals(on_canvas) && on_canvas.of_signals[signal].factor.empty());
-}
-
 std::vector<float> SequenceDenoiser::denoised_alpha(SeenFrame const& seen, LightSplit const& split) {
-    auto const& given = seen.image[alpha].values;
-    auto values = rule().alpha.empty() ? given : split.kept_alpha;
+    auto const& given = seen.image[frames.alpha_plane()].values;
+    auto values = frames.rule().alpha.empty() ? given : split.kept_alpha;
     if (split.alpha_with)
         for (std::size_t i = 0; i < values.size(); ++i) values[i] += denoiser(*split.alpha_with).alpha()[i];
     if (split.shares_alpha) limit_alpha(values, given, seen.image.size);
@@ -484,10 +384,10 @@ std::vector<float> SequenceDenoiser::denoised_alpha(SeenFrame const& seen, Light
 }
 
 void SequenceDenoiser::clear_empty_film(DenoisedFrame& frame, SeenFrame const& seen) {
-    auto const& given = seen.image[alpha].values;
+    auto const& given = seen.image[frames.alpha_plane()].values;
     bool const is_opaque = std::ranges::all_of(given, [](float a) { return a == 1.f; });
-    alpha_stays = alpha_stays || (!is_opaque && rule().alpha.empty() && !settings.keeps_alpha);
-    auto const& channels = on_canvas.of_signals[0].channels;
+    alpha_stays = alpha_stays || (!is_opaque && frames.rule().alpha.empty() && !frames.settings.keeps_alpha);
+    auto const& channels = frames.guide_names();
     auto const planes = io::planes_of(Channels<Motion>{}, channels);
     Frame<Channels<Motion>> vectors(seen.image.size);
     // A preset that reads no motion has no history.
@@ -499,15 +399,5 @@ void SequenceDenoiser::clear_empty_film(DenoisedFrame& frame, SeenFrame const& s
 }
 
 metrics::Picture SequenceDenoiser::next(FramePattern const& in, long long number) { return displayed(next_whole(in, number).picture); }
-
-metrics::Picture SequenceDenoiser::displayed(metrics::Picture const& whole) const {
-    if (settings.upsampling || whole.size == size) return whole;
-    metrics::Picture part{size, {}};
-    for (int y = 0; y < size.height; ++y) {
-        auto const begin = whole.pixels.begin() + static_cast<std::ptrdiff_t>(y - canvas.y0) * whole.size.width - canvas.x0;
-        part.pixels.insert(part.pixels.end(), begin, begin + size.width);
-    }
-    return part;
-}
 
 } // namespace quell::examples
