@@ -23,8 +23,12 @@ constexpr float larger_by = 0.05f;
 
 std::vector<metrics::Picture> denoised(FramePattern const& in, std::vector<long long> const& frames, ResidualFeedbackShares const& shares) {
     auto const& preset = preset_of("final-frame");
-    SequenceDenoiser denoiser(
-        {.preset = preset, .later_frames = usual_later_frames, .anti_aliases = true, .refines = true, .feedback = shares});
+    SequenceDenoiser denoiser({.preset = preset,
+                               .later_frames = usual_later_frames,
+                               .anti_aliases = true,
+                               .refines = true,
+                               .chooses_history = true,
+                               .feedback = shares});
     std::vector<metrics::Picture> pictures;
     auto const steps = steps_for(frames, {preset.warm_up + 1, true}, in.on_disk());
     for (std::size_t i = 0; i < steps.size(); ++i) {

@@ -219,6 +219,7 @@ private:
                 .keeps_alpha = options.keep_alpha,
                 .anti_aliases = !options.quick,
                 .refines = refines(),
+                .chooses_history = choice.preset->name == "final-frame",
                 .diagnose = options.diagnose,
                 .upsampling = upsampling,
                 .debug_views = options.debug_views};
@@ -248,7 +249,10 @@ private:
         }
     }
     /// Whether pictures of frames take part in those after them, beside their history.
-    [[nodiscard]] bool refines() const { return !options.quick && choice.preset->name == "final-frame" && options.device == "cpu"; }
+    [[nodiscard]] bool refines() const {
+        bool const is_one_of_two = choice.preset->name == "final-frame" || choice.preset->name == "general";
+        return !options.quick && is_one_of_two && options.device == "cpu";
+    }
     /// How many frames before one have pictures that take part in its own.
     [[nodiscard]] int frames_in_full() const {
         return (upsampling && upsampling->resolves() ? frames_of_upsampling : 0) + (refines() ? 1 : 0);

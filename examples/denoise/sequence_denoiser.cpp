@@ -290,7 +290,7 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
     bool const gives_back = frames.settings.is_refined() && is_wanted && gives_light_back(front);
     auto const denoised_signal = [&](std::size_t s) {
         auto const& channels = split.signals[s].channels;
-        auto* const choice = frames.settings.is_refined() && is_wanted ? choice_for(s) : nullptr;
+        auto* const choice = frames.settings.is_refined() && frames.settings.chooses_history && is_wanted ? choice_for(s) : nullptr;
         auto result = denoiser(s).denoise(image, channels, number, choice);
         if (gives_back) {
             auto const alone = choice != nullptr ? denoiser(s).alone(*choice) : std::nullopt;
