@@ -53,20 +53,21 @@ struct FeedbackGates {
         auto const size = residual.size;
         auto const square = residual.mean_square.view(), spread = variance.view(), around_light = light.view(),
                    logarithms = light_logarithm.view(), noises = noise.view(), textures = texture.view();
-        constexpr int near = 2, wide = 3, of_texture = 4;
+        constexpr int of_variance = 2, of_missing = 3, of_texture = 4;
         // Where there is no sample, noise is that of the samples around.
         sums.around<1>(
-            executor, wide, [=]<class Real>(AtOnce<Real>, int x, int y) { return std::array{load_pixels<Real>(square, x, y)}; },
+            executor, of_missing, [=]<class Real>(AtOnce<Real>, int x, int y) { return std::array{load_pixels<Real>(square, x, y)}; },
             [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
                 auto const own = load_pixels<Real>(square, x, y);
-                store_pixels<Real>(spread, x, y, select(own > Real(0.f), own, around[0] / pixels_in_square<Real>(x, y, wide, size)), count);
+                store_pixels<Real>(spread, x, y, select(own > Real(0.f), own, around[0] / pixels_in_square<Real>(x, y, of_missing, size)),
+                                   count);
             });
         float const log_mean = logarithm(brightness.mean + brightness.dark(0.f));
         sums.around<1>(
-            executor, near, [=]<class Real>(AtOnce<Real>, int x, int y) { return std::array{load_pixels<Real>(spread, x, y)}; },
+            executor, of_variance, [=]<class Real>(AtOnce<Real>, int x, int y) { return std::array{load_pixels<Real>(spread, x, y)}; },
             [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
                 auto const its_light = load_pixels<Real>(around_light, x, y);
-                auto const its = max(around[0] / pixels_in_square<Real>(x, y, near, size) / 3.f, Real(1e-20f));
+                auto const its = max(around[0] / pixels_in_square<Real>(x, y, of_variance, size) / 3.f, Real(1e-20f));
                 store_pixels<Real>(spread, x, y, its, count);
                 auto const logarithm_of_noise = logarithm(sqrt(its) / its_light + 1e-3f) * 1.44269504f; // to the base of 2
                 store_pixels<Real>(noises, x, y, clamp(logarithm_of_noise / 3.f, Real(-2.f), Real(1.5f)), count);
@@ -154,8 +155,8 @@ struct FeedBack {
         auto const held = load_pixels<Real>(fine, x, y), held_wider = load_pixels<Real>(middle, x, y);
         // No frequency is fed back more than whole, however many parts have it.
         auto const own = clamp(fma(n, Real(by.sample_noise), Real(by.sample)), Real(0.f), Real(1.f));
-        auto const near = fma(load_pixels<Real>(sure, x, y), Real(by.near_sure), fma(held.x, Real(by.near_held), Real(by.near_noise)));
-        auto const finest_share = min(near * n, 1.f - own), left = 1.f - own - max(finest_share, Real(0.f));
+        auto const finest = fma(load_pixels<Real>(sure, x, y), Real(by.near_sure), fma(held.x, Real(by.near_held), Real(by.near_noise)));
+        auto const finest_share = min(finest * n, 1.f - own), left = 1.f - own - max(finest_share, Real(0.f));
         auto const wide = fma(n, Real(by.wide_noise), fma(load_pixels<Real>(texture, x, y), Real(by.wide_texture), Real(by.wide)));
         auto const level = [&](std::size_t i) QUELL_INLINED { return load_pixels<Real>(levels[i], x, y); };
         add(own, load_pixels<Real>(residual, x, y));

@@ -40,7 +40,7 @@ struct SmoothResidual {
     template <class Real> QUELL_FLATTENED constexpr void operator()(AtOnce<Real>, int x, int y, int count) const {
         constexpr auto& spline = CubicSpline::weights;
         auto const n = load_pixels<Real>(normal, x, y);
-        auto const near = load_pixels<Real>(nearness, x, y), bright = load_pixels<Real>(light, x, y);
+        auto const here = load_pixels<Real>(nearness, x, y), bright = load_pixels<Real>(light, x, y);
         auto const range = Real(depth_range * depth_range);
         std::array sums{zero<Value<4, Real>>(), zero<Value<4, Real>>()};
         Real whole(0.f);
@@ -63,7 +63,7 @@ struct SmoothResidual {
                 auto p = cosine * cosine;
                 p = p * p, p = p * p, p = p * p, p = p * p; // to the power of 32
                 auto const other = load_pixels<Real>(nearness, column, row);
-                auto const nearest = max(other, near), behind = other - near;
+                auto const nearest = max(other, here), behind = other - here;
                 auto const square = max(nearest * nearest, Real(1e-37f)) * range;
                 auto const step_of_light = (load_pixels<Real>(light, column, row) - bright) * per_light_range;
                 add(w * p * square / (fma(behind, behind, square) * fma(step_of_light, step_of_light, Real(1.f))), column, row);
@@ -93,7 +93,7 @@ std::array<ResidualLevel, count> levels_of(E const& executor, PictureResidual co
     std::array from{Planes<4>(size), Planes<4>(size)}, to{Planes<4>(size), Planes<4>(size)};
     {
         auto const normal = directions.view(), off = residual.value.view();
-        auto const near = nearnesses.view(), square = residual.mean_square.view();
+        auto const to_nearness = nearnesses.view(), square = residual.mean_square.view();
         std::array const halves{from[0].view(), from[1].view()};
         for_all_pixels(executor, size, [=]<class Real>(AtOnce<Real>, int x, int y, int pixels) {
             auto const n = load_pixels<Real>(stops.normal, x, y);
@@ -101,7 +101,7 @@ std::array<ResidualLevel, count> levels_of(E const& executor, PictureResidual co
             auto const per_length = masked(both(is_finite(length), length > Real(0.f)), 1.f / sqrt(max(length, Real(1e-37f))));
             store_pixels<Real>(normal, x, y, map([&](Real a) QUELL_INLINED { return masked(is_finite(length), a * per_length); }, n),
                                pixels);
-            store_pixels<Real>(near, x, y, nearness(load_pixels<Real>(stops.depth, x, y)), pixels);
+            store_pixels<Real>(to_nearness, x, y, nearness(load_pixels<Real>(stops.depth, x, y)), pixels);
             auto const value = load_pixels<Real>(off, x, y);
             auto const is_sample = load_pixels<Real>(square, x, y) > Real(0.f);
             auto const is_second = checkerboard_half<Real>(x, y) > Real(0.5f);
