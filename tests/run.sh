@@ -85,7 +85,7 @@ step_asan() {
     cmake --preset asan -D CMAKE_CXX_COMPILER=clang++
     build_and_test build/asan "${asan_tests[@]}"
 }
-# 20 seconds for each program; for longer: QUELL_FUZZ_SECONDS=600 tests/run.sh fuzz
+# 25 seconds for each program; for longer: QUELL_FUZZ_SECONDS=600 tests/run.sh fuzz
 step_fuzz() {
     cmake --preset asan -D CMAKE_CXX_COMPILER=clang++
     build build/asan --target fuzz
