@@ -1,5 +1,5 @@
+#include <denoise/denoised_frame.hpp>
 #include <denoise/film_alpha.hpp>
-#include <denoise/sequence_denoiser.hpp>
 
 #include <quell/core/real.hpp>
 

@@ -1,16 +1,40 @@
 #include <denoise/repeated_detail.hpp>
 
-#include <quell/resolve/repeated_residual.hpp>
-#include <quell/resolve/residual.hpp>
+#include <quell/core/value.hpp>
+#include <quell/execute/executor.hpp>
+#include <quell/resolve/box_sums.hpp>
+#include <quell/resolve/gaussian_blur.hpp>
+#include <quell/resolve/moved_image.hpp>
+#include <quell/resolve/picture_residual.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace quell::examples {
+
+namespace {
+
+double product_of(glm::vec3 const& a, glm::vec3 const& b) { return static_cast<double>(dot(vec3<float>(a), vec3<float>(b))); }
+
+/// The light of a picture around each pixel.
+std::vector<double> light_around(metrics::Picture const& picture) {
+    auto const planes = quell::detail::in_planes(picture.size, picture.pixels);
+    quell::detail::WindowSums<1> sums(picture.size);
+    auto const around = quell::detail::light_around(Simd{}, sums, quell::detail::Brightness(Simd{}, planes.view()));
+    std::vector<double> light;
+    for (int y = 0; y < picture.size.height; ++y)
+        for (int x = 0; x < picture.size.width; ++x) light.push_back(static_cast<double>(around.get(x, y)));
+    return light;
+}
+
+} // namespace
 
 metrics::Picture finest_detail(RepeatedDetail const& rule, metrics::Picture picture) {
     for (auto& pixel : picture.pixels)
         if (!is_finite(pixel.x) || !is_finite(pixel.y) || !is_finite(pixel.z)) pixel = glm::vec3(0.f);
-    auto const wider = quell::detail::blurred(picture.size, picture.pixels, rule.deviation);
+    auto const planes = quell::detail::in_planes(picture.size, picture.pixels);
+    auto wider = picture.pixels;
+    quell::detail::copy_out(quell::detail::blurred(Simd{}, planes.view(), rule.deviation).view(), wider);
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) picture.pixels[i] -= wider[i];
     return picture;
 }
@@ -31,7 +55,7 @@ metrics::Picture detail_of_colour(RepeatedDetail const& rule, metrics::Picture c
 }
 
 void limit_detail(RepeatedDetail const& rule, metrics::Picture const& picture, metrics::Picture& detail) {
-    auto const light = quell::detail::light_around(detail.size, picture.pixels);
+    auto const light = light_around(picture);
     for (std::size_t i = 0; i < detail.pixels.size(); ++i)
         for (int c = 0; c < 3; ++c) {
             float const most = rule.most * static_cast<float>(light[i]);
@@ -40,14 +64,32 @@ void limit_detail(RepeatedDetail const& rule, metrics::Picture const& picture, m
         }
 }
 
+std::vector<float> share_of_guides(RepeatedDetail const& rule, metrics::Picture const& detail, metrics::Picture const& guides,
+                                   metrics::Picture const& picture) {
+    auto const size = detail.size;
+    auto const light = light_around(picture);
+    std::vector<double> common(light.size()), square(light.size()), square_of_guides(light.size());
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        double const per_light = 1. / (light[i] * light[i]);
+        common[i] = product_of(detail.pixels[i], guides.pixels[i]) * per_light;
+        square[i] = product_of(detail.pixels[i], detail.pixels[i]) * per_light;
+        square_of_guides[i] = product_of(guides.pixels[i], guides.pixels[i]) * per_light;
+    }
+    for (auto* const each : {&common, &square, &square_of_guides}) box_sums(size, *each, rule.radius);
+    std::vector<float> shares(light.size(), 0.f);
+    for (std::size_t i = 0; i < shares.size(); ++i)
+        if (double const product = square[i] * square_of_guides[i]; product > 0.)
+            shares[i] = static_cast<float>(std::clamp(static_cast<double>(rule.alike) * common[i] / std::sqrt(product), 0., 1.));
+    return shares;
+}
+
 std::vector<float> repeated_share(RepeatedDetail const& rule, metrics::Picture const& detail, metrics::Picture const& picture,
                                   ViewOf<Planar<>, Motion> motion, metrics::Picture const& before) {
-    using quell::detail::product_of;
     std::vector<float> shares(detail.pixels.size(), 1.f);
     if (before.pixels.size() != detail.pixels.size()) return shares;
     auto const size = detail.size;
-    auto const light = quell::detail::light_around(size, picture.pixels);
-    auto const before_here = quell::detail::moved(before.pixels, motion);
+    auto const light = light_around(picture);
+    auto const before_here = quell::detail::moved(Simd{}, before.pixels, motion, glm::vec3(0.f));
     std::vector<double> common(shares.size()), square(shares.size());
     for (std::size_t i = 0; i < shares.size(); ++i) {
         double const per_light = 1. / (light[i] * light[i]);

@@ -1,18 +1,14 @@
 #pragma once
 
 #include <denoise/accumulated_guides.hpp>
-#include <denoise/anti_alias.hpp>
+#include <denoise/denoised_frame.hpp>
 #include <denoise/denoiser.hpp>
 #include <denoise/film_alpha.hpp>
-#include <denoise/light_split.hpp>
-#include <denoise/repeated_detail.hpp>
-#include <denoise/upsampler.hpp>
+#include <denoise/picture_refiner.hpp>
+#include <denoise/sequence_frames.hpp>
 #include <support/frame_pattern.hpp>
 
-#include <quell/io/exr/exr_original.hpp>
-#include <quell/io/sequence_names.hpp>
 #include <quell/resolve/kept_frames.hpp>
-#include <quell/resolve/residual_feedback_fit.hpp>
 
 #include <array>
 #include <deque>
@@ -21,43 +17,6 @@
 #include <set>
 
 namespace quell::examples {
-
-/// How a sequence is denoised.
-struct SequenceSettings {
-    Preset preset;
-    int threads = 0;                        ///< 0: all that there are
-    std::optional<io::SequenceNames> map{}; ///< how the files name their channels; without one, that is recognised from the first file
-    std::optional<float> shutter{};         ///< how long it is open, whatever the files or the map say
-    std::optional<float> field_of_view{};   ///< vertical, degrees: of files whose depth is the length of rays, where they have no camera
-    int later_frames = 0;      ///< that each frame is denoised with, where the preset makes use of them and the files are there
-    bool keeps_alpha = false;  ///< leave alpha as the files have it
-    bool anti_aliases = false; ///< put colours together from frames around
-    bool refines = false;      ///< take what is best of several estimates: light with history and without
-    bool diagnose = false;     ///< look at each frame for what its renderer got wrong
-    std::optional<ResidualFeedbackShares> feedback{}; ///< of what residual feedback gives back; none: as they were fitted
-    std::optional<Upsampling> upsampling{};           ///< of the picture and its alpha, which are then all that a frame has; empty: none
-    std::vector<std::string> debug_views{}; ///< names of DebugChannels that debug_images() will be asked for: slower, and on one thread
-};
-
-/// A frame when it is denoised, with what lies outside of its display window.
-struct DenoisedFrame {
-    Region canvas;                         ///< what the pictures show, counted from the display window's corner
-    metrics::Picture picture;              ///< linear
-    std::vector<metrics::Picture> signals; ///< times their factors: what each adds to the picture
-    std::vector<float> alpha;              ///< of the film; empty where the files have none
-    std::vector<AccumulatedGuide> guides;  ///< where the preset accumulates them
-
-    /// What is added to the signals at a pixel, in order; zeros where some of it is not finite.
-    /// @param component from 0 to 2
-    void added_at(std::size_t pixel, int component, std::vector<float>& values) const;
-
-    /// A plane of the file that is added, and what it is multiplied by.
-    struct Added {
-        std::vector<float> const* values; ///< the file's, as long as the SequenceDenoiser has this frame
-        float scale, offset;
-    };
-    std::array<std::vector<Added>, 3> added; ///< by component
-};
 
 /// Denoises the frames of a sequence one after the other, whichever renderer wrote them.
 class SequenceDenoiser {
@@ -83,9 +42,11 @@ public:
     /// @param in_full whether a frame after it is put together from its picture too
     void warm_up(FramePattern const& in, long long number, bool in_full = false) { static_cast<void>(next_frame(in, number, in_full)); }
     /// The part of a picture that the display window shows; an upsampled picture is that.
-    [[nodiscard]] metrics::Picture displayed(metrics::Picture const& whole) const;
+    [[nodiscard]] metrics::Picture displayed(metrics::Picture const& whole) const { return frames.displayed(whole); }
     /// Its size.
-    [[nodiscard]] Extent displayed_size(metrics::Picture const& whole) const { return settings.upsampling ? whole.size : size; }
+    [[nodiscard]] Extent displayed_size(metrics::Picture const& whole) const {
+        return frames.settings.upsampling ? whole.size : frames.size();
+    }
 
     /// Gives back all memory but what is remembered: the frame that next_whole() gave ends too. Frames that were read ahead are read again.
     void release_scratch();
@@ -100,91 +61,73 @@ public:
     /// Memory of history and scratch of all signals. Complete once a frame was denoised.
     [[nodiscard]] double bytes_per_pixel() const;
     /// How the files name their channels. Known once a frame was denoised.
-    [[nodiscard]] std::optional<io::SequenceNames> const& names() const { return settings.map; }
+    [[nodiscard]] std::optional<io::SequenceNames> const& names() const { return frames.settings.map; }
     /// Whether alpha was left as it is for want of a preset that denoises it.
     [[nodiscard]] bool left_alpha() const { return alpha_stays; }
     /// How pictures are enlarged, as far as it is known; once a frame was denoised, as they are.
-    [[nodiscard]] std::optional<Upsampling> const& upsampling() const { return settings.upsampling; }
+    [[nodiscard]] std::optional<Upsampling> const& upsampling() const { return frames.settings.upsampling; }
     /// How often frames began to reach farther out of their display window, so that history started afresh.
     [[nodiscard]] int canvas_changes() const { return changes; }
 
 private:
-    SequenceSettings settings;
-    Extent size;                 ///< of the display window
-    Region canvas;               ///< what is denoised
-    io::SequenceNames on_canvas; ///< the names for images of the canvas
+    SequenceFrames frames;
     int changes = 0;
     double earlier_milliseconds = 0;                  ///< of denoisers that are gone
     double other_milliseconds = 0;                    ///< of what is done to their pictures
-    std::unique_ptr<Denoiser> any;                    ///< says what each of them wants
     std::vector<std::unique_ptr<Denoiser>> denoisers; ///< one per signal, and one of the rest; null before there was light for it
     /// Between light with history and without, for all signals: without alpha, and with it. Null before they were wanted.
     std::array<std::unique_ptr<quell_library::HistoryChoice>, 2> choices;
     std::optional<PictureGuides> guides; ///< where the preset accumulates them; none before the first frame
-    /// What the picture of the last frame lacked of its samples, and that frame's number; none before the first, or where it was not shown.
-    std::optional<std::pair<long long, std::vector<glm::vec3>>> lacking;
-    /// The finest detail that noisy guides added to the picture of the last frame, and that frame's number; none before one that has it.
-    std::optional<std::pair<long long, metrics::Picture>> detail_before;
+    PictureRefiner refiner;
     std::unique_ptr<Denoiser> whole;    ///< of the picture beside its signals; null before it was wanted
     std::optional<Upsampler> upsampler; ///< none before it was wanted
     bool was_as_one = false;            ///< whether the last frame was filtered as one picture
     std::optional<long long> last;      ///< number of the frame that was denoised last
-    std::string alpha;                  ///< the plane of the film's alpha; empty: none
     FilmAlpha film;
     bool alpha_stays = false; ///< whether some film was transparent whose alpha the preset can't denoise
     long long missing = 0;
     RepairedGuides repaired;
-    bool checks = false;     ///< whether one of the denoisers looks at the first frames
-    std::set<Mistake> known; ///< those that were found already
-    std::vector<Finding> found;
+    bool checks = false;        ///< whether one of the denoisers looks at the first frames
+    std::set<Mistake> known;    ///< those that were found already
+    std::vector<Finding> found; ///< in the frame that was asked for last
 
-    /// Frames that were read and shown to the denoisers: the next to be denoised first.
-    struct Seen {
-        long long number;
-        io::ExrImage image;
-        bool as_one;                                   ///< whether it is better filtered as one picture
-        std::array<std::optional<LightSplit>, 2> ways; ///< its light by signals, and as one: where it was wanted
-        std::shared_ptr<FrameAround const> around;     ///< what frames around it see
-        bool has_noisy_guides = false;                 ///< so that the picture as one has less noise than its signals
-        int samples = 0;                               ///< of each pixel; 0: the file doesn't say
-        std::optional<io::SequenceNames> behind{};     ///< by which it is read where it is seen through a volume
+    /// A frame whose signals are denoised. Its picture is finished when those of the next frame are.
+    struct DenoisedSignals {
+        SeenFrame seen;
+        DenoisedFrame frame;
+        std::vector<glm::vec3> lacking{}; ///< what its picture lacks of its samples; empty where nothing is given back
+        long long missing = 0;            ///< samples
+        RepairedGuides repaired{};
+        std::vector<Finding> found{};
     };
-    [[nodiscard]] LightSplit const& split(Seen& seen, bool as_one) const;
-    [[nodiscard]] io::SequenceNames const& names_of(Seen const& seen) const { return seen.behind ? *seen.behind : on_canvas; }
-    std::deque<Seen> window;
+    std::optional<DenoisedSignals> current; ///< what was asked for last
+    std::optional<DenoisedSignals> ahead;   ///< the frame after it, where its picture takes part in it
+    std::deque<SeenFrame> window;           ///< frames that were read: the next to be denoised first
     KeptFrames<std::shared_ptr<FrameAround const>, AntiAliased::most_frames> earlier; ///< frames that have been denoised
 
-    [[nodiscard]] bool takes_more() const { return looks_ahead(settings.preset) && settings.debug_views.empty(); }
-    [[nodiscard]] bool anti_aliases() const { return settings.anti_aliases && takes_more(); }
-    [[nodiscard]] bool refines() const { return settings.refines && takes_more(); }
     /// @param is_wanted whether it is shown, or only remembered
     [[nodiscard]] DenoisedFrame next_frame(FramePattern const& in, long long number, bool is_wanted);
+    [[nodiscard]] DenoisedSignals denoised(FramePattern const& in, long long number, bool is_wanted);
+    void denoise_ahead(FramePattern const& in, long long number);
+    [[nodiscard]] DenoisedFrame finished(DenoisedSignals& signals);
+    [[nodiscard]] bool sees_next(SeenFrame const& seen) const;
     void begin(io::ExrOriginal const& file);
-    void check_upsampling(io::ExrListing const& file);
-    void upsample(DenoisedFrame& frame);
-    [[nodiscard]] SplitRule rule() const;
-    [[nodiscard]] bool has_alpha(std::size_t signal) const;
-    [[nodiscard]] bool gives_light_back(Seen& seen) const;
+    void upsample(DenoisedFrame& frame, SeenFrame const& seen);
+    [[nodiscard]] bool gives_light_back(SeenFrame& seen) const;
     void feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, int samples, metrics::Picture const& alone,
                             metrics::Picture& light);
-    void denoise_alpha(DenoisedFrame& frame, Seen const& seen, LightSplit const& split);
+    [[nodiscard]] std::vector<float> denoised_alpha(SeenFrame const& seen, LightSplit const& split);
+    void clear_empty_film(DenoisedFrame& frame, SeenFrame const& seen);
     void add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const;
     [[nodiscard]] Purpose purpose_of(std::size_t signal) const;
     [[nodiscard]] Denoiser& denoiser(std::size_t signal);
     [[nodiscard]] quell_library::HistoryChoice* choice_for(std::size_t signal);
-    [[nodiscard]] std::optional<Frame<Channels<Motion>>> motion_of(Seen const& seen) const;
-    [[nodiscard]] metrics::Picture detail_of_guides(RepeatedDetail const& rule, Seen const& seen, LightSplit const& light,
-                                                    metrics::Picture const& as_one) const;
-    void take_off_noise_of_guides(DenoisedFrame& frame, LightSplit const& light);
-    void give_back_repeated(DenoisedFrame& frame, LightSplit const& split);
-    void accumulate_guides(DenoisedFrame& frame);
-    [[nodiscard]] Seen seen(io::ExrOriginal const& file, long long number) const;
+    [[nodiscard]] metrics::Picture denoised_as_one(SeenFrame& seen);
+    void accumulate_guides(DenoisedFrame& frame, SeenFrame& seen);
     void hand_over(FramePattern const& in);
-    [[nodiscard]] bool is_inside(Region const& other) const;
-    void read(FramePattern const& in, long long number);
+    void read(FramePattern const& in, long long number, bool is_ahead);
     void read_ahead(FramePattern const& in, long long number);
-    void collect(std::vector<Finding> const& findings);
-    [[nodiscard]] std::vector<std::string> planes(io::ExrListing const& file) const;
+    void collect(std::vector<Finding> const& findings, std::vector<Finding>& into);
 };
 
 } // namespace quell::examples

@@ -65,7 +65,7 @@ public:
         if (has_chosen) copy(view_of(alone_with), target_of(output, images[alone_with]->size()));
         return has_chosen;
     }
-    void tell_samples(float of_each_pixel) override { rule = quell::Evidence::of_samples(of_each_pixel); }
+    void tell_rule(quell::Evidence const& how) override { rule = how; }
     void release_scratch() override {
         alone->release_scratch();
         if (judge) judge->release_scratch();

@@ -2,6 +2,8 @@
 
 #include "compiled_preset.hpp"
 
+#include <quell/resolve/evidence.hpp>
+
 namespace quell_library {
 
 /// Whether a compiled preset can be put together of what its history and what the frame alone make of it: it must have one history, and a
@@ -35,9 +37,8 @@ public:
     /// Copies what the frame alone made of the last one. Returns false where there was nothing to choose, as it had no past.
     /// @param output written; of the frame's size
     virtual bool copy_alone(Image const& output) = 0;
-    /// How many samples each pixel of the frames that follow has: 1, if nothing is said.
-    /// @param of_each_pixel less than 1 counts as 1
-    virtual void tell_samples(float of_each_pixel) = 0;
+    /// How samples of the frames that follow are judged: as Evidence does, if nothing is said.
+    virtual void tell_rule(quell::Evidence const& how) = 0;
     /// Gives its memory back, which the next frame takes again.
     virtual void release_scratch() = 0;
     [[nodiscard]] virtual std::size_t bytes() const = 0;

@@ -60,6 +60,7 @@ std::string check_device(quell_settings const& settings, bool resolves) {
                                        {"anti_alias, or an output of another size", resolves},
                                        {"steady_guides", settings.steady_guides != 0},
                                        {"choose_history", settings.choose_history != 0},
+                                       {"give_back", settings.give_back != 0},
                                        {"allocate", settings.allocate != nullptr},
                                        {"instruction_set", settings.instruction_set != nullptr}})
         if (is_set)
@@ -305,6 +306,8 @@ std::string check(quell_settings const& settings) {
         return "settings: a size of " + size(settings.width, settings.height) + "; give a width and a height of at least one pixel";
     if (settings.choose_history < 0)
         return "settings.choose_history: " + std::to_string(settings.choose_history) + "; give the samples of each pixel, or 0";
+    if (settings.give_back < 0)
+        return "settings.give_back: " + std::to_string(settings.give_back) + "; give the samples of each pixel, or 0";
     if (settings.steady_guides < 0 || settings.steady_guides > 3)
         return "settings.steady_guides: " + std::to_string(settings.steady_guides) + "; give 1 (depth), 2 (albedo), 3 (both) or 0 (none)";
     if (settings.steady_guides != 0 && settings.two_sided != 0)
@@ -380,23 +383,27 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
             return fail(QUELL_NOT_SUPPORTED, "settings.anti_alias: '" + wanted + "' makes no picture; leave it 0, and the output's size");
         if (settings->choose_history != 0 && !way->plan_of_choice)
             return fail(QUELL_NOT_SUPPORTED, "settings.choose_history: '" + wanted + "' has no history, or several; leave it 0");
+        if (settings->give_back != 0 && !way->plan_of_given_back)
+            return fail(QUELL_NOT_SUPPORTED, "settings.give_back: '" + wanted +
+                                                 "' makes no single colour with its history by normal, depth and motion; leave it 0");
         for (auto const& [bit, name] : {std::pair{1, "depth"}, std::pair{2, "albedo"}, std::pair{3, "motion"}})
             if ((settings->steady_guides & bit) != 0 && std::ranges::find(way->channels, name, &Channel::name) == way->channels.end())
                 return fail(QUELL_NOT_SUPPORTED, "settings.steady_guides: '" + wanted + "' reads no " + name + "; leave it 0");
-        std::unique_ptr<quell_denoiser> made(new quell_denoiser{.code = code,
-                                                                .preset = &*preset,
-                                                                .way = way,
-                                                                .motion = settings->motion,
-                                                                .two_sided = settings->two_sided != 0,
-                                                                .anti_aliases = resolves,
-                                                                .with = {settings->steady_guides, settings->choose_history},
-                                                                .sizes = sizes_of(*settings),
-                                                                .guide_width = settings->width,
-                                                                .threads = OwnThreads(settings->threads),
-                                                                .plan = {},
-                                                                .instance = {},
-                                                                .frames = {},
-                                                                .output = {}});
+        std::unique_ptr<quell_denoiser> made(
+            new quell_denoiser{.code = code,
+                               .preset = &*preset,
+                               .way = way,
+                               .motion = settings->motion,
+                               .two_sided = settings->two_sided != 0,
+                               .anti_aliases = resolves,
+                               .with = {settings->steady_guides, settings->choose_history, settings->give_back},
+                               .sizes = sizes_of(*settings),
+                               .guide_width = settings->width,
+                               .threads = OwnThreads(settings->threads),
+                               .plan = {},
+                               .instance = {},
+                               .frames = {},
+                               .output = {}});
         Parallel parallel = settings->parallel != nullptr
                                 ? Parallel{.run = settings->parallel, .user = settings->parallel_user, .threads = settings->threads}
                                 : Parallel{.run = OwnThreads::run, .user = &made->threads, .threads = made->threads.count()};
@@ -463,10 +470,11 @@ char const* quell_plan(quell_denoiser const* denoiser) {
     if (denoiser == nullptr) return "";
     auto& plan = const_cast<quell_denoiser*>(denoiser)->plan;
     guarded([&] {
-        auto const& [steady_guides, choose_history] = denoiser->with;
+        auto const& [steady_guides, choose_history, give_back] = denoiser->with;
         if (plan.empty())
             plan = (steady_guides != 0 ? plan_of_steady(steady_guides) : "") +
-                   (choose_history != 0 ? denoiser->way->plan_of_choice() : "") + denoiser->way->plan();
+                   (choose_history != 0 ? denoiser->way->plan_of_choice() : "") +
+                   (give_back != 0 ? denoiser->way->plan_of_given_back() : "") + denoiser->way->plan();
         return QUELL_OK;
     });
     return plan.c_str();

@@ -100,10 +100,11 @@ struct Sizes {
     std::int32_t width = 0, height = 0, output_width = 0, output_height = 0;
 };
 
-/// What is done before a preset and with it.
+/// What is done before a preset, with it and behind it.
 struct Additions {
     std::int32_t steady_guides = 0;  ///< as quell_settings has it
     std::int32_t choose_history = 0; ///< as quell_settings has it, where it can
+    std::int32_t give_back = 0;      ///< as quell_settings has it, where it can
 };
 
 /// A preset as code for one purpose.
@@ -113,7 +114,8 @@ struct PresetWay {
     int output_components = 0;
     bool needs_camera = false;
     std::function<std::string()> plan{};
-    std::function<std::string()> plan_of_choice{}; ///< a sentence before it, where its history is chosen; null where it can't be
+    std::function<std::string()> plan_of_choice{};     ///< a sentence before it, where its history is chosen; null where it can't be
+    std::function<std::string()> plan_of_given_back{}; ///< a sentence before it, where light is given back; null where it can't be
     /// Null, and what is wrong, where it can't be made.
     std::function<std::unique_ptr<Instance>(Sizes const&, Additions const&, Motion const&, Parallel const&, Memory const&, Outcome& outcome,
                                             std::string& error)>

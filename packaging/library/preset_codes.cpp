@@ -2,6 +2,7 @@
 // all instruction sets.
 #include "compiled_preset.hpp"
 #include "convert_motion.hpp"
+#include "given_back.hpp"
 #include "history_choice.hpp"
 #include "resolved_denoiser.hpp"
 #include "steady_denoiser.hpp"
@@ -105,6 +106,7 @@ PresetWay way_of(Way const& way, Way const& judge, std::vector<ReadChannel> cons
     for (auto const& channel : channels) code.channels.push_back({channel.name, channel.components, channel.optional, channel.is_guide});
     for (auto const& guide : way.guides) code.guides.push_back({guide.name, guide.components});
     if (can_choose_history(way)) code.plan_of_choice = [&way, &judge] { return plan_of_choice(way, judge); };
+    if (can_give_back(way)) code.plan_of_given_back = plan_of_given_back;
     code.make = [read = channels, put_behind, &way, &judge](Sizes const& sizes, Additions const& with, Motion const& motion,
                                                             Parallel const& parallel, Memory const& memory, Outcome& outcome,
                                                             std::string& error) {
@@ -112,11 +114,15 @@ PresetWay way_of(Way const& way, Way const& judge, std::vector<ReadChannel> cons
         outcome = caught(error, [&] {
             quell::Extent const size{sizes.width, sizes.height};
             auto denoiser = way.make(size, parallel, memory);
+            HistoryChoice* chosen = nullptr;
             if (with.choose_history != 0) {
                 auto choice = make_history_choice(way, judge, size, parallel, memory);
-                choice->tell_samples(static_cast<float>(with.choose_history));
+                choice->tell_rule(quell::Evidence::of_samples(static_cast<float>(with.choose_history)));
+                chosen = choice.get();
                 denoiser = with_history_choice(std::move(denoiser), std::move(choice));
             }
+            if (with.give_back != 0)
+                denoiser = with_light_given_back(std::move(denoiser), way, chosen, static_cast<float>(with.give_back), parallel, memory);
             denoiser = put_behind(std::move(denoiser), sizes, parallel, memory);
             if (SteadyChoice const steady{(with.steady_guides & 1) != 0, (with.steady_guides & 2) != 0})
                 denoiser = with_steady_guides(std::move(denoiser), read, steady, size, parallel, memory);

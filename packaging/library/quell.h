@@ -166,9 +166,11 @@ typedef struct quell_settings {
     int32_t device; /* a quell_device. With QUELL_CUDA: of the calling thread's current device. Images of frames, and the output, may lie in
                        its memory, in memory that CUDA manages, or in host memory, from which they are copied. quell_run() puts its work into
                        the stream and returns, where no image lies in host memory: until the stream has come there, the images must stay.
-                       Not with two_sided, alpha, anti_alias, another output size, steady_guides, choose_history, allocate and
-                       instruction_set. */
-    int32_t reserved; /* 0 */
+                       Not with two_sided, alpha, anti_alias, another output size, steady_guides, choose_history, give_back,
+                       allocate and instruction_set. */
+    int32_t give_back; /* the samples of each pixel (1 where they are not known): light is given back that the filter took out by mistake, by
+                          what the picture lacks of its samples, in this frame and in the one before too. 0: none. Presets of one colour that
+                          read normal, depth and motion can, before anti-aliasing; it takes time and memory (docs/library.md). */
     void *stream;     /* with QUELL_CUDA: a cudaStream_t; null is the default stream */
 } quell_settings;
 #ifdef __cplusplus

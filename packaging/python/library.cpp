@@ -130,11 +130,11 @@ class Denoiser {
 public:
     /// @param motion      the four numbers of quell_motion
     /// @param output_size height and width of what comes out; 0, 0: the frames' own
-    /// @param steady_guides, choose_history, device the numbers of quell_settings
+    /// @param steady_guides, choose_history, give_back, device the numbers of quell_settings
     /// @param stream of the device
     Denoiser(std::string const& preset, int w, int h, int threads, char const* instruction_set, bool two_sided, bool alpha,
-             py::tuple const& motion, bool anti_alias, py::tuple const& output_size, int steady_guides, int choose_history, int device,
-             std::uintptr_t stream)
+             py::tuple const& motion, bool anti_alias, py::tuple const& output_size, int steady_guides, int choose_history, int give_back,
+             int device, std::uintptr_t stream)
         : is_two_sided(two_sided), guide_width(w), guide_height(h) {
         quell_settings settings = QUELL_SETTINGS;
         settings.preset = preset.c_str(), settings.width = w, settings.height = h;
@@ -142,7 +142,7 @@ public:
         settings.two_sided = two_sided, settings.alpha = alpha, settings.anti_alias = anti_alias;
         settings.output_height = output_size[0].cast<int>(), settings.output_width = output_size[1].cast<int>();
         settings.motion = {motion[0].cast<int>(), motion[1].cast<int>(), motion[2].cast<int>(), motion[3].cast<int>()};
-        settings.steady_guides = steady_guides, settings.choose_history = choose_history;
+        settings.steady_guides = steady_guides, settings.choose_history = choose_history, settings.give_back = give_back;
         settings.device = device, settings.stream = reinterpret_cast<void*>(stream);
         quell_denoiser* made = nullptr;
         check(quell_create(&settings, &made));
@@ -273,7 +273,7 @@ PYBIND11_MODULE(_library, module) {
     module.def("instruction_sets", [] { return names(quell_instruction_set_name); });
     py::class_<Denoiser>(module, "Denoiser")
         .def(py::init<std::string const&, int, int, int, char const*, bool, bool, py::tuple const&, bool, py::tuple const&, int, int, int,
-                      std::uintptr_t>())
+                      int, std::uintptr_t>())
         .def("run", &Denoiser::run)
         .def("forget", &Denoiser::forget)
         .def("copy_guide", &Denoiser::copy_guide)

@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
+#include <nlohmann/json.hpp>
 
 using namespace quell;
 using namespace quell::tests;
@@ -297,6 +299,36 @@ TEST_CASE("frames from after are used by general, as many as there are and are a
     for (std::string const count : {"-1", "9"})
         check_refused(denoise(input(folder) + output(folder) + "--extra-frames " + count), {"--extra-frames", count, "0 to 8"});
     check_refused(denoise(input(folder) + output(folder) + "--preset general --extra-frames 1 --debug-view clamp"), {"--extra-frames"});
+}
+
+TEST_CASE("the picture of the frame after takes part in a frame's, and is no part of what is told of it") {
+    Folder const folder;
+    write_sequence(folder, 1, 5);
+    auto const with = [&](std::string const& name, std::string const& more) {
+        auto const ran = denoise(input(folder) + output(folder, name) + "--quiet " + more);
+        INFO(ran.err);
+        REQUIRE(ran.code == 0);
+        return ran.out;
+    };
+    with("whole.", "--threads 1");
+    with("job.", "--threads 2 --first 2 --last 3");
+    with("list.", "--frames 1,3,5");
+    for (int const i : {2, 3}) CHECK(bytes_of(folder / numbered("job.", i)) == bytes_of(folder / numbered("whole.", i)));
+    for (int const i : {1, 3, 5}) CHECK(bytes_of(folder / numbered("list.", i)) == bytes_of(folder / numbered("whole.", i)));
+    auto lacking = noisy_image({48, 32}, 4);
+    std::ranges::find(lacking.planes, "G", &io::Plane::name)->values[100] = std::numeric_limits<float>::quiet_NaN();
+    io::write_exr(folder / "frame.0004.exr", lacking);
+    CHECK(nlohmann::json::parse(with("lacking.", "--json --last 3")).at("missing_samples") == 0);
+    CHECK(nlohmann::json::parse(with("lacking.", "--json --last 4")).at("missing_samples") == 1);
+    // A frame that can't be used is as good as none, until it is its turn.
+    write_bytes(folder / "frame.0004.exr", "broken");
+    with("broken.", "--last 3");
+    check_refused(denoise(input(folder) + output(folder, "no.") + "--quiet --last 4"), {"frame.0004.exr", "isn't an EXR file"});
+    CHECK(bytes_of(folder / "no.0003.exr") == bytes_of(folder / "broken.0003.exr"));
+    std::filesystem::remove(folder / "frame.0004.exr");
+    with("none.", "--last 3");
+    CHECK(bytes_of(folder / "none.0003.exr") == bytes_of(folder / "broken.0003.exr"));
+    CHECK(bytes_of(folder / "none.0003.exr") != bytes_of(folder / "whole.0003.exr"));
 }
 
 TEST_CASE("first and last choose frames") {

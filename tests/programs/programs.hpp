@@ -62,7 +62,7 @@ using DenoiseFrame = Frame<Channels<Radiance, Albedo, Normal, Depth, Motion>>;
 
 /// A noisy frame of a textured plane that moves to the right by a pixel a frame.
 inline io::ExrImage noisy_image(Extent size, int number) {
-    DenoiseFrame frame(size);
+    Frame<Channels<Radiance, Albedo, Normal, Depth, Motion, MotionNext>> frame(size);
     std::mt19937 random(static_cast<unsigned>(number));
     std::exponential_distribution<float> light(1.f);
     for (int y = 0; y < size.height; ++y)
@@ -73,6 +73,7 @@ inline io::ExrImage noisy_image(Extent size, int number) {
             frame[normal].set(x, y, {0.f, 0.f, 1.f});
             frame[depth].set(x, y, 5.f);
             frame[motion].set(x, y, {-1.f, 0.f});
+            frame[motion_next].set(x, y, {1.f, 0.f});
         }
     return io::image_of(frame);
 }

@@ -1,7 +1,5 @@
 #include <denoise/repeated_detail.hpp>
 
-#include <quell/resolve/residual.hpp>
-
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -69,6 +67,31 @@ TEST_CASE("nothing is noise where nothing is known of the frame before") {
     for (float const share : repeated_share(rule, detail, flat(1.f), motion_of(0.f).view(), {})) CHECK(share == 1.f);
     auto const unknown = motion_of(std::numeric_limits<float>::quiet_NaN());
     for (float const share : repeated_share(rule, detail, flat(1.f), unknown.view(), detail)) CHECK(share == 1.f);
+}
+
+TEST_CASE("detail of a picture counts as that of guides as far as both are correlated") {
+    RepeatedDetail const rule;
+    auto const mean_of = [&](metrics::Picture const& detail, metrics::Picture const& guides) {
+        double sum = 0.;
+        for (float const share : share_of_guides(rule, detail, guides, flat(1.f))) sum += static_cast<double>(share);
+        return sum / static_cast<double>(pixels);
+    };
+    auto const guides = finest_detail(rule, texture(1)), other = finest_detail(rule, texture(2));
+    CHECK(mean_of(guides, guides) > .999);
+    CHECK(mean_of(other, guides) < .25);
+    CHECK(mean_of(flat(0.f), guides) == 0.);
+    CHECK(mean_of(guides, flat(0.f)) == 0.);
+    SUBCASE("the mean of nine frames' guides is theirs") {
+        auto mean = texture(1);
+        for (unsigned seed = 2; seed <= 9; ++seed)
+            for (std::size_t i = 0; auto const& pixel : texture(seed).pixels) mean.pixels[i++] += pixel;
+        CHECK(mean_of(finest_detail(rule, mean), guides) > .95);
+    }
+    SUBCASE("the opposite of what guides add is not theirs") {
+        auto opposite = guides;
+        for (auto& pixel : opposite.pixels) pixel = -pixel;
+        CHECK(mean_of(opposite, guides) == 0.);
+    }
 }
 
 TEST_CASE("detail is limited by the light of its picture") {

@@ -41,6 +41,8 @@ io::ExrImage passes_of(int which, int number) {
     add("Depth.Z", [&](auto i) { return own["depth.Z"].values[i]; });
     add("Vector.X", [&](auto i) { return own["motion.X"].values[i]; });
     add("Vector.Y", [&](auto i) { return -own["motion.Y"].values[i]; });
+    add("Vector.Z", [&](auto i) { return -own["motion_next.X"].values[i]; });
+    add("Vector.W", [&](auto i) { return own["motion_next.Y"].values[i]; });
     for (std::string const c : {"X", "Y", "Z"}) add("Normal." + c, [&](auto i) { return own["normal." + c].values[i]; });
     return image;
 }

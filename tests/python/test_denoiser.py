@@ -118,6 +118,27 @@ class Results(unittest.TestCase):
             with self.assertRaisesRegex(quell.Error, "choose_history.*no history"):
                 quell.Denoiser("none", (HEIGHT, WIDTH), choose_history=True)
 
+    def test_light_given_back(self):
+        plain, given, chosen = (quell.Denoiser("svgf", (HEIGHT, WIDTH), **options) for options in ({}, {"give_back": 16}, {"give_back": True, "choose_history": True}))
+        frames = [wall(HEIGHT, WIDTH, seed) for seed in range(4)]
+        for frame in frames:
+            frame["radiance"][:, ::4] += 1  # stripes that the filter blurs
+            before, after = plain(frame), given(frame)
+            self.assertTrue(np.isfinite(chosen(frame)).all())
+        lit = np.zeros((HEIGHT, WIDTH, 1), np.float32)
+        lit[:, ::4] = 1
+        contrast = [float((picture * lit).sum() / lit.sum() - (picture * (1 - lit)).sum() / (1 - lit).sum()) for picture in (before, after)]
+        self.assertGreater(contrast[1], 1.05 * contrast[0])
+        in_sequence = list(quell.denoise(frames, "svgf", later_frames=0, give_back=16))
+        self.assertTrue(same_bits(in_sequence[-1], after))
+        self.assertIn("light is given back", given.plan)
+        self.assertGreater(given.statistics.bytes, plain.statistics.bytes)
+        with self.assertRaisesRegex(quell.Error, "give_back.*samples of each pixel"):
+            quell.Denoiser("svgf", (HEIGHT, WIDTH), give_back=-1)
+        if "none" in quell.presets():
+            with self.assertRaisesRegex(quell.Error, "give_back.*no single colour"):
+                quell.Denoiser("none", (HEIGHT, WIDTH), give_back=1)
+
     @unittest.skipUnless("accumulated" in quell.presets(), "skipped: guides, which want the preset accumulated")
     def test_guides_are_the_means_of_the_frames(self):
         denoiser = quell.Denoiser("accumulated", (HEIGHT, WIDTH))

@@ -134,9 +134,10 @@ TEST_CASE("by evidence: passes say what the sums of plain numbers say") {
     auto const colour = [&](auto channel, int x, int y) {
         return glm::vec3(view(channel).get(0, x, y), view(channel).get(1, x, y), view(channel).get(2, x, y));
     };
-    for (Evidence const rule : {Evidence{}, Evidence{.radius = 3, .at_first = .2f, .spread = .3f}}) {
+    EvidenceMix<> mix;
+    for (Evidence const rule : {Evidence{}, Evidence{.radius = 3, .at_first = .2f, .spread = .3f}, Evidence{.radius = 4, .doubt = .75f},
+                                Evidence{.caution = -.5f, .doubt = 1.f}, Evidence{.radius = 2}}) {
         EvidenceSums sums(images.size);
-        EvidenceMix<> mix;
         for (int const left_out : {1, 0}) mix.judge(rule, Simd{}, left_out, view(radiance), view(direct), view(glossy), view(indirect));
         std::size_t i = 0;
         for (int y = 0; y < images.size.height; ++y)
@@ -154,6 +155,10 @@ TEST_CASE("by evidence: passes say what the sums of plain numbers say") {
         CHECK(tests::message([&] {
                   mix.mix(rule, Simd{}, view(direct), other.view(), result.view());
               }).find("EvidenceMix: the second estimate: 45x28 beside samples of 45x29") != std::string::npos);
+        if (!(rule.doubt > 0.f))
+            CHECK(tests::message([&] {
+                      mix.mix({.doubt = .5f}, Simd{}, view(direct), view(glossy), result.view());
+                  }).find("EvidenceMix: the rule: it has doubt") != std::string::npos);
     }
 }
 

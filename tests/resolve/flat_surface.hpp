@@ -1,6 +1,7 @@
 #pragma once
 
-#include <quell/resolve/residual_bands.hpp>
+#include <quell/frame/channels.hpp>
+#include <quell/image/planar.hpp>
 
 #include <cmath>
 #include <random>

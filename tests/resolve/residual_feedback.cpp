@@ -147,5 +147,79 @@ TEST_CASE("residual feedback: small images stay finite, and other sizes are refu
         CHECK_THROWS_AS(feed_back_residual({}, Simd{}, samples, normals.view(), depths.view(), alone, picture), Error);
         picture.pop_back();
         CHECK_THROWS_AS(feed_back_residual({}, Simd{}, samples, normals.view(), depths.view(), {}, picture), Error);
+        CHECK_THROWS_AS(
+            feed_back_residual({.limits = {.noise_radius = 17}}, Simd{}, samples, normals.view(), depths.view(), alone, picture), Error);
+    }
+}
+
+TEST_CASE("residual feedback: a picture that is negative in the mean has limits like its reverse") {
+    auto const residual_of = [](float picture) {
+        auto const colours = detail::in_planes({1, 1}, {glm::vec3(picture)}), samples = detail::in_planes({1, 1}, {glm::vec3(1.f)});
+        detail::WindowSums<4> sums({1, 1});
+        detail::Brightness const brightness(Serial{}, colours.view());
+        return detail::PictureResidual(Serial{}, sums, {}, samples.view(), colours.view(), brightness);
+    };
+    auto const below = residual_of(-1.f), above = residual_of(1.f);
+    CHECK(below.value.view().get(0, 0, 0) == 2.f);
+    CHECK(above.value.view().get(0, 0, 0) == 0.f);
+    CHECK(above.mean_square.view().get(0, 0, 0) == doctest::Approx(below.mean_square.view().get(0, 0, 0) - 12.f).epsilon(1e-5));
+}
+
+TEST_CASE("residual feedback: a surface takes nothing of another one") {
+    Fed near(waves, 0.f), both(waves, 0.f);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            // All that the picture lacks lies far behind in one of them, and is there alone in the other.
+            if (x < size.width / 2) both.depths.view().set(0, x, y, 300.f);
+        }
+    near.feed(Serial{}, 16.f), both.feed(Serial{}, 16.f);
+    auto const change_at_border = [](Fed const& seen) {
+        double most = 0;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = size.width / 2 + 2; x < size.width; ++x)
+                most = std::max(most, std::abs(static_cast<double>(seen.picture[static_cast<std::size_t>(y * size.width + x)].x) - 1.));
+        return most;
+    };
+    CHECK(change_at_border(both) < .3 * change_at_border(near));
+}
+
+TEST_CASE("sums over windows are those of each pixel's square, and bright pixels take nothing off dark ones") {
+    Extent const image{37, 21};
+    auto const number = [](int x, int y) { return x == 20 && y == 10 ? 1e12f : 1e-3f * static_cast<float>((x * 7 + y * 13) % 11); };
+    detail::Planes<2> from(image), to(image);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) from.view().set(0, x, y, number(x, y)), from.view().set(1, x, y, 1.f);
+    for (int const radius : {1, 6, 16}) {
+        CAPTURE(radius);
+        detail::WindowSums<4> sums(image);
+        sums.around<2>(
+            Simd{}, radius,
+            [in = from.view()]<class Real>(AtOnce<Real>, int x, int y) {
+                return std::array{in.load_component<Real>(0, x, y), in.load_component<Real>(1, x, y)};
+            },
+            [out = to.view()]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
+                detail::store_pixels<Real>(out, x, y, {around[0], around[1]}, count);
+            });
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x) {
+                double sum = 0, pixels = 0;
+                for (int j = std::max(y - radius, 0); j <= std::min(y + radius, image.height - 1); ++j)
+                    for (int i = std::max(x - radius, 0); i <= std::min(x + radius, image.width - 1); ++i)
+                        sum += static_cast<double>(number(i, j)), pixels += 1.;
+                REQUIRE(to.view().get(0, x, y) == doctest::Approx(sum).epsilon(1e-5));
+                REQUIRE(static_cast<double>(to.view().get(1, x, y)) == pixels);
+                CHECK(detail::pixels_around(static_cast<float>(x), radius, image.width) *
+                          detail::pixels_around(static_cast<float>(y), radius, image.height) ==
+                      to.view().get(1, x, y));
+            }
+    }
+}
+
+TEST_CASE("a logarithm is that of the standard library, for packs too") {
+    for (float const a : {1e-30f, 3e-7f, .5f, .70710677f, .70710678f, .99999f, 1.f, 1.00001f, 1.41421f, 1.41422f, 2.f, 123.f, 1e30f}) {
+        CAPTURE(a);
+        float const right = std::log(a);
+        CHECK(std::abs(detail::logarithm(a) - right) <= 2e-7f * std::max(std::abs(right), 1.f));
+        CHECK(lane(detail::logarithm(Pack(a)), 0) == doctest::Approx(right).epsilon(1e-6));
     }
 }

@@ -29,6 +29,9 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// comes with 1 - w. Where a pixel has many samples, d is more truth than noise: B is better than it was when the sample was held out. A
 /// negative caution then takes sum d^2 away above, and adds it below.
 ///
+/// Where samples speak against A, as they do where light moves that A remembers, caution would keep a part of it. `doubt` lessens caution
+/// there: it counts 1 - doubt (1 - v) of what it does, where v is the part of A without caution.
+///
 /// The part's own variance, n / (sum (A - B)^2)^2 with n = sum ((I - (A + B) / 2)(A - B))^2, says how far it is to be trusted over what was
 /// taken before any sample was seen: a normal distribution about `at_first`.
 struct Evidence {
@@ -38,11 +41,19 @@ struct Evidence {
     float caution = 2.f;  ///< how often sum d^2 counts; below 0: for B
     float at_first = 1.f; ///< the part where nothing is known
     float spread = 1.f;   ///< standard deviation of the part about that, before samples are seen
+    float doubt = 0.f;    ///< how much less caution counts where samples leave nothing of A: from 0, the same, to 1, not at all
 
     /// For frames of so many samples of each pixel, of which caution depends: 2 at 1 sample, -0.6 at 16, -1 from 25 on.
     /// @param samples of each pixel; less than 1 counts as 1
     [[nodiscard]] static Evidence of_samples(float samples) {
         return {.caution = std::max(2.f - 0.65f * std::log2(std::max(samples, 1.f)), -1.f)};
+    }
+    /// For a history that has seen later frames too, and deserves more trust: caution is 2 up to 16 samples, with a doubt that goes up to 1
+    /// there; from then on it falls, to 0.75 at 32 samples and -0.5 from 64 on.
+    /// @param samples of each pixel; less than 1 counts as 1
+    [[nodiscard]] static Evidence with_later_frames(float samples) {
+        float const octaves = std::log2(std::max(samples, 1.f)), beyond = std::max(octaves - 4.f, 0.f);
+        return {.caution = std::max(2.f - 1.25f * beyond, -0.5f), .doubt = std::min(octaves / 4.f, 1.f)};
     }
 };
 
@@ -52,43 +63,51 @@ struct EvidenceTerms {
     double product = 0.; ///< of I - B and A - B
     double square = 0.;  ///< of A - B
     double noise = 0.;   ///< the variance of the product
+    double own = 0.;     ///< what caution has added to the product; its size was added to the square
 };
 /// What a held-out sample says; nothing where it is not light.
 QUELL_KERNEL EvidenceTerms evidence_of(Evidence const& rule, vec3<float> const& sample, vec3<float> const& a, vec3<float> const& b,
                                        vec3<float> const& b_with) {
     if (!is_light(sample)) return {};
     float const bright = 0.5f * abs(luminance(a) + luminance(b)) + rule.dark, per = 1.f / (bright * bright);
-    float product = 0, square = 0, noise = 0;
+    float product = 0, square = 0, noise = 0, cautious = 0;
     for (int c = 0; c < 3; ++c) {
         float const limited = min(sample[c], rule.most * bright), off = a[c] - b[c], own = b_with[c] - b[c];
         float const of_own = rule.caution * own * own;
         product += fma(limited - b[c], off, of_own);
         square += fma(off, off, abs(of_own));
         noise += (limited - 0.5f * (a[c] + b[c])) * off;
+        cautious += of_own;
     }
-    product *= per, square *= per, noise = noise * noise * per * per;
+    product *= per, square *= per, cautious *= per, noise = noise * noise * per * per;
     if (!is_finite(product) || !is_finite(square) || !is_finite(noise)) return {};
-    return {static_cast<double>(product), static_cast<double>(square), static_cast<double>(noise)};
+    return {static_cast<double>(product), static_cast<double>(square), static_cast<double>(noise), static_cast<double>(cautious)};
+}
+/// The part of A that sums over a window speak for, with caution or without some of it.
+QUELL_KERNEL double part_without(Evidence const& rule, EvidenceTerms const& sums, double of_caution) {
+    double const per_spread = 1. / (static_cast<double>(rule.spread) * static_cast<double>(rule.spread));
+    double const before = sums.noise * per_spread + 1e-30, own = of_caution * sums.own;
+    double const product = sums.product - own, square = sums.square - (own < 0. ? -own : own);
+    double const w = (product * square + before * static_cast<double>(rule.at_first)) / (square * square + before);
+    return w < 0. ? 0. : w > 1. ? 1. : w;
 }
 /// The part of A that sums over a window speak for.
 QUELL_KERNEL float part_of_first(Evidence const& rule, EvidenceTerms const& sums) {
-    double const per_spread = 1. / (static_cast<double>(rule.spread) * static_cast<double>(rule.spread));
-    double const before = sums.noise * per_spread + 1e-30;
-    double const w = (sums.product * sums.square + before * static_cast<double>(rule.at_first)) / (sums.square * sums.square + before);
-    return static_cast<float>(w < 0. ? 0. : w > 1. ? 1. : w);
+    if (!(rule.doubt > 0.f)) return static_cast<float>(part_without(rule, sums, 0.));
+    return static_cast<float>(part_without(rule, sums, static_cast<double>(rule.doubt) * (1. - part_without(rule, sums, 1.))));
 }
 } // namespace detail
 
 /// Sums over windows, and what follows from them.
 class EvidenceSums {
     Extent size;
-    std::vector<double> of_product, of_square, of_noise;
+    std::vector<double> of_product, of_square, of_noise, of_own;
 
 public:
     /// @throws std::bad_alloc
     explicit EvidenceSums(Extent s)
         : size(s), of_product(static_cast<std::size_t>(s.pixels()), 0.), of_square(static_cast<std::size_t>(s.pixels()), 0.),
-          of_noise(static_cast<std::size_t>(s.pixels()), 0.) {}
+          of_noise(static_cast<std::size_t>(s.pixels()), 0.), of_own(static_cast<std::size_t>(s.pixels()), 0.) {}
 
     /// Adds a held-out sample. What is not finite says nothing.
     /// @param rule   how terms weigh
@@ -101,12 +120,14 @@ public:
              vec3<float> const& b_with) {
         auto const terms = detail::evidence_of(rule, sample, a, b, b_with);
         of_product[pixel] += terms.product, of_square[pixel] += terms.square, of_noise[pixel] += terms.noise;
+        of_own[pixel] += terms.own;
     }
     /// The part of A for each pixel, row by row.
     [[nodiscard]] std::vector<float> parts(Evidence const& rule) {
-        for (auto* const sums : {&of_product, &of_square, &of_noise}) box_sums(size, *sums, rule.radius);
+        for (auto* const sums : {&of_product, &of_square, &of_noise, &of_own}) box_sums(size, *sums, rule.radius);
         std::vector<float> result(of_square.size());
-        for (std::size_t i = 0; i < result.size(); ++i) result[i] = detail::part_of_first(rule, {of_product[i], of_square[i], of_noise[i]});
+        for (std::size_t i = 0; i < result.size(); ++i)
+            result[i] = detail::part_of_first(rule, {of_product[i], of_square[i], of_noise[i], of_own[i]});
         return result;
     }
 };

@@ -31,9 +31,9 @@ template <class From, class To> struct CopyAllBut {
     }
 };
 
-/// Numbers in planes of an image's size, row by row.
+/// Numbers in planes of an image's size, row by row. The fourth one is there for a rule with doubt alone.
 struct NumberPlanes {
-    double* planes[3];
+    double* planes[4];
     Extent size;
 
     QUELL_KERNEL double* row(int plane, int y) const {
@@ -56,10 +56,11 @@ template <class Samples, class A, class B, class BWith> struct EvidenceJob {
         for (int i = x + (x + y + left_out) % 2; i < x + count; i += 2) {
             auto const said = evidence_of(rule, colour_at(samples, i, y), colour_at(a, i, y), colour_at(b, i, y), colour_at(b_with, i, y));
             to.row(0, y)[i] = said.product, to.row(1, y)[i] = said.square, to.row(2, y)[i] = said.noise;
+            if (rule.doubt > 0.f) to.row(3, y)[i] = said.own;
         }
     }
 };
-/// Each number becomes the sum of those to its left and itself, in all rows of three planes, one row after the other.
+/// Each number becomes the sum of those to its left and itself, in all rows of the planes, one row after the other.
 struct SumAlongRows {
     static constexpr auto name = "evidence, rows";
     NumberPlanes of;
@@ -99,7 +100,8 @@ template <class A, class B, class To> struct MixByEvidence {
 
     template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
         for (int i = x; i < x + count; ++i) {
-            float const part = part_of_first(rule, {around(0, i, y), around(1, i, y), around(2, i, y)});
+            double const own = rule.doubt > 0.f ? around(3, i, y) : 0.;
+            float const part = part_of_first(rule, {around(0, i, y), around(1, i, y), around(2, i, y), own});
             for (int c = 0; c < To::components; ++c) {
                 float const first = a.get(c, i, y), second = b.get(c, i, y);
                 to.set(c, i, y, c < 3 ? second + (first - second) * part : first);
@@ -125,7 +127,8 @@ private:
 ///     mix.mix(rule, executor, a_with, b_with, to);
 ///
 /// Views have one component, three, or four of which the last is alpha: it is not judged, and stays that of the first estimate. Memory is
-/// taken by the first frame, and where their size changes: 32 bytes a pixel. The result does not depend on the executor's threads.
+/// taken by the first frame, and where their size changes: 32 bytes a pixel, 40 for a rule with doubt. The result does not depend on the
+/// executor's threads.
 /// @tparam Memory where sums lie
 template <ImageMemory Memory = HostMemory> class EvidenceMix {
     struct Release {
@@ -133,6 +136,7 @@ template <ImageMemory Memory = HostMemory> class EvidenceMix {
     };
     std::unique_ptr<double[], Release> numbers;
     Extent size{0, 0};
+    int sums = 3; ///< that the rule wants; one plane more is there, to write to
 
 public:
     /// Looks at the samples of one half of the checkerboard. Both halves have to be looked at before mix().
@@ -147,12 +151,12 @@ public:
     template <Executor E>
     void judge(Evidence const& rule, E const& executor, int left_out, ImageView auto const& samples, ImageView auto const& a,
                ImageView auto const& b, ImageView auto const& b_with) {
-        take(samples.size);
+        take(samples.size, sums_of(rule));
         check("the first estimate without samples", a.size);
         check("the second estimate without samples", b.size);
         check("the second estimate", b_with.size);
         detail::EvidenceJob<std::remove_cvref_t<decltype(samples)>, std::remove_cvref_t<decltype(a)>, std::remove_cvref_t<decltype(b)>,
-                            std::remove_cvref_t<decltype(b_with)>> const job{rule, left_out, samples, a, b, b_with, planes(0, 1, 2)};
+                            std::remove_cvref_t<decltype(b_with)>> const job{rule, left_out, samples, a, b, b_with, planes(0)};
         detail::run_or_enqueue(executor, Region{0, 0, size.width, size.height}, job);
     }
     /// Writes the picture that the samples speak for.
@@ -161,47 +165,55 @@ public:
     /// @param a        a view of the first estimate, made of all samples
     /// @param b        of the second one
     /// @param to       a view to write; it may be that of an estimate
-    /// @throws Error where sizes differ from those of the samples
+    /// @throws Error where sizes differ from those of the samples, or where the rule has doubt and that of judge() had none
     template <Executor E>
     void mix(Evidence const& rule, E const& executor, ImageView auto const& a, ImageView auto const& b, ImageView auto const& to) {
         check("the first estimate", a.size);
         check("the second estimate", b.size);
         check("the target", to.size);
-        detail::run_or_enqueue(executor, Region{0, 0, 1, 3 * size.height}, detail::SumAlongRows{planes(0, 1, 2)});
+        if (sums < sums_of(rule))
+            raise_error("EvidenceMix: the rule", "it has doubt, and samples were looked at by one without", "give judge() the same rule");
+        detail::run_or_enqueue(executor, Region{0, 0, 1, sums * size.height}, detail::SumAlongRows{planes(0)});
         // Many columns at once are few lines of the cache; a device wants many threads, and neighbours in a row of them.
         constexpr bool on_device = QueueExecutor<E>;
         int const columns = on_device ? 1 : 32, groups = (size.width + columns - 1) / columns;
         Region const all_columns{0, 0, on_device ? groups : 1, on_device ? 1 : groups};
         // A plane that was read is where the next one goes.
-        for (int plane = 0; plane < 3; ++plane)
-            detail::run_or_enqueue(executor, all_columns, detail::SumDownColumns{planes(plane, (plane + 3) % 4, 0), rule.radius, columns});
+        for (int plane = 0; plane < sums; ++plane)
+            detail::run_or_enqueue(executor, all_columns, detail::SumDownColumns{from_to(plane), rule.radius, columns});
         detail::MixByEvidence<std::remove_cvref_t<decltype(a)>, std::remove_cvref_t<decltype(b)>, std::remove_cvref_t<decltype(to)>> const
-            job{rule, planes(3, 0, 1), a, b, to};
+            job{rule, planes(sums), a, b, to};
         detail::run_or_enqueue(executor, Region{0, 0, size.width, size.height}, job);
         detail::submit_queue(executor);
     }
     /// Gives its memory back.
     void release() { numbers.reset(), size = {0, 0}; }
     /// What it takes.
-    [[nodiscard]] std::size_t bytes() const { return numbers ? bytes_of(size) : 0; }
+    [[nodiscard]] std::size_t bytes() const { return numbers ? bytes_of(size, sums) : 0; }
 
 private:
-    static std::size_t bytes_of(Extent size) { return 4 * sizeof(double) * static_cast<std::size_t>(size.pixels()); }
-    void take(Extent wanted) {
-        if (wanted == size) return;
+    static int sums_of(Evidence const& rule) { return rule.doubt > 0.f ? 4 : 3; }
+    static std::size_t bytes_of(Extent size, int sums) {
+        return (static_cast<std::size_t>(sums) + 1) * sizeof(double) * static_cast<std::size_t>(size.pixels());
+    }
+    void take(Extent wanted, int wanted_sums) {
+        if (wanted == size && wanted_sums == sums) return;
         release();
-        numbers.reset(static_cast<double*>(Memory::allocate(bytes_of(wanted))));
-        size = wanted;
+        numbers.reset(static_cast<double*>(Memory::allocate(bytes_of(wanted, wanted_sums))));
+        size = wanted, sums = wanted_sums;
     }
     void check(char const* what, Extent its) const {
         if (!(its == size))
             raise_error(std::string("EvidenceMix: ") + what, to_string(its) + " beside samples of " + to_string(size),
                         "give it the samples' size");
     }
-    [[nodiscard]] detail::NumberPlanes planes(int first, int second, int third) const {
-        auto const plane = [&](int which) { return numbers.get() + static_cast<std::ptrdiff_t>(which) * size.pixels(); };
-        return {{plane(first), plane(second), plane(third)}, size};
+    [[nodiscard]] double* plane(int which) const { return numbers.get() + static_cast<std::ptrdiff_t>(which % (sums + 1)) * size.pixels(); }
+    /// All sums from that plane on.
+    [[nodiscard]] detail::NumberPlanes planes(int first) const {
+        return {{plane(first), plane(first + 1), plane(first + 2), plane(first + 3)}, size};
     }
+    /// A plane that is read, and that before it, which has been read.
+    [[nodiscard]] detail::NumberPlanes from_to(int which) const { return {{plane(which), plane(which + sums), nullptr, nullptr}, size}; }
 };
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

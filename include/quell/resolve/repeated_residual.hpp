@@ -1,166 +1,238 @@
 #pragma once
 
-#include <quell/core/real.hpp>
-#include <quell/frame/channels.hpp>
-#include <quell/image/planar.hpp>
-#include <quell/resolve/residual.hpp>
+#include <quell/resolve/gaussian_blur.hpp>
+#include <quell/resolve/moved_image.hpp>
+#include <quell/resolve/picture_residual.hpp>
+#include <quell/resolve/residual_sizes.hpp>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
-/// Gives back to a denoised picture what two frames in a row lack. Noise of samples is new in each frame, but what a filter takes out by
-/// mistake, such as leaves smaller than a pixel or reflections, is lacking again where their surface has moved to. So what the residuals
-/// (samples minus picture) of both frames have in common over a window is a measure of that mistake, whatever the noise is.
+/// Gives back to a denoised picture what frames in a row lack. Noise of samples is new in each frame, but what a filter takes out by
+/// mistake, such as leaves smaller than a pixel or reflections, is lacking again where their surface has moved to. So what the residual
+/// (samples minus picture) of this frame has in common with those of the frames before and after, over a window, is a measure of that
+/// mistake, whatever the noise is.
 ///
-/// Both residuals are split into three bands. For each, over a window, c is the sum of the product of both, less its standard error times
-/// `caution`; v and u are the sums of their squares. The mistake that is in the residual of now is b = c v / u, at least c: moving the
-/// residual before between pixels takes as much off c as off u where detail is finer than pixels. What is added is x now + y before, with
-/// the least expected error: v x + c y = b and c x + u y = c.
+/// All residuals are split into three bands, and those of the frames around, where their surfaces are now, are put together as their mean.
+/// For each band, over a window, c is the sum of the product of this residual and that mean, less its standard error times `caution`; v and
+/// u are the sums of their squares, and w is the mean of the sums of squares of each frame around: its noise is not less for the mean. The
+/// mistake that is in the residual of now is b = c v / w, at least c: moving residuals between pixels takes as much off c as off w where
+/// detail is finer than pixels. What is added is x now + y mean, with the least expected error: v x + c y = b and c x + u y = c.
 ///
 /// Where a pixel holds fewer samples, more of what the finest band repeats is no mistake: a single sample sees the same point of a leaf
 /// again, wherever in its pixel that lies, and a picture of such points is jagged. Of that band a part of 1 / samples is left out. And
-/// noise of few samples is skewed, so that by chance more of it is alike: caution is 1 + 1 / samples times as large.
+/// noise of few samples is skewed, so that by chance more of it is alike: caution is 1 + 2 / samples times as large.
 struct RepeatedResidual {
-    float samples = 1.f;                          ///< of each pixel
-    std::array<float, 2> deviation{0.7f, 2.f};    ///< of the Gaussians between the bands, in pixels
-    std::array<int, 3> radius{8, 10, 16};         ///< of each band's windows, in pixels
-    std::array<float, 3> caution{1.f, 1.5f, 3.f}; ///< more for wider bands, whose neighbouring pixels hold the same noise
-    float most = 20.f;                            ///< a residual is at most so many times the light around
-    float darkest = 0.2f;                         ///< of the picture's light so much stays at least
+    float samples = 1.f;                         ///< of each pixel
+    std::array<float, 2> deviation{0.7f, 2.f};   ///< of the Gaussians between the bands, in pixels
+    std::array<int, 3> radius{8, 10, 16};        ///< of each band's windows, in pixels
+    std::array<float, 3> caution{.7f, 1.f, 2.f}; ///< more for wider bands, whose neighbouring pixels hold the same noise
+    float most = 20.f;                           ///< a residual is at most so many times the light around
+    float darkest = 0.2f;                        ///< of the picture's light so much stays at least
 };
 
 namespace detail {
 
-using ResidualImage = std::vector<glm::vec3>;
+inline constexpr std::size_t repeated_bands = 3;
 
-/// Means by a Gaussian, over what lies in the image.
-inline ResidualImage blurred(Extent size, ResidualImage const& image, float deviation) {
-    int const radius = static_cast<int>(std::ceil(3.f * deviation));
-    std::vector<float> weights(static_cast<std::size_t>(radius) + 1);
-    for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = std::exp(-0.5f * static_cast<float>(i * i) / (deviation * deviation));
-    auto const along = [&](ResidualImage const& from, int lines, int length, std::size_t line_step, std::size_t step) {
-        ResidualImage to(from.size());
-        for (int line = 0; line < lines; ++line)
-            for (int i = 0; i < length; ++i) {
-                auto const first = static_cast<std::size_t>(line) * line_step;
-                glm::vec3 sum(0.f);
-                float whole = 0.f;
-                for (int j = std::max(i - radius, 0); j <= std::min(i + radius, length - 1); ++j) {
-                    float const weight = weights[static_cast<std::size_t>(std::abs(j - i))];
-                    sum += weight * from[first + static_cast<std::size_t>(j) * step], whole += weight;
-                }
-                to[first + static_cast<std::size_t>(i) * step] = sum / whole;
-            }
-        return to;
+/// A residual and what it is smoothed by the Gaussians between the bands.
+struct BlurredResidual {
+    Planes<3> whole;
+    std::array<Planes<3>, repeated_bands - 1> blurred;
+
+    template <Executor E>
+    BlurredResidual(E const& executor, RepeatedResidual const& rule, Planes<3> residual)
+        : whole(std::move(residual)), blurred{detail::blurred(executor, whole.view(), rule.deviation[0]),
+                                              detail::blurred(executor, whole.view(), rule.deviation[1])} {}
+};
+/// One band of it: what is finer than one Gaussian, and not finer than the one before.
+struct ResidualBand {
+    PlanesView<3> finer, wider;
+    bool is_widest;
+
+    ResidualBand(BlurredResidual const& residual, std::size_t band)
+        : finer((band == 0 ? residual.whole : residual.blurred[band - 1]).view()),
+          wider(residual.blurred[band + 1 < repeated_bands ? band : band - 1].view()), is_widest(band + 1 == repeated_bands) {}
+    template <class Real> QUELL_KERNEL vec3<Real> at(int x, int y) const {
+        auto const value = load_pixels<Real>(finer, x, y);
+        return is_widest ? value : value - load_pixels<Real>(wider, x, y);
+    }
+};
+
+/// A residual of a frame before or after, where its surfaces are now.
+struct ResidualAround {
+    BlurredResidual residual;
+    Planes<1> is_known; ///< 1 or 0
+};
+/// One band of the residuals of the frames around.
+struct BandsAround {
+    struct Band {
+        ResidualBand residual;
+        PlanesView<1> is_known;
     };
-    auto const width = static_cast<std::size_t>(size.width);
-    return along(along(image, size.height, size.width, width, 1), size.width, size.height, 1, width);
-}
+    std::array<std::optional<Band>, 2> frames{};
 
-/// What a residual of the frame before is where its surfaces are now, between its pixels; 0 where they were not in the image.
-inline ResidualImage moved(ResidualImage const& before, ViewOf<Planar<>, Motion> motion) {
-    auto const size = motion.size;
-    ResidualImage now(before.size(), glm::vec3(0.f));
-    std::size_t i = 0;
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x, ++i) {
-            float const column = static_cast<float>(x) + motion.get(0, x, y), row = static_cast<float>(y) + motion.get(1, x, y);
-            bool const inside = column > -0.5f && column < static_cast<float>(size.width) - 0.5f && row > -0.5f &&
-                                row < static_cast<float>(size.height) - 0.5f;
-            if (!is_finite(column) || !is_finite(row) || !inside) continue;
-            float const left = std::floor(column), top = std::floor(row);
-            for (int down = 0; down < 2; ++down)
-                for (int right = 0; right < 2; ++right) {
-                    auto const there = [](float first, int more, int length) {
-                        return static_cast<std::size_t>(std::clamp(static_cast<int>(first) + more, 0, length - 1));
-                    };
-                    float const weight = std::abs(1.f - static_cast<float>(right) - (column - left)) *
-                                         std::abs(1.f - static_cast<float>(down) - (row - top));
-                    now[i] += weight *
-                              before[there(top, down, size.height) * static_cast<std::size_t>(size.width) + there(left, right, size.width)];
-                }
+    /// Their mean, and the mean of their squares.
+    template <class Real> QUELL_KERNEL std::pair<vec3<Real>, Real> mean_at(int x, int y) const {
+        auto sum = zero<vec3<Real>>();
+        Real squares(0.f), known(0.f);
+        for (auto const& frame : frames) {
+            if (!frame) continue;
+            auto const here = load_pixels<Real>(frame->is_known, x, y);
+            auto const value = scale(frame->residual.template at<Real>(x, y), here);
+            sum = add_scaled(sum, value, Real(1.f)), squares = squares + dot(value, value), known = known + here;
         }
-    return now;
+        auto const part = 1.f / max(known, Real(1.f));
+        return {scale(sum, part), squares * part};
+    }
+};
+
+/// Limits values to so many times the light; what is not finite becomes 0.
+template <class Real> QUELL_KERNEL vec3<Real> limited(vec3<Real> const& value, Real most) {
+    return map([&](Real a) QUELL_INLINED { return masked(is_finite(a), clamp(a, -most, most)); }, value);
 }
 
-/// Adds to a picture what one band of both residuals tells that it lacks.
-inline void add_repeated(Extent size, ResidualImage const& now, ResidualImage const& before, std::vector<double> const& light, int radius,
-                         float caution, float part, ResidualImage& picture) {
-    std::vector<double> common(now.size()), error(now.size()), square(now.size()), square_before(now.size());
-    for (std::size_t i = 0; i < now.size(); ++i) {
-        double const per_light = 1. / (light[i] * light[i]);
-        common[i] = product_of(now[i], before[i]) * per_light, error[i] = common[i] * common[i];
-        square[i] = product_of(now[i], now[i]) * per_light, square_before[i] = product_of(before[i], before[i]) * per_light;
-    }
-    for (auto* const each : {&common, &error, &square, &square_before}) box_sums(size, *each, radius);
-    for (std::size_t i = 0; i < now.size(); ++i) {
-        double const v = std::max(square[i], 0.), u = std::max(square_before[i], 0.);
-        double const sure = common[i] - static_cast<double>(caution) * std::sqrt(std::max(error[i], 0.));
-        double const c = std::min({sure, u, v, .98 * std::sqrt(u * v)});
-        if (!(c > 0.)) continue;
-        double const determinant = v * u - c * c, b = std::max(c * v / u, c);
-        double const x = std::clamp((b * u - c * c) / determinant, 0., 1.), y = std::clamp(c * (v - b) / determinant, 0., 1. - x);
-        picture[i] += part * (static_cast<float>(x) * now[i] + static_cast<float>(y) * before[i]);
-    }
+/// Adds to an image what one band of all residuals tells that a picture lacks.
+/// @param caution standard errors that are taken off
+/// @param part    of the band
+template <Executor E>
+void add_repeated(E const& executor, WindowSums<5>& sums, ResidualBand const& now, BandsAround const& around, PlanesView<1> light,
+                  int radius, float caution, float part, PlanesView<3> to) {
+    sums.around<5>(
+        executor, radius,
+        [=]<class Real>(AtOnce<Real>, int x, int y) {
+            auto const bright = load_pixels<Real>(light, x, y), per_square = 1.f / (bright * bright);
+            auto const here = now.template at<Real>(x, y);
+            auto const [mean, squares] = around.template mean_at<Real>(x, y);
+            auto const common = dot(here, mean) * per_square;
+            return std::array{common, common * common, dot(here, here) * per_square, dot(mean, mean) * per_square, squares * per_square};
+        },
+        [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& of_window) {
+            auto const v = of_window[2], u = of_window[3], w = max(of_window[4], u);
+            auto const sure = of_window[0] - sqrt(of_window[1]) * caution;
+            auto const c = min(min(sure, sqrt(u) * sqrt(v) * .98f), min(u, v));
+            auto const is_common = c > Real(1e-30f);
+            // x and y as they are, with each sum divided by v or u: products of small ones would be 0.
+            auto const tiny = Real(1e-30f);
+            auto const of_v = c / max(v, tiny), of_u = c / max(u, tiny);
+            auto const b_of_v = max(c / max(w, tiny), of_v), rest = 1.f / max(1.f - of_v * of_u, Real(.03f));
+            auto const x_share = clamp((b_of_v - of_v * of_u) * rest, Real(0.f), Real(1.f));
+            auto const y_share = clamp(of_u * (1.f - b_of_v) * rest, Real(0.f), 1.f - x_share);
+            auto const of_now = masked(is_common, x_share * part), of_mean = masked(is_common, y_share * part);
+            auto const here = now.template at<Real>(x, y);
+            auto const [mean, squares] = around.template mean_at<Real>(x, y);
+            auto const sum = load_pixels<Real>(to, x, y);
+            store_pixels<Real>(to, x, y, add_scaled(add_scaled(sum, here, of_now), mean, of_mean), count);
+        });
+}
+
+/// @throws Error where a radius or deviation is beyond reach
+inline void check_rule(RepeatedResidual const& rule, std::size_t frames_around) {
+    for (int const radius : rule.radius)
+        if (radius < 0 || radius > WindowSums<5>::largest_radius)
+            raise_error("RepeatedResidual::radius", std::to_string(radius), "give 0 to " + std::to_string(WindowSums<5>::largest_radius));
+    for (float const deviation : rule.deviation)
+        if (!(deviation > 0.f && deviation <= GaussianTaps::largest_deviation))
+            raise_error("RepeatedResidual::deviation", std::to_string(deviation), "give more than 0, at most 5 pixels");
+    if (frames_around > 2)
+        raise_error("give_back_repeated, frames around", std::to_string(frames_around), "give that before, that after, or both");
 }
 
 } // namespace detail
 
-/// Adds to a picture what it and the picture of the frame before lack (RepeatedResidual).
-/// @param rule    how
-/// @param samples that the picture was made of, linear, row by row; not finite where there is none
-/// @param motion  a view of where each surface was in the frame before, less where it is, in pixels; not finite: unknown
-/// @param before  what this returned for the frame before; empty: there was none, and the picture stays as it is
-/// @param picture the denoised one; is changed
-/// @return this frame's residual: what the picture that was given lacks of its samples
+/// What a picture lacks of its samples (RepeatedResidual): these minus the picture, within limits, and 0 where there is no sample.
+/// @param executor runs the passes
+/// @param samples  that the picture was made of, linear, row by row; not finite where there is none
 /// @throws Error where these are not of one size, std::bad_alloc
-inline std::vector<glm::vec3> give_back_repeated(RepeatedResidual const& rule, std::vector<glm::vec3> const& samples,
-                                                 ViewOf<Planar<>, Motion> motion, std::vector<glm::vec3> const& before,
-                                                 std::vector<glm::vec3>& picture) {
+template <Executor E>
+[[nodiscard]] std::vector<glm::vec3> lacking_of_samples(RepeatedResidual const& rule, E const& executor, Extent size,
+                                                        std::vector<glm::vec3> const& samples, std::vector<glm::vec3> const& picture) {
     using namespace detail;
-    auto const size = motion.size;
-    check_residual_sizes("give_back_repeated", samples, size, size, picture);
-    if (!before.empty()) check_residual_sizes("give_back_repeated, the frame before", before, size, size, picture);
-    auto const light = light_around(size, picture);
-    auto const limited = [&](std::vector<glm::vec3>& residual) {
-        for (std::size_t i = 0; i < residual.size(); ++i)
-            for (int c = 0; c < 3; ++c) {
-                float const most = rule.most * static_cast<float>(light[i]);
-                residual[i][c] = is_finite(residual[i][c]) ? std::clamp(residual[i][c], -most, most) : 0.f;
-            }
-    };
-    std::vector<glm::vec3> residual(samples.size());
-    for (std::size_t i = 0; i < residual.size(); ++i)
-        residual[i] = is_light(vec3<float>(samples[i])) ? samples[i] - picture[i] : glm::vec3(0.f);
-    limited(residual);
-    if (before.empty()) return residual;
-    auto before_here = moved(before, motion);
-    limited(before_here);
-    auto rest = residual, rest_before = before_here;
-    std::vector<glm::vec3> off(picture.size(), glm::vec3(0.f));
-    float const per_samples = 1.f / std::max(rule.samples, 1.f);
-    auto const add = [&](std::vector<glm::vec3> const& now, std::vector<glm::vec3> const& then, std::size_t band) {
-        add_repeated(size, now, then, light, rule.radius[band], rule.caution[band] * (1.f + per_samples),
-                     band == 0 ? 1.f - per_samples : 1.f, off);
-    };
-    for (std::size_t band = 0; band < rule.deviation.size(); ++band) {
-        auto wider = blurred(size, residual, rule.deviation[band]), wider_before = blurred(size, before_here, rule.deviation[band]);
-        for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= wider[i], rest_before[i] -= wider_before[i];
-        add(rest, rest_before, band);
-        rest = std::move(wider), rest_before = std::move(wider_before);
+    check_residual_sizes("lacking_of_samples", samples, size, size, picture);
+    auto const from = in_planes(size, samples), of_picture = in_planes(size, picture);
+    WindowSums<1> sums(size);
+    auto const light = light_around(executor, sums, Brightness(executor, of_picture.view()));
+    auto const in = from.view(), to = of_picture.view();
+    auto const bright = light.view();
+    for_all_pixels(executor, size, [=, most = rule.most]<class Real>(AtOnce<Real>, int x, int y, int count) {
+        auto const sample = load_pixels<Real>(in, x, y);
+        auto const is_sample = is_light(sample);
+        auto const off = map([&](Real s, Real p) QUELL_INLINED { return masked(is_sample, s - p); }, sample, load_pixels<Real>(to, x, y));
+        store_pixels<Real>(to, x, y, limited(off, load_pixels<Real>(bright, x, y) * most), count);
+    });
+    std::vector<glm::vec3> lacking(samples.size());
+    copy_out(to, lacking);
+    return lacking;
+}
+
+/// What the picture of a frame before or after lacks, where its surfaces are now; not finite where that is not known.
+/// @param executor runs the pass
+/// @param lacking  of that frame: what lacking_of_samples() says
+/// @param motion   a view of where each surface is in that frame, less where it is now, in pixels; not finite: unknown
+/// @throws Error where these are not of one size, std::bad_alloc
+template <Executor E>
+[[nodiscard]] std::vector<glm::vec3> lacking_moved(E const& executor, std::vector<glm::vec3> const& lacking, ImageView auto motion) {
+    detail::check_residual_sizes("lacking_moved", lacking, motion.size, motion.size, lacking);
+    return detail::moved(executor, lacking, motion, glm::vec3(std::numeric_limits<float>::quiet_NaN()));
+}
+
+/// Adds to a picture what it and the pictures of frames around lack (RepeatedResidual). Where there are none, it stays as it is.
+/// @param rule     how
+/// @param executor runs the passes
+/// @param lacking  of the picture: what lacking_of_samples() says
+/// @param around   what lacking_moved() says of the frame before, of that after, or of both
+/// @param picture  the denoised one; is changed
+/// @throws Error where these are not of one size or there are more than two frames around, std::bad_alloc
+template <Executor E>
+void give_back_repeated(RepeatedResidual const& rule, E const& executor, Extent size, std::vector<glm::vec3> const& lacking,
+                        std::vector<std::vector<glm::vec3>> const& around, std::vector<glm::vec3>& picture) {
+    using namespace detail;
+    check_residual_sizes("give_back_repeated", lacking, size, size, picture);
+    for (auto const& each : around) check_residual_sizes("give_back_repeated, a frame around", each, size, size, picture);
+    check_rule(rule, around.size());
+    if (around.empty()) return;
+    auto const before = in_planes(size, picture);
+    WindowSums<5> sums(size);
+    auto const light = light_around(executor, sums, Brightness(executor, before.view()));
+    auto const bright = light.view();
+    BlurredResidual const now(executor, rule, in_planes(size, lacking));
+    std::vector<ResidualAround> frames;
+    for (auto const& each : around) {
+        auto residual = in_planes(size, each);
+        Planes<1> is_known(size);
+        auto const value = residual.view();
+        for_all_pixels(executor, size, [=, known = is_known.view(), most = rule.most]<class Real>(AtOnce<Real>, int x, int y, int count) {
+            auto const there = load_pixels<Real>(value, x, y);
+            store_pixels<Real>(known, x, y, masked(is_finite(there.x), Real(1.f)), count);
+            store_pixels<Real>(value, x, y, limited(there, load_pixels<Real>(bright, x, y) * most), count);
+        });
+        frames.push_back({BlurredResidual(executor, rule, std::move(residual)), std::move(is_known)});
     }
-    add(rest, rest_before, rule.deviation.size());
-    for (std::size_t i = 0; i < picture.size(); ++i)
-        for (int c = 0; c < 3; ++c) {
-            float const old = picture[i][c], made = old + off[i][c];
-            if (is_finite(made)) picture[i][c] = std::max(made, std::min(old, rule.darkest * old));
-        }
-    return residual;
+    Planes<3> off(size);
+    float const per_samples = 1.f / std::max(rule.samples, 1.f);
+    for (std::size_t band = 0; band < repeated_bands; ++band) {
+        BandsAround bands;
+        for (std::size_t k = 0; k < frames.size(); ++k)
+            bands.frames[k].emplace(BandsAround::Band{ResidualBand(frames[k].residual, band), frames[k].is_known.view()});
+        add_repeated(executor, sums, ResidualBand(now, band), bands, bright, rule.radius[band],
+                     rule.caution[band] * (1.f + 2.f * per_samples), band == 0 ? 1.f - per_samples : 1.f, off.view());
+    }
+    auto const to = before.view();
+    for_all_pixels(executor, size, [=, off = off.view(), darkest = rule.darkest]<class Real>(AtOnce<Real>, int x, int y, int count) {
+        auto const made = [&](Real old, Real more) QUELL_INLINED {
+            auto const sum = old + more;
+            return select(is_finite(sum), max(sum, min(old, old * darkest)), old);
+        };
+        store_pixels<Real>(to, x, y, map(made, load_pixels<Real>(to, x, y), load_pixels<Real>(off, x, y)), count);
+    });
+    copy_out(to, picture);
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -1,26 +1,28 @@
 #pragma once
 
-#include <quell/core/light.hpp>
-#include <quell/resolve/residual_bands.hpp>
+#include <quell/resolve/logarithm.hpp>
 #include <quell/resolve/residual_feedback_fit.hpp>
+#include <quell/resolve/residual_levels.hpp>
+#include <quell/resolve/residual_sizes.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Gives back to a denoised picture what its filter took out by mistake, by shares that were fitted to renders: see
-/// ResidualFeedbackShares. It does what Twicing does, at any number of samples, and without a test that has to be sure.
+/// ResidualFeedbackShares. It is a kind of twicing (Tukey 1977, "Exploratory Data Analysis").
 ///
 /// The residual, samples minus picture, is smoothed over surfaces and over pieces of like light, in four levels with steps of 1, 2, 4 and 8
 /// pixels. A part of the finest level, of the widest one, of two bands between levels, and of the residual itself is added. How much
 /// depends on the noise, on the light's texture, on how far the level is more than that noise would leave, and on what samples that were
-/// held out by a checkerboard have in common with the band (as in Twicing). The picture also moves away from the estimate of the frame
-/// alone: windows that choose between it and history (Evidence) trust history too little.
+/// held out have in common with the band: with B the band at even pixels, made of the residual r at odd ones, and the other way round as on
+/// a checkerboard, sum r B / sum B^2 over a window. The picture also moves away from the estimate of the frame alone: windows that choose
+/// between it and history (Evidence) trust history too little.
 struct ResidualFeedback {
     float samples = 1.f;                            ///< of each pixel; shares lie between those of 1 and of 16
     std::optional<ResidualFeedbackShares> shares{}; ///< others; none: those that were fitted for `samples`
@@ -37,77 +39,136 @@ inline constexpr int feedback_levels = 4; ///< of 1, 2, 4 and 8 pixels
 
 /// What the shares of each pixel depend on.
 struct FeedbackGates {
-    std::vector<double> light;    ///< around the pixel
-    std::vector<double> variance; ///< of the samples, of one component
-    std::vector<double> noise;    ///< N of ResidualFeedbackShares
-    std::vector<double> texture;  ///< how much light varies around the pixel: twice its logarithm's standard deviation, to 1.5
+    Planes<1> light;           ///< around the pixel
+    Planes<1> light_logarithm; ///< of the pixel's own light, which edges of light are found in
+    Planes<1> variance;        ///< of the samples, of one component
+    Planes<1> noise;           ///< N of ResidualFeedbackShares
+    Planes<1> texture;         ///< how much light varies around the pixel: twice its logarithm's standard deviation, to 1.5
 
-    FeedbackGates(PictureResidual const& residual, std::vector<glm::vec3> const& picture) {
+    template <Executor E>
+    FeedbackGates(E const& executor, WindowSums<4>& sums, PictureResidual const& residual, PlanesView<3> picture,
+                  Brightness const& brightness)
+        : light(light_around(executor, sums, brightness)), light_logarithm(residual.size), variance(residual.size), noise(residual.size),
+          texture(residual.size) {
         auto const size = residual.size;
-        auto const pixels = picture.size();
-        light = light_around(size, picture);
+        auto const square = residual.mean_square.view(), spread = variance.view(), around_light = light.view(),
+                   logarithms = light_logarithm.view(), noises = noise.view(), textures = texture.view();
+        constexpr int near = 2, wide = 3, of_texture = 4;
         // Where there is no sample, noise is that of the samples around.
-        auto squares = residual.mean_square;
-        auto const around = box_means(size, squares, 3);
-        for (std::size_t i = 0; i < pixels; ++i)
-            if (!(squares[i] > 0.)) squares[i] = around[i];
-        variance = box_means(size, squares, 2);
-        for (auto& each : variance) each = std::max(each / 3., 1e-20);
-        noise.resize(pixels);
-        for (std::size_t i = 0; i < pixels; ++i) noise[i] = std::clamp(std::log2(std::sqrt(variance[i]) / light[i] + 1e-3) / 3., -2., 1.5);
-        std::vector<double> logarithm(pixels), squared(pixels);
-        for (std::size_t i = 0; i < pixels; ++i) logarithm[i] = std::log(light[i]), squared[i] = logarithm[i] * logarithm[i];
-        auto const mean = box_means(size, logarithm, 4);
-        texture = box_means(size, squared, 4);
-        for (std::size_t i = 0; i < pixels; ++i) texture[i] = std::min(2. * std::sqrt(std::max(texture[i] - mean[i] * mean[i], 0.)), 1.5);
+        sums.around<1>(
+            executor, wide, [=]<class Real>(AtOnce<Real>, int x, int y) { return std::array{load_pixels<Real>(square, x, y)}; },
+            [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
+                auto const own = load_pixels<Real>(square, x, y);
+                store_pixels<Real>(spread, x, y, select(own > Real(0.f), own, around[0] / pixels_in_square<Real>(x, y, wide, size)), count);
+            });
+        float const log_mean = logarithm(brightness.mean + brightness.dark(0.f));
+        sums.around<1>(
+            executor, near, [=]<class Real>(AtOnce<Real>, int x, int y) { return std::array{load_pixels<Real>(spread, x, y)}; },
+            [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
+                auto const its_light = load_pixels<Real>(around_light, x, y);
+                auto const its = max(around[0] / pixels_in_square<Real>(x, y, near, size) / 3.f, Real(1e-20f));
+                store_pixels<Real>(spread, x, y, its, count);
+                auto const logarithm_of_noise = logarithm(sqrt(its) / its_light + 1e-3f) * 1.44269504f; // to the base of 2
+                store_pixels<Real>(noises, x, y, clamp(logarithm_of_noise / 3.f, Real(-2.f), Real(1.5f)), count);
+                auto const own = luminance(load_pixels<Real>(picture, x, y));
+                auto const positive = masked(is_finite(own), max(own, Real(0.f)));
+                store_pixels<Real>(logarithms, x, y, logarithm(fma(its_light, Real(.05f), positive)), count);
+            });
+        sums.around<2>(
+            executor, of_texture,
+            [=]<class Real>(AtOnce<Real>, int x, int y) {
+                auto const its = logarithm(load_pixels<Real>(around_light, x, y)) - log_mean;
+                return std::array{its, its * its};
+            },
+            [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
+                auto const per_pixels = 1.f / pixels_in_square<Real>(x, y, of_texture, size), mean = around[0] * per_pixels;
+                auto const varies = max(fma(around[1], per_pixels, -(mean * mean)), Real(0.f));
+                store_pixels<Real>(textures, x, y, min(2.f * sqrt(varies), Real(1.5f)), count);
+            });
     }
 };
 
 /// How far the finest level is more than noise: 0 to 1.
-inline std::vector<double> sureness(Extent size, ResidualBand const& level, std::vector<double> const& variance) {
-    constexpr double noise_left = .27; // of the noise's standard deviation, by the spline's weights
-    constexpr int radius = 2;
-    std::vector<double> square(variance.size()), noise(variance.size());
-    for (std::size_t i = 0; i < square.size(); ++i)
-        square[i] = product_of(level.value[i], level.value[i]) / 3., noise[i] = noise_left * noise_left * variance[i] + 1e-20;
-    box_sums(size, square, radius), box_sums(size, noise, radius);
-    for (std::size_t i = 0; i < square.size(); ++i) square[i] /= square[i] + 4. * noise[i];
-    return square;
+template <Executor E> Planes<1> sureness(E const& executor, WindowSums<4>& sums, ResidualLevel const& finest, Planes<1> const& variance) {
+    constexpr float noise_left = .27f; // of the noise's standard deviation, by the spline's weights
+    Planes<1> sure(variance.size());
+    auto const level = finest.value.view();
+    auto const of_samples = variance.view(), to = sure.view();
+    sums.around<2>(
+        executor, 2,
+        [=]<class Real>(AtOnce<Real>, int x, int y) {
+            auto const value = load_pixels<Real>(level, x, y);
+            return std::array{dot(value, value) / 3.f,
+                              fma(load_pixels<Real>(of_samples, x, y), Real(noise_left * noise_left), Real(1e-20f))};
+        },
+        [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
+            store_pixels<Real>(to, x, y, around[0] / fma(around[1], Real(4.f), around[0]), count);
+        });
+    return sure;
 }
 
 /// What samples that were held out say of a band: the share of it that is there, and how sure that is, from 0 to 1.
-struct HeldShares {
-    std::vector<double> share, sure;
+template <Executor E>
+Planes<2> held_shares(E const& executor, WindowSums<4>& sums, PictureResidual const& residual, ResidualLevel const& fine,
+                      ResidualLevel const& coarse) {
+    Planes<2> shares(residual.size);
+    auto const off = residual.value.view(), finer = fine.held.view(), coarser = coarse.held.view();
+    auto const square = residual.mean_square.view();
+    auto const to = shares.view();
+    sums.around<3>(
+        executor, 6,
+        [=]<class Real>(AtOnce<Real>, int x, int y) {
+            auto const mean = load_pixels<Real>(square, x, y);
+            auto const per_square = masked(mean > Real(0.f), 1.f / max(mean, Real(1e-37f)));
+            auto const band = load_pixels<Real>(finer, x, y) - load_pixels<Real>(coarser, x, y);
+            auto const product = dot(load_pixels<Real>(off, x, y), band) * per_square;
+            return std::array{product, dot(band, band) * per_square, product * product};
+        },
+        [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
+            auto const deviation = sqrt(fma(around[2], Real(2.f), Real(1e-20f)));
+            store_pixels<Real>(to, x, y,
+                               {clamp(around[0] / max(around[1], Real(1e-12f)), Real(0.f), Real(1.f)),
+                                clamp(around[0] / deviation / 3.f, Real(0.f), Real(1.f))},
+                               count);
+        });
+    return shares;
+}
 
-    HeldShares(PictureResidual const& residual, std::vector<glm::vec3> const& fine, std::vector<glm::vec3> const& coarse)
-        : share(fine.size()), sure(fine.size()) {
-        constexpr int radius = 6;
-        std::vector<double> square(fine.size());
-        for (std::size_t i = 0; i < share.size(); ++i) {
-            if (!(residual.mean_square[i] > 0.)) continue;
-            auto const band = fine[i] - coarse[i];
-            share[i] = product_of(residual.value[i], band) / residual.mean_square[i];
-            square[i] = product_of(band, band) / residual.mean_square[i], sure[i] = share[i] * share[i];
-        }
-        for (auto* const each : {&share, &square, &sure}) box_sums(residual.size, *each, radius);
-        for (std::size_t i = 0; i < share.size(); ++i) {
-            sure[i] = std::clamp(share[i] / std::sqrt(2. * sure[i] + 1e-20) / 3., 0., 1.);
-            share[i] = std::clamp(share[i] / std::max(square[i], 1e-12), 0., 1.);
-        }
+/// Adds to each pixel its shares of the parts of a residual.
+struct FeedBack {
+    static constexpr auto name = "feed back";
+    ResidualFeedbackShares by;
+    float times, darkest; ///< most and darkest of ResidualFeedback
+    PlanesView<1> light, noise, texture, sure;
+    PlanesView<2> fine, middle;
+    PlanesView<3> residual, alone, picture;
+    std::array<PlanesView<3>, feedback_levels> levels;
+
+    template <class Real> QUELL_FLATTENED constexpr void operator()(AtOnce<Real>, int x, int y, int count) const {
+        auto const n = load_pixels<Real>(noise, x, y), most = load_pixels<Real>(light, x, y) * times;
+        auto const before = load_pixels<Real>(picture, x, y);
+        auto off = zero<vec3<Real>>();
+        auto const add = [&](Real const& share, vec3<Real> const& part) QUELL_INLINED {
+            off = map([&](Real sum, Real a) QUELL_INLINED { return sum + masked(is_finite(a), share * clamp(a, -most, most)); }, off, part);
+        };
+        auto const held = load_pixels<Real>(fine, x, y), held_wider = load_pixels<Real>(middle, x, y);
+        // No frequency is fed back more than whole, however many parts have it.
+        auto const own = clamp(fma(n, Real(by.sample_noise), Real(by.sample)), Real(0.f), Real(1.f));
+        auto const near = fma(load_pixels<Real>(sure, x, y), Real(by.near_sure), fma(held.x, Real(by.near_held), Real(by.near_noise)));
+        auto const finest_share = min(near * n, 1.f - own), left = 1.f - own - max(finest_share, Real(0.f));
+        auto const wide = fma(n, Real(by.wide_noise), fma(load_pixels<Real>(texture, x, y), Real(by.wide_texture), Real(by.wide)));
+        auto const level = [&](std::size_t i) QUELL_INLINED { return load_pixels<Real>(levels[i], x, y); };
+        add(own, load_pixels<Real>(residual, x, y));
+        add(finest_share, level(0));
+        add(min(held.x * held.y * by.fine_held, left), level(0) - level(1));
+        add(min(held_wider.x * held_wider.y * by.middle_held, left), level(2) - level(3));
+        add(min(wide, left), level(3));
+        add(Real(by.alone), load_pixels<Real>(alone, x, y) - before);
+        auto const is_picture = all_finite(before);
+        auto const made = [&](Real a, Real more) QUELL_INLINED { return select(is_picture, max(a + more, min(a, a * darkest)), a); };
+        store_pixels<Real>(picture, x, y, map(made, before, off), count);
     }
 };
-
-/// The logarithm of a picture's light, which edges of light are found in.
-inline ImageOf<Planar<>, Depth> logarithm_of_light(Extent size, std::vector<glm::vec3> const& picture, std::vector<double> const& light) {
-    ImageOf<Planar<>, Depth> image(size);
-    std::size_t i = 0;
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x, ++i) {
-            float const here = luminance(vec3<float>(picture[i]));
-            image.view().set(0, x, y, std::log(std::max(is_finite(here) ? here : 0.f, 0.f) + .05f * static_cast<float>(light[i])));
-        }
-    return image;
-}
 
 } // namespace detail
 
@@ -127,40 +188,36 @@ void feed_back_residual(ResidualFeedback const& rule, E const& executor, std::ve
     using namespace detail;
     check_residual_sizes("feed_back_residual", samples, normal.size, depth.size, picture);
     check_residual_sizes("feed_back_residual, alone", alone, normal.size, depth.size, picture);
+    if (rule.limits.noise_radius < 0 || rule.limits.noise_radius > WindowSums<4>::largest_radius)
+        raise_error("feed_back_residual, limits.noise_radius", std::to_string(rule.limits.noise_radius),
+                    "give 0 to " + std::to_string(WindowSums<4>::largest_radius) + " pixels");
     auto const size = depth.size;
-    PictureResidual const residual(rule.limits, size, samples, picture);
-    FeedbackGates const gates(residual, picture);
-    auto const light = logarithm_of_light(size, picture, gates.light);
-    auto const levels = levels_of<feedback_levels>(executor, residual, {normal, depth, rule.depth_range, light.view(), rule.light_range});
-    auto const sure = sureness(size, levels[0], gates.variance);
-    HeldShares const fine(residual, levels[0].held, levels[1].held), middle(residual, levels[2].held, levels[3].held);
-    auto const by = rule.shares.value_or(ResidualFeedbackShares::of_samples(rule.samples));
-    for (std::size_t i = 0; i < picture.size(); ++i) {
-        if (!all_finite(vec3<float>(picture[i]))) continue;
-        auto const number = [](double value) { return static_cast<float>(value); };
-        float const n = number(gates.noise[i]), most = rule.most * number(gates.light[i]);
-        glm::vec3 off(0.f);
-        auto const add = [&](float share, glm::vec3 const& part) {
-            for (int c = 0; c < 3; ++c)
-                if (is_finite(part[c])) off[c] += share * std::clamp(part[c], -most, most);
-        };
-        // No frequency is fed back more than whole, however many parts have it.
-        float const own = std::clamp(by.sample + by.sample_noise * n, 0.f, 1.f);
-        float const finest_share =
-            std::min((by.near_noise + by.near_sure * number(sure[i]) + by.near_held * number(fine.share[i])) * n, 1.f - own);
-        float const left = 1.f - own - std::max(finest_share, 0.f);
-        auto const& finest = levels[0].value[i];
-        add(own, residual.value[i]);
-        add(finest_share, finest);
-        add(std::min(by.fine_held * number(fine.share[i] * fine.sure[i]), left), finest - levels[1].value[i]);
-        add(std::min(by.middle_held * number(middle.share[i] * middle.sure[i]), left), levels[2].value[i] - levels[3].value[i]);
-        add(std::min(by.wide + by.wide_noise * n + by.wide_texture * number(gates.texture[i]), left), levels[3].value[i]);
-        add(by.alone, alone[i] - picture[i]);
-        for (int c = 0; c < 3; ++c) {
-            float const before = picture[i][c];
-            picture[i][c] = std::max(before + off[c], std::min(before, rule.darkest * before));
-        }
-    }
+    auto const before = in_planes(size, picture), by_itself = in_planes(size, alone);
+    Brightness const brightness(executor, before.view());
+    WindowSums<4> sums(size);
+    PictureResidual const residual(executor, sums, rule.limits, in_planes(size, samples).view(), before.view(), brightness);
+    FeedbackGates const gates(executor, sums, residual, before.view(), brightness);
+    auto const levels =
+        levels_of<feedback_levels>(executor, residual, {normal, depth, rule.depth_range, gates.light_logarithm.view(), rule.light_range});
+    auto const sure = sureness(executor, sums, levels[0], gates.variance);
+    auto const fine = held_shares(executor, sums, residual, levels[0], levels[1]),
+               middle = held_shares(executor, sums, residual, levels[2], levels[3]);
+    executor.for_each_pixel(
+        {0, 0, size.width, size.height},
+        FeedBack{.by = rule.shares.value_or(ResidualFeedbackShares::of_samples(rule.samples)),
+                 .times = rule.most,
+                 .darkest = rule.darkest,
+                 .light = gates.light.view(),
+                 .noise = gates.noise.view(),
+                 .texture = gates.texture.view(),
+                 .sure = sure.view(),
+                 .fine = fine.view(),
+                 .middle = middle.view(),
+                 .residual = residual.value.view(),
+                 .alone = by_itself.view(),
+                 .picture = before.view(),
+                 .levels = {levels[0].value.view(), levels[1].value.view(), levels[2].value.view(), levels[3].value.view()}});
+    copy_out(before.view(), picture);
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

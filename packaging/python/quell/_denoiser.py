@@ -70,6 +70,9 @@ class Denoiser:
     choose_history: denoises each frame with its history and without, and puts both together by what samples speak for that neither has used.
     Give the number of samples of each pixel, or True (1) where it is not known: with many it takes more to speak for history. Presets of one
     history can; it takes several times their time.
+    give_back: gives light back that the filter took out by mistake, by what a picture lacks of its samples, and what the one before it lacked
+    too. Give the number of samples of each pixel, or True (1) where it is not known. Presets of one colour that read normal, depth and motion
+    can.
     device: "cpu", or "cuda" for presets("cuda"). Arrays may then lie on the GPU (__cuda_array_interface__, DLPack), where they are read and
     written as they are, or in the host's memory, from which they are copied.
     stream: with "cuda", the number of the stream that the work goes into, such as torch.cuda.current_stream().cuda_stream; 0 is CUDA's
@@ -92,6 +95,7 @@ class Denoiser:
         output_size: Optional[Sequence[int]] = None,
         steady_guides: Sequence[str] = (),
         choose_history: int = False,
+        give_back: int = False,
         device: str = "cpu",
         stream: int = 0,
     ) -> None:
@@ -117,6 +121,7 @@ class Denoiser:
             output,
             _steady(steady_guides),
             _whole("choose_history", choose_history, 32),
+            _whole("give_back", give_back, 32),
             on_device,
             self._stream or 0,
         )

@@ -23,6 +23,7 @@ class Denoiser:
         output_size: tuple[int, int],
         steady_guides: int,
         choose_history: int,
+        give_back: int,
         device: int,
         stream: int,
         /,

@@ -21,6 +21,7 @@ def denoise(
     output_size: Optional[Sequence[int]] = None,
     steady_guides: Sequence[str] = (),
     choose_history: int = False,
+    give_back: int = False,
 ) -> Iterator[Array]:
     """Denoises a sequence and yields a new array for each frame.
 
@@ -28,7 +29,7 @@ def denoise(
     use of later frames. Frames are taken from `frames` as they are needed, and let go of when they are done with: only 1 + `later_frames`
     are held. When a picture has been used, progress(done, total) is called; the total is None where `frames` has no length. Ctrl-C and
     exceptions of `progress` end it between two frames. steady_guides: as Denoiser takes it, where `later_frames` is 0.
-    choose_history: as Denoiser takes it.
+    choose_history, give_back: as Denoiser takes them.
     """
     if later_frames < 0:
         raise Error(f"later_frames: {later_frames}; give 0 or more")
@@ -40,7 +41,7 @@ def denoise(
     if not held:
         return
     options: dict[str, Any] = {"threads": threads, "instruction_set": instruction_set, "alpha": alpha, "motion": motion}
-    options.update(anti_alias=anti_alias, output_size=output_size, steady_guides=steady_guides, choose_history=choose_history)
+    options.update(anti_alias=anti_alias, output_size=output_size, steady_guides=steady_guides, choose_history=choose_history, give_back=give_back)
     try:
         denoiser = Denoiser(preset, _size_of(held[0]), two_sided=later_frames > 0, **options)
     except Error as error:

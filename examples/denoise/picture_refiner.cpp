@@ -1,0 +1,106 @@
+#include <denoise/composite.hpp>
+#include <denoise/picture_refiner.hpp>
+#include <denoise/repeated_detail.hpp>
+
+#include <quell/core/light.hpp>
+#include <quell/core/real.hpp>
+#include <quell/execute/threads.hpp>
+#include <quell/io/frame_image.hpp>
+#include <quell/resolve/repeated_residual.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace quell::examples {
+
+namespace {
+
+/// Where a frame's surfaces are in another one; nothing where the file doesn't say.
+template <class Channel> std::optional<Frame<Channels<Channel>>> vectors_of(SeenFrame const& seen, io::ChannelNames const& names) {
+    if (!seen.image.has_all(io::planes_of(Channels<Channel>{}, names))) return std::nullopt;
+    std::optional<Frame<Channels<Channel>>> vectors(std::in_place, seen.image.size);
+    io::load_channels(Channels<Channel>{}, *vectors, seen.image, names);
+    return vectors;
+}
+
+/// What noisy guides add to the picture in their finest detail. It goes by the file and by the picture as one, so that it is the same in
+/// frames that are denoised for those after them.
+metrics::Picture detail_in(RepeatedDetail const& rule, SeenFrame const& seen, LightSplit const& light, metrics::Picture const& as_one) {
+    auto const& colours = seen.around->colours;
+    auto const signals = colours.size() - 1;
+    metrics::Picture detail{seen.image.size, std::vector<glm::vec3>(as_one.pixels.size(), glm::vec3(0.f))};
+    auto const add = [&](metrics::Picture const& part) {
+        for (std::size_t i = 0; i < detail.pixels.size(); ++i) detail.pixels[i] += part.pixels[i];
+    };
+    for (std::size_t s = 0; s < signals; ++s) {
+        if (colours[s].pixels.empty() || !light.active[s]) continue;
+        auto product = picture_of(seen.image, io::sources_of(light.signals[s].channels, radiance), 0.f);
+        for (std::size_t i = 0; i < product.pixels.size(); ++i) product.pixels[i] *= colours[s].pixels[i];
+        limit_detail(rule, as_one, product); // of few bright samples
+        add(detail_of_colour(rule, colours[s], product));
+    }
+    if (!colours[signals].pixels.empty()) add(finest_detail(rule, colours[signals]));
+    limit_detail(rule, as_one, detail);
+    return detail;
+}
+
+} // namespace
+
+void PictureRefiner::take_off_noise_of_guides(SeenFrame const& seen, io::ChannelNames const& names, LightSplit const& light,
+                                              metrics::Picture const& as_one, DenoisedFrame& frame) {
+    auto const vectors = vectors_of<Motion>(seen, names);
+    if (!vectors) return;
+    RepeatedDetail const rule;
+    auto guides = detail_in(rule, seen, light, as_one);
+    bool const follows = detail_before && detail_before->first + 1 == seen.number;
+    auto const shares =
+        repeated_share(rule, guides, as_one, (*vectors)[motion].view(), follows ? detail_before->second : metrics::Picture{});
+    auto difference = frame.picture;
+    for (std::size_t i = 0; i < difference.pixels.size(); ++i) difference.pixels[i] -= as_one.pixels[i];
+    auto const detail = finest_detail(rule, std::move(difference));
+    auto const theirs = share_of_guides(rule, detail, guides, as_one);
+    auto& rest = frame.signals.back().pixels;
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        auto const noise = theirs[i] * (1.f - shares[i]) * detail.pixels[i];
+        frame.picture.pixels[i] -= noise, rest[i] -= noise;
+    }
+    detail_before.emplace(seen.number, std::move(guides));
+}
+
+std::vector<glm::vec3> PictureRefiner::lacking(SeenFrame const& seen, io::ChannelNames const& names, LightSplit const& light,
+                                               metrics::Picture const& picture) const {
+    if (!seen.image.has_all(io::planes_of(Channels<Motion>{}, names))) return {};
+    constexpr float none = std::numeric_limits<float>::quiet_NaN();
+    std::vector<bool> is_missing(seen.image.pixels());
+    auto const samples_of = [&](std::size_t s) {
+        auto samples = picture_of(seen.image, io::sources_of(light.signals[s].channels, radiance), none);
+        for (std::size_t i = 0; i < is_missing.size(); ++i)
+            is_missing[i] = is_missing[i] || !quell::detail::is_light(vec3<float>(samples.pixels[i]));
+        return samples;
+    };
+    long long not_finite = 0;
+    std::vector<metrics::Picture> parts;
+    auto samples = composite(seen.image, light, samples_of, not_finite, parts);
+    for (std::size_t i = 0; i < is_missing.size(); ++i)
+        if (is_missing[i]) samples.pixels[i] = glm::vec3(none);
+    return lacking_of_samples({}, Threads<>{.count = threads}, samples.size, samples.pixels, picture.pixels);
+}
+
+void PictureRefiner::give_back_repeated(SeenFrame const& seen, io::ChannelNames const& names, std::vector<glm::vec3> here,
+                                        std::vector<glm::vec3> const* next, DenoisedFrame& frame) {
+    std::vector<std::vector<glm::vec3>> around;
+    auto const add = [&](std::vector<glm::vec3> const& there, auto const& vectors, auto channel) {
+        if (vectors && there.size() == here.size())
+            around.push_back(lacking_moved(Threads<>{.count = threads}, there, (*vectors)[channel].view()));
+    };
+    if (lacking_before && lacking_before->first + 1 == seen.number) add(lacking_before->second, vectors_of<Motion>(seen, names), motion);
+    if (next != nullptr) add(*next, vectors_of<MotionNext>(seen, names), motion_next);
+    auto const given = frame.picture.pixels;
+    quell::give_back_repeated({.samples = static_cast<float>(std::max(seen.samples, 1))}, Threads<>{.count = threads}, frame.picture.size,
+                              here, around, frame.picture.pixels);
+    auto& rest = frame.signals.back().pixels;
+    for (std::size_t i = 0; i < rest.size(); ++i) rest[i] += frame.picture.pixels[i] - given[i];
+    lacking_before.emplace(seen.number, std::move(here));
+}
+
+} // namespace quell::examples

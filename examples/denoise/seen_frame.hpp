@@ -1,0 +1,27 @@
+#pragma once
+
+#include <denoise/anti_alias.hpp>
+#include <denoise/light_split.hpp>
+
+#include <quell/io/exr_image.hpp>
+#include <quell/io/sequence_names.hpp>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+namespace quell::examples {
+
+/// A frame that was read, and what is known of it by itself.
+struct SeenFrame {
+    long long number;
+    io::ExrImage image;
+    bool as_one;                                   ///< whether it is better filtered as one picture
+    std::array<std::optional<LightSplit>, 2> ways; ///< its light by signals, and as one: where it was wanted
+    std::shared_ptr<FrameAround const> around;     ///< what frames around it see
+    bool has_noisy_guides = false;                 ///< so that the picture as one has less noise than its signals
+    int samples = 0;                               ///< of each pixel; 0: the file doesn't say
+    std::optional<io::SequenceNames> behind{};     ///< by which it is read where it is seen through a volume
+};
+
+} // namespace quell::examples

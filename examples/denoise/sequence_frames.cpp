@@ -1,0 +1,132 @@
+#include <denoise/behind_volume.hpp>
+#include <denoise/canvas.hpp>
+#include <denoise/layers.hpp>
+#include <denoise/map_file.hpp>
+#include <denoise/sequence_frames.hpp>
+
+#include <quell/io/part_names.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace quell::examples {
+
+int SequenceSettings::frames_ahead() const {
+    if (!takes_more()) return 0;
+    return is_anti_aliased() && later_frames > 0 ? std::max(later_frames, AntiAliased::most_frames) : later_frames;
+}
+
+namespace {
+
+/// Whether the light of a file goes through it as one picture or as its signals, not as parts that it knows by name.
+bool denoises_picture(Preset const& preset) { return preset.of_signals.size() == 1 && preset.of_signals[0].name == radiance.name; }
+
+/// Attributes of the view's own part. In a part that several stereo views share, the camera is that of the default one, if of any.
+std::map<std::string, io::Attribute, std::less<>> attributes_of_view(io::ExrOriginal const& file, io::SequenceNames const& names) {
+    auto attributes = file.attributes_of(home_part(file.listed, names));
+    auto const& eyes = file.listed.eyes;
+    if (!names.eye.empty() && (eyes.empty() || eyes[0] != names.eye))
+        for (auto const* const name : {"quell:view", "quell:projection", "quell:view_previous", "quell:projection_previous"})
+            attributes.erase(name);
+    return attributes;
+}
+
+} // namespace
+
+void SequenceFrames::begin(io::ExrOriginal const& file) {
+    settings.map = settings.map ? io::names_in_parts(*settings.map, file.listed) : recognised(file.listed);
+    if (settings.field_of_view)
+        for (auto& signal : settings.map->of_signals) signal.channels.depth.vertical_field_of_view = *settings.field_of_view;
+    if (settings.shutter)
+        for (auto& signal : settings.map->of_signals) signal.channels.shutter = settings.shutter;
+    auto const others = file.canvas();
+    if (!(file.listed.size == window)) canvas = others;
+    window = file.listed.size;
+    canvas = {std::min(canvas.x0, others.x0), std::min(canvas.y0, others.y0), std::max(canvas.x1, others.x1),
+              std::max(canvas.y1, others.y1)};
+    check_field_of_view(file.listed, *settings.map, canvas);
+    if (settings.upsampling) check_upsampling(file.listed);
+    on_canvas = names_on_canvas(*settings.map, window, canvas);
+    if (!denoises_picture(settings.preset)) on_canvas.picture.clear();
+    alpha = denoises_picture(settings.preset) ? examples::alpha_plane(file.listed, *settings.map).value_or("") : "";
+    any = denoiser_of(settings.preset, {1, 1}, 1);
+}
+
+/// Outside of the display window there is no picture to enlarge.
+void SequenceFrames::check_upsampling(io::ExrListing const& file) {
+    if (!(canvas_size() == window))
+        throw Error(file.name, "it holds pixels outside of its display window, which --upsample can't enlarge",
+                    "leave out --upsample, or what lies outside of the display window");
+    auto const planes = io::planes_of(Channels<Depth, Motion>{}, settings.map->of_signals[0].channels);
+    if (settings.upsampling->resolves() && !file.has_all(planes)) settings.upsampling->alone = "the files lack depth or motion";
+    static_cast<void>(settings.upsampling->enlarged(window));
+}
+
+bool SequenceFrames::is_inside(Region const& other) const {
+    return other.x0 >= canvas.x0 && other.y0 >= canvas.y0 && other.x1 <= canvas.x1 && other.y1 <= canvas.y1;
+}
+
+std::vector<std::string> SequenceFrames::planes(io::ExrListing const& file) const {
+    auto planes = split_planes(file, on_canvas);
+    if (settings.is_anti_aliased())
+        for (auto const& plane : planes_of_frame_around(file, on_canvas)) planes.push_back(plane);
+    if (!alpha.empty()) planes.push_back(alpha);
+    if (settings.upsampling && settings.upsampling->resolves())
+        for (auto const& plane : io::planes_of(Channels<Depth, Motion>{}, on_canvas.of_signals[0].channels)) planes.push_back(plane);
+    for (auto const& signal : on_canvas.of_signals) {
+        auto const more = any->planes(signal.channels);
+        planes.insert(planes.end(), more.begin(), more.end());
+        for (auto const& plane : any->optional_planes(signal.channels))
+            if (file.find(plane)) planes.push_back(plane);
+    }
+    return planes;
+}
+
+SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) const {
+    SeenFrame frame{number, file.read(planes(file.listed), canvas), false, {}, {}};
+    frame.samples = samples_in(file.listed);
+    if (settings.is_refined()) frame.behind = names_behind_volume(frame.image, on_canvas);
+    auto const& names = names_of(frame);
+    if (settings.is_anti_aliased()) frame.around = frame_around(frame.image, names, frame.samples);
+    if (!on_canvas.view.empty()) frame.image.attributes = attributes_of_view(file, on_canvas);
+    put_cameras_on_canvas(frame.image, window, canvas);
+    auto split_by = rule();
+    // Anti-aliasing takes the mean of several samples.
+    bool const is_opaque = alpha.empty() || std::ranges::all_of(frame.image[alpha].values, [](float a) { return a == 1.f; });
+    if (!is_opaque) frame.around.reset(); // colours of transparent film are those of what is hit, times its alpha
+    if (frame.around) split_by.samples_of_guides = frame.around->policy.by_surface ? 4.f : 2.f;
+    // Noise of guides is taken off the signals' picture: it is never filtered as one for that.
+    if (frame.around && settings.is_refined()) split_by.samples_of_guides = std::numeric_limits<float>::infinity();
+    frame.as_one = is_better_as_one(frame.image, names, split_by);
+    frame.has_noisy_guides = settings.is_refined() && frame.around && !frame.as_one && is_better_as_one(frame.image, names, rule());
+    return frame;
+}
+
+LightSplit const& SequenceFrames::split(SeenFrame& seen, bool as_one) const {
+    auto& way = seen.ways[as_one ? 1 : 0];
+    if (!way) way = split_light(seen.image, names_of(seen), rule(), as_one);
+    return *way;
+}
+
+SplitRule SequenceFrames::rule() const {
+    bool const can = settings.preset.two_sided_alpha && !settings.keeps_alpha && settings.debug_views.empty();
+    return {.by_albedo = settings.preset.by_albedo, .alpha = can ? alpha : ""};
+}
+
+/// The only signal, where it has no factor, or else the rest: as split_light() gives it.
+bool SequenceFrames::has_alpha(std::size_t signal) const {
+    bool const is_rest = signal == on_canvas.of_signals.size();
+    return is_rest || (!has_several_signals(on_canvas) && on_canvas.of_signals[signal].factor.empty());
+}
+
+metrics::Picture SequenceFrames::displayed(metrics::Picture const& whole) const {
+    if (settings.upsampling || whole.size == window) return whole;
+    metrics::Picture part{window, {}};
+    for (int y = 0; y < window.height; ++y) {
+        auto const begin = whole.pixels.begin() + static_cast<std::ptrdiff_t>(y - canvas.y0) * whole.size.width - canvas.x0;
+        part.pixels.insert(part.pixels.end(), begin, begin + window.width);
+    }
+    return part;
+}
+
+} // namespace quell::examples

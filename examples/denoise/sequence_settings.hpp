@@ -1,0 +1,42 @@
+#pragma once
+
+#include <denoise/denoiser.hpp>
+#include <denoise/upsampler.hpp>
+
+#include <quell/io/sequence_names.hpp>
+#include <quell/resolve/residual_feedback_fit.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace quell::examples {
+
+/// How a sequence is denoised.
+struct SequenceSettings {
+    Preset preset;
+    int threads = 0;                        ///< 0: all that there are
+    std::optional<io::SequenceNames> map{}; ///< how the files name their channels; without one, that is recognised from the first file
+    std::optional<float> shutter{};         ///< how long it is open, whatever the files or the map say
+    std::optional<float> field_of_view{};   ///< vertical, degrees: of files whose depth is the length of rays, where they have no camera
+    int later_frames = 0;      ///< that each frame is denoised with, where the preset makes use of them and the files are there
+    bool keeps_alpha = false;  ///< leave alpha as the files have it
+    bool anti_aliases = false; ///< put colours together from frames around
+    bool refines = false;      ///< take what is best of several estimates: light with history and without
+    bool diagnose = false;     ///< look at each frame for what its renderer got wrong
+    std::optional<ResidualFeedbackShares> feedback{}; ///< of what residual feedback gives back; none: as they were fitted
+    std::optional<Upsampling> upsampling{};           ///< of the picture and its alpha, which are then all that a frame has; empty: none
+    std::vector<std::string> debug_views{}; ///< names of DebugChannels that debug_images() will be asked for: slower, and on one thread
+
+    /// Whether later frames may be read: debug images show what happens without.
+    [[nodiscard]] bool takes_more() const { return looks_ahead(preset) && debug_views.empty(); }
+    /// Whether colours are put together from frames around.
+    [[nodiscard]] bool is_anti_aliased() const { return anti_aliases && takes_more(); }
+    /// Whether several estimates are put together.
+    [[nodiscard]] bool is_refined() const { return refines && takes_more(); }
+    /// How far frames are read ahead: those after a frame that its light is denoised with, and those that its colours are put together
+    /// from.
+    [[nodiscard]] int frames_ahead() const;
+};
+
+} // namespace quell::examples
