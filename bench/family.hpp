@@ -59,7 +59,7 @@ std::vector<Family> compiled_families();
 /// Those that run on a GPU. Their storage is called cuda.
 /// @throws Error where the program was built without CUDA
 std::vector<Family> cuda_families();
-/// Every `units`-th of those with another storage, or one pixel after the other, from number `unit` on: in a generated file.
+/// A share of those with another storage, or one pixel after the other, number `unit` of `units`: in a generated file.
 template <class Storage, std::size_t unit, std::size_t units> std::vector<Family> families_of_unit();
 
 /// A warm workload. Only the last one asked for is kept: at 1920x1080 they are large.

@@ -4,6 +4,7 @@
 #include "traced_sequence.hpp"
 
 #include <library/name_list.hpp>
+#include <library/preset_share.hpp>
 #include <quell/pipeline/plan.hpp>
 
 namespace quell::bench {
@@ -60,14 +61,21 @@ template <class Storage, class Preset> Family make_family(Preset const& preset) 
 /// Whether there are frames for a pipeline.
 template <class P> inline constexpr bool is_measured = QUELL_BENCH_TRACES || reads_input<P>;
 
+/// Whether a preset is measured with a storage. One pixel at a time is a reference: of what reads more, it would take minutes to compile.
+template <class Storage>
+inline constexpr auto is_wanted = [](auto const& preset) {
+    using P = decltype(preset.usual());
+    return quell_library::is_chosen(QUELL_BENCH_PRESETS, preset.name) && is_measured<P> &&
+           (!std::is_same_v<Storage, Planar<>> || reads_input<P>);
+};
+
 template <class Storage, std::size_t unit, std::size_t units> std::vector<Family> families_of_unit() {
     std::vector<Family> made;
-    for_each_preset_index<unit, units>([&](auto i) {
+    for_each_preset_index([&](auto i) {
         constexpr auto const& preset = std::get<i>(named_presets);
-        // One pixel at a time is a reference: of what reads more, it would take minutes to compile.
-        constexpr bool wanted = !std::is_same_v<Storage, Planar<>> || reads_input<decltype(preset.usual())>;
-        if constexpr (wanted && quell_library::is_chosen(QUELL_BENCH_PRESETS, preset.name) && is_measured<decltype(preset.usual())>)
-            made.push_back(make_family<Storage>(preset));
+        if constexpr (is_wanted<Storage>(preset))
+            if constexpr (quell_library::share_of_preset<units>(i, is_wanted<Storage>) == unit)
+                made.push_back(make_family<Storage>(preset));
     });
     return made;
 }

@@ -8,14 +8,19 @@
 #include <library/images_of_frame.hpp>
 #include <library/name_list.hpp>
 #include <library/own_threads.hpp>
+#include <library/preset_share.hpp>
 
 namespace quell::tests {
 
-/// Calls function(preset) for each preset of a unit that is among QUELL_TESTED_PRESETS.
+/// Whether QUELL_TESTED_PRESETS names a preset.
+inline constexpr auto is_tested = [](auto const& preset) { return quell_library::is_chosen(QUELL_TESTED_PRESETS, preset.name); };
+
+/// Calls function(preset) for a share of the presets that QUELL_TESTED_PRESETS names, number `unit` of `units`.
 template <std::size_t unit, std::size_t units> void for_each_tested_preset(auto const& function) {
-    for_each_preset_index<unit, units>([&](auto i) {
+    for_each_preset_index([&](auto i) {
         constexpr auto const& preset = std::get<i>(named_presets);
-        if constexpr (quell_library::is_chosen(QUELL_TESTED_PRESETS, preset.name)) function(preset);
+        if constexpr (is_tested(preset))
+            if constexpr (quell_library::share_of_preset<units>(i, is_tested) == unit) function(preset);
     });
 }
 

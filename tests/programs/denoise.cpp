@@ -69,6 +69,12 @@ double error_of(std::vector<float> const& a, std::vector<float> const& b) {
         squares += std::pow(static_cast<double>(std::clamp(a[i], 0.f, 1.f) - std::clamp(b[i], 0.f, 1.f)), 2);
     return std::sqrt(squares / static_cast<double>(a.size()));
 }
+/// What quell-trace writes of some frames, and the last one's reference: those of all frames would take longer than everything else.
+void trace_with_last_reference(Folder const& folder, std::string const& scene, int frames, std::string const& effects) {
+    auto const what = "--scene " + scene + " --size 96x64 --quiet --effects " + effects + " --out '" + folder.path.string() + "' ";
+    CHECK(trace(what + "--frames " + std::to_string(frames)).code == 0);
+    CHECK(trace(what + "--frames 1 --first " + std::to_string(frames - 1) + " --reference 512").code == 0);
+}
 /// What a preset leaves of the error of a frame, or of a share of it, against the tracer's reference. Also checks that it ran.
 double left_of_error(Folder const& folder, std::string const& preset, int frame, std::vector<std::string> const& share = {""}) {
     auto const ran = denoise(input(folder) + output(folder, preset + ".") + "--preset " + preset);
@@ -115,9 +121,7 @@ TEST_CASE("every preset for whole images runs, and none leaves the image as it i
 
 TEST_CASE("the effects' presets lessen the error of what quell-trace writes for these effects") {
     Folder const folder;
-    CHECK(trace("--scene temple --size 96x64 --frames 6 --quiet --effects composite,shadow,glossy,indirect --reference 512 --out '" +
-                folder.path.string() + "'")
-              .code == 0);
+    trace_with_last_reference(folder, "temple", 6, "composite,shadow,glossy,indirect");
     CHECK(left_of_error(folder, "shadow", 5, {"direct", "visibility.V"}) < 0.55);
     CHECK(left_of_error(folder, "glossy", 5, {"glossy"}) < 0.7);
     CHECK(left_of_error(folder, "mirror-clamp", 5, {"glossy"}) < 0.9);
@@ -145,9 +149,7 @@ TEST_CASE("asvgf runs on what quell-trace writes for it: the same frames, and th
 
 TEST_CASE("the presets of motion blur lessen the error of what quell-trace writes for it") {
     Folder const folder;
-    CHECK(trace("--scene spheres --size 96x64 --frames 4 --quiet --effects blur,shadow,glossy,indirect --reference 512 --out '" +
-                folder.path.string() + "'")
-              .code == 0);
+    trace_with_last_reference(folder, "spheres", 4, "blur,shadow,glossy,indirect");
     for (std::string const preset : {"blur", "blur-straight", "blur-bent", "blur-one-step", "blur-split"})
         CHECK(left_of_error(folder, preset, 3) < 0.3);
     CHECK(left_of_error(folder, "blur-wavelet", 3) < 0.45);

@@ -13,19 +13,27 @@ using namespace quell::tests;
 // quell-denoise on one signal of the files: --signal, and references of single effects.
 namespace {
 
-/// What quell-trace writes for some effects, with converged frames.
+/// What quell-trace writes for some effects, the last frame converged too.
 struct Traced {
     Folder folder;
+    std::string last;
 
-    explicit Traced(std::string const& scene, std::string const& effects, int frames = 6, std::string const& more = "--reference 256") {
-        auto const ran = trace("--scene " + scene + " --size 64x36 --frames " + std::to_string(frames) + " --quiet --effects " + effects +
-                               " " + more + " --out '" + folder.path.string() + "'");
-        INFO(ran.err);
-        CHECK(ran.code == 0);
+    explicit Traced(std::string const& scene, std::string const& effects, int frames = 6, bool converged = true)
+        : last(std::to_string(frames - 1)) {
+        auto const run = [&](std::string const& some) {
+            auto const ran =
+                trace("--scene " + scene + " --size 64x36 --quiet --effects " + effects + " --out '" + folder.path.string() + "' " + some);
+            INFO(ran.err);
+            CHECK(ran.code == 0);
+        };
+        run("--frames " + std::to_string(frames));
+        if (converged) run("--frames 1 --reference 256 --first " + last);
     }
     [[nodiscard]] Ran denoise(std::string const& arguments) const { return tests::denoise(input(folder) + arguments); }
-    [[nodiscard]] std::string reference() const { return " --reference '" + (folder / "reference.%04d.exr").string() + "' "; }
-    /// RMSE of the last frame.
+    [[nodiscard]] std::string reference() const {
+        return " --reference '" + (folder / "reference.%04d.exr").string() + "' --first " + last + " --last " + last + " ";
+    }
+    /// RMSE of the last frame, which those before it are read for.
     [[nodiscard]] double rmse(std::string const& arguments) const {
         auto const ran = denoise("--quiet --extra-frames 0 " + arguments + reference());
         INFO(arguments, ": ", ran.err);
@@ -104,7 +112,7 @@ TEST_CASE("without --signal an effect's preset is scored by its part of the pict
 }
 
 TEST_CASE("without --preset a signal is denoised by what suits it") {
-    Traced const all("room", "composite,shadow,glossy,indirect", 1, "");
+    Traced const all("room", "composite,shadow,glossy,indirect", 1, false);
     auto const preset = [&](std::string const& signal) { return all.denoise("--diagnose --signal " + signal).err; };
     CHECK(contains(preset("visibility"), "preset shadow, since"));
     CHECK(contains(preset("glossy"), "preset glossy, since"));
@@ -123,7 +131,7 @@ TEST_CASE("the picture as a signal is what it is without --signal") {
 }
 
 TEST_CASE("post-processes of motion blur run on any signal, along its own sweeps where the file has them") {
-    Traced const shot("flyby", "blur,shadow", 2, "");
+    Traced const shot("flyby", "blur,shadow", 2, false);
     for (std::string const preset : {"gather-blur", "tilemax-blur", "blur"}) {
         INFO(preset);
         CHECK(shot.denoise(output(shot.folder) + "--quiet --signal visibility --preset " + preset).code == 0);
@@ -163,12 +171,10 @@ TEST_CASE("what a signal, a preset or a reference lacks is named") {
     refused("--signal visibility --preset glossy", {"frame.0000.exr", "glossy_hit.X"});
     refused("--signal visibility --preset gather-blur", {"frame.0000.exr", "sweep.X"});
     refused("--signal visibility --preset asvgf", {"frame.0000.exr", "visibility_gradient.X"});
-    for (int i = 0; i < 2; ++i) {
-        auto image = io::read_exr(shot.folder / numbered("reference.", i));
-        std::erase_if(image.planes, [](auto const& plane) { return plane.name == "visibility.V"; });
-        io::write_exr(shot.folder / numbered("reference.", i), image);
-    }
-    refused("--signal visibility --preset svgf" + shot.reference(), {"reference.0000.exr", "visibility.V"});
+    auto image = io::read_exr(shot.folder / "reference.0001.exr");
+    std::erase_if(image.planes, [](auto const& plane) { return plane.name == "visibility.V"; });
+    io::write_exr(shot.folder / "reference.0001.exr", image);
+    refused("--signal visibility --preset svgf" + shot.reference(), {"reference.0001.exr", "visibility.V"});
 }
 
 TEST_CASE("a map that takes radiance for irradiance, or irradiance for radiance, is noticed") {
@@ -194,7 +200,7 @@ TEST_CASE("a map that takes radiance for irradiance, or irradiance for radiance,
 }
 
 TEST_CASE("of good files nothing is said, whichever signal is denoised") {
-    Traced const all("room", "composite,shadow,glossy,indirect", 5, "");
+    Traced const all("room", "composite,shadow,glossy,indirect", 5, false);
     for (std::string const signal : {"visibility", "glossy", "indirect", "direct", "radiance"}) {
         INFO(signal);
         auto const ran = all.denoise("--diagnose --preset svgf --signal " + signal);
