@@ -164,6 +164,21 @@ TEST_CASE("each view layer comes out as if it were alone in the file") {
     }
 }
 
+TEST_CASE("a frame that was denoised before its turn comes out as if its view were alone") {
+    Folder const folder;
+    write(folder, [](int i) { return two_layers(i); });
+    std::string const refined = "--preset final-frame --first 1 --last 3";
+    auto const both = run(folder, refined);
+    for (int which = 0; which < 2; ++which) {
+        Folder const alone;
+        write_alone(
+            alone, [&](int i) { return passes_of(which, i); }, in_layer(which == 0 ? "FG layer.001" : "FG layer"));
+        auto const one = run(alone, refined);
+        CHECK(one.at("bytes_per_pixel").get<double>() < both.at("bytes_per_pixel").get<double>());
+        check_as_alone(alone, folder, as_it_is);
+    }
+}
+
 TEST_CASE("what the compositor wrote is left as it is, and one remark says so") {
     Folder const folder, alone;
     auto const composite = [](int i) {
