@@ -173,10 +173,22 @@ void add_up_exactly(DenoisedFrame& frame, std::array<io::SampleType, 3> const& t
             for (auto const value : added) rest += static_cast<double>(value);
             *strongest = static_cast<float>(static_cast<double>(whole) - (rest - static_cast<double>(*strongest)));
             // Whoever adds the layers up rounds after each addition, so that the exact difference may lead to a neighbour of `whole`. Then
-            // the next float or the one after it leads there. There may be none where large signals cancel each other: hence the limit.
+            // the next float or the one after it leads there, of that signal or of another one. Where large signals cancel each other there
+            // may be none: then the picture is their sum, as long as that is close and the picture's type holds it.
             constexpr int most_steps = 8;
-            for (int step = 0; step < most_steps && sum_as_read() != whole; ++step)
-                *strongest = std::nextafter(*strongest, sum_as_read() < whole ? INFINITY : -INFINITY);
+            auto const leads_there = [&](float& part) {
+                auto const before = part;
+                for (int step = 0; step < most_steps && sum_as_read() != whole; ++step)
+                    part = std::nextafter(part, sum_as_read() < whole ? INFINITY : -INFINITY);
+                if (sum_as_read() == whole) return true;
+                part = before;
+                return false;
+            };
+            if (leads_there(*strongest)) continue;
+            if (std::ranges::any_of(frame.signals, [&](auto& signal) { return leads_there(signal.pixels[i][c]); })) continue;
+            float const sum = sum_as_read();
+            if (rounded(sum, type[static_cast<std::size_t>(c)]) == sum && std::abs(sum - whole) <= 1e-6f * std::abs(*strongest))
+                whole = sum;
         }
 }
 

@@ -44,6 +44,20 @@ metrics::Picture detail_in(RepeatedDetail const& rule, SeenFrame const& seen, Li
     return detail;
 }
 
+/// Adds to each signal its share of what is added to a pixel of the picture: that of the light. Where there is none, the rest takes it.
+void add_to_signals(DenoisedFrame& frame, std::size_t pixel, glm::vec3 const& change) {
+    for (int c = 0; c < 3; ++c) {
+        float sum = 0.f;
+        for (auto const& signal : frame.signals) sum += std::max(signal.pixels[pixel][c], 0.f);
+        if (!(sum > 0.f) || !is_finite(sum)) {
+            frame.signals.back().pixels[pixel][c] += change[c];
+            continue;
+        }
+        for (auto& signal : frame.signals)
+            if (float& part = signal.pixels[pixel][c]; part > 0.f) part += change[c] * (part / sum);
+    }
+}
+
 } // namespace
 
 void PictureRefiner::take_off_noise_of_guides(SeenFrame const& seen, io::ChannelNames const& names, LightSplit const& light,
@@ -59,10 +73,9 @@ void PictureRefiner::take_off_noise_of_guides(SeenFrame const& seen, io::Channel
     for (std::size_t i = 0; i < difference.pixels.size(); ++i) difference.pixels[i] -= as_one.pixels[i];
     auto const detail = finest_detail(rule, std::move(difference));
     auto const theirs = share_of_guides(rule, detail, guides, as_one);
-    auto& rest = frame.signals.back().pixels;
-    for (std::size_t i = 0; i < rest.size(); ++i) {
+    for (std::size_t i = 0; i < frame.picture.pixels.size(); ++i) {
         auto const noise = theirs[i] * (1.f - shares[i]) * detail.pixels[i];
-        frame.picture.pixels[i] -= noise, rest[i] -= noise;
+        frame.picture.pixels[i] -= noise, add_to_signals(frame, i, -noise);
     }
     detail_before.emplace(seen.number, std::move(guides));
 }
@@ -98,8 +111,7 @@ void PictureRefiner::give_back_repeated(SeenFrame const& seen, io::ChannelNames 
     auto const given = frame.picture.pixels;
     quell::give_back_repeated({.samples = static_cast<float>(std::max(seen.samples, 1))}, Threads<>{.count = threads}, frame.picture.size,
                               here, around, frame.picture.pixels);
-    auto& rest = frame.signals.back().pixels;
-    for (std::size_t i = 0; i < rest.size(); ++i) rest[i] += frame.picture.pixels[i] - given[i];
+    for (std::size_t i = 0; i < given.size(); ++i) add_to_signals(frame, i, frame.picture.pixels[i] - given[i]);
     lacking_before.emplace(seen.number, std::move(here));
 }
 

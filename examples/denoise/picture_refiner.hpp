@@ -12,8 +12,8 @@
 namespace quell::examples {
 
 /// What is done to a picture once its signals are denoised, by frames around it: noise of guides is taken off (RepeatedDetail), and what
-/// several frames lack is given back (RepeatedResidual). Frames are to be handed over in order. The last of a frame's signals, which is
-/// the rest, changes by as much as the picture, so that the signals stay the picture's.
+/// several frames lack is given back (RepeatedResidual). Frames are to be handed over in order. Signals change by as much as the
+/// picture, each by its part of the light, so that they stay the picture's.
 class PictureRefiner {
     /// Of the frame of a number; none before the first, or where frames did not have it.
     template <typename T> using OfFrame = std::optional<std::pair<long long, T>>;

@@ -215,7 +215,7 @@ quell_library::HistoryChoice* SequenceDenoiser::choice_for(std::size_t signal) {
 /// Whether light that was filtered out is given back. Shares are those of known numbers of samples. Light in a volume, which is a signal
 /// without a colour, lies on no surface over which it could be smoothed, but where the frame is seen through it.
 bool SequenceDenoiser::gives_light_back(SeenFrame& seen) const {
-    if (seen.samples < 1) return false;
+    if (seen.samples < 1 || !seen.is_opaque) return false;
     if (seen.behind) return true;
     for (std::size_t s = 0; s < frames.names().of_signals.size() && has_several_signals(frames.names()); ++s)
         if (frames.names().of_signals[s].factor.empty() && frames.split(seen, false).active[s]) return false;
@@ -317,7 +317,7 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
         Timed const timed(other_milliseconds);
         refiner.take_off_noise_of_guides(front, frames.guide_names(), split, whole_picture, frame);
     }
-    if (frames.settings.is_refined() && is_wanted) {
+    if (frames.settings.is_refined() && front.is_opaque && is_wanted) {
         Timed const timed(other_milliseconds);
         made.lacking = refiner.lacking(front, frames.guide_names(), split, frame.picture);
     }

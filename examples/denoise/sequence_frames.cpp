@@ -92,8 +92,8 @@ SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) co
     put_cameras_on_canvas(frame.image, window, canvas);
     auto split_by = rule();
     // Anti-aliasing takes the mean of several samples.
-    bool const is_opaque = alpha.empty() || std::ranges::all_of(frame.image[alpha].values, [](float a) { return a == 1.f; });
-    if (!is_opaque) frame.around.reset(); // colours of transparent film are those of what is hit, times its alpha
+    frame.is_opaque = alpha.empty() || std::ranges::all_of(frame.image[alpha].values, [](float a) { return a == 1.f; });
+    if (!frame.is_opaque) frame.around.reset(); // colours of transparent film are those of what is hit, times its alpha
     if (frame.around) split_by.samples_of_guides = frame.around->policy.by_surface ? 4.f : 2.f;
     // Noise of guides is taken off the signals' picture: it is never filtered as one for that.
     if (frame.around && settings.is_refined()) split_by.samples_of_guides = std::numeric_limits<float>::infinity();

@@ -38,9 +38,8 @@ template <quell::ChannelTag C> struct Guide {
     [[nodiscard]] std::size_t bytes() const { return image ? image->bytes() : 0; }
 };
 
-/// @tparam n components of what comes out; of four the last is alpha
-template <int n> class GivenBack final : public WrappedDenoiser {
-    using Pixels = std::vector<glm::vec<n, float>>;
+class GivenBack final : public WrappedDenoiser {
+    static constexpr int components = 3;
 
     std::size_t signal; ///< among a frame's channels
     HistoryChoice* choice;
@@ -59,7 +58,7 @@ public:
 
     void run(std::span<FrameImages const> window, Image const& output) override {
         auto const& frame = window.front();
-        Pixels made;
+        Colours made;
         auto const image = image_of(made, frame.size);
         denoiser->run(window, image);
         try {
@@ -83,48 +82,44 @@ public:
 
 private:
     /// An image for compiled code to write.
-    static Image image_of(Pixels& pixels, Extent size) {
+    static Image image_of(Colours& pixels, Extent size) {
         std::ptrdiff_t constexpr element = sizeof(float);
         pixels.resize(static_cast<std::size_t>(size.pixels()));
         return {.data = reinterpret_cast<std::byte*>(pixels.data()),
                 .component_stride = element,
-                .pixel_stride = n * element,
-                .row_stride = n * element * size.width};
+                .pixel_stride = components * element,
+                .row_stride = components * element * size.width};
     }
-    static Colours colours_of(Pixels const& pixels) { return {pixels.begin(), pixels.end()}; }
-    /// The signal's samples without alpha.
+    /// The signal's samples.
     [[nodiscard]] Colours samples_of(FrameImages const& frame) const {
         auto const width = static_cast<std::size_t>(frame.size.width);
-        std::vector<float> row(n * width);
-        float* planes[std::size_t{n}];
-        for (std::size_t c = 0; c < std::size_t{n}; ++c) planes[c] = row.data() + c * width;
+        std::vector<float> row(components * width);
+        float* planes[std::size_t{components}];
+        for (std::size_t c = 0; c < std::size_t{components}; ++c) planes[c] = row.data() + c * width;
         Colours samples;
         samples.reserve(static_cast<std::size_t>(frame.size.pixels()));
         for (int y = 0; y < frame.size.height; ++y) {
-            take_rows(frame.channels[signal], n, planes, 0, frame.size.width, y, y + 1);
+            take_rows(frame.channels[signal], components, planes, 0, frame.size.width, y, y + 1);
             for (std::size_t x = 0; x < width; ++x) samples.emplace_back(planes[0][x], planes[1][x], planes[2][x]);
         }
         return samples;
     }
-    void give(FrameImages const& frame, Pixels& made) {
+    void give(FrameImages const& frame, Colours& made) {
         CallersMemory::current() = memory;
         quell::GiveBack::Guides const guides{
             {normal.take(frame, executor.parallel)}, {depth.take(frame, executor.parallel)}, {motion.take(frame, executor.parallel)}};
         auto const samples = samples_of(frame);
-        auto picture = colours_of(made);
-        Pixels by_itself;
+        Colours by_itself;
         bool const has_alone = choice != nullptr && choice->copy_alone(image_of(by_itself, frame.size));
-        auto const alone = has_alone ? colours_of(by_itself) : Colours();
-        give_back.apply(executor, samples, guides, has_alone ? alone : picture, denoiser->statistics().frames > 1, picture);
-        for (std::size_t i = 0; i < made.size(); ++i)
-            for (int c = 0; c < 3; ++c) made[i][c] = picture[i][c];
+        auto const alone = has_alone ? by_itself : made;
+        give_back.apply(executor, samples, guides, alone, denoiser->statistics().frames > 1, made);
     }
-    void write(Pixels const& made, Extent size, Image const& output) const {
-        HostTarget<n> const to{output.data, size, output.component_stride, output.pixel_stride, output.row_stride, output.is_half};
+    void write(Colours const& made, Extent size, Image const& output) const {
+        HostTarget<components> const to{output.data, size, output.component_stride, output.pixel_stride, output.row_stride, output.is_half};
         for_each_strip(executor.parallel, size.height, [&](int y0, int y1) {
             for (int y = y0; y < y1; ++y)
                 for (int x = 0; x < size.width; ++x)
-                    for (int c = 0; c < n; ++c)
+                    for (int c = 0; c < components; ++c)
                         to.set(c, x, y,
                                made[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x)][c]);
         });
@@ -137,7 +132,7 @@ bool can_give_back(Way const& way) {
     bool reads_guides = true;
     for_each_channel(quell::Channels<quell::Normal, quell::Depth, quell::Motion>{},
                      [&](auto channel) { reads_guides = reads_guides && way.place_of(channel.name); });
-    return !way.signal.empty() && (way.output_components == 3 || way.output_components == 4) && reads_guides;
+    return !way.signal.empty() && way.output_components == 3 && reads_guides;
 }
 
 std::string plan_of_given_back() {
@@ -150,8 +145,7 @@ std::string plan_of_given_back() {
 
 std::unique_ptr<CompiledDenoiser> with_light_given_back(std::unique_ptr<CompiledDenoiser> denoiser, Way const& way, HistoryChoice* choice,
                                                         float samples, Parallel const& parallel, Memory const& memory) {
-    if (way.output_components == 4) return std::make_unique<GivenBack<4>>(std::move(denoiser), way, choice, samples, parallel, memory);
-    return std::make_unique<GivenBack<3>>(std::move(denoiser), way, choice, samples, parallel, memory);
+    return std::make_unique<GivenBack>(std::move(denoiser), way, choice, samples, parallel, memory);
 }
 
 } // namespace quell_library

@@ -308,6 +308,10 @@ std::string check(quell_settings const& settings) {
         return "settings.choose_history: " + std::to_string(settings.choose_history) + "; give the samples of each pixel, or 0";
     if (settings.give_back < 0)
         return "settings.give_back: " + std::to_string(settings.give_back) + "; give the samples of each pixel, or 0";
+    if (settings.give_back != 0 && settings.alpha != 0)
+        return "settings.give_back: settings.alpha is set too, and what comes back into colours would not come back into alpha; leave one "
+               "of "
+               "the two 0";
     if (settings.steady_guides < 0 || settings.steady_guides > 3)
         return "settings.steady_guides: " + std::to_string(settings.steady_guides) + "; give 1 (depth), 2 (albedo), 3 (both) or 0 (none)";
     if (settings.steady_guides != 0 && settings.two_sided != 0)

@@ -170,7 +170,7 @@ typedef struct quell_settings {
                        allocate and instruction_set. */
     int32_t give_back; /* the samples of each pixel (1 where they are not known): light is given back that the filter took out by mistake, by
                           what the picture lacks of its samples, in this frame and in the one before too. 0: none. Presets of one colour that
-                          read normal, depth and motion can, before anti-aliasing; it takes time and memory (docs/library.md). */
+                          read normal, depth and motion can, without alpha, before anti-aliasing; it takes time and memory (docs/library.md). */
     void *stream;     /* with QUELL_CUDA: a cudaStream_t; null is the default stream */
 } quell_settings;
 #ifdef __cplusplus

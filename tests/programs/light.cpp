@@ -197,13 +197,17 @@ double mean(std::vector<float> const& values) {
 
 TEST_CASE("alpha is denoised with the picture: a covered pixel keeps its colour, and nothing leaks into an empty film") {
     constexpr int frames = 5;
+    std::string preset;
+    float most = 0; // that a colour is off
+    SUBCASE("general") { preset = "general", most = 1e-3f; }
+    SUBCASE("final-frame") { preset = "final-frame", most = .1f; }
     Folder const folder;
     double given = 0; // what the film has seen so far
     for (int i = 1; i <= frames; ++i) {
         write_film(folder, i);
         given += mean(io::read_exr(folder / numbered("frame.", i))["A"].values) / frames;
     }
-    auto const ran = denoise(input(folder) + output(folder) + "--preset general --extra-frames 0 --json");
+    auto const ran = denoise(input(folder) + output(folder) + "--extra-frames 0 --json --preset " + preset);
     INFO(ran.err);
     REQUIRE(ran.code == 0);
     CHECK(nlohmann::json::parse(ran.out)["remarks"].empty());
@@ -225,7 +229,7 @@ TEST_CASE("alpha is denoised with the picture: a covered pixel keeps its colour,
             }
         CHECK(leaks == 0);
         CHECK(covered_pixels > size.width * size.height / 2);
-        CHECK(worst < 1e-3f);
+        CHECK(worst < most);
     }
     auto const last = io::read_exr(folder / numbered("out.", frames))["A"].values;
     CHECK(mean(last) == doctest::Approx(given).epsilon(0.01));

@@ -10,9 +10,11 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 
-/// The first three components of an image, row by row.
+/// An image of three components, row by row.
 template <ImageView V> std::vector<glm::vec3> colours_in(V const& image) {
-    static_assert(V::components >= 3, "GiveBack: the signal and the picture must have three components, or four with alpha");
+    static_assert(V::components == 3,
+                  "GiveBack: the signal and the picture must have three components; what comes back into colours would not "
+                  "come back into alpha");
     std::vector<glm::vec3> colours;
     colours.reserve(static_cast<std::size_t>(image.size.pixels()));
     for (int y = 0; y < image.size.height; ++y)
@@ -49,7 +51,8 @@ template <ChannelTag C> struct AsPlanes {
 ///         show(give_back.apply(radiance, denoised, frame, history));
 ///     }
 ///
-/// For a CPU, behind a pipeline of one signal of three components, or four with alpha. What puts the picture together from several frames
+/// For a CPU, behind a pipeline of one signal of three components. With alpha it is not there: colours of a film that is not opaque would
+/// no longer be those of what covers it. What puts the picture together from several frames
 /// or makes it larger stands behind it.
 class GiveBack {
     std::vector<glm::vec3> lacking{};
@@ -70,7 +73,7 @@ public:
     /// @param frame    with the signal, normal, depth and motion, the latter in quell's own convention
     /// @param history  that the frame was run with: it says whether the frame had a past
     /// @param executor runs the kernels
-    /// @return the picture without alpha, linear, row by row
+    /// @return the picture, linear, row by row
     /// @throws Error where images are not of one size, std::bad_alloc
     template <ChannelTag Signal, ImageView V, class Set, class Storage, class H, Executor E = Simd>
     [[nodiscard]] std::vector<glm::vec3> apply(Signal signal, V const& denoised, Frame<Set, Storage> const& frame, H const& history,

@@ -148,8 +148,11 @@ inline void check_rule(RepeatedResidual const& rule, std::size_t frames_around) 
 } // namespace detail
 
 /// What a picture lacks of its samples (RepeatedResidual): these minus the picture, within limits, and 0 where there is no sample.
+/// @param rule     how
 /// @param executor runs the passes
+/// @param size     of the images
 /// @param samples  that the picture was made of, linear, row by row; not finite where there is none
+/// @param picture  the denoised one
 /// @throws Error where these are not of one size, std::bad_alloc
 template <Executor E>
 [[nodiscard]] std::vector<glm::vec3> lacking_of_samples(RepeatedResidual const& rule, E const& executor, Extent size,
@@ -186,6 +189,7 @@ template <Executor E>
 /// Adds to a picture what it and the pictures of frames around lack (RepeatedResidual). Where there are none, it stays as it is.
 /// @param rule     how
 /// @param executor runs the passes
+/// @param size     of the images
 /// @param lacking  of the picture: what lacking_of_samples() says
 /// @param around   what lacking_moved() says of the frame before, of that after, or of both
 /// @param picture  the denoised one; is changed

@@ -1,4 +1,4 @@
-// error: GiveBack: the signal and the picture must have three components, or four with alpha
+// error: GiveBack: the signal and the picture must have three components; what comes back into colours would not come back into alpha
 #include <quell/quell.hpp>
 #include <quell/resolve/give_back.hpp>
 using namespace quell;
