@@ -231,10 +231,11 @@ void SequenceDenoiser::feed_back_residual(io::ExrImage const& image, io::Channel
     Frame<Channels<Normal, Depth>> guides(image.size);
     io::load_channels(Channels<Normal, Depth>{}, guides, image, names);
     auto const samples = picture_of(image, io::sources_of(names, radiance), std::numeric_limits<float>::quiet_NaN());
+    auto shares = frames.settings.feedback;
+    if (!shares && !frames.settings.chooses_history) shares = ResidualFeedbackShares::beside_history(static_cast<float>(count));
     Timed const timed(other_milliseconds);
-    quell::feed_back_residual({.samples = static_cast<float>(count), .shares = frames.settings.feedback},
-                              Threads<>{.count = frames.settings.threads}, samples.pixels, guides[normal].view(), guides[depth].view(),
-                              alone.pixels, light.pixels);
+    quell::feed_back_residual({.samples = static_cast<float>(count), .shares = shares}, Threads<>{.count = frames.settings.threads},
+                              samples.pixels, guides[normal].view(), guides[depth].view(), alone.pixels, light.pixels);
 }
 
 DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long number, bool is_wanted) {

@@ -111,6 +111,9 @@ TEST_CASE("residual feedback: shares of few samples lie between those of 1 and o
     CHECK(many.alone == doctest::Approx(feedback_of_16_samples.alone));
     CHECK(ResidualFeedbackShares::of_samples(256.f).alone == many.alone);
     CHECK(ResidualFeedbackShares::of_samples(0.f).alone == one.alone);
+    CHECK(ResidualFeedbackShares::beside_history(1.f).wide == 0.f);
+    CHECK(ResidualFeedbackShares::beside_history(4.f).wide == doctest::Approx(.5f * four.wide));
+    CHECK(ResidualFeedbackShares::beside_history(64.f).wide == many.wide);
 }
 
 TEST_CASE("residual feedback: other shares take the place of fitted ones") {

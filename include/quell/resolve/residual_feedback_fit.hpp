@@ -26,6 +26,10 @@ struct ResidualFeedbackShares {
     /// Shares fitted to renders of Cycles of 1 and of 16 samples; in between by the logarithm, as are those of 4.
     /// @param samples of each pixel
     [[nodiscard]] static ResidualFeedbackShares of_samples(float samples);
+    /// Shares for a picture that was made with its history, whatever samples say of that: where it holds, it is steadier than one frame's
+    /// samples. Nothing comes back of single ones, and all that of_samples() says of 16; in between by the logarithm.
+    /// @param samples of each pixel
+    [[nodiscard]] static ResidualFeedbackShares beside_history(float samples);
 };
 
 /// The name of a share, as fits print it, and the share.
@@ -71,10 +75,21 @@ inline constexpr ResidualFeedbackShares feedback_of_16_samples{.sample = 0.0836f
                                                                .wide_texture = 0.2637f,
                                                                .alone = -0.1305f};
 
+namespace detail {
+/// Where a number of samples lies between 1 and 16: 0 to 1.
+inline float between_1_and_16(float samples) { return std::clamp(std::log2(std::max(samples, 1.f)) / 4.f, 0.f, 1.f); }
+} // namespace detail
+
 inline ResidualFeedbackShares ResidualFeedbackShares::of_samples(float samples) {
-    float const t = std::clamp(std::log2(std::max(samples, 1.f)) / 4.f, 0.f, 1.f);
+    float const t = detail::between_1_and_16(samples);
     auto shares = feedback_of_1_sample;
     for (auto const& [name, share] : feedback_shares) shares.*share += (feedback_of_16_samples.*share - shares.*share) * t;
+    return shares;
+}
+
+inline ResidualFeedbackShares ResidualFeedbackShares::beside_history(float samples) {
+    auto shares = of_samples(samples);
+    for (auto const& [name, share] : feedback_shares) shares.*share *= detail::between_1_and_16(samples);
     return shares;
 }
 
