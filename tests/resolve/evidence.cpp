@@ -144,7 +144,7 @@ TEST_CASE("parts by evidence: each half is judged by estimates that were made wi
 TEST_CASE("parts by evidence: an image of another size is named") {
     constexpr Extent size{4, 3};
     using Pixels = std::vector<glm::vec3>;
-    auto const message = [](std::size_t samples, std::size_t b, std::size_t a_without, std::size_t b_without) -> std::string {
+    auto const message = [size](std::size_t samples, std::size_t b, std::size_t a_without, std::size_t b_without) -> std::string {
         try {
             static_cast<void>(parts_by_evidence(
                 {}, size, Pixels(samples), Pixels(b), [&](int) { return Pixels(a_without); }, [&](int) { return Pixels(b_without); }));

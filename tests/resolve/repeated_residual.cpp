@@ -1,4 +1,5 @@
 #include <quell/execute/threads.hpp>
+#include <quell/frame/channels.hpp>
 #include <quell/resolve/repeated_residual.hpp>
 
 #include <doctest/doctest.h>

@@ -125,8 +125,9 @@ TEST_CASE("residual feedback: other shares take the place of fitted ones") {
     };
     Fed const before(brighter, 0.f);
     CHECK(fed_by({}) == before.picture);
-    for (auto const& [name, share] : feedback_shares) {
-        CAPTURE(name);
+    for (auto const& named : feedback_shares) {
+        auto const share = named.share;
+        CAPTURE(named.name);
         ResidualFeedbackShares one;
         one.*share = 1.f;
         auto const whole = fed_by(one)[size.width * size.height / 2 + size.width / 2].x;
