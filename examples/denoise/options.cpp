@@ -94,10 +94,11 @@ void describe(CLI::App& app, DenoiseOptions& options) {
                    "says");
     add_threads(app, options.threads);
     app.add_flag("--keep-alpha", options.keep_alpha, "Leave the film's alpha as it is (default: denoised by the weights of the picture)");
-    app.add_flag("--quick", options.quick,
-                 "The preset's own result, with final-frame in about half of the time: without what is best of several estimates, light "
-                 "with history "
-                 "and without, as each frame's samples speak for, and colours and emission from the samples of frames around");
+    app.add_flag(
+        "--quick", options.quick,
+        "The preset's own result, with final-frame and general in about a quarter of the time: without light with history and "
+        "without, as each frame's samples speak for (final-frame), without light that comes back, and without colours and emission "
+        "from the samples of frames around");
     app.add_flag("--diagnose", options.diagnose,
                  "Say on stderr what the renderer seems to have got wrong (motion, cameras, depth, normals, albedo, samples) and in which "
                  "frame that first shows");
