@@ -202,7 +202,7 @@ void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
 }
 
 /// Between a signal's light with its history, and by itself; null where its preset can't choose. This history has seen later frames: with
-/// the rule of one that has not, ten of ten scenes had more error at 16 samples.
+/// the rule of one that has not, ten of ten scenes had more error at 16 samples. Without later frames the same rule is taken.
 quell_library::HistoryChoice* SequenceDenoiser::choice_for(std::size_t signal) {
     auto const purpose = purpose_of(signal);
     if (!can_choose_history(way_of(frames.settings.preset, purpose))) return nullptr;
@@ -213,7 +213,8 @@ quell_library::HistoryChoice* SequenceDenoiser::choice_for(std::size_t signal) {
 }
 
 /// Whether light that was filtered out is given back. Shares are those of known numbers of samples. Light in a volume, which is a signal
-/// without a colour, lies on no surface over which it could be smoothed, but where the frame is seen through it.
+/// without a colour, lies on no surface over which it could be smoothed, but where the frame is seen through it. Into the alpha of a film
+/// that is not opaque nothing would come back, so that colours would no longer be those of what covers it.
 bool SequenceDenoiser::gives_light_back(SeenFrame& seen) const {
     if (seen.samples < 1 || !seen.is_opaque) return false;
     if (seen.behind) return true;

@@ -11,11 +11,6 @@
 
 namespace quell::examples {
 
-int SequenceSettings::frames_ahead() const {
-    if (!takes_more()) return 0;
-    return is_anti_aliased() && later_frames > 0 ? std::max(later_frames, AntiAliased::most_frames) : later_frames;
-}
-
 namespace {
 
 /// Whether the light of a file goes through it as one picture or as its signals, not as parts that it knows by name.

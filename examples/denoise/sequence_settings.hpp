@@ -1,11 +1,13 @@
 #pragma once
 
+#include <denoise/anti_alias.hpp>
 #include <denoise/denoiser.hpp>
 #include <denoise/upsampler.hpp>
 
 #include <quell/io/sequence_names.hpp>
 #include <quell/resolve/residual_feedback_fit.hpp>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,7 +39,10 @@ struct SequenceSettings {
     [[nodiscard]] bool is_refined() const { return refines && takes_more(); }
     /// How far frames are read ahead: those after a frame that its light is denoised with, and those that its colours are put together
     /// from.
-    [[nodiscard]] int frames_ahead() const;
+    [[nodiscard]] int frames_ahead() const {
+        if (!takes_more()) return 0;
+        return is_anti_aliased() && later_frames > 0 ? std::max(later_frames, AntiAliased::most_frames) : later_frames;
+    }
 };
 
 } // namespace quell::examples

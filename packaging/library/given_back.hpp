@@ -5,15 +5,15 @@
 
 namespace quell_library {
 
-/// Whether light can be given back behind a compiled preset: it must denoise one colour with its history, with alpha or without, and read
-/// what tells surfaces apart and where they were.
+/// Whether light can be given back behind a compiled preset: it must denoise one colour with its history, without alpha, and read what
+/// tells surfaces apart and where they were.
 [[nodiscard]] bool can_give_back(Way const& way);
 
 /// What is done then: a sentence before the preset's plan.
 [[nodiscard]] std::string plan_of_given_back();
 
-/// A compiled preset behind which light is given back that its filter took out by mistake (quell::GiveBack). It is compiled for numbers of
-/// components, and not for each preset.
+/// A compiled preset behind which light is given back that its filter took out by mistake (quell::GiveBack). It is compiled once,
+/// not for each preset.
 /// @param denoiser made by the way, with a choice of its history or without
 /// @param way      that can_give_back()
 /// @param choice   the denoiser's, which says what the frame alone makes; null: there is none

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/resolve/window_sums.hpp>
+#include <quell/resolve/planes.hpp>
 
 #include <algorithm>
 #include <array>

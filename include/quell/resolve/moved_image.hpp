@@ -1,7 +1,7 @@
 #pragma once
 
 #include <quell/core/real.hpp>
-#include <quell/resolve/window_sums.hpp>
+#include <quell/resolve/planes.hpp>
 
 #include <algorithm>
 #include <cmath>

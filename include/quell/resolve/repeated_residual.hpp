@@ -4,6 +4,7 @@
 #include <quell/resolve/moved_image.hpp>
 #include <quell/resolve/picture_residual.hpp>
 #include <quell/resolve/residual_sizes.hpp>
+#include <quell/resolve/window_sums.hpp>
 
 #include <array>
 #include <cstddef>

@@ -4,6 +4,7 @@
 #include <quell/resolve/residual_feedback_fit.hpp>
 #include <quell/resolve/residual_levels.hpp>
 #include <quell/resolve/residual_sizes.hpp>
+#include <quell/resolve/window_sums.hpp>
 
 #include <algorithm>
 #include <array>

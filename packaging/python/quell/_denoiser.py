@@ -72,7 +72,7 @@ class Denoiser:
     history can; it takes several times their time.
     give_back: gives light back that the filter took out by mistake, by what a picture lacks of its samples, and what the one before it lacked
     too. Give the number of samples of each pixel, or True (1) where it is not known. Presets of one colour that read normal, depth and motion
-    can.
+    can, without alpha, into which nothing would come back.
     device: "cpu", or "cuda" for presets("cuda"). Arrays may then lie on the GPU (__cuda_array_interface__, DLPack), where they are read and
     written as they are, or in the host's memory, from which they are copied.
     stream: with "cuda", the number of the stream that the work goes into, such as torch.cuda.current_stream().cuda_stream; 0 is CUDA's
