@@ -174,7 +174,7 @@ TEST_CASE("colours that are twice too large give no more light than the picture 
     auto const twice = each_value("DiffCol", [](int, int, float value) { return 2.f * value; });
     auto const mean_of = [](std::vector<io::ExrImage> const& images) {
         double sum = 0;
-        for (auto const& colour : pictures(images, "V.Combined").back()) sum += static_cast<double>(colour.x);
+        for (auto const& colour : pass(images.back(), "V.Combined")) sum += static_cast<double>(colour.x);
         return sum / static_cast<double>(size.pixels());
     };
     CHECK(mean_of(denoised({twice, in_layer("V")})) == doctest::Approx(mean_of(denoised({in_layer("V")}))).epsilon(0.02));
