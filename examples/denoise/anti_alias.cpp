@@ -3,7 +3,7 @@
 
 #include <quell/execute/threads.hpp>
 #include <quell/io/frame_image.hpp>
-#include <quell/resolve/anti_alias.hpp>
+#include <quell/resolve/agreement.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -124,8 +124,9 @@ std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metric
         return views;
     };
     auto const those_before = all_of(before), those_after = all_of(after);
-    anti_alias(policy, Threads<>{.count = threads}, views_of(*here, colour_image), std::span(those_before), std::span(those_after),
-               light_image.view(), to.view());
+    anti_alias_where_agreed({}, policy, Threads<>{.count = threads}, views_of(*here, colour_image),
+                            std::span<ColouredFrame<> const>(those_before), std::span<ColouredFrame<> const>(those_after),
+                            light_image.view(), to.view());
     metrics::Picture result{size, {}};
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
