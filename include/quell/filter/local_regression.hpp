@@ -103,9 +103,9 @@ private:
         using Real = real_of<V>;
         auto const of_component = [](Real a, Real low, Real high) QUELL_INLINED {
             // Away from 0 and towards it, for both signs.
-            auto const size = max(abs(a), Real(1e-20f)), farther = select(a < Real(0.f), -low, high),
+            auto const size = max(abs(a), Real(1e-30f)), farther = select(a < Real(0.f), -low, high),
                        nearer = select(a < Real(0.f), -high, low);
-            return min(farther / size, size / max(nearer, Real(1e-20f)));
+            return min(farther / size, size / max(nearer, Real(1e-30f)));
         };
         auto const each = map(of_component, value, seen.low, seen.high);
         return fold([](auto least, auto a) QUELL_INLINED { return min(least, a); }, Real(2.f), each);
@@ -124,7 +124,7 @@ private:
     /// 1 / w^2, where w is the width of the window in pixels. w grows with the cube root of the relative noise: this balances variance
     /// against the curvature that a linear fit misses.
     template <class Real> QUELL_KERNEL Real inverse_square_width(Real noise, Real light) const {
-        auto const relative = clamp(noise / max(light, Real(1e-12f)), Real(1e-6f), Real(1e6f));
+        auto const relative = clamp(noise / max(light, Real(1e-30f)), Real(1e-6f), Real(1e6f));
         // Cube root to a few percent: a third of the exponent.
         auto const root = from_bits(truncate(fma(to_real(bits(relative)), Real(1.f / 3.f), Real(709921077.f))));
         auto const w = clamp(root * width, Real(min_width), Real(max_width));
