@@ -194,10 +194,11 @@ void feed_back_residual(ResidualFeedback const& rule, E const& executor, std::ve
         raise_error("feed_back_residual, limits.noise_radius", std::to_string(rule.limits.noise_radius),
                     "give 0 to " + std::to_string(WindowSums<4>::largest_radius) + " pixels");
     auto const size = depth.size;
-    auto const before = in_planes(size, picture), by_itself = in_planes(size, alone);
+    float const unit = light_unit(picture);
+    auto const before = in_planes(size, picture, unit), by_itself = in_planes(size, alone, unit);
     Brightness const brightness(executor, before.view());
     WindowSums<4> sums(size);
-    PictureResidual const residual(executor, sums, rule.limits, in_planes(size, samples).view(), before.view(), brightness);
+    PictureResidual const residual(executor, sums, rule.limits, in_planes(size, samples, unit).view(), before.view(), brightness);
     FeedbackGates const gates(executor, sums, residual, before.view(), brightness);
     auto const levels =
         levels_of<feedback_levels>(executor, residual, {normal, depth, rule.depth_range, gates.light_logarithm.view(), rule.light_range});
@@ -219,7 +220,7 @@ void feed_back_residual(ResidualFeedback const& rule, E const& executor, std::ve
                  .alone = by_itself.view(),
                  .picture = before.view(),
                  .levels = {levels[0].value.view(), levels[1].value.view(), levels[2].value.view(), levels[3].value.view()}});
-    copy_out(before.view(), picture);
+    copy_out(before.view(), picture, unit);
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET
