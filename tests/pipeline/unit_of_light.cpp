@@ -94,7 +94,7 @@ void check_way(Way const& way, auto const& make, Extent of_output = size) {
 TEST_CASE("the unit of light changes no bit: all presets") {
     for (auto const& preset : library::compiled_presets()) {
         CAPTURE(preset.name);
-        for (auto const& [purpose, way] : {std::pair{"usual", &preset.usual},
+        for (auto const& [purpose, way] : {std::pair{std::string("usual"), &preset.usual},
                                            {"picture", &preset.picture},
                                            {"two-sided", &preset.two_sided},
                                            {"two-sided, with alpha", &preset.two_sided_alpha}}) {
