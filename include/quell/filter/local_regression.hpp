@@ -37,14 +37,13 @@ template <int level, int n> struct KeepLight {
     }
 };
 
-/// The largest difference of any component.
-template <class V> QUELL_KERNEL auto largest_difference(V const& a, V const& b) {
-    return [&]<int... c>(std::integer_sequence<int, c...>) QUELL_INLINED {
-        auto maximum = abs(component<0>(a) - component<0>(b));
-        ((maximum = max(maximum, abs(component<c>(a) - component<c>(b)))), ...);
-        return maximum;
-    }
-    (std::make_integer_sequence<int, components_of<V>>{});
+/// The largest difference of any component. Alpha, which a fourth one is, has no unit: its difference counts as that of so much light.
+template <class V> QUELL_KERNEL auto largest_difference(V const& a, V const& b, [[maybe_unused]] real_of<V> light) {
+    constexpr int of_light = components_of<V> == 4 ? 3 : components_of<V>;
+    auto maximum = abs(component<0>(a) - component<0>(b));
+    repeat<of_light>([&](auto c) QUELL_INLINED { maximum = max(maximum, abs(component<c>(a) - component<c>(b))); });
+    if constexpr (components_of<V> == 4) maximum = max(maximum, abs(component<3>(a) - component<3>(b)) * light);
+    return maximum;
 }
 
 /// The fit of LocalRegression.
@@ -70,7 +69,8 @@ template <class Edge, int n> struct RegressionOnGuides {
             pilot,
             px[normal],
             fma(tolerated, tolerated, fma(expected, expected, fma(px[variance], Real(sigma_light * sigma_light), Real(1e-36f)))),
-            inverse_square_width(noise, light)};
+            inverse_square_width(noise, light),
+            abs(light)};
         Window<typename Px::Signal> window{{}, Hull<typename Px::Signal>(pilot)};
         add_square<0, 2, 1>(centre, window, 1.f);
         add_square<2, 1, 5>(centre, window, 20.f);
@@ -91,7 +91,7 @@ private:
         Around around;
         typename Px::Signal pilot;
         vec3<Real> n_here;
-        Real allowed_squared, per_square;
+        Real allowed_squared, per_square, light;
     };
     /// What a fit is of, and the range of its values.
     template <class V> struct Window {
@@ -148,7 +148,7 @@ private:
             auto const by_place = fma(centre.per_square, Real(away), tap.distance);
             // The pilot is compared, not the samples that are weighed: weights that depend on them bias the fit.
             auto const inverse = approximate_inverse_sqrt(fma(tap.px[variance], Real(sigma_light * sigma_light), centre.allowed_squared));
-            auto const distance = fma(largest_difference(tap.px.signal(), centre.pilot), inverse, by_place);
+            auto const distance = fma(largest_difference(tap.px.signal(), centre.pilot, centre.light), inverse, by_place);
             weights[(radius + tap.row) * side + radius + tap.column] = tap.weight(known, distance) * frames(tap.px);
         });
         auto seen = window.seen;
