@@ -3,13 +3,15 @@
 
 #include <quell/execute/threads.hpp>
 #include <quell/io/frame_image.hpp>
-#include <quell/resolve/anti_alias.hpp>
+#include <quell/resolve/agreement.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <deque>
 #include <limits>
+#include <map>
+#include <string_view>
 
 namespace quell::examples {
 
@@ -59,11 +61,22 @@ std::vector<std::string> planes_of_frame_around(io::ExrListing const& file, io::
     return planes;
 }
 
-int samples_in(io::ExrListing const& file) {
+int samples_in(io::ExrListing const& file, io::SequenceNames const& names) {
+    constexpr std::string_view before = "cycles.", behind = ".samples";
+    std::map<std::string, int> by_layer;
     for (auto const& [name, value] : file.attributes)
-        if (auto const* const text = std::get_if<std::string>(&value); text && name.starts_with("cycles.") && name.ends_with(".samples"))
-            return std::max(std::atoi(text->c_str()), 0);
-    return 0;
+        if (auto const* const text = std::get_if<std::string>(&value);
+            text && name.starts_with(before) && name.ends_with(behind) && name.size() > before.size() + behind.size())
+            by_layer[name.substr(before.size(), name.size() - before.size() - behind.size())] = std::max(std::atoi(text->c_str()), 0);
+    if (by_layer.empty()) return 0;
+    auto const light = io::planes_of(io::sources_of(names.of_signals[0].channels, radiance));
+    auto const* const channel = light.empty() ? nullptr : file.find(light[0]);
+    std::string layer; // the longest: names of layers may have dots
+    for (auto const& [name, samples] : by_layer)
+        if (channel && channel->in_part.starts_with(name + ".") && name.size() > layer.size()) layer = name;
+    if (!layer.empty()) return by_layer.at(layer);
+    auto const first = by_layer.begin()->second;
+    return std::ranges::all_of(by_layer, [=](auto const& each) { return each.second == first; }) ? first : 0;
 }
 
 std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::SequenceNames const& names, int samples) {
@@ -111,8 +124,9 @@ std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metric
         return views;
     };
     auto const those_before = all_of(before), those_after = all_of(after);
-    anti_alias(policy, Threads<>{.count = threads}, views_of(*here, colour_image), std::span(those_before), std::span(those_after),
-               light_image.view(), to.view());
+    anti_alias_where_agreed({}, policy, Threads<>{.count = threads}, views_of(*here, colour_image),
+                            std::span<ColouredFrame<> const>(those_before), std::span<ColouredFrame<> const>(those_after),
+                            light_image.view(), to.view());
     metrics::Picture result{size, {}};
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)

@@ -70,6 +70,17 @@ Place place_of(std::string const& name, io::ExrListing const& file, io::Sequence
     return {home, is_qualified ? name.substr(home_name.size()) : name, otherwise};
 }
 
+/// The channels that guides are read from: data, whatever a renderer or a map calls them.
+std::vector<io::ExrChanges::Guide> guides_in(io::ExrListing const& file, io::SequenceNames const& names) {
+    std::vector<io::ExrChanges::Guide> guides;
+    for (auto const& signal : names.of_signals)
+        for (auto const& plane : io::planes_of(Channels<Normal, Depth, Motion, MotionNext, Position>{}, signal.channels)) {
+            auto const place = place_of(plane, file, names, io::SampleType::half);
+            if (file.find(plane)) guides.push_back({place.part, place.name});
+        }
+    return guides;
+}
+
 } // namespace
 
 bool LayerChoice::has(std::string const& word) const {
@@ -218,6 +229,7 @@ io::ExrChanges changes_for(DenoisedFrame& frame, io::ExrListing const& file, io:
                                bool const is_alpha = alpha && channel == alpha->name && (alpha_part.empty() || part == alpha_part);
                                return layers.keeps(part, channel) || (layers.has_picture() && is_alpha); // it belongs to the picture
                            }};
+    changes.guides = guides_in(file, names);
     auto const put = [&](Place const& place, metrics::Picture const& of, std::size_t c) {
         changes.numbers.push_back({place.part, place.name, place.type, component_of(of, c)});
     };

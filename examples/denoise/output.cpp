@@ -79,6 +79,7 @@ void Output::add(long long number, DenoisedFrame& frame, io::SequenceNames const
         numbers.values = on_canvas(std::move(numbers.values), more.canvas, changes->canvas);
         changes->numbers.push_back(std::move(numbers));
     }
+    changes->guides.insert(changes->guides.end(), more.guides.begin(), more.guides.end());
     changes->keeps = [one = changes->keeps, other = more.keeps](auto const& part, auto const& channel) {
         return one(part, channel) || other(part, channel);
     };
@@ -87,10 +88,9 @@ void Output::add(long long number, DenoisedFrame& frame, io::SequenceNames const
 void Output::write(long long number) {
     if (!pattern) return;
     io::ExrOriginal const original(in.path(number));
-    if (upsamples)
-        write_upsampled(pattern->path(number), original, *changes);
-    else
-        for (auto const& part : io::write_copy(pattern->path(number), original, *changes)) lossless.insert(part);
+    auto const packed =
+        upsamples ? write_upsampled(pattern->path(number), original, *changes) : io::write_copy(pattern->path(number), original, *changes);
+    lossless.insert(packed.begin(), packed.end());
     changes.reset();
 }
 
@@ -102,7 +102,9 @@ void Output::write_views(long long number, std::string const& view, std::string 
 std::vector<std::string> Output::remarks() const {
     std::vector<std::string> lines;
     for (auto const& part : lossless)
-        lines.push_back("part '" + part + "' is packed without loss (ZIP): its lossy compression would change ids, depth or other data");
+        lines.push_back("part '" + part +
+                        "' is packed without loss (ZIP): its lossy compression would change ids, depth or other data, or make bright "
+                        "colours infinite");
     return lines;
 }
 

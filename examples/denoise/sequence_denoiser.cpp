@@ -201,14 +201,13 @@ void SequenceDenoiser::read_ahead(FramePattern const& in, long long number) {
     }
 }
 
-/// Between a signal's light with its history, and by itself; null where its preset can't choose. This history has seen later frames: with
-/// the rule of one that has not, ten of ten scenes had more error at 16 samples. Without later frames the same rule is taken.
+/// Between a signal's light with its history, and by itself; null where its preset can't choose.
 quell_library::HistoryChoice* SequenceDenoiser::choice_for(std::size_t signal) {
     auto const purpose = purpose_of(signal);
     if (!can_choose_history(way_of(frames.settings.preset, purpose))) return nullptr;
     auto& choice = choices[purpose == Purpose::with_alpha ? 1 : 0];
     if (!choice) choice = denoiser(signal).make_choice(way_of(quell_library::judge_of(frames.settings.preset), purpose));
-    choice->tell_rule(Evidence::with_later_frames(static_cast<float>(window.front().samples)));
+    choice->tell_samples(static_cast<float>(window.front().samples));
     return choice.get();
 }
 
@@ -224,19 +223,20 @@ bool SequenceDenoiser::gives_light_back(SeenFrame& seen) const {
 }
 
 /// What the filter took out of a signal's light by mistake.
-/// @param alone the light by its frame alone
-void SequenceDenoiser::feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, int count,
-                                          metrics::Picture const& alone, metrics::Picture& light) {
+/// @param has_past whether it was made with its history
+/// @param alone    the light by its frame alone; none where that is not known
+void SequenceDenoiser::feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, int count, bool has_past,
+                                          std::optional<metrics::Picture> const& alone, metrics::Picture& light) {
     auto const planes = io::planes_of(Channels<Normal, Depth>{}, names);
     if (!image.has_all(planes)) return;
     Frame<Channels<Normal, Depth>> guides(image.size);
     io::load_channels(Channels<Normal, Depth>{}, guides, image, names);
     auto const samples = picture_of(image, io::sources_of(names, radiance), std::numeric_limits<float>::quiet_NaN());
-    auto shares = frames.settings.feedback;
-    if (!shares && !frames.settings.chooses_history) shares = ResidualFeedbackShares::beside_history(static_cast<float>(count));
+    auto const number = static_cast<float>(count);
+    auto const shares = frames.settings.feedback.value_or(ResidualFeedbackShares::of_frame(number, has_past, alone.has_value()));
     Timed const timed(other_milliseconds);
-    quell::feed_back_residual({.samples = static_cast<float>(count), .shares = shares}, Threads<>{.count = frames.settings.threads},
-                              samples.pixels, guides[normal].view(), guides[depth].view(), alone.pixels, light.pixels);
+    quell::feed_back_residual({.samples = number, .shares = shares}, Threads<>{.count = frames.settings.threads}, samples.pixels,
+                              guides[normal].view(), guides[depth].view(), (alone ? *alone : light).pixels, light.pixels);
 }
 
 DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long number, bool is_wanted) {
@@ -296,7 +296,7 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
         auto result = denoiser(s).denoise(image, channels, number, choice);
         if (gives_back) {
             auto const alone = choice != nullptr ? denoiser(s).alone(*choice) : std::nullopt;
-            feed_back_residual(image, channels, front.samples, alone.value_or(result), result);
+            feed_back_residual(image, channels, front.samples, denoiser(s).statistics().frames > 1, alone, result);
         }
         auto const counted = denoiser(s).statistics();
         made.missing += counted.missing_samples;

@@ -114,8 +114,8 @@ private:
     void begin(io::ExrOriginal const& file);
     void upsample(DenoisedFrame& frame, SeenFrame const& seen);
     [[nodiscard]] bool gives_light_back(SeenFrame& seen) const;
-    void feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, int samples, metrics::Picture const& alone,
-                            metrics::Picture& light);
+    void feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, int samples, bool has_past,
+                            std::optional<metrics::Picture> const& alone, metrics::Picture& light);
     [[nodiscard]] std::vector<float> denoised_alpha(SeenFrame const& seen, LightSplit const& split);
     void clear_empty_film(DenoisedFrame& frame, SeenFrame const& seen);
     void add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const;

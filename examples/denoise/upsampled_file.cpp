@@ -63,23 +63,66 @@ std::deque<Part> parts_of(std::string const& file, io::ExrOriginal const& origin
     return parts;
 }
 
-} // namespace
-
-void write_upsampled(std::filesystem::path const& path, io::ExrOriginal const& original, io::ExrChanges const& changes) {
-    auto const file = path.string();
+std::string encoded(std::string const& file, std::deque<Part> const& parts) {
     io::detail::MemoryStream stream(file);
-    io::detail::naming_file<Failure>(file, "it can't be encoded", [&] {
-        auto const parts = parts_of(file, original, changes);
-        std::vector<Imf::Header> headers;
-        for (auto const& part : parts) headers.push_back(part.header);
+    std::vector<Imf::Header> headers;
+    for (auto const& part : parts) headers.push_back(part.header);
+    {
         Imf::MultiPartOutputFile output(stream, headers.data(), static_cast<int>(headers.size()));
         for (int i = 0; auto const& part : parts) {
             Imf::OutputPart to(output, i++);
             to.setFrameBuffer(part.buffer());
             to.writePixels(part.header.dataWindow().max.y - part.header.dataWindow().min.y + 1);
         }
+    }
+    return stream.contents();
+}
+
+/// Whether packing has made light of a part infinite.
+bool is_harmed(Part const& part, Imf::MultiPartInputFile& packed, int number) {
+    auto const window = part.header.dataWindow();
+    std::deque<std::vector<float>> read;
+    Imf::FrameBuffer buffer;
+    for (auto const& plane : part.planes)
+        buffer.insert(plane.name, Imf::Slice::Make(Imf::FLOAT, read.emplace_back(plane.values.size()).data(), window));
+    Imf::InputPart input(packed, number);
+    input.setFrameBuffer(buffer);
+    input.readPixels(window.min.y, window.max.y);
+    for (std::size_t i = 0; i < read.size(); ++i)
+        if (io::detail::made_infinite(part.planes[i].values, read[i])) return true;
+    return false;
+}
+
+/// Makes parts lossless that packing harms. Returns their names.
+std::vector<std::string> keep_finite(std::string const& file, std::string const& bytes, std::deque<Part>& parts) {
+    std::vector<std::string> names;
+    io::detail::MemoryInput input(file, bytes);
+    Imf::MultiPartInputFile packed(input);
+    for (int number = 0; auto& part : parts) {
+        if (is_harmed(part, packed, number)) {
+            part.header.compression() = Imf::ZIP_COMPRESSION;
+            names.push_back(part.header.hasName() ? part.header.name() : std::to_string(number));
+        }
+        ++number;
+    }
+    return names;
+}
+
+} // namespace
+
+std::vector<std::string> write_upsampled(std::filesystem::path const& path, io::ExrOriginal const& original,
+                                         io::ExrChanges const& changes) {
+    auto const file = path.string();
+    std::vector<std::string> lossless;
+    std::string bytes;
+    io::detail::naming_file<Failure>(file, "it can't be encoded", [&] {
+        auto parts = parts_of(file, original, changes);
+        bytes = encoded(file, parts);
+        lossless = keep_finite(file, bytes, parts);
+        if (!lossless.empty()) bytes = encoded(file, parts);
     });
-    io::replace_file(path, stream.contents());
+    io::replace_file(path, bytes);
+    return lossless;
 }
 
 } // namespace quell::examples

@@ -111,7 +111,7 @@ private:
         auto const samples = samples_of(frame);
         Colours by_itself;
         bool const has_alone = choice != nullptr && choice->copy_alone(image_of(by_itself, frame.size));
-        give_back.apply(executor, samples, guides, has_alone ? by_itself : made, denoiser->statistics().frames > 1, made);
+        give_back.apply(executor, samples, guides, has_alone ? &by_itself : nullptr, denoiser->statistics().frames > 1, made);
     }
     void write(Colours const& made, Extent size, Image const& output) const {
         HostTarget<components> const to{output.data, size, output.component_stride, output.pixel_stride, output.row_stride, output.is_half};

@@ -7,6 +7,7 @@
 #include "wrapped_denoiser.hpp"
 
 #include <quell/resolve/evidence_passes.hpp>
+#include <quell/resolve/shared_noise.hpp>
 
 #include <algorithm>
 #include <array>
@@ -34,6 +35,7 @@ template <int n> class HistoryChoiceOf final : public HistoryChoice {
     quell::detail::KnownPast past{};
     std::array<std::optional<OneImage>, made> images{};
     std::vector<FrameImages> judged{};
+    float of_each_pixel = 1.f; ///< samples
     quell::Evidence rule{};
     bool has_chosen = false; ///< between two estimates of the last frame
 
@@ -54,18 +56,21 @@ public:
         }
         use_memory();
         take(frame);
+        rule = window.size() > 1 ? quell::Evidence::with_later_frames(of_each_pixel) : quell::Evidence::of_samples(of_each_pixel);
         by_itself(*alone, window.first(1), alone_with);
         look_at_samples(window);
         past.drop();
         denoiser.run(window, image_of(a));
         use_memory();
+        quell::SharedNoise const noise;
+        rule.trust = noise.independence(quell::shared_noise(noise, quell::LightLess{view_of(samples), view_of(a)}));
         mix.mix(rule, executor, view_of(a), view_of(alone_with), target_of(output, frame.size));
     }
     bool copy_alone(Image const& output) override {
         if (has_chosen) copy(view_of(alone_with), target_of(output, images[alone_with]->size()));
         return has_chosen;
     }
-    void tell_rule(quell::Evidence const& how) override { rule = how; }
+    void tell_samples(float count) override { of_each_pixel = count; }
     void release_scratch() override {
         alone->release_scratch();
         if (judge) judge->release_scratch();

@@ -37,8 +37,9 @@ public:
     /// Copies what the frame alone made of the last one. Returns false where there was nothing to choose, as it had no past.
     /// @param output written; of the frame's size
     virtual bool copy_alone(Image const& output) = 0;
-    /// How samples of the frames that follow are judged: as Evidence does, if nothing is said.
-    virtual void tell_rule(quell::Evidence const& how) = 0;
+    /// How many samples pixels of the frames that follow have: 1, if nothing is said. A history that has seen later frames is judged by
+    /// Evidence::with_later_frames(), another one by Evidence::of_samples().
+    virtual void tell_samples(float count) = 0;
     /// Gives its memory back, which the next frame takes again.
     virtual void release_scratch() = 0;
     [[nodiscard]] virtual std::size_t bytes() const = 0;

@@ -117,7 +117,7 @@ PresetWay way_of(Way const& way, Way const& judge, std::vector<ReadChannel> cons
             HistoryChoice* chosen = nullptr;
             if (with.choose_history != 0) {
                 auto choice = make_history_choice(way, judge, size, parallel, memory);
-                choice->tell_rule(quell::Evidence::of_samples(static_cast<float>(with.choose_history)));
+                choice->tell_samples(static_cast<float>(with.choose_history));
                 chosen = choice.get();
                 denoiser = with_history_choice(std::move(denoiser), std::move(choice));
             }

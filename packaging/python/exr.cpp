@@ -9,6 +9,7 @@
 #include <pybind11/stl.h>
 
 #include <cstring>
+#include <map>
 
 namespace py = pybind11;
 
@@ -97,6 +98,13 @@ void write_planes(std::string const& path, py::list const& planes, py::dict cons
     released([&] { return write_exr(path, image), true; });
 }
 
+/// What quell calls the planes of its channels, by the channel's name.
+std::map<std::string, std::vector<std::string>> names_of_channels() {
+    std::map<std::string, std::vector<std::string>> names;
+    quell::for_each_channel(quell::AllChannels{}, [&](auto channel) { names[std::string(channel.name)] = own_names(channel); });
+    return names;
+}
+
 /// The names of a file's signals, each of which is denoised by itself.
 std::vector<std::string> signals(std::string const& path) {
     return released([&] {
@@ -176,6 +184,7 @@ py::tuple read_frame(std::string const& path, std::optional<std::vector<std::str
 PYBIND11_MODULE(_exr, module) {
     module.def("read", read_planes);
     module.def("write", write_planes);
+    module.def("names_of_channels", names_of_channels);
     module.def("signals", signals);
     module.def("read_frame", read_frame);
 }

@@ -1,5 +1,7 @@
 #include "foreign.hpp"
 
+#include <quell/io/exr/exr_original.hpp>
+
 #include <random>
 
 using namespace quell;
@@ -89,6 +91,32 @@ TEST_CASE("tiles that are larger than any picture are refused before memory is t
         check_error([&] { static_cast<void>(io::read_exr(folder / "tiles.exr")); }, {"tiles.exr", "again"});
         check_error([&] { static_cast<void>(io::ExrOriginal{folder / "tiles.exr"}.is_whole()); }, {"tiles.exr", "again"});
     }
+}
+
+TEST_CASE("what this OpenEXR is too old for is named, and what to save it as") {
+    Folder const folder;
+    write_parts(folder / "parts.exr", box(0, 0, 19, 9), {{"a", box(0, 0, 19, 9), {"R"}}, {"b", box(3, 3, 9, 9), {"R", "Z"}}});
+    auto const bytes = bytes_of(folder / "parts.exr");
+    std::string const attribute("compression\0compression\0\1\0\0\0", 28);
+    for (auto const place : {bytes.find(attribute), bytes.rfind(attribute)}) { // of either part
+        REQUIRE(place != std::string::npos);
+        for (int const number : {10, 11, 12, 200}) {
+            if (number < Imf::NUM_COMPRESSION_METHODS) continue;
+            auto newer = bytes;
+            newer[place + attribute.size()] = static_cast<char>(number);
+            write_bytes(folder / "newer.exr", newer);
+            auto const name = number == 10 ? " (HTJ2K256)" : number == 11 ? " (HTJ2K32)" : "";
+            auto const version = std::string("OpenEXR ") + OPENEXR_VERSION_STRING;
+            for (auto const& open : std::vector<std::function<void()>>{[&] { io::ExrFile{folder / "newer.exr"}; },
+                                                                       [&] { io::ExrOriginal{folder / "newer.exr"}; }})
+                check_error(open, {"newer.exr", "compression", std::to_string(number) + name, version.substr(0, version.rfind('.')),
+                                   "save it as ZIP"});
+        }
+    }
+    auto newer = bytes;
+    newer[4] = 3; // of the format
+    write_bytes(folder / "newer.exr", newer);
+    check_error([&] { static_cast<void>(io::read_exr(folder / "newer.exr")); }, {"newer.exr", "version 3", "OpenEXR", "ZIP"});
 }
 
 TEST_CASE("a missing channel is named together with those that there are") {

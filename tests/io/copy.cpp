@@ -88,6 +88,57 @@ TEST_CASE("where a lossy compression would change data, the part is packed witho
     CHECK(different(whole_of(folder / "in.exr"), whole_of(folder / "out.exr")) == std::vector<std::string>{"0 R half"});
 }
 
+TEST_CASE("the y of vectors is data, and that of luminance is not") {
+    Folder const folder;
+    auto const window = box(0, 0, 31, 23);
+    auto const harmed = [&](std::vector<std::string> const& names) {
+        std::vector<WholeChannel> channels{{"R", Imf::HALF, scattered(1)}};
+        for (auto const& name : names) channels.push_back({name, Imf::FLOAT, scattered(static_cast<int>(channels.size()) + 1, 9)});
+        write_whole(folder / "in.exr", window, {{"", window, channels, false, Imf::DWAA_COMPRESSION}});
+        auto const packed = copy_with_new_red(folder / "in.exr", folder / "out.exr");
+        auto const changed = different(whole_of(folder / "in.exr"), whole_of(folder / "out.exr"));
+        CHECK(packed.empty() == (changed != std::vector<std::string>{"0 R half"}));
+        return !packed.empty();
+    };
+    for (auto const& others : std::vector<std::vector<std::string>>{
+             {"Normal.X", "Normal.Y", "Normal.Z"}, {"V.Vector.X", "V.Vector.Y"}, {"Position.Y", "Position.Z"}, {"X", "Y"}, {"a.Y", "a.W"}})
+        CHECK(harmed(others));
+    for (auto const& others : std::vector<std::vector<std::string>>{{"Y", "RY", "BY"}, {"Y"}, {"fog.Y"}, {"b.Y", "b.A"}}) {
+        INFO(others[0]);
+        CHECK_FALSE(harmed(others));
+    }
+    // What is read as a guide is one, whatever it is called.
+    io::ExrOriginal const original(folder / "in.exr");
+    auto const canvas = original.canvas();
+    CHECK(io::write_copy(folder / "out.exr", original,
+                         {.canvas = canvas, .numbers = {constant("R", 0.25f, canvas)}, .guides = {{0, "b.Y"}}}) ==
+          std::vector<std::string>{"0"});
+}
+
+TEST_CASE("light that a compression would make infinite is packed without loss") {
+    Folder const folder;
+    auto const window = box(0, 0, 31, 23);
+    for (auto const type : {Imf::HALF, Imf::FLOAT})
+        for (float const brightest : {65504.f, 900.f}) {
+            std::vector<WholeChannel> channels;
+            for (int c = 0; c < 3; ++c) channels.push_back({std::string(1, "RGB"[c]), type, scattered(c)});
+            write_whole(folder / "in.exr", window, {{"", window, channels, false, Imf::DWAA_COMPRESSION}});
+            io::ExrOriginal const original(folder / "in.exr");
+            io::ExrChanges changes{.canvas = original.canvas()};
+            for (auto const& channel : channels) {
+                auto& numbers = changes.numbers.emplace_back(io::NewNumbers{0, channel.name, io::SampleType::half, {}}).values;
+                for (int i = 0; i < 32 * 24; ++i) numbers.push_back(scatter(i % 32, i / 32, 3) > 0.5f ? brightest : 20000.f);
+            }
+            auto const named = io::write_copy(folder / "out.exr", original, changes);
+            auto const written = io::read_exr(folder / "out.exr");
+            CHECK(named.empty() == (brightest < 65504.f));
+            for (auto const& plane : written.planes) {
+                CHECK(std::ranges::all_of(plane.values, [](float value) { return is_finite(value); }));
+                if (!named.empty()) CHECK(plane.values == changes.numbers[0].values);
+            }
+        }
+}
+
 TEST_CASE("parts without new numbers are the same to the last packed byte, and channels and parts can be left out") {
     Folder const folder;
     auto const display = box(0, 0, 31, 23);

@@ -37,7 +37,92 @@ io::SequenceNames names_of(Folder const& folder, io::ExrImage const& image) {
     return io::recognise(io::ExrFile(folder / "cycles.exr"));
 }
 
+/// What passes are called in Blender 2.8 to 4, and in 5.
+std::vector<std::pair<std::string, std::string>> const new_names{{"DiffDir", "Diffuse Direct"},
+                                                                 {"DiffInd", "Diffuse Indirect"},
+                                                                 {"DiffCol", "Diffuse Color"},
+                                                                 {"GlossDir", "Glossy Direct"},
+                                                                 {"GlossInd", "Glossy Indirect"},
+                                                                 {"GlossCol", "Glossy Color"},
+                                                                 {"TransDir", "Transmission Direct"},
+                                                                 {"TransInd", "Transmission Indirect"},
+                                                                 {"TransCol", "Transmission Color"},
+                                                                 {"SubsurfaceDir", "Subsurface Direct"},
+                                                                 {"SubsurfaceInd", "Subsurface Indirect"},
+                                                                 {"SubsurfaceCol", "Subsurface Color"},
+                                                                 {"VolumeDir", "Volume Direct"},
+                                                                 {"VolumeInd", "Volume Indirect"},
+                                                                 {"Emit", "Emission"},
+                                                                 {"Env", "Environment"},
+                                                                 {"IndexOB", "Object Index"}};
+std::string in_blender_5(std::string name) {
+    for (auto const& [before, after] : new_names)
+        if (auto const at = name.find("." + before + "."); at != std::string::npos) name.replace(at + 1, before.size(), after);
+    return name;
+}
+/// Everything that names say, as text.
+std::string text_of(io::SequenceNames const& names, auto const& called) {
+    std::string text = names.renderer + "," + names.layer;
+    auto const add = [&](std::string const& what, std::vector<io::Source> const& sources) {
+        text += "\n" + what;
+        for (auto const& source : sources) {
+            text += "; " + std::to_string(source.scale);
+            for (auto const& plane : source.sum) text += " " + called(plane);
+        }
+    };
+    for (auto const& signal : names.of_signals) {
+        for (auto const& [channel, sources] : signal.channels.sources) add(signal.name + " " + channel, sources);
+        add(signal.name + " factor", signal.factor);
+    }
+    add("added", names.added), add("picture", names.picture);
+    return text;
+}
+
 } // namespace
+
+TEST_CASE("Blender 5 calls passes otherwise, and takes nothing else from them") {
+    Folder const folder;
+    auto passes = all_passes;
+    passes.push_back({"IndexOB", "X"});
+    for (auto const& [name, of_5] : new_names)
+        if (name != "IndexOB" && std::ranges::find(passes, name, &std::pair<std::string, std::string>::first) == passes.end())
+            passes.push_back({name, "RGB"});
+    auto image = cycles_image("ViewLayer", passes);
+    auto const before = names_of(folder, image);
+    CHECK(before.of_signals.size() == 5);
+    for (auto& plane : image.planes) plane.name = in_blender_5(plane.name);
+    auto const after = names_of(folder, image);
+    CHECK(after.remarks.empty());
+    CHECK(text_of(after, [](std::string const& name) { return name; }) == text_of(before, in_blender_5));
+    // A layer without a combined image is one too.
+    std::erase_if(image.planes, [](auto const& plane) { return plane.name.find("Combined") != std::string::npos; });
+    CHECK(names_of(folder, image).layer == "ViewLayer.");
+}
+
+TEST_CASE("files of Blender's compositor node File Output are read as those of the render output") {
+    Folder const folder;
+    for (auto const type : {io::SampleType::half, io::SampleType::float32}) {
+        auto image = cycles_image("", {{"Image", "RGBA"}, {"Depth", "V"}, {"Normal", "XYZ"}, {"Vector", "XYZ"}, {"DiffDir", "RGBA"}});
+        for (auto& plane : image.planes) plane.name.erase(0, 1), plane.type = type; // the dot
+        for (auto& plane : image.planes)
+            if (plane.name == "Depth.V") plane.values[1] = type == io::SampleType::half ? 65504.f : 1e10f, plane.values[2] = 65472.f;
+        auto const names = names_of(folder, image);
+        CHECK(names.renderer == "Blender Cycles");
+        CHECK(names.layer.empty());
+        REQUIRE(names.of_signals.size() == 1);
+        CHECK(names.of_signals[0].name == "diffuse");
+        CHECK(names.picture.at(1).sum == std::vector<std::string>{"Image.G"});
+        CHECK_FALSE(names.of_signals[0].channels.sources.contains("motion_next")); // its y is not there
+        Frame<Channels<Radiance, Normal, Depth, Motion>> frame(image.size);
+        io::load(frame, image, names.of_signals[0].channels);
+        CHECK(frame[depth].get(0, 0) == image["Depth.V"].values[0]);
+        CHECK(frame[depth].get(1, 0) == std::numeric_limits<float>::infinity()); // the sky
+        CHECK(frame[depth].get(2, 0) == 65472.f);
+        CHECK(frame[motion].get(2, 2) == glm::vec2(image["Vector.X"].values[0], -image["Vector.Y"].values[0]));
+        std::erase_if(image.planes, [](auto const& plane) { return plane.name.starts_with("Depth"); });
+        check_error([&] { static_cast<void>(names_of(folder, image)); }, {"neither quell's", "Depth.V"});
+    }
+}
 
 TEST_CASE("Blender's passes are recognised, whatever the view layer's name") {
     Folder const folder;

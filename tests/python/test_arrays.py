@@ -46,6 +46,22 @@ class WithCuda:
     __cuda_array_interface__ = {}
 
 
+class WithNegativeBit(LendsByDlpack):
+    """As PyTorch shows z.conj().imag: memory of the other sign."""
+
+    def is_neg(self):
+        return True
+
+
+class OnMeta(LendsByDlpack):
+    """As PyTorch shows a tensor without memory."""
+
+    device = "meta"
+
+    def __dlpack_device__(self):
+        raise ValueError("Unknown device type meta for Dlpack")
+
+
 def planar(pixels):
     return np.ascontiguousarray(pixels.transpose(2, 0, 1)).transpose(1, 2, 0)
 
@@ -209,6 +225,13 @@ class Refused(unittest.TestCase):
         self.refused(["channel 'depth'", "CUDA", "host"], quell.Status.NOT_SUPPORTED, depth=OnDevice())
         self.refused(["channel 'depth'", "CUDA", "host"], quell.Status.NOT_SUPPORTED, depth=WithCuda())
         self.refused(["out", "CUDA", "host", 'device="cuda"'], quell.Status.NOT_SUPPORTED, out=OnDevice())
+
+    def test_views_and_devices_of_pytorch(self):
+        depth, picture = self.frame["depth"], np.empty((HEIGHT, WIDTH, 3), np.float32)
+        self.refused(["channel 'depth'", "negative bit", "resolve_neg()"], depth=WithNegativeBit(depth))
+        self.refused(["out", "negative bit", "resolve_neg()"], out=WithNegativeBit(picture))
+        self.refused(["channel 'depth'", "OnMeta", "'meta'", "memory"], quell.Status.NOT_SUPPORTED, depth=OnMeta(depth))
+        self.refused(["out", "'meta'"], quell.Status.NOT_SUPPORTED, out=OnMeta(picture))
 
     def test_channels(self):
         self.refused(["'colour'", "svgf", "radiance, albedo"], colour=self.frame["albedo"])

@@ -58,6 +58,18 @@ class Files(unittest.TestCase):
         self.assertTrue(same_bits(denoiser(read), other(frame)))
         self.assertEqual(list(exr.read_frame(self.path, ["depth"])), ["depth", "camera", "shutter"])
 
+    def test_channels_are_written_by_the_names_that_are_read(self):
+        frame = {**wall(HEIGHT, WIDTH), "instance": np.arange(HEIGHT * WIDTH, dtype=np.uint32).reshape(HEIGHT, WIDTH)}
+        for picture in ("", "radiance"):
+            exr.write(self.path, {picture if name == "radiance" else name: value for name, value in frame.items()})
+            self.assertEqual(sorted(exr.read(self.path).planes), sorted([*planes_of(wall(HEIGHT, WIDTH)), "instance.ID"]))
+            read = exr.read_frame(self.path)
+            self.assertEqual(sorted(read), sorted(frame))
+            for name in frame:
+                self.assertTrue(np.array_equal(read[name], frame[name]), name)
+        exr.write(self.path, {"depth": frame["depth"][..., np.newaxis], "motion.X": frame["depth"], "other": frame["depth"]})
+        self.assertEqual(sorted(exr.read(self.path).planes), ["depth.Z", "motion.X", "other"])
+
     def test_names_of_others(self):
         frame = wall(HEIGHT, WIDTH)
         planes = planes_of(frame)
@@ -100,6 +112,8 @@ class Files(unittest.TestCase):
             ("plane 'R'.*float64", lambda: exr.write(self.path, {"R": plane.astype(float)})),
             ("plane 'R'.*shape", lambda: exr.write(self.path, {"R": plane[0]})),
             ("plane 'G'.*shape", lambda: exr.write(self.path, {"R": plane, "G": plane[1:]})),
+            ("plane 'motion'.*2 components: motion.X, motion.Y", lambda: exr.write(self.path, {"motion": plane[..., np.newaxis]})),
+            ("plane 'other'.*shape", lambda: exr.write(self.path, {"other": np.zeros((HEIGHT, WIDTH, 2), np.float32)})),
             ("no planes", lambda: exr.write(self.path, {})),
             ("size is 30x0", lambda: exr.write(self.path, {"R": plane[:0]})),
             ("2\\^24", lambda: exr.write(self.path, {"R": np.full((2, 2), 1 << 30, np.uint32)})),

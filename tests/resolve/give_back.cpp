@@ -88,8 +88,7 @@ TEST_CASE("light given back behind a pipeline: stripes come back, with two frame
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) guides[normal].set(x, y, {0.f, 0.f, 1.f}), guides[depth].set(x, y, 3.f);
     auto const apply = [&](GiveBack& to, FlatSurface surface, bool has_past) {
-        auto const alone = surface.picture;
-        to.apply(Serial{}, surface.samples, guides.views(GiveBack::Guides::channels{}), alone, has_past, surface.picture);
+        to.apply(Serial{}, surface.samples, guides.views(GiveBack::Guides::channels{}), nullptr, has_past, surface.picture);
         return surface;
     };
     double const before = seen.error();
@@ -109,9 +108,9 @@ TEST_CASE("light given back behind a pipeline: a picture that is as its samples 
     Frame<Channels<Normal, Depth, Motion>> guides(size);
     auto const views = guides.views(GiveBack::Guides::channels{});
     FlatSurface first(stripes, .3f), second([](int, int) { return 1.f; }, 0.f);
-    give_back.apply(Simd{}, first.samples, views, first.picture, false, first.picture);
+    give_back.apply(Simd{}, first.samples, views, nullptr, false, first.picture);
     auto const before = second.picture;
-    give_back.apply(Simd{}, second.samples, views, second.picture, true, second.picture);
+    give_back.apply(Simd{}, second.samples, views, nullptr, true, second.picture);
     CHECK(second.picture == before);
 }
 
@@ -120,11 +119,27 @@ TEST_CASE("light given back behind a pipeline: of other sizes nothing is given, 
     FlatSurface first(stripes, .1f), wrong(stripes, .1f), second(stripes, .1f, 7);
     Frame<Channels<Normal, Depth, Motion>> guides(size);
     auto const views = guides.views(GiveBack::Guides::channels{});
-    give_back.apply(Simd{}, first.samples, views, first.picture, false, first.picture);
+    give_back.apply(Simd{}, first.samples, views, nullptr, false, first.picture);
     wrong.samples.pop_back();
-    CHECK_THROWS_AS(give_back.apply(Simd{}, wrong.samples, views, wrong.picture, true, wrong.picture), Error);
+    CHECK_THROWS_AS(give_back.apply(Simd{}, wrong.samples, views, nullptr, true, wrong.picture), Error);
     auto again = second;
-    give_back.apply(Simd{}, second.samples, views, second.picture, true, second.picture);
-    other.apply(Simd{}, again.samples, views, again.picture, false, again.picture);
+    give_back.apply(Simd{}, second.samples, views, nullptr, true, second.picture);
+    other.apply(Simd{}, again.samples, views, nullptr, false, again.picture);
     CHECK(second.picture == again.picture);
+}
+
+TEST_CASE("light given back behind a pipeline: of single samples nothing is fed back to a history that is not known to hold") {
+    FlatSurface const first(stripes, .3f), second(stripes, .3f, 7);
+    Frame<Channels<Normal, Depth, Motion>> guides(size);
+    auto const views = guides.views(GiveBack::Guides::channels{});
+    auto const fed_back = [&](float samples, bool has_past, bool knows_alone) {
+        GiveBack give_back(samples);
+        auto picture = second.picture;
+        give_back.apply(Simd{}, second.samples, views, knows_alone ? &second.picture : nullptr, has_past, picture);
+        return picture != second.picture;
+    };
+    CHECK_FALSE(fed_back(1.f, true, false));
+    CHECK(fed_back(1.f, true, true));
+    CHECK(fed_back(1.f, false, false));
+    CHECK(fed_back(16.f, true, false));
 }

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <quell/io/channel_names.hpp>
-#include <quell/io/exr_listing.hpp>
-
-#include <algorithm>
+#include <quell/io/blender_passes.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
@@ -31,62 +28,12 @@ struct SequenceNames {
 
 namespace detail {
 
-/// A view layer of Blender, by the names of its passes.
-struct ViewLayer {
-    std::vector<ExrChannel> const& channels;
-    std::string prefix;
-
-    [[nodiscard]] bool has(std::string const& pass, std::string const& component) const {
-        return std::ranges::any_of(channels, [&](auto const& c) { return c.name == prefix + pass + "." + component; });
-    }
-    /// Sum of those of these passes that exist, per component; empty if a component has none.
-    [[nodiscard]] std::vector<Source> sum_of(std::vector<std::string> const& passes) const {
-        std::vector<Source> sources;
-        for (auto const* const component : {"R", "G", "B"}) {
-            Source source;
-            for (auto const& pass : passes)
-                if (has(pass, component)) source.sum.push_back(prefix + pass + "." + component);
-            if (!source.sum.empty()) sources.push_back(source);
-        }
-        return sources.size() == 3 ? sources : std::vector<Source>();
-    }
-    [[nodiscard]] std::vector<Source> components_of(std::string const& pass, std::string const& letters) const {
-        std::vector<Source> sources;
-        for (char const letter : letters) sources.push_back({{prefix + pass + "." + letter}});
-        return sources;
-    }
-};
-
-/// Prefixes of Blender's view layers, such as "ViewLayer.": those with a combined image first, in the file's order.
-inline std::vector<std::string> view_layer_prefixes(std::vector<ExrChannel> const& channels) {
-    std::vector<std::string> prefixes;
-    for (std::string_view const pass : {".Combined.R", ".DiffDir.R", ".DiffInd.R", ".Depth.Z"})
-        for (auto const& channel : channels) {
-            if (!channel.name.ends_with(pass)) continue;
-            auto const prefix = channel.name.substr(0, channel.name.size() - pass.size() + 1);
-            if (std::ranges::find(prefixes, prefix) == prefixes.end()) prefixes.push_back(prefix);
-        }
-    return prefixes;
-}
-
-/// Prefix of the view layer with the most of light, depth and motion, of several the first; empty if the names are not Blender's. What
-/// the compositor writes has light alone.
-inline std::optional<std::string> view_layer_prefix(std::vector<ExrChannel> const& channels) {
-    auto const prefixes = view_layer_prefixes(channels);
-    auto const guides = [&](std::string const& prefix) {
-        ViewLayer const layer{channels, prefix};
-        return (layer.has("Depth", "Z") ? 1 : 0) + (layer.has("Vector", "X") ? 1 : 0);
-    };
-    auto const most = std::ranges::max_element(prefixes, {}, guides);
-    return most == prefixes.end() ? std::nullopt : std::optional(*most);
-}
-
-/// Guides by Blender's conventions: motion in pixels with y up, depth 1e10 for a miss.
+/// Guides by Blender's conventions: motion in pixels with y up, depth 1e10 for a miss, or the largest half where it is stored as one.
 inline ChannelNames cycles_guides(ViewLayer const& layer) {
     ChannelNames names;
     names.sources["depth"] = layer.components_of("Depth", "Z");
     names.sources["motion"] = layer.components_of("Vector", "XY");
-    if (layer.has("Vector", "Z")) {
+    if (layer.has("Vector", "Z") && layer.has("Vector", "W")) { // the node File Output leaves out W
         names.sources["motion_next"] = layer.components_of("Vector", "ZW");
         for (auto& source : names.sources["motion_next"]) source.scale = -1.f; // Blender's vector points from the next frame
     }
@@ -97,7 +44,8 @@ inline ChannelNames cycles_guides(ViewLayer const& layer) {
         layer.has("Normal", "X") ? layer.components_of("Normal", "XYZ") : std::vector<Source>{{{}, 0.f}, {{}, 0.f}, {{}, 1.f}};
     names.sources["albedo"] = std::vector<Source>(3, Source{{}, 1.f}); // light passes are divided by their colour already
     names.motion.y = MotionConvention::Y::up;
-    names.miss_from = 1e9f;
+    auto const* const depth = layer.find("Depth", "Z");
+    names.miss_from = depth && depth->type == SampleType::half ? 65504.f : 1e9f;
     return names;
 }
 
@@ -114,6 +62,7 @@ inline std::vector<SignalNames> cycles_signals(ViewLayer const& layer) {
     add("diffuse", "Diff");
     add("glossy", "Gloss");
     add("transmission", "Trans");
+    add("subsurface", "Subsurface");
     add("volume", "Volume");
     return named;
 }
@@ -130,7 +79,8 @@ inline SequenceNames cycles_combined(ViewLayer const& layer, std::string const& 
 
 inline SequenceNames cycles_passes(ViewLayer const& layer) {
     SequenceNames names{"Blender Cycles", cycles_signals(layer)};
-    if (names.of_signals.empty()) return cycles_combined(layer, "no light passes (DiffDir, DiffInd, DiffCol, ...)");
+    if (names.of_signals.empty())
+        return cycles_combined(layer, "no light passes (DiffDir, DiffInd, DiffCol, ...; of Blender 5: Diffuse Direct, ...)");
     names.added = layer.sum_of({"Emit", "Env"});
     names.picture = layer.sum_of({"Combined"});
     return names;
@@ -157,8 +107,10 @@ inline SequenceNames cycles_passes(ViewLayer const& layer) {
     // A sequence traced for single effects has no R, G, B, but depth.
     if ((has("R") && has("G") && has("B")) || has("depth.Z")) return own_sequence();
     if (auto const names = cycles_sequence(file)) return *names;
-    throw Error(file.name, "its channels are neither quell's (R, G, B, depth.Z, ...) nor Blender's (ViewLayer.Combined.R, ...)",
-                "name them with a channel map; it has: " + detail::list_of_names(file.channels));
+    throw Error(
+        file.name,
+        "its channels are neither quell's (R, G, B, depth.Z, ...) nor Blender's (ViewLayer.Combined.R, or Image.R and Depth.V, ...)",
+        "name them with a channel map; it has: " + detail::list_of_names(file.channels));
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::io

@@ -10,12 +10,14 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 /// Like anti_alias().
-/// @param light a view, or what has load(x, y) as views have it
-template <class E, class Storage, class Light, class To>
+/// @param light  a view, or what has load(x, y) as views have it
+/// @param others a view that takes what the frames around tell, or NoOthers
+template <class E, class Storage, class Light, class To, class Others = NoOthers>
 void run_anti_alias(AntiAliased const& policy, E const& executor, ColouredFrame<Storage> const& here,
                     std::span<ColouredFrame<Storage> const> before, std::span<ColouredFrame<Storage> const> after, Light const& light,
-                    To const& to) {
-    AntiAliasJob<Storage, Light, To> job{policy, here, light, to, own_weights_of(policy, here.jitter)};
+                    To const& to, Others const& others = {}) {
+    AntiAliasJob<Storage, Light, To, Others> job{policy, here, light, to, own_weights_of(policy, here.jitter)};
+    job.others = others;
     auto const size = here.depth.size;
     for (auto const& frame : before.first(std::min(before.size(), job.before.size()))) {
         if (!(frame.depth.size == size)) break;

@@ -6,6 +6,8 @@
 #include <quell/resolve/seen_surface.hpp>
 
 #include <array>
+#include <limits>
+#include <type_traits>
 
 /// The pass of AntiAliased, and what it reads.
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
@@ -52,9 +54,14 @@ template <class Picture, class Colour> struct LightOfPicture {
 };
 template <class Picture, class Colour> LightOfPicture(Picture, Colour) -> LightOfPicture<Picture, Colour>;
 
+/// In place of a view: nobody asks what frames around tell by themselves.
+struct NoOthers {};
+
 /// The pass of AntiAliased.
-template <class Storage, class Light, class Target> struct AntiAliasJob {
+/// @tparam Others a view that takes what frames around tell of the colour, without the frame itself: not finite where that is nothing
+template <class Storage, class Light, class Target, class Others = NoOthers> struct AntiAliasJob {
     static constexpr auto name = "anti-alias";
+    static constexpr bool tells_others = !std::is_same_v<Others, NoOthers>;
     AntiAliased policy;
     ColouredFrame<Storage> here;
     Light light;
@@ -62,6 +69,7 @@ template <class Storage, class Light, class Target> struct AntiAliasJob {
     std::array<float, 9> own_weights; ///< of the 3x3
     std::array<AroundFrame<Storage>, AntiAliased::most_frames> before{}, after{};
     int count_before = 0, count_after = 0;
+    [[no_unique_address]] Others others{};
 
     template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
         Real nearest(1e38f), farthest(0.f);
@@ -71,12 +79,13 @@ template <class Storage, class Light, class Target> struct AntiAliasJob {
         });
         auto const is_two = farthest > nearest * (1.f + policy.range);
         auto const plain = shown_plain<Real>(x, y);
-        vec3<Real> value = plain;
+        vec3<Real> value = plain, told = unknown<Real>();
         Real weights(0.f);
         if (any(is_two))
-            two_surfaces<Real>(x, y, 2.f * nearest / (1.f + nearest / farthest), is_two, value, weights);
+            two_surfaces<Real>(x, y, 2.f * nearest / (1.f + nearest / farthest), is_two, value, weights, told);
         else
-            one_surface<Real>(x, y, value, weights);
+            one_surface<Real>(x, y, value, weights, told);
+        if constexpr (tells_others) store_pixels<Real>(others, x, y, told, count);
         if (!policy.by_surface) value = scale(add_scaled(scale(value, weights), plain, Real(policy.own)), 1.f / (weights + policy.own));
         store_pixels<Real>(to, x, y, select(both(all_finite(value), weights > Real(0.f)), value, plain), count);
     }
@@ -86,6 +95,10 @@ private:
     template <class Real> QUELL_KERNEL static Real distance(Real depth) { return max(min(depth, Real(1e30f)), Real(1e-20f)); }
     template <class Real> QUELL_KERNEL static vec2<Real> centre(int x, int y) {
         return {Real(static_cast<float>(x) + 0.5f) + lanes<Real>(), Real(static_cast<float>(y) + 0.5f)};
+    }
+    template <class Real> QUELL_KERNEL static vec3<Real> unknown() {
+        Real const none(std::numeric_limits<float>::quiet_NaN());
+        return {none, none, none};
     }
     /// The pixel without anti-aliasing.
     template <class Real> QUELL_KERNEL vec3<Real> shown_plain(int x, int y) const {
@@ -106,7 +119,7 @@ private:
     }
 
     /// Most pixels show one surface, whose light is theirs. Where its colours are all alike there is nothing to smooth.
-    template <class Real> QUELL_KERNEL void one_surface(int x, int y, vec3<Real>& value, Real& weights) const {
+    template <class Real> QUELL_KERNEL void one_surface(int x, int y, vec3<Real>& value, Real& weights, vec3<Real>& told) const {
         SeenSurface<Real> surface;
         each_neighbour<Real>(x, y, [&](auto inside, int column, int row, float weight) QUELL_INLINED {
             surface.add_own(inside, distance<Real>(load_beside<Real>(here.depth, column, row)),
@@ -115,9 +128,14 @@ private:
         auto const varies = surface.varies();
         if (!any(varies)) return;
         take_motion(surface, surface.is_seen(), x, y);
-        if (!policy.by_surface) surface.drop_own();
+        auto const own = surface;
+        if (!policy.by_surface || tells_others) surface.drop_own();
         Real whole(0.f);
         follow_both<Real, false>(surface, centre<Real>(x, y), whole);
+        if constexpr (tells_others) {
+            told = select(both(varies, surface.weights > Real(0.f)), surface.colour(), told);
+            if (policy.by_surface) surface.add_sums(own);
+        }
         value = surface.colour() * vec3<Real>(load_beside<Real>(light, x, y));
         weights = masked(varies, surface.weights);
     }
@@ -125,7 +143,8 @@ private:
     /// What the surface in front leaves of the pixel is the other's.
     /// @param middle distance between both
     /// @param is_two whether there are two; else it does as one_surface() does
-    template <class Real> QUELL_KERNEL void two_surfaces(int x, int y, Real middle, auto is_two, vec3<Real>& value, Real& weights) const {
+    template <class Real>
+    QUELL_KERNEL void two_surfaces(int x, int y, Real middle, auto is_two, vec3<Real>& value, Real& weights, vec3<Real>& told) const {
         auto const is_one = invert(is_two);
         SeenSurface<Real> front, back;
         Real whole(0.f), nearest(1e38f), farthest(0.f);
@@ -144,18 +163,25 @@ private:
         });
         take_motion(front, is_one, x, y);
         auto const smooths = either(is_two, front.varies());
-        if (!policy.by_surface) front.drop_own(), back.drop_own(), whole = Real(0.f);
+        auto const own_front = front, own_back = back;
+        auto const own_whole = whole;
+        if (!policy.by_surface || tells_others) front.drop_own(), back.drop_own(), whole = Real(0.f);
         front.behind = back.nearest * (1.f / (1.f + policy.range));
         Real of_back(0.f);
         follow_both<Real, true>(front, centre<Real>(x, y), whole);
         follow_both<Real, true>(back, centre<Real>(x, y), of_back);
+        auto const cover = [&] { return select(back.weights > Real(0.f), front.weights / max(whole, Real(1e-20f)), Real(1.f)); };
+        if constexpr (tells_others) {
+            told = select(both(smooths, whole > Real(0.f)), mix(back.colour(), front.colour(), min(cover(), Real(1.f))), told);
+            if (policy.by_surface) front.add_sums(own_front), back.add_sums(own_back), whole = whole + own_whole;
+        }
         // The surface that the pixel shows has the light that the pixel has.
         vec3<Real> const own_light = load_beside<Real>(light, x, y);
         auto const is_front = either(is_one, distance<Real>(load_pixels<Real>(here.depth, x, y)) < middle);
         auto const shown = [&](SeenSurface<Real> const& surface, auto is_here) QUELL_INLINED {
             return surface.colour() * (policy.by_surface ? select(is_here, own_light, surface.light()) : own_light);
         };
-        auto const covered = select(back.weights > Real(0.f), front.weights / max(whole, Real(1e-20f)), Real(1.f));
+        auto const covered = cover();
         value = mix(shown(back, invert(is_front)), shown(front, is_front), min(covered, Real(1.f)));
         weights = masked(smooths, whole);
     }

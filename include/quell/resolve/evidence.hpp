@@ -42,6 +42,7 @@ struct Evidence {
     float caution = 2.f;  ///< how often sum d^2 counts; below 0: for B
     float at_first = 1.f; ///< the part where nothing is known
     float spread = 1.f;   ///< standard deviation of the part about that, before samples are seen
+    float trust = 1.f;    ///< what samples say counts so much, from 0, which leaves A, to 1: less where their noise is shared (SharedNoise)
     float doubt = 0.f;    ///< how much less caution counts where samples leave nothing of A: from 0, the same, to 1, not at all
 
     /// For frames of so many samples of each pixel, of which caution depends: 2 at 1 sample, -0.6 at 16, -1 from 25 on.
@@ -95,8 +96,8 @@ QUELL_KERNEL double part_without(Evidence const& rule, EvidenceTerms const& sums
 }
 /// The part of A that sums over a window speak for.
 QUELL_KERNEL float part_of_first(Evidence const& rule, EvidenceTerms const& sums) {
-    if (!(rule.doubt > 0.f)) return static_cast<float>(part_without(rule, sums, 0.));
-    return static_cast<float>(part_without(rule, sums, static_cast<double>(rule.doubt) * (1. - part_without(rule, sums, 1.))));
+    double const less = rule.doubt > 0.f ? static_cast<double>(rule.doubt) * (1. - part_without(rule, sums, 1.)) : 0.;
+    return 1.f - rule.trust * (1.f - static_cast<float>(part_without(rule, sums, less)));
 }
 } // namespace detail
 

@@ -4,6 +4,7 @@
 #include <quell/resolve/moved_image.hpp>
 #include <quell/resolve/picture_residual.hpp>
 #include <quell/resolve/residual_sizes.hpp>
+#include <quell/resolve/shared_noise.hpp>
 #include <quell/resolve/window_sums.hpp>
 
 #include <array>
@@ -30,13 +31,19 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// Where a pixel holds fewer samples, more of what the finest band repeats is no mistake: a single sample sees the same point of a leaf
 /// again, wherever in its pixel that lies, and a picture of such points is jagged. Of that band a part of 1 / samples is left out. And
 /// noise of few samples is skewed, so that by chance more of it is alike: caution is 1 + 2 / samples times as large.
+///
+/// A frame around whose residual is nearly the same has the same samples, as a frame that is held or a seed that is repeated: it is no
+/// witness, and is left out there.
 struct RepeatedResidual {
     float samples = 1.f;                         ///< of each pixel
     std::array<float, 2> deviation{0.7f, 2.f};   ///< of the Gaussians between the bands, in pixels
     std::array<int, 3> radius{8, 10, 16};        ///< of each band's windows, in pixels
     std::array<float, 3> caution{.7f, 1.f, 2.f}; ///< more for wider bands, whose neighbouring pixels hold the same noise
-    float most = 20.f;                           ///< a residual is at most so many times the light around
-    float darkest = 0.2f;                        ///< of the picture's light so much stays at least
+    float alike = .6f;                           ///< correlation of a residual around with that of now, up to which that frame counts whole
+    float same = .85f;           ///< and from which on it counts nothing: no two frames' noise is that small beside what both lack
+    float most = 20.f;           ///< a residual is at most so many times the light around
+    float darkest = 0.2f;        ///< of the picture's light so much stays at least
+    SharedNoise of_neighbours{}; ///< where neighbours share their noise, less is added, or nothing
 };
 
 namespace detail {
@@ -70,7 +77,7 @@ struct ResidualBand {
 /// A residual of a frame before or after, where its surfaces are now.
 struct ResidualAround {
     BlurredResidual residual;
-    Planes<1> is_known; ///< 1 or 0
+    Planes<1> is_known; ///< 1 or 0, or less where it is no new witness
 };
 /// One band of the residuals of the frames around.
 struct BandsAround {
@@ -131,6 +138,24 @@ void add_repeated(E const& executor, WindowSums<5>& sums, ResidualBand const& no
             auto const [mean, squares] = around.template mean_at<Real>(x, y);
             auto const sum = load_pixels<Real>(to, x, y);
             store_pixels<Real>(to, x, y, add_scaled(add_scaled(sum, here, of_now), mean, of_mean), count);
+        });
+}
+
+/// Lessens how far a frame around counts where its residual is that of now.
+template <Executor E>
+void leave_out_same(E const& executor, RepeatedResidual const& rule, WindowSums<5>& sums, PlanesView<3> now, PlanesView<3> there,
+                    PlanesView<1> light, PlanesView<1> is_known) {
+    sums.around<3>(
+        executor, rule.radius[0],
+        [=]<class Real>(AtOnce<Real>, int x, int y) {
+            auto const bright = load_pixels<Real>(light, x, y), per_square = 1.f / (bright * bright);
+            auto const a = load_pixels<Real>(now, x, y), b = load_pixels<Real>(there, x, y);
+            return std::array{dot(a, b) * per_square, dot(a, a) * per_square, dot(b, b) * per_square};
+        },
+        [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& of_window) {
+            auto const alike = of_window[0] / max(sqrt(of_window[1]) * sqrt(of_window[2]), Real(1e-30f));
+            auto const part = clamp((rule.same - alike) * (1.f / (rule.same - rule.alike)), Real(0.f), Real(1.f));
+            store_pixels<Real>(is_known, x, y, load_pixels<Real>(is_known, x, y) * part, count);
         });
 }
 
@@ -220,16 +245,18 @@ void give_back_repeated(RepeatedResidual const& rule, E const& executor, Extent 
             store_pixels<Real>(known, x, y, masked(is_finite(there.x), Real(1.f)), count);
             store_pixels<Real>(value, x, y, limited(there, load_pixels<Real>(bright, x, y) * most), count);
         });
+        leave_out_same(executor, rule, sums, now.whole.view(), value, bright, is_known.view());
         frames.push_back({BlurredResidual(executor, rule, std::move(residual)), std::move(is_known)});
     }
     Planes<3> off(size);
     float const per_samples = 1.f / std::max(rule.samples, 1.f);
+    float const trust = rule.of_neighbours.independence(shared_noise(rule.of_neighbours, now.whole.view()));
     for (std::size_t band = 0; band < repeated_bands; ++band) {
         BandsAround bands;
         for (std::size_t k = 0; k < frames.size(); ++k)
             bands.frames[k].emplace(BandsAround::Band{ResidualBand(frames[k].residual, band), frames[k].is_known.view()});
         add_repeated(executor, sums, ResidualBand(now, band), bands, bright, rule.radius[band],
-                     rule.caution[band] * (1.f + 2.f * per_samples), band == 0 ? 1.f - per_samples : 1.f, off.view());
+                     rule.caution[band] * (1.f + 2.f * per_samples), trust * (band == 0 ? 1.f - per_samples : 1.f), off.view());
     }
     auto const to = before.view();
     for_all_pixels(executor, size, [=, off = off.view(), darkest = rule.darkest]<class Real>(AtOnce<Real>, int x, int y, int count) {

@@ -4,6 +4,7 @@
 #include <quell/resolve/residual_feedback_fit.hpp>
 #include <quell/resolve/residual_levels.hpp>
 #include <quell/resolve/residual_sizes.hpp>
+#include <quell/resolve/shared_noise.hpp>
 #include <quell/resolve/window_sums.hpp>
 
 #include <algorithm>
@@ -32,6 +33,7 @@ struct ResidualFeedback {
     float most = 3.f;                               ///< what is added of each part is at most so many times the light around
     float darkest = 0.2f;                           ///< of the picture's light so much stays at least
     ResidualLimits limits{};                        ///< of the residual
+    SharedNoise of_neighbours{};                    ///< where neighbours share their noise, less is added, or nothing
 };
 
 namespace detail {
@@ -140,6 +142,7 @@ Planes<2> held_shares(E const& executor, WindowSums<4>& sums, PictureResidual co
 struct FeedBack {
     static constexpr auto name = "feed back";
     ResidualFeedbackShares by;
+    float trust;          ///< how far noise is that of single pixels
     float times, darkest; ///< most and darkest of ResidualFeedback
     PlanesView<1> light, noise, texture, sure;
     PlanesView<2> fine, middle;
@@ -167,7 +170,8 @@ struct FeedBack {
         add(min(wide, left), level(3));
         add(Real(by.alone), load_pixels<Real>(alone, x, y) - before);
         auto const is_picture = all_finite(before);
-        auto const made = [&](Real a, Real more) QUELL_INLINED { return select(is_picture, max(a + more, min(a, a * darkest)), a); };
+        auto const made = [&](Real a, Real more)
+                              QUELL_INLINED { return select(is_picture, max(fma(more, Real(trust), a), min(a, a * darkest)), a); };
         store_pixels<Real>(picture, x, y, map(made, before, off), count);
     }
 };
@@ -198,7 +202,9 @@ void feed_back_residual(ResidualFeedback const& rule, E const& executor, std::ve
     auto const before = in_planes(size, picture, unit), by_itself = in_planes(size, alone, unit);
     Brightness const brightness(executor, before.view());
     WindowSums<4> sums(size);
-    PictureResidual const residual(executor, sums, rule.limits, in_planes(size, samples, unit).view(), before.view(), brightness);
+    auto const given = in_planes(size, samples, unit);
+    float const part = shared_noise(rule.of_neighbours, LightLess{given.view(), before.view()});
+    PictureResidual const residual(executor, sums, rule.limits, given.view(), before.view(), brightness);
     FeedbackGates const gates(executor, sums, residual, before.view(), brightness);
     auto const levels =
         levels_of<feedback_levels>(executor, residual, {normal, depth, rule.depth_range, gates.light_logarithm.view(), rule.light_range});
@@ -208,6 +214,7 @@ void feed_back_residual(ResidualFeedback const& rule, E const& executor, std::ve
     executor.for_each_pixel(
         {0, 0, size.width, size.height},
         FeedBack{.by = rule.shares.value_or(ResidualFeedbackShares::of_samples(rule.samples)),
+                 .trust = rule.of_neighbours.independence(part),
                  .times = rule.most,
                  .darkest = rule.darkest,
                  .light = gates.light.view(),

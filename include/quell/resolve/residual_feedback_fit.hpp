@@ -30,6 +30,13 @@ struct ResidualFeedbackShares {
     /// samples. Nothing comes back of single ones, and all that of_samples() says of 16; in between by the logarithm.
     /// @param samples of each pixel
     [[nodiscard]] static ResidualFeedbackShares beside_history(float samples);
+    /// What is right for a frame: of_samples(), but beside_history() where it was made with one, and nothing says what it is by itself.
+    /// @param samples     of each pixel
+    /// @param has_past    whether the frame was made with its history
+    /// @param knows_alone whether it is known what the frame is by itself
+    [[nodiscard]] static ResidualFeedbackShares of_frame(float samples, bool has_past, bool knows_alone) {
+        return has_past && !knows_alone ? beside_history(samples) : of_samples(samples);
+    }
 };
 
 /// The name of a share, as fits print it, and the share.

@@ -36,6 +36,10 @@ template <class Real> struct SeenSurface {
     /// Whether its colours differ by more than can be seen.
     [[nodiscard]] QUELL_KERNEL auto varies() const { return most - least > abs(most) * (1.f / 256.f); }
     QUELL_KERNEL void drop_own() { colours = zero<vec3<Real>>(), weights = Real(0.f); }
+    /// Adds the colours that another one has seen.
+    QUELL_KERNEL void add_sums(SeenSurface const& other) {
+        colours = add_scaled(colours, other.colours, Real(1.f)), weights = weights + other.weights;
+    }
     [[nodiscard]] QUELL_KERNEL vec3<Real> colour() const { return scale(colours, 1.f / max(weights, Real(1e-20f))); }
     [[nodiscard]] QUELL_KERNEL vec3<Real> light() const { return scale(lights, 1.f / max(lit, Real(1e-20f))); }
 };

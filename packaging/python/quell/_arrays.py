@@ -46,16 +46,15 @@ def lent(what: str, value: Any, stream: Optional[int] = None) -> Lent:
         raise Error(f"{what}: it has a mask, which would be lost; give array.filled(0)")
     if isinstance(value, np.ndarray):
         return Lent(value, value.flags.writeable)
+    _refuse_negative_bit(what, value)
     if stream is not None:
         on_device = _on_device(what, value, stream)
         if on_device is not None:
             return on_device
     kind = type(value).__name__
-    device = getattr(value, "__dlpack_device__", None)
-    if device is not None:
-        number = int(device()[0])
-        if number not in _HOST_DEVICES:
-            _refuse_device(what, _DEVICE_NAMES.get(number, f"device type {number} of DLPack"))
+    device = _dlpack_device(what, value)
+    if device is not None and device not in _HOST_DEVICES:
+        _refuse_device(what, _DEVICE_NAMES.get(device, f"device type {device} of DLPack"))
     if hasattr(value, "__cuda_array_interface__"):
         _refuse_device(what, "CUDA")
     try:
@@ -68,13 +67,32 @@ def lent(what: str, value: Any, stream: Optional[int] = None) -> Lent:
     return Lent(array, array.flags.writeable)
 
 
+def _refuse_negative_bit(what: str, value: Any) -> None:
+    """PyTorch keeps the sign of views such as z.conj().imag beside their memory, and no protocol tells of it."""
+    is_negative = getattr(value, "is_neg", None)
+    if callable(is_negative) and is_negative():
+        raise Error(f"{what}: its negative bit is set, so that its memory holds the numbers with the other sign; give tensor.resolve_neg()")
+
+
+def _dlpack_device(what: str, value: Any) -> Optional[int]:
+    """DLPack's number of the device that an object lies on; None where it has no DLPack."""
+    device = getattr(value, "__dlpack_device__", None)
+    if device is None:
+        return None
+    try:
+        return int(device()[0])
+    except Exception as error:
+        name = getattr(value, "device", None)
+        where = "on no device that DLPack knows" if name is None else f"on the device '{name}', which DLPack does not know"
+        raise Error(f"{what}: it is a {type(value).__name__} {where} ({error}); give an array that has its numbers in memory", Status.NOT_SUPPORTED) from error
+
+
 def _on_device(what: str, value: Any, stream: int) -> Optional[Lent]:
     """What lies on a CUDA device; None for all else."""
     interface = getattr(value, "__cuda_array_interface__", None)
     if interface is not None:
         return _by_interface(what, interface, value, stream)
-    device = getattr(value, "__dlpack_device__", None)
-    if device is None or int(device()[0]) not in _CUDA_DEVICES:
+    if _dlpack_device(what, value) not in _CUDA_DEVICES:
         return None
     try:
         # 1 is the default stream here. The producer lets that stream wait for what it has to do.

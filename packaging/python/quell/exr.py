@@ -42,7 +42,9 @@ def read(path: Path, names: Optional[Iterable[str]] = None) -> Image:
 def write(path: Path, planes: Mapping[str, Any], attributes: Optional[Mapping[str, Any]] = None) -> None:
     """Writes planes of shape (height, width): float16 as half, float32, uint32. The file is replaced at once or not at all.
 
-    An array of three or four components is written as name.R, name.G, name.B, name.A; of an empty name as R, G, B, A.
+    What has the name of a channel and as many components is written by quell's names, so that read_frame() and quell-denoise read it:
+    "depth" as depth.Z, "motion" as motion.X and motion.Y, "radiance" as R, G and B. Else an array of three or four components is written
+    as name.R, name.G, name.B, name.A; of an empty name as R, G, B, A.
     """
     listed = []
     for name, value in planes.items():
@@ -50,13 +52,9 @@ def write(path: Path, planes: Mapping[str, Any], attributes: Optional[Mapping[st
         kind = _NAMES.get(array.dtype)
         if kind is None:
             raise Error(f"plane '{name}': its numbers are {array.dtype}; give float16, float32 or uint32")
-        if array.ndim == 2:
-            listed.append((name, kind, _floats(array)))
-        elif array.ndim == 3 and array.shape[2] in (3, 4):
-            prefix = f"{name}." if name else ""
-            listed += [(prefix + letter, kind, _floats(array[:, :, c])) for c, letter in enumerate("RGBA"[: array.shape[2]])]
-        else:
-            raise Error(f"plane '{name}': its shape is {array.shape}; give (height, width), or (height, width, 3 or 4)")
+        names = _plane_names(name, array.shape)
+        components = [array] if array.ndim == 2 else [array[:, :, c] for c in range(len(names))]
+        listed += [(plane, kind, _floats(component)) for plane, component in zip(names, components)]
     if not listed:
         raise Error(f"{os.fspath(path)}: it has no planes; give at least one")
     for name, _, array in listed:
@@ -96,6 +94,21 @@ def read_frame(
     if shutter is not None:
         found["shutter"] = shutter
     return found
+
+
+def _plane_names(name: str, shape: tuple[int, ...]) -> list[str]:
+    count = 1 if len(shape) == 2 else shape[2] if len(shape) == 3 else 0
+    of_channel: list[str] = _module().names_of_channels().get(name, [])
+    if len(of_channel) == count > 0:
+        return of_channel
+    if len(shape) == 2:
+        return [name]
+    if count in (3, 4):
+        return [f"{name}.{letter}" if name else letter for letter in "RGBA"[:count]]
+    found = f"plane '{name}': its shape is {shape}"
+    if of_channel:
+        raise Error(f"{found}; the channel has {len(of_channel)} components: {', '.join(of_channel)}")
+    raise Error(f"{found}; give (height, width), or (height, width, 3 or 4)")
 
 
 def _floats(array: Array) -> Array:

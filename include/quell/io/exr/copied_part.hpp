@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/io/exr/exr_original.hpp>
+#include <quell/io/exr/packing_loss.hpp>
 #include <quell/io/write_exr.hpp>
 
 #include <OpenEXR/ImfDeepScanLineInputPart.h>
@@ -13,6 +14,7 @@
 #include <OpenEXR/ImfTiledOutputPart.h>
 
 #include <cstring>
+#include <functional>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::io {
 
@@ -54,23 +56,10 @@ struct UnpackedChannel {
           slice(Imf::Slice::Make(channel.type, bytes.data(), window, 0, 0, channel.xSampling, channel.ySampling)) {}
 };
 
-/// Whether numbers mean something else than light: then no compression may change them.
-inline bool is_data(Imf::Header const& header, std::string const& name, Imf::PixelType type) {
-    if (type == Imf::UINT) return true;
-    for (auto i = header.begin(); i != header.end(); ++i) { // cryptomatte/<id>/name is the beginning of its layers' names
-        std::string_view const attribute = i.name();
-        auto const* const text = dynamic_cast<Imf::StringAttribute const*>(&i.attribute());
-        if (text && attribute.starts_with("cryptomatte/") && attribute.ends_with("/name") && name.starts_with(text->value())) return true;
-    }
-    auto const component = name.substr(name.rfind('.') + 1); // all of it where there is no dot
-    for (auto const* const colour : {"R", "G", "B", "A", "Y", "RY", "BY"})
-        if (component == colour) return false;
-    return true;
-}
-
 /// One part of a copy.
 class CopiedPart {
     std::vector<NewNumbers const*> numbers;
+    std::vector<std::string> guides; ///< channels that are data, whatever they are called
     bool dropped = false;
 
 public:
@@ -95,6 +84,7 @@ public:
         if (!header.channels().findChannel(of_channel.channel))
             header.channels().insert(of_channel.channel, Imf::Channel(pixel_type(of_channel.type)));
     }
+    void add_guide(std::string const& channel) { guides.push_back(channel); }
 
     /// Whether it has to be packed again.
     [[nodiscard]] bool is_touched() const { return !is_deep(header) && (dropped || !numbers.empty()); }
@@ -103,8 +93,8 @@ public:
         return c == Imf::PXR24_COMPRESSION || c == Imf::B44_COMPRESSION || c == Imf::B44A_COMPRESSION || c == Imf::DWAA_COMPRESSION ||
                c == Imf::DWAB_COMPRESSION;
     }
-    /// Whether any data that has no new numbers differs between the original and a copy.
-    [[nodiscard]] bool differs(ExrOriginal const& original, Imf::MultiPartInputFile& copy, int part) const;
+    /// Whether packing has changed data, or made light infinite.
+    [[nodiscard]] bool is_harmed(ExrOriginal const& original, Region const& canvas, Imf::MultiPartInputFile& copy, int part) const;
     /// @param from the original's file, opened anew: the library must not open a part as two kinds of it
     void write(ExrOriginal const& original, Imf::MultiPartInputFile& from, Region const& canvas, Imf::MultiPartOutputFile& output,
                int part) const;
@@ -114,19 +104,28 @@ private:
     [[nodiscard]] bool is_new(std::string const& channel) const {
         return std::ranges::any_of(numbers, [&](auto const* each) { return each->channel == channel; });
     }
-    /// The channels without new numbers, as a file has them, by name.
-    [[nodiscard]] std::map<std::string, UnpackedChannel> unpacked_channels(Imf::MultiPartInputFile& file, int part, bool only_data) const;
+    [[nodiscard]] bool is_data(std::string const& channel, Imf::PixelType type) const {
+        return std::ranges::find(guides, channel) != guides.end() || detail::is_data(header, channel, type);
+    }
+    using Wanted = std::function<bool(std::string const& channel, Imf::PixelType type)>;
+    /// Channels as a file has them, by name.
+    [[nodiscard]] std::map<std::string, UnpackedChannel> unpacked_channels(Imf::MultiPartInputFile& file, int part,
+                                                                           Wanted const& is_wanted) const;
+    /// Numbers of light as floats, by the channel's name.
+    [[nodiscard]] std::map<std::string, std::vector<float>> light_of(Imf::MultiPartInputFile& file, int part, bool with_new) const;
+    [[nodiscard]] bool changes_data(ExrOriginal const& original, Imf::MultiPartInputFile& copy, int part) const;
     [[nodiscard]] Plane cropped(NewNumbers const& of_channel, ExrOriginal const& original, Region const& canvas) const;
     void copy_packed(Imf::MultiPartInputFile& from, Imf::MultiPartOutputFile& output, int part) const;
     void write_pixels(Imf::FrameBuffer const& buffer, Imf::MultiPartOutputFile& output, int part) const;
 };
 
-inline std::map<std::string, UnpackedChannel> CopiedPart::unpacked_channels(Imf::MultiPartInputFile& file, int part, bool only_data) const {
+inline std::map<std::string, UnpackedChannel> CopiedPart::unpacked_channels(Imf::MultiPartInputFile& file, int part,
+                                                                            Wanted const& is_wanted) const {
     std::map<std::string, UnpackedChannel> unpacked;
     Imf::FrameBuffer buffer;
     auto const window = header.dataWindow();
     for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
-        if (is_new(i.name()) || (only_data && !is_data(header, i.name(), i.channel().type))) continue;
+        if (!is_wanted(i.name(), i.channel().type)) continue;
         auto const& made = unpacked.emplace(i.name(), UnpackedChannel(i.channel(), window)).first->second;
         buffer.insert(i.name(), made.slice);
     }
@@ -137,9 +136,40 @@ inline std::map<std::string, UnpackedChannel> CopiedPart::unpacked_channels(Imf:
     return unpacked;
 }
 
-inline bool CopiedPart::differs(ExrOriginal const& original, Imf::MultiPartInputFile& copy, int part) const {
-    auto const before = unpacked_channels(original.library_file(), number, true), after = unpacked_channels(copy, part, true);
+inline std::map<std::string, std::vector<float>> CopiedPart::light_of(Imf::MultiPartInputFile& file, int part, bool with_new) const {
+    std::map<std::string, std::vector<float>> light;
+    Imf::FrameBuffer buffer;
+    auto const window = header.dataWindow();
+    auto const [width, height] = extent_of(window);
+    for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
+        auto const& channel = i.channel();
+        if (is_data(i.name(), channel.type) || (is_new(i.name()) && !with_new)) continue;
+        auto const& read = light.emplace(i.name(), std::vector<float>(static_cast<std::size_t>(width * height))).first->second;
+        buffer.insert(i.name(), Imf::Slice::Make(Imf::FLOAT, read.data(), window, 0, 0, channel.xSampling, channel.ySampling));
+    }
+    if (light.empty()) return light;
+    Imf::InputPart input(file, part);
+    input.setFrameBuffer(buffer);
+    input.readPixels(window.min.y, window.max.y);
+    return light;
+}
+
+inline bool CopiedPart::changes_data(ExrOriginal const& original, Imf::MultiPartInputFile& copy, int part) const {
+    auto const is_wanted = [&](std::string const& channel, Imf::PixelType type) { return !is_new(channel) && is_data(channel, type); };
+    auto const before = unpacked_channels(original.library_file(), number, is_wanted), after = unpacked_channels(copy, part, is_wanted);
     return !std::ranges::equal(before, after, [](auto const& a, auto const& b) { return a.second.bytes == b.second.bytes; });
+}
+
+inline bool CopiedPart::is_harmed(ExrOriginal const& original, Region const& canvas, Imf::MultiPartInputFile& copy, int part) const {
+    if (changes_data(original, copy, part)) return true;
+    auto const packed = light_of(copy, part, true);
+    auto const is_all_finite = [](auto const& channel) {
+        return std::ranges::all_of(channel.second, [](float v) { return is_finite(v); });
+    };
+    if (std::ranges::all_of(packed, is_all_finite)) return false;
+    auto light = light_of(original.library_file(), number, false);
+    for (auto const* const each : numbers) light.insert_or_assign(each->channel, cropped(*each, original, canvas).values);
+    return std::ranges::any_of(packed, [&](auto const& channel) { return made_infinite(light.at(channel.first), channel.second); });
 }
 
 inline Plane CopiedPart::cropped(NewNumbers const& of_channel, ExrOriginal const& original, Region const& canvas) const {
@@ -191,7 +221,7 @@ inline void CopiedPart::write(ExrOriginal const& original, Imf::MultiPartInputFi
     if (!is_touched()) return copy_packed(from, output, part);
     if (original.has_levels(number))
         throw Error(original.listed.name, "its tiles have several levels (a mip map or rip map)", "write frames with one level");
-    auto const unpacked = unpacked_channels(from, number, false);
+    auto const unpacked = unpacked_channels(from, number, [&](std::string const& channel, auto) { return !is_new(channel); });
     Imf::FrameBuffer buffer;
     for (auto const& [name, channel] : unpacked) buffer.insert(name, channel.slice);
     std::deque<Plane> planes; // slices point into these

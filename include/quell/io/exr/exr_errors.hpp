@@ -3,8 +3,12 @@
 #include <quell/core/error.hpp>
 #include <quell/io/exr/exr_header_check.hpp>
 
+#include <OpenEXR/ImfCompression.h>
 #include <OpenEXR/ImfTestFile.h>
+#include <OpenEXR/ImfVersion.h>
+#include <OpenEXR/OpenEXRConfig.h>
 
+#include <array>
 #include <filesystem>
 #include <new>
 #include <system_error>
@@ -28,6 +32,28 @@ template <class E = Error> void naming_file(std::string const& file, std::string
     }
 }
 
+/// What this program's OpenEXR library is called.
+inline std::string library_name() {
+    return "OpenEXR " + std::to_string(OPENEXR_VERSION_MAJOR) + "." + std::to_string(OPENEXR_VERSION_MINOR);
+}
+
+/// Refuses what versions of OpenEXR later than this program's write.
+inline void check_is_known(std::string const& file, HeaderCheck const& header) {
+    // The first that OpenEXR 3.1 does not have.
+    constexpr std::array newer{"HTJ2K256", "HTJ2K32"};
+    auto const number = header.newest_compression();
+    if (number >= Imf::NUM_COMPRESSION_METHODS) {
+        auto const place = static_cast<std::size_t>(number) - 10; // of a smaller one it is large
+        auto const name = place < newer.size() ? std::string(" (") + newer[place] + ")" : std::string();
+        throw Error(file, "its compression is number " + std::to_string(number) + name + ", which " + library_name() + " cannot read",
+                    "save it as ZIP, which every version reads");
+    }
+    if (header.format() > Imf::EXR_VERSION)
+        throw Error(file,
+                    "it is of version " + std::to_string(header.format()) + " of the format, which " + library_name() + " cannot read",
+                    "save it by an older version of OpenEXR, as ZIP");
+}
+
 /// Checks for the usual mistakes in a path before the library opens it.
 inline void check_is_exr(std::filesystem::path const& path) {
     std::error_code why;
@@ -37,7 +63,9 @@ inline void check_is_exr(std::filesystem::path const& path) {
     if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(path, why) == 0)
         throw Error(path.string(), "it is empty", "render or copy it again");
     if (!Imf::isOpenExrFile(path.string().c_str())) throw Error(path.string(), "it isn't an EXR file", "give an OpenEXR file");
-    if (!HeaderCheck(path).passes()) throw Error(path.string(), "its header is truncated or damaged", "render or copy it again");
+    HeaderCheck header(path);
+    if (!header.passes()) throw Error(path.string(), "its header is truncated or damaged", "render or copy it again");
+    check_is_known(path.string(), header);
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::io::detail

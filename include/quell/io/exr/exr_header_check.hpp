@@ -2,10 +2,12 @@
 
 #include <quell/core/error.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::io::detail {
 
@@ -14,6 +16,8 @@ namespace quell::inline QUELL_INSTRUCTION_SET::io::detail {
 class HeaderCheck {
     std::ifstream in;
     std::int64_t end;
+    std::int32_t version = 0;
+    int newest = 0;
 
 public:
     explicit HeaderCheck(std::filesystem::path const& path) : in(path, std::ios::binary) {
@@ -24,13 +28,23 @@ public:
 
     /// Whether every attribute lies within the file.
     [[nodiscard]] bool passes() {
-        bool const several_parts = (number() & 0x1000) != 0;
+        version = number();
+        bool const several_parts = (version & 0x1000) != 0;
         do {
-            while (skip_text() > 0) // attribute's name; an empty one ends the header
-                if (skip_text(); !skip(number())) return false;
+            for (auto name = text(); !name.empty(); name = text()) { // an empty one ends the header
+                auto const type = text();
+                auto const length = number();
+                if (name == "compression" && type == name && length == 1) newest = std::max(newest, in.peek());
+                if (!skip(length)) return false;
+            }
         } while (several_parts && in.good() && in.peek() != 0); // an empty header ends them all
         return in.good();
     }
+
+    /// After passes(): the largest number of a compression in any part. Later versions of OpenEXR add numbers.
+    [[nodiscard]] int newest_compression() const { return newest; }
+    /// After passes(): the version of the file's format.
+    [[nodiscard]] int format() const { return version & 0xff; }
 
 private:
     std::int32_t number() {
@@ -40,12 +54,16 @@ private:
         for (std::size_t i = 4; i-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[i]);
         return static_cast<std::int32_t>(value);
     }
-    /// Returns its length. Names have at most 255 characters.
-    int skip_text() {
-        for (int length = 0; length < 256; ++length)
-            if (auto const character = in.get(); character <= 0) return length;
+    /// Names have at most 255 characters.
+    std::string text() {
+        std::string characters;
+        while (characters.size() < 256) {
+            auto const character = in.get();
+            if (character <= 0) return characters;
+            characters.push_back(static_cast<char>(character));
+        }
         in.setstate(std::ios::failbit);
-        return 0;
+        return {};
     }
     bool skip(std::int32_t length) {
         bool const inside = in.good() && length >= 0 && length <= end - in.tellg();

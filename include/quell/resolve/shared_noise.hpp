@@ -1,0 +1,98 @@
+#pragma once
+
+#include <quell/core/light.hpp>
+#include <quell/core/real.hpp>
+#include <quell/core/value.hpp>
+#include <quell/image/image_storage.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace quell::inline QUELL_INSTRUCTION_SET {
+
+/// How far neighbouring pixels have their noise in common. It is nothing where each pixel has samples of its own. Splatted samples,
+/// pictures that were enlarged or filtered, and samples that pixels hand to each other share it: what is held out there is held out of
+/// nothing.
+///
+/// The measure is the mean of e(p) e(q) over neighbours p and q, as a part of the mean of e^2, where e is what samples have more than a
+/// picture of them. It is taken by windows, of rows and of columns whichever is less, since what the picture has wrong neighbours have in
+/// common too. Of all windows it is the quartile from below: some of them have a picture that is right.
+struct SharedNoise {
+    int window = 8;     ///< side of the windows, in pixels
+    float least = .03f; ///< part that noise of single pixels may have by chance and by what a picture has wrong
+    float most = .13f;  ///< part from which on noise is that of several pixels
+
+    /// How far noise may be taken for that of single pixels: 1, and down to 0 where it is shared.
+    /// @param part what shared_noise() said
+    [[nodiscard]] float independence(float part) const { return std::clamp((most - part) / (most - least), 0.f, 1.f); }
+};
+
+/// What samples have more than a picture of them, as a view of three components; not finite where a sample is no light. Of views of four
+/// components the last is alpha, and one component stands for three that are the same.
+template <ImageView Samples, ImageView Picture> struct LightLess {
+    static constexpr int components = 3, last = Samples::components > 1 ? 1 : 0;
+    Samples samples;
+    Picture picture;
+    Extent size = samples.size;
+
+    [[nodiscard]] vec3<float> get(int x, int y) const {
+        vec3<float> const sample{samples.get(0, x, y), samples.get(last, x, y), samples.get(2 * last, x, y)};
+        float const none = detail::is_light(sample) ? 0.f : std::numeric_limits<float>::quiet_NaN();
+        return {sample.x - picture.get(0, x, y) + none, sample.y - picture.get(last, x, y), sample.z - picture.get(2 * last, x, y)};
+    }
+};
+/// @cond
+template <ImageView Samples, ImageView Picture> LightLess(Samples, Picture) -> LightLess<Samples, Picture>;
+/// @endcond
+
+/// Which part of their noise neighbours have in common: about 0 where that is nothing, 1 where it is the same.
+/// @param rule     how
+/// @param residual what samples have more than a picture of them: a view of three components, or a LightLess. What is not finite counts as
+/// 0
+template <class Residual> [[nodiscard]] float shared_noise(SharedNoise const& rule, Residual const& residual) {
+    auto const size = residual.size;
+    auto const width = static_cast<std::size_t>(size.width);
+    std::vector<float> parts, rows(2 * 3 * width);
+    auto const take = [&](int y, float* row) {
+        for (int x = 0; x < size.width; ++x, row += 3) {
+            auto const e = residual.get(x, y);
+            bool const is_known = is_finite(e.x) && is_finite(e.y) && is_finite(e.z);
+            for (int c = 0; c < 3; ++c) row[c] = is_known ? e[c] : 0.f;
+        }
+    };
+    struct Sums {
+        double square = 0, right = 0, below = 0;
+    };
+    std::vector<Sums> windows(width / static_cast<std::size_t>(rule.window) + 1);
+    auto const close = [&] {
+        for (auto& sums : windows) {
+            // Where a picture holds its samples, next to nothing is left but rounding.
+            if (sums.square > 0.) parts.push_back(static_cast<float>(std::min(sums.right, sums.below) / sums.square));
+            sums = {};
+        }
+    };
+    float *here = rows.data(), *below = here + 3 * width;
+    if (size.height > 0) take(0, here);
+    for (int y = 0; y + 1 < size.height; ++y) {
+        take(y + 1, below);
+        for (std::size_t x = 0; x + 1 < width; ++x) {
+            auto& sums = windows[x / static_cast<std::size_t>(rule.window)];
+            for (std::size_t c = 0; c < 3; ++c) {
+                auto const own = static_cast<double>(here[3 * x + c]);
+                sums.square += own * own, sums.right += own * static_cast<double>(here[3 * x + 3 + c]);
+                sums.below += own * static_cast<double>(below[3 * x + c]);
+            }
+        }
+        std::swap(here, below);
+        if ((y + 1) % rule.window == 0) close();
+    }
+    close();
+    if (parts.empty()) return 0.f;
+    auto const quartile = parts.begin() + static_cast<std::ptrdiff_t>(parts.size() / 4);
+    std::ranges::nth_element(parts, quartile);
+    return *quartile;
+}
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET

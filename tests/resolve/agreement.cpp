@@ -1,0 +1,117 @@
+#include <doctest/doctest.h>
+#include <quell/resolve/agreement.hpp>
+
+#include <cmath>
+#include <deque>
+#include <functional>
+#include <limits>
+#include <vector>
+
+using namespace quell;
+
+namespace {
+
+constexpr Extent size{64, 48};
+
+/// White noise: from -1 to 1, another number for each pixel and frame.
+float noise(int x, int y, int frame) {
+    auto bits = static_cast<unsigned>(x) * 73856093u ^ static_cast<unsigned>(y) * 19349663u ^ static_cast<unsigned>(frame + 16) * 83492791u;
+    bits = (bits ^ (bits >> 15)) * 0x2c1b3c6du, bits = (bits ^ (bits >> 12)) * 0x297a2d39u;
+    return static_cast<float>((bits ^ (bits >> 15)) >> 8) / 8388608.f - 1.f;
+}
+
+/// What a pixel of a frame shows.
+using Texture = std::function<float(int x, int y, int frame)>;
+
+struct TestFrame {
+    ImageOf<Planar<>, Albedo> colour{size};
+    ImageOf<Planar<>, Depth> depth{size};
+    ImageOf<Planar<>, Motion> motion{size};
+
+    TestFrame(Texture const& texture, int number) {
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                depth.view().set(0, x, y, 3.f);
+                for (int c = 0; c < 3; ++c) colour.view().set(c, x, y, texture(x, y, number));
+                for (int c = 0; c < 2; ++c) motion.view().set(c, x, y, 0.f);
+            }
+    }
+    [[nodiscard]] ColouredFrame<> view() const { return {colour.view(), depth.view(), motion.view(), motion.view()}; }
+};
+
+/// Frame 0 by the four frames before it and those after it. Vectors say that nothing moves.
+struct Made {
+    ImageOf<Planar<>, Albedo> light{size}, to{size};
+    Planar<>::Image<1> agrees;
+
+    explicit Made(Texture const& texture, AntiAliased const& policy = AntiAliased::of_samples(1)) : agrees(size) {
+        std::deque<TestFrame> frames;
+        std::vector<ColouredFrame<>> before, after;
+        for (int k = 1; k <= AntiAliased::most_frames; ++k) {
+            before.push_back(frames.emplace_back(texture, -k).view());
+            after.push_back(frames.emplace_back(texture, k).view());
+        }
+        TestFrame const here(texture, 0);
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)
+                for (int c = 0; c < 3; ++c) light.view().set(c, x, y, 2.f);
+        agrees = anti_alias_where_agreed({}, policy, Simd{}, here.view(), std::span<ColouredFrame<> const>(before),
+                                         std::span<ColouredFrame<> const>(after), light.view(), to.view());
+    }
+    /// The root mean square of the picture less twice a texture, over columns.
+    [[nodiscard]] float error(Texture const& truth, int first, int end) const {
+        double sum = 0;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = first; x < end; ++x) sum += std::pow(static_cast<double>(to.view().get(1, x, y) - 2.f * truth(x, y, 0)), 2);
+        return static_cast<float>(std::sqrt(sum / (size.height * (end - first))));
+    }
+    [[nodiscard]] float mean_agreement(int first, int end) const {
+        float sum = 0;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = first; x < end; ++x) sum += agrees.view().get(0, x, y);
+        return sum / static_cast<float>(size.height * (end - first));
+    }
+};
+
+/// A film that goes on, 3 pixels a frame to the right and 2 down.
+float film(int x, int y, int frame) {
+    return .5f + .2f * std::sin(.7f * static_cast<float>(x - 3 * frame)) + .2f * std::sin(.5f * static_cast<float>(y - 2 * frame));
+}
+
+} // namespace
+
+TEST_CASE("noise of single samples is averaged: what frames around tell agrees") {
+    auto const still = [](int x, int y, int) { return film(x, y, 0); };
+    auto const noisy = [&](int x, int y, int frame) { return still(x, y, 0) + .1f * noise(x, y, frame); };
+    Made const made(noisy);
+    CHECK(made.mean_agreement(0, size.width) > .85f);
+    CHECK(made.error(still, 0, size.width) < .6f * 2.f * .1f / std::sqrt(3.f));
+}
+
+TEST_CASE("a texture that moves without vectors stays as its own frame shows it") {
+    for (auto const& policy : {AntiAliased::of_samples(1), AntiAliased::of_samples(4)}) {
+        Made const made(film, policy);
+        CHECK(made.mean_agreement(0, size.width) < .05f);
+        CHECK(made.error(film, 0, size.width) < .02f);
+    }
+}
+
+TEST_CASE("what is refused is refused there alone") {
+    auto const truth = [](int x, int y, int frame) { return film(x, y, x < 32 ? frame : 0); };
+    Made const made([&](int x, int y, int frame) { return truth(x, y, frame) + .1f * noise(x, y, frame); });
+    CHECK(made.mean_agreement(0, 27) < .1f);
+    CHECK(made.mean_agreement(37, size.width) > .85f);
+    float const own = 2.f * .1f / std::sqrt(3.f); // the error of the frame's own samples
+    CHECK(made.error(truth, 0, 27) < 1.1f * own);
+    CHECK(made.error(truth, 37, size.width) < .6f * own);
+}
+
+TEST_CASE("colours that are not finite spread nowhere") {
+    auto const broken = [](int x, int y, int frame) {
+        return x == 20 && y == 20 ? std::numeric_limits<float>::quiet_NaN() : film(x, y, frame);
+    };
+    Made const made(broken);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            if (x != 20 || y != 20) CHECK(std::isfinite(made.to.view().get(0, x, y)));
+}

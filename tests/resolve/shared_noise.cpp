@@ -1,0 +1,120 @@
+#include <doctest/doctest.h>
+#include <quell/execute/executor.hpp>
+#include <quell/resolve/repeated_residual.hpp>
+#include <quell/resolve/residual_feedback.hpp>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+#include <vector>
+
+using namespace quell;
+
+namespace {
+
+constexpr Extent size{96, 64};
+using Pixels = std::vector<glm::vec3>;
+
+Pixels white_noise(unsigned seed) {
+    std::mt19937 random(seed);
+    Pixels noise(static_cast<std::size_t>(size.pixels()));
+    for (auto& pixel : noise)
+        for (int c = 0; c < 3; ++c) pixel[c] = static_cast<float>(random() >> 8) / 8388608.f - 1.f;
+    return noise;
+}
+glm::vec3 at(Pixels const& pixels, int x, int y) {
+    return pixels[static_cast<std::size_t>(std::clamp(y, 0, size.height - 1) * size.width + std::clamp(x, 0, size.width - 1))];
+}
+Pixels made(std::function<glm::vec3(int x, int y)> const& of) {
+    Pixels pixels;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) pixels.push_back(of(x, y));
+    return pixels;
+}
+/// Noise of which each pixel has the mean of the 3x3 around.
+Pixels splatted(Pixels const& noise) {
+    return made([&](int x, int y) {
+        glm::vec3 sum(0.f);
+        for (int j = -1; j <= 1; ++j)
+            for (int i = -1; i <= 1; ++i) sum += at(noise, x + i, y + j);
+        return sum / 3.f;
+    });
+}
+Pixels doubled(Pixels const& noise) {
+    return made([&](int x, int y) { return at(noise, x / 2 * 2, y / 2 * 2); });
+}
+Pixels sum_of(Pixels const& a, Pixels const& b) {
+    return made([&](int x, int y) { return at(a, x, y) + at(b, x, y); });
+}
+float shared(Pixels const& residual) { return shared_noise({}, detail::in_planes(size, residual).view()); }
+
+} // namespace
+
+TEST_CASE("neighbours share nothing of white noise, and what they share of noise that was spread") {
+    CHECK(shared(white_noise(1)) < .1f);
+    CHECK(shared(splatted(white_noise(1))) == doctest::Approx(2. / 3.).epsilon(.15)); // six of nine samples
+    CHECK(shared(doubled(white_noise(1))) == doctest::Approx(.5).epsilon(.2));        // every second neighbour
+    SharedNoise const rule;
+    CHECK(rule.independence(shared(white_noise(2))) == 1.f);
+    CHECK(rule.independence(shared(splatted(white_noise(2)))) == 0.f);
+    CHECK(rule.independence(shared(doubled(white_noise(2)))) == 0.f);
+}
+
+TEST_CASE("what a picture has wrong in most of its places is no shared noise, and the unit of light is of no account") {
+    auto const wrong = made([](int x, int y) { return glm::vec3(x < 60 ? 2.f * std::sin(.3f * static_cast<float>(x + y)) : 0.f); });
+    auto const residual = sum_of(white_noise(3), wrong);
+    CHECK(shared(residual) < .15f);
+    auto const darker = made([&](int x, int y) { return at(residual, x, y) * 0x1p-40f; });
+    CHECK(shared(darker) == shared(residual));
+}
+
+TEST_CASE("a residual without noise, of no pixel or with numbers that are not finite shares nothing") {
+    CHECK(shared(made([](int, int) { return glm::vec3(0.f); })) == 0.f);
+    auto broken = white_noise(4);
+    broken[777] = glm::vec3(std::numeric_limits<float>::quiet_NaN()), broken[1234].y = std::numeric_limits<float>::infinity();
+    CHECK(shared(broken) < .1f);
+    detail::Planes<3> const one(Extent{1, 1});
+    CHECK(shared_noise({}, one.view()) == 0.f);
+}
+
+TEST_CASE("of samples that share their noise nothing is given back") {
+    auto const picture = made([](int, int) { return glm::vec3(4.f); });
+    auto const stripes = made([](int x, int) { return glm::vec3(x / 3 % 2 == 0 ? .6f : -.6f); });
+    detail::Planes<3> normals(size);
+    detail::Planes<1> depths(size);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) normals.view().set(2, x, y, 1.f), depths.view().set(0, x, y, 3.f);
+    auto const fed_back = [&](Pixels const& noise) {
+        auto result = picture;
+        feed_back_residual({.samples = 16}, Simd{}, sum_of(sum_of(picture, stripes), noise), normals.view(), depths.view(), picture,
+                           result);
+        return result != picture;
+    };
+    CHECK(fed_back(white_noise(5)));
+    CHECK_FALSE(fed_back(splatted(white_noise(5))));
+    auto const repeated = [&](Pixels const& noise, Pixels const& noise_before) {
+        auto result = picture;
+        give_back_repeated({.samples = 16}, Simd{}, size, sum_of(stripes, noise), {sum_of(stripes, noise_before)}, result);
+        return result != picture;
+    };
+    CHECK(repeated(white_noise(6), white_noise(7)));
+    CHECK_FALSE(repeated(splatted(white_noise(6)), splatted(white_noise(7))));
+}
+
+TEST_CASE("a frame with the same noise is no witness of what a picture lacks, one with its own is") {
+    auto const picture = made([](int, int) { return glm::vec3(4.f); });
+    auto const noise = white_noise(8);
+    auto const given = [&](Pixels const& before) {
+        auto result = picture;
+        give_back_repeated({.samples = 16}, Simd{}, size, noise, {before}, result);
+        double sum = 0;
+        for (std::size_t i = 0; i < result.size(); ++i)
+            sum += static_cast<double>(glm::dot(result[i] - picture[i], result[i] - picture[i]));
+        return std::sqrt(sum / static_cast<double>(result.size()));
+    };
+    CHECK(given(noise) == 0.);
+    auto const nearly = sum_of(noise, made([&](int x, int y) { return .05f * at(white_noise(9), x, y); }));
+    CHECK(given(nearly) == 0.);
+    CHECK(given(white_noise(10)) < .02);
+}
