@@ -37,6 +37,8 @@ struct RandomValue {
             return next(0.f, 1.f);
         else if constexpr (C::components == 2)
             return glm::vec2(next(0.f, 3.f), next(0.f, 3.f));
+        else if constexpr (C::components == 4)
+            return glm::vec4(next(0.f, 3.f), next(0.f, 3.f), next(0.f, 3.f), next(0.f, 1.f));
         else
             return glm::vec3(next(0.f, 3.f), next(0.f, 3.f), next(0.f, 3.f));
     }

@@ -3,12 +3,16 @@
 
 #include <quell/core/real.hpp>
 #include <quell/frame/kept_channels.hpp>
+#include <quell/resolve/light_unit.hpp>
 
 #include <algorithm>
 
 namespace quell::examples {
 
 namespace {
+
+/// The mean of a picture that is exposed as usual, of what is white.
+constexpr double middle_grey = 0.18;
 
 /// What a signal's light is multiplied by: its factor, or else the albedo that it holds.
 metrics::Picture colour_of(io::ExrImage const& image, io::SignalNames const& signal) {
@@ -26,9 +30,9 @@ bool has_colour(io::SignalNames const& signal) {
 PictureGuides::PictureGuides(Preset p, int t) : preset(std::move(p)), threads(t) {}
 
 std::vector<AccumulatedGuide> PictureGuides::next(io::ExrImage& image, io::SequenceNames const& names, long long number) {
-    auto colours = picture_of(image, names.added, 0.f); // what shines, and what lies behind everything, is its own albedo
-    for (auto& pixel : colours.pixels) pixel = glm::clamp(pixel, 0.f, 1.f);
-    auto light = picture_of(image, names.added, 0.f);
+    auto colours = picture_of(image, {}, 0.f);
+    auto const added = picture_of(image, names.added, 0.f);
+    auto light = added;
     for (auto const& signal : names.of_signals) {
         auto const colour = colour_of(image, signal), of_signal = picture_of(image, io::sources_of(signal.channels, radiance), 0.f);
         bool const is_factor = !signal.factor.empty(), counts = has_colour(signal);
@@ -37,6 +41,10 @@ std::vector<AccumulatedGuide> PictureGuides::next(io::ExrImage& image, io::Seque
             if (counts) colours.pixels[i] += colour.pixels[i];
         }
     }
+    // What shines, and what lies behind everything, is its own albedo, as a usual exposure shows it: of any unit.
+    double const mean = quell::detail::mean_brightness(light.pixels);
+    auto const exposure = static_cast<float>(mean > 0. ? middle_grey / mean : 0.);
+    for (std::size_t i = 0; i < added.pixels.size(); ++i) colours.pixels[i] += glm::clamp(added.pixels[i] * exposure, 0.f, 1.f);
     bool const has_none = names.added.empty() && std::ranges::none_of(names.of_signals, has_colour);
     for (auto& pixel : colours.pixels) pixel = has_none ? glm::vec3(1.f) : glm::min(pixel, glm::vec3(1.f));
     auto channels = names.of_signals[0].channels;

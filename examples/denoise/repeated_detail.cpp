@@ -18,12 +18,13 @@ double product_of(glm::vec3 const& a, glm::vec3 const& b) { return static_cast<d
 
 /// The light of a picture around each pixel.
 std::vector<double> light_around(metrics::Picture const& picture) {
-    auto const planes = quell::detail::in_planes(picture.size, picture.pixels);
+    float const unit = quell::detail::light_unit(picture.pixels);
+    auto const planes = quell::detail::in_planes(picture.size, picture.pixels, unit);
     quell::detail::WindowSums<1> sums(picture.size);
     auto const around = quell::detail::light_around(Simd{}, sums, quell::detail::Brightness(Simd{}, planes.view()));
     std::vector<double> light;
     for (int y = 0; y < picture.size.height; ++y)
-        for (int x = 0; x < picture.size.width; ++x) light.push_back(static_cast<double>(around.get(x, y)));
+        for (int x = 0; x < picture.size.width; ++x) light.push_back(static_cast<double>(around.get(x, y) * unit));
     return light;
 }
 

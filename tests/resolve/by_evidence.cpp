@@ -94,6 +94,22 @@ TEST_CASE("by evidence: each place has its own say") {
     CHECK(error_at(picture, 50, 8.f) < 2. * alone);
 }
 
+TEST_CASE("by evidence: the unit of light changes no bit") {
+    auto const seen = [](float unit) {
+        Frame frame{size, denoise};
+        History history{size, denoise};
+        std::vector<float> all;
+        for (unsigned i = 0; i < 6; ++i) {
+            fill_noisy(frame, i, i == 4 ? 3.f * unit : unit, 0x1p-7f);
+            auto const picture = copy_of(run(denoise, frame, history));
+            for (float const value : picture) all.push_back(value / unit);
+        }
+        return all;
+    };
+    CHECK(seen(0x1p-12f) == seen(1.f));
+    CHECK(seen(0x1p12f) == seen(1.f));
+}
+
 TEST_CASE("by evidence: constant light stays as it is") {
     Frame frame{size, denoise};
     History history{size, denoise};
@@ -134,10 +150,14 @@ TEST_CASE("by evidence: passes say what the sums of plain numbers say") {
     auto const colour = [&](auto channel, int x, int y) {
         return glm::vec3(view(channel).get(0, x, y), view(channel).get(1, x, y), view(channel).get(2, x, y));
     };
+    double brightness = 0.;
+    for (int y = 0; y < images.size.height; ++y)
+        for (int x = 0; x < images.size.width; ++x) brightness += static_cast<double>(luminance(colour(indirect, x, y)));
+    auto const mean = static_cast<float>(brightness / static_cast<double>(images.size.pixels()));
     EvidenceMix<> mix;
     for (Evidence const rule : {Evidence{}, Evidence{.radius = 3, .at_first = .2f, .spread = .3f}, Evidence{.radius = 4, .doubt = .75f},
                                 Evidence{.caution = -.5f, .doubt = 1.f}, Evidence{.radius = 2}}) {
-        EvidenceSums sums(images.size);
+        EvidenceSums sums(images.size, mean);
         for (int const left_out : {1, 0}) mix.judge(rule, Simd{}, left_out, view(radiance), view(direct), view(glossy), view(indirect));
         std::size_t i = 0;
         for (int y = 0; y < images.size.height; ++y)

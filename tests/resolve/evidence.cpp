@@ -141,6 +141,25 @@ TEST_CASE("parts by evidence: each half is judged by estimates that were made wi
     CHECK(mean_part(1.5f, 1.f) < .1);
 }
 
+TEST_CASE("parts by evidence: the unit of light changes no bit") {
+    constexpr Extent size{20, 15};
+    auto const parts = [size](float unit) {
+        std::mt19937 random(3);
+        std::exponential_distribution<float> noise(1.f);
+        auto const picture = [&](float light) {
+            std::vector<glm::vec3> made;
+            for (int i = 0; i < size.pixels(); ++i) // half of it is dark
+                made.push_back(glm::vec3(noise(random), noise(random), noise(random)) * (i % 2 == 0 ? light : .001f * light) * unit);
+            return made;
+        };
+        auto const samples = picture(1.f), b = picture(1.2f);
+        return parts_by_evidence(
+            {.radius = 2}, size, samples, b, [&](int) { return picture(.9f); }, [&](int) { return picture(1.2f); });
+    };
+    CHECK(parts(0x1p-12f) == parts(1.f));
+    CHECK(parts(0x1p12f) == parts(1.f));
+}
+
 TEST_CASE("parts by evidence: an image of another size is named") {
     constexpr Extent size{4, 3};
     using Pixels = std::vector<glm::vec3>;

@@ -27,25 +27,41 @@ template <class AnyFrame> void fill(AnyFrame& frame, FlatSurface const& seen) {
         }
 }
 /// What comes out of a few frames, each by itself by function(frame, history, i).
-template <class Storage, class F> void each_frame(Storage const& storage, F&& function) {
+template <class Storage, class F> void each_frame(Storage const& storage, F&& function, float unit = 1.f) {
     Frame frame{size, denoise, storage};
     History history{size, denoise};
     for (unsigned i = 0; i < 3; ++i) {
-        fill(frame, FlatSurface(stripes, .1f, i + 1));
+        FlatSurface seen(stripes, .1f, i + 1);
+        for (auto& sample : seen.samples) sample *= unit;
+        fill(frame, seen);
         function(frame, history, i);
     }
 }
-std::vector<Colours> given_back(auto const& storage, auto const& executor) {
+std::vector<Colours> given_back(auto const& storage, auto const& executor, float unit = 1.f) {
     std::vector<Colours> all;
     GiveBack give_back(16);
-    each_frame(storage, [&](auto& frame, auto& history, unsigned) {
-        auto const denoised = run(denoise, frame, history, executor);
-        all.push_back(give_back.apply(radiance, denoised, frame, history, executor));
-    });
+    each_frame(
+        storage,
+        [&](auto& frame, auto& history, unsigned) {
+            auto const denoised = run(denoise, frame, history, executor);
+            all.push_back(give_back.apply(radiance, denoised, frame, history, executor));
+        },
+        unit);
     return all;
 }
 
 } // namespace
+
+TEST_CASE("light given back: the unit of light changes no bit") {
+    auto const wanted = given_back(Planar<>{}, Simd{});
+    for (float const unit : {0x1p-12f, 0x1p12f}) {
+        CAPTURE(unit);
+        auto all = given_back(Planar<>{}, Simd{}, unit);
+        for (auto& picture : all)
+            for (auto& pixel : picture) pixel *= 1.f / unit;
+        CHECK(all == wanted);
+    }
+}
 
 TEST_CASE("light given back behind a pipeline: what both functions give back, frame by frame") {
     std::vector<Colours> wanted;

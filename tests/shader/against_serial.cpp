@@ -3,6 +3,8 @@
 /// Sums of strata are rounded otherwise than sums of samples: here Serial takes them too.
 template <> inline constexpr bool quell::detail::keeps_sums<float> = true;
 
+#include "own_policies.hpp"
+
 #include "../images.hpp"
 #include "two_sizes.hpp"
 
@@ -140,6 +142,9 @@ TEST_CASE("a recorded preset has the bits of Serial: blur, whose loops are as lo
     check_sizes(presets::blur(radiance));
 }
 TEST_CASE("recorded passes of half the size have the bits of Serial") { check_sizes(tests::two_sizes); }
+TEST_CASE("a host's own policies, which call functions with quell:: before them, are recorded with the bits of Serial") {
+    check_sizes(tests::own_policies);
+}
 TEST_CASE("recorded in half precision it has the bits of Serial with a history in half: general") {
     check_sizes(presets::general(radiance, Demodulate{}), in_halves, Planar<Float16>{});
 }

@@ -176,10 +176,12 @@ template <class Inner, class Range = MeanDeviation, class Axes = Rgb, int radius
     }
 
 private:
-    /// Change of luminance over luminance before: w_C of TRMV eq. 8.
+    /// Change of luminance over luminance before: w_C of TRMV eq. 8. At most about 1000, where there was no light.
     template <class V> QUELL_KERNEL static auto relative_change(V const& after, V const& before) {
+        using Real = real_of<V>;
         auto const change = map([](auto a, auto b) QUELL_INLINED { return abs(a - b); }, after, before);
-        return luminance(change) / (abs(luminance(before)) + 1e-3f);
+        auto const light = fma(abs(luminance(after)), Real(1e-3f), abs(luminance(before)));
+        return luminance(change) / max(light, Real(1e-37f));
     }
 };
 template <class Inner> Clamped(Inner) -> Clamped<Inner>;

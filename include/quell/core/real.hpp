@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/core/pack.hpp>
+#include <quell/core/recording.hpp>
 
 #include <bit>
 #include <concepts>
@@ -8,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <math.h>
+#include <type_traits>
 #include <utility>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -180,6 +182,20 @@ template <class Real> QUELL_KERNEL Real with_sign_bit(Real a) {
 }
 /// a with its sign bit cleared.
 template <class Real> QUELL_KERNEL Real without_sign_bit(Real a) { return from_bits(bits(a) & Index<Real>(0x7fffffff)); }
+
+// What a call with quell:: before it finds for a Real that records. Such a Real has functions of its own, which are found by its type
+// alone; as they are no templates, these call them.
+/// @cond
+template <RecordingReal R> QUELL_KERNEL auto min(R a, std::type_identity_t<R> b) { return min(a, b); }
+template <RecordingReal R> QUELL_KERNEL auto max(R a, std::type_identity_t<R> b) { return max(a, b); }
+template <RecordingReal R> QUELL_KERNEL auto abs(R a) { return abs(a); }
+template <RecordingReal R> QUELL_KERNEL auto sqrt(R a) { return sqrt(a); }
+template <RecordingReal R> QUELL_KERNEL auto floor(R a) { return floor(a); }
+template <RecordingReal R> QUELL_KERNEL auto fma(R a, std::type_identity_t<R> b, std::type_identity_t<R> c) { return fma(a, b, c); }
+template <class Mask, RecordingReal R> QUELL_KERNEL auto select(Mask m, R a, std::type_identity_t<R> b) { return select(m, a, b); }
+template <class Mask, RecordingReal R> QUELL_KERNEL auto masked(Mask m, R a) { return masked(m, a); }
+template <RecordingReal R> QUELL_KERNEL auto is_finite(R a) { return is_finite(a); }
+/// @endcond
 
 /// e^a with a relative error under 3e-7. `a` is clamped to [-87, 88]. float and pack use the same instructions, without libm.
 /// Cody-Waite reduction to [-ln2/2, ln2/2], then a Taylor polynomial of degree 6.

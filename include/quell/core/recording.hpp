@@ -8,6 +8,9 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Whether a Real records. Then nothing can branch on it, nor on where its pixel lies.
 template <class Real> inline constexpr bool records = false;
+/// A Real that records.
+template <class Real>
+concept RecordingReal = records<Real>;
 
 namespace detail {
 template <class Real> struct CoordinateOf { using type = int; };

@@ -105,6 +105,8 @@ template <class Edge> struct ExchangeLevel {
         auto const light = luminance(here);
         // Differences under 1e-4 of the light are no edge.
         constexpr float rounding = 1e-8f;
+        // Of less, nothing comes over: black beside light stays black, whatever the light's unit.
+        constexpr float hardly = 0x1p-24f;
         Real const sigma_squared(sigma_luminance * sigma_luminance);
         auto const tolerated = max(noise_here, light * light * rounding) * sigma_squared;
         // Only weights of geometry are normalised. Normalising those of luminance would lose light.
@@ -117,7 +119,8 @@ template <class Edge> struct ExchangeLevel {
             auto const its_noise = tap.px[variance];
             // Symmetric in the two pixels: what one gives the other gets.
             auto const inverse = approximate_inverse_sqrt(fma(its_noise, sigma_squared, tolerated));
-            auto const w = tap.weight(known, fma(abs(luminance_plus(there, -light)), inverse, tap.distance));
+            auto const weight = tap.weight(known, fma(abs(luminance_plus(there, -light)), inverse, tap.distance));
+            auto const w = masked(weight > Real(hardly), weight);
             sum = add_scaled(sum, there, w);
             taken = taken + w;
             noise = fma(its_noise, w * w, noise);

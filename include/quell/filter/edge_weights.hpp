@@ -81,8 +81,8 @@ struct LuminanceEdge {
     }
 };
 
-/// Only differences of luminance beyond the noise weigh less: exp(-|dl| / (sigma sqrt(variance) + 1e-4)), with the variance blurred by a
-/// 3x3 Gaussian (w_l of Schied et al. 2017).
+/// Only differences of luminance beyond the noise weigh less: exp(-|dl| / (sigma sqrt(variance) + 1e-4 |l|)), with the variance blurred by
+/// a 3x3 Gaussian (w_l of Schied et al. 2017, where a constant stands in place of 1e-4 |l|: light may be of any unit here).
 struct VarianceGuidedEdge {
     using reads = Channels<Variance>;
     static constexpr int farthest_tap = 1;
@@ -97,8 +97,9 @@ struct VarianceGuidedEdge {
             sum = fma(neighbour[variance], weight, fma(opposite[variance], its_weight, sum));
             weights = weights + (weight + its_weight);
         });
-        auto const deviation = sqrt(max(sum / weights, Real(0.f)));
-        return detail::AroundLuminance<Real>{-luminance(px.signal()), 1.f / (deviation * sigma + 1e-4f)};
+        auto const deviation = sqrt(max(sum / weights, Real(0.f))), light = luminance(px.signal());
+        auto const tolerated = fma(abs(light), Real(1e-4f), deviation * sigma);
+        return detail::AroundLuminance<Real>{-light, 1.f / max(tolerated, Real(1e-37f))};
     }
 };
 

@@ -37,14 +37,13 @@ template <int level, int n> struct KeepLight {
     }
 };
 
-/// The largest difference of any component.
-template <class V> QUELL_KERNEL auto largest_difference(V const& a, V const& b) {
-    return [&]<int... c>(std::integer_sequence<int, c...>) QUELL_INLINED {
-        auto maximum = abs(component<0>(a) - component<0>(b));
-        ((maximum = max(maximum, abs(component<c>(a) - component<c>(b)))), ...);
-        return maximum;
-    }
-    (std::make_integer_sequence<int, components_of<V>>{});
+/// The largest difference of any component. Alpha, which a fourth one is, has no unit: its difference counts as that of so much light.
+template <class V> QUELL_KERNEL auto largest_difference(V const& a, V const& b, [[maybe_unused]] real_of<V> light) {
+    constexpr int of_light = components_of<V> == 4 ? 3 : components_of<V>;
+    auto maximum = abs(component<0>(a) - component<0>(b));
+    repeat<of_light>([&](auto c) QUELL_INLINED { maximum = max(maximum, abs(component<c>(a) - component<c>(b))); });
+    if constexpr (components_of<V> == 4) maximum = max(maximum, abs(component<3>(a) - component<3>(b)) * light);
+    return maximum;
 }
 
 /// The fit of LocalRegression.
@@ -70,7 +69,8 @@ template <class Edge, int n> struct RegressionOnGuides {
             pilot,
             px[normal],
             fma(tolerated, tolerated, fma(expected, expected, fma(px[variance], Real(sigma_light * sigma_light), Real(1e-36f)))),
-            inverse_square_width(noise, light)};
+            inverse_square_width(noise, light),
+            abs(light)};
         Window<typename Px::Signal> window{{}, Hull<typename Px::Signal>(pilot)};
         add_square<0, 2, 1>(centre, window, 1.f);
         add_square<2, 1, 5>(centre, window, 20.f);
@@ -91,7 +91,7 @@ private:
         Around around;
         typename Px::Signal pilot;
         vec3<Real> n_here;
-        Real allowed_squared, per_square;
+        Real allowed_squared, per_square, light;
     };
     /// What a fit is of, and the range of its values.
     template <class V> struct Window {
@@ -103,9 +103,9 @@ private:
         using Real = real_of<V>;
         auto const of_component = [](Real a, Real low, Real high) QUELL_INLINED {
             // Away from 0 and towards it, for both signs.
-            auto const size = max(abs(a), Real(1e-20f)), farther = select(a < Real(0.f), -low, high),
+            auto const size = max(abs(a), Real(1e-30f)), farther = select(a < Real(0.f), -low, high),
                        nearer = select(a < Real(0.f), -high, low);
-            return min(farther / size, size / max(nearer, Real(1e-20f)));
+            return min(farther / size, size / max(nearer, Real(1e-30f)));
         };
         auto const each = map(of_component, value, seen.low, seen.high);
         return fold([](auto least, auto a) QUELL_INLINED { return min(least, a); }, Real(2.f), each);
@@ -124,7 +124,7 @@ private:
     /// 1 / w^2, where w is the width of the window in pixels. w grows with the cube root of the relative noise: this balances variance
     /// against the curvature that a linear fit misses.
     template <class Real> QUELL_KERNEL Real inverse_square_width(Real noise, Real light) const {
-        auto const relative = clamp(noise / max(light, Real(1e-12f)), Real(1e-6f), Real(1e6f));
+        auto const relative = clamp(noise / max(light, Real(1e-30f)), Real(1e-6f), Real(1e6f));
         // Cube root to a few percent: a third of the exponent.
         auto const root = from_bits(truncate(fma(to_real(bits(relative)), Real(1.f / 3.f), Real(709921077.f))));
         auto const w = clamp(root * width, Real(min_width), Real(max_width));
@@ -148,7 +148,7 @@ private:
             auto const by_place = fma(centre.per_square, Real(away), tap.distance);
             // The pilot is compared, not the samples that are weighed: weights that depend on them bias the fit.
             auto const inverse = approximate_inverse_sqrt(fma(tap.px[variance], Real(sigma_light * sigma_light), centre.allowed_squared));
-            auto const distance = fma(largest_difference(tap.px.signal(), centre.pilot), inverse, by_place);
+            auto const distance = fma(largest_difference(tap.px.signal(), centre.pilot, centre.light), inverse, by_place);
             weights[(radius + tap.row) * side + radius + tap.column] = tap.weight(known, distance) * frames(tap.px);
         });
         auto seen = window.seen;

@@ -50,7 +50,7 @@ struct RestoreLight {
         auto const light = px[light_of_pilot_and_fit];
         auto const freedom = max(px[freedom_of_fit], Real(1.f));
         auto const known = both(light.x > Real(0.f), light.y > Real(0.f));
-        auto const wanted = clamp(light.x / max(light.y, Real(1e-20f)), 1.f / freedom, freedom);
+        auto const wanted = clamp(light.x / max(light.y, Real(1e-30f)), 1.f / freedom, freedom);
         return Result{finite_or(scale(px.signal(), select(known, wanted, Real(1.f))), px.signal())};
     }
 };

@@ -28,8 +28,9 @@ template <class Edge> struct VarianceEstimate {
     }
 
 private:
-    /// Where nothing around was ever sampled: every neighbour may flow in.
-    static constexpr float unknown = 1e8f;
+    /// Standard deviation where nothing around was ever sampled, as a multiple of the light that stands in there: every neighbour may flow
+    /// in.
+    static constexpr float unknown = 1e4f;
 
     /// Variance of all samples around: the pixels' own, plus that of their means. Differences from the centre do not cancel. Not inlined:
     /// few histories are short.
@@ -53,7 +54,8 @@ private:
         });
         auto const known = weights > Real(0.f);
         auto const inverse = 1.f / select(known, weights, Real(1.f)), mean = first * inverse;
-        return select(known, max(second * inverse - mean * mean, Real(0.f)), Real(unknown));
+        auto const of_unknown = luminance(px.signal()) * unknown;
+        return select(known, max(second * inverse - mean * mean, Real(0.f)), of_unknown * of_unknown);
     }
 };
 } // namespace detail

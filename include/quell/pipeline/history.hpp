@@ -35,9 +35,15 @@ template <class P, class Policy> std::true_type a_pipeline(Resolved<P, Policy> c
 template <class P, int frames> std::true_type a_pipeline(Remodulated<P, frames> const*);
 template <class P, class Judge> std::true_type a_pipeline(ByEvidence<P, Judge> const*);
 std::false_type a_pipeline(void const*);
+template <class... Parts> std::true_type has_stages(Pipeline<Parts...> const*);
+template <class... Ps> std::true_type has_stages(Composite<Ps...> const*);
+std::false_type has_stages(void const*);
 template <class P, class Storage> std::true_type a_history(History<P, Storage> const*);
 std::false_type a_history(void const*);
 template <class T> inline constexpr bool is_pipeline = decltype(a_pipeline(static_cast<T const*>(nullptr)))::value;
+/// A Pipeline or a Composite, and nothing that stands behind one.
+template <class T>
+concept PlainPipeline = decltype(has_stages(static_cast<T const*>(nullptr)))::value;
 template <class T> inline constexpr bool is_history = decltype(a_history(static_cast<T const*>(nullptr)))::value;
 
 /// Whether a history cannot be made of these.

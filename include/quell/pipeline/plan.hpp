@@ -94,7 +94,7 @@ template <class... Ps, class H> void append_passes_of(std::vector<PlannedPass>& 
 /// The plan of a pipeline or composite: the passes in order, what each reads and writes, and the memory. No pixel is computed.
 /// @param pipeline a Pipeline or Composite
 /// @param storage  of the history
-template <class P, ImageStorage Storage = Planar<>> Plan plan_of(P const& pipeline, Storage const& storage = {}) {
+template <detail::PlainPipeline P, ImageStorage Storage = Planar<>> Plan plan_of(P const& pipeline, Storage const& storage = {}) {
     // Large enough that padding hardly counts.
     constexpr Extent size{1024, 16};
     Frame frame{size, pipeline};
@@ -106,6 +106,13 @@ template <class P, ImageStorage Storage = Planar<>> Plan plan_of(P const& pipeli
     plan.bytes_per_pixel = history.bytes_per_pixel();
     return plan;
 }
+/// @cond
+template <class P, class... Storage> Plan plan_of(P const&, Storage const&...) {
+    static_assert(detail::PlainPipeline<P>, "plan_of(pipeline): it takes a Pipeline or a Composite; of by_evidence(), anti_aliased() "
+                                            "and resolve() give it their member `pipeline`");
+    return {};
+}
+/// @endcond
 
 /// The plan as a Markdown table with a row per pass. Each pipeline of a composite has a row with its signal's name above it.
 inline std::string to_string(Plan const& plan) {

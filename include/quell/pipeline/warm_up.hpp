@@ -29,5 +29,13 @@ template <ChannelTag S, class... Parts> [[nodiscard]] constexpr int warm_up_fram
 template <class... Ps> [[nodiscard]] constexpr int warm_up_frames(Composite<Ps...> const& composite) {
     return std::apply([](auto const&... pipeline) { return std::max({0, warm_up_frames(pipeline)...}); }, composite.pipelines);
 }
+/// @cond
+template <class P> [[nodiscard]] constexpr int warm_up_frames(P const&) {
+    static_assert(detail::PlainPipeline<P>,
+                  "warm_up_frames(pipeline): it takes a Pipeline or a Composite; of by_evidence(), anti_aliased() and resolve() give it "
+                  "their member `pipeline`");
+    return 0;
+}
+/// @endcond
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -4,6 +4,7 @@
 #include <quell/core/light.hpp>
 #include <quell/image/image_storage.hpp>
 #include <quell/resolve/box_sums.hpp>
+#include <quell/resolve/light_unit.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// taken before any sample was seen: a normal distribution about `at_first`.
 struct Evidence {
     int radius = 12;      ///< of the window
-    float dark = 0.01f;   ///< added to the luminance that terms are divided by
+    float dark = 0.02f;   ///< part of the picture's mean luminance that is added to the luminance that terms are divided by
     float most = 20.f;    ///< samples are at most so many times that luminance
     float caution = 2.f;  ///< how often sum d^2 counts; below 0: for B
     float at_first = 1.f; ///< the part where nothing is known
@@ -67,20 +68,21 @@ struct EvidenceTerms {
     double own = 0.;     ///< what caution has added to the product; its size was added to the square
 };
 /// What a held-out sample says; nothing where it is not light.
-QUELL_KERNEL EvidenceTerms evidence_of(Evidence const& rule, vec3<float> const& sample, vec3<float> const& a, vec3<float> const& b,
-                                       vec3<float> const& b_with) {
+/// @param mean of the picture's luminance
+QUELL_KERNEL EvidenceTerms evidence_of(Evidence const& rule, float mean, vec3<float> const& sample, vec3<float> const& a,
+                                       vec3<float> const& b, vec3<float> const& b_with) {
     if (!is_light(sample)) return {};
-    float const bright = 0.5f * abs(luminance(a) + luminance(b)) + rule.dark, per = 1.f / (bright * bright);
+    float const bright = fma(mean, rule.dark, 0.5f * abs(luminance(a) + luminance(b))), per = 1.f / bright;
     float product = 0, square = 0, noise = 0, cautious = 0;
     for (int c = 0; c < 3; ++c) {
-        float const limited = min(sample[c], rule.most * bright), off = a[c] - b[c], own = b_with[c] - b[c];
+        float const limited = min(sample[c], rule.most * bright), off = (a[c] - b[c]) * per, own = (b_with[c] - b[c]) * per;
         float const of_own = rule.caution * own * own;
-        product += fma(limited - b[c], off, of_own);
+        product += fma((limited - b[c]) * per, off, of_own);
         square += fma(off, off, abs(of_own));
-        noise += (limited - 0.5f * (a[c] + b[c])) * off;
+        noise += (limited - 0.5f * (a[c] + b[c])) * per * off;
         cautious += of_own;
     }
-    product *= per, square *= per, cautious *= per, noise = noise * noise * per * per;
+    noise = noise * noise;
     if (!is_finite(product) || !is_finite(square) || !is_finite(noise)) return {};
     return {static_cast<double>(product), static_cast<double>(square), static_cast<double>(noise), static_cast<double>(cautious)};
 }
@@ -102,13 +104,17 @@ QUELL_KERNEL float part_of_first(Evidence const& rule, EvidenceTerms const& sums
 /// Sums over windows, and what follows from them.
 class EvidenceSums {
     Extent size;
+    float mean;
     std::vector<double> of_product, of_square, of_noise, of_own;
 
 public:
+    /// @param s               of the images
+    /// @param mean_luminance of the picture
     /// @throws std::bad_alloc
-    explicit EvidenceSums(Extent s)
-        : size(s), of_product(static_cast<std::size_t>(s.pixels()), 0.), of_square(static_cast<std::size_t>(s.pixels()), 0.),
-          of_noise(static_cast<std::size_t>(s.pixels()), 0.), of_own(static_cast<std::size_t>(s.pixels()), 0.) {}
+    explicit EvidenceSums(Extent s, float mean_luminance = 1.f)
+        : size(s), mean(mean_luminance), of_product(static_cast<std::size_t>(s.pixels()), 0.),
+          of_square(static_cast<std::size_t>(s.pixels()), 0.), of_noise(static_cast<std::size_t>(s.pixels()), 0.),
+          of_own(static_cast<std::size_t>(s.pixels()), 0.) {}
 
     /// Adds a held-out sample. What is not finite says nothing.
     /// @param rule   how terms weigh
@@ -119,7 +125,7 @@ public:
     /// @param b_with the second one with this sample
     void add(Evidence const& rule, std::size_t pixel, vec3<float> const& sample, vec3<float> const& a, vec3<float> const& b,
              vec3<float> const& b_with) {
-        auto const terms = detail::evidence_of(rule, sample, a, b, b_with);
+        auto const terms = detail::evidence_of(rule, mean, sample, a, b, b_with);
         of_product[pixel] += terms.product, of_square[pixel] += terms.square, of_noise[pixel] += terms.noise;
         of_own[pixel] += terms.own;
     }
@@ -165,7 +171,7 @@ template <class A, class B>
                                                    std::vector<glm::vec3> const& b, A&& a_without, B&& b_without) {
     detail::check_evidence("the samples", samples.size(), size);
     detail::check_evidence("the second estimate", b.size(), size);
-    EvidenceSums sums(size);
+    EvidenceSums sums(size, static_cast<float>(detail::mean_brightness(b)));
     for (int const left_out : {0, 1}) {
         std::vector<glm::vec3> const first = a_without(left_out), second = b_without(left_out);
         detail::check_evidence("the first estimate without samples", first.size(), size);

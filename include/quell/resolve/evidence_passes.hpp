@@ -3,6 +3,7 @@
 #include <quell/execute/queue_executor.hpp>
 #include <quell/image/memory.hpp>
 #include <quell/resolve/evidence.hpp>
+#include <quell/resolve/mean_brightness.hpp>
 
 #include <limits>
 #include <memory>
@@ -10,12 +11,6 @@
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
-/// A pixel as a colour: one component stands for three that are the same, and alpha is left out.
-QUELL_KERNEL vec3<float> colour_at(ImageView auto const& view, int x, int y) {
-    constexpr int last = std::remove_cvref_t<decltype(view)>::components > 1 ? 1 : 0;
-    return {view.get(0, x, y), view.get(last, x, y), view.get(2 * last, x, y)};
-}
-
 /// Copies a channel, without the samples that leave_out() takes out.
 template <class From, class To> struct CopyAllBut {
     static constexpr auto name = "copy";
@@ -50,11 +45,14 @@ template <class Samples, class A, class B, class BWith> struct EvidenceJob {
     A a;
     B b;
     BWith b_with;
+    double const* mean; ///< of the picture's luminance
     NumberPlanes to;
 
     template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
+        auto const bright = static_cast<float>(*mean);
         for (int i = x + (x + y + left_out) % 2; i < x + count; i += 2) {
-            auto const said = evidence_of(rule, colour_at(samples, i, y), colour_at(a, i, y), colour_at(b, i, y), colour_at(b_with, i, y));
+            auto const said =
+                evidence_of(rule, bright, colour_at(samples, i, y), colour_at(a, i, y), colour_at(b, i, y), colour_at(b_with, i, y));
             to.row(0, y)[i] = said.product, to.row(1, y)[i] = said.square, to.row(2, y)[i] = said.noise;
             if (rule.doubt > 0.f) to.row(3, y)[i] = said.own;
         }
@@ -156,7 +154,11 @@ public:
         check("the second estimate without samples", b.size);
         check("the second estimate", b_with.size);
         detail::EvidenceJob<std::remove_cvref_t<decltype(samples)>, std::remove_cvref_t<decltype(a)>, std::remove_cvref_t<decltype(b)>,
-                            std::remove_cvref_t<decltype(b_with)>> const job{rule, left_out, samples, a, b, b_with, planes(0)};
+                            std::remove_cvref_t<decltype(b_with)>> const job{rule, left_out, samples, a, b, b_with, plane(sums), planes(0)};
+        // The plane that mix() writes to is free.
+        detail::run_or_enqueue(executor, Region{0, 0, 1, size.height},
+                               detail::BrightnessOfRows<std::remove_cvref_t<decltype(b_with)>>{b_with, plane(sums)});
+        detail::run_or_enqueue(executor, Region{0, 0, 1, 1}, detail::MeanBrightness{plane(sums), size});
         detail::run_or_enqueue(executor, Region{0, 0, size.width, size.height}, job);
     }
     /// Writes the picture that the samples speak for.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/core/light.hpp>
+#include <quell/resolve/light_unit.hpp>
 #include <quell/resolve/window_sums.hpp>
 
 #include <algorithm>
@@ -19,25 +20,27 @@ struct ResidualLimits {
 namespace detail {
 
 /// Colours, row by row, in planes.
-inline Planes<3> in_planes(Extent size, std::vector<glm::vec3> const& colours) {
+/// @param unit of light, in which the planes have them: see light_unit()
+inline Planes<3> in_planes(Extent size, std::vector<glm::vec3> const& colours, float unit = 1.f) {
     Planes<3> planes(size);
     auto const view = planes.view();
+    float const per_unit = 1.f / unit;
     auto from = colours.begin();
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x, ++from)
-            for (int c = 0; c < 3; ++c) view.set(c, x, y, (*from)[c]);
+            for (int c = 0; c < 3; ++c) view.set(c, x, y, (*from)[c] * per_unit);
     return planes;
 }
 
 /// The other way round.
-inline void copy_out(PlanesView<3> planes, std::vector<glm::vec3>& colours) {
+inline void copy_out(PlanesView<3> planes, std::vector<glm::vec3>& colours, float unit = 1.f) {
     auto to = colours.begin();
     for (int y = 0; y < planes.size.height; ++y)
         for (int x = 0; x < planes.size.width; ++x, ++to)
-            for (int c = 0; c < 3; ++c) (*to)[c] = planes.get(c, x, y);
+            for (int c = 0; c < 3; ++c) (*to)[c] = planes.get(c, x, y) * unit;
 }
 
-/// How bright a picture is, whatever its sign.
+/// How bright a picture is, whatever its sign. It is in units of its light.
 struct Brightness {
     Planes<1> of_pixels; ///< 0 where the picture is not finite
     float mean = 0.f;    ///< of all pixels
@@ -53,7 +56,7 @@ struct Brightness {
             for (int x = 0; x < picture.size.width; ++x) sum += static_cast<double>(to.get(0, x, y));
         mean = static_cast<float>(sum / static_cast<double>(picture.size.pixels()));
     }
-    /// A part of the mean brightness, below which pixels are taken for dark.
+    /// A part of the mean brightness, below which pixels are taken for dark; above 0 in a black picture too.
     [[nodiscard]] float dark(float part) const { return part * mean + 1e-6f; }
 };
 

@@ -185,7 +185,8 @@ template <Executor E>
                                                         std::vector<glm::vec3> const& samples, std::vector<glm::vec3> const& picture) {
     using namespace detail;
     check_residual_sizes("lacking_of_samples", samples, size, size, picture);
-    auto const from = in_planes(size, samples), of_picture = in_planes(size, picture);
+    float const unit = light_unit(picture);
+    auto const from = in_planes(size, samples, unit), of_picture = in_planes(size, picture, unit);
     WindowSums<1> sums(size);
     auto const light = light_around(executor, sums, Brightness(executor, of_picture.view()));
     auto const in = from.view(), to = of_picture.view();
@@ -197,7 +198,7 @@ template <Executor E>
         store_pixels<Real>(to, x, y, limited(off, load_pixels<Real>(bright, x, y) * most), count);
     });
     std::vector<glm::vec3> lacking(samples.size());
-    copy_out(to, lacking);
+    copy_out(to, lacking, unit);
     return lacking;
 }
 
@@ -228,14 +229,15 @@ void give_back_repeated(RepeatedResidual const& rule, E const& executor, Extent 
     for (auto const& each : around) check_residual_sizes("give_back_repeated, a frame around", each, size, size, picture);
     check_rule(rule, around.size());
     if (around.empty()) return;
-    auto const before = in_planes(size, picture);
+    float const unit = light_unit(picture);
+    auto const before = in_planes(size, picture, unit);
     WindowSums<5> sums(size);
     auto const light = light_around(executor, sums, Brightness(executor, before.view()));
     auto const bright = light.view();
-    BlurredResidual const now(executor, rule, in_planes(size, lacking));
+    BlurredResidual const now(executor, rule, in_planes(size, lacking, unit));
     std::vector<ResidualAround> frames;
     for (auto const& each : around) {
-        auto residual = in_planes(size, each);
+        auto residual = in_planes(size, each, unit);
         Planes<1> is_known(size);
         auto const value = residual.view();
         for_all_pixels(executor, size, [=, known = is_known.view(), most = rule.most]<class Real>(AtOnce<Real>, int x, int y, int count) {
@@ -264,7 +266,7 @@ void give_back_repeated(RepeatedResidual const& rule, E const& executor, Extent 
         };
         store_pixels<Real>(to, x, y, map(made, load_pixels<Real>(to, x, y), load_pixels<Real>(off, x, y)), count);
     });
-    copy_out(to, picture);
+    copy_out(to, picture, unit);
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

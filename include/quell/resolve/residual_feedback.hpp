@@ -198,10 +198,11 @@ void feed_back_residual(ResidualFeedback const& rule, E const& executor, std::ve
         raise_error("feed_back_residual, limits.noise_radius", std::to_string(rule.limits.noise_radius),
                     "give 0 to " + std::to_string(WindowSums<4>::largest_radius) + " pixels");
     auto const size = depth.size;
-    auto const before = in_planes(size, picture), by_itself = in_planes(size, alone);
+    float const unit = light_unit(picture);
+    auto const before = in_planes(size, picture, unit), by_itself = in_planes(size, alone, unit);
     Brightness const brightness(executor, before.view());
     WindowSums<4> sums(size);
-    auto const given = in_planes(size, samples);
+    auto const given = in_planes(size, samples, unit);
     float const part = shared_noise(rule.of_neighbours, LightLess{given.view(), before.view()});
     PictureResidual const residual(executor, sums, rule.limits, given.view(), before.view(), brightness);
     FeedbackGates const gates(executor, sums, residual, before.view(), brightness);
@@ -226,7 +227,7 @@ void feed_back_residual(ResidualFeedback const& rule, E const& executor, std::ve
                  .alone = by_itself.view(),
                  .picture = before.view(),
                  .levels = {levels[0].value.view(), levels[1].value.view(), levels[2].value.view(), levels[3].value.view()}});
-    copy_out(before.view(), picture);
+    copy_out(before.view(), picture, unit);
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

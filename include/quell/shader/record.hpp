@@ -76,7 +76,8 @@ private:
 /// @param name     what the plan is called
 /// @param options  what is added to its passes
 /// @throws Failure where passes differ from frame to frame
-template <class P> ShaderPlan record(P const& pipeline, std::string_view name = "pipeline", RecordOptions const& options = {}) {
+template <detail::PlainPipeline P>
+ShaderPlan record(P const& pipeline, std::string_view name = "pipeline", RecordOptions const& options = {}) {
     constexpr Extent size{48, 32}; // of no matter: shaders get it with the frame
     Frame frame{size, pipeline};
     frame.camera.projection[2][3] = -1.f, frame.camera.projection[3][3] = 0.f, frame.camera.projection[3][2] = -1.f;
@@ -105,5 +106,12 @@ template <class P> ShaderPlan record(P const& pipeline, std::string_view name = 
     plan.texel_loads = options.texel_loads, plan.workgroup = options.workgroup;
     return plan;
 }
+/// @cond
+template <class P> ShaderPlan record(P const&, std::string_view = {}, RecordOptions const& = {}) {
+    static_assert(detail::PlainPipeline<P>, "record(pipeline): it takes a Pipeline or a Composite; of by_evidence(), anti_aliased() and "
+                                            "resolve() give it their member `pipeline`");
+    return {};
+}
+/// @endcond
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

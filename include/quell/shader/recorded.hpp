@@ -7,6 +7,10 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
+struct Recorded;
+/// It does.
+template <> inline constexpr bool records<Recorded> = true;
+
 /// A number of a pixel, recorded: a handle of a node of a PassGraph. It computes nothing: what is done to it becomes further nodes.
 struct Recorded {
     std::int32_t node; ///< its number in the graph
@@ -130,9 +134,6 @@ public:
     }
     /// @endcond
 };
-
-/// It does.
-template <> inline constexpr bool records<Recorded> = true;
 
 /// @cond
 inline Recorded from_bits(RecordedInteger a) {

@@ -115,7 +115,7 @@ template <class Real> QUELL_KERNEL Real bias_in(WindowOfHistory<Real> const& win
     // larger variance counts.
     auto const seen = fma(window.deviation, window.deviation * share, -mean * mean);
     auto const expected = window.expected * window.expected * share;
-    auto const noise = max(max(seen, expected), Real(1e-20f));
+    auto const noise = max(max(seen, expected), Real(1e-37f));
     auto const count = max(window.share * pixels - 1.f, Real(0.5f));
     auto const excess = max(fma(mean, mean, -(noise * noise_threshold) / count), Real(0.f));
     return min(excess / noise, Real(1e6f));

@@ -114,7 +114,7 @@ template <class Inner> struct ForgetChanged {
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;
         auto const change = px[light_change];
-        auto const ratio = change.x / max(change.y, Real(1e-12f));
+        auto const ratio = change.x / max(change.y, Real(1e-37f));
         auto const excess = max(ratio * ratio - noise_threshold, Real(0.f));
         past.validity = past.validity / fma(excess, Real(sharpness), Real(1.f));
         return inner.blend(px, past);

@@ -75,7 +75,7 @@ template <class Inner> struct Antilag {
     QUELL_KERNEL auto blend(auto px, auto past) const {
         using Real = typename decltype(px)::Real;
         auto const gradient = px[filtered_gradient];
-        auto const change = min(abs(gradient.x) / max(gradient.y, Real(1e-6f)), Real(1.f));
+        auto const change = min(abs(gradient.x) / max(gradient.y, Real(1e-37f)), Real(1.f));
         return detail::blend_part_of_past(inner, px, past, 1.f - change);
     }
 };

@@ -81,8 +81,11 @@ inline Tally unchanged_by_run(Observation const& seen, SignalSeen const& signal,
     if (!signal.has_stages || signal.blurs || !signal.output_then || in.size() != now.size() || (signal.has_past && signal.frames < 2))
         return same;
     auto const out = values_of(seen, signal, signal.output_then);
+    double sum = 0.;
+    for (float const value : in) sum += is_finite(value) ? static_cast<double>(std::abs(value)) : 0.;
+    auto const hardly = static_cast<float>(2e-4 * sum / static_cast<double>(in.size())); // of light in any unit
     for (std::size_t i = 0; i < in.size(); ++i)
-        if (is_finite(in[i]) && in[i] >= 0.f && std::abs(now[i] - in[i]) > 0.1f * in[i] + 1e-4f)
+        if (is_finite(in[i]) && in[i] >= 0.f && std::abs(now[i] - in[i]) > 0.1f * in[i] + hardly)
             same.add(std::abs(out[i] - in[i]) <= 2e-3f * in[i]);
     return same;
 }

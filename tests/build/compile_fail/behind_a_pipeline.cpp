@@ -1,0 +1,30 @@
+// error: record(pipeline): it takes a Pipeline or a Composite; of by_evidence(), anti_aliased() and resolve() give it their member
+// error: plan_of(pipeline): it takes a Pipeline or a Composite; of by_evidence(), anti_aliased() and resolve() give it their member
+// error: warm_up_frames(pipeline): it takes a Pipeline or a Composite; of by_evidence(), anti_aliased() and resolve() give it their member
+#include <quell/pipeline/plan.hpp>
+#include <quell/pipeline/warm_up.hpp>
+#include <quell/presets/anti_aliased.hpp>
+#include <quell/presets/by_evidence.hpp>
+#include <quell/presets/resolve.hpp>
+#include <quell/quell.hpp>
+#include <quell/shader/record.hpp>
+using namespace quell;
+
+#ifdef CORRECT
+#define OF(behind) behind.pipeline
+#else
+#define OF(behind) behind
+#endif
+
+constexpr Pipeline accumulated{radiance, Temporal{SurfaceMotion{}, RunningMean{}}};
+constexpr auto smooth = presets::anti_aliased(accumulated);
+constexpr auto upscaled = presets::resolve(accumulated);
+constexpr auto chosen = presets::by_evidence(accumulated);
+
+int main() {
+    auto const recorded =
+        record(OF(smooth)).passes.size() + record(OF(upscaled), "upscaled").passes.size() + record(OF(chosen)).passes.size();
+    auto const planned =
+        plan_of(OF(smooth)).passes.size() + plan_of(OF(upscaled)).passes.size() + plan_of(OF(chosen), Planar<>{}).passes.size();
+    return static_cast<int>(recorded + planned) + warm_up_frames(OF(smooth)) + warm_up_frames(OF(upscaled)) + warm_up_frames(OF(chosen));
+}
