@@ -79,7 +79,6 @@ glm::vec3 flame(int x, int y) {
 }
 bool is_far_from_all(int x, int y) { return x > 14 && glm::length(glm::vec2(x - 32, y - 16)) > 10.f; }
 
-/// @param as_one whether the flames are in the picture alone, so that they are the rest
 void write_flames(Folder const& folder, int number, int samples) {
     std::mt19937 random(static_cast<unsigned>(number));
     std::gamma_distribution<float> light(static_cast<float>(samples), 1.f / static_cast<float>(samples));
@@ -120,7 +119,7 @@ TEST_CASE("light over alpha 0 stays in a film, and where there is neither there 
                         invented += after["beauty.A"].values[at(x, y)] != 0.f;
                         leaks += is_far_from_all(x, y) && p != glm::vec3(0.f);
                     }
-                CHECK(light / expected == doctest::Approx(1.).epsilon(0.1));
+                CHECK(light / expected == doctest::Approx(1.).epsilon(0.25)); // noisy as one sample is
                 CHECK(leaks == 0);
                 CHECK(invented == 0);
             }
@@ -172,7 +171,7 @@ TEST_CASE("the shadow on a catcher is denoised as a signal of its own, and no li
         Folder const folder;
         write_map(folder);
         for (int i = 1; i <= frames; ++i) write_catcher(folder, i, samples);
-        for (std::string way : {"--preset final-frame", "--preset final-frame --quick", "--preset general", "--preset svgf"})
+        for (std::string const way : {"--preset final-frame", "--preset final-frame --quick", "--preset general", "--preset svgf"})
             for (std::string const map : {"passes.json", "one.json"}) {
                 INFO(samples, " samples, ", way, ", ", map);
                 run(folder, map, way);
