@@ -61,24 +61,6 @@ std::vector<std::string> planes_of_frame_around(io::ExrListing const& file, io::
     return planes;
 }
 
-int samples_in(io::ExrListing const& file, io::SequenceNames const& names) {
-    constexpr std::string_view before = "cycles.", behind = ".samples";
-    std::map<std::string, int> by_layer;
-    for (auto const& [name, value] : file.attributes)
-        if (auto const* const text = std::get_if<std::string>(&value);
-            text && name.starts_with(before) && name.ends_with(behind) && name.size() > before.size() + behind.size())
-            by_layer[name.substr(before.size(), name.size() - before.size() - behind.size())] = std::max(std::atoi(text->c_str()), 0);
-    if (by_layer.empty()) return 0;
-    auto const light = io::planes_of(io::sources_of(names.of_signals[0].channels, radiance));
-    auto const* const channel = light.empty() ? nullptr : file.find(light[0]);
-    std::string layer; // the longest: names of layers may have dots
-    for (auto const& [name, samples] : by_layer)
-        if (channel && channel->in_part.starts_with(name + ".") && name.size() > layer.size()) layer = name;
-    if (!layer.empty()) return by_layer.at(layer);
-    auto const first = by_layer.begin()->second;
-    return std::ranges::all_of(by_layer, [=](auto const& each) { return each.second == first; }) ? first : 0;
-}
-
 std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::SequenceNames const& names, int samples) {
     auto const& channels = names.of_signals[0].channels;
     if (samples < 1 || !image.has_all(io::planes_of(Channels<Depth, Motion, Normal>{}, channels))) return nullptr;

@@ -19,9 +19,6 @@ struct FrameAround {
     std::vector<metrics::Picture> colours; ///< what signals are multiplied by, in order, and last what is added; an empty one is not known
 };
 
-/// The number of samples per pixel that a file says it has, as Cycles' files do for each view layer: that of the layer whose light is read.
-/// 0: it says none, or several and not which.
-[[nodiscard]] int samples_in(io::ExrListing const& file, io::SequenceNames const& names);
 /// Reads what an AntiAliasing wants of a frame; null where its files lack that, or where nothing says how its colours were sampled, or
 /// where many samples were taken at the pixels' centres: then its colours are what they should be.
 /// @param samples per pixel; 0: not known
