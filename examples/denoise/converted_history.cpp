@@ -40,7 +40,8 @@ void add(std::vector<float>& sum, std::vector<float> const& more) {
 
 } // namespace
 
-std::optional<HistoryContents> whole_history(std::vector<std::optional<HistoryContents>> const& parts, SignalShares const& shares) {
+std::optional<HistoryContents> whole_history(std::vector<std::optional<HistoryContents>> const& parts, SignalShares const& shares,
+                                             std::vector<float> const& alpha) {
     std::optional<HistoryContents> whole;
     for (std::size_t s = 0; s < parts.size(); ++s) {
         if (!parts[s]) continue;
@@ -59,6 +60,7 @@ std::optional<HistoryContents> whole_history(std::vector<std::optional<HistoryCo
     if (!whole) return whole;
     for (std::size_t i = 0; i < shares.added.pixels.size(); ++i)
         for (std::size_t c = 0; c < 3; ++c) whole->signal[c][i] += shares.added.pixels[i][static_cast<glm::length_t>(c)];
+    if (alpha.size() == whole->signal[0].size()) whole->signal.resize(4), whole->signal[3] = alpha;
     return whole;
 }
 
@@ -67,6 +69,8 @@ HistoryContents part_of_history(HistoryContents whole, SignalShares const& share
         auto const &share = shares.shares[signal].pixels[i], &colour = shares.colours[signal].pixels[i];
         return share / glm::vec3(std::max(colour.x, darkest), std::max(colour.y, darkest), std::max(colour.z, darkest));
     });
+    if (whole.signal.size() == 4)
+        for (std::size_t i = 0; i < whole.signal[3].size(); ++i) whole.signal[3][i] *= luminance(shares.shares[signal].pixels[i]);
     return whole;
 }
 

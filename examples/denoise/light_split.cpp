@@ -1,5 +1,6 @@
 #include <denoise/guide_noise.hpp>
 #include <denoise/light_split.hpp>
+#include <denoise/unlit_film.hpp>
 
 #include <quell/core/real.hpp>
 #include <quell/core/value.hpp>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace quell::examples {
 
@@ -121,6 +123,7 @@ public:
             for (std::size_t s = 0; s < parts.size() && has_less_light; ++s)
                 result.signals[s].channels.sources["radiance"] = put("signal " + std::to_string(s), parts[s].light);
             if (has_less_added) result.added = put("added", added);
+            for (std::size_t s = 0; s < parts.size() && !rule.film.empty(); ++s) hide_factor(result.signals[s], parts[s], s);
         }
         auto last = names.of_signals[0];
         last.name = rest_name, last.factor.clear();
@@ -146,19 +149,22 @@ public:
         return noise > tolerated_noise * rule.samples_of_guides * loss || of_rest > tolerated_rest * loss;
     }
 
+    [[nodiscard]] metrics::Picture const& picture() const { return whole; }
+
     [[nodiscard]] SignalShares shares() const {
         constexpr int radius = 7, colour_radius = 2; // pixels: single samples don't say much of what the picture is made of
         SignalShares result;
         auto const all = box_mean(whole, radius);
         metrics::Picture const none{image.size, Pixels(image.pixels(), glm::vec3(1.f))};
-        for (auto const& part : parts) {
-            result.colours.push_back(part.colour.pixels.empty() ? none : box_mean(part.colour, colour_radius));
-            auto& share = result.shares.emplace_back(box_mean(part.picture, radius));
+        auto const add = [&](metrics::Picture const& colour, metrics::Picture const& light) {
+            result.colours.push_back(colour.pixels.empty() ? none : box_mean(colour, colour_radius));
+            auto& share = result.shares.emplace_back(box_mean(light, radius));
             for (std::size_t i = 0; i < share.pixels.size(); ++i)
                 for (int c = 0; c < 3; ++c)
                     share.pixels[i][c] = all.pixels[i][c] > 0.f ? std::clamp(share.pixels[i][c] / all.pixels[i][c], 0.f, 1.f) : 0.f;
-        }
-        result.colours.push_back(none);
+        };
+        for (auto const& part : parts) add(part.colour, part.picture);
+        add({}, rest);
         result.added = box_mean(added, colour_radius);
         return result;
     }
@@ -203,12 +209,24 @@ private:
         for (auto& part : parts) part.picture.pixels[i][c] *= share, part.light.pixels[i][c] *= share;
         if (left < 0.f) leave(i, c, left);
     }
-    /// Alpha goes where the light goes.
+    /// Light that filters spread stays off what the film does not show.
+    void hide_factor(io::SignalNames& signal, Part const& part, std::size_t s) {
+        if (signal.factor.empty()) return;
+        auto factor = part.factor;
+        bool is_changed = false;
+        for (std::size_t i = 0; i < factor.pixels.size(); ++i) {
+            if (image[rule.film].values[i] != 0.f || whole.pixels[i] != glm::vec3(0.f) || factor.pixels[i] == glm::vec3(0.f)) continue;
+            factor.pixels[i] = glm::vec3(0.f), is_changed = true;
+        }
+        if (is_changed) signal.factor = put("factor " + std::to_string(s), factor);
+    }
+    /// Alpha goes where the light goes, and is a signal of its own where there is none.
     void divide_alpha(LightSplit& result, std::string const& name) {
-        auto const alpha = image[rule.alpha].values;
         bool const is_only = !has_several_signals(names) && parts[0].factor_is_none && result.active[0];
         auto const carrier = is_only ? 0 : parts.size();
-        if (!result.active[carrier]) {
+        bool const is_one_picture = is_only || !result.active[0];
+        auto const alpha = alpha_with_light(result, is_one_picture, name + ".own");
+        if (!rule.carries_alpha || !result.active[carrier]) {
             result.kept_alpha = alpha;
             return;
         }
@@ -234,6 +252,42 @@ private:
             result.signals.back().channels.sources[std::string(radiance_alpha.name)] = with_none;
         }
         made.push_back({.name = name, .values = std::move(with_light)});
+    }
+    /// The part of alpha that light speaks for. The other one becomes a signal of its own.
+    std::vector<float> alpha_with_light(LightSplit& result, bool is_one_picture, std::string const& name) {
+        auto with_light = image[rule.alpha].values;
+        if (std::ranges::all_of(with_light, [](float a) { return a == 1.f; })) return with_light;
+        auto own = with_light;
+        auto unlit = unlit_film(lit(is_one_picture), image, names.of_signals[0].channels);
+        bool has_own = false;
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            has_own = has_own || (unlit[i] && own[i] != 0.f);
+            if (unlit[i])
+                with_light[i] = 0.f;
+            else
+                own[i] = std::numeric_limits<float>::quiet_NaN();
+        }
+        if (!has_own) return image[rule.alpha].values;
+        result.own_alpha = std::move(unlit);
+        result.names_of_own_alpha = names.of_signals[0].channels;
+        auto& sources = result.names_of_own_alpha.sources;
+        sources["radiance"] = std::vector<io::Source>(3, io::Source{{name}});
+        sources["albedo"] = ones();
+        made.push_back({.name = name, .values = std::move(own)});
+        return with_light;
+    }
+    /// Which pixels have light that alpha belongs to: of one picture all light, else that which is multiplied by colours as they are, or
+    /// added. The light of a volume, which is denoised by itself, says nothing of alpha.
+    [[nodiscard]] std::vector<bool> lit(bool is_one_picture) const {
+        auto light = is_one_picture ? whole : added;
+        for (std::size_t i = 0; i < light.pixels.size() && !is_one_picture; ++i) {
+            light.pixels[i] += rest.pixels[i];
+            for (auto const& part : parts)
+                if (!part.colour.pixels.empty()) light.pixels[i] += part.picture.pixels[i];
+        }
+        std::vector<bool> is_lit;
+        for (auto const& p : light.pixels) is_lit.push_back(p != glm::vec3(0.f));
+        return is_lit;
     }
     void give_to_rest(metrics::Picture const& part) {
         for (std::size_t i = 0; i < part.pixels.size(); ++i) rest.pixels[i] += part.pixels[i];
@@ -283,6 +337,8 @@ std::vector<std::string> split_planes(io::ExrListing const& file, io::SequenceNa
     if (file.has_all(io::planes_of(names.picture))) want(names.picture);
     return planes;
 }
+
+metrics::Picture whole_picture(io::ExrImage const& image, io::SequenceNames const& names) { return Splitting(image, names, {}).picture(); }
 
 SignalShares signal_shares(io::ExrImage const& image, io::SequenceNames const& names, SplitRule const& rule) {
     return Splitting(image, names, rule).shares();

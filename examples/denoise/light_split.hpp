@@ -12,6 +12,8 @@ namespace quell::examples {
 struct SplitRule {
     bool by_albedo = false;        ///< whether signals are divided by their albedo before they are denoised
     std::string alpha = {};        ///< the plane of the film's alpha, where it is denoised; else empty
+    bool carries_alpha = true;     ///< whether a signal can have alpha in it
+    std::string film = {};         ///< the plane of the film's alpha, denoised or not; empty: the film is opaque
     float samples_of_guides = 1.f; ///< by which the variance of guides is divided before they are multiplied by
 };
 
@@ -22,13 +24,17 @@ struct LightSplit {
     std::vector<io::SignalNames> signals;
     std::vector<bool> active;      ///< which of them have light in this frame
     std::vector<io::Source> added; ///< what is taken as it is, one source per component; may be empty
-    std::vector<float> kept_alpha; ///< the part of alpha that is taken as it is, where alpha is denoised
+    std::vector<float> kept_alpha; ///< the part of alpha that is taken as it is, where alpha is denoised; else empty
     bool shares_alpha = false;     ///< whether alpha was divided by the lights' shares, which are noisy
 
     /// The signal that has alpha in it, where alpha is denoised: the only one, or else the rest. Alpha is denoised by the weights of the
     /// light that it belongs to: where a part of a pixel's light is multiplied by a colour as it is, that part of alpha is taken as it is
     /// too.
     std::optional<std::size_t> alpha_with{};
+
+    /// Where no light speaks for alpha, which is then denoised as a signal of its own: see unlit_film(). Empty: nowhere.
+    std::vector<bool> own_alpha{};
+    io::ChannelNames names_of_own_alpha{}; ///< by which that signal is read; elsewhere it has no samples
 };
 
 /// Divides a frame's light, from this frame alone, so that the signals and what is added sum up to the picture in each pixel and component:
@@ -36,6 +42,8 @@ struct LightSplit {
 /// - Where they hold less than the picture, what is left over goes to the rest.
 /// - Where they hold more, what is added is scaled down first, and then all signals in proportion.
 /// - Where the picture is taken as one, all of it is the rest.
+/// - Where the film and the picture are empty, what light is multiplied by is 0: there it is of what the film does not show, as a shadow
+///   catcher, whose light is no part of the picture.
 ///
 /// Differences that the files' rounding explains do not count. Of a sequence that doesn't name the picture, or of a frame that lacks it,
 /// the signals and what is added are taken to be all.
@@ -47,6 +55,9 @@ struct LightSplit {
 /// by) and what is added, or the rest, are so noisy that this is worse than what a filter loses of them.
 [[nodiscard]] bool is_better_as_one(io::ExrImage const& image, io::SequenceNames const& names, SplitRule const& rule);
 
+/// The picture of a frame: as the file has it, or else the sum of its signals and of what is added.
+[[nodiscard]] metrics::Picture whole_picture(io::ExrImage const& image, io::SequenceNames const& names);
+
 /// The planes that this takes of a file beside those of the signals: of factors, of what is added, and of the picture where the file has
 /// it.
 [[nodiscard]] std::vector<std::string> split_planes(io::ExrListing const& file, io::SequenceNames const& names);
@@ -56,7 +67,7 @@ struct LightSplit {
 struct SignalShares {
     /// Of each signal, and last of the rest: what its light is multiplied by in the picture, without its noise.
     std::vector<metrics::Picture> colours;
-    std::vector<metrics::Picture> shares; ///< of each signal: which part of the picture it is, from 0 to 1
+    std::vector<metrics::Picture> shares; ///< of each signal, and last of the rest: which part of the picture it is, from 0 to 1
     metrics::Picture added;               ///< and what no signal has, without its noise
 };
 [[nodiscard]] SignalShares signal_shares(io::ExrImage const& image, io::SequenceNames const& names, SplitRule const& rule);

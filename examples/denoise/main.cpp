@@ -200,7 +200,9 @@ public:
             remark(fmt::format("{} pixels have guides that no scene has, which were repaired: {}", guides.pixels, fmt::join(each, ", ")));
         }
         if (std::ranges::any_of(denoisers, &SequenceDenoiser::left_alpha))
-            remark("alpha is as in the files: preset " + choice.preset->name + " does not denoise it, general and final-frame do");
+            remark(fmt::format("alpha is as in the files{}: preset {} does not denoise it{}, general and final-frame do",
+                               choice.preset->by_albedo ? " where there is light" : "", choice.preset->name,
+                               choice.preset->by_albedo ? " with its light" : ""));
         if (auto const changes = denoisers.front().canvas_changes(); changes > 0)
             remark("history started afresh " + std::to_string(changes) +
                    " times, where data windows began to reach farther out of the display window");

@@ -206,6 +206,8 @@ io::SignalNames signal_in(Member const& object, io::ChannelNames const& guides) 
     if (object.has("radiance")) object.fail("write \"radiance\" or \"irradiance\", not both");
     signal.channels.sources["radiance"] = sources_in(object.at("irradiance"), io::detail::component_names(radiance));
     signal.factor = io::sources_of(signal.channels, albedo);
+    auto const is_one = [](io::Source const& source) { return source.sum.empty() && source.scale == 1.f; };
+    if (std::ranges::all_of(signal.factor, is_one)) signal.factor.clear(); // there is none
     signal.channels.sources["albedo"] = std::vector<io::Source>(3, io::Source{{}, 1.f});
     return signal;
 }

@@ -9,8 +9,14 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace quell::examples {
+
+/// What a pixel of a transparent film shows, as bits.
+using FilmContent = unsigned char;
+inline constexpr FilmContent shows_light = 1, shows_alpha = 2;
+using FilmContents = std::vector<FilmContent>; ///< of all pixels
 
 /// A frame that was read, and what is known of it by itself.
 struct SeenFrame {
@@ -21,6 +27,7 @@ struct SeenFrame {
     std::shared_ptr<FrameAround const> around;     ///< what frames around it see
     bool has_noisy_guides = false;                 ///< so that the picture as one has less noise than its signals
     bool is_opaque = true;                     ///< whether the film is: else alpha is filtered as its picture is, and nothing comes back
+    FilmContents film{};                       ///< what each pixel shows; empty where the film is opaque
     int samples = 0;                           ///< of each pixel; 0: the file doesn't say
     std::optional<io::SequenceNames> behind{}; ///< by which it is read where it is seen through a volume
 };

@@ -61,7 +61,7 @@ void SequenceDenoiser::begin(io::ExrOriginal const& file) {
 
 Purpose SequenceDenoiser::purpose_of(std::size_t signal) const {
     if (!frames.settings.debug_views.empty()) return Purpose::watched;
-    return !frames.rule().alpha.empty() && frames.has_alpha(signal) ? Purpose::with_alpha : Purpose::picture;
+    return frames.carries_alpha() && frames.has_alpha(signal) ? Purpose::with_alpha : Purpose::picture;
 }
 
 Denoiser& SequenceDenoiser::denoiser(std::size_t signal) {
@@ -84,6 +84,7 @@ void SequenceDenoiser::release_scratch() {
     for (auto const& each : choices)
         if (each) each->release_scratch();
     if (whole) whole->release_scratch();
+    alpha.release_scratch();
     if (guides) guides->release_scratch();
     if (upsampler) upsampler->release_scratch();
 }
@@ -94,6 +95,7 @@ void SequenceDenoiser::forget() {
     denoisers.clear();
     choices = {};
     whole.reset();
+    alpha.forget();
     guides.reset();
     upsampler.reset();
     window.clear();
@@ -127,7 +129,7 @@ std::vector<std::pair<std::string, DebugImage>> SequenceDenoiser::debug_images(s
 }
 
 double SequenceDenoiser::milliseconds() const {
-    double sum = earlier_milliseconds + other_milliseconds;
+    double sum = earlier_milliseconds + other_milliseconds + alpha.milliseconds();
     for (auto const& denoiser : denoisers)
         if (denoiser) sum += denoiser->milliseconds();
     if (guides) sum += guides->milliseconds();
@@ -143,7 +145,7 @@ double SequenceDenoiser::bytes_per_pixel() const {
         if (choice) sum += static_cast<double>(choice->bytes()) / static_cast<double>(frames.canvas_size().pixels());
     if (guides) sum += guides->bytes_per_pixel();
     if (upsampler) sum += upsampler->bytes_per_pixel();
-    sum += refiner.bytes_per_pixel();
+    sum += refiner.bytes_per_pixel() + alpha.bytes_per_pixel();
     if (ahead) // its picture, what that lacks, and its signals
         sum +=
             static_cast<double>((2 + ahead->frame.signals.size()) * sizeof(glm::vec3) + (frames.alpha_plane().empty() ? 0 : sizeof(float)));
@@ -172,13 +174,14 @@ void SequenceDenoiser::read(FramePattern const& in, long long number, bool is_ah
 void SequenceDenoiser::hand_over(FramePattern const& in) {
     for (auto const& each : denoisers)
         if (each) each->drop_ahead();
+    alpha.drop_ahead();
     if (!std::filesystem::exists(in.path(*last))) return;
     auto const before = frames.seen(io::ExrOriginal(in.path(*last)), *last);
     auto const shares = signal_shares(before.image, frames.names_of(before), frames.rule());
     auto const signals = frames.names().of_signals.size();
     if (was_as_one) {
         auto const whole = denoiser(signals).remembered();
-        for (std::size_t s = 0; s < signals && whole; ++s) denoiser(s).remember(part_of_history(*whole, shares, s));
+        for (std::size_t s = 0; s <= signals && whole; ++s) denoiser(s).remember(part_of_history(*whole, shares, s));
         return;
     }
     std::vector<std::optional<HistoryContents>> parts;
@@ -186,7 +189,9 @@ void SequenceDenoiser::hand_over(FramePattern const& in) {
         parts.push_back(each ? each->remembered() : std::nullopt);
         if (parts.back() && parts.back()->number != last) parts.back().reset(); // it had no light in the last frame
     }
-    if (auto whole = whole_history(parts, shares)) denoiser(signals).remember(*whole);
+    // Signals without alpha have none in their history.
+    auto const carried = frames.carries_alpha() && !frames.has_alpha(0) ? alpha.with_light() : std::vector<float>();
+    if (auto whole = whole_history(parts, shares, carried)) denoiser(signals).remember(*whole);
 }
 
 /// A frame that is missing, broken or larger ends the window, and is dealt with when it is its turn: those before it are written whole.
@@ -283,6 +288,7 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
         for (std::size_t s = 0; auto const& signal : frames.split(seen, as_one).signals)
             if (auto const signal_number = s++; frames.split(seen, as_one).active[signal_number])
                 denoiser(signal_number).look_ahead(seen.image, signal.channels, seen.number);
+        alpha.look_ahead(frames.settings.preset, frames.canvas_size(), frames.settings.threads, seen, frames.split(seen, as_one));
     }
     auto const& image = front.image;
     auto const& split = *front.ways[as_one ? 1 : 0];
@@ -324,6 +330,7 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
         made.lacking = refiner.lacking(front, frames.guide_names(), split, frame.picture);
     }
     if (!frames.alpha_plane().empty()) frame.alpha = denoised_alpha(front, split);
+    if (!front.is_opaque) made.shown = shown_from_now_on(window, frames.settings.later_frames, frames.guide_names());
     was_as_one = as_one, last = number, earlier.finish();
     made.seen = std::move(front);
     window.pop_front();
@@ -341,7 +348,7 @@ DenoisedFrame SequenceDenoiser::finished(DenoisedSignals& signals) {
     }
     if (accumulates_guides(frames.settings.preset)) accumulate_guides(frame, seen);
     if (!has_several_signals(frames.names())) frame.signals.clear(); // it is the picture
-    if (!frames.alpha_plane().empty()) clear_empty_film(frame, seen);
+    if (!frames.alpha_plane().empty()) film.clear_empty(frame, signals.shown, seen.image, frames.guide_names());
     add_as_in_file(frame, seen.image, frames.split(seen, seen.as_one));
     if (frames.settings.upsampling) upsample(frame, seen);
     return std::move(frame);
@@ -377,27 +384,13 @@ void SequenceDenoiser::add_as_in_file(DenoisedFrame& frame, io::ExrImage const& 
 }
 
 std::vector<float> SequenceDenoiser::denoised_alpha(SeenFrame const& seen, LightSplit const& split) {
+    alpha_stays = alpha_stays || (!seen.is_opaque && !frames.carries_alpha() && !frames.settings.keeps_alpha);
     auto const& given = seen.image[frames.alpha_plane()].values;
-    auto values = frames.rule().alpha.empty() ? given : split.kept_alpha;
+    if (split.kept_alpha.empty()) return given;
+    auto values = split.kept_alpha;
     if (split.alpha_with)
         for (std::size_t i = 0; i < values.size(); ++i) values[i] += denoiser(*split.alpha_with).alpha()[i];
-    if (split.shares_alpha) limit_alpha(values, given, seen.image.size);
-    return values;
-}
-
-void SequenceDenoiser::clear_empty_film(DenoisedFrame& frame, SeenFrame const& seen) {
-    auto const& given = seen.image[frames.alpha_plane()].values;
-    bool const is_opaque = std::ranges::all_of(given, [](float a) { return a == 1.f; });
-    alpha_stays = alpha_stays || (!is_opaque && frames.rule().alpha.empty() && !frames.settings.keeps_alpha);
-    auto const& channels = frames.guide_names();
-    auto const planes = io::planes_of(Channels<Motion>{}, channels);
-    Frame<Channels<Motion>> vectors(seen.image.size);
-    // A preset that reads no motion has no history.
-    if (seen.image.has_all(planes))
-        io::load_channels(Channels<Motion>{}, vectors, seen.image, channels);
-    else
-        film.forget();
-    film.clear_empty(frame, given, vectors);
+    return alpha.complete(std::move(values), given, seen, split);
 }
 
 metrics::Picture SequenceDenoiser::next(FramePattern const& in, long long number) { return displayed(next_whole(in, number).picture); }

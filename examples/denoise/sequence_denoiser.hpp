@@ -1,6 +1,7 @@
 #pragma once
 
 #include <denoise/accumulated_guides.hpp>
+#include <denoise/alpha_signal.hpp>
 #include <denoise/denoised_frame.hpp>
 #include <denoise/denoiser.hpp>
 #include <denoise/film_alpha.hpp>
@@ -84,7 +85,8 @@ private:
     bool was_as_one = false;            ///< whether the last frame was filtered as one picture
     std::optional<long long> last;      ///< number of the frame that was denoised last
     FilmAlpha film;
-    bool alpha_stays = false; ///< whether some film was transparent whose alpha the preset can't denoise
+    AlphaSignal alpha;        ///< where no light speaks for it
+    bool alpha_stays = false; ///< whether some film was transparent whose alpha the preset can't denoise with its light
     long long missing = 0;
     RepairedGuides repaired;
     bool checks = false;        ///< whether one of the denoisers looks at the first frames
@@ -96,6 +98,7 @@ private:
         SeenFrame seen;
         DenoisedFrame frame;
         std::vector<glm::vec3> lacking{}; ///< what its picture lacks of its samples; empty where nothing is given back
+        FilmContents shown{};             ///< where a transparent film shows something; empty: the film is opaque
         long long missing = 0;            ///< samples
         RepairedGuides repaired{};
         std::vector<Finding> found{};
@@ -117,7 +120,6 @@ private:
     void feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, int samples, bool has_past,
                             std::optional<metrics::Picture> const& alone, metrics::Picture& light);
     [[nodiscard]] std::vector<float> denoised_alpha(SeenFrame const& seen, LightSplit const& split);
-    void clear_empty_film(DenoisedFrame& frame, SeenFrame const& seen);
     void add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const;
     [[nodiscard]] Purpose purpose_of(std::size_t signal) const;
     [[nodiscard]] Denoiser& denoiser(std::size_t signal);

@@ -1,5 +1,7 @@
+#include <denoise/alpha_signal.hpp>
 #include <denoise/behind_volume.hpp>
 #include <denoise/canvas.hpp>
+#include <denoise/film_alpha.hpp>
 #include <denoise/layers.hpp>
 #include <denoise/map_file.hpp>
 #include <denoise/sequence_frames.hpp>
@@ -88,7 +90,10 @@ SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) co
     auto split_by = rule();
     // Anti-aliasing takes the mean of several samples.
     frame.is_opaque = alpha.empty() || std::ranges::all_of(frame.image[alpha].values, [](float a) { return a == 1.f; });
-    if (!frame.is_opaque) frame.around.reset(); // colours of transparent film are those of what is hit, times its alpha
+    if (!frame.is_opaque) {
+        frame.film = film_contents(whole_picture(frame.image, names).pixels, frame.image[alpha].values);
+        frame.around.reset(); // colours of transparent film are those of what is hit, times its alpha
+    }
     if (frame.around) split_by.samples_of_guides = frame.around->policy.by_surface ? 4.f : 2.f;
     // Noise of guides is taken off the signals' picture: it is never filtered as one for that.
     if (frame.around && settings.is_refined()) split_by.samples_of_guides = std::numeric_limits<float>::infinity();
@@ -99,13 +104,18 @@ SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) co
 
 LightSplit const& SequenceFrames::split(SeenFrame& seen, bool as_one) const {
     auto& way = seen.ways[as_one ? 1 : 0];
-    if (!way) way = split_light(seen.image, names_of(seen), rule(), as_one);
-    return *way;
+    if (way) return *way;
+    auto split_by = rule();
+    if (seen.is_opaque && !split_by.carries_alpha) split_by.alpha.clear();
+    if (!seen.is_opaque) split_by.film = alpha;
+    return way.emplace(split_light(seen.image, names_of(seen), split_by, as_one));
 }
 
+/// Presets that denoise any signal can denoise alpha by itself; some can denoise a colour with its alpha.
 SplitRule SequenceFrames::rule() const {
-    bool const can = settings.preset.two_sided_alpha && !settings.keeps_alpha && settings.debug_views.empty();
-    return {.by_albedo = settings.preset.by_albedo, .alpha = can ? alpha : ""};
+    auto const& preset = settings.preset;
+    bool const can = preset.by_albedo && preset_of_alpha(preset) && !settings.keeps_alpha && settings.debug_views.empty();
+    return {.by_albedo = preset.by_albedo, .alpha = can ? alpha : "", .carries_alpha = can && preset.two_sided_alpha};
 }
 
 /// The only signal, where it has no factor, or else the rest: as split_light() gives it.

@@ -44,6 +44,8 @@ public:
     [[nodiscard]] io::SequenceNames const& names_of(SeenFrame const& seen) const { return seen.behind ? *seen.behind : on_canvas; }
     /// The plane of the film's alpha; empty: none.
     [[nodiscard]] std::string const& alpha_plane() const { return alpha; }
+    /// Whether alpha is denoised with the light that it belongs to.
+    [[nodiscard]] bool carries_alpha() const { return !alpha.empty() && rule().carries_alpha; }
     /// Whether a signal, or the rest, has alpha in it where alpha is denoised.
     [[nodiscard]] bool has_alpha(std::size_t signal) const;
 

@@ -58,6 +58,36 @@ TEST_CASE("motion of zero under a moving camera is named") {
     check_named({Mistake::motion_zero}, [](GoodFrame& frame, int) { each(frame, motion, [](glm::vec2) { return glm::vec2(0.f); }); });
 }
 
+TEST_CASE("motion of less than a thousandth of a pixel is none where the picture zooms, and nobody knows the camera") {
+    for (float const left : {0.f, 2.7e-5f}) {
+        auto const found_with_zoom = [&](bool zooms) {
+            Shot const shot{.moves = false, .jitters = false};
+            return findings(shot.size, 6, [&](GoodFrame& frame, int i) {
+                GoodFrame still(frame.size);
+                fill_well(still, shot, 0);
+                fill_well(frame, shot, i);
+                // The middle of the picture is enlarged, as a longer lens does.
+                float const zoom = zooms ? std::pow(0.97f, static_cast<float>(i)) : 1.f;
+                auto const from = [&](int x, int size) {
+                    return static_cast<int>(std::lround(zoom * static_cast<float>(x - size / 2))) + size / 2;
+                };
+                auto const enlarge = [&](auto channel) {
+                    fill(frame[channel],
+                         [&](int x, int y) { return still[channel].get(from(x, frame.size.width), from(y, frame.size.height)); });
+                };
+                enlarge(depth), enlarge(normal), enlarge(albedo);
+                std::mt19937 random(static_cast<unsigned>(i));
+                std::exponential_distribution<float> light(1.f);
+                fill(frame[radiance], [&](int x, int y) { return light(random) * frame[albedo].get(x, y); });
+                fill(frame[motion], [&](int x, int y) { return left * glm::vec2((x + y) % 3 - 1, x % 2); });
+                frame.camera = {};
+            });
+        };
+        check_found(found_with_zoom(true), {Mistake::motion_zero});
+        check_found(found_with_zoom(false), {});
+    }
+}
+
 TEST_CASE("jitter in the motion is named, whether the camera moves, stands still, is known or not") {
     auto const change = [](Shot const& shot, bool known) {
         return [=](GoodFrame& frame, int i) {
@@ -283,6 +313,24 @@ TEST_CASE("a texture that is divided by another row's albedo is not taken for no
         fill(frame[albedo], dots);
         fill(frame[radiance], [&](int x, int y) { return 0.7f * dots(x, last - y); });
     });
+}
+
+TEST_CASE("a texture that looks alike where it has moved on is no noise of one seed, and noise of one seed on it is") {
+    for (bool const one_seed : {false, true})
+        check_named(one_seed ? std::set{Mistake::seed_repeats} : std::set<Mistake>{},
+                    [&](GoodFrame& frame, int i) {
+                        std::mt19937 random(one_seed ? 1u : static_cast<unsigned>(i));
+                        std::gamma_distribution<float> light(16.f, 1.f / 16.f);
+                        frame.camera = {};
+                        // Bricks in the picture as one signal, which the camera goes along.
+                        auto const is_joint = [&](int x, int y) { return y % 4 == 0 || (x + 3 * i + 5 * (y / 4)) % 16 == 0; };
+                        fill(frame[depth], [](int, int y) { return 5.f + 0.02f * static_cast<float>(y); });
+                        fill(frame[normal], [](int, int) { return glm::vec3(0, 0, 1); });
+                        fill(frame[albedo], [](int, int) { return glm::vec3(1.f); });
+                        fill(frame[motion], [](int, int) { return glm::vec2(3.f, 0.f); });
+                        fill(frame[radiance], [&](int x, int y) { return glm::vec3((is_joint(x, y) ? 0.8f : 0.3f) * light(random)); });
+                    },
+                    {.moves = false, .jitters = false});
 }
 
 TEST_CASE("a history that never lasts is named, with the reason") {

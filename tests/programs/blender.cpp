@@ -105,21 +105,25 @@ TEST_CASE("the names of Blender 5 give the picture of those before") {
 TEST_CASE("a file of the compositor's node File Output gives the picture that a map gives") {
     Folder const folder;
     auto const map = folder / "map.json";
-    std::ofstream(map) << R"({"channels": {"depth": "Depth.V", "normal": "Normal", "motion": ["Vector.X", "Vector.Y"]},
-                              "motion": {"points": "to_previous", "unit": "pixel", "y": "up"}, "miss_from": 65504,
-                              "signals": [{"name": "diffuse", "irradiance": "DiffDir", "albedo": "DiffCol"}], "added": "Env",
-                              "picture": "Image"})";
-    auto const as_halves = [](io::ExrImage& image) {
-        std::erase_if(image.planes, [](auto const& plane) { return plane.name == "Vector.W"; });
-        for (auto& plane : image.planes) {
-            plane.type = io::SampleType::half;
-            for (auto& value : plane.values) value = std::min(value, 65504.f); // the node limits them
-        }
-    };
-    std::vector<Change> const changes{renamed({{"Combined.", "Image."}, {"Depth.Z", "Depth.V"}}), as_halves};
-    auto const alone = denoised(changes, "", "Blender Cycles"), by_map = denoised(changes, "--map '" + map.string() + "'");
-    CHECK(pictures(alone, "Image") == pictures(by_map, "Image"));
-    CHECK(pictures(alone, "denoised_diffuse") == pictures(by_map, "denoised_diffuse"));
+    for (bool const has_colour : {true, false}) {
+        std::ofstream(map) << R"({"channels": {"depth": "Depth.V", "normal": "Normal", "motion": ["Vector.X", "Vector.Y"]},
+                                  "motion": {"points": "to_previous", "unit": "pixel", "y": "up"}, "miss_from": 65504, "picture": "Image",
+                                  "signals": [{"name": "diffuse", "irradiance": "DiffDir", "albedo": )"
+                           << (has_colour ? R"("DiffCol"}], "added": "Env"})" : "1}]}");
+        auto const as_the_node = [=](io::ExrImage& image) {
+            std::erase_if(image.planes, [=](auto const& plane) {
+                return plane.name == "Vector.W" || (!has_colour && (plane.name.starts_with("DiffCol") || plane.name.starts_with("Env")));
+            });
+            for (auto& plane : image.planes) {
+                plane.type = io::SampleType::half;
+                for (auto& value : plane.values) value = std::min(value, 65504.f); // the node limits them
+            }
+        };
+        std::vector<Change> const changes{renamed({{"Combined.", "Image."}, {"Depth.Z", "Depth.V"}}), as_the_node};
+        auto const alone = denoised(changes, "", "Blender Cycles"), by_map = denoised(changes, "--map '" + map.string() + "'");
+        CHECK(pictures(alone, "Image") == pictures(by_map, "Image"));
+        if (has_colour) CHECK(pictures(alone, "denoised_diffuse") == pictures(by_map, "denoised_diffuse"));
+    }
 }
 
 TEST_CASE("the number of samples is that of the view layer that is read") {
@@ -198,11 +202,12 @@ TEST_CASE("colours near the largest half stay finite in a file of lossy compress
         auto const ran = denoise(input(folder) + output(folder) + option);
         CHECK(ran.code == 0);
         INFO(ran.err);
-        CHECK(contains(ran.err, "packed without loss (ZIP)"));
+        if (option.empty()) CHECK(contains(ran.err, "packed without loss (ZIP)"));
         auto const in = io::read_exr(folder / numbered("frame.", 1)), out = io::read_exr(folder / numbered("out.", 1));
         for (auto const& each : out.planes) {
             INFO(each.name);
-            CHECK(std::ranges::all_of(each.values, [](float value) { return is_finite(value); }));
+            bool const is_passed_on = each.name.find("Env") != std::string::npos; // infinite in the input already
+            if (!is_passed_on) CHECK(std::ranges::all_of(each.values, [](float value) { return is_finite(value); }));
             bool const is_vector = each.name.find("Normal") != std::string::npos || each.name.find("Vector") != std::string::npos;
             if (is_vector) CHECK(each.values == in[each.name].values);
         }

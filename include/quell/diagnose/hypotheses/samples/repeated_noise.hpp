@@ -4,6 +4,7 @@
 #include <quell/diagnose/noise.hpp>
 
 #include <cmath>
+#include <optional>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
@@ -39,7 +40,18 @@ struct Agreement {
     }
 };
 
-/// The same pixels stand out as in the last frame although other surfaces are seen in them: the noise stays on the screen. Three frames.
+/// Where a surface of the last frame is now, if this frame's motion leads back from there.
+/// @param x, y where it was
+inline std::optional<glm::ivec2> moved_on(Observation const& seen, int x, int y, glm::vec2 motion) {
+    auto const to = glm::ivec2(glm::round(glm::vec2(x, y) - motion));
+    if (to.x < 0 || to.y < 0 || to.x >= seen.size.width || to.y >= seen.size.height) return std::nullopt;
+    auto const back = vec2_at(seen.motion, to.x, to.y);
+    bool const leads_back = all_finite(back) && glm::length(glm::vec2(to) + back - glm::vec2(x, y)) < 0.75f;
+    return leads_back ? std::optional(to) : std::nullopt;
+}
+
+/// The same pixels stand out as in the last frame although other surfaces are seen in them, and more so than where the surfaces went to:
+/// the noise stays on the screen. A texture that looks alike a little farther on does both. Three frames.
 inline void find_repeated_noise(Observation const& seen, SignalSeen const& signal, std::vector<Finding>& findings) {
     auto& notes = *signal.notes;
     std::vector<int> noise;
@@ -47,16 +59,22 @@ inline void find_repeated_noise(Observation const& seen, SignalSeen const& signa
     auto const before = std::exchange(notes.noise, std::move(noise));
     if (!seen.motion || !seen.has_then || before.size() != notes.noise.size()) return;
     Agreement agreement;
+    long long on_screen = 0, on_surface = 0; // where only the pixel, or only the surface, still stands out in the same direction
     std::size_t i = 0;
     for_each_place(seen.size, [&](int x, int y) {
         int const one = notes.noise[i], other = before[i];
         ++i;
         auto const moved = vec2_at(seen.motion, x, y);
-        if (one != 0 && other != 0 && seen.hit(x, y) && all_finite(moved) && glm::length(moved) > 0.75f) agreement.add(one, other);
+        if (one == 0 || other == 0 || !seen.hit(x, y) || !all_finite(moved) || !(glm::length(moved) > 0.75f)) return;
+        agreement.add(one, other);
+        auto const to = moved_on(seen, x, y, moved);
+        int const there = to ? standing_out(seen, signal, to->x, to->y) : 0;
+        if (there != 0) on_screen += one == other && there != other, on_surface += one != other && there == other;
     });
     auto const& same = agreement.same;
-    // Tiles that move on by a tile look the same as well; they do not look like noise.
-    bool const repeats = same.asked >= 150 && agreement.beyond_chance() > 0.3 && looks_noisy(seen, signal);
+    // A texture agrees as often on the surface alone as on the screen alone, noise that stays more often on the screen.
+    bool const stays = agreement.beyond_chance() > 0.3 && 2 * on_screen > 3 * on_surface;
+    bool const repeats = same.asked >= 150 && stays && looks_noisy(seen, signal);
     notes.repeats_in_a_row = repeats ? notes.repeats_in_a_row + 1 : 0;
     if (notes.repeats_in_a_row < 3) return;
     findings.push_back({Mistake::seed_repeats,
