@@ -74,7 +74,7 @@ mutant "a clamp's upper bound" blend/policies blend/clamped.hpp 'return m + r; }
 mutant "history that is wrong for the light of now" filter/history_bias filter/change/history_bias.hpp \
     'px[history_bias] * gain' 'px[history_bias] * 0.f'
 mutant "rare bright samples that the history has seen" filter/conserving_atrous filter/change/history_bias.hpp \
-    'max(max(seen, expected), Real(1e-20f))' 'max(seen, Real(1e-20f))'
+    'max(max(seen, expected), Real(1e-37f))' 'max(seen, Real(1e-20f))'
 mutant "light exchanged by the noise of both pixels" filter/conserving_atrous filter/conserving_atrous.hpp \
     'fma(its_noise, sigma_squared, tolerated)' 'tolerated'
 mutant "regressors of a fit" filter/local_regression filter/local_regression.hpp \

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/resolve/anti_alias.hpp>
+#include <quell/resolve/picture_residual.hpp>
 #include <quell/resolve/window_sums.hpp>
 
 #include <array>
@@ -32,10 +33,12 @@ template <Executor E> Planes<1> agreement(Agreement const& rule, E const& execut
     auto const size = own.size;
     Planes<3> differences(size);
     auto const off = differences.view();
+    // Colours may be light of any unit, and its fourth power is taken.
+    float const per_unit = 1.f / light_unit(static_cast<double>(Brightness(executor, own).mean));
     for_all_pixels(executor, size, [=]<class Real>(AtOnce<Real>, int x, int y, int count) {
         auto const d = load_pixels<Real>(own, x, y) - load_pixels<Real>(others, x, y);
         auto const is_known = all_finite(d);
-        store_pixels<Real>(off, x, y, map([&](Real a) QUELL_INLINED { return masked(is_known, a); }, d), count);
+        store_pixels<Real>(off, x, y, map([&](Real a) QUELL_INLINED { return masked(is_known, a * per_unit); }, d), count);
     });
     Planes<1> result(size);
     WindowSums<9> sums(size);
