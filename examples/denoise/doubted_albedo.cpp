@@ -24,7 +24,7 @@ constexpr float fading = .8f;            ///< of sums over a frame
 constexpr std::size_t frames_kept = 8;
 constexpr float same_depth = .1f; ///< part by which a surface's depth changes over a frame at most
 
-/// Sums are made at every so manieth pixel of every so manieth row.
+/// Sums are made at one pixel of so many, along rows and columns.
 int step_of(Extent size) {
     int const shorter = std::min(size.width, size.height);
     return shorter < 128 ? 1 : shorter < 256 ? 2 : 3;
@@ -102,7 +102,7 @@ std::vector<io::Source> put(io::ExrImage& image, std::string const& name, metric
     return sources;
 }
 
-/// Every so manieth pixel of every so manieth row.
+/// One pixel of so many along rows and columns.
 struct Grid {
     Extent whole;
     int step;

@@ -107,13 +107,10 @@ TEST_CASE("links of surfaces sum up a window on one surface, each pixel once") {
     std::vector<int> values;
     for (int i = 0; i < wide.pixels(); ++i) values.push_back(1 + i % 7);
     auto const sums = surfaces.window_sums(values);
-    for (auto const& [x0, y0] : {std::pair{11, 16}, {18, 16}}) {
-        int sum = 0;
-        for (int y = y0 - 13; y <= y0 + 13; ++y)
-            for (int x = std::max(x0 - 13, 0); x <= std::min(x0 + 13, 24); ++x) sum += values[static_cast<std::size_t>(y * wide.width + x)];
-        if (x0 == 11) CHECK(sums[static_cast<std::size_t>(y0 * wide.width + x0)] <= sum); // some ways lead over the edge
-        if (x0 == 18) CHECK(sums[static_cast<std::size_t>(y0 * wide.width + x0)] <= sum);
-    }
+    int sum = 0;
+    for (int y = 16 - 13; y <= 16 + 13; ++y)
+        for (int x = 0; x < 25; ++x) sum += values[static_cast<std::size_t>(y * wide.width + x)];
+    CHECK(sums[static_cast<std::size_t>(16 * wide.width + 12)] == sum);
     SurfaceLinks const one({27, 27}, {});
     CHECK(one.window_sums(std::vector<int>(27 * 27, 1))[13 * 27 + 13] == 27 * 27);
 }
