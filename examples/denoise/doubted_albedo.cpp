@@ -20,6 +20,7 @@ using Pixels = std::vector<glm::vec3>;
 
 constexpr AlbedoDoubt begins{6.f, .2f};  ///< of correct renders at 1 and 16 samples, none has such a sum
 constexpr AlbedoDoubt goes_on{3.f, .1f}; ///< beside a pixel with doubt
+constexpr std::size_t fewest = 64;       ///< places of sums that go together: less is an edge
 constexpr float fading = .8f;            ///< of sums over a frame
 constexpr std::size_t frames_kept = 8;
 constexpr float same_depth = .1f; ///< part by which a surface's depth changes over a frame at most
@@ -233,8 +234,8 @@ std::optional<io::SequenceNames> DoubtedAlbedo::names_for(io::ExrImage& image, i
             });
         }
         auto const sums = small_surfaces.window_sums(evidence);
-        auto mask = reached(
-            small_surfaces, grid.pixels(), [&](std::size_t i) { return begins.holds(sums[i]); },
+        auto mask = places(
+            small_surfaces, grid.pixels(), fewest, [&](std::size_t i) { return begins.holds(sums[i]); },
             [&](std::size_t i) { return goes_on.holds(sums[i]); });
         if (std::ranges::find(mask, true) == mask.end()) continue;
         close_gaps(small_surfaces, mask);

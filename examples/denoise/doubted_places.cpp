@@ -44,11 +44,14 @@ glm::vec3 stands_for(SurfaceLinks const& surfaces, Pixels const& colours, std::v
 
 } // namespace
 
-std::vector<bool> reached(SurfaceLinks const& surfaces, std::size_t pixels, std::function<bool(std::size_t)> const& begins,
-                          std::function<bool(std::size_t)> const& goes_on) {
-    std::vector<bool> mask(pixels, false);
-    for (std::size_t i = 0; i < pixels; ++i)
-        if (!mask[i] && begins(i)) static_cast<void>(flood(surfaces, i, mask, goes_on));
+std::vector<bool> places(SurfaceLinks const& surfaces, std::size_t pixels, std::size_t fewest,
+                         std::function<bool(std::size_t)> const& begins, std::function<bool(std::size_t)> const& goes_on) {
+    std::vector<bool> is_taken(pixels, false), mask(pixels, false);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        if (is_taken[i] || !begins(i)) continue;
+        auto const place = flood(surfaces, i, is_taken, goes_on);
+        for (auto const pixel : place) mask[pixel] = place.size() >= fewest;
+    }
     return mask;
 }
 

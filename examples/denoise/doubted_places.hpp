@@ -9,11 +9,12 @@
 
 namespace quell::examples {
 
-/// Pixels of an image that are reached from some of them, on their surfaces, over others.
+/// Places of pixels that are reached from some of them, on their surfaces, over others.
+/// @param fewest  pixels of a place: smaller ones don't count
 /// @param begins  whether a pixel is one to begin from
 /// @param goes_on whether a pixel is one to go on over
-[[nodiscard]] std::vector<bool> reached(SurfaceLinks const& surfaces, std::size_t pixels, std::function<bool(std::size_t)> const& begins,
-                                        std::function<bool(std::size_t)> const& goes_on);
+[[nodiscard]] std::vector<bool> places(SurfaceLinks const& surfaces, std::size_t pixels, std::size_t fewest,
+                                       std::function<bool(std::size_t)> const& begins, std::function<bool(std::size_t)> const& goes_on);
 
 /// Adds pixels that have more of a mask than of the rest around them, on their surface in 27x27 pixels.
 void close_gaps(SurfaceLinks const& surfaces, std::vector<bool>& mask);
