@@ -1,0 +1,47 @@
+#pragma once
+
+#include <gauntlet/references.hpp>
+#include <gauntlet/situations.hpp>
+
+#include <quell/metrics/picture.hpp>
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace quell::gauntlet {
+
+/// Pictures of a frame: as it came in, by `quell-denoise --quick` and by `quell-denoise`.
+enum Method : std::size_t { by_none, by_quick, by_default };
+inline constexpr std::array method_names{"input", "--quick", "default"};
+
+struct FrameFigures {
+    int frame = 0;
+    std::array<double, 3> error{}; ///< RMSE of linear colour, by Method
+    std::array<double, 3> right{}; ///< the same in the part that is right
+    bool has_right = false;
+    std::array<std::vector<double>, 3> windows{};
+};
+
+/// A situation at a number of samples.
+struct Row {
+    Situation const* situation = nullptr;
+    int samples = 1;
+    std::vector<FrameFigures> frames{};
+    std::vector<std::string> remarks{}; ///< of quell-denoise
+    /// Of the frame in which the default is worst beside the others, with the reference last.
+    int shown = 0;
+    std::array<metrics::Picture, 4> pictures{};
+
+    [[nodiscard]] std::string name() const { return situation->name + ", " + std::to_string(samples); }
+};
+
+/// Makes the frames of a row, denoises them and scores what comes out.
+/// @param program quell-denoise
+/// @param folder  for the frames
+/// @throws Failure where the program fails
+[[nodiscard]] Row run_row(Situation const& situation, Making const& making, References& references, std::filesystem::path const& program,
+                          std::filesystem::path const& folder);
+
+} // namespace quell::gauntlet
