@@ -11,8 +11,6 @@ namespace quell::gauntlet {
 
 namespace {
 
-using Guide = double (*)(Pixel const&);
-
 /// Puts planes together.
 struct Planes {
     io::ExrImage& image;
@@ -66,7 +64,8 @@ void add_cycles_layer(Planes const& to, std::string const& layer) {
     to.add(layer + "Combined.A", [](Pixel const& p) { return p.alpha; });
     to.add(layer + "Depth.Z", [](Pixel const& p) { return p.depth; });
     add_cycles_lights(to, layer);
-    to.add_colour(layer + "Normal.", [](Pixel const& p) { return p.normal; }, "XYZ");
+    to.add_colour(
+        layer + "Normal.", [](Pixel const& p) { return p.normal; }, "XYZ");
     to.add(layer + "Vector.X", [](Pixel const& p) { return p.motion.x; });
     to.add(layer + "Vector.Y", [](Pixel const& p) { return -p.motion.y; });
     to.add(layer + "Vector.Z", [](Pixel const& p) { return -p.motion_next.x; });
@@ -77,7 +76,8 @@ void add_own_layer(Planes const& to) {
     to.add_colour("", [](Pixel const& p) { return p.combined(); });
     to.add_colour("albedo.", [](Pixel const& p) { return p.diffuse_colour + p.gloss_colour + Vec3(1 - p.covered); });
     to.add("depth.Z", [](Pixel const& p) { return p.depth < 1e9 ? p.depth : std::numeric_limits<double>::infinity(); });
-    to.add_colour("normal.", [](Pixel const& p) { return p.normal; }, "XYZ");
+    to.add_colour(
+        "normal.", [](Pixel const& p) { return p.normal; }, "XYZ");
     to.add("motion.X", [](Pixel const& p) { return p.motion.x; });
     to.add("motion.Y", [](Pixel const& p) { return p.motion.y; });
     to.add("motion_next.X", [](Pixel const& p) { return p.motion_next.x; });
@@ -107,7 +107,9 @@ void break_albedo(Rendered& frame, Fault fault, int number) {
     for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
         auto& pixel = frame.pixels[i];
         double const u = random_of(number, i, 2).next(), square = u * u;
-        if (fault == Fault::highlight && pixel.broken > 0) pixel.gloss_colour *= 1 + 95 * square * square * square;
+        double const seen = 1 + 95 * square * square * square;
+        if (fault == Fault::highlight && pixel.broken > 0) pixel.gloss_colour *= seen;
+        if (fault == Fault::white && pixel.broken > 0) pixel.gloss_colour = glm::min(pixel.gloss_colour * seen, Vec3(1.));
         if (fault == Fault::noisy) pixel.diffuse_colour *= 0.4 + 1.2 * u;
         if (fault == Fault::zero) pixel.diffuse_colour = pixel.gloss_colour = Vec3(0.), pixel.covered = 1;
     }
@@ -128,7 +130,8 @@ void take_from(Rendered& frame, Rendered const& before, Shot const& shot) {
 Rendered with_faults(Shot const& shot, Making const& making, int frame) {
     auto made = rendered(shot, making, frame);
     if (shot.vectors == Vectors::late || shot.faults.has(Fault::of_frame_before)) take_from(made, rendered(shot, making, frame - 1), shot);
-    break_normals(made, shot.faults.normal, frame), break_depth(made, shot.faults.depth, frame), break_albedo(made, shot.faults.albedo, frame);
+    break_normals(made, shot.faults.normal, frame), break_depth(made, shot.faults.depth, frame),
+        break_albedo(made, shot.faults.albedo, frame);
     return made;
 }
 
@@ -147,7 +150,7 @@ io::ExrImage file_of(Shot const& shot, Making const& making, int frame) {
     auto const type = shot.is_half ? io::SampleType::half : io::SampleType::float32;
     auto const count = said(std::max(making.samples * shot.says, static_cast<double>(shot.says_at_least)));
     auto const layer = std::string(shot.has_layers ? "Front" : "ViewLayer");
-    image.attributes["cycles." + layer + ".samples"] = count;
+    if (shot.says > 0) image.attributes["cycles." + layer + ".samples"] = count;
     Planes const to{image, made, type};
     if (shot.names == Names::own) return add_own_layer(to), image;
     if (shot.has_layers) {

@@ -44,6 +44,13 @@ public:
     }
 };
 
+void check_silence(Row const& row, Limits const& limits, Verdict& verdict) {
+    for (auto const& line : row.findings) verdict.broken.push_back("it finds: " + line);
+    for (auto const& line : row.remarks)
+        if (std::ranges::none_of(limits.known_remarks, [&](auto const& part) { return line.find(part) != std::string::npos; }))
+            verdict.broken.push_back("it remarks: " + line);
+}
+
 double percent(long long part, long long all) { return all > 0 ? 100. * static_cast<double>(part) / static_cast<double>(all) : 100.; }
 
 } // namespace
@@ -53,6 +60,7 @@ Verdict verdict_on(Row const& row, StoredFigures const& before, Limits const& li
     Judge const judge(row, limits, verdict);
     for (auto const& frame : row.frames) judge.add(frame, before.find(row.situation->name, row.samples, frame.frame));
     verdict.good_windows = percent(verdict.good, verdict.windows);
+    if (row.situation->twin.empty()) check_silence(row, limits, verdict);
     if (verdict.good_windows < limits.good_windows_of_row)
         verdict.broken.push_back(fmt::format("good windows {:.1f} % < {}", verdict.good_windows, limits.good_windows_of_row));
     return verdict;

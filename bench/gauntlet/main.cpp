@@ -32,7 +32,8 @@ std::vector<Wanted> wanted_rows(std::vector<Situation> const& all, GauntletOptio
             throw quell::Error("--scene", "there is no situation " + name, "take one that --list names");
     std::vector<Wanted> rows;
     for (auto const& each : all) {
-        if (options.names.empty() ? options.smallest && !each.is_small : std::ranges::find(options.names, each.name) == options.names.end()) continue;
+        if (options.names.empty() ? options.smallest && !each.is_small : std::ranges::find(options.names, each.name) == options.names.end())
+            continue;
         auto const samples = !options.samples.empty() ? options.samples : options.smallest ? std::vector{4} : each.samples;
         for (int const count : samples)
             if (std::ranges::find(each.samples, count) != each.samples.end() || options.names.size() == 1) rows.push_back({&each, count});
@@ -84,9 +85,9 @@ void store(std::vector<Row> const& rows, GauntletOptions const& options) {
     StoredFigures figures;
     for (auto const& row : rows)
         for (auto const& frame : row.frames)
-            figures.add(row.situation->name, row.samples, frame.frame,
-                        {frame.error[by_none], frame.error[by_quick], frame.error[by_default], frame.right[by_default],
-                         frame.windows[by_quick]});
+            figures.add(
+                row.situation->name, row.samples, frame.frame,
+                {frame.error[by_none], frame.error[by_quick], frame.error[by_default], frame.right[by_default], frame.windows[by_quick]});
     figures.write(options.store, options.making);
 }
 

@@ -34,9 +34,10 @@ void describe(CLI::App& app, GauntletOptions& options) {
 } // namespace
 
 std::optional<GauntletOptions> gauntlet_options(int argc, char const* const* argv) {
-    CLI::App app("Denoises small sequences, in each of which one assumption does not hold, and compares what comes out with the input, with "
-                 "quell-denoise --quick and with the figures of an earlier program.",
-                 "quell-gauntlet");
+    CLI::App app(
+        "Denoises small sequences, in each of which one assumption does not hold, and compares what comes out with the input, with "
+        "quell-denoise --quick and with the figures of an earlier program.",
+        "quell-gauntlet");
     GauntletOptions options;
     options.denoise = QUELL_DENOISE, options.stored = QUELL_GAUNTLET_STORED;
     std::string size = "96x54";

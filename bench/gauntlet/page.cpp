@@ -76,8 +76,9 @@ void write_page(std::vector<Row> const& rows, std::vector<Verdict> const& verdic
                             .subtitle = fmt::format("{} of {} rows hold every limit; the worst rows first", held, rows.size())};
     for (auto const* const name : picture_names) report.kinds.push_back({.name = name});
     examples::ReportTable table{.caption = "RMSE of linear colour, mean over the frames; ratios of the worst frame",
-                                .columns = {"", "situation", "samples", "what is broken", "input", "--quick", "default", "over --quick",
-                                            "over input", "good windows, %", "right part over before", "broken limits", "remarks"},
+                                .columns = {"", "situation", "samples", "what is broken", "stage", "input", "--quick", "default",
+                                            "over --quick", "over input", "good windows, %", "right part over before", "broken limits",
+                                            "remarks"},
                                 .rows = {}};
     int number = 0;
     for (auto const i : by_badness(verdicts)) {
@@ -85,10 +86,11 @@ void write_page(std::vector<Row> const& rows, std::vector<Verdict> const& verdic
         auto const& verdict = verdicts[i];
         auto const three = [](double a) { return fmt::format("{:.3f}", a); };
         table.rows.push_back({std::to_string(++number), row.situation->name, std::to_string(row.samples), row.situation->about,
-                              fmt::format("{:.4f}", mean_of(row, by_none)), fmt::format("{:.4f}", mean_of(row, by_quick)),
-                              fmt::format("{:.4f}", mean_of(row, by_default)), three(verdict.over_quick), three(verdict.over_input),
-                              fmt::format("{:.1f}", verdict.good_windows), three(verdict.right_over_before),
-                              fmt::format("{}", fmt::join(verdict.broken, "; ")), fmt::format("{}", fmt::join(row.remarks, "; "))});
+                              row.situation->stage, fmt::format("{:.4f}", mean_of(row, by_none)),
+                              fmt::format("{:.4f}", mean_of(row, by_quick)), fmt::format("{:.4f}", mean_of(row, by_default)),
+                              three(verdict.over_quick), three(verdict.over_input), fmt::format("{:.1f}", verdict.good_windows),
+                              three(verdict.right_over_before), fmt::format("{}", fmt::join(verdict.broken, "; ")),
+                              fmt::format("{}", fmt::join(row.remarks, "; "))});
         if (static_cast<std::size_t>(number) > shown_rows || row.pictures[0].pixels.empty()) continue;
         examples::ReportFrame frame{.number = number};
         for (std::size_t m = 0; m < picture_names.size(); ++m)
@@ -97,7 +99,8 @@ void write_page(std::vector<Row> const& rows, std::vector<Verdict> const& verdic
         for (std::size_t m = 0; m < method_names.size(); ++m) report.add_value("RMSE", method_names[m], number, mean_of(row, Method{m}));
     }
     report.tables.push_back(std::move(table));
-    report.notes.push_back({.label = "frames", .text = "Frame n of the viewer is row n of the table: the frame in which the default is worst."});
+    report.notes.push_back(
+        {.label = "frames", .text = "Frame n of the viewer is row n of the table: the frame in which the default is worst."});
     examples::write_report(report, folder / "index.html");
 }
 

@@ -14,7 +14,8 @@ constexpr std::array light_of = {&Pixel::diffuse_colour, &Pixel::direct, &Pixel:
 
 void add(Pixel& sum, Pixel const& one, double weight) {
     for (auto const part : light_of) sum.*part += weight * (one.*part);
-    sum.alpha += weight * one.alpha, sum.covered += weight * one.covered, sum.normal += weight * one.normal, sum.broken += weight * one.broken;
+    sum.alpha += weight * one.alpha, sum.covered += weight * one.covered, sum.normal += weight * one.normal,
+        sum.broken += weight * one.broken;
     sum.motion += weight * one.motion, sum.motion_next += weight * one.motion_next;
 }
 
@@ -85,12 +86,14 @@ template <class F> void for_each_place(int x, int y, int side, F const& f) {
         for (int i = 0; i < side; ++i) f(Vec2(x + (i + 0.5) / side, y + (j + 0.5) / side), j * side + i);
 }
 
-/// Whether a pixel shows one surface.
-bool is_plain(Sampler const& sampler, int x, int y, int side) {
+/// Whether a pixel shows one surface, up to its corners, which mirrors nothing.
+bool is_plain(Sampler const& sampler, int x, int y) {
     auto const first = sampler.surface_at(Vec2(x + 0.5, y + 0.5));
-    bool same = true;
-    for_each_place(x, y, side, [&](Vec2 place, int) { same = same && sampler.surface_at(place) == first; });
-    return same;
+    if (first == Sampler::mirror) return false;
+    for (int j = 0; j <= 3; ++j)
+        for (int i = 0; i <= 3; ++i)
+            if (sampler.surface_at(Vec2(x + i / 3., y + j / 3.)) != first) return false;
+    return true;
 }
 
 } // namespace
@@ -100,7 +103,7 @@ Rendered rendered(Shot const& shot, Making const& making, int frame) {
     Sampler const sampler(shot, size, frame, true);
     int const seed_of = shot.has_one_seed ? 0 : time_of(shot, frame);
     auto const pixel_at = [&](int x, int y) {
-        int const count = shot.is_adaptive && is_plain(sampler, x, y, 2) ? std::max(making.samples / 8, 1) : making.samples;
+        int const count = shot.is_adaptive && is_plain(sampler, x, y) ? std::max(making.samples / 8, 1) : making.samples;
         Pixel sum;
         for (int s = 0; s < count; ++s) {
             Random random({making.seed, seed_of, x, y, s, shot.dither});
@@ -117,9 +120,8 @@ Rendered rendered(Shot const& shot, Making const& making, int frame) {
 Rendered reference(Shot const& shot, Making const& making, int frame, int half) {
     auto const size = rendered_size(shot, making.size);
     Sampler const sampler(shot, size, frame, false);
-    bool const is_rough = std::ranges::any_of(shot.world.things, [](auto const& thing) { return thing.material.gloss > 0; });
     auto const pixel_at = [&](int x, int y) {
-        int const side = is_plain(sampler, x, y, 3) ? (is_rough ? 6 : 3) : 12;
+        int const side = is_plain(sampler, x, y) ? 3 : 16;
         Pixel sum;
         for_each_place(x, y, side, [&](Vec2 place, int s) {
             Random random({-1 - half, frame, x, y, s});

@@ -29,7 +29,8 @@ struct Row {
     Situation const* situation = nullptr;
     int samples = 1;
     std::vector<FrameFigures> frames{};
-    std::vector<std::string> remarks{}; ///< of quell-denoise
+    std::vector<std::string> remarks{};  ///< of quell-denoise
+    std::vector<std::string> findings{}; ///< of its --diagnose, which looks where nothing is broken
     /// Of the frame in which the default is worst beside the others, with the reference last.
     int shown = 0;
     std::array<metrics::Picture, 4> pictures{};

@@ -11,13 +11,6 @@ namespace {
 View believed(Shot const& shot, Extent size, double time, double now) {
     auto view = view_at(shot, size, time);
     if (shot.vectors == Vectors::without_lens) view.lens = view_at(shot, size, now).lens;
-    if (shot.vectors == Vectors::without_cut) {
-        auto without = shot;
-        without.path = Path::dolly;
-        auto const here = view_at(without, size, now), there = view_at(without, size, time);
-        view = view_at(shot, size, now);
-        view.eye += there.eye - here.eye;
-    }
     return view;
 }
 
@@ -63,7 +56,7 @@ Vec3 Sampler::mirrored(Hit const& hit, Vec3 ray, Random& random) const {
 }
 
 Vec2 Sampler::motion(Hit const& hit, Vec3 ray, Vec2 place, View const& other, double time) const {
-    if (shot.vectors == Vectors::zero) return Vec2(0.);
+    if (shot.vectors == Vectors::zero || (shot.vectors == Vectors::cut_zero && has_cut(shot, now, time))) return Vec2(0.);
     if (!hit.of) {
         if (shot.vectors == Vectors::sky_zero) return Vec2(0.);
         double const by = shot.vectors == Vectors::rigid ? 0. : world.sky.spin * (now - time);
@@ -107,7 +100,8 @@ void Sampler::put_fog(Pixel& pixel, double distance, Random& random) const {
     double const clear = exponential(-world.fog * distance);
     bool const scatters = is_noisy && !happens(clear, random);
     double const rest = is_noisy ? (scatters ? 0. : 1.) : clear;
-    for (auto* const part : {&pixel.diffuse_colour, &pixel.direct, &pixel.indirect, &pixel.gloss_colour, &pixel.gloss, &pixel.glow, &pixel.sky})
+    for (auto* const part :
+         {&pixel.diffuse_colour, &pixel.direct, &pixel.indirect, &pixel.gloss_colour, &pixel.gloss, &pixel.glow, &pixel.sky})
         *part *= rest;
     if (is_noisy && !scatters) return;
     pixel.volume = world.fog_light * world.brightness(now) * (is_noisy ? skewed(random.next()) : 1 - clear);
@@ -144,6 +138,7 @@ std::int64_t Sampler::surface_at(Vec2 place) const {
     auto const ray = view.direction(place);
     auto const hit = world.along(view.eye, ray, now);
     auto const number = [&](Hit const& of, Vec3 way) {
+        if (of.of && of.of->material.gloss > 0) return mirror;
         return of.of ? static_cast<std::int64_t>(of.cell) * 64 + (of.of - world.things.data()) : -1 - world.sky_cell(way, now);
     };
     if (hit.of && hit.of->material.is_clear) return number(world.along(view.eye, ray, now, hit.of), ray);

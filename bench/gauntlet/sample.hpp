@@ -12,7 +12,8 @@ public:
 
     /// What is seen at a place of the picture.
     [[nodiscard]] Pixel at(Vec2 place, Random& random) const;
-    /// Which surface and check is seen there, by a number.
+    /// Which surface and check is seen there, by a number: one that mirrors others has that of mirrors.
+    static constexpr std::int64_t mirror = -1'000'000'000'000;
     [[nodiscard]] std::int64_t surface_at(Vec2 place) const;
 
 private:

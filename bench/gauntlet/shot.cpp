@@ -8,7 +8,7 @@ View view_at(Shot const& shot, Extent size, double time) {
     Lens lens{0.85, {0, 0}};
     auto const goes = [&](Vec3 by) { eye += by * time, target += by * time; };
     if (shot.path == Path::dolly || shot.path == Path::cuts) goes({0.03, 0.004, -0.03});
-    if (shot.path == Path::cuts && time >= 5) eye += Vec3(-1.9, 0.5, -0.4);
+    if (shot.path == Path::cuts && time >= cut_at) eye += Vec3(-1.9, 0.5, -0.4);
     if (shot.path == Path::turns) {
         double const angle = 0.1 - 0.028 * time;
         auto const way = target - eye;

@@ -21,7 +21,7 @@ enum class Vectors {
     zero,
     sky_zero,     ///< 0 for the sky alone
     without_lens, ///< as if the lens had not changed
-    without_cut,  ///< as if the camera had not jumped
+    cut_zero,     ///< 0 where the camera has jumped in between
     rigid,        ///< as if nothing had grown, nor the sky's pattern turned by itself
     things_still, ///< as if nothing but the camera had moved
     apart_zero,   ///< 0 for things that are apart
@@ -39,7 +39,14 @@ enum class Spread {
 };
 
 /// What is wrong with a guide.
-enum class Fault { none, zero, noisy, of_frame_before, highlight };
+enum class Fault {
+    none,
+    zero,
+    noisy,
+    of_frame_before,
+    highlight, ///< of things that are apart: a colour times 1 to 96, as a sample happens to see the lamp
+    white,     ///< of things that are apart: the same, cut to 1
+};
 
 /// Which part of the picture is broken, where it is not all of it.
 enum class Part { all, things, sky, shadows, flames };
@@ -57,22 +64,25 @@ struct Shot {
     World world{};
     Path path = Path::dolly;
     Vectors vectors = Vectors::right;
-    bool is_held = false;       ///< every frame is there twice
-    bool has_one_seed = false;  ///< the same random numbers in every frame
-    bool is_baked = false;      ///< the light of things that are apart has noise that goes with their surface
+    bool is_held = false;      ///< every frame is there twice
+    bool has_one_seed = false; ///< the same random numbers in every frame
+    bool is_baked = false;     ///< the light of things that are apart has noise that goes with their surface
     Dither dither = Dither::none;
     Spread spread = Spread::none;
-    double says = 1;            ///< how many times the samples that were taken the file says
-    int says_at_least = 0;      ///< and not less than this
-    bool is_adaptive = false;   ///< where a pixel shows one surface, an eighth of the samples
-    bool has_layers = false;    ///< another view layer before the picture's, of 100 times the samples
+    double says = 1;          ///< how many times the samples that were taken the file says; 0: nothing of them
+    int says_at_least = 0;    ///< and not less than this
+    bool is_adaptive = false; ///< where a pixel shows one surface, an eighth of the samples
+    bool has_layers = false;  ///< another view layer before the picture's, of 100 times the samples
     Names names = Names::cycles;
     Faults faults{};
-    bool is_half = false;       ///< 16 bits for each number
+    bool is_half = false;        ///< 16 bits for each number
     bool is_transparent = false; ///< the film, where nothing is hit
-    Part part = Part::all;      ///< what is broken
+    Part part = Part::all;       ///< what is broken
     bool operator==(Shot const&) const = default;
 };
+
+/// The frame that a cut begins with.
+inline constexpr int cut_at = 5;
 
 /// How the frames are made.
 struct Making {
@@ -84,7 +94,10 @@ struct Making {
 
 /// The time that a frame shows, which is its number but for held ones.
 [[nodiscard]] inline int time_of(Shot const& shot, int frame) { return shot.is_held ? (frame + 1) / 2 : frame; }
-/// @param time   what the camera sees it at
+/// Whether the camera jumps between two times.
+[[nodiscard]] inline bool has_cut(Shot const& shot, double one, double other) {
+    return shot.path == Path::cuts && (one < cut_at) != (other < cut_at);
+}
 [[nodiscard]] View view_at(Shot const& shot, Extent size, double time);
 
 } // namespace quell::gauntlet

@@ -10,11 +10,12 @@ namespace quell::gauntlet {
 /// A sequence in which one assumption of a denoiser does not hold.
 struct Situation {
     std::string name;
-    std::string about;        ///< what is broken
+    std::string about;   ///< what is broken
+    std::string stage{}; ///< what of the denoiser takes it for granted
     Shot shot;
-    std::string twin{};       ///< the situation in which it is not; empty: nothing is broken here
-    bool is_small = false;    ///< whether the smallest form has it
-    std::string options{};    ///< of quell-denoise
+    std::string twin{};    ///< the situation in which it is not; empty: nothing is broken here
+    bool is_small = false; ///< whether the smallest form has it
+    std::string options{}; ///< of quell-denoise
     std::vector<int> samples{1, 4, 16, 64};
 };
 

@@ -14,7 +14,7 @@ namespace quell::gauntlet {
 /// What an earlier program made of a frame.
 struct Stored {
     double input = 0, quick = 0, full = 0;
-    double right = 0; ///< of `full`, in the part that is right
+    double right = 0;              ///< of `full`, in the part that is right
     std::vector<double> windows{}; ///< of `quick`
 };
 

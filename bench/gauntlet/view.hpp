@@ -13,8 +13,8 @@ using Vec3 = glm::dvec3;
 
 /// What the lens does.
 struct Lens {
-    double width = 1.;      ///< half of what it sees across, at a distance of 1
-    Vec2 shift{0.};         ///< of the picture, in halves of its width
+    double width = 1.; ///< half of what it sees across, at a distance of 1
+    Vec2 shift{0.};    ///< of the picture, in halves of its width
 };
 
 /// A pinhole camera.

@@ -52,11 +52,19 @@ bool is_even(Vec3 place) {
     return (std::abs(static_cast<long>(cell.x)) + std::abs(static_cast<long>(cell.y)) + std::abs(static_cast<long>(cell.z))) % 2 == 0;
 }
 
+/// Checks of a floor that are much smaller than a pixel show their mean.
+void fade(Hit& hit) {
+    double const far = smooth_step(5, 10, hit.distance);
+    hit.colour += (0.5 * (hit.of->material.one + hit.of->material.other) - hit.colour) * far;
+    if (far == 1) hit.cell = 0;
+}
+
 void colour(Hit& hit, double time) {
     auto const& material = hit.of->material;
     auto const place = hit.local / material.check + 0.37 + Vec3(material.film * time, material.film * time, 0);
     hit.cell = cell_of(place);
     hit.colour = is_even(place) ? material.one : material.other;
+    if (hit.of->shape == Shape::floor) fade(hit);
     if (!material.flickers) return;
     auto const key = static_cast<std::uint64_t>(hit.cell) * 1000003u + static_cast<std::uint64_t>(std::floor(time));
     hit.colour *= 0.2 + 1.1 * fraction_of(key);
@@ -65,21 +73,20 @@ void colour(Hit& hit, double time) {
 } // namespace
 
 double Thing::growth(double time) const { return breath == 0 ? 1 : 1 + breath * sine(1.1 * time); }
-Vec3 Thing::place_of(Vec3 local, double time) const {
-    return at + speed * time + turned(local * growth(time), angle + spin * time);
-}
+Vec3 Thing::place_of(Vec3 local, double time) const { return at + speed * time + turned(local * growth(time), angle + spin * time); }
 
 Hit World::along(Vec3 eye, Vec3 ray, double time, Thing const* but) const {
     Hit hit;
     Vec3 normal{0.};
     for (auto const& thing : things) {
-        if (&thing == but) continue;
+        if (&thing == but || time < thing.appears) continue;
         double const by = -(thing.angle + thing.spin * time), growth = thing.growth(time);
         auto const from = turned(eye - thing.at - thing.speed * time, by) / growth, way = turned(ray, by) / growth;
         auto const met = thing.shape == Shape::floor ? meets_floor(from, way)
                          : thing.shape == Shape::box ? meets_box(from, way, thing.half)
                                                      : meets_ball(from / thing.half.x, way / thing.half.x);
-        if (met.distance < hit.distance) hit.distance = met.distance, hit.of = &thing, hit.local = from + way * met.distance, normal = met.normal;
+        if (met.distance < hit.distance)
+            hit.distance = met.distance, hit.of = &thing, hit.local = from + way * met.distance, normal = met.normal;
     }
     if (!hit.of) return hit;
     hit.point = eye + ray * hit.distance;
@@ -94,7 +101,7 @@ double World::visible_lamp(Vec3 point, Vec3 lamp_at, double time, Thing const* o
     auto const way = lamp_at - point;
     double const square = glm::dot(way, way);
     for (auto const& thing : things) {
-        if (&thing == of || thing.shape == Shape::floor || thing.material.is_clear) continue;
+        if (&thing == of || thing.shape == Shape::floor || thing.material.is_clear || time < thing.appears) continue;
         auto const to = thing.at + thing.speed * time - point;
         double const along = glm::dot(to, way) / square;
         if (along <= 0 || along >= 1) continue;

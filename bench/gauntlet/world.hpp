@@ -9,14 +9,14 @@
 namespace quell::gauntlet {
 
 struct Material {
-    Vec3 one{0.7}, other{0.3};  ///< colours of the checks
-    double check = 0.5;         ///< their size
-    double film = 0;            ///< how far the checks go along the surface in a frame
-    bool flickers = false;      ///< each check has another colour in each frame
-    double glow = 0;            ///< light that the colour sends out by itself
-    double gloss = 0;           ///< part of the light that it mirrors
-    double roughness = 0;       ///< how far a mirrored ray may be off
-    bool is_clear = false;      ///< a pane: all that it does is to stand before what is behind it
+    Vec3 one{0.7}, other{0.3}; ///< colours of the checks
+    double check = 0.5;        ///< their size
+    double film = 0;           ///< how far the checks go along the surface in a frame
+    bool flickers = false;     ///< each check has another colour in each frame
+    double glow = 0;           ///< light that the colour sends out by itself
+    double gloss = 0;          ///< part of the light that it mirrors
+    double roughness = 0;      ///< how far a mirrored ray may be off
+    bool is_clear = false;     ///< a pane: all that it does is to stand before what is behind it
     bool operator==(Material const&) const = default;
 };
 
@@ -25,12 +25,13 @@ enum class Shape { floor, ball, box };
 /// A thing that may move, turn about the vertical and grow.
 struct Thing {
     Shape shape = Shape::ball;
-    Vec3 at{0.}, half{0.5};  ///< a ball's radius is the first
+    Vec3 at{0.}, half{0.5}; ///< a ball's radius is the first
     Material material{};
-    Vec3 speed{0.};          ///< in a frame
+    Vec3 speed{0.}; ///< in a frame
     double angle = 0, spin = 0;
-    double breath = 0;       ///< how much larger and smaller it becomes
-    bool is_apart = false;   ///< what a situation breaks is broken on this thing alone
+    double breath = 0;     ///< how much larger and smaller it becomes
+    int appears = -100;    ///< the time from which on it is there
+    bool is_apart = false; ///< what a situation breaks is broken on this thing alone
     bool operator==(Thing const&) const = default;
 
     [[nodiscard]] double growth(double time) const;
@@ -61,9 +62,9 @@ struct Sky {
 
 /// How bright everything is from frame to frame.
 struct Exposure {
-    double grows = 1;     ///< from a frame to the next
-    int flash = -1;       ///< the frame that the lamp flashes in
-    double flashes = 1;   ///< how bright
+    double grows = 1;   ///< from a frame to the next
+    int flash = -1;     ///< the frame that the lamp flashes in
+    double flashes = 1; ///< how bright
     bool operator==(Exposure const&) const = default;
 };
 
@@ -77,8 +78,8 @@ struct Hit {
 
 /// Light that falls on a point, over pi.
 struct Falling {
-    Vec3 direct{0.};       ///< of the lamp where nothing is before it
-    double visible = 1;    ///< part of the lamp
+    Vec3 direct{0.};    ///< of the lamp where nothing is before it
+    double visible = 1; ///< part of the lamp
     Vec3 indirect{0.};
 };
 

@@ -8,7 +8,9 @@ using namespace quell::gauntlet;
 
 namespace {
 
-metrics::Picture flat(Extent size, float value) { return {size, std::vector<glm::vec3>(static_cast<std::size_t>(size.pixels()), glm::vec3(value))}; }
+metrics::Picture flat(Extent size, float value) {
+    return {size, std::vector<glm::vec3>(static_cast<std::size_t>(size.pixels()), glm::vec3(value))};
+}
 
 /// A row of one frame with these errors everywhere.
 Row row_of(Situation const& situation, int samples, double input, double quick, double full) {
@@ -60,14 +62,14 @@ TEST_CASE("packed numbers come back within a thousandth or two") {
 }
 
 TEST_CASE("limits: over --quick, over the input, windows and the right part") {
-    Situation const situation{"s", "", {}, ""};
+    Situation const situation{.name = "s", .about = "nothing", .shot = {}};
     StoredFigures before;
     before.add("s", 4, 3, {.input = 0.1, .quick = 0.05, .full = 0.04, .right = 0.04, .windows = std::vector<double>(20, 0.05)});
     auto const broken = [&](double full) { return verdict_on(row_of(situation, 4, 0.1, 0.3, full), before).broken; };
-    CHECK(broken(0.041).empty());       // --quick is the earlier program's
-    CHECK(broken(0.0415).size() == 1);  // the right part
-    CHECK(broken(0.0515).size() == 2);  // and --quick
-    CHECK(broken(0.11).size() == 4);    // the input, and windows
+    CHECK(broken(0.041).empty());      // --quick is the earlier program's
+    CHECK(broken(0.0415).size() == 1); // the right part
+    CHECK(broken(0.0515).size() == 2); // and --quick
+    CHECK(broken(0.11).size() == 4);   // the input, and windows
     CHECK(broken(0.0019).empty());
     // Of 64 samples, where --quick is above the input, that alone is the limit.
     StoredFigures const none;
@@ -77,7 +79,7 @@ TEST_CASE("limits: over --quick, over the input, windows and the right part") {
 }
 
 TEST_CASE("97 of 100 windows of all rows of a number of samples") {
-    Situation const situation{"s", "", {}, ""};
+    Situation const situation{.name = "s", .about = "nothing", .shot = {}};
     StoredFigures const none;
     std::vector<Row> rows{row_of(situation, 4, 0.1, 0.05, 0.05), row_of(situation, 4, 0.1, 0.05, 0.05)};
     auto const judged = [&] {
