@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <mutex>
@@ -24,28 +25,49 @@ namespace {
 struct Wanted {
     Situation const* situation;
     int samples;
+    std::filesystem::path sequence{}; ///< of files; empty: rendered
 };
 
-std::vector<Wanted> wanted_rows(std::vector<Situation> const& all, GauntletOptions const& options) {
-    for (auto const& name : options.names)
+void check_names(std::vector<Situation> const& all, std::vector<std::string> const& names) {
+    for (auto const& name : names)
         if (std::ranges::none_of(all, [&](auto const& each) { return each.name == name; }))
             throw quell::Error("--scene", "there is no situation " + name, "take one that --list names");
+}
+
+std::vector<Wanted> wanted_rows(std::vector<Situation> const& all, GauntletOptions const& options) {
+    check_names(all, options.names);
     std::vector<Wanted> rows;
     for (auto const& each : all) {
-        if (options.names.empty() ? options.smallest && !each.is_small : std::ranges::find(options.names, each.name) == options.names.end())
-            continue;
+        bool const is_named = std::ranges::find(options.names, each.name) != options.names.end();
+        if (options.names.empty() ? options.smallest && !each.is_small : !is_named) continue;
         auto const samples = !options.samples.empty() ? options.samples : options.smallest ? std::vector{4} : each.samples;
         for (int const count : samples)
-            if (std::ranges::find(each.samples, count) != each.samples.end() || options.names.size() == 1) rows.push_back({&each, count});
+            if (is_named || std::ranges::find(each.samples, count) != each.samples.end()) rows.push_back({&each, count});
     }
     return rows;
+}
+
+/// Sequences of files as situations of their own, named by their folders.
+std::vector<Situation> of_files(std::vector<std::filesystem::path> const& sequences) {
+    std::vector<Situation> list;
+    for (auto const& each : sequences) {
+        auto const folder = std::filesystem::absolute(each / ".").lexically_normal().parent_path();
+        int const samples = std::atoi(folder.filename().string().c_str());
+        list.push_back({.name = folder.parent_path().filename().string(),
+                        .about = "as files have it",
+                        .shot = {},
+                        .twin = "files",
+                        .samples = {samples}});
+    }
+    return list;
 }
 
 Row run_one(Wanted const& wanted, GauntletOptions const& options, References& references) {
     auto making = options.making;
     making.samples = wanted.samples;
     auto const folder = options.out / "frames" / (wanted.situation->name + "." + std::to_string(wanted.samples));
-    auto row = run_row(*wanted.situation, making, references, options.denoise, folder);
+    auto row = wanted.sequence.empty() ? run_row(*wanted.situation, making, references, options.denoise, folder)
+                                       : run_sequence(*wanted.situation, wanted.sequence, options.denoise, folder);
     if (!options.keep) std::filesystem::remove_all(folder);
     return row;
 }
@@ -101,7 +123,10 @@ int run(GauntletOptions const& options) {
     auto const before = StoredFigures::read(options.stored, options.making);
     if (before.is_empty())
         std::cerr << "quell-gauntlet: " << options.stored.string() << " has no figures of such frames: --quick is this program's\n";
-    auto const rows = run_rows(wanted_rows(all, options), options);
+    auto const files = of_files(options.sequences);
+    std::vector<Wanted> wanted;
+    for (std::size_t i = 0; i < files.size(); ++i) wanted.push_back({&files[i], files[i].samples.front(), options.sequences[i]});
+    auto const rows = run_rows(files.empty() ? wanted_rows(all, options) : wanted, options);
     std::vector<Verdict> verdicts;
     std::cout << row_columns << '\n';
     for (auto const& row : rows) std::cout << line_of(row, verdicts.emplace_back(verdict_on(row, before))) << '\n';

@@ -14,6 +14,11 @@ namespace {
 void describe(CLI::App& app, GauntletOptions& options) {
     app.add_option("--scene,--situation", options.names, "A situation that --list names, or all; may be given several times (default: all)")
         ->take_all();
+    app.add_option(
+           "--sequence", options.sequences,
+           "A folder SCENE/SAMPLES of frame_0001.exr and so on, whose references lie in SCENE/reference, in place of the situations; may "
+           "be given several times")
+        ->take_all();
     app.add_option("--samples", options.samples, "Of a pixel: any of 1, 4, 16, 64 (default: those of each situation)")
         ->delimiter(',')
         ->check(CLI::Range(1, 4096));

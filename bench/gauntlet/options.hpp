@@ -11,8 +11,9 @@ namespace quell::gauntlet {
 
 /// What the command line of quell-gauntlet says.
 struct GauntletOptions {
-    std::vector<std::string> names; ///< of situations; empty: all
-    std::vector<int> samples;       ///< empty: those of each situation
+    std::vector<std::string> names;               ///< of situations; empty: all
+    std::vector<std::filesystem::path> sequences; ///< of files, in place of situations
+    std::vector<int> samples;                     ///< empty: those of each situation
     Making making;
     std::filesystem::path out = "out/gauntlet", denoise, stored;
     std::filesystem::path store; ///< where the figures of this program go, for others to be held against; empty: nowhere

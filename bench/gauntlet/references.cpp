@@ -5,9 +5,6 @@ namespace quell::gauntlet {
 
 namespace {
 
-/// Filters that look around lie within so many pixels for the most part.
-constexpr int around_broken = 4;
-
 /// A shot with all as it should be that leaves its picture as it is.
 Shot picture_of(Shot const& shot) {
     Shot plain{.world = shot.world, .path = shot.path};

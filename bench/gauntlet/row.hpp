@@ -45,4 +45,11 @@ struct Row {
 [[nodiscard]] Row run_row(Situation const& situation, Making const& making, References& references, std::filesystem::path const& program,
                           std::filesystem::path const& folder);
 
+/// The same of a sequence of files, whose references lie in the folder `reference` beside it, of the same names. Where there is a folder
+/// `broken` beside it, channel R of its files is above 0 in pixels that are broken.
+/// @param sequence a folder of frame_0001.exr and so on
+/// @throws Error where no frame has a reference
+[[nodiscard]] Row run_sequence(Situation const& situation, std::filesystem::path const& sequence, std::filesystem::path const& program,
+                               std::filesystem::path const& folder);
+
 } // namespace quell::gauntlet
