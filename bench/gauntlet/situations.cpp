@@ -86,8 +86,8 @@ void add_wrong_guides(SituationList& list) {
         list.add(
             name, about, "guides", twin, [&](Shot& s) { s.faults.*guide = fault; }, is_small);
     };
-    add("normals-zero", "normals are 0", "own", &Faults::normal, Fault::zero, true);
-    add("normals-zero-says", "normals are 0, and the file says how many samples", "own-says", &Faults::normal, Fault::zero);
+    add("normals-zero", "normals are 0", "own", &Faults::normal, Fault::zero);
+    add("normals-zero-says", "normals are 0, and the file says how many samples", "own-says", &Faults::normal, Fault::zero, true);
     add("normals-noisy", "normals have noise", "own-says", &Faults::normal, Fault::noisy);
     add("normals-late", "normals are those of the frame before", "court", &Faults::normal, Fault::of_frame_before);
     add("depth-zero", "depth is 0", "own", &Faults::depth, Fault::zero);
@@ -100,7 +100,7 @@ void add_wrong_guides(SituationList& list) {
          {std::tuple{"albedo-highlight", "the albedo of a rough metal is a highlight", Fault::highlight},
           std::tuple{"albedo-white", "the albedo of a rough metal is a highlight, cut to 1", Fault::white}})
         list.add(
-            name, about, "guides", "metal", [&](Shot& s) { s.faults.albedo = fault, s.part = Part::things; }, fault == Fault::highlight);
+            name, about, "guides", "metal", [&](Shot& s) { s.faults.albedo = fault, s.part = Part::things; }, fault == Fault::white);
     list.add("half", "16 bits for each number", "guides", "court", [](Shot& s) { s.is_half = true; });
 }
 
@@ -119,9 +119,8 @@ void add_other_light(SituationList& list) {
         s.part = Part::things;
     });
     list.add("fog", "the light of a fog lies over all", "colours of frames around", "court", [](Shot& s) { s.world.fog = 0.08; });
-    list.add(
-        "flash", "the lamp is six times as bright in frame 5", "history", "court",
-        [](Shot& s) { s.world.exposure = {.flash = 5, .flashes = 6}; }, true);
+    list.add("flash", "the lamp is six times as bright in frame 5", "history", "court",
+             [](Shot& s) { s.world.exposure = {.flash = 5, .flashes = 6}; });
     list.add("fade", "each frame has two thirds of the light", "history", "court", [](Shot& s) { s.world.exposure.grows = 0.67; });
     list.add("exposure", "each frame has 1.3 times the light", "history", "court", [](Shot& s) { s.world.exposure.grows = 1.3; });
 }

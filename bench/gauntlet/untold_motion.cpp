@@ -51,8 +51,9 @@ void add_motion_of_things(SituationList& list) {
     list.add("shadows", "the lamp moves, and shadows with it", history, "still", [](Shot& s) {
         s.world.lamp.speed = {0.35, 0., 0.1}, s.part = Part::shadows;
     });
-    list.add("glow-moves", "a ball that sends out light has no vectors", "emission of frames around", "fast",
-             [](Shot& s) { s.world.things[court_ball].material.glow = 1.5, s.vectors = Vectors::apart_zero, s.part = Part::things; });
+    list.add(
+        "glow-moves", "a ball that sends out light has no vectors", "emission of frames around", "fast",
+        [](Shot& s) { s.world.things[court_ball].material.glow = 1.5, s.vectors = Vectors::apart_zero, s.part = Part::things; }, true);
 }
 
 } // namespace
