@@ -42,6 +42,12 @@ Meeting meets_floor(Vec3 eye, Vec3 ray) {
     return t > 1e-6 && t < 80 ? Meeting{t, {0, 1, 0}} : Meeting{};
 }
 
+/// Whether a ray misses a ball around a thing by more than rounding: most rays do, and no turn is needed to know that.
+bool is_missed(Vec3 eye, Vec3 ray, double square_of_radius) {
+    double const a = glm::dot(ray, ray), b = glm::dot(ray, eye), c = glm::dot(eye, eye) - 1.001 * square_of_radius;
+    return c > 0 && (b > 0 || b * b < a * c);
+}
+
 int cell_of(Vec3 place) {
     auto const cell = glm::floor(place);
     auto const whole = [&](int a) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(cell[a])); };
@@ -81,7 +87,12 @@ Hit World::along(Vec3 eye, Vec3 ray, double time, Thing const* but) const {
     for (auto const& thing : things) {
         if (&thing == but || time < thing.appears) continue;
         double const by = -(thing.angle + thing.spin * time), growth = thing.growth(time);
-        auto const from = turned(eye - thing.at - thing.speed * time, by) / growth, way = turned(ray, by) / growth;
+        auto const to_eye = eye - thing.at - thing.speed * time;
+        if (thing.shape != Shape::floor &&
+            is_missed(to_eye, ray,
+                      growth * growth * (thing.shape == Shape::ball ? thing.half.x * thing.half.x : glm::dot(thing.half, thing.half))))
+            continue;
+        auto const from = turned(to_eye, by) / growth, way = turned(ray, by) / growth;
         auto const met = thing.shape == Shape::floor ? meets_floor(from, way)
                          : thing.shape == Shape::box ? meets_box(from, way, thing.half)
                                                      : meets_ball(from / thing.half.x, way / thing.half.x);
