@@ -96,11 +96,12 @@ void add_wrong_guides(SituationList& list) {
     add("albedo-zero", "albedo is 0", "own", &Faults::albedo, Fault::zero);
     add("albedo-noisy", "albedo has noise", "own-says", &Faults::albedo, Fault::noisy);
     add("albedo-late", "albedo is that of the frame before", "own", &Faults::albedo, Fault::of_frame_before);
-    for (auto const& [name, about, fault] :
-         {std::tuple{"albedo-highlight", "the albedo of a rough metal is a highlight", Fault::highlight},
-          std::tuple{"albedo-white", "the albedo of a rough metal is a highlight, cut to 1", Fault::white}})
+    auto const add_highlight = [&](char const* name, char const* about, Fault fault, bool is_small) {
         list.add(
-            name, about, "guides", "metal", [&](Shot& s) { s.faults.albedo = fault, s.part = Part::things; }, fault == Fault::white);
+            name, about, "guides", "metal", [&](Shot& s) { s.faults.albedo = fault, s.part = Part::things; }, is_small);
+    };
+    add_highlight("albedo-highlight", "the albedo of a rough metal is a highlight", Fault::highlight, false);
+    add_highlight("albedo-white", "the albedo of a rough metal is a highlight, cut to 1", Fault::white, true);
     list.add("half", "16 bits for each number", "guides", "court", [](Shot& s) { s.is_half = true; });
 }
 
