@@ -82,7 +82,8 @@ std::vector<std::string> SequenceFrames::planes(io::ExrListing const& file) cons
 
 SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) const {
     SeenFrame frame{number, file.read(planes(file.listed), canvas), false, {}, {}};
-    frame.samples = believed_samples(frame.image, on_canvas, samples_in(file.listed, on_canvas));
+    frame.said_samples = samples_in(file.listed, on_canvas);
+    frame.samples = believed_samples(frame.image, on_canvas, frame.said_samples);
     if (settings.is_refined()) frame.behind = names_behind_volume(frame.image, on_canvas);
     auto const& names = names_of(frame);
     if (settings.is_anti_aliased()) frame.around = frame_around(frame.image, names, frame.samples);
