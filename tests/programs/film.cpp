@@ -3,10 +3,6 @@
 #include <denoise/film_alpha.hpp>
 #include <denoise/unlit_film.hpp>
 
-#include <nlohmann/json.hpp>
-
-#include <numeric>
-
 using namespace quell;
 using namespace quell::tests;
 

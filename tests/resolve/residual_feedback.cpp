@@ -16,7 +16,9 @@ struct Fed : FlatSurface {
 
     Fed& feed(Executor auto const& executor, float count) {
         auto const alone = picture;
-        feed_back_residual({.samples = count}, executor, samples, normals.view(), depths.view(), alone, picture);
+        // What waves lack here they lack nearly everywhere, and there is next to no noise beside.
+        ResidualFeedback const rule{.samples = count, .of_neighbours = {.least = 2.f, .most = 3.f}};
+        feed_back_residual(rule, executor, samples, normals.view(), depths.view(), alone, picture);
         return *this;
     }
 };

@@ -6,6 +6,7 @@
 #include <quell/image/image_storage.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -16,8 +17,8 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// pictures that were enlarged or filtered, and samples that pixels hand to each other share it: what is held out there is held out of
 /// nothing.
 ///
-/// The measure is the mean of e(p) e(q) over neighbours p and q, as a part of the mean of e^2, where e is what samples have more than a
-/// picture of them. It is taken by windows, of rows and of columns whichever is less, since what the picture has wrong neighbours have in
+/// The measure is the correlation of e(p) and e(q) over neighbours p and q, where e is what samples have more than a picture of them. It is
+/// taken by windows, of rows and of columns whichever is less, since what the picture has wrong neighbours have in
 /// common too. Of all windows it is the quartile from below: some of them have a picture that is right.
 struct SharedNoise {
     int window = 8;     ///< side of the windows, in pixels
@@ -62,15 +63,23 @@ template <class Residual> [[nodiscard]] float shared_noise(SharedNoise const& ru
             for (int c = 0; c < 3; ++c) row[c] = is_known ? e[c] : 0.f;
         }
     };
+    /// Of one component of a window: of pixels, those to the right and those below, and of products with them.
     struct Sums {
-        double square = 0, right = 0, below = 0;
+        double here = 0, right = 0, below = 0, square = 0, by_right = 0, by_below = 0;
     };
-    std::vector<Sums> windows(width / static_cast<std::size_t>(rule.window) + 1);
+    std::vector<std::array<Sums, 3>> windows(width / static_cast<std::size_t>(rule.window) + 1);
+    std::vector<double> counts(windows.size(), 0.);
     auto const close = [&] {
-        for (auto& sums : windows) {
-            // Where a picture holds its samples, next to nothing is left but rounding.
-            if (sums.square > 0.) parts.push_back(static_cast<float>(std::min(sums.right, sums.below) / sums.square));
-            sums = {};
+        for (std::size_t w = 0; w < windows.size(); ++w) {
+            double raw = 0, square = 0, right = 0, below = 0;
+            for (auto const& sums : windows[w]) {
+                double const mean = sums.here / std::max(counts[w], 1.);
+                raw += sums.square, square += sums.square - mean * sums.here;
+                right += sums.by_right - mean * sums.right, below += sums.by_below - mean * sums.below;
+            }
+            // Where a picture lacks the same everywhere, rounding is all that is left.
+            if (square > 1e-6 * raw) parts.push_back(static_cast<float>(std::min(right, below) / square));
+            windows[w] = {}, counts[w] = 0.;
         }
     };
     float *here = rows.data(), *below = here + 3 * width;
@@ -78,11 +87,14 @@ template <class Residual> [[nodiscard]] float shared_noise(SharedNoise const& ru
     for (int y = 0; y + 1 < size.height; ++y) {
         take(y + 1, below);
         for (std::size_t x = 0; x + 1 < width; ++x) {
-            auto& sums = windows[x / static_cast<std::size_t>(rule.window)];
+            auto const window = x / static_cast<std::size_t>(rule.window);
+            ++counts[window];
             for (std::size_t c = 0; c < 3; ++c) {
-                auto const own = static_cast<double>(here[3 * x + c]);
-                sums.square += own * own, sums.right += own * static_cast<double>(here[3 * x + 3 + c]);
-                sums.below += own * static_cast<double>(below[3 * x + c]);
+                auto& sums = windows[window][c];
+                auto const own = static_cast<double>(here[3 * x + c]), beside = static_cast<double>(here[3 * x + 3 + c]);
+                auto const under = static_cast<double>(below[3 * x + c]);
+                sums.here += own, sums.right += beside, sums.below += under;
+                sums.square += own * own, sums.by_right += own * beside, sums.by_below += own * under;
             }
         }
         std::swap(here, below);
