@@ -193,6 +193,8 @@ public:
         for (auto const& denoiser : denoisers)
             if (denoiser.names())
                 for (auto const& line : denoiser.names()->remarks) remark(line);
+        for (auto const& denoiser : denoisers)
+            for (auto const& line : denoiser.remarks()) remark(line);
         if (auto const left = views->remark()) remark(*left);
         for (auto const& name : without_reference) remark("the references do not have view " + name);
         if (guides.pixels > 0) {

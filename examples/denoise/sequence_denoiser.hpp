@@ -66,6 +66,8 @@ public:
     [[nodiscard]] double bytes_per_pixel() const;
     /// How the files name their channels. Known once a frame was denoised.
     [[nodiscard]] std::optional<io::SequenceNames> const& names() const { return frames.settings.map; }
+    /// About guides that say nothing, in the frames so far.
+    [[nodiscard]] std::vector<std::string> remarks() const { return frames.remarks(); }
     /// Whether alpha was left as it is for want of a preset that denoises it.
     [[nodiscard]] bool left_alpha() const { return alpha_stays; }
     /// How pictures are enlarged, as far as it is known; once a frame was denoised, as they are.

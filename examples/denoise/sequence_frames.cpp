@@ -80,11 +80,13 @@ std::vector<std::string> SequenceFrames::planes(io::ExrListing const& file) cons
     return planes;
 }
 
-SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) const {
+SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) {
     SeenFrame frame{number, file.read(planes(file.listed), canvas), false, {}, {}};
     frame.said_samples = samples_in(file.listed, on_canvas);
     frame.samples = believed_samples(frame.image, on_canvas, frame.said_samples);
+    empty_passes.add(fill_empty_guides(frame.image, on_canvas));
     if (settings.is_refined()) frame.behind = names_behind_volume(frame.image, on_canvas);
+    frame.believed = doubted_albedo.names_for(frame.image, names_of(frame), settings.preset.by_albedo, number);
     auto const& names = names_of(frame);
     if (settings.is_anti_aliased()) frame.around = frame_around(frame.image, names, frame.samples);
     if (!on_canvas.view.empty()) frame.image.attributes = attributes_of_view(file, on_canvas);
@@ -102,6 +104,12 @@ SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) co
     frame.as_one = is_better_as_one(frame.image, names, split_by);
     frame.has_noisy_guides = settings.is_refined() && frame.around && !frame.as_one && is_better_as_one(frame.image, names, rule());
     return frame;
+}
+
+std::vector<std::string> SequenceFrames::remarks() const {
+    auto all = empty_passes.remarks();
+    for (auto const& line : doubted_albedo.remarks()) all.push_back(line);
+    return all;
 }
 
 LightSplit const& SequenceFrames::split(SeenFrame& seen, bool as_one) const {

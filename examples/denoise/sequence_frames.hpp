@@ -1,5 +1,7 @@
 #pragma once
 
+#include <denoise/doubted_albedo.hpp>
+#include <denoise/empty_guides.hpp>
 #include <denoise/seen_frame.hpp>
 #include <denoise/sequence_settings.hpp>
 
@@ -24,7 +26,7 @@ public:
     /// @throws Error naming the file and what is wrong with it
     void begin(io::ExrOriginal const& file);
     /// Reads a frame of the canvas. @throws Error naming the file and what is wrong with it
-    [[nodiscard]] SeenFrame seen(io::ExrOriginal const& file, long long number) const;
+    [[nodiscard]] SeenFrame seen(io::ExrOriginal const& file, long long number);
     /// Its light by signals, or as one.
     [[nodiscard]] LightSplit const& split(SeenFrame& seen, bool as_one) const;
     /// What light is divided by.
@@ -41,7 +43,12 @@ public:
     [[nodiscard]] io::SequenceNames const& names() const { return on_canvas; }
     /// By which the guides of all signals are read.
     [[nodiscard]] io::ChannelNames const& guide_names() const { return on_canvas.of_signals[0].channels; }
-    [[nodiscard]] io::SequenceNames const& names_of(SeenFrame const& seen) const { return seen.behind ? *seen.behind : on_canvas; }
+    [[nodiscard]] io::SequenceNames const& names_of(SeenFrame const& seen) const {
+        if (seen.believed) return *seen.believed;
+        return seen.behind ? *seen.behind : on_canvas;
+    }
+    /// About guides that say nothing, in the frames so far: one sentence each.
+    [[nodiscard]] std::vector<std::string> remarks() const;
     /// The plane of the film's alpha; empty: none.
     [[nodiscard]] std::string const& alpha_plane() const { return alpha; }
     /// Whether alpha is denoised with the light that it belongs to.
@@ -54,6 +61,8 @@ private:
     Region canvas;
     io::SequenceNames on_canvas;
     std::string alpha;
+    EmptyPasses empty_passes;
+    DoubtedAlbedo doubted_albedo;
     std::unique_ptr<Denoiser> any; ///< says what denoisers of the preset want
 
     void check_upsampling(io::ExrListing const& file);

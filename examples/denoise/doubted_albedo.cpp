@@ -1,0 +1,260 @@
+#include <denoise/doubted_albedo.hpp>
+#include <denoise/doubted_places.hpp>
+#include <denoise/light_split.hpp>
+
+#include <quell/core/real.hpp>
+#include <quell/core/value.hpp>
+#include <quell/frame/modulation.hpp>
+#include <quell/frame/repair.hpp>
+#include <quell/io/frame_image.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace quell::examples {
+
+namespace {
+
+using Pixels = std::vector<glm::vec3>;
+
+constexpr AlbedoDoubt begins{6.f, .2f};  ///< of correct renders at 1 and 16 samples, none has such a sum
+constexpr AlbedoDoubt goes_on{3.f, .1f}; ///< beside a pixel with doubt
+constexpr std::size_t fewest = 64;       ///< places of sums that go together: less is an edge
+constexpr float fading = .8f;            ///< of sums over a frame
+constexpr std::size_t frames_kept = 8;
+constexpr float same_depth = .1f; ///< part by which a surface's depth changes over a frame at most
+
+/// Sums are made at one pixel of so many, along rows and columns.
+int step_of(Extent size) {
+    int const shorter = std::min(size.width, size.height);
+    return shorter < 128 ? 1 : shorter < 256 ? 2 : 3;
+}
+
+/// A pixel of which nothing but the albedo is known: what a Demodulate looks at.
+struct AlbedoPixel {
+    using Real = float;
+    glm::vec3 value;
+    glm::vec3 operator[](Albedo) const { return value; }
+};
+glm::vec3 divisor_of(glm::vec3 const& colour) {
+    return Demodulate{}.outward(AlbedoPixel{detail::Repair<Albedo>::repaired(colour)}, glm::vec3(1.f));
+}
+bool is_constant(std::vector<io::Source> const& sources) { return io::planes_of(sources).empty(); }
+
+/// By the guides that the image has; none where it has neither depth nor normals: then light of two things may be compared.
+std::optional<SurfaceGuides> guides_in(io::ExrImage const& image, io::ChannelNames const& names) {
+    auto const of_depth = io::sources_of(names, depth), of_normal = io::sources_of(names, normal);
+    auto const is_there = [&](auto const& sources) { return !is_constant(sources) && image.has_all(io::planes_of(sources)); };
+    if (!is_there(of_depth) && !is_there(of_normal)) return std::nullopt;
+    SurfaceGuides guides;
+    if (is_there(of_depth)) {
+        guides.depth = io::component_of(image, of_depth[0]);
+        io::detail::mark_misses(guides.depth, image, of_depth[0], names);
+        for (auto& each : guides.depth)
+            if (!(each > 0.f)) each = std::numeric_limits<float>::infinity();
+    }
+    if (is_there(of_normal))
+        for (std::size_t c = 0; c < 3; ++c) guides.normals[c] = io::component_of(image, of_normal[c]);
+    return guides;
+}
+
+/// One signal of a frame.
+struct Signal {
+    io::SignalNames const& names;
+    std::vector<io::Source> of_light, of_colour; ///< the colour: the factor, or the albedo
+
+    Signal(io::SignalNames const& signal, bool by_albedo) : names(signal), of_light(io::sources_of(signal.channels, radiance)) {
+        if (has_factor())
+            of_colour = names.factor;
+        else if (by_albedo)
+            of_colour = io::sources_of(names.channels, albedo);
+    }
+    [[nodiscard]] bool has_factor() const { return !names.factor.empty(); }
+    [[nodiscard]] bool is_divided(io::ExrImage const& image) const {
+        return !is_constant(of_colour) && !is_constant(of_light) && image.has_all(io::planes_of(of_colour)) &&
+               image.has_all(io::planes_of(of_light));
+    }
+};
+
+/// The light of a signal in one image.
+struct Light {
+    metrics::Picture light, colour; ///< as they are
+    Pixels part, divisor;           ///< light in the picture, and what it is divided by
+
+    Light(io::ExrImage const& image, Signal const& signal)
+        : light(picture_of(image, signal.of_light, 0.f)), colour(picture_of(image, signal.of_colour, 1.f)), part(light.pixels),
+          divisor(colour.pixels) {
+        for (std::size_t i = 0; i < part.size(); ++i)
+            if (signal.has_factor())
+                part[i] *= divisor[i];
+            else
+                divisor[i] = divisor_of(divisor[i]);
+    }
+};
+
+/// Puts a picture among the planes. It is rounded as those that it stands for: what that explains is no light.
+std::vector<io::Source> put(io::ExrImage& image, std::string const& name, metrics::Picture const& picture,
+                            std::vector<io::Source> const& instead_of) {
+    auto const type = image[io::planes_of(instead_of).front()].type;
+    auto const first = image.planes.size();
+    auto sources = put_picture(image.planes, name, picture);
+    for (auto i = first; i < image.planes.size(); ++i) image.planes[i].type = type;
+    return sources;
+}
+
+/// One pixel of so many along rows and columns.
+struct Grid {
+    Extent whole;
+    int step;
+    Extent size{(whole.width + step - 1) / step, (whole.height + step - 1) / step};
+
+    [[nodiscard]] std::size_t pixels() const { return static_cast<std::size_t>(size.pixels()); }
+    [[nodiscard]] std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
+    }
+    [[nodiscard]] std::size_t in_whole(int x, int y) const {
+        return static_cast<std::size_t>(y * step) * static_cast<std::size_t>(whole.width) + static_cast<std::size_t>(x * step);
+    }
+    /// Calls f(x, y) with each place.
+    void for_each(auto&& f) const {
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) f(x, y);
+    }
+    [[nodiscard]] std::vector<float> of(std::vector<float> const& values) const {
+        std::vector<float> some;
+        if (!values.empty()) for_each([&](int x, int y) { some.push_back(values[in_whole(x, y)]); });
+        return some;
+    }
+    [[nodiscard]] SurfaceGuides of(SurfaceGuides const& guides) const {
+        return {of(guides.depth), {of(guides.normals[0]), of(guides.normals[1]), of(guides.normals[2])}};
+    }
+    /// What a signal is read from.
+    [[nodiscard]] io::ExrImage of(io::ExrImage const& image, Signal const& signal) const {
+        io::ExrImage small{.name = image.name, .size = size};
+        for (auto const& sources : {signal.of_light, signal.of_colour})
+            for (auto const& name : io::planes_of(sources))
+                if (small.find(name) == nullptr) small.planes.push_back({.name = name, .values = of(image[name].values)});
+        return small;
+    }
+};
+
+/// Where each place of a grid was in the frame before: a place of the grid, or none. Without motion, where it is.
+class Moved {
+    Grid const& grid;
+    std::optional<Frame<Channels<Motion>>> vectors;
+
+public:
+    Moved(Grid const& g, io::ExrImage const& image, io::ChannelNames const& names) : grid(g) {
+        if (!image.has_all(io::planes_of(Channels<Motion>{}, names))) return;
+        vectors.emplace(image.size);
+        io::load_channels(Channels<Motion>{}, *vectors, image, names);
+    }
+    [[nodiscard]] std::optional<std::size_t> from(int x, int y) const {
+        if (!vectors) return grid.index(x, y);
+        auto const view = (*vectors)[motion].view();
+        auto const steps = static_cast<float>(grid.step);
+        auto const at = [&](int c, int place) {
+            return std::round(static_cast<float>(place) + view.get(c, x * grid.step, y * grid.step) / steps);
+        };
+        float const there_x = at(0, x), there_y = at(1, y);
+        auto const is_in = [](float a, int length) { return is_finite(a) && a >= 0.f && a < static_cast<float>(length); };
+        if (!is_in(there_x, grid.size.width) || !is_in(there_y, grid.size.height)) return std::nullopt;
+        return grid.index(static_cast<int>(there_x), static_cast<int>(there_y));
+    }
+};
+
+/// Pixels of the whole image whose nearest places of the grid on their surface are doubted, most of them.
+std::vector<bool> in_whole(Grid const& grid, std::vector<bool> const& mask, SurfaceGuides const& guides) {
+    std::vector<bool> whole;
+    for (int y = 0; y < grid.whole.height; ++y)
+        for (int x = 0; x < grid.whole.width; ++x) {
+            int more = 0;
+            for (int const j : {y / grid.step, y / grid.step + 1})
+                for (int const i : {x / grid.step, x / grid.step + 1}) {
+                    if (i >= grid.size.width || j >= grid.size.height) continue;
+                    if (guides.are_one(whole.size(), grid.in_whole(i, j), grid.step)) more += mask[grid.index(i, j)] ? 1 : -1;
+                }
+            whole.push_back(more > 0);
+        }
+    return whole;
+}
+
+/// Puts constants in the place of a signal's colours, and light that makes the same picture with them.
+void replace(io::ExrImage& image, io::SignalNames& names, Signal const& signal, SurfaceLinks const& surfaces,
+             std::vector<bool> const& mask) {
+    Light light(image, signal);
+    auto const given = light.divisor;
+    flatten(surfaces, mask, light.divisor);
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        if (!mask[i]) continue;
+        if (signal.has_factor()) light.light.pixels[i] *= light.colour.pixels[i] / light.divisor[i];
+        light.colour.pixels[i] = light.divisor[i];
+    }
+    auto& sources = names.channels.sources;
+    (signal.has_factor() ? names.factor : sources["albedo"]) = put(image, "colour for " + names.name, light.colour, signal.of_colour);
+    if (signal.has_factor()) sources["radiance"] = put(image, "light for " + names.name, light.light, signal.of_light);
+}
+
+} // namespace
+
+DoubtedAlbedo::Known const* DoubtedAlbedo::find(long long number, Extent size) const {
+    for (auto const& each : known)
+        if (each.number == number && each.size == size) return &each;
+    return nullptr;
+}
+
+std::optional<io::SequenceNames> DoubtedAlbedo::names_for(io::ExrImage& image, io::SequenceNames const& names, bool by_albedo,
+                                                          long long number) {
+    auto const guides = guides_in(image, names.of_signals[0].channels);
+    if (!guides) return std::nullopt;
+    Grid const grid{image.size, step_of(image.size)};
+    auto const small_guides = grid.of(*guides);
+    SurfaceLinks const small_surfaces(grid.size, small_guides);
+    Moved const moved(grid, image, names.of_signals[0].channels);
+    auto const* const before = find(number - 1, grid.size);
+    Known now{number, grid.size, small_guides.depth, {}};
+    std::optional<SurfaceLinks> surfaces;
+    std::optional<io::SequenceNames> seen;
+    for (std::size_t s = 0; s < names.of_signals.size(); ++s) {
+        Signal const signal(names.of_signals[s], by_albedo);
+        if (!signal.is_divided(image)) continue;
+        Light const light(grid.of(image, signal), signal);
+        auto& evidence = now.of_signals[s] = albedo_evidence(small_surfaces, light.part, light.divisor);
+        if (before != nullptr && before->of_signals.contains(s)) {
+            auto const& earlier = before->of_signals.at(s);
+            grid.for_each([&](int x, int y) {
+                auto const here = grid.index(x, y);
+                auto const there = moved.from(x, y);
+                if (!there) return;
+                if (!now.depth.empty() && !before->depth.empty() &&
+                    std::abs(now.depth[here] - before->depth[*there]) > same_depth * now.depth[here])
+                    return;
+                evidence[here] += earlier[*there].weighted(fading);
+            });
+        }
+        auto const sums = small_surfaces.window_sums(evidence);
+        auto mask = places(
+            small_surfaces, grid.pixels(), fewest, [&](std::size_t i) { return begins.holds(sums[i]); },
+            [&](std::size_t i) { return goes_on.holds(sums[i]); });
+        if (std::ranges::find(mask, true) == mask.end()) continue;
+        close_gaps(small_surfaces, mask);
+        if (!surfaces) surfaces.emplace(image.size, *guides);
+        auto whole = in_whole(grid, mask, *guides);
+        close_gaps(*surfaces, whole);
+        most = std::max(most, static_cast<double>(std::ranges::count(whole, true)) / static_cast<double>(whole.size()));
+        if (!seen) seen = names;
+        replace(image, seen->of_signals[s], signal, *surfaces, whole);
+    }
+    if (find(number, grid.size) == nullptr) known.push_back(std::move(now));
+    if (known.size() > frames_kept) known.pop_front();
+    return seen;
+}
+
+std::vector<std::string> DoubtedAlbedo::remarks() const {
+    if (!(most > 0.)) return {};
+    return {"albedo says nothing of the light in up to " + std::to_string(static_cast<int>(std::ceil(100. * most))) +
+            " % of the picture, and is not divided by there"};
+}
+
+} // namespace quell::examples

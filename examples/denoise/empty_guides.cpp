@@ -1,0 +1,132 @@
+#include <denoise/empty_guides.hpp>
+
+#include <quell/core/real.hpp>
+#include <quell/core/value.hpp>
+#include <quell/io/frame_image.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace quell::examples {
+
+namespace {
+
+using Values = std::vector<float>;
+
+/// Whether a channel is read from planes alone, all of which are there.
+bool is_pass(io::ExrImage const& image, std::vector<io::Source> const& sources) {
+    return std::ranges::none_of(sources, [](auto const& source) { return source.sum.empty() || source.scale == 0.f; }) &&
+           image.has_all(io::planes_of(sources));
+}
+
+io::Plane& plane_of(io::ExrImage& image, std::string const& name) {
+    auto const& found = image[name];
+    return image.planes[static_cast<std::size_t>(&found - image.planes.data())];
+}
+
+/// Makes a component `value` at the pixels of a list.
+void put(io::ExrImage& image, io::Source const& source, std::vector<std::size_t> const& pixels, float value) {
+    float first = (value - source.offset) / source.scale;
+    for (auto const& name : source.sum) {
+        auto& values = plane_of(image, name).values;
+        for (auto const pixel : pixels) values[pixel] = first;
+        first = 0.f;
+    }
+}
+
+/// The guides of one signal.
+class Guides {
+    io::ExrImage& image;
+    std::vector<io::Source> of_normal, of_depth;
+    io::ChannelNames const& names;
+    std::array<Values, 3> normals; ///< empty: no pass
+    Values depths;                 ///< as in the file; empty: no pass
+
+    [[nodiscard]] float squared_normal(std::size_t i) const {
+        return normals[0][i] * normals[0][i] + normals[1][i] * normals[1][i] + normals[2][i] * normals[2][i];
+    }
+    [[nodiscard]] std::vector<std::size_t> pixels_where(auto const& f) const {
+        std::vector<std::size_t> found;
+        for (std::size_t i = 0; i < image.pixels(); ++i)
+            if (f(i)) found.push_back(i);
+        return found;
+    }
+    /// Of each pixel, whether the depth shows a surface; empty: that is not known.
+    [[nodiscard]] std::vector<bool> surfaces() const {
+        if (depths.empty()) return {};
+        auto z = depths;
+        io::detail::mark_misses(z, image, of_depth[0], names);
+        std::vector<bool> shown;
+        for (float const each : z) shown.push_back(is_finite(each) && each > 0.f);
+        return shown;
+    }
+
+public:
+    Guides(io::ExrImage& frame, io::ChannelNames const& channels)
+        : image(frame), of_normal(io::sources_of(channels, normal)), of_depth(io::sources_of(channels, quell::depth)), names(channels) {
+        for (std::size_t c = 0; c < 3 && is_pass(image, of_normal); ++c) normals[c] = io::component_of(image, of_normal[c]);
+        if (is_pass(image, of_depth)) depths = io::component_of(image, of_depth[0]);
+    }
+
+    /// Of normals that show a surface, where the depth is 0. @return whether it is 0 everywhere
+    bool fill_depth() {
+        if (depths.empty()) return false;
+        bool const is_empty = std::ranges::all_of(depths, [](float z) { return z == 0.f; });
+        if (normals[0].empty()) return false;
+        auto const pixels = pixels_where([&](std::size_t i) { return depths[i] == 0.f && squared_normal(i) > .25f; });
+        put(image, of_depth[0], pixels, 1.f);
+        for (auto const i : pixels) depths[i] = 1.f;
+        return is_empty && !pixels.empty();
+    }
+    /// Of surfaces, where the normal is 0. @return whether it is 0 on all of them
+    bool fill_normal() {
+        if (normals[0].empty()) return false;
+        auto const shown = surfaces();
+        auto const is_surface = [&](std::size_t i) { return shown.empty() || shown[i]; };
+        auto const seen = pixels_where(is_surface);
+        auto const pixels = pixels_where([&](std::size_t i) { return is_surface(i) && squared_normal(i) == 0.f; });
+        bool const is_empty = !seen.empty() && pixels.size() == seen.size();
+        if (shown.empty() && !is_empty) return false; // it may be the sky
+        for (std::size_t c = 0; c < 3; ++c) put(image, of_normal[c], pixels, c == 2 ? 1.f : 0.f);
+        return is_empty;
+    }
+    /// Whether albedo is black on all surfaces, and light is not.
+    [[nodiscard]] bool has_black_albedo() const {
+        auto const of_albedo = io::sources_of(names, albedo), of_light = io::sources_of(names, radiance);
+        if (!is_pass(image, of_albedo) || !is_pass(image, of_light)) return false;
+        auto const shown = surfaces();
+        bool is_lit = false;
+        for (std::size_t c = 0; c < 3; ++c) {
+            auto const colours = io::component_of(image, of_albedo[c]), light = io::component_of(image, of_light[c]);
+            for (std::size_t i = 0; i < colours.size(); ++i) {
+                if (!shown.empty() && !shown[i]) continue;
+                if (colours[i] != 0.f) return false;
+                is_lit = is_lit || light[i] > 0.f;
+            }
+        }
+        return is_lit;
+    }
+};
+
+} // namespace
+
+EmptyGuides fill_empty_guides(io::ExrImage& image, io::SequenceNames const& names) {
+    EmptyGuides empty;
+    for (auto const& signal : names.of_signals) {
+        Guides guides(image, signal.channels);
+        empty.depth = guides.fill_depth() || empty.depth;
+        empty.normal = guides.fill_normal() || empty.normal;
+        empty.albedo = guides.has_black_albedo() || empty.albedo;
+    }
+    return empty;
+}
+
+std::vector<std::string> EmptyPasses::remarks() const {
+    std::vector<std::string> all;
+    if (normal) all.emplace_back("the pass of normals is 0 on every surface: surfaces are told apart by depth alone");
+    if (depth) all.emplace_back("the pass of depth is 0 everywhere: surfaces are told apart by normals alone");
+    if (albedo && !is_first) all.emplace_back("the pass of albedo is black on every surface: textures are filtered as light is");
+    return all;
+}
+
+} // namespace quell::examples
