@@ -25,10 +25,14 @@ io::ExrImage image_of(int number, Wrong const& wrong) {
     std::mt19937 random(static_cast<unsigned>(shown) + 100U);
     std::exponential_distribution<float> noise(1.f);
     auto const is_screen = [&](int x) { return wrong.film && x < size.width / 2; };
+    std::uniform_real_distribution<float> in_pixel(0.f, 1.f);
     auto const colour = colours(size, [&](int x, int y) {
-        auto const at = glm::vec2(x, y) * .2f + glm::vec2(2.f, 1.f) * static_cast<float>(number);
-        if (is_screen(x)) return glm::vec3(.5f + .4f * std::sin(at.x) * std::sin(at.y));
-        return glm::vec3(((x - shown + 1000) / 4 + y / 4) % 2 == 0 ? .8f : .3f);
+        float const u = in_pixel(random), v = in_pixel(random); // each sample has a place of its own
+        auto const at = glm::vec2(x, y) + glm::vec2(u, v);
+        auto const now = at * .2f + glm::vec2(2.f, 1.f) * static_cast<float>(number);
+        if (is_screen(x)) return glm::vec3(.5f + .4f * std::sin(now.x) * std::sin(now.y));
+        auto const cell = glm::ivec2((at + glm::vec2(1000 - shown, 0)) / 8.f);
+        return glm::vec3((cell.x + cell.y) % 2 == 0 ? .8f : .3f);
     });
     auto light = colours(size, [&](int, int) { return glm::vec3(noise(random)); });
     auto const others = colours(size, [&](int, int) { return glm::vec3(.2f * noise(random)); });
