@@ -154,7 +154,9 @@ std::vector<std::string> StageTotals::remarks() const {
             most = row.refused / frames, said = row.reason;
         }
         if (most < noticeable) continue;
-        lines.push_back(fmt::format("{}: {:.0f} % of what goes by that is left out; --why shows where", said, 100. * most));
+        lines.push_back(reason.empty()
+                            ? said + ", which is believed (--why)"
+                            : fmt::format("{}: {:.0f} % of what a stage does by that is left out; --why shows where", said, 100. * most));
     }
     return lines;
 }
