@@ -131,13 +131,13 @@ TEST_CASE("--why writes a table and a picture of the stages beside the output, a
     CHECK(worst(rows_of(folder / "out.0004.why.csv"), "feedback").share > 0.);
     auto const why = nlohmann::json::parse(ran.out)["why"];
     CHECK(why.size() >= 6);
-    CHECK(contains(why.dump(), "feedback, diffuse: "));
+    CHECK(contains(why.dump(), "feedback, picture: "));
 }
 
 TEST_CASE("--why names a screen whose colours change without motion, and nothing in its twin") {
     auto const broken = told({.film = true}), right = told({});
     auto const row = worst(broken.rows, "colours");
-    CHECK(row.signal == "diffuse");
+    CHECK(row.signal == "picture"); // the only signal
     CHECK(row.refused > .8 * .5);
     CHECK(row.refused < .7);
     CHECK(row.reason == said_of_colours);
