@@ -62,8 +62,10 @@ void tell(StageAccount& why, std::string const& signal, ImageView auto const& ag
     std::vector<float> refused;
     double sum = 0;
     for (int y = 0; y < agrees.size.height; ++y)
-        for (int x = 0; x < agrees.size.width; ++x)
-            refused.push_back(1.f - agrees.get(0, x, y)), sum += static_cast<double>(refused.back());
+        for (int x = 0; x < agrees.size.width; ++x) { // where there is no light, there is nothing to refuse
+            bool const is_lit = after[refused.size()] != glm::vec3(0.f);
+            refused.push_back(is_lit ? 1.f - agrees.get(0, x, y) : 0.f), sum += static_cast<double>(refused.back());
+        }
     double const part = sum / static_cast<double>(refused.size());
     why.refused(refused);
     why.add({signal, Stage::colours, why.changed(Stage::colours, before, after), part, part > 0. ? colours_differ : "", part > 0.});
