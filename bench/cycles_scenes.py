@@ -7,7 +7,7 @@
 #   fog (volume passes), dof (depth of field), film (transparent film), glass (no transmission passes), mblur (motion blur: Vector is 0),
 #   gamut (components below 0, wants python3-openimageio), and as controls leaves (outdoors) and tiles (indoors, fine textures).
 # Of bench/scoreboard.sh: street, office, crossing, night, fur, chrome; and of bench/held_out.sh, to which nothing is fitted: kitchen,
-# market, stairs, garden, workshop.
+# market, stairs, garden, workshop. Of bench/gauntlet.sh: horizon, screen, zoom, drips.
 # bench/cycles.sh calls this.
 import bpy, sys, math, os, random
 name, out, spp, first, last, width, height = (lambda a: (a[0], a[1], *map(int, a[2:7])))(sys.argv[sys.argv.index("--") + 1:])
@@ -543,6 +543,39 @@ elif name == 'workshop':    # indoors: rough metal everywhere, a robot's arm tur
     for i in range(3): add(P.primitive_cube_add, material('tube%d' % i, (.85, .95, 1), emit=24), (-2 + 2 * i, 1, 3), (.7, .04, .03))
     eye, target = camera((.4, -3.6, 1.7), (.1, 1.2, 1), 26)
     move(eye, 'location', [(1, (1.1, -3.5, 1.6)), (48, (-.4, -3.6, 1.8))])
+elif name in ('horizon', 'screen', 'zoom', 'drips'):    # of bench/gauntlet.sh: a yard in which one thing is not in the vectors
+    t, r = world.node_tree.nodes.new('ShaderNodeTexVoronoi' if name == 'horizon' else 'ShaderNodeTexGradient'), world.node_tree.nodes.new('ShaderNodeValToRGB')
+    if name == 'horizon': t.inputs['Scale'].default_value = 9
+    r.color_ramp.elements[0].color, r.color_ramp.elements[1].color = (.15, .25, .5, 1), (.75, .72, .65, 1)
+    world.node_tree.links.new(world.node_tree.nodes.new('ShaderNodeTexCoord').outputs['Generated'], t.inputs['Vector'])
+    world.node_tree.links.new(t.outputs['Distance' if name == 'horizon' else 'Fac'], r.inputs['Fac'])
+    world.node_tree.links.new(r.outputs['Color'], world.node_tree.nodes['Background'].inputs[0])
+    add(P.primitive_plane_add, material('ground', (.5, .48, .42), .9, checker=14), (0, 2, 0), (9, 9, 1))
+    add(P.primitive_cube_add, material('crate', (.7, .25, .2), .7, checker=4), (-1.5, 1.2, .5), (.5, .5, .5), (0, 0, .5))
+    add(P.primitive_cylinder_add, material('post', (.3, .6, .35), .5, checker=6), (1.7, 1.6, .9), (.25, .25, .9))
+    ball = add(P.primitive_uv_sphere_add, material('ball', (.8, .75, .3), .6, checker=5), (-.6, 0, .4), (.4, .4, .4))
+    move(ball, 'location', [(1, (-.8, 0, .4)), (48, (2, 0, .4))])
+    light('AREA', (-2, -2, 4), 260, 1, (.5, -.4, 0))
+    eye, target = camera((.2, -4, 1.5), (0, 2, 1), 30)
+    if name == 'horizon': move(target, 'location', [(1, (-1, 2, 1)), (48, (6, 2, 1))])   # Cycles' vectors are 0 for the sky
+    elif name == 'zoom': eye.data.keyframe_insert('lens', frame=1); eye.data.lens = 60; eye.data.keyframe_insert('lens', frame=48)
+    elif name == 'screen':  # a film: coordinates of its texture jump in each frame
+        m = material('film', (.8, .8, .8), .8)
+        t, at = m.node_tree.nodes.new('ShaderNodeTexVoronoi'), m.node_tree.nodes.new('ShaderNodeMapping')
+        t.inputs['Scale'].default_value = 4
+        m.node_tree.links.new(m.node_tree.nodes.new('ShaderNodeTexCoord').outputs['Object'], at.inputs['Vector'])
+        m.node_tree.links.new(at.outputs[0], t.inputs['Vector'])
+        m.node_tree.links.new(t.outputs['Color'], m.node_tree.nodes['Principled BSDF'].inputs['Base Color'])
+        add(P.primitive_plane_add, m, (.3, 2.4, 1.2), (1.2, .7, 1), (half, 0, 0))
+        for f in range(1, 49): at.inputs['Location'].default_value = (.37 * f, .11 * f, 1.7 * f); at.inputs['Location'].keyframe_insert('default_value', frame=f)
+        move(eye, 'location', [(1, (.2, -4, 1.5)), (48, (1.2, -4, 1.5))])
+    else:                   # metaballs are another mesh in each frame, without vectors
+        m = material('drop', (.6, .65, .75), .4)
+        for i, (x, y, z) in enumerate(places(9, 5, (-2.2, 1, 1.4), (2.2, 2, 2.4))):
+            bpy.ops.object.metaball_add(type='BALL', radius=.35, location=(x, y, z))
+            o = bpy.context.object
+            o.data.materials.append(m)
+            move(o, 'location', [(1, (x, y, z)), (48, (-x, y, z + 1 - .2 * i))])
 else: sys.exit('cycles_scenes.py: no scene ' + name)
 
 def out_of_gamut(file):     # takes the linear colours for Rec.2020 and writes them as Rec.709, where pure ones have components below 0

@@ -126,7 +126,8 @@ std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metric
         return views;
     };
     auto const those_before = all_of(before), those_after = all_of(after);
-    auto const agrees = anti_alias_where_agreed({}, policy, Threads<>{.count = threads}, views_of(*here, colour_image),
+    auto const agreement = policy.by_surface ? Agreement{} : Agreement::of_means();
+    auto const agrees = anti_alias_where_agreed(agreement, policy, Threads<>{.count = threads}, views_of(*here, colour_image),
                                                 std::span<ColouredFrame<> const>(those_before),
                                                 std::span<ColouredFrame<> const>(those_after), light_image.view(), to.view());
     metrics::Picture result{size, {}};

@@ -55,8 +55,9 @@ struct Made {
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x)
                 for (int c = 0; c < 3; ++c) light.view().set(c, x, y, 2.f);
-        agrees = anti_alias_where_agreed({}, policy, Simd{}, here.view(), std::span<ColouredFrame<> const>(before),
-                                         std::span<ColouredFrame<> const>(after), light.view(), to.view());
+        agrees = anti_alias_where_agreed(policy.by_surface ? Agreement{} : Agreement::of_means(), policy, Simd{}, here.view(),
+                                         std::span<ColouredFrame<> const>(before), std::span<ColouredFrame<> const>(after), light.view(),
+                                         to.view());
     }
     /// The root mean square of the picture less twice a texture, over columns.
     [[nodiscard]] float error(Texture const& truth, int first, int end) const {

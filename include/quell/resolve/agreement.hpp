@@ -22,6 +22,9 @@ struct Agreement {
     float caution = 1.f; ///< standard errors that are taken off what neighbours have in common
     float least = 0.f;   ///< part that is tolerated
     float most = .06f;   ///< part from which on frames around count nothing
+
+    /// For colours that are means of several samples, whose own noise is little beside what frames around may have wrong.
+    [[nodiscard]] static constexpr Agreement of_means() { return {.caution = 0.f, .least = -.05f, .most = .05f}; }
 };
 
 namespace detail {

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <gauntlet/render.hpp>
+
+#include <quell/io/exr_image.hpp>
+#include <quell/metrics/picture.hpp>
+
+#include <string>
+
+namespace quell::gauntlet {
+
+/// What a renderer writes of a frame, with what is broken of it.
+[[nodiscard]] io::ExrImage file_of(Shot const& shot, Making const& making, int frame);
+
+/// The layer of the picture: a name with a dot behind it, or nothing.
+[[nodiscard]] std::string picture_layer(Shot const& shot);
+
+/// The picture of a file, by its layer.
+[[nodiscard]] metrics::Picture picture_in(io::ExrImage const& image, std::string const& layer);
+
+} // namespace quell::gauntlet
