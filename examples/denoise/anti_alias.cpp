@@ -51,6 +51,25 @@ bool is_still(ImageView auto const& motions) {
             if (motions.get(0, x, y) != 0.f || motions.get(1, x, y) != 0.f) return false;
     return true;
 }
+std::vector<glm::vec3> pixel_by_pixel(metrics::Picture const& colour, metrics::Picture const* light) {
+    auto product = colour.pixels;
+    for (std::size_t i = 0; i < product.size() && light != nullptr; ++i) product[i] *= light->pixels[i];
+    return product;
+}
+/// @param agrees how far frames around count
+void tell(StageAccount& why, std::string const& signal, ImageView auto const& agrees, std::vector<glm::vec3> const& before,
+          std::vector<glm::vec3> const& after) {
+    std::vector<float> refused;
+    double sum = 0;
+    for (int y = 0; y < agrees.size.height; ++y)
+        for (int x = 0; x < agrees.size.width; ++x) { // where there is no light, there is nothing to refuse
+            bool const is_lit = after[refused.size()] != glm::vec3(0.f);
+            refused.push_back(is_lit ? 1.f - agrees.get(0, x, y) : 0.f), sum += static_cast<double>(refused.back());
+        }
+    double const part = sum / static_cast<double>(refused.size());
+    why.refused(refused);
+    why.add({signal, Stage::colours, why.changed(Stage::colours, before, after), part, part > 0. ? colours_differ : "", part > 0.});
+}
 } // namespace
 
 std::vector<std::string> planes_of_frame_around(io::ExrListing const& file, io::SequenceNames const& names) {
@@ -83,7 +102,8 @@ std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::S
     return made;
 }
 
-std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metrics::Picture const* light) const {
+std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metrics::Picture const* light, std::string const& signal,
+                                                      StageAccount& why) const {
     if (!here || here->colours[colour].pixels.empty()) return std::nullopt;
     auto const size = here->guides.size;
     auto const colour_image = image_of(here->colours[colour]);
@@ -107,13 +127,15 @@ std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metric
     };
     auto const those_before = all_of(before), those_after = all_of(after);
     auto const agreement = policy.by_surface ? Agreement{} : Agreement::of_means();
-    anti_alias_where_agreed(agreement, policy, Threads<>{.count = threads}, views_of(*here, colour_image),
-                            std::span<ColouredFrame<> const>(those_before), std::span<ColouredFrame<> const>(those_after),
-                            light_image.view(), to.view());
+    auto const agrees = anti_alias_where_agreed(agreement, policy, Threads<>{.count = threads}, views_of(*here, colour_image),
+                                                std::span<ColouredFrame<> const>(those_before),
+                                                std::span<ColouredFrame<> const>(those_after), light_image.view(), to.view());
     metrics::Picture result{size, {}};
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
             result.pixels.emplace_back(to.view().get(0, x, y), to.view().get(1, x, y), to.view().get(2, x, y));
+    tell(why, signal, agrees.view(), why.is_gathered() ? pixel_by_pixel(here->colours[colour], light) : std::vector<glm::vec3>(),
+         result.pixels);
     return result;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <denoise/stage_account.hpp>
+
 #include <quell/frame/frame.hpp>
 #include <quell/io/sequence_names.hpp>
 #include <quell/metrics/picture.hpp>
@@ -35,8 +37,11 @@ struct AntiAliasing {
     int threads;                          ///< that it runs on; 0: all
 
     /// A colour times light; none where it is not known.
-    /// @param light null: the colour alone, which may change by itself
-    [[nodiscard]] std::optional<metrics::Picture> product(std::size_t colour, metrics::Picture const* light) const;
+    /// @param light  null: the colour alone, which may change by itself
+    /// @param signal that the colour is of
+    /// @param why    told how far frames around count
+    [[nodiscard]] std::optional<metrics::Picture> product(std::size_t colour, metrics::Picture const* light, std::string const& signal,
+                                                          StageAccount& why) const;
 };
 
 } // namespace quell::examples

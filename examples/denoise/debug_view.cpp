@@ -36,18 +36,18 @@ bool is_debug_view(std::string const& name) {
     return found;
 }
 
+std::filesystem::path path_beside(std::filesystem::path output, std::string const& name) {
+    if (output.extension() == ".exr") output.replace_extension(); // what is behind another dot may be the frame's number
+    return output += "." + name;
+}
+
 void write_debug_view(std::filesystem::path const& output, std::string const& view, std::string const& name, DebugImage const& image) {
     io::ExrImage exr{.size = image.size};
     exr.planes.push_back({.name = "Y", .type = io::SampleType::float32, .values = image.values});
-    auto const beside = [&](char const* ending) {
-        auto file = output;
-        if (file.extension() == ".exr") file.replace_extension(); // what is behind another dot may be the frame's number
-        return file += "." + name + ending;
-    };
-    io::write_exr(beside(".exr"), exr);
+    io::write_exr(path_beside(output, name + ".exr"), exr);
     metrics::Picture picture{image.size, {}};
     for (auto const value : image.values) picture.pixels.push_back(color_of(view, value));
-    write_png(beside(".png"), picture);
+    write_png(path_beside(output, name + ".png"), picture);
 }
 
 } // namespace quell::examples

@@ -91,10 +91,16 @@ metrics::Picture Denoiser::run_images(HistoryChoice* choice) {
     return std::move(picture);
 }
 
-std::optional<metrics::Picture> Denoiser::alone(HistoryChoice& choice) const {
+std::optional<metrics::Picture> Denoiser::estimate(std::function<bool(quell_library::Image const&)> const& copy) const {
     bool is_there = false;
-    auto made = written(size, way.output_components, [&](auto const& into) { is_there = choice.copy_alone(into); }).first;
+    auto made = written(size, way.output_components, [&](auto const& into) { is_there = copy(into); }).first;
     return is_there ? std::optional(std::move(made)) : std::nullopt;
+}
+std::optional<metrics::Picture> Denoiser::alone(HistoryChoice& choice) const {
+    return estimate([&](auto const& into) { return choice.copy_alone(into); });
+}
+std::optional<metrics::Picture> Denoiser::with_history(HistoryChoice& choice) const {
+    return estimate([&](auto const& into) { return choice.copy_with_history(into); });
 }
 
 std::unique_ptr<HistoryChoice> Denoiser::make_choice(Way const& judge) { return make_history_choice(way, judge, size, parallel(), {}); }

@@ -70,6 +70,8 @@ public:
                                            quell_library::HistoryChoice* choice = nullptr);
     /// What the frame alone makes of the last one, where the choice had two estimates of it; without alpha.
     [[nodiscard]] std::optional<metrics::Picture> alone(quell_library::HistoryChoice& choice) const;
+    /// What the last one is with its whole history, in the same way.
+    [[nodiscard]] std::optional<metrics::Picture> with_history(quell_library::HistoryChoice& choice) const;
     /// What puts together what denoisers of this way make of frames of this size.
     /// @param judge the way of the preset's judge, see judge_of()
     [[nodiscard]] std::unique_ptr<quell_library::HistoryChoice> make_choice(quell_library::Way const& judge);
@@ -116,6 +118,7 @@ private:
         return {.run = quell_library::OwnThreads::run, .user = &threads, .threads = threads.count()};
     }
     [[nodiscard]] metrics::Picture run_images(quell_library::HistoryChoice* choice);
+    [[nodiscard]] std::optional<metrics::Picture> estimate(std::function<bool(quell_library::Image const&)> const& copy) const;
     void drop_first() { spare.push_back(std::move(window.front())), window.pop_front(); }
     [[nodiscard]] std::vector<std::string> planes(io::ChannelNames const& names, bool optional) const;
     [[nodiscard]] std::vector<Finding> findings_in(quell_library::FrameImages const& frame, io::ExrImage const& image,

@@ -7,6 +7,7 @@
 #include <denoise/scores.hpp>
 #include <denoise/sequence_denoiser.hpp>
 #include <denoise/sequence_views.hpp>
+#include <denoise/stage_account.hpp>
 #include <denoise/summary.hpp>
 #include <support/frame_pattern.hpp>
 #include <support/program.hpp>
@@ -126,6 +127,7 @@ class Job {
     std::optional<Comparison> comparison;
     std::deque<SequenceDenoiser> denoisers;  ///< one for each view
     std::set<std::string> without_reference; ///< names of views
+    StageTotals stages;
 
 public:
     Job(DenoiseOptions const& o, Summary& s) : options(o), in(o.in), frames(all_frames(o, in)), summary(s) {
@@ -201,6 +203,8 @@ public:
                 [&](auto guide, auto what, auto pixels) { each.push_back(fmt::format("{} {} in {}", guide.name, what, pixels)); });
             remark(fmt::format("{} pixels have guides that no scene has, which were repaired: {}", guides.pixels, fmt::join(each, ", ")));
         }
+        for (auto const& line : stages.remarks()) remark(line);
+        if (options.why) summary.why = stages.sentences();
         if (std::ranges::any_of(denoisers, &SequenceDenoiser::left_alpha))
             remark(fmt::format("alpha is as in the files{}: preset {} does not denoise it{}, general and final-frame do",
                                choice.preset->by_albedo ? " where there is light" : "", choice.preset->name,
@@ -224,6 +228,7 @@ private:
                 .anti_aliases = !options.quick,
                 .refines = refines(),
                 .chooses_history = choice.preset->name == "final-frame",
+                .accounts = options.why,
                 .diagnose = options.diagnose,
                 .upsampling = upsampling,
                 .debug_views = options.debug_views};
@@ -286,6 +291,7 @@ private:
         for (auto const& view : views->all)
             if (view.names) output->check_levels(number, *view.names);
         std::vector<metrics::Picture> shown;
+        std::string table = StageAccount::header;
         for (std::size_t view = 0; view < denoisers.size(); ++view) {
             auto& denoiser = denoisers[view];
             auto frame = denoiser.next_whole(in, number);
@@ -295,9 +301,12 @@ private:
             output->add(number, frame, *denoiser.names());
             auto const prefix = has_several() ? word_of(name_of(view)) + "." : std::string();
             for (auto const& name : options.debug_views) output->write_views(number, name, prefix, denoiser.debug_images(name));
+            stages.add(name_of(view), denoiser.account()), table += denoiser.account().table(name_of(view));
+            if (options.why) output->write_why(number, prefix, denoiser.account().image());
             end_turn(denoiser);
         }
         output->write(number);
+        if (options.why) output->write_why(number, table);
         summary.written.push_back(number);
         for (std::size_t view = 0; view < shown.size(); ++view) score(number, view, shown[view]);
     }

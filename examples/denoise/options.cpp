@@ -4,6 +4,7 @@
 #include <denoise/presets.hpp>
 #include <denoise/renderer_maps.hpp>
 #include <denoise/scores.hpp>
+#include <denoise/stage_account.hpp>
 #include <support/program.hpp>
 
 #include <quell/core/error.hpp>
@@ -106,6 +107,11 @@ void describe(CLI::App& app, DenoiseOptions& options) {
                    "Write what happened in each pixel beside the output, as EXR and PNG: any of " + debug_view_names() +
                        " (clamp of presets that clamp only); slower")
         ->delimiter(',');
+    app.add_flag(
+        "--why", options.why,
+        "Write beside the output what was done behind the preset, as NAME.why.csv, and as NAME.why.png the stage that changed each "
+        "pixel most: " +
+            legend_of_stages());
     app.set_version_flag("--version", "quell-denoise " + std::string(version) + " for " QUELL_ISA,
                          "Print the version and the instruction set that runs");
     app.add_option(
@@ -144,7 +150,8 @@ void check_output(DenoiseOptions const& options) {
     check_format(options.out);
     if (!options.frames.empty() && (options.first || options.last))
         throw Error("--frames", "--first or --last is there too", "leave one or the other out");
-    for (auto const& [name, is_there] : {std::pair{"--skip-existing", options.skip_existing}, {"--layers", !options.layers.empty()}})
+    for (auto const& [name, is_there] :
+         {std::pair{"--skip-existing", options.skip_existing}, {"--layers", !options.layers.empty()}, {"--why", options.why}})
         if (is_there && options.out.empty()) throw Error(name, "--out is missing", "say where the result goes");
 }
 

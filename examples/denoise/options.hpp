@@ -24,7 +24,7 @@ struct DenoiseOptions {
     std::vector<std::string> debug_views;
     std::string device = "cpu"; ///< or "cuda"
     std::string isa;            ///< the instruction set to run; empty: the best that the machine has
-    bool keep_alpha = false, quick = false, quiet = false, list = false, plan = false, diagnose = false, skip_existing = false,
+    bool why = false, keep_alpha = false, quick = false, quiet = false, list = false, plan = false, diagnose = false, skip_existing = false,
          json = false;
 };
 

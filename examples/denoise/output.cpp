@@ -4,6 +4,9 @@
 #include <denoise/signal_choice.hpp>
 #include <denoise/upsampled_file.hpp>
 #include <support/output_folder.hpp>
+#include <support/png.hpp>
+
+#include <quell/io/replace_file.hpp>
 
 namespace quell::examples {
 
@@ -97,6 +100,13 @@ void Output::write(long long number) {
 void Output::write_views(long long number, std::string const& view, std::string const& prefix,
                          std::vector<std::pair<std::string, DebugImage>> const& images) const {
     for (auto const& each : images) write_debug_view(pattern->path(number), view, prefix + each.first, each.second);
+}
+
+void Output::write_why(long long number, std::string const& prefix, metrics::Picture const& image) const {
+    write_png(path_beside(pattern->path(number), prefix + "why.png"), image);
+}
+void Output::write_why(long long number, std::string const& table) const {
+    io::replace_file(path_beside(pattern->path(number), "why.csv"), table);
 }
 
 std::vector<std::string> Output::remarks() const {

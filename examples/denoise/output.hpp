@@ -41,6 +41,10 @@ public:
     /// @param prefix of the images' names
     void write_views(long long number, std::string const& view, std::string const& prefix,
                      std::vector<std::pair<std::string, DebugImage>> const& images) const;
+    /// @param prefix of the image's name
+    void write_why(long long number, std::string const& prefix, metrics::Picture const& image) const;
+    /// @param table of all views
+    void write_why(long long number, std::string const& table) const;
     /// What the user should know, a line each.
     [[nodiscard]] std::vector<std::string> remarks() const;
 

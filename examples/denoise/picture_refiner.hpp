@@ -44,8 +44,9 @@ public:
     /// @param names of the frame's guides
     /// @param here  what lacking() said of this frame
     /// @param next  what it said of the frame after; null: there is none
+    /// @param why   told what that changed
     void give_back_repeated(SeenFrame const& seen, io::ChannelNames const& names, std::vector<glm::vec3> here,
-                            std::vector<glm::vec3> const* next, DenoisedFrame& frame);
+                            std::vector<glm::vec3> const* next, DenoisedFrame& frame, StageAccount& why);
 
     void forget() { detail_before.reset(), lacking_before.reset(); }
     /// Memory of what is remembered.

@@ -28,7 +28,8 @@ struct SeenFrame {
     bool has_noisy_guides = false;                 ///< so that the picture as one has less noise than its signals
     bool is_opaque = true;                       ///< whether the film is: else alpha is filtered as its picture is, and nothing comes back
     FilmContents film{};                         ///< what each pixel shows; empty where the film is opaque
-    int samples = 0;                             ///< of each pixel; 0: the file doesn't say
+    int samples = 0;                             ///< of each pixel, as believed; 0: the file doesn't say
+    int said_samples = 0;                        ///< as the file says
     std::optional<io::SequenceNames> behind{};   ///< by which it is read where it is seen through a volume
     std::optional<io::SequenceNames> believed{}; ///< by which it is read where some albedo is not believed; goes before the other
 };

@@ -216,32 +216,55 @@ quell_library::HistoryChoice* SequenceDenoiser::choice_for(std::size_t signal) {
     return choice.get();
 }
 
-/// Whether light that was filtered out is given back. Shares are those of known numbers of samples. Light in a volume, which is a signal
-/// without a colour, lies on no surface over which it could be smoothed, but where the frame is seen through it. Into the alpha of a film
-/// that is not opaque nothing would come back, so that colours would no longer be those of what covers it.
-bool SequenceDenoiser::gives_light_back(SeenFrame& seen) const {
-    if (seen.samples < 1 || !seen.is_opaque) return false;
-    if (seen.behind) return true;
+/// Why light that was filtered out is not given back; empty: it is. Shares are those of known numbers of samples. Light in a volume, which
+/// is a signal without a colour, lies on no surface over which it could be smoothed, but where the frame is seen through it. Into the alpha
+/// of a film that is not opaque nothing would come back, so that colours would no longer be those of what covers it.
+std::string SequenceDenoiser::against_giving_back(SeenFrame& seen) const {
+    if (seen.samples < 1) return "the file does not say how many samples a pixel has";
+    if (!seen.is_opaque) return "the film is not opaque";
+    if (seen.behind) return {};
     for (std::size_t s = 0; s < frames.names().of_signals.size() && has_several_signals(frames.names()); ++s)
-        if (frames.names().of_signals[s].factor.empty() && frames.split(seen, false).active[s]) return false;
-    return true;
+        if (frames.names().of_signals[s].factor.empty() && frames.split(seen, false).active[s])
+            return "light in a volume lies on no surface";
+    return {};
+}
+
+std::string SequenceDenoiser::name_of(std::size_t signal) const {
+    auto const& signals = frames.names().of_signals;
+    return !has_several_signals(frames.names()) ? "picture" : signal < signals.size() ? signals[signal].name : rest_name;
+}
+
+/// @param light  what was chosen of what is there with history and without
+/// @param factor of the light
+void SequenceDenoiser::tell_history(StageAccount& why, std::size_t signal, quell_library::HistoryChoice& choice,
+                                    metrics::Picture const& light, metrics::Picture const& factor) {
+    auto const refused = 1. - static_cast<double>(choice.trust());
+    StageRow row{name_of(signal), Stage::history, 0, refused, refused > 0. ? noise_is_shared : "", refused > 0.};
+    if (why.is_gathered()) {
+        auto const with = denoiser(signal).with_history(choice), alone = denoiser(signal).alone(choice);
+        if (with && alone) row.share = why.chosen(with->pixels, alone->pixels, light.pixels, factor.pixels);
+        if (!with) row.share = 1., row.reason = "no frame before is known";
+    }
+    why.add(std::move(row));
 }
 
 /// What the filter took out of a signal's light by mistake.
 /// @param has_past whether it was made with its history
 /// @param alone    the light by its frame alone; none where that is not known
-void SequenceDenoiser::feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, int count, bool has_past,
-                                          std::optional<metrics::Picture> const& alone, metrics::Picture& light) {
+/// @return how far noise was that of single pixels; nothing where the file has no normals or no depth
+std::optional<float> SequenceDenoiser::feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, int count,
+                                                          bool has_past, std::optional<metrics::Picture> const& alone,
+                                                          metrics::Picture& light) {
     auto const planes = io::planes_of(Channels<Normal, Depth>{}, names);
-    if (!image.has_all(planes)) return;
+    if (!image.has_all(planes)) return std::nullopt;
     Frame<Channels<Normal, Depth>> guides(image.size);
     io::load_channels(Channels<Normal, Depth>{}, guides, image, names);
     auto const samples = picture_of(image, io::sources_of(names, radiance), std::numeric_limits<float>::quiet_NaN());
     auto const number = static_cast<float>(count);
     auto const shares = frames.settings.feedback.value_or(ResidualFeedbackShares::of_frame(number, has_past, alone.has_value()));
     Timed const timed(other_milliseconds);
-    quell::feed_back_residual({.samples = number, .shares = shares}, Threads<>{.count = frames.settings.threads}, samples.pixels,
-                              guides[normal].view(), guides[depth].view(), (alone ? *alone : light).pixels, light.pixels);
+    return quell::feed_back_residual({.samples = number, .shares = shares}, Threads<>{.count = frames.settings.threads}, samples.pixels,
+                                     guides[normal].view(), guides[depth].view(), (alone ? *alone : light).pixels, light.pixels);
 }
 
 DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long number, bool is_wanted) {
@@ -295,15 +318,23 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
     DenoisedSignals made;
     auto& frame = made.frame;
     frame.canvas = frames.region();
-    bool const gives_back = frames.settings.is_refined() && is_wanted && gives_light_back(front);
+    bool const is_refined = frames.settings.is_refined() && is_wanted;
+    auto const against = is_refined ? against_giving_back(front) : std::string();
+    auto& why = made.why = StageAccount(frames.settings.accounts && is_wanted);
+    why.add_samples(front.said_samples, front.samples);
     auto const denoised_signal = [&](std::size_t s) {
         auto const& channels = split.signals[s].channels;
-        auto* const choice = frames.settings.is_refined() && frames.settings.chooses_history && is_wanted ? choice_for(s) : nullptr;
+        auto* const choice = is_refined && frames.settings.chooses_history ? choice_for(s) : nullptr;
         auto result = denoiser(s).denoise(image, channels, number, choice);
-        if (gives_back) {
+        auto const factor = why.is_gathered() ? picture_of(image, split.signals[s].factor, 1.f) : metrics::Picture{};
+        if (choice != nullptr) tell_history(why, s, *choice, result, factor);
+        if (is_refined && against.empty()) {
             auto const alone = choice != nullptr ? denoiser(s).alone(*choice) : std::nullopt;
-            feed_back_residual(image, channels, front.samples, denoiser(s).statistics().frames > 1, alone, result);
-        }
+            auto const before = why.before(result.pixels);
+            auto const trust = feed_back_residual(image, channels, front.samples, denoiser(s).statistics().frames > 1, alone, result);
+            why.add_feedback(name_of(s), why.changed(Stage::feedback, before, result.pixels, factor.pixels), trust);
+        } else if (is_refined)
+            why.add({name_of(s), Stage::feedback, 0, 1, against});
         auto const counted = denoiser(s).statistics();
         made.missing += counted.missing_samples;
         // Guides are the same for all signals.
@@ -318,12 +349,14 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
     frame.picture =
         composite(image, split, denoised_signal, made.missing, frame.signals, [&](std::size_t s, metrics::Picture const* light) {
             Timed const timed(other_milliseconds);
-            return anti_aliasing.product(s, light);
+            return anti_aliasing.product(s, light, name_of(s), why);
         });
     if (front.has_noisy_guides) {
         auto const whole_picture = denoised_as_one(front);
         Timed const timed(other_milliseconds);
+        auto const before = why.before(frame.picture.pixels);
         refiner.take_off_noise_of_guides(front, frames.guide_names(), split, whole_picture, frame);
+        why.add({"picture", Stage::guide_noise, why.changed(Stage::guide_noise, before, frame.picture.pixels)});
     }
     if (frames.settings.is_refined() && front.is_opaque && is_wanted) {
         Timed const timed(other_milliseconds);
@@ -344,8 +377,10 @@ DenoisedFrame SequenceDenoiser::finished(DenoisedSignals& signals) {
     if (!signals.lacking.empty()) {
         Timed const timed(other_milliseconds);
         auto const* const next = ahead && !ahead->lacking.empty() ? &ahead->lacking : nullptr;
-        refiner.give_back_repeated(seen, frames.guide_names(), std::move(signals.lacking), next, frame);
+        refiner.give_back_repeated(seen, frames.guide_names(), std::move(signals.lacking), next, frame, signals.why);
     }
+    signals.why.finish(frame.picture, frames.settings.is_refined() ? "nothing to do, or the files lack what it wants"
+                                                                   : "left out: --quick, or a preset without it");
     if (accumulates_guides(frames.settings.preset)) accumulate_guides(frame, seen);
     if (!has_several_signals(frames.names())) frame.signals.clear(); // it is the picture
     if (!frames.alpha_plane().empty()) film.clear_empty(frame, signals.shown, seen.image, frames.guide_names());

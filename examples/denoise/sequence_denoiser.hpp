@@ -49,6 +49,9 @@ public:
         return frames.settings.upsampling ? whole.size : frames.size();
     }
 
+    /// What stages did to the last frame, as long as this has it.
+    [[nodiscard]] StageAccount const& account() const { return current->why; }
+
     /// Gives back all memory but what is remembered: the frame that next_whole() gave ends too. Frames that were read ahead are read again.
     void release_scratch();
 
@@ -104,6 +107,7 @@ private:
         long long missing = 0;            ///< samples
         RepairedGuides repaired{};
         std::vector<Finding> found{};
+        StageAccount why{};
     };
     std::optional<DenoisedSignals> current; ///< what was asked for last
     std::optional<DenoisedSignals> ahead;   ///< the frame after it, where its picture takes part in it
@@ -118,9 +122,13 @@ private:
     [[nodiscard]] bool sees_next(SeenFrame const& seen) const;
     void begin(io::ExrOriginal const& file);
     void upsample(DenoisedFrame& frame, SeenFrame const& seen);
-    [[nodiscard]] bool gives_light_back(SeenFrame& seen) const;
-    void feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, int samples, bool has_past,
-                            std::optional<metrics::Picture> const& alone, metrics::Picture& light);
+    [[nodiscard]] std::string against_giving_back(SeenFrame& seen) const;
+    [[nodiscard]] std::string name_of(std::size_t signal) const;
+    void tell_history(StageAccount& why, std::size_t signal, quell_library::HistoryChoice& choice, metrics::Picture const& light,
+                      metrics::Picture const& factor);
+    [[nodiscard]] std::optional<float> feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, int samples,
+                                                          bool has_past, std::optional<metrics::Picture> const& alone,
+                                                          metrics::Picture& light);
     [[nodiscard]] std::vector<float> denoised_alpha(SeenFrame const& seen, LightSplit const& split);
     void add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const;
     [[nodiscard]] Purpose purpose_of(std::size_t signal) const;

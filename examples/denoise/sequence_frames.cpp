@@ -82,7 +82,8 @@ std::vector<std::string> SequenceFrames::planes(io::ExrListing const& file) cons
 
 SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) {
     SeenFrame frame{number, file.read(planes(file.listed), canvas), false, {}, {}};
-    frame.samples = believed_samples(frame.image, on_canvas, samples_in(file.listed, on_canvas));
+    frame.said_samples = samples_in(file.listed, on_canvas);
+    frame.samples = believed_samples(frame.image, on_canvas, frame.said_samples);
     empty_passes.add(fill_empty_guides(frame.image, on_canvas));
     if (settings.is_refined()) frame.behind = names_behind_volume(frame.image, on_canvas);
     frame.believed = doubted_albedo.names_for(frame.image, names_of(frame), settings.preset.by_albedo, number);

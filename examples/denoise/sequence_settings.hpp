@@ -26,6 +26,7 @@ struct SequenceSettings {
     bool anti_aliases = false;    ///< put colours together from frames around
     bool refines = false;         ///< give back light that filters took out, take off noise of guides, see through fog
     bool chooses_history = false; ///< where it refines: each signal's light is put together with its history and without
+    bool accounts = false;        ///< gather what each stage changed: see StageAccount
     bool diagnose = false;        ///< look at each frame for what its renderer got wrong
     std::optional<ResidualFeedbackShares> feedback{}; ///< of what residual feedback gives back; none: as they were fitted
     std::optional<Upsampling> upsampling{};           ///< of the picture and its alpha, which are then all that a frame has; empty: none

@@ -43,6 +43,7 @@ std::string json_of(Summary const& summary) {
               {"findings", summary.findings},
               {"not_checked", summary.not_checked},
               {"remarks", summary.remarks}};
+    if (!summary.why.empty()) json["why"] = summary.why;
     add_scores(json, summary.scores);
     for (auto const& view : summary.views) {
         Json row{{"name", view.name}};

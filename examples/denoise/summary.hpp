@@ -29,6 +29,7 @@ struct Summary {
     double milliseconds = 0;                 ///< of denoising alone
     double bytes_per_pixel = 0;              ///< of history and scratch: of all views' histories, and one view's scratch
     std::vector<std::string> findings, not_checked, remarks;
+    std::vector<std::string> why;     ///< what stages did, where that was asked for
     FrameScores scores;               ///< of the first view
     std::vector<SummaryOfView> views; ///< all, where there are several
     std::optional<std::string> error; ///< why it stopped

@@ -66,10 +66,9 @@ public:
         rule.trust = noise.independence(quell::shared_noise(noise, quell::LightLess{view_of(samples), view_of(a)}));
         mix.mix(rule, executor, view_of(a), view_of(alone_with), target_of(output, frame.size));
     }
-    bool copy_alone(Image const& output) override {
-        if (has_chosen) copy(view_of(alone_with), target_of(output, images[alone_with]->size()));
-        return has_chosen;
-    }
+    bool copy_alone(Image const& output) override { return copy_made(alone_with, output); }
+    bool copy_with_history(Image const& output) override { return copy_made(a, output); }
+    [[nodiscard]] float trust() const override { return has_chosen ? rule.trust : 1.f; }
     void tell_samples(float count) override { of_each_pixel = count; }
     void release_scratch() override {
         alone->release_scratch();
@@ -95,6 +94,10 @@ private:
         executor.for_each_pixel({0, 0, to.size.width, to.size.height}, quell::detail::CopyAllBut<View, To>{from, to, left_out});
     }
 
+    bool copy_made(Made which, Image const& output) const {
+        if (has_chosen) copy(view_of(which), target_of(output, images[which]->size()));
+        return has_chosen;
+    }
     void take(FrameImages const& frame) {
         for (auto const which : {samples, left_over, a, b, b_with, alone_with}) {
             bool const is_wanted = which != b_with || judge;

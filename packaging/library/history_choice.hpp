@@ -37,6 +37,10 @@ public:
     /// Copies what the frame alone made of the last one. Returns false where there was nothing to choose, as it had no past.
     /// @param output written; of the frame's size
     virtual bool copy_alone(Image const& output) = 0;
+    /// Copies what the last one is with its whole history, in the same way.
+    virtual bool copy_with_history(Image const& output) = 0;
+    /// How far samples of the last one were believed: 1, and less where pixels share their noise (Evidence::trust).
+    [[nodiscard]] virtual float trust() const = 0;
     /// How many samples pixels of the frames that follow have: 1, if nothing is said. A history that has seen later frames is judged by
     /// Evidence::with_later_frames(), another one by Evidence::of_samples().
     virtual void tell_samples(float count) = 0;

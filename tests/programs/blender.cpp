@@ -2,6 +2,7 @@
 
 #include <denoise/anti_alias.hpp>
 #include <denoise/map_file.hpp>
+#include <denoise/sample_count.hpp>
 
 #include <fstream>
 

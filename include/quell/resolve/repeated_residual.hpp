@@ -159,6 +159,13 @@ void leave_out_same(E const& executor, RepeatedResidual const& rule, WindowSums<
         });
 }
 
+/// Adds a plane, times a factor, to numbers row by row.
+inline void add_plane(PlanesView<1> plane, float factor, std::vector<float>& to) {
+    auto sum = to.begin();
+    for (int y = 0; y < plane.size.height; ++y)
+        for (int x = 0; x < plane.size.width; ++x) *sum++ += factor * plane.get(0, x, y);
+}
+
 /// @throws Error where a radius or deviation is beyond reach
 inline void check_rule(RepeatedResidual const& rule, std::size_t frames_around) {
     for (int const radius : rule.radius)
@@ -220,15 +227,19 @@ template <Executor E>
 /// @param lacking  of the picture: what lacking_of_samples() says
 /// @param around   what lacking_moved() says of the frame before, of that after, or of both
 /// @param picture  the denoised one; is changed
+/// @param same     which part of the frames around is left out, as they have the same noise, from 0 to 1 for each pixel; null: not wanted
+/// @return how far noise was taken for that of single pixels, from 0, where nothing is added, to 1
 /// @throws Error where these are not of one size or there are more than two frames around, std::bad_alloc
 template <Executor E>
-void give_back_repeated(RepeatedResidual const& rule, E const& executor, Extent size, std::vector<glm::vec3> const& lacking,
-                        std::vector<std::vector<glm::vec3>> const& around, std::vector<glm::vec3>& picture) {
+float give_back_repeated(RepeatedResidual const& rule, E const& executor, Extent size, std::vector<glm::vec3> const& lacking,
+                         std::vector<std::vector<glm::vec3>> const& around, std::vector<glm::vec3>& picture,
+                         std::vector<float>* same = nullptr) {
     using namespace detail;
     check_residual_sizes("give_back_repeated", lacking, size, size, picture);
     for (auto const& each : around) check_residual_sizes("give_back_repeated, a frame around", each, size, size, picture);
     check_rule(rule, around.size());
-    if (around.empty()) return;
+    if (same) same->assign(picture.size(), 0.f);
+    if (around.empty()) return 1.f;
     float const unit = light_unit(picture);
     auto const before = in_planes(size, picture, unit);
     WindowSums<5> sums(size);
@@ -245,7 +256,9 @@ void give_back_repeated(RepeatedResidual const& rule, E const& executor, Extent 
             store_pixels<Real>(known, x, y, masked(is_finite(there.x), Real(1.f)), count);
             store_pixels<Real>(value, x, y, limited(there, load_pixels<Real>(bright, x, y) * most), count);
         });
+        if (same) add_plane(is_known.view(), 1.f / static_cast<float>(around.size()), *same);
         leave_out_same(executor, rule, sums, now.whole.view(), value, bright, is_known.view());
+        if (same) add_plane(is_known.view(), -1.f / static_cast<float>(around.size()), *same);
         frames.push_back({BlurredResidual(executor, rule, std::move(residual)), std::move(is_known)});
     }
     Planes<3> off(size);
@@ -267,6 +280,7 @@ void give_back_repeated(RepeatedResidual const& rule, E const& executor, Extent 
         store_pixels<Real>(to, x, y, map(made, load_pixels<Real>(to, x, y), load_pixels<Real>(off, x, y)), count);
     });
     copy_out(to, picture, unit);
+    return trust;
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

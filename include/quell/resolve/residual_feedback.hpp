@@ -186,11 +186,12 @@ struct FeedBack {
 /// @param depth    a view of their distances; infinite: none
 /// @param alone    the same frame denoised by itself; the picture again where it has no history
 /// @param picture  the denoised one; is changed
+/// @return how far noise was taken for that of single pixels, from 0, where nothing is added, to 1
 /// @throws Error where these are not of one size, std::bad_alloc
 template <Executor E>
-void feed_back_residual(ResidualFeedback const& rule, E const& executor, std::vector<glm::vec3> const& samples,
-                        ViewOf<Planar<>, Normal> normal, ViewOf<Planar<>, Depth> depth, std::vector<glm::vec3> const& alone,
-                        std::vector<glm::vec3>& picture) {
+float feed_back_residual(ResidualFeedback const& rule, E const& executor, std::vector<glm::vec3> const& samples,
+                         ViewOf<Planar<>, Normal> normal, ViewOf<Planar<>, Depth> depth, std::vector<glm::vec3> const& alone,
+                         std::vector<glm::vec3>& picture) {
     using namespace detail;
     check_residual_sizes("feed_back_residual", samples, normal.size, depth.size, picture);
     check_residual_sizes("feed_back_residual, alone", alone, normal.size, depth.size, picture);
@@ -203,7 +204,7 @@ void feed_back_residual(ResidualFeedback const& rule, E const& executor, std::ve
     Brightness const brightness(executor, before.view());
     WindowSums<4> sums(size);
     auto const given = in_planes(size, samples, unit);
-    float const part = shared_noise(rule.of_neighbours, LightLess{given.view(), before.view()});
+    float const trust = rule.of_neighbours.independence(shared_noise(rule.of_neighbours, LightLess{given.view(), before.view()}));
     PictureResidual const residual(executor, sums, rule.limits, given.view(), before.view(), brightness);
     FeedbackGates const gates(executor, sums, residual, before.view(), brightness);
     auto const levels =
@@ -214,7 +215,7 @@ void feed_back_residual(ResidualFeedback const& rule, E const& executor, std::ve
     executor.for_each_pixel(
         {0, 0, size.width, size.height},
         FeedBack{.by = rule.shares.value_or(ResidualFeedbackShares::of_samples(rule.samples)),
-                 .trust = rule.of_neighbours.independence(part),
+                 .trust = trust,
                  .times = rule.most,
                  .darkest = rule.darkest,
                  .light = gates.light.view(),
@@ -228,6 +229,7 @@ void feed_back_residual(ResidualFeedback const& rule, E const& executor, std::ve
                  .picture = before.view(),
                  .levels = {levels[0].value.view(), levels[1].value.view(), levels[2].value.view(), levels[3].value.view()}});
     copy_out(before.view(), picture, unit);
+    return trust;
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET
