@@ -113,7 +113,7 @@ TEST_CASE("the unit of light changes no bit: what stands behind presets") {
             if (!way) continue;
             check_way(way, [&] {
                 auto choice = library::make_history_choice(way, of_judge, size, here, {});
-                choice->tell_rule(Evidence::with_later_frames(4.f));
+                choice->tell_samples(4.f);
                 auto* const chosen = choice.get();
                 auto denoiser = library::with_history_choice(way.make(size, here, {}), std::move(choice));
                 return library::with_light_given_back(std::move(denoiser), way, chosen, 4.f, here, {});
