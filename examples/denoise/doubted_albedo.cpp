@@ -180,6 +180,26 @@ std::vector<bool> in_whole(Grid const& grid, std::vector<bool> const& mask, Surf
     return whole;
 }
 
+/// Takes the rim of doubted places in: pixels beside them, of much the same depth, whose normals turn too fast to be linked to any.
+void take_rim(std::vector<bool>& mask, Extent size, std::vector<float> const& depth) {
+    constexpr int rounds = 2;
+    constexpr float of_one_thing = .1f; // part of the depth
+    for (int round = 0; round < rounds && !depth.empty(); ++round) {
+        auto const before = mask;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                auto const index = [&](int i, int j) {
+                    return static_cast<std::size_t>(j) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(i);
+                };
+                auto const here = index(x, y);
+                for (int j = std::max(y - 1, 0); j <= std::min(y + 1, size.height - 1); ++j)
+                    for (int i = std::max(x - 1, 0); i <= std::min(x + 1, size.width - 1); ++i)
+                        if (before[index(i, j)] && std::abs(depth[index(i, j)] - depth[here]) <= of_one_thing * depth[here])
+                            mask[here] = true;
+            }
+    }
+}
+
 /// Puts constants in the place of a signal's colours, and light that makes the same picture with them.
 void replace(io::ExrImage& image, io::SignalNames& names, Signal const& signal, SurfaceLinks const& surfaces,
              std::vector<bool> const& mask) {
@@ -242,6 +262,7 @@ std::optional<io::SequenceNames> DoubtedAlbedo::names_for(io::ExrImage& image, i
         if (!surfaces) surfaces.emplace(image.size, *guides);
         auto whole = in_whole(grid, mask, *guides);
         close_gaps(*surfaces, whole);
+        take_rim(whole, image.size, guides->depth);
         most = std::max(most, static_cast<double>(std::ranges::count(whole, true)) / static_cast<double>(whole.size()));
         if (!seen) seen = names;
         replace(image, seen->of_signals[s], signal, *surfaces, whole);
