@@ -1,8 +1,8 @@
 #pragma once
 
 #include <quell/execute/queue_executor.hpp>
-#include <quell/frame/cursor/past_pixel.hpp>
-#include <quell/resolve/anti_aliased.hpp>
+#include <quell/resolve/around_frame.hpp>
+#include <quell/resolve/light_of_picture.hpp>
 #include <quell/resolve/seen_surface.hpp>
 
 #include <array>
@@ -11,16 +11,6 @@
 
 /// The pass of AntiAliased, and what it reads.
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
-
-/// What is read of a frame around.
-template <class Storage> struct AroundFrame {
-    ViewOf<Storage, Albedo> colour{};
-    ViewOf<Storage, Depth> depth{};
-    ViewOf<Storage, Motion> onward{}; ///< from there to the next frame farther away
-    ViewOf<Storage, Motion> toward{}; ///< from there to the next frame nearer by; not finite: not known
-    glm::vec2 jitter{0.f};
-    bool knows_toward = true; ///< whether there is `toward`
-};
 
 /// The factor of a squared distance in the exponent of the Gaussian.
 QUELL_KERNEL float falloff_of(AntiAliased const& policy) { return -0.5f / (policy.deviation * policy.deviation); }
@@ -33,26 +23,6 @@ inline std::array<float, 9> own_weights_of(AntiAliased const& policy, glm::vec2 
     }
     return weights;
 }
-
-/// Like load_pixels, which takes a view's own padding before a row. A view without has its border repeated.
-template <class Real, class View> QUELL_KERNEL auto load_beside(View const& view, int x, int y) {
-    if constexpr (requires { view.template load<Real>(x, y); })
-        return view.template load<Real>(x, y);
-    else
-        return fetch_repeated<Real>(view, vec2<Real>{Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y))});
-}
-
-/// The light of a picture, as a view: what colours leave of it.
-template <class Picture, class Colour> struct LightOfPicture {
-    Picture picture;
-    Colour colour; ///< above 0
-
-    template <class Real> QUELL_KERNEL vec3<Real> load(int x, int y) const {
-        return map([](auto p, auto c) QUELL_INLINED { return p / c; }, vec3<Real>(load_beside<Real>(picture, x, y)),
-                   vec3<Real>(load_beside<Real>(colour, x, y)));
-    }
-};
-template <class Picture, class Colour> LightOfPicture(Picture, Colour) -> LightOfPicture<Picture, Colour>;
 
 /// In place of a view: nobody asks what frames around tell by themselves.
 struct NoOthers {};

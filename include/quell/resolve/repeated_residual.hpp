@@ -1,8 +1,8 @@
 #pragma once
 
-#include <quell/resolve/gaussian_blur.hpp>
 #include <quell/resolve/moved_image.hpp>
 #include <quell/resolve/picture_residual.hpp>
+#include <quell/resolve/residual_bands.hpp>
 #include <quell/resolve/residual_sizes.hpp>
 #include <quell/resolve/shared_noise.hpp>
 #include <quell/resolve/window_sums.hpp>
@@ -47,60 +47,6 @@ struct RepeatedResidual {
 };
 
 namespace detail {
-
-inline constexpr std::size_t repeated_bands = 3;
-
-/// A residual and what it is smoothed by the Gaussians between the bands.
-struct BlurredResidual {
-    Planes<3> whole;
-    std::array<Planes<3>, repeated_bands - 1> blurred;
-
-    template <Executor E>
-    BlurredResidual(E const& executor, RepeatedResidual const& rule, Planes<3> residual)
-        : whole(std::move(residual)), blurred{detail::blurred(executor, whole.view(), rule.deviation[0]),
-                                              detail::blurred(executor, whole.view(), rule.deviation[1])} {}
-};
-/// One band of it: what is finer than one Gaussian, and not finer than the one before.
-struct ResidualBand {
-    PlanesView<3> finer, wider;
-    bool is_widest;
-
-    ResidualBand(BlurredResidual const& residual, std::size_t band)
-        : finer((band == 0 ? residual.whole : residual.blurred[band - 1]).view()),
-          wider(residual.blurred[band + 1 < repeated_bands ? band : band - 1].view()), is_widest(band + 1 == repeated_bands) {}
-    template <class Real> QUELL_KERNEL vec3<Real> at(int x, int y) const {
-        auto const value = load_pixels<Real>(finer, x, y);
-        return is_widest ? value : value - load_pixels<Real>(wider, x, y);
-    }
-};
-
-/// A residual of a frame before or after, where its surfaces are now.
-struct ResidualAround {
-    BlurredResidual residual;
-    Planes<1> is_known; ///< 1 or 0, or less where it is no new witness
-};
-/// One band of the residuals of the frames around.
-struct BandsAround {
-    struct Band {
-        ResidualBand residual;
-        PlanesView<1> is_known;
-    };
-    std::array<std::optional<Band>, 2> frames{};
-
-    /// Their mean, and the mean of their squares.
-    template <class Real> QUELL_KERNEL std::pair<vec3<Real>, Real> mean_at(int x, int y) const {
-        auto sum = zero<vec3<Real>>();
-        Real squares(0.f), known(0.f);
-        for (auto const& frame : frames) {
-            if (!frame) continue;
-            auto const here = load_pixels<Real>(frame->is_known, x, y);
-            auto const value = scale(frame->residual.template at<Real>(x, y), here);
-            sum = add_scaled(sum, value, Real(1.f)), squares = squares + dot(value, value), known = known + here;
-        }
-        auto const part = 1.f / max(known, Real(1.f));
-        return {scale(sum, part), squares * part};
-    }
-};
 
 /// Limits values to so many times the light; what is not finite becomes 0.
 template <class Real> QUELL_KERNEL vec3<Real> limited(vec3<Real> const& value, Real most) {
@@ -245,7 +191,7 @@ float give_back_repeated(RepeatedResidual const& rule, E const& executor, Extent
     WindowSums<5> sums(size);
     auto const light = light_around(executor, sums, Brightness(executor, before.view()));
     auto const bright = light.view();
-    BlurredResidual const now(executor, rule, in_planes(size, lacking, unit));
+    BlurredResidual const now(executor, rule.deviation, in_planes(size, lacking, unit));
     std::vector<ResidualAround> frames;
     for (auto const& each : around) {
         auto residual = in_planes(size, each, unit);
@@ -259,7 +205,7 @@ float give_back_repeated(RepeatedResidual const& rule, E const& executor, Extent
         if (same) add_plane(is_known.view(), 1.f / static_cast<float>(around.size()), *same);
         leave_out_same(executor, rule, sums, now.whole.view(), value, bright, is_known.view());
         if (same) add_plane(is_known.view(), -1.f / static_cast<float>(around.size()), *same);
-        frames.push_back({BlurredResidual(executor, rule, std::move(residual)), std::move(is_known)});
+        frames.push_back({BlurredResidual(executor, rule.deviation, std::move(residual)), std::move(is_known)});
     }
     Planes<3> off(size);
     float const per_samples = 1.f / std::max(rule.samples, 1.f);
