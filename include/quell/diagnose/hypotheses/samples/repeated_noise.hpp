@@ -30,7 +30,7 @@ inline int standing_out(Observation const& seen, SignalSeen const& signal, int x
 
 /// How often two frames agree on the pixels that stand out in both, beyond what chance makes of noise that is mostly dark or mostly bright:
 /// 0 by chance, 1 always (Cohen's kappa).
-struct Agreement {
+struct SameSide {
     Tally same, bright_now, bright_then;
 
     void add(int now, int then) { same.add(now == then), bright_now.add(now > 0), bright_then.add(then > 0); }
@@ -58,7 +58,7 @@ inline void find_repeated_noise(Observation const& seen, SignalSeen const& signa
     for_each_place(seen.size, [&](int x, int y) { noise.push_back(standing_out(seen, signal, x, y)); });
     auto const before = std::exchange(notes.noise, std::move(noise));
     if (!seen.motion || !seen.has_then || before.size() != notes.noise.size()) return;
-    Agreement agreement;
+    SameSide agreement;
     long long on_screen = 0, on_surface = 0; // where only the pixel, or only the surface, still stands out in the same direction
     std::size_t i = 0;
     for_each_place(seen.size, [&](int x, int y) {
