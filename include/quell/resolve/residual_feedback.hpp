@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/resolve/logarithm.hpp>
+#include <quell/resolve/feedback_gates.hpp>
 #include <quell/resolve/residual_feedback_fit.hpp>
 #include <quell/resolve/residual_levels.hpp>
 #include <quell/resolve/residual_sizes.hpp>
@@ -25,6 +25,10 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// held out have in common with the band: with B the band at even pixels, made of the residual r at odd ones, and the other way round as on
 /// a checkerboard, sum r B / sum B^2 over a window. The picture also moves away from the estimate of the frame alone: windows that choose
 /// between it and history (Evidence) trust history too little.
+///
+/// Shares that were fitted to other renders may be wrong for this one. So all of it comes back by the part w that samples bear out: with A
+/// what the levels give and H the same of held-out samples, w = sum r H / sum A^2 over a window. Before any sample is seen, w is 1 with
+/// variance `held_variance`; sum r H has the variance 2 sum (r H)^2; w is the mean after both, from 0 to 1.
 struct ResidualFeedback {
     float samples = 1.f;                            ///< of each pixel; shares lie between those of 1 and of 16
     std::optional<ResidualFeedbackShares> shares{}; ///< others; none: those that were fitted for `samples`
@@ -33,6 +37,8 @@ struct ResidualFeedback {
     float most = 3.f;                               ///< what is added of each part is at most so many times the light around
     float darkest = 0.2f;                           ///< of the picture's light so much stays at least
     ResidualLimits limits{};                        ///< of the residual
+    int held_radius = 16;                           ///< of the windows that w is taken over, in pixels
+    float held_variance = 3.f;                      ///< of w, as it is known before
     SharedNoise of_neighbours{};                    ///< where neighbours share their noise, less is added, or nothing
 };
 
@@ -40,121 +46,33 @@ namespace detail {
 
 inline constexpr int feedback_levels = 4; ///< of 1, 2, 4 and 8 pixels
 
-/// What the shares of each pixel depend on.
-struct FeedbackGates {
-    Planes<1> light;           ///< around the pixel
-    Planes<1> light_logarithm; ///< of the pixel's own light, which edges of light are found in
-    Planes<1> variance;        ///< of the samples, of one component
-    Planes<1> noise;           ///< N of ResidualFeedbackShares
-    Planes<1> texture;         ///< how much light varies around the pixel: twice its logarithm's standard deviation, to 1.5
-
-    template <Executor E>
-    FeedbackGates(E const& executor, WindowSums<4>& sums, PictureResidual const& residual, PlanesView<3> picture,
-                  Brightness const& brightness)
-        : light(light_around(executor, sums, brightness)), light_logarithm(residual.size), variance(residual.size), noise(residual.size),
-          texture(residual.size) {
-        auto const size = residual.size;
-        auto const square = residual.mean_square.view(), spread = variance.view(), around_light = light.view(),
-                   logarithms = light_logarithm.view(), noises = noise.view(), textures = texture.view();
-        constexpr int of_variance = 2, of_missing = 3, of_texture = 4;
-        // Where there is no sample, noise is that of the samples around.
-        sums.around<1>(
-            executor, of_missing, [=]<class Real>(AtOnce<Real>, int x, int y) { return std::array{load_pixels<Real>(square, x, y)}; },
-            [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
-                auto const own = load_pixels<Real>(square, x, y);
-                store_pixels<Real>(spread, x, y, select(own > Real(0.f), own, around[0] / pixels_in_square<Real>(x, y, of_missing, size)),
-                                   count);
-            });
-        float const log_mean = logarithm(brightness.mean + brightness.dark(0.f));
-        sums.around<1>(
-            executor, of_variance, [=]<class Real>(AtOnce<Real>, int x, int y) { return std::array{load_pixels<Real>(spread, x, y)}; },
-            [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
-                auto const its_light = load_pixels<Real>(around_light, x, y);
-                auto const its = max(around[0] / pixels_in_square<Real>(x, y, of_variance, size) / 3.f, Real(1e-20f));
-                store_pixels<Real>(spread, x, y, its, count);
-                auto const logarithm_of_noise = logarithm(sqrt(its) / its_light + 1e-3f) * 1.44269504f; // to the base of 2
-                store_pixels<Real>(noises, x, y, clamp(logarithm_of_noise / 3.f, Real(-2.f), Real(1.5f)), count);
-                auto const own = luminance(load_pixels<Real>(picture, x, y));
-                auto const positive = masked(is_finite(own), max(own, Real(0.f)));
-                store_pixels<Real>(logarithms, x, y, logarithm(fma(its_light, Real(.05f), positive)), count);
-            });
-        sums.around<2>(
-            executor, of_texture,
-            [=]<class Real>(AtOnce<Real>, int x, int y) {
-                auto const its = logarithm(load_pixels<Real>(around_light, x, y)) - log_mean;
-                return std::array{its, its * its};
-            },
-            [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
-                auto const per_pixels = 1.f / pixels_in_square<Real>(x, y, of_texture, size), mean = around[0] * per_pixels;
-                auto const varies = max(fma(around[1], per_pixels, -(mean * mean)), Real(0.f));
-                store_pixels<Real>(textures, x, y, min(2.f * sqrt(varies), Real(1.5f)), count);
-            });
-    }
-};
-
-/// How far the finest level is more than noise: 0 to 1.
-template <Executor E> Planes<1> sureness(E const& executor, WindowSums<4>& sums, ResidualLevel const& finest, Planes<1> const& variance) {
-    constexpr float noise_left = .27f; // of the noise's standard deviation, by the spline's weights
-    Planes<1> sure(variance.size());
-    auto const level = finest.value.view();
-    auto const of_samples = variance.view(), to = sure.view();
-    sums.around<2>(
-        executor, 2,
-        [=]<class Real>(AtOnce<Real>, int x, int y) {
-            auto const value = load_pixels<Real>(level, x, y);
-            return std::array{dot(value, value) / 3.f,
-                              fma(load_pixels<Real>(of_samples, x, y), Real(noise_left * noise_left), Real(1e-20f))};
-        },
-        [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
-            store_pixels<Real>(to, x, y, around[0] / fma(around[1], Real(4.f), around[0]), count);
-        });
-    return sure;
-}
-
-/// What samples that were held out say of a band: the share of it that is there, and how sure that is, from 0 to 1.
-template <Executor E>
-Planes<2> held_shares(E const& executor, WindowSums<4>& sums, PictureResidual const& residual, ResidualLevel const& fine,
-                      ResidualLevel const& coarse) {
-    Planes<2> shares(residual.size);
-    auto const off = residual.value.view(), finer = fine.held.view(), coarser = coarse.held.view();
-    auto const square = residual.mean_square.view();
-    auto const to = shares.view();
-    sums.around<3>(
-        executor, 6,
-        [=]<class Real>(AtOnce<Real>, int x, int y) {
-            auto const mean = load_pixels<Real>(square, x, y);
-            auto const per_square = masked(mean > Real(0.f), 1.f / max(mean, Real(1e-37f)));
-            auto const band = load_pixels<Real>(finer, x, y) - load_pixels<Real>(coarser, x, y);
-            auto const product = dot(load_pixels<Real>(off, x, y), band) * per_square;
-            return std::array{product, dot(band, band) * per_square, product * product};
-        },
-        [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
-            auto const deviation = sqrt(fma(around[2], Real(2.f), Real(1e-20f)));
-            store_pixels<Real>(to, x, y,
-                               {clamp(around[0] / max(around[1], Real(1e-12f)), Real(0.f), Real(1.f)),
-                                clamp(around[0] / deviation / 3.f, Real(0.f), Real(1.f))},
-                               count);
-        });
-    return shares;
-}
-
-/// Adds to each pixel its shares of the parts of a residual.
-struct FeedBack {
-    static constexpr auto name = "feed back";
+/// What each pixel gets back of the parts of a residual.
+struct FedBack {
+    static constexpr auto name = "fed back";
     ResidualFeedbackShares by;
-    float trust;          ///< how far noise is that of single pixels
-    float times, darkest; ///< most and darkest of ResidualFeedback
+    float times; ///< most of ResidualFeedback
     PlanesView<1> light, noise, texture, sure;
     PlanesView<2> fine, middle;
     PlanesView<3> residual, alone, picture;
-    std::array<PlanesView<3>, feedback_levels> levels;
+    std::array<PlanesView<3>, feedback_levels> levels, held_levels;
+    PlanesView<3> smooth;      ///< gets what levels give
+    PlanesView<3> smooth_held; ///< gets the same of the samples that were held out
+    PlanesView<3> rest;        ///< gets what the pixel's own sample, and the estimate without history, give
 
     template <class Real> QUELL_FLATTENED constexpr void operator()(AtOnce<Real>, int x, int y, int count) const {
         auto const n = load_pixels<Real>(noise, x, y), most = load_pixels<Real>(light, x, y) * times;
-        auto const before = load_pixels<Real>(picture, x, y);
-        auto off = zero<vec3<Real>>();
-        auto const add = [&](Real const& share, vec3<Real> const& part) QUELL_INLINED {
-            off = map([&](Real sum, Real a) QUELL_INLINED { return sum + masked(is_finite(a), share * clamp(a, -most, most)); }, off, part);
+        auto const sum_of = [&](auto... added) {
+            auto off = zero<vec3<Real>>();
+            auto const add = [&](auto const& part) QUELL_INLINED {
+                off = map([&](Real sum, Real a) QUELL_INLINED { return sum + masked(is_finite(a), part.share * clamp(a, -most, most)); },
+                          off, part.of);
+            };
+            (add(added), ...);
+            return off;
+        };
+        struct Part {
+            Real share;
+            vec3<Real> of;
         };
         auto const held = load_pixels<Real>(fine, x, y), held_wider = load_pixels<Real>(middle, x, y);
         // No frequency is fed back more than whole, however many parts have it.
@@ -162,19 +80,51 @@ struct FeedBack {
         auto const finest = fma(load_pixels<Real>(sure, x, y), Real(by.near_sure), fma(held.x, Real(by.near_held), Real(by.near_noise)));
         auto const finest_share = min(finest * n, 1.f - own), left = 1.f - own - max(finest_share, Real(0.f));
         auto const wide = fma(n, Real(by.wide_noise), fma(load_pixels<Real>(texture, x, y), Real(by.wide_texture), Real(by.wide)));
-        auto const level = [&](std::size_t i) QUELL_INLINED { return load_pixels<Real>(levels[i], x, y); };
-        add(own, load_pixels<Real>(residual, x, y));
-        add(finest_share, level(0));
-        add(min(held.x * held.y * by.fine_held, left), level(0) - level(1));
-        add(min(held_wider.x * held_wider.y * by.middle_held, left), level(2) - level(3));
-        add(min(wide, left), level(3));
-        add(Real(by.alone), load_pixels<Real>(alone, x, y) - before);
-        auto const is_picture = all_finite(before);
-        auto const made = [&](Real a, Real more)
-                              QUELL_INLINED { return select(is_picture, max(fma(more, Real(trust), a), min(a, a * darkest)), a); };
-        store_pixels<Real>(picture, x, y, map(made, before, off), count);
+        auto const of_levels = [&](std::array<PlanesView<3>, feedback_levels> const& from) {
+            auto const level = [&](std::size_t i) QUELL_INLINED { return load_pixels<Real>(from[i], x, y); };
+            return sum_of(Part{finest_share, level(0)}, Part{min(held.x * held.y * by.fine_held, left), level(0) - level(1)},
+                          Part{min(held_wider.x * held_wider.y * by.middle_held, left), level(2) - level(3)},
+                          Part{min(wide, left), level(3)});
+        };
+        store_pixels<Real>(smooth, x, y, of_levels(levels), count);
+        store_pixels<Real>(smooth_held, x, y, of_levels(held_levels), count);
+        store_pixels<Real>(rest, x, y,
+                           sum_of(Part{own, load_pixels<Real>(residual, x, y)},
+                                  Part{Real(by.alone), load_pixels<Real>(alone, x, y) - load_pixels<Real>(picture, x, y)}),
+                           count);
     }
 };
+
+/// Adds all that comes back to a picture, as far as samples that were held out bear it out: the share w of ResidualFeedback.
+/// @param trust       how far noise is that of single pixels
+/// @param smooth      what levels give
+/// @param smooth_held the same of held-out samples
+/// @param rest        what else is given
+/// @param to          the picture
+template <Executor E>
+void add_as_held(E const& executor, WindowSums<4>& sums, ResidualFeedback const& rule, float trust, PictureResidual const& residual,
+                 Planes<3> const& smooth, Planes<3> const& smooth_held, Planes<3> const& rest, PlanesView<3> to) {
+    auto const off = residual.value.view(), given = smooth.view(), held = smooth_held.view(), others = rest.view();
+    auto const square = residual.mean_square.view();
+    constexpr float twice = 2.f; // the product of two samples is in the sum once for each of them
+    sums.around<3>(
+        executor, rule.held_radius,
+        [=]<class Real>(AtOnce<Real>, int x, int y) {
+            auto const mean = load_pixels<Real>(square, x, y);
+            auto const per_square = masked(mean > Real(0.f), 1.f / max(mean, Real(1e-37f)));
+            auto const part = load_pixels<Real>(given, x, y);
+            auto const product = dot(load_pixels<Real>(off, x, y), load_pixels<Real>(held, x, y)) * per_square;
+            return std::array{product, dot(part, part) * per_square, product * product};
+        },
+        [=, prior = rule.held_variance, darkest = rule.darkest]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& of_window) {
+            auto const whole = max(of_window[1], Real(1e-15f)), doubt = of_window[2] * (twice / prior) / (whole * whole);
+            auto const w = clamp((of_window[0] / whole + doubt) / (1.f + doubt), Real(0.f), Real(1.f)) * trust;
+            auto const old = load_pixels<Real>(to, x, y), more = load_pixels<Real>(given, x, y) + load_pixels<Real>(others, x, y);
+            auto const is_picture = all_finite(old);
+            auto const made = [&](Real a, Real b) QUELL_INLINED { return select(is_picture, max(fma(b, w, a), min(a, a * darkest)), a); };
+            store_pixels<Real>(to, x, y, map(made, old, more), count);
+        });
+}
 
 } // namespace detail
 
@@ -212,22 +162,26 @@ float feed_back_residual(ResidualFeedback const& rule, E const& executor, std::v
     auto const sure = sureness(executor, sums, levels[0], gates.variance);
     auto const fine = held_shares(executor, sums, residual, levels[0], levels[1]),
                middle = held_shares(executor, sums, residual, levels[2], levels[3]);
+    Planes<3> smooth(size), smooth_held(size), rest(size);
     executor.for_each_pixel(
         {0, 0, size.width, size.height},
-        FeedBack{.by = rule.shares.value_or(ResidualFeedbackShares::of_samples(rule.samples)),
-                 .trust = trust,
-                 .times = rule.most,
-                 .darkest = rule.darkest,
-                 .light = gates.light.view(),
-                 .noise = gates.noise.view(),
-                 .texture = gates.texture.view(),
-                 .sure = sure.view(),
-                 .fine = fine.view(),
-                 .middle = middle.view(),
-                 .residual = residual.value.view(),
-                 .alone = by_itself.view(),
-                 .picture = before.view(),
-                 .levels = {levels[0].value.view(), levels[1].value.view(), levels[2].value.view(), levels[3].value.view()}});
+        FedBack{.by = rule.shares.value_or(ResidualFeedbackShares::of_samples(rule.samples)),
+                .times = rule.most,
+                .light = gates.light.view(),
+                .noise = gates.noise.view(),
+                .texture = gates.texture.view(),
+                .sure = sure.view(),
+                .fine = fine.view(),
+                .middle = middle.view(),
+                .residual = residual.value.view(),
+                .alone = by_itself.view(),
+                .picture = before.view(),
+                .levels = {levels[0].value.view(), levels[1].value.view(), levels[2].value.view(), levels[3].value.view()},
+                .held_levels = {levels[0].held.view(), levels[1].held.view(), levels[2].held.view(), levels[3].held.view()},
+                .smooth = smooth.view(),
+                .smooth_held = smooth_held.view(),
+                .rest = rest.view()});
+    add_as_held(executor, sums, rule, trust, residual, smooth, smooth_held, rest, before.view());
     copy_out(before.view(), picture, unit);
     return trust;
 }
