@@ -85,7 +85,7 @@ std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::S
     if (samples < 1 || !image.has_all(io::planes_of(Channels<Depth, Motion, Normal>{}, channels))) return nullptr;
     if (samples > 1 && !has_mixed_normals(image, channels)) return nullptr;
     auto made = std::make_shared<FrameAround>(
-        FrameAround{AntiAliased::of_samples(samples), Frame<Channels<Depth, Motion, MotionNext>>(image.size), {}});
+        FrameAround{samples, AntiAliased::of_samples(samples), Frame<Channels<Depth, Motion, MotionNext>>(image.size), {}});
     io::load_channels(Channels<Depth, Motion>{}, made->guides, image, channels);
     if (is_still(made->guides[motion].view())) return nullptr;
     if (image.has_all(io::planes_of(Channels<MotionNext>{}, channels)))
@@ -126,8 +126,7 @@ std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metric
         return views;
     };
     auto const those_before = all_of(before), those_after = all_of(after);
-    auto const agreement = policy.by_surface ? Agreement{} : Agreement::of_means();
-    auto const agrees = anti_alias_where_agreed(agreement, policy, Threads<>{.count = threads}, views_of(*here, colour_image),
+    auto const agrees = anti_alias_where_agreed({.samples = static_cast<float>(here->samples)}, policy, Threads<>{.count = threads}, views_of(*here, colour_image),
                                                 std::span<ColouredFrame<> const>(those_before),
                                                 std::span<ColouredFrame<> const>(those_after), light_image.view(), to.view());
     metrics::Picture result{size, {}};

@@ -114,7 +114,7 @@ std::vector<glm::vec3> PictureRefiner::lacking(SeenFrame const& seen, io::Channe
 
 void PictureRefiner::give_back_repeated(SeenFrame const& seen, io::ChannelNames const& names, std::vector<glm::vec3> here,
                                         std::vector<glm::vec3> const* next, DenoisedFrame& frame, StageAccount& why) {
-    std::vector<std::vector<glm::vec3>> around;
+    std::vector<LackingAround> around;
     auto const add = [&](std::vector<glm::vec3> const& there, auto const& vectors, auto channel) {
         if (vectors && there.size() == here.size())
             around.push_back(lacking_moved(Threads<>{.count = threads}, there, (*vectors)[channel].view()));

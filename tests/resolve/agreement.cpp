@@ -44,7 +44,7 @@ struct Made {
     ImageOf<Planar<>, Albedo> light{size}, to{size};
     Planar<>::Image<1> agrees;
 
-    explicit Made(Texture const& texture, AntiAliased const& policy = AntiAliased::of_samples(1)) : agrees(size) {
+    explicit Made(Texture const& texture, int samples = 1) : agrees(size) {
         std::deque<TestFrame> frames;
         std::vector<ColouredFrame<>> before, after;
         for (int k = 1; k <= AntiAliased::most_frames; ++k) {
@@ -55,7 +55,7 @@ struct Made {
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x)
                 for (int c = 0; c < 3; ++c) light.view().set(c, x, y, 2.f);
-        agrees = anti_alias_where_agreed(policy.by_surface ? Agreement{} : Agreement::of_means(), policy, Simd{}, here.view(),
+        agrees = anti_alias_where_agreed({static_cast<float>(samples)}, AntiAliased::of_samples(samples), Simd{}, here.view(),
                                          std::span<ColouredFrame<> const>(before), std::span<ColouredFrame<> const>(after), light.view(),
                                          to.view());
     }
@@ -90,17 +90,18 @@ TEST_CASE("noise of single samples is averaged: what frames around tell agrees")
 }
 
 TEST_CASE("a texture that moves without vectors stays as its own frame shows it") {
-    for (auto const& policy : {AntiAliased::of_samples(1), AntiAliased::of_samples(4)}) {
-        Made const made(film, policy);
-        CHECK(made.mean_agreement(0, size.width) < .05f);
-        CHECK(made.error(film, 0, size.width) < .02f);
+    for (int const samples : {1, 4, 16}) {
+        Made const made(film, samples);
+        // By one sample it can't be told whether neighbours differ by noise; the film's own deviation is .4.
+        CHECK(made.mean_agreement(0, size.width) < (samples == 1 ? .3f : .1f));
+        CHECK(made.error(film, 0, size.width) < (samples == 1 ? .06f : .015f));
     }
 }
 
 TEST_CASE("what is refused is refused there alone") {
     auto const truth = [](int x, int y, int frame) { return film(x, y, x < 32 ? frame : 0); };
     Made const made([&](int x, int y, int frame) { return truth(x, y, frame) + .1f * noise(x, y, frame); });
-    CHECK(made.mean_agreement(0, 27) < .1f);
+    CHECK(made.mean_agreement(0, 27) < .4f);
     CHECK(made.mean_agreement(37, size.width) > .85f);
     float const own = 2.f * .1f / std::sqrt(3.f); // the error of the frame's own samples
     CHECK(made.error(truth, 0, 27) < 1.1f * own);

@@ -83,7 +83,7 @@ TEST_CASE("light given back behind a pipeline: what both functions give back, fr
 
 TEST_CASE("light given back behind a pipeline: stripes come back, with two frames more of them, and a cut begins anew") {
     GiveBack give_back(64), other(64);
-    FlatSurface seen(stripes, .1f), later(stripes, .1f, 6);
+    FlatSurface seen(stripes, .3f), later(stripes, .3f, 6);
     Frame<Channels<Normal, Depth, Motion>> guides(size);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) guides[normal].set(x, y, {0.f, 0.f, 1.f}), guides[depth].set(x, y, 3.f);

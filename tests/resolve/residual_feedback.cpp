@@ -45,6 +45,26 @@ TEST_CASE("residual feedback: what a filter took out comes back") {
     }
 }
 
+TEST_CASE("residual feedback: samples that were held out tell how much is right") {
+    auto const error = [](float (*shown)(int, int), float held_variance) {
+        Fed seen(shown, .5f);
+        auto const alone = seen.picture;
+        ResidualFeedback const rule{.shares = ResidualFeedbackShares{.near_noise = .5f, .wide = .5f},
+                                    .held_variance = held_variance,
+                                    .of_neighbours = {.least = 2.f, .most = 3.f}};
+        feed_back_residual(rule, Serial{}, seen.samples, seen.normals.view(), seen.depths.view(), alone, seen.picture);
+        return seen.error();
+    };
+    constexpr float is_sure = 1e-9f; // whatever samples say
+    SUBCASE("of a picture that is right nearly nothing is noise that was taken for light") {
+        CHECK(error(flat, 3.f) < .5 * error(flat, is_sure));
+    }
+    SUBCASE("of one that is too dark nearly all comes back") {
+        auto const darker = [](int, int) { return 2.f; };
+        CHECK(error(darker, 3.f) < 1.02 * error(darker, is_sure));
+    }
+}
+
 TEST_CASE("residual feedback: light that the picture lacks everywhere comes back in part, and never more than that") {
     for (float const noise : {0.f, .001f, .01f, .1f, .5f})
         for (float const count : {1.f, 4.f, 16.f, 64.f}) {

@@ -95,7 +95,8 @@ TEST_CASE("of samples that share their noise nothing is given back") {
     CHECK_FALSE(fed_back(splatted(white_noise(5))));
     auto const repeated = [&](Pixels const& noise, Pixels const& noise_before) {
         auto result = picture;
-        give_back_repeated({.samples = 16}, Simd{}, size, sum_of(stripes, noise), {sum_of(stripes, noise_before)}, result);
+        give_back_repeated({.samples = 16}, Simd{}, size, sum_of(stripes, noise), {{sum_of(stripes, noise_before), Pixels(noise.size())}},
+                           result);
         return result != picture;
     };
     CHECK(repeated(white_noise(6), white_noise(7)));
@@ -107,14 +108,14 @@ TEST_CASE("a frame with the same noise is no witness of what a picture lacks, on
     auto const noise = white_noise(8);
     auto const given = [&](Pixels const& before) {
         auto result = picture;
-        give_back_repeated({.samples = 16}, Simd{}, size, noise, {before}, result);
+        give_back_repeated({.samples = 16}, Simd{}, size, noise, {{before, Pixels(noise.size())}}, result);
         double sum = 0;
         for (std::size_t i = 0; i < result.size(); ++i)
             sum += static_cast<double>(glm::dot(result[i] - picture[i], result[i] - picture[i]));
         return std::sqrt(sum / static_cast<double>(result.size()));
     };
-    CHECK(given(noise) == 0.);
+    CHECK(given(noise) < 1e-5);
     auto const nearly = sum_of(noise, made([&](int x, int y) { return .05f * at(white_noise(9), x, y); }));
-    CHECK(given(nearly) == 0.);
+    CHECK(given(nearly) < 1e-5);
     CHECK(given(white_noise(10)) < .02);
 }

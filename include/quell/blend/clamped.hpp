@@ -180,8 +180,8 @@ private:
     template <class V> QUELL_KERNEL static auto relative_change(V const& after, V const& before) {
         using Real = real_of<V>;
         auto const change = map([](auto a, auto b) QUELL_INLINED { return abs(a - b); }, after, before);
-        auto const light = fma(abs(luminance(after)), Real(1e-3f), abs(luminance(before)));
-        return luminance(change) / max(light, Real(1e-37f));
+        auto const brightness = fma(abs(luminance(after)), Real(1e-3f), abs(luminance(before)));
+        return luminance(change) / max(brightness, Real(1e-37f));
     }
 };
 template <class Inner> Clamped(Inner) -> Clamped<Inner>;

@@ -97,9 +97,9 @@ struct VarianceGuidedEdge {
             sum = fma(neighbour[variance], weight, fma(opposite[variance], its_weight, sum));
             weights = weights + (weight + its_weight);
         });
-        auto const deviation = sqrt(max(sum / weights, Real(0.f))), light = luminance(px.signal());
-        auto const tolerated = fma(abs(light), Real(1e-4f), deviation * sigma);
-        return detail::AroundLuminance<Real>{-light, 1.f / max(tolerated, Real(1e-37f))};
+        auto const deviation = sqrt(max(sum / weights, Real(0.f))), its_luminance = luminance(px.signal());
+        auto const tolerated = fma(abs(its_luminance), Real(1e-4f), deviation * sigma);
+        return detail::AroundLuminance<Real>{-its_luminance, 1.f / max(tolerated, Real(1e-37f))};
     }
 };
 

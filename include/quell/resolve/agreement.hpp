@@ -4,62 +4,69 @@
 #include <quell/resolve/picture_residual.hpp>
 #include <quell/resolve/window_sums.hpp>
 
+#include <algorithm>
 #include <array>
-#include <cstddef>
+#include <cmath>
 #include <span>
 #include <type_traits>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
-/// How far the colours that frames around tell agree with those that a frame has itself. The difference d of both has two parts: noise of
-/// single samples, which is another one in each pixel, and what the frames around have wrong, which neighbouring pixels have in common.
-/// Over a window, the second part is the mean of d(p) d(q) over neighbours p and q, in that of four directions in which it is least: at
-/// edges of things, samples are off along the edge alone.
+/// How far the colours that frames around tell count beside those that a frame has itself. Both are estimates of the same colour: the
+/// frame's own has the noise of its few samples, and what frames around tell has what vectors do not know of. With d the difference of
+/// both, the least squared error is that of the share w = noise / d^2, of sums over a window.
 ///
-/// The frames around count whole where that is at most the part `least` of the mean of d^2, and not at all from the part `most` on.
+/// The noise is known by the colours beside. A pixel's samples lie all over it, so that they see what differs as neighbouring pixels do:
+/// the noise is the part noise_share() of g, half the mean squared difference of neighbours.
 struct Agreement {
+    float samples = 1.f; ///< of each pixel
     int radius = 5;      ///< of the windows, in pixels; at most 16
-    float caution = 1.f; ///< standard errors that are taken off what neighbours have in common
-    float least = 0.f;   ///< part that is tolerated
-    float most = .06f;   ///< part from which on frames around count nothing
 
-    /// For colours that are means of several samples, whose own noise is little beside what frames around may have wrong.
-    [[nodiscard]] static constexpr Agreement of_means() { return {.caution = 0.f, .least = -.05f, .most = .05f}; }
+    /// Noise of a pixel's colour as a part of the variance between neighbours. One sample has all of it. More are spread evenly over
+    /// the pixel, and of an edge n of them have n^-1.5 of the noise of one (Mitchell 1996, "Consequences of Stratified Sampling in
+    /// Graphics").
+    [[nodiscard]] float noise_share() const {
+        float const n = std::max(samples, 1.f);
+        return std::min(1.f, 1.6f / (n * std::sqrt(n)));
+    }
 };
 
 namespace detail {
+
+/// Half the squared difference of a pixel's colour to that on the right of it and to that below, the mean of both.
+template <class Real> QUELL_KERNEL Real half_difference(PlanesView<3> colour, int x, int y) {
+    auto const here = load_pixels<Real>(colour, x, y);
+    auto const squared = [&](vec3<Real> const& other) QUELL_INLINED {
+        auto const d = other - here;
+        auto const square = dot(d, d);
+        return masked(is_finite(square), square);
+    };
+    auto const columns = Real(static_cast<float>(x + 1)) + lanes<Real>();
+    auto sum = masked(columns < Real(static_cast<float>(colour.size.width)), squared(load_beside<Real>(colour, x + 1, y)));
+    if (y + 1 < colour.size.height) sum = sum + squared(load_pixels<Real>(colour, x, y + 1));
+    return sum * .25f;
+}
 
 /// How far the frames around count, from 0 to 1 for each pixel: see Agreement.
 /// @param own    the frame's colours
 /// @param others those that frames around tell, without the frame; not finite where they tell nothing
 template <Executor E> Planes<1> agreement(Agreement const& rule, E const& executor, PlanesView<3> own, PlanesView<3> others) {
     auto const size = own.size;
-    Planes<3> differences(size);
-    auto const off = differences.view();
-    // Colours may be light of any unit, and its fourth power is taken.
-    float const per_unit = 1.f / light_unit(static_cast<double>(Brightness(executor, own).mean));
-    for_all_pixels(executor, size, [=]<class Real>(AtOnce<Real>, int x, int y, int count) {
-        auto const d = load_pixels<Real>(own, x, y) - load_pixels<Real>(others, x, y);
-        auto const is_known = all_finite(d);
-        store_pixels<Real>(off, x, y, map([&](Real a) QUELL_INLINED { return masked(is_known, a * per_unit); }, d), count);
-    });
+    // Colours may be light of any unit.
+    float const unit = light_unit(static_cast<double>(Brightness(executor, own).mean)), per_square = 1.f / (unit * unit);
     Planes<1> result(size);
-    WindowSums<9> sums(size);
-    sums.around<9>(
+    WindowSums<2> sums(size);
+    sums.around<2>(
         executor, rule.radius,
         [=]<class Real>(AtOnce<Real>, int x, int y) {
-            auto const here = load_pixels<Real>(off, x, y);
-            auto const product = [&](int dx, int dy) QUELL_INLINED {
-                return y + dy < off.size.height ? Real(dot(here, load_pixels<Real>(off, x + dx, y + dy))) : Real(0.f);
-            };
-            std::array const p{product(1, 0), product(0, 1), product(1, 1), product(-1, 1)};
-            return std::array{dot(here, here), p[0], p[1], p[2], p[3], p[0] * p[0], p[1] * p[1], p[2] * p[2], p[3] * p[3]};
+            auto const d = load_pixels<Real>(others, x, y) - load_pixels<Real>(own, x, y);
+            auto const square = dot(d, d);
+            auto const off = masked(is_finite(square), square) * per_square;
+            return std::array{off, masked(off > Real(0.f), half_difference<Real>(own, x, y) * per_square)};
         },
-        [=, to = result.view()]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& of_window) {
-            Real common(1e30f);
-            for (std::size_t i = 1; i <= 4; ++i) common = min(common, of_window[i] - sqrt(of_window[i + 4]) * rule.caution);
-            auto const part = common / max(of_window[0], Real(1e-30f));
-            store_pixels<Real>(to, x, y, clamp((rule.most - part) * (1.f / (rule.most - rule.least)), Real(0.f), Real(1.f)), count);
+        [=, to = result.view(), share = rule.noise_share()]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& of_window) {
+            auto const nothing = Real(1e-12f); // where nothing differs, all agree
+            store_pixels<Real>(to, x, y, min(fma(of_window[1], Real(share), nothing) / (of_window[0] + nothing), Real(1.f)), count);
         });
     return result;
 }
@@ -84,7 +91,9 @@ Planar<>::Image<1> anti_alias_where_agreed(Agreement const& agreement, AntiAlias
                                            std::span<ColouredFrame<> const> after, Light const& light, To const& to) {
     using namespace detail;
     Planes<3> others(here.depth.size);
-    run_anti_alias(policy, executor, here, before, after, light, to, others.view());
+    auto told = policy;
+    if (!policy.by_surface) told.own = 0.f; // how far the frame's own count is asked of the samples
+    run_anti_alias(told, executor, here, before, after, light, to, others.view());
     auto agrees = detail::agreement(agreement, executor, here.colour, others.view());
     for_all_pixels(executor, here.depth.size, [=, share = agrees.view()]<class Real>(AtOnce<Real>, int x, int y, int count) {
         auto const own = load_pixels<Real>(here.colour, x, y) * load_pixels<Real>(light, x, y);

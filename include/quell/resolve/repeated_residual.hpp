@@ -32,17 +32,20 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// again, wherever in its pixel that lies, and a picture of such points is jagged. Of that band a part of 1 / samples is left out. And
 /// noise of few samples is skewed, so that by chance more of it is alike: caution is 1 + 2 / samples times as large.
 ///
-/// A frame around whose residual is nearly the same has the same samples, as a frame that is held or a seed that is repeated: it is no
-/// witness, and is left out there.
+/// A frame around whose residual is nearly the same has the same samples, as a frame that is held: it is no witness, and is left out there.
+/// So is one whose residual goes with that of now more on the screen than along the motion: its noise stays there, as that of a seed that
+/// is repeated does.
 struct RepeatedResidual {
     float samples = 1.f;                         ///< of each pixel
     std::array<float, 2> deviation{0.7f, 2.f};   ///< of the Gaussians between the bands, in pixels
     std::array<int, 3> radius{8, 10, 16};        ///< of each band's windows, in pixels
     std::array<float, 3> caution{.7f, 1.f, 2.f}; ///< more for wider bands, whose neighbouring pixels hold the same noise
     float alike = .6f;                           ///< correlation of a residual around with that of now, up to which that frame counts whole
-    float same = .85f;           ///< and from which on it counts nothing: no two frames' noise is that small beside what both lack
-    float most = 20.f;           ///< a residual is at most so many times the light around
-    float darkest = 0.2f;        ///< of the picture's light so much stays at least
+    float same = .85f;    ///< and from which on it counts nothing: no two frames' noise is that small beside what both lack
+    int same_radius = 16; ///< of the windows that frames around are left out by, in pixels
+    float stays = .05f;   ///< by how much correlation may be larger on the screen: whole up to that, and nothing from twice as much on
+    float most = 20.f;    ///< a residual is at most so many times the light around
+    float darkest = 0.2f; ///< of the picture's light so much stays at least
     SharedNoise of_neighbours{}; ///< where neighbours share their noise, less is added, or nothing
 };
 
@@ -64,9 +67,10 @@ void add_repeated(E const& executor, WindowSums<5>& sums, ResidualBand const& no
         [=]<class Real>(AtOnce<Real>, int x, int y) {
             auto const bright = load_pixels<Real>(light, x, y), per_square = 1.f / (bright * bright);
             auto const here = now.template at<Real>(x, y);
-            auto const [mean, squares] = around.template mean_at<Real>(x, y);
-            auto const common = dot(here, mean) * per_square;
-            return std::array{common, common * common, dot(here, here) * per_square, dot(mean, mean) * per_square, squares * per_square};
+            auto const [mean, squares, known] = around.template mean_at<Real>(x, y);
+            auto const common = dot(here, mean) * per_square * known;
+            return std::array{common, common * common, dot(here, here) * per_square, dot(mean, mean) * per_square * known,
+                              squares * per_square * known};
         },
         [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& of_window) {
             auto const v = of_window[2], u = of_window[3], w = max(of_window[4], u);
@@ -81,27 +85,34 @@ void add_repeated(E const& executor, WindowSums<5>& sums, ResidualBand const& no
             auto const y_share = clamp(of_u * (1.f - b_of_v) * rest, Real(0.f), 1.f - x_share);
             auto const of_now = masked(is_common, x_share * part), of_mean = masked(is_common, y_share * part);
             auto const here = now.template at<Real>(x, y);
-            auto const [mean, squares] = around.template mean_at<Real>(x, y);
-            auto const sum = load_pixels<Real>(to, x, y);
-            store_pixels<Real>(to, x, y, add_scaled(add_scaled(sum, here, of_now), mean, of_mean), count);
+            auto const [mean, squares, known] = around.template mean_at<Real>(x, y);
+            // Of a surface that no frame around sees, the window around it tells.
+            auto const sum = load_pixels<Real>(to, x, y), more = add_scaled(scale(here, of_now), mean, of_mean);
+            store_pixels<Real>(to, x, y, add_scaled(sum, more, select(known > Real(0.f), known, Real(1.f))), count);
         });
 }
 
-/// Lessens how far a frame around counts where its residual is that of now.
+/// Lessens how far a frame around counts where its residual is that of now, or where it stays on the screen.
+/// @param there     the residual of the frame around, where its surfaces are now
+/// @param on_screen the same as it was there
 template <Executor E>
 void leave_out_same(E const& executor, RepeatedResidual const& rule, WindowSums<5>& sums, PlanesView<3> now, PlanesView<3> there,
-                    PlanesView<1> light, PlanesView<1> is_known) {
-    sums.around<3>(
-        executor, rule.radius[0],
+                    PlanesView<3> on_screen, PlanesView<1> light, PlanesView<1> is_known) {
+    sums.around<5>(
+        executor, rule.same_radius,
         [=]<class Real>(AtOnce<Real>, int x, int y) {
             auto const bright = load_pixels<Real>(light, x, y), per_square = 1.f / (bright * bright);
-            auto const a = load_pixels<Real>(now, x, y), b = load_pixels<Real>(there, x, y);
-            return std::array{dot(a, b) * per_square, dot(a, a) * per_square, dot(b, b) * per_square};
+            auto const a = load_pixels<Real>(now, x, y), b = load_pixels<Real>(there, x, y), c = load_pixels<Real>(on_screen, x, y);
+            return std::array{dot(a, a) * per_square, dot(a, b) * per_square, dot(b, b) * per_square, dot(a, c) * per_square,
+                              dot(c, c) * per_square};
         },
         [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& of_window) {
-            auto const alike = of_window[0] / max(sqrt(of_window[1]) * sqrt(of_window[2]), Real(1e-30f));
-            auto const part = clamp((rule.same - alike) * (1.f / (rule.same - rule.alike)), Real(0.f), Real(1.f));
-            store_pixels<Real>(is_known, x, y, load_pixels<Real>(is_known, x, y) * part, count);
+            auto const correlation = [&](Real const& common, Real const& square)
+                                         QUELL_INLINED { return common / max(sqrt(of_window[0]) * sqrt(square), Real(1e-30f)); };
+            auto const alike = correlation(of_window[1], of_window[2]), stays = correlation(of_window[3], of_window[4]) - alike;
+            auto const part = clamp((rule.same - alike) * (1.f / (rule.same - rule.alike)), Real(0.f), Real(1.f)) *
+                              clamp(2.f - stays * (1.f / rule.stays), Real(0.f), Real(1.f));
+            store_pixels<Real>(is_known, x, y, load_pixels<Real>(is_known, x, y) * max(part, Real(1e-6f)), count); // 0: unknown
         });
 }
 
@@ -114,9 +125,9 @@ inline void add_plane(PlanesView<1> plane, float factor, std::vector<float>& to)
 
 /// @throws Error where a radius or deviation is beyond reach
 inline void check_rule(RepeatedResidual const& rule, std::size_t frames_around) {
-    for (int const radius : rule.radius)
+    for (int const radius : {rule.radius[0], rule.radius[1], rule.radius[2], rule.same_radius})
         if (radius < 0 || radius > WindowSums<5>::largest_radius)
-            raise_error("RepeatedResidual::radius", std::to_string(radius), "give 0 to " + std::to_string(WindowSums<5>::largest_radius));
+            raise_error("RepeatedResidual, a radius", std::to_string(radius), "give 0 to " + std::to_string(WindowSums<5>::largest_radius));
     for (float const deviation : rule.deviation)
         if (!(deviation > 0.f && deviation <= GaussianTaps::largest_deviation))
             raise_error("RepeatedResidual::deviation", std::to_string(deviation), "give more than 0, at most 5 pixels");
@@ -155,15 +166,21 @@ template <Executor E>
     return lacking;
 }
 
-/// What the picture of a frame before or after lacks, where its surfaces are now; not finite where that is not known.
+/// What the picture of a frame before or after lacks.
+struct LackingAround {
+    std::vector<glm::vec3> moved;     ///< where its surfaces are now; not finite where that is not known
+    std::vector<glm::vec3> on_screen; ///< where they were there
+};
+
+/// What the picture of a frame before or after lacks, where its surfaces are now.
 /// @param executor runs the pass
 /// @param lacking  of that frame: what lacking_of_samples() says
 /// @param motion   a view of where each surface is in that frame, less where it is now, in pixels; not finite: unknown
 /// @throws Error where these are not of one size, std::bad_alloc
-template <Executor E>
-[[nodiscard]] std::vector<glm::vec3> lacking_moved(E const& executor, std::vector<glm::vec3> const& lacking, ImageView auto motion) {
+template <Executor E> [[nodiscard]] LackingAround lacking_moved(E const& executor, std::vector<glm::vec3> lacking, ImageView auto motion) {
     detail::check_residual_sizes("lacking_moved", lacking, motion.size, motion.size, lacking);
-    return detail::moved(executor, lacking, motion, glm::vec3(std::numeric_limits<float>::quiet_NaN()));
+    auto moved = detail::moved(executor, lacking, motion, glm::vec3(std::numeric_limits<float>::quiet_NaN()));
+    return {std::move(moved), std::move(lacking)};
 }
 
 /// Adds to a picture what it and the pictures of frames around lack (RepeatedResidual). Where there are none, it stays as it is.
@@ -178,11 +195,12 @@ template <Executor E>
 /// @throws Error where these are not of one size or there are more than two frames around, std::bad_alloc
 template <Executor E>
 float give_back_repeated(RepeatedResidual const& rule, E const& executor, Extent size, std::vector<glm::vec3> const& lacking,
-                         std::vector<std::vector<glm::vec3>> const& around, std::vector<glm::vec3>& picture,
-                         std::vector<float>* same = nullptr) {
+                         std::vector<LackingAround> const& around, std::vector<glm::vec3>& picture, std::vector<float>* same = nullptr) {
     using namespace detail;
     check_residual_sizes("give_back_repeated", lacking, size, size, picture);
-    for (auto const& each : around) check_residual_sizes("give_back_repeated, a frame around", each, size, size, picture);
+    for (auto const& each : around)
+        for (auto const* residual : {&each.moved, &each.on_screen})
+            check_residual_sizes("give_back_repeated, a frame around", *residual, size, size, picture);
     check_rule(rule, around.size());
     if (same) same->assign(picture.size(), 0.f);
     if (around.empty()) return 1.f;
@@ -194,16 +212,18 @@ float give_back_repeated(RepeatedResidual const& rule, E const& executor, Extent
     BlurredResidual const now(executor, rule.deviation, in_planes(size, lacking, unit));
     std::vector<ResidualAround> frames;
     for (auto const& each : around) {
-        auto residual = in_planes(size, each, unit);
+        auto residual = in_planes(size, each.moved, unit), unmoved = in_planes(size, each.on_screen, unit);
         Planes<1> is_known(size);
-        auto const value = residual.view();
+        auto const value = residual.view(), on_screen = unmoved.view();
         for_all_pixels(executor, size, [=, known = is_known.view(), most = rule.most]<class Real>(AtOnce<Real>, int x, int y, int count) {
             auto const there = load_pixels<Real>(value, x, y);
+            auto const limit = load_pixels<Real>(bright, x, y) * most;
             store_pixels<Real>(known, x, y, masked(is_finite(there.x), Real(1.f)), count);
-            store_pixels<Real>(value, x, y, limited(there, load_pixels<Real>(bright, x, y) * most), count);
+            store_pixels<Real>(value, x, y, limited(there, limit), count);
+            store_pixels<Real>(on_screen, x, y, limited(load_pixels<Real>(on_screen, x, y), limit), count);
         });
         if (same) add_plane(is_known.view(), 1.f / static_cast<float>(around.size()), *same);
-        leave_out_same(executor, rule, sums, now.whole.view(), value, bright, is_known.view());
+        leave_out_same(executor, rule, sums, now.whole.view(), value, on_screen, bright, is_known.view());
         if (same) add_plane(is_known.view(), -1.f / static_cast<float>(around.size()), *same);
         frames.push_back({BlurredResidual(executor, rule.deviation, std::move(residual)), std::move(is_known)});
     }

@@ -51,18 +51,23 @@ struct BandsAround {
     };
     std::array<std::optional<Band>, 2> frames{};
 
-    /// Their mean, and the mean of their squares.
-    template <class Real> QUELL_KERNEL std::pair<vec3<Real>, Real> mean_at(int x, int y) const {
+    /// Of what frames around lack.
+    template <class Real> struct Mean {
+        vec3<Real> value;
+        Real squares; ///< the mean of their squares
+        Real known;   ///< how far they count, from 0 to 1
+    };
+    template <class Real> QUELL_KERNEL Mean<Real> mean_at(int x, int y) const {
         auto sum = zero<vec3<Real>>();
         Real squares(0.f), known(0.f);
         for (auto const& frame : frames) {
             if (!frame) continue;
             auto const here = load_pixels<Real>(frame->is_known, x, y);
-            auto const value = scale(frame->residual.template at<Real>(x, y), here);
-            sum = add_scaled(sum, value, Real(1.f)), squares = squares + dot(value, value), known = known + here;
+            auto const value = frame->residual.template at<Real>(x, y);
+            sum = add_scaled(sum, value, here), squares = fma(dot(value, value), here, squares), known = known + here;
         }
-        auto const part = 1.f / max(known, Real(1.f));
-        return {scale(sum, part), squares * part};
+        auto const part = masked(known > Real(0.f), 1.f / max(known, Real(1e-6f)));
+        return {scale(sum, part), squares * part, min(known, Real(1.f))};
     }
 };
 

@@ -117,7 +117,8 @@ void add_as_held(E const& executor, WindowSums<4>& sums, ResidualFeedback const&
             return std::array{product, dot(part, part) * per_square, product * product};
         },
         [=, prior = rule.held_variance, darkest = rule.darkest]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& of_window) {
-            auto const whole = max(of_window[1], Real(1e-15f)), doubt = of_window[2] * (twice / prior) / (whole * whole);
+            // Where the levels give nothing, nothing is known of w.
+            auto const whole = of_window[1] + 1e-15f, doubt = fma(of_window[2], Real(twice / prior), Real(1e-20f)) / (whole * whole);
             auto const w = clamp((of_window[0] / whole + doubt) / (1.f + doubt), Real(0.f), Real(1.f)) * trust;
             auto const old = load_pixels<Real>(to, x, y), more = load_pixels<Real>(given, x, y) + load_pixels<Real>(others, x, y);
             auto const is_picture = all_finite(old);
