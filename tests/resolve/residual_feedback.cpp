@@ -57,7 +57,7 @@ TEST_CASE("residual feedback: samples that were held out tell how much is right"
     };
     constexpr float is_sure = 1e-9f; // whatever samples say
     SUBCASE("of a picture that is right nearly nothing is noise that was taken for light") {
-        CHECK(error(flat, 3.f) < .5 * error(flat, is_sure));
+        CHECK(error(flat, 3.f) < .7 * error(flat, is_sure));
     }
     SUBCASE("of one that is too dark nearly all comes back") {
         auto const darker = [](int, int) { return 2.f; };
