@@ -56,15 +56,18 @@ std::vector<glm::vec3> pixel_by_pixel(metrics::Picture const& colour, metrics::P
     for (std::size_t i = 0; i < product.size() && light != nullptr; ++i) product[i] *= light->pixels[i];
     return product;
 }
+/// Frames around are refused where they differ more from this one than neighbouring pixels do.
 /// @param agrees how far frames around count
-void tell(StageAccount& why, std::string const& signal, ImageView auto const& agrees, std::vector<glm::vec3> const& before,
+/// @param noise  which part of what neighbours differ by is noise
+void tell(StageAccount& why, std::string const& signal, ImageView auto const& agrees, float noise, std::vector<glm::vec3> const& before,
           std::vector<glm::vec3> const& after) {
     std::vector<float> refused;
     double sum = 0;
     for (int y = 0; y < agrees.size.height; ++y)
         for (int x = 0; x < agrees.size.width; ++x) { // where there is no light, there is nothing to refuse
             bool const is_lit = after[refused.size()] != glm::vec3(0.f);
-            refused.push_back(is_lit ? 1.f - agrees.get(0, x, y) : 0.f), sum += static_cast<double>(refused.back());
+            float const differs = noise / std::max(agrees.get(0, x, y), 1e-6f);
+            refused.push_back(is_lit ? std::clamp(differs - 1.f, 0.f, 1.f) : 0.f), sum += static_cast<double>(refused.back());
         }
     double const part = sum / static_cast<double>(refused.size());
     why.refused(refused);
@@ -126,15 +129,16 @@ std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metric
         return views;
     };
     auto const those_before = all_of(before), those_after = all_of(after);
-    auto const agrees = anti_alias_where_agreed({.samples = static_cast<float>(here->samples)}, policy, Threads<>{.count = threads}, views_of(*here, colour_image),
+    Agreement const agreement{.samples = static_cast<float>(here->samples)};
+    auto const agrees = anti_alias_where_agreed(agreement, policy, Threads<>{.count = threads}, views_of(*here, colour_image),
                                                 std::span<ColouredFrame<> const>(those_before),
                                                 std::span<ColouredFrame<> const>(those_after), light_image.view(), to.view());
     metrics::Picture result{size, {}};
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
             result.pixels.emplace_back(to.view().get(0, x, y), to.view().get(1, x, y), to.view().get(2, x, y));
-    tell(why, signal, agrees.view(), why.is_gathered() ? pixel_by_pixel(here->colours[colour], light) : std::vector<glm::vec3>(),
-         result.pixels);
+    tell(why, signal, agrees.view(), agreement.noise_share(),
+         why.is_gathered() ? pixel_by_pixel(here->colours[colour], light) : std::vector<glm::vec3>(), result.pixels);
     return result;
 }
 

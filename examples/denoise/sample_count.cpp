@@ -36,8 +36,8 @@ int samples_in(io::ExrListing const& file, io::SequenceNames const& names) {
 namespace {
 
 constexpr float noise_of_one_sample = 1.6f; ///< its standard deviation over the light around, of indirect light
-constexpr float believed_octaves = 4.f;     ///< between the number that is said and the one that is seen
-constexpr float refuted_octaves = 6.f;
+constexpr float believed_octaves = 2.75f;  ///< between the number that is said and the one that is seen
+constexpr float refuted_octaves = 4.25f;
 
 /// Whether a plane is of a pass of indirect light, by any of Blender's names.
 bool is_indirect(std::string_view plane) {

@@ -45,16 +45,17 @@ struct Evidence {
     float trust = 1.f;    ///< what samples say counts so much, from 0, which leaves A, to 1: less where their noise is shared (SharedNoise)
     float doubt = 0.f;    ///< how much less caution counts where samples leave nothing of A: from 0, the same, to 1, not at all
 
-    /// For frames of so many samples of each pixel, of which caution depends: 2 at 1 sample, -0.6 at 16, -1 from 25 on.
+    /// For frames of so many samples of each pixel, of which caution depends: 2 at 1 sample, 0 from 16 on. Files may tell of more samples
+    /// than were taken.
     /// @param samples of each pixel; less than 1 counts as 1
     [[nodiscard]] static Evidence of_samples(float samples) {
-        return {.caution = std::max(2.f - 0.65f * std::log2(std::max(samples, 1.f)), -1.f)};
+        return {.caution = std::max(2.f - 0.5f * std::log2(std::max(samples, 1.f)), 0.f)};
     }
-    /// For a history that has seen later frames too, and deserves more trust: caution is 2 up to 16 samples, with a doubt that goes up to 1
-    /// there; from then on it falls, to 0.75 at 32 samples and -0.5 from 64 on.
+    /// For a history that has seen later frames too, and deserves more trust: caution is 2 up to 32 samples, with a doubt that goes up to 1
+    /// at 16; from then on it falls, to 0.75 at 64 samples and -0.5 from 128 on.
     /// @param samples of each pixel; less than 1 counts as 1
     [[nodiscard]] static Evidence with_later_frames(float samples) {
-        float const octaves = std::log2(std::max(samples, 1.f)), beyond = std::max(octaves - 4.f, 0.f);
+        float const octaves = std::log2(std::max(samples, 1.f)), beyond = std::max(octaves - 5.f, 0.f);
         return {.caution = std::max(2.f - 1.25f * beyond, -0.5f), .doubt = std::min(octaves / 4.f, 1.f)};
     }
 };
