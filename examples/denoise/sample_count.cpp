@@ -6,6 +6,7 @@
 #include <quell/io/frame_image.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -36,8 +37,12 @@ int samples_in(io::ExrListing const& file, io::SequenceNames const& names) {
 namespace {
 
 constexpr float noise_of_one_sample = 1.6f; ///< its standard deviation over the light around, of indirect light
-constexpr float believed_octaves = 2.75f;  ///< between the number that is said and the one that is seen
-constexpr float refuted_octaves = 4.25f;
+/// Octaves between the number that is said and the one that is seen: up to the first the file is believed, from the second on it is not.
+struct Doubt {
+    float begins, ends;
+    [[nodiscard]] float of(float octaves) const { return std::clamp((octaves - begins) / (ends - begins), 0.f, 1.f); }
+};
+constexpr Doubt of_fewer{2.75f, 4.25f}, of_more{4.f, 6.f};
 
 /// Whether a plane is of a pass of indirect light, by any of Blender's names.
 bool is_indirect(std::string_view plane) {
@@ -58,9 +63,10 @@ metrics::Picture indirect_light(io::ExrImage const& image, io::SequenceNames con
     return picture_of(image, sum, 0.f);
 }
 
-/// The standard deviation of a picture's noise over its light, in the middle of all windows of 5x5 pixels that are not dark; 0: not known.
-/// Noise is what neighbours differ by more than pixels at twice the distance make likely, along rows or columns, whichever is less.
-float relative_noise(metrics::Picture const& picture) {
+/// The standard deviations of a picture's noise over its light, in the middle of all windows of 5x5 pixels that are not dark, and that
+/// which a fifth of them exceed; 0: not known. Noise is what neighbours differ by more than pixels at twice the distance make likely, along
+/// rows or columns, whichever is less.
+std::array<float, 2> relative_noise(metrics::Picture const& picture) {
     constexpr int side = 5;
     struct Window {
         float light, noise;
@@ -92,25 +98,27 @@ float relative_noise(metrics::Picture const& picture) {
             if (!is_finite(light) || !is_finite(rows + columns)) continue;
             windows.push_back({light, std::sqrt(std::min(rows, columns))}), mean += static_cast<double>(light);
         }
-    if (windows.empty()) return 0.f;
+    if (windows.empty()) return {0.f, 0.f};
     float const dark = 0.05f * static_cast<float>(mean / static_cast<double>(windows.size()));
     std::vector<float> parts;
     for (auto const& window : windows)
         if (window.light > dark) parts.push_back(window.noise / window.light);
-    if (parts.empty()) return 0.f;
-    auto const middle = parts.begin() + static_cast<std::ptrdiff_t>(parts.size() / 2);
-    std::ranges::nth_element(parts, middle);
-    return *middle;
+    if (parts.empty()) return {0.f, 0.f};
+    std::ranges::sort(parts);
+    return {parts[parts.size() / 2], parts[parts.size() * 4 / 5]};
 }
 
 } // namespace
 
 int believed_samples(io::ExrImage const& image, io::SequenceNames const& names, int said) {
     if (said < 1) return said;
-    float const noise = relative_noise(indirect_light(image, names));
-    if (!(noise > 0.f)) return said;
-    float const seen = 2.f * std::log2(noise_of_one_sample / noise), of_file = std::log2(static_cast<float>(said));
-    float const doubt = std::clamp((std::abs(seen - of_file) - believed_octaves) / (refuted_octaves - believed_octaves), 0.f, 1.f);
+    auto const [middle, most] = relative_noise(indirect_light(image, names));
+    if (!(middle > 0.f && most > 0.f)) return said;
+    auto const seen_by = [](float noise) { return 2.f * std::log2(noise_of_one_sample / noise); };
+    // That there are more samples has to be seen in nearly all windows: some light has no noise, as that of mirrors.
+    float const of_file = std::log2(static_cast<float>(said)), fewer = seen_by(middle), more = seen_by(most);
+    float const seen = fewer < of_file ? fewer : std::max(more, of_file);
+    float const doubt = seen < of_file ? of_fewer.of(of_file - seen) : of_more.of(seen - of_file);
     return static_cast<int>(std::lround(std::exp2(std::clamp(of_file + doubt * (seen - of_file), 0.f, 20.f))));
 }
 
