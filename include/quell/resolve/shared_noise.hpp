@@ -33,11 +33,14 @@ struct SharedNoise {
 /// What samples have more than a picture of them, as a view of three components; not finite where a sample is no light. Of views of four
 /// components the last is alpha, and one component stands for three that are the same.
 template <ImageView Samples, ImageView Picture> struct LightLess {
-    static constexpr int components = 3, last = Samples::components > 1 ? 1 : 0;
-    Samples samples;
-    Picture picture;
-    Extent size = samples.size;
+    static constexpr int components = 3;                         ///< of what it says
+    static constexpr int last = Samples::components > 1 ? 1 : 0; ///< step from one component of the samples to the next
+    Samples samples;                                             ///< linear light
+    Picture picture;                                             ///< of them
+    Extent size = samples.size;                                  ///< of both
 
+    /// A pixel's samples less the picture.
+    /// @param x, y where it is
     [[nodiscard]] vec3<float> get(int x, int y) const {
         vec3<float> const sample{samples.get(0, x, y), samples.get(last, x, y), samples.get(2 * last, x, y)};
         float const none = detail::is_light(sample) ? 0.f : std::numeric_limits<float>::quiet_NaN();
