@@ -129,7 +129,7 @@ std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metric
         return views;
     };
     auto const those_before = all_of(before), those_after = all_of(after);
-    Agreement const agreement{.samples = static_cast<float>(here->samples)};
+    Agreement const agreement{.samples = static_cast<float>(here->samples), .is_blurred = is_blurred};
     auto const agrees = anti_alias_where_agreed(agreement, policy, Threads<>{.count = threads}, views_of(*here, colour_image),
                                                 std::span<ColouredFrame<> const>(those_before),
                                                 std::span<ColouredFrame<> const>(those_after), light_image.view(), to.view());

@@ -16,7 +16,7 @@ namespace quell::examples {
 
 /// A frame as those around it see it: what its pixels show, and where that goes.
 struct FrameAround {
-    int samples; ///< per pixel
+    int samples;        ///< per pixel
     AntiAliased policy; ///< how it is anti-aliased
     Frame<Channels<Depth, Motion, MotionNext>> guides;
     std::vector<metrics::Picture> colours; ///< what signals are multiplied by, in order, and last what is added; an empty one is not known
@@ -36,6 +36,7 @@ struct AntiAliasing {
     std::span<FramePointer const> before; ///< the nearest first; a null one ends them
     std::vector<FramePointer> after;      ///< the same
     int threads;                          ///< that it runs on; 0: all
+    bool is_blurred;                      ///< whether guides are noisy: samples lie beyond their pixel
 
     /// A colour times light; none where it is not known.
     /// @param light  null: the colour alone, which may change by itself

@@ -343,7 +343,7 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
         collect(denoiser(s).findings(), made.found);
         return result;
     };
-    AntiAliasing anti_aliasing{front.around, earlier.before(), {}, frames.settings.threads};
+    AntiAliasing anti_aliasing{front.around, earlier.before(), {}, frames.settings.threads, front.has_noisy_guides};
     for (std::size_t k = 1; k < std::min(window.size(), AntiAliased::most_frames + std::size_t{1}); ++k)
         anti_aliasing.after.push_back(window[k].around);
     frame.picture =

@@ -86,7 +86,8 @@ SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) {
     frame.samples = believed_samples(frame.image, on_canvas, frame.said_samples);
     empty_passes.add(fill_empty_guides(frame.image, on_canvas));
     if (settings.is_refined()) frame.behind = names_behind_volume(frame.image, on_canvas);
-    frame.believed = doubted_albedo.names_for(frame.image, names_of(frame), settings.preset.by_albedo, number);
+    // Diagnosis says what is wrong with an albedo, and has to see it.
+    if (!settings.diagnose) frame.believed = doubted_albedo.names_for(frame.image, names_of(frame), settings.preset.by_albedo, number);
     auto const& names = names_of(frame);
     if (settings.is_anti_aliased()) frame.around = frame_around(frame.image, names, frame.samples);
     if (!on_canvas.view.empty()) frame.image.attributes = attributes_of_view(file, on_canvas);

@@ -17,10 +17,13 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// both, the least squared error is that of the share w = noise / d^2, of sums over a window.
 ///
 /// The noise is known by the colours beside. A pixel's samples lie all over it, so that they see what differs as neighbouring pixels do:
-/// the noise is the part noise_share() of g, half the mean squared difference of neighbours.
+/// the noise is the part noise_share() of g(1), where g(h) is half the mean squared difference of pixels that lie h apart (the variogram).
+/// Where samples lie far beyond their pixel too, by depth of field or motion blur, noise is white: all of 2 g(1) - g(2), the variogram's
+/// value at distance 0 (the nugget).
 struct Agreement {
-    float samples = 1.f; ///< of each pixel
-    int radius = 5;      ///< of the windows, in pixels; at most 16
+    float samples = 1.f;     ///< of each pixel
+    bool is_blurred = false; ///< whether samples lie beyond their pixel too
+    int radius = 5;          ///< of the windows, in pixels; at most 16
 
     /// Noise of a pixel's colour as a part of the variance between neighbours. One sample has all of it. More are spread evenly over
     /// the pixel, and of an edge n of them have n^-1.5 of the noise of one (Mitchell 1996, "Consequences of Stratified Sampling in
@@ -34,16 +37,17 @@ struct Agreement {
 namespace detail {
 
 /// Half the squared difference of a pixel's colour to that on the right of it and to that below, the mean of both.
-template <class Real> QUELL_KERNEL Real half_difference(PlanesView<3> colour, int x, int y) {
+/// @param step how far away these are, in pixels
+template <class Real> QUELL_KERNEL Real half_difference(PlanesView<3> colour, int x, int y, int step) {
     auto const here = load_pixels<Real>(colour, x, y);
     auto const squared = [&](vec3<Real> const& other) QUELL_INLINED {
         auto const d = other - here;
         auto const square = dot(d, d);
         return masked(is_finite(square), square);
     };
-    auto const columns = Real(static_cast<float>(x + 1)) + lanes<Real>();
-    auto sum = masked(columns < Real(static_cast<float>(colour.size.width)), squared(load_beside<Real>(colour, x + 1, y)));
-    if (y + 1 < colour.size.height) sum = sum + squared(load_pixels<Real>(colour, x, y + 1));
+    auto const columns = Real(static_cast<float>(x + step)) + lanes<Real>();
+    auto sum = masked(columns < Real(static_cast<float>(colour.size.width)), squared(load_beside<Real>(colour, x + step, y)));
+    if (y + step < colour.size.height) sum = sum + squared(load_pixels<Real>(colour, x, y + step));
     return sum * .25f;
 }
 
@@ -55,18 +59,21 @@ template <Executor E> Planes<1> agreement(Agreement const& rule, E const& execut
     // Colours may be light of any unit.
     float const unit = light_unit(static_cast<double>(Brightness(executor, own).mean)), per_square = 1.f / (unit * unit);
     Planes<1> result(size);
-    WindowSums<2> sums(size);
-    sums.around<2>(
+    WindowSums<3> sums(size);
+    sums.around<3>(
         executor, rule.radius,
         [=]<class Real>(AtOnce<Real>, int x, int y) {
             auto const d = load_pixels<Real>(others, x, y) - load_pixels<Real>(own, x, y);
             auto const square = dot(d, d);
             auto const off = masked(is_finite(square), square) * per_square;
-            return std::array{off, masked(off > Real(0.f), half_difference<Real>(own, x, y) * per_square)};
+            auto const known = masked(off > Real(0.f), Real(per_square));
+            return std::array{off, half_difference<Real>(own, x, y, 1) * known, half_difference<Real>(own, x, y, 2) * known};
         },
-        [=, to = result.view(), share = rule.noise_share()]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& of_window) {
-            auto const nothing = Real(1e-12f); // where nothing differs, all agree
-            store_pixels<Real>(to, x, y, min(fma(of_window[1], Real(share), nothing) / (of_window[0] + nothing), Real(1.f)), count);
+        [=, to = result.view(), share = rule.noise_share(),
+         white = rule.is_blurred ? 1.f : 0.f]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& of_window) {
+            auto const g = of_window[1], nugget = clamp(fma(g, Real(2.f), -of_window[2]), Real(0.f), g) * white;
+            auto const noise = fma(g - nugget, Real(share), nugget), nothing = Real(1e-12f); // where nothing differs, all agree
+            store_pixels<Real>(to, x, y, min((noise + nothing) / (of_window[0] + nothing), Real(1.f)), count);
         });
     return result;
 }
