@@ -10,8 +10,9 @@ namespace quell::examples {
 [[nodiscard]] int samples_in(io::ExrListing const& file, io::SequenceNames const& names);
 
 /// How many samples per pixel a frame seems to have, whatever its file says. The file's number is that which was asked for: a render that
-/// ran out of time has fewer, and so has one that sampled adaptively. It is believed within a factor of 7 of fewer and 16 of more that the noise of indirect
-/// light says, and not at all from 64 on. Relative to the light of a pixel, that noise has a standard deviation of about 1.6 over the
+/// ran out of time has fewer, and so has one that sampled adaptively. It is believed where the noise of indirect light says at least a
+/// seventh or at most 16 times as many, and not at all from a nineteenth or 64 times on; more have to be seen in four fifths of the
+/// picture, since some light has no noise. Relative to the light of a pixel, that noise has a standard deviation of about 1.6 over the
 /// square root of the samples, from 0.8 to 5 in scenes of Cycles. A frame without passes of indirect light is believed.
 /// @param names by which the image is read
 /// @param said  what samples_in() said; 0, not known, stays
