@@ -18,8 +18,8 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 ///
 /// The noise is known by the colours beside. A pixel's samples lie all over it, so that they see what differs as neighbouring pixels do:
 /// the noise is the part noise_share() of g(1), where g(h) is half the mean squared difference of pixels that lie h apart (the variogram).
-/// Where samples lie far beyond their pixel too, by depth of field or motion blur, noise is white: all of 2 g(1) - g(2), the variogram's
-/// value at distance 0 (the nugget).
+/// Where samples lie far beyond their pixel too, by depth of field or motion blur, noise is white: the part white_share() of 2 g(1) - g(2),
+/// the variogram's value at distance 0 (the nugget).
 struct Agreement {
     float samples = 1.f;     ///< of each pixel
     bool is_blurred = false; ///< whether samples lie beyond their pixel too
@@ -31,6 +31,11 @@ struct Agreement {
     [[nodiscard]] float noise_share() const {
         float const n = std::max(samples, 1.f);
         return std::min(1.f, 1.6f / (n * std::sqrt(n)));
+    }
+    /// The more samples there are, the rather are pixels that differ at random a texture than noise.
+    [[nodiscard]] float white_share() const {
+        float const n = std::max(samples, 1.f);
+        return is_blurred ? std::max(noise_share(), std::min(1.f, 16.f / (n * n))) : noise_share();
     }
 };
 
@@ -69,10 +74,10 @@ template <Executor E> Planes<1> agreement(Agreement const& rule, E const& execut
             auto const known = masked(off > Real(0.f), Real(per_square));
             return std::array{off, half_difference<Real>(own, x, y, 1) * known, half_difference<Real>(own, x, y, 2) * known};
         },
-        [=, to = result.view(), share = rule.noise_share(),
-         white = rule.is_blurred ? 1.f : 0.f]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& of_window) {
-            auto const g = of_window[1], nugget = clamp(fma(g, Real(2.f), -of_window[2]), Real(0.f), g) * white;
-            auto const noise = fma(g - nugget, Real(share), nugget), nothing = Real(1e-12f); // where nothing differs, all agree
+        [=, to = result.view(), share = rule.noise_share(), white = rule.white_share()]<class Real>(AtOnce<Real>, int x, int y, int count,
+                                                                                                    auto const& of_window) {
+            auto const g = of_window[1], nugget = clamp(fma(g, Real(2.f), -of_window[2]), Real(0.f), g);
+            auto const noise = fma(g - nugget, Real(share), nugget * white), nothing = Real(1e-12f); // where nothing differs, all agree
             store_pixels<Real>(to, x, y, min((noise + nothing) / (of_window[0] + nothing), Real(1.f)), count);
         });
     return result;
