@@ -93,8 +93,6 @@ void add_repeated(E const& executor, WindowSums<5>& sums, ResidualBand const& no
 }
 
 /// Lessens how far a frame around counts where its residual is that of now, or where it stays on the screen.
-/// @param there     the residual of the frame around, where its surfaces are now
-/// @param on_screen the same as it was there
 template <Executor E>
 void leave_out_same(E const& executor, RepeatedResidual const& rule, WindowSums<5>& sums, PlanesView<3> now, PlanesView<3> there,
                     PlanesView<3> on_screen, PlanesView<1> light, PlanesView<1> is_known) {
