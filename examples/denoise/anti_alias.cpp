@@ -87,8 +87,7 @@ std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::S
     auto const& channels = names.of_signals[0].channels;
     if (samples < 1 || !image.has_all(io::planes_of(Channels<Depth, Motion, Normal>{}, channels))) return nullptr;
     if (samples > 1 && !has_mixed_normals(image, channels)) return nullptr;
-    auto made = std::make_shared<FrameAround>(
-        FrameAround{samples, AntiAliased::of_samples(samples), Frame<Channels<Depth, Motion, MotionNext>>(image.size), {}});
+    auto made = std::make_shared<FrameAround>(FrameAround{samples, Frame<Channels<Depth, Motion, MotionNext>>(image.size), {}});
     io::load_channels(Channels<Depth, Motion>{}, made->guides, image, channels);
     if (is_still(made->guides[motion].view())) return nullptr;
     if (image.has_all(io::planes_of(Channels<MotionNext>{}, channels)))
@@ -114,7 +113,7 @@ std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metric
         light != nullptr ? *light : metrics::Picture{size, std::vector<glm::vec3>(here->colours[colour].pixels.size(), glm::vec3(1.f))});
     Colours to(size);
     std::deque<Colours> kept;
-    auto policy = here->policy;
+    auto policy = AntiAliased::of_samples(here->samples);
     if (light != nullptr) policy.change = 0.f;
     auto const views_of = [](FrameAround const& frame, Colours const& colours) {
         return ColouredFrame<>{colours.view(), frame.guides[depth].view(), frame.guides[motion].view(), frame.guides[motion_next].view()};

@@ -16,8 +16,7 @@ namespace quell::examples {
 
 /// A frame as those around it see it: what its pixels show, and where that goes.
 struct FrameAround {
-    int samples;        ///< per pixel
-    AntiAliased policy; ///< how it is anti-aliased
+    int samples; ///< per pixel
     Frame<Channels<Depth, Motion, MotionNext>> guides;
     std::vector<metrics::Picture> colours; ///< what signals are multiplied by, in order, and last what is added; an empty one is not known
 };

@@ -99,7 +99,7 @@ SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) {
         frame.film = film_contents(whole_picture(frame.image, names).pixels, frame.image[alpha].values);
         frame.around.reset(); // colours of transparent film are those of what is hit, times its alpha
     }
-    if (frame.around) split_by.samples_of_guides = frame.around->policy.by_surface ? 4.f : 2.f;
+    if (frame.around) split_by.samples_of_guides = frame.around->samples <= 1 ? 4.f : 2.f;
     // Noise of guides is taken off the signals' picture: it is never filtered as one for that.
     if (frame.around && settings.is_refined()) split_by.samples_of_guides = std::numeric_limits<float>::infinity();
     frame.as_one = is_better_as_one(frame.image, names, split_by);

@@ -177,6 +177,8 @@ TEST_CASE("images of other sizes are refused by name") {
     CHECK_THROWS_AS(give_back_repeated({}, Simd{}, size, picture, {{picture, picture}, {picture, picture}, {picture, picture}}, picture),
                     Error);
     CHECK_THROWS_AS(give_back_repeated({.radius = {8, 10, 17}}, Simd{}, size, picture, {{picture, picture}}, picture), Error);
+    CHECK_THROWS_AS(give_back_repeated({.same_radius = 17}, Simd{}, size, picture, {{picture, picture}}, picture), Error);
+    CHECK_THROWS_AS(give_back_repeated({.stays = 0.f}, Simd{}, size, picture, {{picture, picture}}, picture), Error);
     CHECK_THROWS_AS(give_back_repeated({.deviation = {.7f, 6.f}}, Simd{}, size, picture, {{picture, picture}}, picture), Error);
     CHECK_THROWS_AS(give_back_repeated({.deviation = {0.f, 2.f}}, Simd{}, size, picture, {{picture, picture}}, picture), Error);
 }

@@ -175,6 +175,8 @@ TEST_CASE("residual feedback: small images stay finite, and other sizes are refu
         CHECK_THROWS_AS(feed_back_residual({}, Simd{}, samples, normals.view(), depths.view(), {}, picture), Error);
         CHECK_THROWS_AS(
             feed_back_residual({.limits = {.noise_radius = 17}}, Simd{}, samples, normals.view(), depths.view(), alone, picture), Error);
+        CHECK_THROWS_AS(feed_back_residual({.held_radius = 17}, Simd{}, samples, normals.view(), depths.view(), alone, picture), Error);
+        CHECK_THROWS_AS(feed_back_residual({.held_variance = 0.f}, Simd{}, samples, normals.view(), depths.view(), alone, picture), Error);
     }
 }
 

@@ -10,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -129,6 +128,7 @@ inline void check_rule(RepeatedResidual const& rule, std::size_t frames_around) 
     for (float const deviation : rule.deviation)
         if (!(deviation > 0.f && deviation <= GaussianTaps::largest_deviation))
             raise_error("RepeatedResidual::deviation", std::to_string(deviation), "give more than 0, at most 5 pixels");
+    if (!(rule.stays > 0.f)) raise_error("RepeatedResidual::stays", std::to_string(rule.stays), "give more than 0");
     if (frames_around > 2)
         raise_error("give_back_repeated, frames around", std::to_string(frames_around), "give that before, that after, or both");
 }

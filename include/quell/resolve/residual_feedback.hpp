@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -37,8 +38,8 @@ struct ResidualFeedback {
     float most = 3.f;                               ///< what is added of each part is at most so many times the light around
     float darkest = 0.2f;                           ///< of the picture's light so much stays at least
     ResidualLimits limits{};                        ///< of the residual
-    int held_radius = 16;                           ///< of the windows that w is taken over, in pixels
-    float held_variance = 3.f;                      ///< of w, as it is known before
+    int held_radius = 16;                           ///< of the windows that w is taken over, in pixels; at most 16
+    float held_variance = 3.f;                      ///< of w, as it is known before; above 0
     SharedNoise of_neighbours{};                    ///< where neighbours share their noise, less is added, or nothing
 };
 
@@ -146,9 +147,12 @@ float feed_back_residual(ResidualFeedback const& rule, E const& executor, std::v
     using namespace detail;
     check_residual_sizes("feed_back_residual", samples, normal.size, depth.size, picture);
     check_residual_sizes("feed_back_residual, alone", alone, normal.size, depth.size, picture);
-    if (rule.limits.noise_radius < 0 || rule.limits.noise_radius > WindowSums<4>::largest_radius)
-        raise_error("feed_back_residual, limits.noise_radius", std::to_string(rule.limits.noise_radius),
-                    "give 0 to " + std::to_string(WindowSums<4>::largest_radius) + " pixels");
+    for (auto const& [name, radius] : {std::pair{"limits.noise_radius", rule.limits.noise_radius}, {"held_radius", rule.held_radius}})
+        if (radius < 0 || radius > WindowSums<4>::largest_radius)
+            raise_error("feed_back_residual, " + std::string(name), std::to_string(radius),
+                        "give 0 to " + std::to_string(WindowSums<4>::largest_radius) + " pixels");
+    if (!(rule.held_variance > 0.f))
+        raise_error("feed_back_residual, held_variance", std::to_string(rule.held_variance), "give more than 0");
     auto const size = depth.size;
     float const unit = light_unit(picture);
     auto const before = in_planes(size, picture, unit), by_itself = in_planes(size, alone, unit);
