@@ -41,8 +41,8 @@ AlbedoEvidence of_pair(Seen const& a, Seen const& b) {
     float const variation = .5f * (a.light - b.light) * (a.light - b.light), larger = std::max(a.divisor, b.divisor);
     if (std::abs(a.divisor - b.divisor) <= alike * larger) return {0.f, 0.f, variation};
     // Divided first: squares of small numbers are none.
-    float const of_a = a.divisor / larger, of_b = b.divisor / larger, crossed = a.light * of_b - b.light * of_a;
-    float const difference = crossed * crossed / (of_a * of_a + of_b * of_b) - variation;
+    float const by_albedo = (a.light + b.light) * ((a.divisor - b.divisor) / (a.divisor + b.divisor));
+    float const difference = by_albedo * (.5f * by_albedo - (a.light - b.light));
     return {difference, difference * difference, variation};
 }
 

@@ -8,13 +8,13 @@
 
 namespace quell::examples {
 
-/// Of a pixel, or of a surface around it: sums over pairs of pixels. What each of two pixels of a surface has is laid beside the other's. A
-/// light that is the same for both leaves
+/// Of a pixel, or of a surface around it: sums over pairs of pixels. What each of two pixels of a surface has is laid beside the other's.
+/// The light of both, l = (a + a') / (b + b'), leaves
 ///
-///     (a b' - a' b)^2 / (b^2 + b'^2)
+///     (a - a' - l (b - b'))^2 / 2
 ///
-/// of the picture's a and a', with b and b' their albedos, and (a - a')^2 / 2 without albedos. Noise gives both the same where albedo and
-/// light have nothing to do with each other, and less to the first where they have.
+/// of the picture's a and a', with b and b' their albedos, and (a - a')^2 / 2 is there without albedos. The first is more by l^2 (b - b')^2
+/// / 2 where albedo and light have nothing to do with each other, and less by as much where the albedo is the light's.
 struct AlbedoEvidence {
     float difference = 0; ///< the first less the second
     float squared = 0;    ///< squares of that

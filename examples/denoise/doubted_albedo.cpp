@@ -20,6 +20,7 @@ using Pixels = std::vector<glm::vec3>;
 
 constexpr AlbedoDoubt begins{6.f, .2f};  ///< of correct renders at 1 and 16 samples, none has such a sum
 constexpr AlbedoDoubt goes_on{3.f, .1f}; ///< beside a pixel with doubt
+constexpr AlbedoDoubt of_all{3.f, .02f}; ///< of a whole picture: where albedos are right, far more speaks for them than against
 constexpr std::size_t fewest = 64;       ///< places of sums that go together: less is an edge
 constexpr float fading = .8f;            ///< of sums over a frame
 constexpr std::size_t frames_kept = 8;
@@ -53,6 +54,7 @@ std::optional<SurfaceGuides> guides_in(io::ExrImage const& image, io::ChannelNam
         io::detail::mark_misses(guides.depth, image, of_depth[0], names);
         for (auto& each : guides.depth)
             if (!(each > 0.f)) each = std::numeric_limits<float>::infinity();
+        guides.find_slopes(image.size);
     }
     if (is_there(of_normal))
         for (std::size_t c = 0; c < 3; ++c) guides.normals[c] = io::component_of(image, of_normal[c]);
@@ -127,7 +129,9 @@ struct Grid {
         return some;
     }
     [[nodiscard]] SurfaceGuides of(SurfaceGuides const& guides) const {
-        return {of(guides.depth), {of(guides.normals[0]), of(guides.normals[1]), of(guides.normals[2])}};
+        SurfaceGuides some{of(guides.depth), {of(guides.normals[0]), of(guides.normals[1]), of(guides.normals[2])}};
+        some.find_slopes(size);
+        return some;
     }
     /// What a signal is read from.
     [[nodiscard]] io::ExrImage of(io::ExrImage const& image, Signal const& signal) const {
@@ -173,7 +177,8 @@ std::vector<bool> in_whole(Grid const& grid, std::vector<bool> const& mask, Surf
             for (int const j : {y / grid.step, y / grid.step + 1})
                 for (int const i : {x / grid.step, x / grid.step + 1}) {
                     if (i >= grid.size.width || j >= grid.size.height) continue;
-                    if (guides.are_one(whole.size(), grid.in_whole(i, j), grid.step)) more += mask[grid.index(i, j)] ? 1 : -1;
+                    if (guides.are_one(whole.size(), grid.in_whole(i, j), i * grid.step - x, j * grid.step - y))
+                        more += mask[grid.index(i, j)] ? 1 : -1;
                 }
             whole.push_back(more > 0);
         }
@@ -198,6 +203,15 @@ void take_rim(std::vector<bool>& mask, Extent size, std::vector<float> const& de
                             mask[here] = true;
             }
     }
+}
+
+/// Whether the picture as a whole speaks against its albedo, and most surfaces too: one thing of very bright albedo is not the picture.
+bool is_doubted_all_over(std::vector<AlbedoEvidence> const& evidence, std::vector<AlbedoEvidence> const& of_surfaces) {
+    AlbedoEvidence all;
+    for (auto const& each : evidence) all += each;
+    auto const against = std::ranges::count_if(of_surfaces, [](auto const& sum) { return sum.difference > 0.f; });
+    auto const in_favour = std::ranges::count_if(of_surfaces, [](auto const& sum) { return sum.difference < 0.f; });
+    return against > in_favour && of_all.holds(all);
 }
 
 /// Puts constants in the place of a signal's colours, and light that makes the same picture with them.
@@ -257,6 +271,7 @@ std::optional<io::SequenceNames> DoubtedAlbedo::names_for(io::ExrImage& image, i
         auto mask = places(
             small_surfaces, grid.pixels(), fewest, [&](std::size_t i) { return begins.holds(sums[i]); },
             [&](std::size_t i) { return goes_on.holds(sums[i]); });
+        if (is_doubted_all_over(evidence, sums)) mask.assign(mask.size(), true);
         if (std::ranges::find(mask, true) == mask.end()) continue;
         close_gaps(small_surfaces, mask);
         if (!surfaces) surfaces.emplace(image.size, *guides);

@@ -10,15 +10,40 @@ namespace quell::examples {
 namespace {
 
 constexpr float least_cosine = .8f; ///< of the angle between normals: a sphere of a radius of 15 pixels turns by so much over nine
-constexpr float steepest = .02f;    ///< part of the depth by which it changes over one pixel; over n pixels times the root of n
+/// Part of the depth by which it may be off that of the same plane, or of the same depth, one pixel away; n pixels away times the root of
+/// n.
+constexpr float farthest_off = .02f;
+
+float inverse(float depth) { return is_finite(depth) && depth > 0.f ? 1.f / depth : 0.f; }
 
 } // namespace
 
-bool SurfaceGuides::are_one(std::size_t pixel, std::size_t other, int length) const {
+void SurfaceGuides::find_slopes(Extent size) {
+    if (depth.empty()) return;
+    auto const along = [&](int x, int y, int dx, int dy) {
+        auto const at = [&](int i, int j) {
+            return inverse(depth[static_cast<std::size_t>(j) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(i)]);
+        };
+        bool const has_before = x >= dx && y >= dy, has_after = x + dx < size.width && y + dy < size.height;
+        float const before = has_before ? at(x, y) - at(x - dx, y - dy) : 0.f, after = has_after ? at(x + dx, y + dy) - at(x, y) : 0.f;
+        if (!has_before || !has_after) return before + after;
+        return std::abs(before) < std::abs(after) ? before : after;
+    };
+    for (auto& slope : slopes) slope.clear();
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) slopes[0].push_back(along(x, y, 1, 0)), slopes[1].push_back(along(x, y, 0, 1));
+}
+
+bool SurfaceGuides::are_one(std::size_t pixel, std::size_t other, int dx, int dy) const {
     if (!depth.empty()) {
-        float const a = depth[pixel], b = depth[other];
-        if (!is_finite(a) || !is_finite(b)) return false;
-        if (std::abs(a - b) > steepest * std::sqrt(static_cast<float>(length)) * std::min(a, b)) return false;
+        if (!is_finite(depth[pixel]) || !is_finite(depth[other])) return false;
+        float const a = inverse(depth[pixel]), b = inverse(depth[other]);
+        float const tolerated = farthest_off * std::sqrt(static_cast<float>(std::max(std::abs(dx), std::abs(dy)))) * std::min(a, b);
+        auto const are_on_plane_of = [&](std::size_t i) {
+            return std::abs(b - a - slopes[0][i] * static_cast<float>(dx) - slopes[1][i] * static_cast<float>(dy)) <= tolerated;
+        };
+        bool const is_level = std::abs(b - a) <= tolerated;
+        if (!is_level && (slopes[0].empty() || (!are_on_plane_of(pixel) && !are_on_plane_of(other)))) return false;
     }
     if (normals[0].empty()) return true;
     float cosine = 0.f;
@@ -35,7 +60,7 @@ SurfaceLinks::SurfaceLinks(Extent s, SurfaceGuides const& guides) : size(s), lin
                     int const there_x = x + directions[d][0] * length, there_y = y + directions[d][1] * length;
                     if (there_x < 0 || there_x >= size.width || there_y >= size.height) continue;
                     auto const here = index(x, y), there = index(there_x, there_y);
-                    if (!guides.are_one(here, there, length)) continue;
+                    if (!guides.are_one(here, there, there_x - x, there_y - y)) continue;
                     links[here] |= 1u << (8 * level + d);
                     links[there] |= 1u << (8 * level + d + 4);
                 }

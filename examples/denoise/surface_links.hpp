@@ -15,9 +15,14 @@ namespace quell::examples {
 struct SurfaceGuides {
     std::vector<float> depth = {};                  ///< of each pixel; not finite: no surface. Empty: not known
     std::array<std::vector<float>, 3> normals = {}; ///< x, y and z. Empty: not known
+    /// By how much inverse depth grows over a pixel to the right, and over one down. Empty: not known
+    std::array<std::vector<float>, 2> slopes = {};
 
-    /// @param length how far they are from each other, pixels
-    [[nodiscard]] bool are_one(std::size_t pixel, std::size_t other, int length) const;
+    /// Takes slopes from the depth: of each pixel, the flatter one of both sides, which at an edge is the one of its own surface. Over a
+    /// plane inverse depth is linear in the picture, so that planes stay one surface however steep they are seen.
+    void find_slopes(Extent size);
+    /// @param dx, dy from the pixel to the other, pixels
+    [[nodiscard]] bool are_one(std::size_t pixel, std::size_t other, int dx, int dy) const;
 };
 
 /// Which pixels lie on one surface, so that sums and means stay on it. Links lead over 1, 3 and 9 pixels in eight directions. By steps of

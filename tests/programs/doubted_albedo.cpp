@@ -115,6 +115,20 @@ TEST_CASE("links of surfaces sum up a window on one surface, each pixel once") {
     CHECK(one.window_sums(std::vector<int>(27 * 27, 1))[13 * 27 + 13] == 27 * 27);
 }
 
+TEST_CASE("a plane is one surface however steep it is seen, and a step in it makes two") {
+    constexpr Extent wide{40, 33};
+    for (float const step : {0.f, .1f}) {
+        SurfaceGuides guides;
+        for (int y = 0; y < wide.height; ++y)
+            for (int x = 0; x < wide.width; ++x)
+                guides.depth.push_back(1.f / (.02f + .004f * static_cast<float>(y) + (x < 20 ? 0.f : step)));
+        guides.find_slopes(wide);
+        SurfaceLinks const surfaces(wide, guides);
+        auto const sums = surfaces.window_sums(std::vector<int>(guides.depth.size(), 1));
+        CHECK(sums[static_cast<std::size_t>(16 * wide.width + 18)] == (step > 0.f ? 15 * 27 : 27 * 27));
+    }
+}
+
 TEST_CASE("a colour of paint is believed, whatever the noise") {
     for (float const samples : {1.f, 4.f, 64.f}) {
         DoubtedAlbedo doubted;
@@ -148,6 +162,28 @@ TEST_CASE("a highlight in the place of a metal's colour becomes a constant, and 
                 }
             CHECK(same > .95 * all);
             CHECK(doubted.remarks().size() == 1);
+        }
+}
+
+TEST_CASE("an albedo of noise that light knows nothing of is divided by nowhere, and the light's own noise is believed") {
+    for (float const samples : {1.f, 16.f})
+        for (bool const is_of_light : {false, true}) {
+            std::mt19937 random(1);
+            std::uniform_real_distribution<float> noise(.4f, 1.6f);
+            std::gamma_distribution<float> light(.5f * samples, 2.f / samples);
+            Frame<Channels<Radiance, Albedo, Normal, Depth>> frame({96, 54});
+            for (int y = 0; y < 54; ++y)
+                for (int x = 0; x < 96; ++x) {
+                    float const colour = .5f * noise(random);
+                    frame[radiance].set(x, y, glm::vec3((is_of_light ? colour : .5f) * light(random)));
+                    frame[albedo].set(x, y, glm::vec3(colour));
+                    frame[normal].set(x, y, glm::vec3(0.f, 1.f, 0.f));
+                    frame[depth].set(x, y, 1.f / (.02f + .004f * static_cast<float>(y)));
+                }
+            auto image = io::image_of(frame);
+            auto const names = DoubtedAlbedo().names_for(image, io::own_sequence(), true, 1);
+            CHECK(names.has_value() != is_of_light);
+            if (names) CHECK(colours_by(image, albedo_in(*names)) == Colours(96 * 54, glm::vec3(1.f)));
         }
 }
 
