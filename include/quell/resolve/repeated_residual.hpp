@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/resolve/moved_image.hpp>
+#include <quell/resolve/new_witness.hpp>
 #include <quell/resolve/picture_residual.hpp>
 #include <quell/resolve/residual_bands.hpp>
 #include <quell/resolve/residual_sizes.hpp>
@@ -31,20 +32,15 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// again, wherever in its pixel that lies, and a picture of such points is jagged. Of that band a part of 1 / samples is left out. And
 /// noise of few samples is skewed, so that by chance more of it is alike: caution is 1 + 2 / samples times as large.
 ///
-/// A frame around whose residual is nearly the same has the same samples, as a frame that is held: it is no witness, and is left out there.
-/// So is one whose residual goes with that of now more on the screen than along the motion: its noise stays there, as that of a seed that
-/// is repeated does.
+/// A frame around is left out where it says nothing new (NewWitness).
 struct RepeatedResidual {
     float samples = 1.f;                         ///< of each pixel
     std::array<float, 2> deviation{0.7f, 2.f};   ///< of the Gaussians between the bands, in pixels
     std::array<int, 3> radius{8, 10, 16};        ///< of each band's windows, in pixels
     std::array<float, 3> caution{.7f, 1.f, 2.f}; ///< more for wider bands, whose neighbouring pixels hold the same noise
-    float alike = .6f;                           ///< correlation of a residual around with that of now, up to which that frame counts whole
-    float same = .85f;    ///< and from which on it counts nothing: no two frames' noise is that small beside what both lack
-    int same_radius = 16; ///< of the windows that frames around are left out by, in pixels
-    float stays = .05f;   ///< by how much correlation may be larger on the screen: whole up to that, and nothing from twice as much on
-    float most = 20.f;    ///< a residual is at most so many times the light around
-    float darkest = 0.2f; ///< of the picture's light so much stays at least
+    NewWitness witness{};
+    float most = 20.f;           ///< a residual is at most so many times the light around
+    float darkest = 0.2f;        ///< of the picture's light so much stays at least
     SharedNoise of_neighbours{}; ///< where neighbours share their noise, less is added, or nothing
 };
 
@@ -59,7 +55,7 @@ template <class Real> QUELL_KERNEL vec3<Real> limited(vec3<Real> const& value, R
 /// @param caution standard errors that are taken off
 /// @param part    of the band
 template <Executor E>
-void add_repeated(E const& executor, WindowSums<5>& sums, ResidualBand const& now, BandsAround const& around, PlanesView<1> light,
+void add_repeated(E const& executor, WindowSums<6>& sums, ResidualBand const& now, BandsAround const& around, PlanesView<1> light,
                   int radius, float caution, float part, PlanesView<3> to) {
     sums.around<5>(
         executor, radius,
@@ -91,28 +87,6 @@ void add_repeated(E const& executor, WindowSums<5>& sums, ResidualBand const& no
         });
 }
 
-/// Lessens how far a frame around counts where its residual is that of now, or where it stays on the screen.
-template <Executor E>
-void leave_out_same(E const& executor, RepeatedResidual const& rule, WindowSums<5>& sums, PlanesView<3> now, PlanesView<3> there,
-                    PlanesView<3> on_screen, PlanesView<1> light, PlanesView<1> is_known) {
-    sums.around<5>(
-        executor, rule.same_radius,
-        [=]<class Real>(AtOnce<Real>, int x, int y) {
-            auto const bright = load_pixels<Real>(light, x, y), per_square = 1.f / (bright * bright);
-            auto const a = load_pixels<Real>(now, x, y), b = load_pixels<Real>(there, x, y), c = load_pixels<Real>(on_screen, x, y);
-            return std::array{dot(a, a) * per_square, dot(a, b) * per_square, dot(b, b) * per_square, dot(a, c) * per_square,
-                              dot(c, c) * per_square};
-        },
-        [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& of_window) {
-            auto const correlation = [&](Real const& common, Real const& square)
-                                         QUELL_INLINED { return common / max(sqrt(of_window[0]) * sqrt(square), Real(1e-30f)); };
-            auto const alike = correlation(of_window[1], of_window[2]), stays = correlation(of_window[3], of_window[4]) - alike;
-            auto const part = clamp((rule.same - alike) * (1.f / (rule.same - rule.alike)), Real(0.f), Real(1.f)) *
-                              clamp(2.f - stays * (1.f / rule.stays), Real(0.f), Real(1.f));
-            store_pixels<Real>(is_known, x, y, load_pixels<Real>(is_known, x, y) * max(part, Real(1e-6f)), count); // 0: unknown
-        });
-}
-
 /// Adds a plane, times a factor, to numbers row by row.
 inline void add_plane(PlanesView<1> plane, float factor, std::vector<float>& to) {
     auto sum = to.begin();
@@ -122,13 +96,13 @@ inline void add_plane(PlanesView<1> plane, float factor, std::vector<float>& to)
 
 /// @throws Error where a radius or deviation is beyond reach
 inline void check_rule(RepeatedResidual const& rule, std::size_t frames_around) {
-    for (int const radius : {rule.radius[0], rule.radius[1], rule.radius[2], rule.same_radius})
-        if (radius < 0 || radius > WindowSums<5>::largest_radius)
-            raise_error("RepeatedResidual, a radius", std::to_string(radius), "give 0 to " + std::to_string(WindowSums<5>::largest_radius));
+    for (int const radius : rule.radius)
+        if (radius < 0 || radius > WindowSums<6>::largest_radius)
+            raise_error("RepeatedResidual, a radius", std::to_string(radius), "give 0 to " + std::to_string(WindowSums<6>::largest_radius));
     for (float const deviation : rule.deviation)
         if (!(deviation > 0.f && deviation <= GaussianTaps::largest_deviation))
             raise_error("RepeatedResidual::deviation", std::to_string(deviation), "give more than 0, at most 5 pixels");
-    if (!(rule.stays > 0.f)) raise_error("RepeatedResidual::stays", std::to_string(rule.stays), "give more than 0");
+    check_rule(rule.witness);
     if (frames_around > 2)
         raise_error("give_back_repeated, frames around", std::to_string(frames_around), "give that before, that after, or both");
 }
@@ -204,7 +178,7 @@ float give_back_repeated(RepeatedResidual const& rule, E const& executor, Extent
     if (around.empty()) return 1.f;
     float const unit = light_unit(picture);
     auto const before = in_planes(size, picture, unit);
-    WindowSums<5> sums(size);
+    WindowSums<6> sums(size);
     auto const light = light_around(executor, sums, Brightness(executor, before.view()));
     auto const bright = light.view();
     BlurredResidual const now(executor, rule.deviation, in_planes(size, lacking, unit));
@@ -221,9 +195,10 @@ float give_back_repeated(RepeatedResidual const& rule, E const& executor, Extent
             store_pixels<Real>(on_screen, x, y, limited(load_pixels<Real>(on_screen, x, y), limit), count);
         });
         if (same) add_plane(is_known.view(), 1.f / static_cast<float>(around.size()), *same);
-        leave_out_same(executor, rule, sums, now.whole.view(), value, on_screen, bright, is_known.view());
+        BlurredResidual there(executor, rule.deviation, std::move(residual));
+        count_witness(executor, rule.witness, sums, now.whole.view(), there, on_screen, bright, is_known.view());
         if (same) add_plane(is_known.view(), -1.f / static_cast<float>(around.size()), *same);
-        frames.push_back({BlurredResidual(executor, rule.deviation, std::move(residual)), std::move(is_known)});
+        frames.push_back({std::move(there), std::move(is_known)});
     }
     Planes<3> off(size);
     float const per_samples = 1.f / std::max(rule.samples, 1.f);

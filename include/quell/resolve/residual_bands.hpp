@@ -18,11 +18,13 @@ inline constexpr std::size_t repeated_bands = 3;
 struct BlurredResidual {
     Planes<3> whole;
     std::array<Planes<3>, repeated_bands - 1> blurred;
+    float of_white; ///< the part of white noise's product with itself that is left where one of both is blurred by the first
 
     template <Executor E>
     BlurredResidual(E const& executor, std::array<float, repeated_bands - 1> const& deviation, Planes<3> residual)
         : whole(std::move(residual)), blurred{detail::blurred(executor, whole.view(), deviation[0]),
-                                              detail::blurred(executor, whole.view(), deviation[1])} {}
+                                              detail::blurred(executor, whole.view(), deviation[1])},
+          of_white(GaussianTaps(deviation[0]).of_own_pixel()) {}
 };
 /// One band of it: what is finer than one Gaussian, and not finer than the one before.
 struct ResidualBand {
