@@ -195,6 +195,7 @@ TEST_CASE("images of other sizes are refused by name") {
     CHECK_THROWS_AS(give_back_repeated({.radius = {8, 10, 17}}, Simd{}, size, picture, {{picture, picture}}, picture), Error);
     CHECK_THROWS_AS(give_back_repeated({.witness = {.radius = 17}}, Simd{}, size, picture, {{picture, picture}}, picture), Error);
     CHECK_THROWS_AS(give_back_repeated({.witness = {.same = .6f}}, Simd{}, size, picture, {{picture, picture}}, picture), Error);
+    CHECK_THROWS_AS(give_back_repeated({.witness = {.common = 0.f}}, Simd{}, size, picture, {{picture, picture}}, picture), Error);
     CHECK_THROWS_AS(give_back_repeated({.witness = {.in_shapes = .1f}}, Simd{}, size, picture, {{picture, picture}}, picture), Error);
     CHECK_THROWS_AS(give_back_repeated({.witness = {.stays = 0.f}}, Simd{}, size, picture, {{picture, picture}}, picture), Error);
     CHECK_THROWS_AS(give_back_repeated({.deviation = {.7f, 6.f}}, Simd{}, size, picture, {{picture, picture}}, picture), Error);

@@ -26,6 +26,7 @@ struct NewWitness {
     float same = .85f;     ///< and from which on it counts nothing
     float stays = .05f;    ///< by how much correlation may be larger on the screen: whole up to that, and nothing from twice as much on
     float scattered = .1f; ///< how far neighbours go together, up to which what is common counts nothing
+    float common = .2f;    ///< correlation from which on neighbours are asked so; below two fifths of it they are not, as it is chance
     float in_shapes = .2f; ///< and from which on it counts whole
 };
 
@@ -38,6 +39,7 @@ inline void check_rule(NewWitness const& rule) {
         raise_error("NewWitness::radius", std::to_string(rule.radius), "give 0 to " + std::to_string(largest));
     if (!(rule.stays > 0.f)) raise_error("NewWitness::stays", std::to_string(rule.stays), "give more than 0");
     if (!(rule.same > rule.alike)) raise_error("NewWitness::same", std::to_string(rule.same), "give more than alike");
+    if (!(rule.common > 0.f)) raise_error("NewWitness::common", std::to_string(rule.common), "give more than 0");
     if (!(rule.in_shapes > rule.scattered))
         raise_error("NewWitness::in_shapes", std::to_string(rule.in_shapes), "give more than scattered");
 }
@@ -48,9 +50,10 @@ inline void check_rule(NewWitness const& rule) {
 /// @param on_screen and where they were there
 /// @param light     around each pixel
 /// @param is_known  where that frame is known; is changed, but never to 0
+/// @param has_new_samples is set to where its samples are others, by the first two of the three
 template <Executor E>
 void count_witness(E const& executor, NewWitness const& rule, WindowSums<6>& sums, PlanesView<3> now, BlurredResidual const& there,
-                   PlanesView<3> on_screen, PlanesView<1> light, PlanesView<1> is_known) {
+                   PlanesView<3> on_screen, PlanesView<1> light, PlanesView<1> is_known, PlanesView<1> has_new_samples) {
     float const of_white = there.of_white;
     sums.around<6>(
         executor, rule.radius,
@@ -68,9 +71,11 @@ void count_witness(E const& executor, NewWitness const& rule, WindowSums<6>& sum
                                   QUELL_INLINED { return clamp((value - nothing) * (1.f / (whole - nothing)), Real(0.f), Real(1.f)); };
             auto const alike = correlation(of_window[1], of_window[2]), stays = correlation(of_window[3], of_window[4]) - alike;
             auto const smooth = (of_window[5] / max(of_window[1], tiny) - of_white) * (1.f / (1.f - of_white));
-            auto const part = ramp(alike, rule.same, rule.alike) * ramp(stays, 2.f * rule.stays, rule.stays) *
-                              ramp(smooth, rule.scattered, rule.in_shapes);
-            store_pixels<Real>(is_known, x, y, load_pixels<Real>(is_known, x, y) * max(part, Real(1e-6f)), count); // 0: unknown
+            auto const is_new = ramp(alike, rule.same, rule.alike) * ramp(stays, 2.f * rule.stays, rule.stays);
+            auto const is_detail = max(ramp(smooth, rule.scattered, rule.in_shapes), ramp(alike, rule.common, .4f * rule.common));
+            auto const known = load_pixels<Real>(is_known, x, y);
+            store_pixels<Real>(has_new_samples, x, y, known * is_new, count);
+            store_pixels<Real>(is_known, x, y, known * max(is_new * is_detail, Real(1e-6f)), count); // 0: unknown
         });
 }
 

@@ -185,7 +185,7 @@ float give_back_repeated(RepeatedResidual const& rule, E const& executor, Extent
     std::vector<ResidualAround> frames;
     for (auto const& each : around) {
         auto residual = in_planes(size, each.moved, unit), unmoved = in_planes(size, each.on_screen, unit);
-        Planes<1> is_known(size);
+        Planes<1> is_known(size), has_new_samples(size);
         auto const value = residual.view(), on_screen = unmoved.view();
         for_all_pixels(executor, size, [=, known = is_known.view(), most = rule.most]<class Real>(AtOnce<Real>, int x, int y, int count) {
             auto const there = load_pixels<Real>(value, x, y);
@@ -196,8 +196,8 @@ float give_back_repeated(RepeatedResidual const& rule, E const& executor, Extent
         });
         if (same) add_plane(is_known.view(), 1.f / static_cast<float>(around.size()), *same);
         BlurredResidual there(executor, rule.deviation, std::move(residual));
-        count_witness(executor, rule.witness, sums, now.whole.view(), there, on_screen, bright, is_known.view());
-        if (same) add_plane(is_known.view(), -1.f / static_cast<float>(around.size()), *same);
+        count_witness(executor, rule.witness, sums, now.whole.view(), there, on_screen, bright, is_known.view(), has_new_samples.view());
+        if (same) add_plane(has_new_samples.view(), -1.f / static_cast<float>(around.size()), *same);
         frames.push_back({std::move(there), std::move(is_known)});
     }
     Planes<3> off(size);
