@@ -10,23 +10,26 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
-/// How far what a frame before or after lacks says something new of what this one lacks (RepeatedResidual): whether the noise of both is
-/// independent. All is told by correlations of both residuals over a window, each with ramps between two of them.
+/// How far what a frame before or after lacks says something new of what this one lacks (RepeatedResidual). Correlations of both residuals
+/// over a window tell whether their noise is independent:
 ///
 /// - A residual that is nearly the same has the same samples, as a frame that is held: no two frames' noise is that small beside what both
 ///   lack.
 /// - One that goes with that of now more on the screen than along the motion has noise that stays there, as that of a seed that is
 /// repeated.
-/// - What both have in common is noise that goes along with surfaces, as that of light from a texture or a cache, where it has nothing in
-///   common with its own neighbours: what a filter takes out of a picture by mistake has edges, lines and shapes, though fine ones. The
-///   measure is the part of the product that is left where one of both is blurred, from 0 for white noise to 1 for smooth shapes.
+/// - What both have in common, beyond chance, and what has nothing in common with its own neighbours, is noise that goes along with
+///   surfaces, as that of light from a texture or a cache. What a filter takes out of a picture by mistake has edges, lines and shapes, if
+///   fine ones. The measure is the part of the product of both that is left where one is blurred, as 0 for white noise and 1 for smooth
+///   shapes.
+///
+/// Each of them goes from nothing to whole between two numbers.
 struct NewWitness {
     int radius = 16;       ///< of the windows, in pixels
     float alike = .6f;     ///< correlation of a residual around with that of now, up to which that frame counts whole
     float same = .85f;     ///< and from which on it counts nothing
     float stays = .05f;    ///< by how much correlation may be larger on the screen: whole up to that, and nothing from twice as much on
-    float scattered = .1f; ///< how far neighbours go together, up to which what is common counts nothing
-    float common = .2f;    ///< correlation from which on neighbours are asked so; below two fifths of it they are not, as it is chance
+    float common = .2f;    ///< correlation from which on neighbours are asked; below two fifths of that they are not, as it may be chance
+    float scattered = .1f; ///< the measure of neighbours up to which what is common counts nothing
     float in_shapes = .2f; ///< and from which on it counts whole
 };
 

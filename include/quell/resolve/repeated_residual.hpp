@@ -38,10 +38,10 @@ struct RepeatedResidual {
     std::array<float, 2> deviation{0.7f, 2.f};   ///< of the Gaussians between the bands, in pixels
     std::array<int, 3> radius{8, 10, 16};        ///< of each band's windows, in pixels
     std::array<float, 3> caution{.7f, 1.f, 2.f}; ///< more for wider bands, whose neighbouring pixels hold the same noise
-    NewWitness witness{};
-    float most = 20.f;           ///< a residual is at most so many times the light around
-    float darkest = 0.2f;        ///< of the picture's light so much stays at least
-    SharedNoise of_neighbours{}; ///< where neighbours share their noise, less is added, or nothing
+    NewWitness witness{};                        ///< how far a frame around counts
+    float most = 20.f;                           ///< a residual is at most so many times the light around
+    float darkest = 0.2f;                        ///< of the picture's light so much stays at least
+    SharedNoise of_neighbours{};                 ///< where neighbours share their noise, less is added, or nothing
 };
 
 namespace detail {
