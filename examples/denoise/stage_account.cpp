@@ -24,7 +24,7 @@ constexpr std::array<StageLook, stage_count> looks{
      {"repeated", "of the light came back or went by what frames in a row lack", "cyan", {.1f, .9f, 1}}}};
 constexpr glm::vec3 colour_of_refused{1, 0, 0};
 
-constexpr double noticeable = .35; ///< part that a stage refuses, in the mean over frames
+constexpr double noticeable = .45; ///< part that a stage refuses, in the mean over frames
 
 bool is_known(glm::vec3 const& light) { return is_finite(light.x) && is_finite(light.y) && is_finite(light.z); }
 float brightness(glm::vec3 const& light) { return luminance(glm::abs(light)); }
