@@ -268,16 +268,21 @@ std::optional<io::SequenceNames> DoubtedAlbedo::names_for(io::ExrImage& image, i
             });
         }
         auto const sums = small_surfaces.window_sums(evidence);
-        auto mask = places(
-            small_surfaces, grid.pixels(), fewest, [&](std::size_t i) { return begins.holds(sums[i]); },
-            [&](std::size_t i) { return goes_on.holds(sums[i]); });
-        if (is_doubted_all_over(evidence, sums)) mask.assign(mask.size(), true);
-        if (std::ranges::find(mask, true) == mask.end()) continue;
-        close_gaps(small_surfaces, mask);
-        if (!surfaces) surfaces.emplace(image.size, *guides);
-        auto whole = in_whole(grid, mask, *guides);
-        close_gaps(*surfaces, whole);
-        take_rim(whole, image.size, guides->depth);
+        std::vector<bool> whole;
+        if (is_doubted_all_over(evidence, sums)) {
+            whole.assign(image.pixels(), true); // edges and sky too, which lie on no surface
+            if (!surfaces) surfaces.emplace(image.size, *guides);
+        } else {
+            auto mask = places(
+                small_surfaces, grid.pixels(), fewest, [&](std::size_t i) { return begins.holds(sums[i]); },
+                [&](std::size_t i) { return goes_on.holds(sums[i]); });
+            if (std::ranges::find(mask, true) == mask.end()) continue;
+            close_gaps(small_surfaces, mask);
+            if (!surfaces) surfaces.emplace(image.size, *guides);
+            whole = in_whole(grid, mask, *guides);
+            close_gaps(*surfaces, whole);
+            take_rim(whole, image.size, guides->depth);
+        }
         most = std::max(most, static_cast<double>(std::ranges::count(whole, true)) / static_cast<double>(whole.size()));
         if (!seen) seen = names;
         replace(image, seen->of_signals[s], signal, *surfaces, whole);

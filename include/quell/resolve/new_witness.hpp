@@ -30,7 +30,7 @@ struct NewWitness {
     float stays = .05f;    ///< by how much correlation may be larger on the screen: whole up to that, and nothing from twice as much on
     float common = .2f;    ///< correlation from which on neighbours are asked; below two fifths of that they are not, as it may be chance
     float scattered = .1f; ///< the measure of neighbours up to which what is common counts nothing
-    float in_shapes = .2f; ///< and from which on it counts whole
+    float in_shapes = .18f; ///< and from which on it counts whole
 };
 
 namespace detail {
