@@ -16,16 +16,15 @@ usual_steps=(gcc asan)
 only=()
 # What each of the other builds compiles and runs, as far as it exists: the library, and no slow programs. The clang build, at -O2, has
 # whole pipelines ("same_bits", "fast_math") and what the sanitizers' builds, which are clang's too, leave out.
-clang_tests=(blur radiance execute two_units fast_math same_bits no_exceptions)
+clang_tests=(blur execute two_units fast_math same_bits no_exceptions)
 # Filters, kernels of the slow presets, and the motion sources of effects meet the sanitizers in the fuzz step.
 asan_tests=(core image frame blend pipeline io metrics report)
 tsan_tests=(races)
-# What differs between instruction sets: "cross" has two whole pipelines. Without the tests of stages and of preset pipelines, which take
-# longest to compile and run; "tests/run.sh pipeline aarch64" has those of stages.
-cross_tests=(core image filter execute cross)
-# With AVX2 on Windows, packs lie on the stack as calling conventions say, which executors are tested with; filters are tested with SSE2
-# and on 64-bit Arm.
-sse2_tests=(core filter cross)
+# What differs between instruction sets is packs, which "core" has, and "cross" has two whole pipelines. Kernels and stages are written on
+# packs alone, and take longest to compile and run: "tests/run.sh filter pipeline aarch64" has them.
+cross_tests=(core image cross)
+sse2_tests=(core cross)
+# With AVX2 on Windows, packs lie on the stack as calling conventions say, which executors are tested with.
 avx2_tests=(core image execute cross)
 
 all_jobs=$(nproc)
@@ -98,10 +97,7 @@ step_tsan() {
 }
 # 64-bit Arm in qemu-user, by Debian's cross compiler.
 step_aarch64() {
-    # These take longest to compile, three times as long as for Windows, where they are tested too.
-    local without="filter/kernels.cpp;filter/conserving_atrous.cpp;filter/history_bias.cpp;filter/half.cpp"
-    [ ${#only[@]} -eq 0 ] || without=
-    cmake --preset aarch64 -D QUELL_TEST_WITHOUT_FILES="$without"
+    cmake --preset aarch64
     build_and_test build/aarch64 "${cross_tests[@]}"
 }
 # 64-bit Windows in wine, with SSE2 and with AVX2.
