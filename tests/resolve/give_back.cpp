@@ -131,6 +131,8 @@ TEST_CASE("light given back behind a pipeline: of other sizes nothing is given, 
 TEST_CASE("light given back behind a pipeline: of single samples nothing is fed back to a history that is not known to hold") {
     FlatSurface const first(stripes, .3f), second(stripes, .3f, 7);
     Frame<Channels<Normal, Depth, Motion>> guides(size);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) guides[normal].set(x, y, {0.f, 0.f, 1.f}), guides[depth].set(x, y, 3.f);
     auto const views = guides.views(GiveBack::Guides::channels{});
     auto const fed_back = [&](float samples, bool has_past, bool knows_alone) {
         GiveBack give_back(samples);

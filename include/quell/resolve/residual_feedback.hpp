@@ -21,11 +21,11 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// ResidualFeedbackShares. It is a kind of twicing (Tukey 1977, "Exploratory Data Analysis").
 ///
 /// The residual, samples minus picture, is smoothed over surfaces and over pieces of like light, in four levels with steps of 1, 2, 4 and 8
-/// pixels. A part of the finest level, of the widest one, of two bands between levels, and of the residual itself is added. How much
-/// depends on the noise, on the light's texture, on how far the level is more than that noise would leave, and on what samples that were
-/// held out have in common with the band: with B the band at even pixels, made of the residual r at odd ones, and the other way round as on
-/// a checkerboard, sum r B / sum B^2 over a window. The picture also moves away from the estimate of the frame alone: windows that choose
-/// between it and history (Evidence) trust history too little.
+/// pixels. A part of the finest level, of the widest one, and of two bands between levels is added; nothing of the pixel's own residual,
+/// which is noise first. How much depends on the noise, on the light's texture, on how far the level is more than that noise would leave,
+/// and on what samples that were held out have in common with the band: with B the band at even pixels, made of the residual r at odd ones,
+/// and the other way round as on a checkerboard, sum r B / sum B^2 over a window. The picture also moves away from the estimate of the frame
+/// alone: windows that choose between it and history (Evidence) trust history too little.
 ///
 /// Shares that were fitted to other renders may be wrong for this one. So all of it comes back by the part w that samples bear out: with A
 /// what the levels give and H the same of held-out samples, w = sum r H / sum A^2 over a window. Before any sample is seen, w is 1 with
@@ -54,11 +54,11 @@ struct FedBack {
     float times; ///< most of ResidualFeedback
     PlanesView<1> light, noise, texture, sure;
     PlanesView<2> fine, middle;
-    PlanesView<3> residual, alone, picture;
+    PlanesView<3> alone, picture;
     std::array<PlanesView<3>, feedback_levels> levels, held_levels;
     PlanesView<3> smooth;      ///< gets what levels give
     PlanesView<3> smooth_held; ///< gets the same of the samples that were held out
-    PlanesView<3> rest;        ///< gets what the pixel's own sample, and the estimate without history, give
+    PlanesView<3> rest;        ///< gets what the estimate without history gives
 
     template <class Real> QUELL_FLATTENED constexpr void operator()(AtOnce<Real>, int x, int y, int count) const {
         auto const n = load_pixels<Real>(noise, x, y), most = load_pixels<Real>(light, x, y) * times;
@@ -77,9 +77,8 @@ struct FedBack {
         };
         auto const held = load_pixels<Real>(fine, x, y), held_wider = load_pixels<Real>(middle, x, y);
         // No frequency is fed back more than whole, however many parts have it.
-        auto const own = clamp(fma(n, Real(by.sample_noise), Real(by.sample)), Real(0.f), Real(1.f));
         auto const finest = fma(load_pixels<Real>(sure, x, y), Real(by.near_sure), fma(held.x, Real(by.near_held), Real(by.near_noise)));
-        auto const finest_share = min(finest * n, 1.f - own), left = 1.f - own - max(finest_share, Real(0.f));
+        auto const finest_share = min(finest * n, Real(1.f)), left = 1.f - max(finest_share, Real(0.f));
         auto const wide = fma(n, Real(by.wide_noise), fma(load_pixels<Real>(texture, x, y), Real(by.wide_texture), Real(by.wide)));
         auto const of_levels = [&](std::array<PlanesView<3>, feedback_levels> const& from) {
             auto const level = [&](std::size_t i) QUELL_INLINED { return load_pixels<Real>(from[i], x, y); };
@@ -89,9 +88,7 @@ struct FedBack {
         };
         store_pixels<Real>(smooth, x, y, of_levels(levels), count);
         store_pixels<Real>(smooth_held, x, y, of_levels(held_levels), count);
-        store_pixels<Real>(rest, x, y,
-                           sum_of(Part{own, load_pixels<Real>(residual, x, y)},
-                                  Part{Real(by.alone), load_pixels<Real>(alone, x, y) - load_pixels<Real>(picture, x, y)}),
+        store_pixels<Real>(rest, x, y, sum_of(Part{Real(by.alone), load_pixels<Real>(alone, x, y) - load_pixels<Real>(picture, x, y)}),
                            count);
     }
 };
@@ -178,7 +175,6 @@ float feed_back_residual(ResidualFeedback const& rule, E const& executor, std::v
                 .sure = sure.view(),
                 .fine = fine.view(),
                 .middle = middle.view(),
-                .residual = residual.value.view(),
                 .alone = by_itself.view(),
                 .picture = before.view(),
                 .levels = {levels[0].value.view(), levels[1].value.view(), levels[2].value.view(), levels[3].value.view()},

@@ -11,8 +11,6 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// How much of each part of a residual is fed back (ResidualFeedback). N is the noise of samples relative to the light: a third of its
 /// logarithm to the base of 2.
 struct ResidualFeedbackShares {
-    float sample = 0;       ///< of what the pixel's own sample has more or less
-    float sample_noise = 0; ///< the same by N
     float near_noise = 0;   ///< of the finest level, by N
     float near_sure = 0;    ///< the same where it is more than noise
     float near_held = 0;    ///< the same where held-out samples have it too
@@ -45,22 +43,18 @@ struct NamedFeedbackShare {
     float ResidualFeedbackShares::*share; ///< which it is
 };
 /// All of them.
-inline constexpr std::array<NamedFeedbackShare, 11> feedback_shares{{{"sample", &ResidualFeedbackShares::sample},
-                                                                     {"sample_noise", &ResidualFeedbackShares::sample_noise},
-                                                                     {"near_noise", &ResidualFeedbackShares::near_noise},
-                                                                     {"near_sure", &ResidualFeedbackShares::near_sure},
-                                                                     {"near_held", &ResidualFeedbackShares::near_held},
-                                                                     {"fine_held", &ResidualFeedbackShares::fine_held},
-                                                                     {"middle_held", &ResidualFeedbackShares::middle_held},
-                                                                     {"wide", &ResidualFeedbackShares::wide},
-                                                                     {"wide_noise", &ResidualFeedbackShares::wide_noise},
-                                                                     {"wide_texture", &ResidualFeedbackShares::wide_texture},
-                                                                     {"alone", &ResidualFeedbackShares::alone}}};
+inline constexpr std::array<NamedFeedbackShare, 9> feedback_shares{{{"near_noise", &ResidualFeedbackShares::near_noise},
+                                                                    {"near_sure", &ResidualFeedbackShares::near_sure},
+                                                                    {"near_held", &ResidualFeedbackShares::near_held},
+                                                                    {"fine_held", &ResidualFeedbackShares::fine_held},
+                                                                    {"middle_held", &ResidualFeedbackShares::middle_held},
+                                                                    {"wide", &ResidualFeedbackShares::wide},
+                                                                    {"wide_noise", &ResidualFeedbackShares::wide_noise},
+                                                                    {"wide_texture", &ResidualFeedbackShares::wide_texture},
+                                                                    {"alone", &ResidualFeedbackShares::alone}}};
 
 /// Fitted to renders of 1 sample; bench/fit_feedback.py fits them anew.
-inline constexpr ResidualFeedbackShares feedback_of_1_sample{.sample = 0.0088f,
-                                                             .sample_noise = 0.0227f,
-                                                             .near_noise = 0.0142f,
+inline constexpr ResidualFeedbackShares feedback_of_1_sample{.near_noise = 0.0142f,
                                                              .near_sure = -0.2234f,
                                                              .near_held = -0.0433f,
                                                              .fine_held = 0.1052f,
@@ -70,9 +64,7 @@ inline constexpr ResidualFeedbackShares feedback_of_1_sample{.sample = 0.0088f,
                                                              .wide_texture = 0.2616f,
                                                              .alone = -0.2076f};
 /// Fitted to renders of 16 samples, likewise.
-inline constexpr ResidualFeedbackShares feedback_of_16_samples{.sample = 0.0836f,
-                                                               .sample_noise = -0.0695f,
-                                                               .near_noise = 0.0522f,
+inline constexpr ResidualFeedbackShares feedback_of_16_samples{.near_noise = 0.0522f,
                                                                .near_sure = -0.3293f,
                                                                .near_held = -0.13f,
                                                                .fine_held = 0.897f,
