@@ -43,24 +43,6 @@ glm::vec3 divisor_of(glm::vec3 const& colour) {
 }
 bool is_constant(std::vector<io::Source> const& sources) { return io::planes_of(sources).empty(); }
 
-/// By the guides that the image has; none where it has neither depth nor normals: then light of two things may be compared.
-std::optional<SurfaceGuides> guides_in(io::ExrImage const& image, io::ChannelNames const& names) {
-    auto const of_depth = io::sources_of(names, depth), of_normal = io::sources_of(names, normal);
-    auto const is_there = [&](auto const& sources) { return !is_constant(sources) && image.has_all(io::planes_of(sources)); };
-    if (!is_there(of_depth) && !is_there(of_normal)) return std::nullopt;
-    SurfaceGuides guides;
-    if (is_there(of_depth)) {
-        guides.depth = io::component_of(image, of_depth[0]);
-        io::detail::mark_misses(guides.depth, image, of_depth[0], names);
-        for (auto& each : guides.depth)
-            if (!(each > 0.f)) each = std::numeric_limits<float>::infinity();
-        guides.find_slopes(image.size);
-    }
-    if (is_there(of_normal))
-        for (std::size_t c = 0; c < 3; ++c) guides.normals[c] = io::component_of(image, of_normal[c]);
-    return guides;
-}
-
 /// One signal of a frame.
 struct Signal {
     io::SignalNames const& names;
@@ -240,7 +222,7 @@ DoubtedAlbedo::Known const* DoubtedAlbedo::find(long long number, Extent size) c
 
 std::optional<io::SequenceNames> DoubtedAlbedo::names_for(io::ExrImage& image, io::SequenceNames const& names, bool by_albedo,
                                                           long long number) {
-    auto const guides = guides_in(image, names.of_signals[0].channels);
+    auto const guides = surface_guides_in(image, names.of_signals[0].channels);
     if (!guides) return std::nullopt;
     Grid const grid{image.size, step_of(image.size)};
     auto const small_guides = grid.of(*guides);

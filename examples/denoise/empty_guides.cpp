@@ -1,4 +1,6 @@
 #include <denoise/empty_guides.hpp>
+#include <denoise/light_split.hpp>
+#include <denoise/noisy_normals.hpp>
 
 #include <quell/core/real.hpp>
 #include <quell/core/value.hpp>
@@ -90,6 +92,10 @@ public:
         for (std::size_t c = 0; c < 3; ++c) put(image, of_normal[c], pixels, c == 2 ? 1.f : 0.f);
         return is_empty;
     }
+    void flatten_normals() {
+        auto const all = pixels_where([&](std::size_t i) { return squared_normal(i) > 0.f; });
+        for (std::size_t c = 0; c < 3; ++c) put(image, of_normal[c], all, c == 2 ? 1.f : 0.f);
+    }
     /// Whether albedo is black on all surfaces, and light is not.
     [[nodiscard]] bool has_black_albedo() const {
         auto const of_albedo = io::sources_of(names, albedo), of_light = io::sources_of(names, radiance);
@@ -121,9 +127,18 @@ EmptyGuides fill_empty_guides(io::ExrImage& image, io::SequenceNames const& name
     return empty;
 }
 
+bool fill_noisy_normals(io::ExrImage& image, io::SequenceNames const& names) {
+    auto const guides = surface_guides_in(image, names.of_signals[0].channels);
+    if (!guides || !are_normals_rough(image.size, *guides)) return false;
+    if (do_normals_explain(image.size, *guides, whole_picture(image, names).pixels)) return false;
+    for (auto const& signal : names.of_signals) Guides(image, signal.channels).flatten_normals();
+    return true;
+}
+
 std::vector<std::string> EmptyPasses::remarks() const {
     std::vector<std::string> all;
     if (normal) all.emplace_back("the pass of normals is 0 on every surface: surfaces are told apart by depth alone");
+    if (noise) all.emplace_back("the pass of normals is noise, with which light does not go: surfaces are told apart by depth alone");
     if (depth) all.emplace_back("the pass of depth is 0 everywhere: surfaces are told apart by normals alone");
     if (albedo && !is_first) all.emplace_back("the pass of albedo is black on every surface: textures are filtered as light is");
     return all;

@@ -13,6 +13,7 @@ struct EmptyGuides {
     bool normal = false; ///< 0 on all
     bool depth = false;  ///< 0 everywhere, while normals show surfaces
     bool albedo = false; ///< black on all, while there is light
+    bool noise = false;  ///< normals that light does not go with
 };
 
 /// Puts constants where a guide says nothing: a constant passes every test and stops no filter, while an empty one keeps pixels apart as if
@@ -22,14 +23,18 @@ struct EmptyGuides {
 /// @return the passes that say nothing at all
 [[nodiscard]] EmptyGuides fill_empty_guides(io::ExrImage& image, io::SequenceNames const& names);
 
+/// The same for normals that are noise: each becomes (0, 0, 1).
+/// @return whether they are
+[[nodiscard]] bool fill_noisy_normals(io::ExrImage& image, io::SequenceNames const& names);
+
 /// The passes that said nothing in the frames of a sequence so far.
 class EmptyPasses {
-    bool normal = false, depth = false;
+    bool normal = false, depth = false, noise = false;
     bool albedo = true; ///< in all frames: a mirror that fills one is black
 
 public:
     void add(EmptyGuides const& frame) {
-        normal = normal || frame.normal, depth = depth || frame.depth, albedo = albedo && frame.albedo;
+        normal = normal || frame.normal, depth = depth || frame.depth, noise = noise || frame.noise, albedo = albedo && frame.albedo;
         is_first = false;
     }
     /// One sentence for each.

@@ -84,9 +84,11 @@ SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) {
     SeenFrame frame{number, file.read(planes(file.listed), canvas), false, {}, {}};
     frame.said_samples = samples_in(file.listed, on_canvas);
     frame.samples = believed_samples(frame.image, on_canvas, frame.said_samples);
-    empty_passes.add(fill_empty_guides(frame.image, on_canvas));
+    auto empty = fill_empty_guides(frame.image, on_canvas);
+    // Diagnosis says what is wrong with guides, and has to see them.
+    empty.noise = !settings.diagnose && fill_noisy_normals(frame.image, on_canvas);
+    empty_passes.add(empty);
     if (settings.is_refined()) frame.behind = names_behind_volume(frame.image, on_canvas);
-    // Diagnosis says what is wrong with an albedo, and has to see it.
     if (!settings.diagnose) frame.believed = doubted_albedo.names_for(frame.image, names_of(frame), settings.preset.by_albedo, number);
     auto const& names = names_of(frame);
     if (settings.is_anti_aliased()) frame.around = frame_around(frame.image, names, frame.samples);

@@ -1,9 +1,12 @@
 #include <denoise/surface_links.hpp>
 
 #include <quell/core/real.hpp>
+#include <quell/core/value.hpp>
+#include <quell/io/frame_image.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace quell::examples {
 
@@ -49,6 +52,26 @@ bool SurfaceGuides::are_one(std::size_t pixel, std::size_t other, int dx, int dy
     float cosine = 0.f;
     for (auto const& component : normals) cosine += component[pixel] * component[other];
     return cosine >= least_cosine;
+}
+
+std::optional<SurfaceGuides> surface_guides_in(io::ExrImage const& image, io::ChannelNames const& names) {
+    auto const of_depth = io::sources_of(names, depth), of_normal = io::sources_of(names, normal);
+    auto const is_there = [&](auto const& sources) {
+        auto const planes = io::planes_of(sources);
+        return !planes.empty() && image.has_all(planes);
+    };
+    if (!is_there(of_depth) && !is_there(of_normal)) return std::nullopt;
+    SurfaceGuides guides;
+    if (is_there(of_depth)) {
+        guides.depth = io::component_of(image, of_depth[0]);
+        io::detail::mark_misses(guides.depth, image, of_depth[0], names);
+        for (auto& each : guides.depth)
+            if (!(each > 0.f)) each = std::numeric_limits<float>::infinity();
+        guides.find_slopes(image.size);
+    }
+    if (is_there(of_normal))
+        for (std::size_t c = 0; c < 3; ++c) guides.normals[c] = io::component_of(image, of_normal[c]);
+    return guides;
 }
 
 SurfaceLinks::SurfaceLinks(Extent s, SurfaceGuides const& guides) : size(s), links(static_cast<std::size_t>(s.pixels())) {

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <quell/image/extent.hpp>
+#include <quell/io/channel_names.hpp>
+#include <quell/io/exr_image.hpp>
 
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,6 +27,9 @@ struct SurfaceGuides {
     /// @param dx, dy from the pixel to the other, pixels
     [[nodiscard]] bool are_one(std::size_t pixel, std::size_t other, int dx, int dy) const;
 };
+
+/// By the guides that the image has; none where it has neither depth nor normals: then light of two things may be compared.
+[[nodiscard]] std::optional<SurfaceGuides> surface_guides_in(io::ExrImage const& image, io::ChannelNames const& names);
 
 /// Which pixels lie on one surface, so that sums and means stay on it. Links lead over 1, 3 and 9 pixels in eight directions. By steps of
 /// these lengths in a row, a pixel reaches those of the 27x27 around it that are of its surface, each by one way.
