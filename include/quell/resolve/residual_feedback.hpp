@@ -24,8 +24,8 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// pixels. A part of the finest level, of the widest one, and of two bands between levels is added; nothing of the pixel's own residual,
 /// which is noise first. How much depends on the noise, on the light's texture, on how far the level is more than that noise would leave,
 /// and on what samples that were held out have in common with the band: with B the band at even pixels, made of the residual r at odd ones,
-/// and the other way round as on a checkerboard, sum r B / sum B^2 over a window. The picture also moves away from the estimate of the frame
-/// alone: windows that choose between it and history (Evidence) trust history too little.
+/// and the other way round as on a checkerboard, sum r B / sum B^2 over a window. The picture also moves away from the estimate of the
+/// frame alone: windows that choose between it and history (Evidence) trust history too little.
 ///
 /// Shares that were fitted to other renders may be wrong for this one. So all of it comes back by the part w that samples bear out: with A
 /// what the levels give and H the same of held-out samples, w = sum r H / sum A^2 over a window. Before any sample is seen, w is 1 with
