@@ -188,6 +188,7 @@ for word in "$@"; do
         steps+=("$word")
     elif [ -f "tests/$word/CMakeLists.txt" ]; then
         only+=("$word")
+        [ "$word" != pipeline ] || only+=(many_frames) # of the same folder
     else
         echo "No step and no folder of tests '$word'; steps: all ${all_steps[*]}; folders: $(cd tests && echo */ | tr -d /)" >&2
         exit 2

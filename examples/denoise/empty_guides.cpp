@@ -53,6 +53,9 @@ class Guides {
             if (f(i)) found.push_back(i);
         return found;
     }
+    void flatten(std::vector<std::size_t> const& pixels) {
+        for (std::size_t c = 0; c < 3; ++c) put(image, of_normal[c], pixels, c == 2 ? 1.f : 0.f);
+    }
     /// Of each pixel, whether the depth shows a surface; empty: that is not known.
     [[nodiscard]] std::vector<bool> surfaces() const {
         if (depths.empty()) return {};
@@ -89,12 +92,11 @@ public:
         auto const pixels = pixels_where([&](std::size_t i) { return is_surface(i) && squared_normal(i) == 0.f; });
         bool const is_empty = !seen.empty() && pixels.size() == seen.size();
         if (shown.empty() && !is_empty) return false; // it may be the sky
-        for (std::size_t c = 0; c < 3; ++c) put(image, of_normal[c], pixels, c == 2 ? 1.f : 0.f);
+        flatten(pixels);
         return is_empty;
     }
     void flatten_normals() {
-        auto const all = pixels_where([&](std::size_t i) { return squared_normal(i) > 0.f; });
-        for (std::size_t c = 0; c < 3; ++c) put(image, of_normal[c], all, c == 2 ? 1.f : 0.f);
+        if (!normals[0].empty()) flatten(pixels_where([&](std::size_t i) { return squared_normal(i) > 0.f; }));
     }
     /// Whether albedo is black on all surfaces, and light is not.
     [[nodiscard]] bool has_black_albedo() const {

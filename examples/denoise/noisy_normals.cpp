@@ -49,7 +49,7 @@ void for_each_pair(Extent size, SurfaceGuides const& guides, auto&& f) {
                 auto const here = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
                 auto const there = here + static_cast<std::size_t>(dy * size.width + dx);
                 if (!is_finite(guides.depth[here]) || !is_finite(guides.depth[there])) continue;
-                f(static_cast<std::size_t>(y / block * blocks + x / block), here, there, guides.are_one(here, there, dx, dy));
+                f(static_cast<std::size_t>(y / block * blocks + x / block), here, there, guides.are_on_one_plane(here, there, dx, dy));
             }
 }
 glm::dvec3 turn(SurfaceGuides const& guides, std::size_t here, std::size_t there) {
@@ -60,15 +60,12 @@ glm::dvec3 turn(SurfaceGuides const& guides, std::size_t here, std::size_t there
     }
     return off;
 }
-/// Of the depth alone.
-SurfaceGuides planes_of(SurfaceGuides const& guides) { return {guides.depth, {}, guides.slopes}; }
-
 } // namespace
 
 bool are_normals_rough(Extent size, SurfaceGuides const& guides) {
     if (guides.depth.empty() || guides.normals[0].empty()) return false;
     double all = 0., on_planes = 0., rough_ones = 0.;
-    for_each_pair(size, planes_of(guides), [&](std::size_t, std::size_t here, std::size_t there, bool is_plane) {
+    for_each_pair(size, guides, [&](std::size_t, std::size_t here, std::size_t there, bool is_plane) {
         auto const off = turn(guides, here, there);
         ++all, on_planes += is_plane ? 1. : 0., rough_ones += is_plane && glm::dot(off, off) > rough ? 1. : 0.;
     });
@@ -77,7 +74,7 @@ bool are_normals_rough(Extent size, SurfaceGuides const& guides) {
 
 bool do_normals_explain(Extent size, SurfaceGuides const& guides, std::vector<glm::vec3> const& light) {
     std::vector<Sums> sums(static_cast<std::size_t>(((size.width + block - 1) / block) * ((size.height + block - 1) / block)));
-    for_each_pair(size, planes_of(guides), [&](std::size_t b, std::size_t here, std::size_t there, bool is_plane) {
+    for_each_pair(size, guides, [&](std::size_t b, std::size_t here, std::size_t there, bool is_plane) {
         double const from = static_cast<double>(luminance(light[here])), to = static_cast<double>(luminance(light[there]));
         auto const off = turn(guides, here, there);
         if (is_plane && from >= 0. && to >= 0. && from + to > 0. && std::isfinite(from + to + glm::dot(off, off)))

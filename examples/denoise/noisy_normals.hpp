@@ -19,7 +19,7 @@ namespace quell::examples {
 ///
 /// Of neighbours on one plane, let n be the difference of normals and l that of light over its sum. In each block of 16x16 pixels, l is
 /// explained by n in least squares: l = s n, with three unknowns s. Of m pairs, three in m of the squares of l are explained by chance:
-/// normals explain light where it is a hundredth more.
+/// normals explain light where it is three hundredths more.
 /// @param guides with depth and normals
 /// @param light  of each pixel, linear
 [[nodiscard]] bool do_normals_explain(Extent size, SurfaceGuides const& guides, std::vector<glm::vec3> const& light);

@@ -103,9 +103,9 @@ SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) {
     }
     // Single samples don't tell where the albedo of an only signal is wrong: then it is filtered as one, or not, as the whole picture says.
     bool const is_told = has_several_signals(names) || frame.samples > 1;
-    if (frame.around && is_told) split_by.samples_of_guides = frame.samples <= 1 ? 4.f : 2.f;
     // Noise of guides is taken off the signals' picture: it is never filtered as one for that.
-    if (frame.around && is_told && settings.is_refined()) split_by.samples_of_guides = std::numeric_limits<float>::infinity();
+    if (frame.around && is_told)
+        split_by.samples_of_guides = settings.is_refined() ? std::numeric_limits<float>::infinity() : frame.samples <= 1 ? 4.f : 2.f;
     frame.as_one = is_better_as_one(frame.image, names, split_by);
     frame.has_noisy_guides = settings.is_refined() && frame.around && !frame.as_one && is_better_as_one(frame.image, names, rule());
     return frame;

@@ -37,17 +37,20 @@ void SurfaceGuides::find_slopes(Extent size) {
         for (int x = 0; x < size.width; ++x) slopes[0].push_back(along(x, y, 1, 0)), slopes[1].push_back(along(x, y, 0, 1));
 }
 
+bool SurfaceGuides::are_on_one_plane(std::size_t pixel, std::size_t other, int dx, int dy) const {
+    if (depth.empty()) return true;
+    if (!is_finite(depth[pixel]) || !is_finite(depth[other])) return false;
+    float const a = inverse(depth[pixel]), b = inverse(depth[other]);
+    float const tolerated = farthest_off * std::sqrt(static_cast<float>(std::max(std::abs(dx), std::abs(dy)))) * std::min(a, b);
+    if (std::abs(b - a) <= tolerated) return true;
+    auto const are_on_plane_of = [&](std::size_t i) {
+        return std::abs(b - a - slopes[0][i] * static_cast<float>(dx) - slopes[1][i] * static_cast<float>(dy)) <= tolerated;
+    };
+    return !slopes[0].empty() && (are_on_plane_of(pixel) || are_on_plane_of(other));
+}
+
 bool SurfaceGuides::are_one(std::size_t pixel, std::size_t other, int dx, int dy) const {
-    if (!depth.empty()) {
-        if (!is_finite(depth[pixel]) || !is_finite(depth[other])) return false;
-        float const a = inverse(depth[pixel]), b = inverse(depth[other]);
-        float const tolerated = farthest_off * std::sqrt(static_cast<float>(std::max(std::abs(dx), std::abs(dy)))) * std::min(a, b);
-        auto const are_on_plane_of = [&](std::size_t i) {
-            return std::abs(b - a - slopes[0][i] * static_cast<float>(dx) - slopes[1][i] * static_cast<float>(dy)) <= tolerated;
-        };
-        bool const is_level = std::abs(b - a) <= tolerated;
-        if (!is_level && (slopes[0].empty() || (!are_on_plane_of(pixel) && !are_on_plane_of(other)))) return false;
-    }
+    if (!are_on_one_plane(pixel, other, dx, dy)) return false;
     if (normals[0].empty()) return true;
     float cosine = 0.f;
     for (auto const& component : normals) cosine += component[pixel] * component[other];

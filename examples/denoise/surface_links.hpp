@@ -24,6 +24,10 @@ struct SurfaceGuides {
     /// Takes slopes from the depth: of each pixel, the flatter one of both sides, which at an edge is the one of its own surface. Over a
     /// plane inverse depth is linear in the picture, so that planes stay one surface however steep they are seen.
     void find_slopes(Extent size);
+    /// By depth alone.
+    /// @param dx, dy from the pixel to the other, pixels
+    [[nodiscard]] bool are_on_one_plane(std::size_t pixel, std::size_t other, int dx, int dy) const;
+    /// By depth and normals.
     /// @param dx, dy from the pixel to the other, pixels
     [[nodiscard]] bool are_one(std::size_t pixel, std::size_t other, int dx, int dy) const;
 };

@@ -2,6 +2,7 @@
 
 #include <denoise/empty_guides.hpp>
 
+#include <quell/core/random.hpp>
 #include <quell/io/frame_image.hpp>
 
 #include <glm/geometric.hpp>
@@ -17,13 +18,8 @@ namespace {
 constexpr Extent size{64, 48};
 constexpr int horizon = 16; ///< rows above which there is sky
 
-/// Uniform in [-1, 1], of a pixel and a number.
-float noise(int x, int y, int number) {
-    auto bits = static_cast<std::uint32_t>((number * size.height + y) * size.width + x) * 2654435761u;
-    bits = (bits ^ bits >> 15) * 2246822519u;
-    bits = (bits ^ bits >> 13) * 3266489917u;
-    return static_cast<float>((bits ^ bits >> 16) >> 8) / 8388608.f - 1.f;
-}
+/// Uniform in [-1, 1), of a pixel and a number.
+float noise(int x, int y, int number) { return 2.f * uniform_pair(static_cast<float>(x), static_cast<float>(y), number).first - 1.f; }
 glm::vec3 rough_normal(int x, int y, float by) {
     return glm::normalize(glm::vec3(0.f, 1.f, 0.f) + by * glm::vec3(noise(x, y, 0), noise(x, y, 1), noise(x, y, 2)));
 }
@@ -88,6 +84,16 @@ TEST_CASE("normals stay where no depth says that a surface is plane") {
     auto image = floor_with(rough, evenly_lit, even);
     std::erase_if(image.planes, [](auto const& plane) { return plane.name == "depth.Z"; });
     CHECK_FALSE(are_filled(image));
+}
+
+TEST_CASE("a signal without normals of its own stays as it is where another's are noise") {
+    auto image = floor_with([](int x, int y) { return rough_normal(x, y, .9f); }, evenly_lit, even);
+    auto names = io::own_sequence();
+    auto other = names.of_signals[0];
+    other.channels.sources["normal"] = {{{"absent.X"}}, {{"absent.Y"}}, {{"absent.Z"}}};
+    names.of_signals.push_back(other);
+    CHECK(fill_noisy_normals(image, names));
+    CHECK(image["normal.Z"].values.back() == 1.f);
 }
 
 TEST_CASE("light of any unit tells noise from bumps, and what is not finite does not count") {

@@ -49,6 +49,13 @@ std::vector<Colours> given_back(auto const& storage, auto const& executor, float
         unit);
     return all;
 }
+/// As of FlatSurface.
+Frame<Channels<Normal, Depth, Motion>> guides_of_a_wall() {
+    Frame<Channels<Normal, Depth, Motion>> guides(size);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) guides[normal].set(x, y, {0.f, 0.f, 1.f}), guides[depth].set(x, y, 3.f);
+    return guides;
+}
 
 } // namespace
 
@@ -84,9 +91,7 @@ TEST_CASE("light given back behind a pipeline: what both functions give back, fr
 TEST_CASE("light given back behind a pipeline: stripes come back, with two frames more of them, and a cut begins anew") {
     GiveBack give_back(64), other(64);
     FlatSurface seen(stripes, .3f), later(stripes, .3f, 6);
-    Frame<Channels<Normal, Depth, Motion>> guides(size);
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) guides[normal].set(x, y, {0.f, 0.f, 1.f}), guides[depth].set(x, y, 3.f);
+    auto const guides = guides_of_a_wall();
     auto const apply = [&](GiveBack& to, FlatSurface surface, bool has_past) {
         to.apply(Serial{}, surface.samples, guides.views(GiveBack::Guides::channels{}), nullptr, has_past, surface.picture);
         return surface;
@@ -130,9 +135,7 @@ TEST_CASE("light given back behind a pipeline: of other sizes nothing is given, 
 
 TEST_CASE("light given back behind a pipeline: of single samples nothing is fed back to a history that is not known to hold") {
     FlatSurface const first(stripes, .3f), second(stripes, .3f, 7);
-    Frame<Channels<Normal, Depth, Motion>> guides(size);
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) guides[normal].set(x, y, {0.f, 0.f, 1.f}), guides[depth].set(x, y, 3.f);
+    auto const guides = guides_of_a_wall();
     auto const views = guides.views(GiveBack::Guides::channels{});
     auto const fed_back = [&](float samples, bool has_past, bool knows_alone) {
         GiveBack give_back(samples);
