@@ -156,7 +156,7 @@ TEST_CASE("by evidence: passes say what the sums of plain numbers say") {
     auto const mean = static_cast<float>(brightness / static_cast<double>(images.size.pixels()));
     EvidenceMix<> mix;
     for (Evidence const rule : {Evidence{}, Evidence{.radius = 3, .at_first = .2f, .spread = .3f}, Evidence{.radius = 4, .doubt = .75f},
-                                Evidence{.caution = -.5f, .doubt = 1.f}, Evidence{.radius = 2}}) {
+                                Evidence{.caution = .5f, .doubt = 1.f}, Evidence{.radius = 2}}) {
         EvidenceSums sums(images.size, mean);
         for (int const left_out : {1, 0}) mix.judge(rule, Simd{}, left_out, view(radiance), view(direct), view(glossy), view(indirect));
         std::size_t i = 0;

@@ -27,8 +27,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 ///
 /// What is chosen for are estimates that do use a pixel's own sample, and have a part of its noise. In A, which has many samples, that is
 /// little. In B it is d, what the sample changes of B. Where samples are noisy, sum d^2 is added above and below: it is the error that
-/// comes with 1 - w. Where a pixel has many samples, d is more truth than noise: B is better than it was when the sample was held out. A
-/// negative caution then takes sum d^2 away above, and adds it below.
+/// comes with 1 - w.
 ///
 /// Where samples speak against A, as they do where light moves that A remembers, caution would keep a part of it. `doubt` lessens caution
 /// there: it counts 1 - doubt (1 - v) of what it does, where v is the part of A without caution.
@@ -39,7 +38,7 @@ struct Evidence {
     int radius = 12;      ///< of the window
     float dark = 0.02f;   ///< part of the picture's mean luminance that is added to the luminance that terms are divided by
     float most = 20.f;    ///< samples are at most so many times that luminance
-    float caution = 2.f;  ///< how often sum d^2 counts; below 0: for B
+    float caution = 2.f;  ///< how often sum d^2 counts, at least 0
     float at_first = 1.f; ///< the part where nothing is known
     float spread = 1.f;   ///< standard deviation of the part about that, before samples are seen
     float trust = 1.f;    ///< what samples say counts so much, from 0, which leaves A, to 1: less where their noise is shared (SharedNoise)
@@ -52,11 +51,11 @@ struct Evidence {
         return {.caution = std::max(2.f - 0.5f * std::log2(std::max(samples, 1.f)), 0.f)};
     }
     /// For a history that has seen later frames too, and deserves more trust: caution is 2 up to 32 samples, with a doubt that goes up to 1
-    /// at 16; from then on it falls, to 0.75 at 64 samples and -0.5 from 128 on.
+    /// at 16; from then on it falls, to 0.75 at 64 samples and 0 from 97 on.
     /// @param samples of each pixel; less than 1 counts as 1
     [[nodiscard]] static Evidence with_later_frames(float samples) {
         float const octaves = std::log2(std::max(samples, 1.f)), beyond = std::max(octaves - 5.f, 0.f);
-        return {.caution = std::max(2.f - 1.25f * beyond, -0.5f), .doubt = std::min(octaves / 4.f, 1.f)};
+        return {.caution = std::max(2.f - 1.25f * beyond, 0.f), .doubt = std::min(octaves / 4.f, 1.f)};
     }
 };
 
@@ -66,7 +65,7 @@ struct EvidenceTerms {
     double product = 0.; ///< of I - B and A - B
     double square = 0.;  ///< of A - B
     double noise = 0.;   ///< the variance of the product
-    double own = 0.;     ///< what caution has added to the product; its size was added to the square
+    double own = 0.;     ///< what caution has added to the product and to the square
 };
 /// What a held-out sample says; nothing where it is not light.
 /// @param mean of the picture's luminance
@@ -79,7 +78,7 @@ QUELL_KERNEL EvidenceTerms evidence_of(Evidence const& rule, float mean, vec3<fl
         float const limited = min(sample[c], rule.most * bright), off = (a[c] - b[c]) * per, own = (b_with[c] - b[c]) * per;
         float const of_own = rule.caution * own * own;
         product += fma((limited - b[c]) * per, off, of_own);
-        square += fma(off, off, abs(of_own));
+        square += fma(off, off, of_own);
         noise += (limited - 0.5f * (a[c] + b[c])) * per * off;
         cautious += of_own;
     }
@@ -91,7 +90,7 @@ QUELL_KERNEL EvidenceTerms evidence_of(Evidence const& rule, float mean, vec3<fl
 QUELL_KERNEL double part_without(Evidence const& rule, EvidenceTerms const& sums, double of_caution) {
     double const per_spread = 1. / (static_cast<double>(rule.spread) * static_cast<double>(rule.spread));
     double const before = sums.noise * per_spread + 1e-30, own = of_caution * sums.own;
-    double const product = sums.product - own, square = sums.square - (own < 0. ? -own : own);
+    double const product = sums.product - own, square = sums.square - own;
     double const w = (product * square + before * static_cast<double>(rule.at_first)) / (square * square + before);
     return w < 0. ? 0. : w > 1. ? 1. : w;
 }
