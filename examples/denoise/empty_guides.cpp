@@ -1,4 +1,5 @@
 #include <denoise/empty_guides.hpp>
+#include <denoise/guide_planes.hpp>
 #include <denoise/light_split.hpp>
 #include <denoise/noisy_normals.hpp>
 
@@ -14,27 +15,6 @@ namespace quell::examples {
 namespace {
 
 using Values = std::vector<float>;
-
-/// Whether a channel is read from planes alone, all of which are there.
-bool is_pass(io::ExrImage const& image, std::vector<io::Source> const& sources) {
-    return std::ranges::none_of(sources, [](auto const& source) { return source.sum.empty() || source.scale == 0.f; }) &&
-           image.has_all(io::planes_of(sources));
-}
-
-io::Plane& plane_of(io::ExrImage& image, std::string const& name) {
-    auto const& found = image[name];
-    return image.planes[static_cast<std::size_t>(&found - image.planes.data())];
-}
-
-/// Makes a component `value` at the pixels of a list.
-void put(io::ExrImage& image, io::Source const& source, std::vector<std::size_t> const& pixels, float value) {
-    float first = (value - source.offset) / source.scale;
-    for (auto const& name : source.sum) {
-        auto& values = plane_of(image, name).values;
-        for (auto const pixel : pixels) values[pixel] = first;
-        first = 0.f;
-    }
-}
 
 /// The guides of one signal.
 class Guides {
@@ -54,7 +34,7 @@ class Guides {
         return found;
     }
     void flatten(std::vector<std::size_t> const& pixels) {
-        for (std::size_t c = 0; c < 3; ++c) put(image, of_normal[c], pixels, c == 2 ? 1.f : 0.f);
+        for (std::size_t c = 0; c < 3; ++c) put_component(image, of_normal[c], pixels, [c](std::size_t) { return c == 2 ? 1.f : 0.f; });
     }
     /// Of each pixel, whether the depth shows a surface; empty: that is not known.
     [[nodiscard]] std::vector<bool> surfaces() const {
@@ -79,7 +59,7 @@ public:
         bool const is_empty = std::ranges::all_of(depths, [](float z) { return z == 0.f; });
         if (normals[0].empty()) return false;
         auto const pixels = pixels_where([&](std::size_t i) { return depths[i] == 0.f && squared_normal(i) > .25f; });
-        put(image, of_depth[0], pixels, 1.f);
+        put_component(image, of_depth[0], pixels, [](std::size_t) { return 1.f; });
         for (auto const i : pixels) depths[i] = 1.f;
         return is_empty && !pixels.empty();
     }

@@ -167,6 +167,7 @@ void SequenceDenoiser::read(FramePattern const& in, long long number, bool is_ah
         ++changes;
     }
     window.push_back(frames.seen(file, number));
+    if (window.size() > 1) frames.tell_next(window[window.size() - 2]);
 }
 
 /// Where the picture is filtered as one from this frame on, or by its signals, their histories become that of the picture, or the other way

@@ -88,6 +88,8 @@ SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) {
     // Diagnosis says what is wrong with guides, and has to see them.
     empty.noise = !settings.diagnose && fill_noisy_normals(frame.image, on_canvas);
     empty_passes.add(empty);
+    frame.is_opaque = alpha.empty() || std::ranges::all_of(frame.image[alpha].values, [](float a) { return a == 1.f; });
+    if (!settings.diagnose) untold_motion.tell(frame.image, on_canvas, number, frame.is_opaque);
     if (settings.is_refined()) frame.behind = names_behind_volume(frame.image, on_canvas);
     if (!settings.diagnose) frame.believed = doubted_albedo.names_for(frame.image, names_of(frame), settings.preset.by_albedo, number);
     auto const& names = names_of(frame);
@@ -96,7 +98,6 @@ SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) {
     put_cameras_on_canvas(frame.image, window, canvas);
     auto split_by = rule();
     // Anti-aliasing takes the mean of several samples.
-    frame.is_opaque = alpha.empty() || std::ranges::all_of(frame.image[alpha].values, [](float a) { return a == 1.f; });
     if (!frame.is_opaque) {
         frame.film = film_contents(whole_picture(frame.image, names).pixels, frame.image[alpha].values);
         frame.around.reset(); // colours of transparent film are those of what is hit, times its alpha
@@ -109,6 +110,11 @@ SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) {
     frame.as_one = is_better_as_one(frame.image, names, split_by);
     frame.has_noisy_guides = settings.is_refined() && frame.around && !frame.as_one && is_better_as_one(frame.image, names, rule());
     return frame;
+}
+
+void SequenceFrames::tell_next(SeenFrame& seen) const {
+    if (settings.diagnose || !untold_motion.tell_next(seen.image, on_canvas, seen.number) || !seen.around) return;
+    seen.around = frame_around(seen.image, names_of(seen), seen.samples);
 }
 
 std::vector<std::string> SequenceFrames::remarks() const {

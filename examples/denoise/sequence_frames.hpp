@@ -4,6 +4,7 @@
 #include <denoise/empty_guides.hpp>
 #include <denoise/seen_frame.hpp>
 #include <denoise/sequence_settings.hpp>
+#include <denoise/untold_motion.hpp>
 
 #include <quell/io/exr/exr_original.hpp>
 
@@ -27,6 +28,8 @@ public:
     void begin(io::ExrOriginal const& file);
     /// Reads a frame of the canvas. @throws Error naming the file and what is wrong with it
     [[nodiscard]] SeenFrame seen(io::ExrOriginal const& file, long long number);
+    /// Tells a frame where its background is in the frame after it, which has been read.
+    void tell_next(SeenFrame& seen) const;
     /// Its light by signals, or as one.
     [[nodiscard]] LightSplit const& split(SeenFrame& seen, bool as_one) const;
     /// What light is divided by.
@@ -62,6 +65,7 @@ private:
     io::SequenceNames on_canvas;
     std::string alpha;
     EmptyPasses empty_passes;
+    UntoldMotion untold_motion;
     DoubtedAlbedo doubted_albedo;
     std::unique_ptr<Denoiser> any; ///< says what denoisers of the preset want
 

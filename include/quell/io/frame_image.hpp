@@ -111,19 +111,23 @@ inline glm::vec2 jitter_in(ExrImage const& image, std::string const& attribute) 
                 "write the sample's offset from the pixel's centre, in pixels, y down, or say that jitter is left_out");
 }
 
-/// Converts one component of motion vectors to quell's convention once on loading, as Supplied<> does per frame.
-inline void to_own_motion(std::vector<float>& motion, int axis, ExrImage const& image, MotionConvention from) {
+/// How a component of motion vectors becomes that of quell's convention: own = factor * theirs + offset.
+struct ToOwnMotion {
+    float factor, offset;
+};
+inline ToOwnMotion to_own_motion(int axis, ExrImage const& image, MotionConvention from) {
     using C = MotionConvention;
     auto const extent = static_cast<float>(axis == 0 ? image.size.width : image.size.height);
     float factor = from.points == C::Points::to_previous ? 1.f : -1.f;
     if (axis == 1 && from.y == C::Y::up) factor = -factor;
     if (from.unit != C::Unit::pixel) factor *= from.unit == C::Unit::ndc ? extent / 2.f : extent;
-    float offset = 0.f;
-    if (from.jitter == C::Jitter::left_in) {
-        auto const change = jitter_in(image, "quell:jitter_previous") - jitter_in(image, "quell:jitter");
-        offset = axis == 0 ? change.x : change.y;
-    }
-    for (auto& m : motion) m = m * factor + offset;
+    if (from.jitter != C::Jitter::left_in) return {factor, 0.f};
+    auto const change = jitter_in(image, "quell:jitter_previous") - jitter_in(image, "quell:jitter");
+    return {factor, axis == 0 ? change.x : change.y};
+}
+/// Converts one component of motion vectors to quell's convention once on loading, as Supplied<> does per frame.
+inline void convert_motion(std::vector<float>& motion, ToOwnMotion const& rule) {
+    for (auto& m : motion) m = m * rule.factor + rule.offset;
 }
 
 /// Motion to the next frame has the same unit and direction of y, points to that frame, and has no jitter.
@@ -142,8 +146,8 @@ template <ChannelTag C> void load_channel(C channel, ImageView auto const& view,
             mark_misses(values, image, source, names);
             to_view_axis(values, image, names.depth);
         }
-        if constexpr (std::is_same_v<C, Motion>) to_own_motion(values, c, image, names.motion);
-        if constexpr (std::is_same_v<C, MotionNext>) to_own_motion(values, c, image, next_convention(names.motion));
+        if constexpr (std::is_same_v<C, Motion>) convert_motion(values, to_own_motion(c, image, names.motion));
+        if constexpr (std::is_same_v<C, MotionNext>) convert_motion(values, to_own_motion(c, image, next_convention(names.motion)));
         auto value = values.begin();
         for (int y = 0; y < image.size.height; ++y)
             for (int x = 0; x < image.size.width; ++x) view.set(c, x, y, *value++);

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <denoise/smooth_motion.hpp>
+
+#include <quell/io/exr_image.hpp>
+#include <quell/io/sequence_names.hpp>
+
+#include <array>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace quell::examples {
+
+/// Finds motion that vectors leave out, from what two frames in a row show (found_motion()):
+///
+/// - of the background, by its light. Cycles writes 0 for the sky, and no renderer knows of clouds in a picture of it.
+/// - of all surfaces together, by their colours, which have no noise of light. Cycles leaves out changes of the lens: focal length and
+/// shift.
+///
+/// Frames are told of in order; one whose frame before was not told of stays as it is.
+class UntoldMotion {
+public:
+    /// Adds to a frame's vectors where its parts were in the frame before, as far as that can be seen, and where they will be, as far as
+    /// the frame after has been told of.
+    /// @param image     whose planes of vectors are changed
+    /// @param is_opaque whether the film is: behind a transparent one is no background
+    void tell(io::ExrImage& image, io::SequenceNames const& names, long long number, bool is_opaque);
+    /// Adds to a frame's vectors where its parts will be. @return whether that is known of one
+    bool tell_next(io::ExrImage& image, io::SequenceNames const& names, long long number) const;
+
+private:
+    struct Shown {
+        long long number;
+        Pyramid pyramid;
+    };
+    struct Part {
+        std::optional<Shown> last{};
+        std::map<long long, SmoothMotion> found{}; ///< by number, of the last few frames
+    };
+    std::array<Part, 2> parts; ///< background, surfaces
+};
+
+} // namespace quell::examples
