@@ -4,7 +4,8 @@
     bench/figures.py                          writes the page
     bench/figures.py --check                  ends with 1 where the page is not what the results give, whatever it says of changed files
     bench/figures.py --changed                prints which files have changed since a table was measured
-    COMMAND | bench/figures.py --record NAME...    takes tables in Markdown, in their order, for results of today
+    COMMAND | bench/figures.py --record NAME... [--machine WORDS]    takes tables in Markdown, in their order, for results of today, by the
+                                              commit that is checked out and, unless something else is said, this machine; notes go
 
 The first lines of a table are `# command:`, `# commit:`, `# machine:`, `# date:`, `# files:` (files and folders that its figures depend on) and,
 where something is to be said, `# note:`. What isn't known is "not recorded". Cells are as Markdown has them. In page.md a line {{NAME}} stands for a
@@ -14,6 +15,7 @@ A table is marked where git has changes of its files since its commit; without o
 
 import argparse
 import csv
+import os
 import re
 import subprocess
 import sys
@@ -115,7 +117,15 @@ def page_of(root):
     return text
 
 
-def record(root, names, text):
+def this_machine():
+    try:
+        found = re.search(r"model name\s*:\s*(.*)", Path("/proc/cpuinfo").read_text(encoding="utf-8"))
+    except OSError:
+        found = None
+    return f"{os.cpu_count()} cores of {found.group(1).strip() if found else 'an unknown machine'}"
+
+
+def record(root, names, text, machine):
     """Writes tables in Markdown over those of the results."""
     lines = [[cell.strip() for cell in line.strip().strip("|").split("|")] if line.startswith("|") else None for line in text.splitlines()]
     found = []
@@ -130,7 +140,7 @@ def record(root, names, text):
     for name, (columns, _, *rows) in zip(names, found):
         table = Table(root / "bench/results" / f"{name}.csv")
         table.columns, table.rows = columns, rows
-        table.facts |= {"commit": commit, "date": date.today().isoformat()}
+        table.facts |= {"commit": commit, "machine": machine, "date": date.today().isoformat(), "note": ""}
         table.write()
 
 
@@ -141,6 +151,7 @@ def main():
     what.add_argument("--check", action="store_true")
     what.add_argument("--changed", action="store_true")
     what.add_argument("--record", nargs="+", metavar="NAME")
+    parser.add_argument("--machine")
     options = parser.parse_args()
     root, page = options.root, options.root / "docs/figures.md"
     if options.changed:
@@ -149,7 +160,7 @@ def main():
             print(f"{path.stem}: " + ("not known" if changed is None else ", ".join(changed) or "nothing"))
         return
     if options.record:
-        record(root, options.record, sys.stdin.read())
+        record(root, options.record, sys.stdin.read(), options.machine or this_machine())
     made = page_of(root)
     if not options.check:
         page.write_text(made, encoding="utf-8")

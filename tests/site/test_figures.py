@@ -114,10 +114,11 @@ class FiguresTest(unittest.TestCase):
     def test_tables_in_markdown_become_results_of_today(self):
         self.git("init", "-q")
         commit = self.commit("2020-01-01T12:00:00Z")
-        made = self.run_with("--record", "times", text="words\n\n| case | c |\n| --- | --- |\n| x, 1 | `4` |\n\nwords\n")
+        made = self.run_with("--record", "times", "--machine", "another machine", text="words\n\n| case | c |\n| --- | --- |\n| x, 1 | `4` |\n\nwords\n")
         self.assertEqual(made.returncode, 0, made.stderr)
-        self.assertIn("| case | c |\n| --- | --- |\n| x, 1 | `4` |\n\nBy `measure --all` on a machine,", self.page())
+        self.assertIn("| case | c |\n| --- | --- |\n| x, 1 | `4` |\n\nBy `measure --all` on another machine,", self.page())
         self.assertIn(commit[:7], self.page())
+        self.assertNotIn("Two notes.", self.page())
         self.assertIn("0 tables for 1 names", self.run_with("--record", "times").stderr)
 
 
