@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The chart's tables of docs/figures.md, all of one run: times, bytes and errors of every preset at 480x270 and 1920x1080, errors inside the
-# effects, and motion blur. What the folder has already is not charted again. It took 27 minutes on 2 cores of a Zen 4 where all
-# references were cached:
+# Tables of docs/figures.md, all of one run (bench/figures.py --record all_presets inside_the_effect motion_blur): times, bytes and errors of
+# every preset at 480x270 and 1920x1080, errors inside the effects, and motion blur. What the folder has already is not charted again. It took
+# 27 minutes on 2 cores of a Zen 4 where all references were cached:
 #   bench/chart_tables.sh [folder for the charts] [folder of the built programs] [threads]
 # With OIDN=1 Open Image Denoise's networks (bench/oidn.sh) are charted on the scene room too, at all sizes.
 set -euo pipefail
@@ -43,7 +43,7 @@ cells() {
         '"$1" "$work"/480x270/*/chart.csv "$work"/1280x720/*/chart.csv "$work"/1920x1080/*/chart.csv
 }
 
-echo "| scene, effect | preset | ms, 720p | ms, 1080p | bytes per pixel | RMSE | in the mask | SSIM | FLIP | front | 1080p: RMSE | in the mask | SSIM | FLIP |"
+echo "| scene, effect | preset | ms, 720p | ms, 1080p | bytes per pixel | RMSE | in the mask | SSIM | FLIP | front | 1080p: RMSE | 1080p: in the mask | 1080p: SSIM | 1080p: FLIP |"
 echo "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"
 cells 'function errors() { return sprintf("%.4f | %.4f | %.3f | %.4f", of("rmse"), of("mask_rmse"), of("ssim"), of("flip")) }
     method ~ /[0-9]spp/ { next }

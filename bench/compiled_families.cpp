@@ -2,10 +2,6 @@
 #include "family.hpp"
 #include "sequence.hpp"
 
-#if QUELL_BENCH_TRACES
-#include "traced_sequence.hpp"
-#endif
-
 #include <library/cuda/cuda_presets.hpp>
 #include <library/images_of_frame.hpp>
 #include <library/name_list.hpp>
@@ -39,13 +35,6 @@ struct Running {
     }
 };
 
-bool reads_only(Way const& way, auto set) {
-    return std::ranges::all_of(way.channels, [&](auto const& channel) {
-        bool has = false;
-        for_each_channel(set, [&](auto c) { has = has || channel.name == c.name; });
-        return has;
-    });
-}
 class CompiledWorkload final : public Workload {
     Way const& way;
     Extent size;
@@ -58,7 +47,7 @@ public:
     CompiledWorkload(Way const& w, Extent s)
         : way(w), size(s), running{{}, &taken}, out(s),
           denoiser(way.make(s, {.run = Running::run, .user = &running, .threads = max_threads(), .pass_done = Running::pass_done}, {})) {
-        for (std::size_t i = 0; i < sequence_frames; ++i) frames.push_back(frame_at(i));
+        for (auto const& frame : sequence(s)) frames.push_back(images_of(way, frame));
     }
     void run(std::size_t frame, How how) override {
         running.how = how, running.last = Seconds::now();
@@ -67,28 +56,14 @@ public:
     [[nodiscard]] double bytes_per_pixel() const override {
         return static_cast<double>(denoiser->bytes()) / static_cast<double>(size.pixels());
     }
-
-private:
-    [[nodiscard]] FrameImages frame_at(std::size_t i) const {
-        if (reads_only(way, Input::channels{})) return images_of(way, sequence(size)[i]);
-#if QUELL_BENCH_TRACES
-        if (way.place_of(time.name) || way.place_of(sweep.name)) return images_of(way, traced_sequence<true>(size)[i]);
-        return images_of(way, traced_sequence<false>(size)[i]);
-#else
-        return {};
-#endif
-    }
 };
 
-} // namespace
-
-namespace {
 /// @param presets that live as long as the program
 std::vector<Family> families_of(std::vector<CompiledPreset> const& presets) {
     std::vector<Family> made;
     for (auto const& preset : presets) {
         auto const& way = preset.usual;
-        if (!is_chosen(QUELL_BENCH_PRESETS, preset.name) || !(QUELL_BENCH_TRACES || reads_only(way, Input::channels{}))) continue;
+        if (!is_chosen(QUELL_BENCH_PRESETS, preset.name)) continue;
         made.push_back({preset.name, reference_storage, pass_names(way.passes()),
                         [&way](Extent size) { return std::make_unique<CompiledWorkload>(way, size); }});
     }

@@ -1,23 +1,14 @@
 #pragma once
 
 #include "family.hpp"
-#include "traced_sequence.hpp"
+#include "sequence.hpp"
 
 #include <library/name_list.hpp>
 #include <library/preset_share.hpp>
 #include <quell/pipeline/plan.hpp>
+#include <quell/presets/named.hpp>
 
 namespace quell::bench {
-
-/// Whether the made-up sequence has what a pipeline reads.
-template <class P> inline constexpr bool reads_input = contained_in<typename P::reads, Input::channels>;
-
-template <class P> auto const& frames_for(Extent size) {
-    if constexpr (reads_input<P>)
-        return sequence(size);
-    else
-        return traced_sequence<blurs<P>>(size);
-}
 
 /// What generated files instantiate.
 /// @tparam with_serial whether it runs one pixel after the other, and not in packs
@@ -36,7 +27,7 @@ public:
             else
                 return E{how};
         }();
-        quell::run(pipeline, frames_for<P>(size)[frame], history, Timed<E>{executor, &taken});
+        quell::run(pipeline, sequence(size)[frame], history, Timed<E>{executor, &taken});
     }
     [[nodiscard]] double bytes_per_pixel() const override { return history.bytes_per_pixel(); }
 };
@@ -58,15 +49,12 @@ template <class Storage, class Preset> Family make_family(Preset const& preset) 
     return family;
 }
 
-/// Whether there are frames for a pipeline.
-template <class P> inline constexpr bool is_measured = QUELL_BENCH_TRACES || reads_input<P>;
-
 /// Whether a preset is measured with a storage. One pixel at a time is a reference: of what reads more, it would take minutes to compile.
 template <class Storage>
 inline constexpr auto is_wanted = [](auto const& preset) {
-    using P = decltype(preset.usual());
-    return quell_library::is_chosen(QUELL_BENCH_PRESETS, preset.name) && is_measured<P> &&
-           (!std::is_same_v<Storage, Planar<>> || reads_input<P>);
+    using Reads = typename decltype(preset.usual())::reads;
+    return quell_library::is_chosen(QUELL_BENCH_PRESETS, preset.name) &&
+           (!std::is_same_v<Storage, Planar<>> || contained_in<Reads, Channels<Radiance, Depth, Normal, Motion, Albedo>>);
 };
 
 template <class Storage, std::size_t unit, std::size_t units> std::vector<Family> families_of_unit() {

@@ -61,9 +61,14 @@ for scene in "$@"; do
     done
 done | awk -v rows="${rows[*]}" '
     { key = $1 ", " $2; if (!(key in seen)) { seen[key] = 1; order[++n] = key } flip[key, $3] = $4; rmse[key, $3] = $5; ssim[key, $3] = $6 }
+    BEGIN { # titles as in docs/figures.md; other rows are presets
+        title["input"] = "input"; title["base"] = "base"; title["large"] = "large"; title["quell"] = "`quell-denoise`"
+        title["accumulated"] = "`accumulated`, large"; title["real-time"] = "`general --extra-frames 0 --quick`"
+        title["final-alone"] = "`final-frame --extra-frames 0`"
+    }
     END {
         count = split(rows, name, " ")
-        printf "| FLIP (RMSE) |"; for (i = 1; i <= count; ++i) printf " %s |", name[i]; printf "\n|"
+        printf "| FLIP (RMSE) |"; for (i = 1; i <= count; ++i) printf " %s |", name[i] in title ? title[name[i]] : "`" name[i] "`"; printf "\n|"
         for (i = 0; i <= count; ++i) printf " --- |"; printf "\n"
         for (k = 1; k <= n; ++k) {
             printf "| %s |", order[k]
@@ -73,6 +78,6 @@ done | awk -v rows="${rows[*]}" '
             }
             printf "\n"
         }
-        printf "| ratio to large |"; for (i = 1; i <= count; ++i) printf " %.3f (%.3f) |", exp(lf[i] / n), exp(lr[i] / n); printf "\n"
-        printf "| SSIM |"; for (i = 1; i <= count; ++i) printf " %.4f |", s[i] / n; printf "\n"
+        printf "| geometric mean, over that of the large one |"; for (i = 1; i <= count; ++i) printf " %.3f (%.3f) |", exp(lf[i] / n), exp(lr[i] / n); printf "\n"
+        printf "| SSIM, mean |"; for (i = 1; i <= count; ++i) printf " %.4f |", s[i] / n; printf "\n"
     }'

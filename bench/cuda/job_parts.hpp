@@ -82,79 +82,37 @@ template <class Job> inline constexpr std::size_t member_count<detail::LateJob<J
 template <class T> constexpr void with_members(T const& of, auto&& each) {
     constexpr std::size_t n = member_count<T>;
     static_assert(n <= 24, "a class in a job has more members than with_members() goes through: write more of its lines");
-    if constexpr (n == 1) {
-        auto const& [m0] = of;
-        each(m0);
-    } else if constexpr (n == 2) {
-        auto const& [m0, m1] = of;
-        each(m0, m1);
-    } else if constexpr (n == 3) {
-        auto const& [m0, m1, m2] = of;
-        each(m0, m1, m2);
-    } else if constexpr (n == 4) {
-        auto const& [m0, m1, m2, m3] = of;
-        each(m0, m1, m2, m3);
-    } else if constexpr (n == 5) {
-        auto const& [m0, m1, m2, m3, m4] = of;
-        each(m0, m1, m2, m3, m4);
-    } else if constexpr (n == 6) {
-        auto const& [m0, m1, m2, m3, m4, m5] = of;
-        each(m0, m1, m2, m3, m4, m5);
-    } else if constexpr (n == 7) {
-        auto const& [m0, m1, m2, m3, m4, m5, m6] = of;
-        each(m0, m1, m2, m3, m4, m5, m6);
-    } else if constexpr (n == 8) {
-        auto const& [m0, m1, m2, m3, m4, m5, m6, m7] = of;
-        each(m0, m1, m2, m3, m4, m5, m6, m7);
-    } else if constexpr (n == 9) {
-        auto const& [m0, m1, m2, m3, m4, m5, m6, m7, m8] = of;
-        each(m0, m1, m2, m3, m4, m5, m6, m7, m8);
-    } else if constexpr (n == 10) {
-        auto const& [m0, m1, m2, m3, m4, m5, m6, m7, m8, m9] = of;
-        each(m0, m1, m2, m3, m4, m5, m6, m7, m8, m9);
-    } else if constexpr (n == 11) {
-        auto const& [m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10] = of;
-        each(m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10);
-    } else if constexpr (n == 12) {
-        auto const& [m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11] = of;
-        each(m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11);
-    } else if constexpr (n == 13) {
-        auto const& [m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12] = of;
-        each(m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12);
-    } else if constexpr (n == 14) {
-        auto const& [m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13] = of;
-        each(m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13);
-    } else if constexpr (n == 15) {
-        auto const& [m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14] = of;
-        each(m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14);
-    } else if constexpr (n == 16) {
-        auto const& [m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15] = of;
-        each(m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15);
-    } else if constexpr (n == 17) {
-        auto const& [m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16] = of;
-        each(m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16);
-    } else if constexpr (n == 18) {
-        auto const& [m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17] = of;
-        each(m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17);
-    } else if constexpr (n == 19) {
-        auto const& [m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18] = of;
-        each(m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18);
-    } else if constexpr (n == 20) {
-        auto const& [m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18, m19] = of;
-        each(m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18, m19);
-    } else if constexpr (n == 21) {
-        auto const& [m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18, m19, m20] = of;
-        each(m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18, m19, m20);
-    } else if constexpr (n == 22) {
-        auto const& [m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18, m19, m20, m21] = of;
-        each(m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18, m19, m20, m21);
-    } else if constexpr (n == 23) {
-        auto const& [m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18, m19, m20, m21, m22] = of;
-        each(m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18, m19, m20, m21, m22);
-    } else if constexpr (n == 24) {
-        auto const& [m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18, m19, m20, m21, m22, m23] = of;
-        each(m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18, m19, m20, m21, m22, m23);
+// C++20 has no list of names of a length that a template chooses.
+#define QUELL_MEMBERS(count, ...)                                                                                                          \
+    if constexpr (n == count) {                                                                                                            \
+        auto const& [__VA_ARGS__] = of;                                                                                                    \
+        each(__VA_ARGS__);                                                                                                                 \
     }
+    QUELL_MEMBERS(1, m0)
+    QUELL_MEMBERS(2, m0, m1)
+    QUELL_MEMBERS(3, m0, m1, m2)
+    QUELL_MEMBERS(4, m0, m1, m2, m3)
+    QUELL_MEMBERS(5, m0, m1, m2, m3, m4)
+    QUELL_MEMBERS(6, m0, m1, m2, m3, m4, m5)
+    QUELL_MEMBERS(7, m0, m1, m2, m3, m4, m5, m6)
+    QUELL_MEMBERS(8, m0, m1, m2, m3, m4, m5, m6, m7)
+    QUELL_MEMBERS(9, m0, m1, m2, m3, m4, m5, m6, m7, m8)
+    QUELL_MEMBERS(10, m0, m1, m2, m3, m4, m5, m6, m7, m8, m9)
+    QUELL_MEMBERS(11, m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10)
+    QUELL_MEMBERS(12, m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11)
+    QUELL_MEMBERS(13, m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12)
+    QUELL_MEMBERS(14, m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13)
+    QUELL_MEMBERS(15, m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14)
+    QUELL_MEMBERS(16, m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15)
+    QUELL_MEMBERS(17, m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16)
+    QUELL_MEMBERS(18, m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17)
+    QUELL_MEMBERS(19, m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18)
+    QUELL_MEMBERS(20, m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18, m19)
+    QUELL_MEMBERS(21, m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18, m19, m20)
+    QUELL_MEMBERS(22, m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18, m19, m20, m21)
+    QUELL_MEMBERS(23, m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18, m19, m20, m21, m22)
+    QUELL_MEMBERS(24, m0, m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18, m19, m20, m21, m22, m23)
+#undef QUELL_MEMBERS
 }
 
 /// The base classes of classes that consist of them.

@@ -9,7 +9,6 @@
 #include <exception>
 
 // quell-cuda                       runs each preset by Cuda and by Serial, then measures it
-// quell-cuda --block 16x8          measures them with blocks of that many threads, at 1920x1080 only
 // quell-cuda --layouts FILE.ptx... compares how jobs are laid out by the host's and by the device's compiler; needs no GPU
 namespace quell::bench {
 namespace {
@@ -75,16 +74,6 @@ void print_times(int width, int height, bool with_passes) {
                         pass.registers, pass.local_bytes);
 }
 
-/// @param block as "16x8"
-int run_times(char const* block) {
-    if (std::sscanf(block, "%dx%d", &block_of_all.width, &block_of_all.height) != 2) return 2;
-    if (int const failed = find_device()) return failed;
-    print_device();
-    std::ranges::sort(measured_presets(), {}, &Measured::order);
-    print_times(1920, 1080, true);
-    return 0;
-}
-
 int run_all() {
     if (int const failed = find_device()) return failed;
     print_device();
@@ -103,12 +92,11 @@ int main(int count, char** arguments) {
     using namespace quell::bench;
     try {
         if (count > 2 && std::strcmp(arguments[1], "--layouts") == 0) return check_layouts({arguments + 2, arguments + count}) ? 0 : 1;
-        if (count == 3 && std::strcmp(arguments[1], "--block") == 0) return run_times(arguments[2]);
         if (count == 1) return run_all();
     } catch (std::exception const& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;
     }
-    std::fprintf(stderr, "usage: quell-cuda [--block WxH | --layouts FILE.ptx...]\n");
+    std::fprintf(stderr, "usage: quell-cuda [--layouts FILE.ptx...]\n");
     return 2;
 }

@@ -33,12 +33,6 @@ struct Cost {
     std::vector<PassCost> passes;
 };
 
-/// Threads of a block.
-struct Block {
-    int width = 0, height = 0; ///< 0: as suits a pass
-};
-inline Block block_of_all;
-
 struct Measured {
     std::string name;
     std::size_t order; ///< among named_presets

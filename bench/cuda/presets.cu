@@ -20,7 +20,7 @@ inline void check(cudaError_t status) {
 
 /// Cuda, or Cuda with the time of each pass: one type, so that what runs a preset is compiled once.
 struct Chosen {
-    Cuda cuda{.block_width = block_of_all.width, .block_height = block_of_all.height};
+    Cuda cuda{};
     std::vector<PassCost>* passes = nullptr;
     cudaEvent_t begin = nullptr, end = nullptr;
 

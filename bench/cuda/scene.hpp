@@ -11,8 +11,8 @@
 #include <thread>
 #include <vector>
 
-// A made-up world that has every channel, so that no tracer is needed where a GPU is: a floor and a wall, posts before them, a light that
-// moves, and a camera that moves. Noise is that of one sample per pixel, and some samples are missing.
+// A made-up world that has every channel, so that no tracer is needed where times are measured: a floor and a wall, posts before them, a
+// light that moves, and a camera that moves. Noise is that of one sample per pixel, and some samples are missing.
 namespace quell::bench {
 
 /// Where the camera is in a frame. It goes to and fro, so that two frames can be run round and round. Posts move by 8 pixels, the wall
@@ -57,8 +57,8 @@ struct Eye {
 
 /// The values of all channels at a pixel.
 struct Sample {
-    /// Gradients would take rays of two frames, and nothing here knows of the next frame or of numbers of samples.
-    using channels = without<AllChannels, Channels<Instance, GradientOf<Radiance>, MotionNext, SampleCount, SampleVariance>>;
+    /// Nothing here knows of the next frame or of numbers of samples.
+    using channels = without<AllChannels, Channels<Instance, MotionNext, SampleCount, SampleVariance>>;
     Eye const& now;
     Eye const& then;
     int x, y, number;
@@ -97,6 +97,8 @@ struct Sample {
         return odd ? glm::vec3(0.2f, 0.3f, 0.4f) : glm::vec3(0.8f, 0.7f, 0.6f);
     }
     [[nodiscard]] glm::vec3 of(Radiance) const { return noisy(of(Albedo{}) * 0.7f, 21); }
+    /// No surface's light changes.
+    [[nodiscard]] glm::vec2 of(GradientOf<Radiance>) const { return {0.f, x % 3 == 1 && y % 3 == 1 ? 0.4f : 0.f}; }
     [[nodiscard]] glm::vec3 of(Direct) const { return of(Albedo{}) * 0.5f; }
     [[nodiscard]] glm::vec3 of(Glossy) const { return noisy({0.3f, 0.3f, 0.25f}, 31); }
     [[nodiscard]] glm::vec3 of(Indirect) const { return noisy({0.4f, 0.35f, 0.5f}, 41); }

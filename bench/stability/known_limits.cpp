@@ -1,6 +1,7 @@
 #include "known_limits.hpp"
 
 #include <algorithm>
+#include <ostream>
 
 namespace quell::stability {
 namespace {
@@ -49,6 +50,22 @@ KnownLimit const* known_limit(Promise const& promise) {
         return each.subject == promise.subject && each.method == promise.method && each.metric == promise.metric;
     });
     return found == known_limits().end() ? nullptr : &*found;
+}
+
+int judge(Results const& results, std::ostream& out) {
+    int broken = 0;
+    for (auto const& p : results.promises) {
+        bool const known = known_limit(p) != nullptr;
+        if (p.held() && !known) continue;
+        if (!p.held() && !known) ++broken;
+        out << (p.held() ? "holds, though a known limit: "
+                : known  ? "known limit: "
+                         : "broken: ")
+            << p.subject << ' ' << p.method << ' ' << p.metric << ' ' << p.value << ", limit " << p.limit << '\n';
+    }
+    auto const held = std::ranges::count_if(results.promises, &Promise::held);
+    out << held << " of " << results.promises.size() << " promises hold\n";
+    return broken;
 }
 
 } // namespace quell::stability

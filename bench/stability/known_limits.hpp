@@ -2,6 +2,8 @@
 
 #include "results.hpp"
 
+#include <iosfwd>
+
 namespace quell::stability {
 
 /// A promise that is known not to hold, and why.
@@ -14,5 +16,9 @@ struct KnownLimit {
 
 /// Null where a promise has to hold.
 [[nodiscard]] KnownLimit const* known_limit(Promise const& promise);
+
+/// Says which promises don't hold, which hold though they are known not to, and how many hold. Returns how many are broken that aren't
+/// known limits.
+int judge(Results const& results, std::ostream& out);
 
 } // namespace quell::stability

@@ -2,11 +2,8 @@
 //   quell-stability [--cheap] [--case cut ...] [--out out/stability] [--check]
 //   quell-stability --soak
 #include "cases.hpp"
-#include "judge.hpp"
+#include "known_limits.hpp"
 #include "options.hpp"
-#include "page.hpp"
-#include "plots.hpp"
-#include "soak.hpp"
 
 #include <support/gnuplot.hpp>
 #include <support/output_folder.hpp>

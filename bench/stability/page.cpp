@@ -1,5 +1,3 @@
-#include "page.hpp"
-
 #include "cases.hpp"
 #include "known_limits.hpp"
 

@@ -1,4 +1,4 @@
-#include "plots.hpp"
+#include "results.hpp"
 
 #include <support/gnuplot.hpp>
 #include <support/output_folder.hpp>

@@ -1,5 +1,4 @@
-#include "soak.hpp"
-
+#include "cases.hpp"
 #include "watch.hpp"
 
 #include <quell/core/real.hpp>

@@ -262,7 +262,7 @@ std::optional<float> SequenceDenoiser::feed_back_residual(io::ExrImage const& im
     io::load_channels(Channels<Normal, Depth>{}, guides, image, names);
     auto const samples = picture_of(image, io::sources_of(names, radiance), std::numeric_limits<float>::quiet_NaN());
     auto const number = static_cast<float>(count);
-    auto const shares = frames.settings.feedback.value_or(ResidualFeedbackShares::of_frame(number, has_past, alone.has_value()));
+    auto const shares = ResidualFeedbackShares::of_frame(number, has_past, alone.has_value());
     Timed const timed(other_milliseconds);
     return quell::feed_back_residual({.samples = number, .shares = shares}, Threads<>{.count = frames.settings.threads}, samples.pixels,
                                      guides[normal].view(), guides[depth].view(), (alone ? *alone : light).pixels, light.pixels);

@@ -5,7 +5,6 @@
 #include <denoise/upsampler.hpp>
 
 #include <quell/io/sequence_names.hpp>
-#include <quell/resolve/residual_feedback_fit.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -28,8 +27,7 @@ struct SequenceSettings {
     bool chooses_history = false; ///< where it refines: each signal's light is put together with its history and without
     bool accounts = false;        ///< gather what each stage changed: see StageAccount
     bool diagnose = false;        ///< look at each frame for what its renderer got wrong
-    std::optional<ResidualFeedbackShares> feedback{}; ///< of what residual feedback gives back; none: as they were fitted
-    std::optional<Upsampling> upsampling{};           ///< of the picture and its alpha, which are then all that a frame has; empty: none
+    std::optional<Upsampling> upsampling{}; ///< of the picture and its alpha, which are then all that a frame has; empty: none
     std::vector<std::string> debug_views{}; ///< names of DebugChannels that debug_images() will be asked for: slower, and on one thread
 
     /// Whether later frames may be read: debug images show what happens without.

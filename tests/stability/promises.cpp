@@ -1,10 +1,8 @@
 #include "../io/files.hpp"
 
 #include <stability/cases.hpp>
-#include <stability/judge.hpp>
 #include <stability/known_limits.hpp>
 #include <stability/options.hpp>
-#include <stability/plots.hpp>
 #include <stability/results.hpp>
 #include <stability/watch.hpp>
 #include <support/gnuplot.hpp>

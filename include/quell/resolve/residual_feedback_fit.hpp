@@ -37,7 +37,7 @@ struct ResidualFeedbackShares {
     }
 };
 
-/// The name of a share, as fits print it, and the share.
+/// The name of a share, and the share.
 struct NamedFeedbackShare {
     char const* name;                     ///< in snake case
     float ResidualFeedbackShares::*share; ///< which it is
@@ -53,7 +53,7 @@ inline constexpr std::array<NamedFeedbackShare, 9> feedback_shares{{{"near_noise
                                                                     {"wide_texture", &ResidualFeedbackShares::wide_texture},
                                                                     {"alone", &ResidualFeedbackShares::alone}}};
 
-/// Fitted to renders of 1 sample; bench/fit_feedback.py fits them anew. But `alone` is half of what is best for these, and 0 at 16 samples:
+/// Fitted to renders of 1 sample by least squares. But `alone` is half of what is best for these, and 0 at 16 samples:
 /// where noise stays on the screen, a frame by itself and with its history have it both.
 inline constexpr ResidualFeedbackShares feedback_of_1_sample{.near_noise = 0.0142f,
                                                              .near_sure = -0.2234f,
