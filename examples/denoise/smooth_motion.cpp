@@ -11,12 +11,14 @@ namespace {
 
 constexpr int unknowns = 2 * SmoothMotion::terms;
 constexpr std::size_t fewest = 64;         ///< pixels in common
-constexpr std::size_t most = 20000;        ///< pixels of a level that are looked at
-constexpr int steps = 6;                   ///< of Gauss-Newton at each level
+constexpr double most = 5000;              ///< pixels of a level that are looked at
+constexpr double most_of_search = 600;     ///< for each of many shifts
+constexpr int steps = 5;                   ///< of Gauss-Newton at each level
+constexpr double most_left_at_first = .97; ///< of squared differences, in the coarsest pictures: else finer ones are not looked at
 constexpr double most_left = .75;          ///< see found_motion()
 constexpr double least_difference = .01;   ///< without the motion, of the variance
 constexpr double least_motion = .05;       ///< in pixels, in the mean of the part
-constexpr double shortest_search = 1 / 3.; ///< of the coarsest picture's sides
+constexpr double farthest_shift = 1 / 3.;  ///< of the coarsest picture's sides
 
 std::size_t pixel_of(Extent size, int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
@@ -95,6 +97,7 @@ struct Pair {
     std::vector<glm::vec2> const& told;
     Extent size;
     double pixel;
+    double most_pixels = most;
 
     [[nodiscard]] glm::vec2 told_at(double column, double row) const {
         return told[pixel_of(size, std::min(static_cast<int>(column), size.width - 1), std::min(static_cast<int>(row), size.height - 1))];
@@ -102,8 +105,7 @@ struct Pair {
     /// Calls f(x, y, difference, sample of the picture before) for pixels of the part that both show; x and y are those of the picture.
     /// @return how many pixels the part has
     template <class F> std::size_t for_each_common(SmoothMotion const& motion, F const& f) const {
-        auto const count = static_cast<std::size_t>(now.size.width) * static_cast<std::size_t>(now.size.height);
-        int const stride = std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count) / static_cast<double>(most)))));
+        int const stride = std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(now.size.pixels()) / most_pixels))));
         std::size_t all = 0;
         for (int y = stride / 2; y < now.size.height; y += stride)
             for (int x = stride / 2; x < now.size.width; x += stride) {
@@ -176,18 +178,23 @@ bool improve(Pair const& pair, SmoothMotion& motion) {
     return true;
 }
 
-/// The best shift by whole pixels of a level, up to a third of its sides.
-SmoothMotion best_shift(Pair const& pair) {
+/// The best shift by whole pixels of a level, up to a third of its sides: every second one, and then those beside the best.
+SmoothMotion best_shift(Pair pair) {
+    pair.most_pixels = most_of_search;
     SmoothMotion best{pair.size, {}};
     double least = pair.error(best);
-    int const across = static_cast<int>(pair.now.size.width * shortest_search),
-              down = static_cast<int>(pair.now.size.height * shortest_search);
+    auto const try_shift = [&](int x, int y) {
+        SmoothMotion shift{pair.size, {}};
+        shift.factors[0][0] = x * pair.pixel, shift.factors[1][0] = y * pair.pixel;
+        if (double const error = pair.error(shift); error < least) least = error, best = shift;
+    };
+    int const across = static_cast<int>(pair.now.size.width * farthest_shift) / 2,
+              down = static_cast<int>(pair.now.size.height * farthest_shift) / 2;
     for (int y = -down; y <= down; ++y)
-        for (int x = -across; x <= across; ++x) {
-            SmoothMotion shift{pair.size, {}};
-            shift.factors[0][0] = x * pair.pixel, shift.factors[1][0] = y * pair.pixel;
-            if (double const error = pair.error(shift); error < least) least = error, best = shift;
-        }
+        for (int x = -across; x <= across; ++x) try_shift(2 * x, 2 * y);
+    int const x = static_cast<int>(best.factors[0][0] / pair.pixel), y = static_cast<int>(best.factors[1][0] / pair.pixel);
+    for (int v = y - 1; v <= y + 1; ++v)
+        for (int u = x - 1; u <= x + 1; ++u) try_shift(u, v);
     return best;
 }
 
@@ -275,9 +282,11 @@ std::optional<SmoothMotion> found_motion(Pyramid const& now, Pyramid const& befo
         return Pair{of_now[level], of_before[level], told, now.size, static_cast<double>(now.size.width / of_now[level].size.width)};
     };
     auto motion = best_shift(pair(levels - 1));
-    for (auto level = levels; level-- > 0;)
-        for (int step = 0; step < steps && improve(pair(level), motion); ++step) {
-        }
+    for (auto level = levels; level-- > 0;) {
+        for (int step = 0; step < steps && improve(pair(level), motion);) ++step;
+        bool const is_first = level == levels - 1;
+        if (is_first && !(pair(level).error(motion) < most_left_at_first * pair(level).error({now.size, {}}))) return std::nullopt;
+    }
     if (!is_borne_out(pair(0), motion)) return std::nullopt;
     return motion;
 }
