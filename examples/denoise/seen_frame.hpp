@@ -30,6 +30,7 @@ struct SeenFrame {
     FilmContents film{};                         ///< what each pixel shows; empty where the film is opaque
     int samples = 0;                             ///< of each pixel, as believed; 0: the file doesn't say
     int said_samples = 0;                        ///< as the file says
+    bool is_next_told = false;                   ///< whether untold motion to the next frame is among its vectors
     std::optional<io::SequenceNames> behind{};   ///< by which it is read where it is seen through a volume
     std::optional<io::SequenceNames> believed{}; ///< by which it is read where some albedo is not believed; goes before the other
 };

@@ -89,7 +89,11 @@ SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) {
     empty.noise = !settings.diagnose && fill_noisy_normals(frame.image, on_canvas);
     empty_passes.add(empty);
     frame.is_opaque = alpha.empty() || std::ranges::all_of(frame.image[alpha].values, [](float a) { return a == 1.f; });
-    if (!settings.diagnose) untold_motion.tell(frame.image, on_canvas, number, frame.is_opaque);
+    // Of other presets' signals, the files may hold no picture.
+    if (!settings.diagnose && denoises_picture(settings.preset)) {
+        untold_motion.tell(frame.image, on_canvas, number, frame.is_opaque);
+        frame.is_next_told = untold_motion.tell_next(frame.image, on_canvas, number);
+    }
     if (settings.is_refined()) frame.behind = names_behind_volume(frame.image, on_canvas);
     if (!settings.diagnose) frame.believed = doubted_albedo.names_for(frame.image, names_of(frame), settings.preset.by_albedo, number);
     auto const& names = names_of(frame);
@@ -113,8 +117,9 @@ SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) {
 }
 
 void SequenceFrames::tell_next(SeenFrame& seen) const {
-    if (settings.diagnose || !untold_motion.tell_next(seen.image, on_canvas, seen.number) || !seen.around) return;
-    seen.around = frame_around(seen.image, names_of(seen), seen.samples);
+    if (settings.diagnose || seen.is_next_told) return;
+    seen.is_next_told = untold_motion.tell_next(seen.image, on_canvas, seen.number);
+    if (seen.is_next_told && seen.around) seen.around = frame_around(seen.image, names_of(seen), seen.samples);
 }
 
 std::vector<std::string> SequenceFrames::remarks() const {

@@ -7,8 +7,6 @@
 #include <quell/io/frame_image.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 
 namespace quell::examples {
 
@@ -75,7 +73,8 @@ template <ChannelTag C> void add(C channel, io::ExrImage& image, io::SequenceNam
         auto const& guides = signal.channels;
         auto const sources = io::sources_of(guides, channel);
         auto const planes = io::planes_of(sources);
-        if (!is_pass(image, sources) || std::ranges::find(done, planes) != done.end()) continue;
+        bool const is_done = std::ranges::find(done, planes) != done.end();
+        if (is_done || !is_pass(image, sources) || !image.has_all(io::planes_of(Channels<Depth>{}, guides))) continue;
         done.push_back(planes);
         auto const pixels = pixels_of_parts(image, guides)[part];
         auto const vectors = vectors_of(channel, image, guides);
@@ -116,7 +115,6 @@ void UntoldMotion::tell(io::ExrImage& image, io::SequenceNames const& names, lon
         if (auto const of = found.find(number); of != found.end())
             add(motion, image, names, part, [&](double x, double y) { return of->second.at(x, y); });
     }
-    static_cast<void>(tell_next(image, names, number));
 }
 
 bool UntoldMotion::tell_next(io::ExrImage& image, io::SequenceNames const& names, long long number) const {

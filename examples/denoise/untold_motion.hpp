@@ -21,12 +21,11 @@ namespace quell::examples {
 /// Frames are told of in order; one whose frame before was not told of stays as it is.
 class UntoldMotion {
 public:
-    /// Adds to a frame's vectors where its parts were in the frame before, as far as that can be seen, and where they will be, as far as
-    /// the frame after has been told of.
+    /// Adds to a frame's vectors where its parts were in the frame before, as far as that can be seen.
     /// @param image     whose planes of vectors are changed
     /// @param is_opaque whether the film is: behind a transparent one is no background
     void tell(io::ExrImage& image, io::SequenceNames const& names, long long number, bool is_opaque);
-    /// Adds to a frame's vectors where its parts will be. @return whether that is known of one
+    /// Adds to a frame's vectors where its parts will be, where the frame after has been told of. @return whether that is known of one
     bool tell_next(io::ExrImage& image, io::SequenceNames const& names, long long number) const;
 
 private:
