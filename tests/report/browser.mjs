@@ -152,6 +152,9 @@ async function check_figures(open) {
 }
 
 async function check_lesser_pages(open) {
+    const late = await shown(await open("late.html"));
+    assert.equal(await frame_of(late), "frame 2", "the page opens at a frame that has a reference");
+
     const bare = await shown(await open("bare.html"));
     assert.equal(await bare.is_visible("#plot-card"), false);
     assert.equal(await bare.is_visible("#playback"), false);

@@ -18,6 +18,9 @@ int main(int argument_count, char** arguments) {
         int const frames = argument_count == 5 ? std::stoi(arguments[4]) : 6;
         using quell::examples::write_report;
         write_report(sample::make_report(width, height, frames), folder / "full.html");
+        auto late = sample::make_report(64, 48, 4);
+        late.frames.erase(late.frames.begin()); // the first one left lacks its reference
+        write_report(late, folder / "late.html");
         write_report(sample::make_bare_report(), folder / "bare.html");
         write_report(sample::make_report_of_figures(), folder / "figures.html");
         write_report({.title = "Nothing"}, folder / "empty.html");

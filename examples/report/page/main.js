@@ -17,7 +17,8 @@ class Page {
         document.body.classList.toggle("one-kind", report.kinds.length === 1);
         if (!report.kinds.length || !report.frames.length) this.hide_pictures();
         else this.compare.sides_changed();
-        if (report.frames.length) this.show.go_to(0);
+        // The first with all pictures, a reference among them; else the first.
+        if (report.frames.length) this.show.go_to(report.frames.findIndex(frame => !frame.pictures.includes(null)));
     }
 
     set_up_text() {
