@@ -109,7 +109,7 @@ void UntoldMotion::tell(io::ExrImage& image, io::SequenceNames const& names, lon
             Pyramid pyramid(image.size, shown_by(part, image, names), std::move(is_part));
             if (last && last->number + 1 == number && last->pyramid.size == image.size)
                 if (auto const more = found_motion(pyramid, last->pyramid, told)) found.insert_or_assign(number, *more);
-            last.emplace(number, std::move(pyramid));
+            last = Shown{number, std::move(pyramid)};
             while (found.size() > kept) found.erase(found.begin());
         }
         if (auto const of = found.find(number); of != found.end())

@@ -24,12 +24,12 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 ///
 /// Each of them goes from nothing to whole between two numbers.
 struct NewWitness {
-    int radius = 16;       ///< of the windows, in pixels
-    float alike = .6f;     ///< correlation of a residual around with that of now, up to which that frame counts whole
-    float same = .85f;     ///< and from which on it counts nothing
-    float stays = .05f;    ///< by how much correlation may be larger on the screen: whole up to that, and nothing from twice as much on
-    float common = .2f;    ///< correlation from which on neighbours are asked; below two fifths of that they are not, as it may be chance
-    float scattered = .1f; ///< the measure of neighbours up to which what is common counts nothing
+    int radius = 16;        ///< of the windows, in pixels
+    float alike = .6f;      ///< correlation of a residual around with that of now, up to which that frame counts whole
+    float same = .85f;      ///< and from which on it counts nothing
+    float stays = .05f;     ///< by how much correlation may be larger on the screen: whole up to that, and nothing from twice as much on
+    float common = .2f;     ///< correlation from which on neighbours are asked; below two fifths of that they are not, as it may be chance
+    float scattered = .1f;  ///< the measure of neighbours up to which what is common counts nothing
     float in_shapes = .18f; ///< and from which on it counts whole
 };
 
