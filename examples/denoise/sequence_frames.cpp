@@ -101,14 +101,14 @@ SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) {
     if (!on_canvas.view.empty()) frame.image.attributes = attributes_of_view(file, on_canvas);
     put_cameras_on_canvas(frame.image, window, canvas);
     auto split_by = rule();
-    // Anti-aliasing takes the mean of several samples.
     if (!frame.is_opaque) {
         frame.film = film_contents(whole_picture(frame.image, names).pixels, frame.image[alpha].values);
         frame.around.reset(); // colours of transparent film are those of what is hit, times its alpha
     }
     // Single samples don't tell where the albedo of an only signal is wrong: then it is filtered as one, or not, as the whole picture says.
     bool const is_told = has_several_signals(names) || frame.samples > 1;
-    // Noise of guides is taken off the signals' picture: it is never filtered as one for that.
+    // Anti-aliasing takes the mean of several samples, and noise of guides is taken off the signals' picture: it is never filtered as one
+    // for that.
     if (frame.around && is_told)
         split_by.samples_of_guides = settings.is_refined() ? std::numeric_limits<float>::infinity() : frame.samples <= 1 ? 4.f : 2.f;
     frame.as_one = is_better_as_one(frame.image, names, split_by);
@@ -117,7 +117,7 @@ SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) {
 }
 
 void SequenceFrames::tell_next(SeenFrame& seen) const {
-    if (settings.diagnose || seen.is_next_told) return;
+    if (seen.is_next_told) return;
     seen.is_next_told = untold_motion.tell_next(seen.image, on_canvas, seen.number);
     if (seen.is_next_told && seen.around) seen.around = frame_around(seen.image, names_of(seen), seen.samples);
 }

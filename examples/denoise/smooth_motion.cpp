@@ -99,8 +99,11 @@ struct Pair {
     double pixel;
     double most_pixels = most;
 
-    [[nodiscard]] glm::vec2 told_at(double column, double row) const {
-        return told[pixel_of(size, std::min(static_cast<int>(column), size.width - 1), std::min(static_cast<int>(row), size.height - 1))];
+    /// What the picture before shows of a place, by what is told of its motion and more.
+    [[nodiscard]] std::optional<Sample> sample_before(double column, double row, glm::vec2 more) const {
+        more += told[pixel_of(size, std::min(static_cast<int>(column), size.width - 1), std::min(static_cast<int>(row), size.height - 1))];
+        return sample_of(before, (column + static_cast<double>(more.x) + .5) / pixel - .5,
+                         (row + static_cast<double>(more.y) + .5) / pixel - .5);
     }
     /// Calls f(x, y, difference, sample of the picture before) for pixels of the part that both show; x and y are those of the picture.
     /// @return how many pixels the part has
@@ -113,20 +116,10 @@ struct Pair {
                 if (!now.known[i]) continue;
                 ++all;
                 double const column = (x + .5) * pixel - .5, row = (y + .5) * pixel - .5;
-                auto const known = told_at(column, row);
-                auto const more = motion.at(column, row);
-                auto const there =
-                    sample_of(before, x + static_cast<double>(known.x + more.x) / pixel, y + static_cast<double>(known.y + more.y) / pixel);
-                if (there) f(column, row, static_cast<double>(now.light[i]) - there->light, *there);
+                if (auto const there = sample_before(column, row, motion.at(column, row)))
+                    f(column, row, static_cast<double>(now.light[i]) - there->light, *there);
             }
         return all;
-    }
-    /// The light of the picture before without a motion other than that which is told.
-    [[nodiscard]] std::optional<double> without(double column, double row) const {
-        auto const known = told_at(column, row);
-        auto const there = sample_of(before, (column + static_cast<double>(known.x) + .5) / pixel - .5,
-                                     (row + static_cast<double>(known.y) + .5) / pixel - .5);
-        return there ? std::optional(there->light) : std::nullopt;
     }
     /// The mean squared difference, infinite where fewer pixels than `fewest` or than half of the part are common.
     [[nodiscard]] double error(SmoothMotion const& motion) const {
@@ -198,7 +191,9 @@ SmoothMotion best_shift(Pair pair) {
     return best;
 }
 
-/// Whether a motion explains differences, by pixels in which it makes any: in most of them, and in each quarter of the part.
+/// Whether a motion explains differences, by pixels in which it makes any: in .6 of them, and in half of those of each quarter of the part.
+/// Noise alone would be in favour in half. A quarter with less than a twentieth of the part has no say, and one without differences is
+/// against.
 bool is_borne_out(Pair const& pair, SmoothMotion const& motion) {
     struct Pixel {
         double x, y, light, with, without;
@@ -208,10 +203,10 @@ bool is_borne_out(Pair const& pair, SmoothMotion const& motion) {
     double moved = 0, square = 0;
     pair.for_each_common(motion, [&](double x, double y, double difference, Sample const& there) {
         auto const here = motion.at(x, y);
-        auto const still = pair.without(x, y);
+        auto const still = pair.sample_before(x, y, glm::vec2(0.f));
         if (!still) return;
         double const light = there.light + difference;
-        pixels.push_back({x, y, light, difference * difference, (light - *still) * (light - *still)});
+        pixels.push_back({x, y, light, difference * difference, (light - still->light) * (light - still->light)});
         mean.x += x, mean.y += y, mean.light += light, mean.with += pixels.back().with, mean.without += pixels.back().without;
         moved += std::hypot(static_cast<double>(here.x), static_cast<double>(here.y)), square += light * light;
     });
