@@ -265,9 +265,9 @@ TEST_CASE("--layers chooses what is written") {
     CHECK(names("all,depth").size() == names("all").size());
     std::filesystem::remove(folder / "out.0001.exr"), std::filesystem::remove(folder / "out.0002.exr");
     auto const files = folder.files();
-    check_refused(
-        denoise(input(folder) + output(folder) + "--quiet --layers picture,shadow"),
-        {"--layers", "no layer 'shadow' in", "frame.0001.exr", "choose any of: all, picture, signals, guides, A, B, G, R, albedo, crypto00"});
+    check_refused(denoise(input(folder) + output(folder) + "--quiet --layers picture,shadow"),
+                  {"--layers", "no layer 'shadow' in", "frame.0001.exr",
+                   "choose any of: all, picture, signals, guides, A, B, G, R, albedo, crypto00"});
     check_refused(denoise(input(folder) + output(folder) + "--quiet --preset svgf --layers signals"),
                   {"--layers", "but one signal in", "frame.0001.exr", "write picture"});
     check_refused(denoise(input(folder) + "--diagnose --quiet --layers picture"), {"--layers", "--out is missing"});
