@@ -4,6 +4,8 @@
 #include <quell/core/value.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -18,33 +20,39 @@ constexpr float noise_of_filters = 4.f;
 
 bool is_usable(glm::vec3 const& p) { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); }
 
-/// A window of a picture, whose values are multiplied by `factor`.
+/// A window of a picture, whose values are multiplied by `factor`, and what lies around it as far as variograms reach.
 class Window {
-    metrics::Picture const& picture;
-    int x0, y0;
-    glm::vec3 factor;
+    static constexpr int margin = 2;
+    static constexpr int columns = window + 2 * margin, rows = window + margin; ///< none above
+    std::array<glm::vec3, static_cast<std::size_t>(columns * rows)> values;   ///< not a number beside the picture
 
-    [[nodiscard]] glm::vec3 at(int x, int y) const {
-        return picture.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.size.width) + static_cast<std::size_t>(x)] *
-               factor;
-    }
+    [[nodiscard]] glm::vec3 const& at(int x, int y) const { return values[static_cast<std::size_t>(y * columns + x + margin)]; }
     template <class F> void for_each_pixel(F&& f) const {
-        for (int y = y0; y < std::min(y0 + window, picture.size.height); ++y)
-            for (int x = x0; x < std::min(x0 + window, picture.size.width); ++x) f(x, y, at(x, y));
+        for (int y = 0; y < window; ++y)
+            for (int x = 0; x < window; ++x) f(x, y, at(x, y));
     }
     /// Half the mean square of differences over (dx, dy).
     [[nodiscard]] float variogram(int dx, int dy) const {
         float sum = 0, count = 0;
         for_each_pixel([&](int x, int y, glm::vec3 const& here) {
-            if (x + dx < 0 || x + dx >= picture.size.width || y + dy >= picture.size.height) return;
             auto const off = at(x + dx, y + dy) - here;
-            if (is_usable(off)) sum += 0.5f * luminance(off * off), ++count;
+            float const square = luminance(off * off);
+            bool const is_told = is_finite(square);
+            sum += is_told ? 0.5f * square : 0.f, count += is_told ? 1.f : 0.f;
         });
         return count > 0.f ? sum / count : 0.f;
     }
 
 public:
-    Window(metrics::Picture const& of, int x, int y, glm::vec3 const& times = glm::vec3(1.f)) : picture(of), x0(x), y0(y), factor(times) {}
+    Window(metrics::Picture const& of, int x0, int y0, glm::vec3 const& factor = glm::vec3(1.f)) {
+        values.fill(glm::vec3(std::numeric_limits<float>::quiet_NaN()));
+        int const first = std::max(x0 - margin, 0), last = std::min(x0 + window + margin, of.size.width);
+        for (int y = y0; y < std::min(y0 + rows, of.size.height); ++y) {
+            auto const row = static_cast<std::size_t>(y) * static_cast<std::size_t>(of.size.width);
+            for (int x = first; x < last; ++x)
+                values[static_cast<std::size_t>((y - y0) * columns + x - x0 + margin)] = of.pixels[row + static_cast<std::size_t>(x)] * factor;
+        }
+    }
 
     [[nodiscard]] glm::vec3 mean() const {
         glm::vec3 sum(0.f);

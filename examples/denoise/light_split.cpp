@@ -309,16 +309,16 @@ metrics::Picture picture_of(io::ExrImage const& image, std::vector<io::Source> c
     if (sources.empty()) return {image.size, Pixels(image.pixels(), glm::vec3(otherwise))};
     std::array<std::vector<float>, 3> components;
     for (std::size_t c = 0; c < 3; ++c) components[c] = io::component_of(image, sources[c]);
-    metrics::Picture picture{image.size, {}};
-    for (std::size_t i = 0; i < image.pixels(); ++i) picture.pixels.emplace_back(components[0][i], components[1][i], components[2][i]);
+    metrics::Picture picture{image.size, Pixels(image.pixels())};
+    for (std::size_t i = 0; i < image.pixels(); ++i) picture.pixels[i] = {components[0][i], components[1][i], components[2][i]};
     return picture;
 }
 
 std::vector<io::Source> put_picture(std::vector<io::Plane>& planes, std::string const& name, metrics::Picture const& picture) {
     std::vector<io::Source> sources;
     for (int c = 0; c < 3; ++c) {
-        io::Plane plane{.name = "quell:" + name + "." + "RGB"[c], .values = {}};
-        for (auto const& pixel : picture.pixels) plane.values.push_back(pixel[c]);
+        io::Plane plane{.name = "quell:" + name + "." + "RGB"[c], .values = std::vector<float>(picture.pixels.size())};
+        for (std::size_t i = 0; i < picture.pixels.size(); ++i) plane.values[i] = picture.pixels[i][c];
         sources.push_back({{plane.name}});
         planes.push_back(std::move(plane));
     }

@@ -51,11 +51,13 @@ inline void add_offset(std::vector<float>& values, ExrImage const& image, Source
 /// @throws Error naming the file and the plane that is missing or of a wrong type
 [[nodiscard]] inline std::vector<float> component_of(ExrImage const& image, Source const& source, bool may_be_uint = false) {
     if (source.sum.empty()) return std::vector<float>(image.pixels(), source.scale);
-    std::vector<float> values(image.pixels(), 0.f);
-    for (auto const& name : source.sum) {
-        auto const& plane = detail::plane_for(image, name, may_be_uint);
-        for (std::size_t i = 0; i < values.size(); ++i) values[i] += plane.values[i] * source.scale;
+    auto values = detail::plane_for(image, source.sum[0], may_be_uint).values;
+    for (std::size_t k = 1; k < source.sum.size(); ++k) {
+        auto const& plane = detail::plane_for(image, source.sum[k], may_be_uint);
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] += plane.values[i];
     }
+    if (source.scale != 1.f)
+        for (auto& value : values) value *= source.scale;
     if (source.offset != 0.f) detail::add_offset(values, image, source);
     return values;
 }
