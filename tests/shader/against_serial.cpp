@@ -8,6 +8,7 @@ template <> inline constexpr bool quell::detail::keeps_sums<float> = true;
 #include "../images.hpp"
 #include "two_sizes.hpp"
 
+#include <quell/pipeline/chain.hpp>
 #include <quell/presets/blur.hpp>
 #include <quell/shader/interpreter.hpp>
 #include <quell/shader/record.hpp>
@@ -144,6 +145,9 @@ TEST_CASE("a recorded preset has the bits of Serial: blur, whose loops are as lo
 TEST_CASE("recorded passes of half the size have the bits of Serial") { check_sizes(tests::two_sizes); }
 TEST_CASE("a host's own policies, which call functions with quell:: before them, are recorded with the bits of Serial") {
     check_sizes(tests::own_policies);
+}
+TEST_CASE("a recorded chain, whose link has a history too, has the bits of Serial") {
+    check_sizes(Chain{tests::own_policies, Pipeline{denoised, tests::accumulate, Spatial{tests::EveryFunction{}}}});
 }
 TEST_CASE("recorded in half precision it has the bits of Serial with a history in half: general") {
     check_sizes(presets::general(radiance, Demodulate{}), in_halves, Planar<Float16>{});

@@ -8,6 +8,7 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 template <class... Ps> struct Composite;
+template <class First, class... Links> struct Chain;
 template <class P, class Policy> struct Resolved;
 template <class P, int frames> struct Remodulated;
 template <class P, class Judge> struct ByEvidence;
@@ -16,6 +17,7 @@ template <class P, ImageStorage Storage> class History;
 namespace detail {
 struct Inspect;
 struct DiagnosisNotes;
+struct ChainRun;
 /// Access to what a history holds.
 struct OpenHistory {
     template <class H> static auto& images(H& history) { return history.images; }
@@ -26,22 +28,33 @@ struct OpenHistory {
         else
             return *history.pool;
     }
+    /// The same, to make others that share it.
+    template <class H> static auto& shared_pool(H& history) {
+        if constexpr (requires { history.images; })
+            return history.images.pool;
+        else
+            return history.pool;
+    }
+    template <class H> static auto& first(H& chain) { return chain.first; }
+    template <std::size_t i, class H> static auto& link(H& chain) { return std::get<i>(chain.links); }
     template <std::size_t i, class H> static auto& of_pipeline(H& composite) { return std::get<i>(composite.histories); }
 };
 
 template <class... Parts> std::true_type a_pipeline(Pipeline<Parts...> const*);
 template <class... Ps> std::true_type a_pipeline(Composite<Ps...> const*);
+template <class... Ps> std::true_type a_pipeline(Chain<Ps...> const*);
 template <class P, class Policy> std::true_type a_pipeline(Resolved<P, Policy> const*);
 template <class P, int frames> std::true_type a_pipeline(Remodulated<P, frames> const*);
 template <class P, class Judge> std::true_type a_pipeline(ByEvidence<P, Judge> const*);
 std::false_type a_pipeline(void const*);
 template <class... Parts> std::true_type has_stages(Pipeline<Parts...> const*);
 template <class... Ps> std::true_type has_stages(Composite<Ps...> const*);
+template <class... Ps> std::true_type has_stages(Chain<Ps...> const*);
 std::false_type has_stages(void const*);
 template <class P, class Storage> std::true_type a_history(History<P, Storage> const*);
 std::false_type a_history(void const*);
 template <class T> inline constexpr bool is_pipeline = decltype(a_pipeline(static_cast<T const*>(nullptr)))::value;
-/// A Pipeline or a Composite, and nothing that stands behind one.
+/// A Pipeline, a Composite or a Chain, and nothing that stands behind one.
 template <class T>
 concept PlainPipeline = decltype(has_stages(static_cast<T const*>(nullptr)))::value;
 template <class T> inline constexpr bool is_history = decltype(a_history(static_cast<T const*>(nullptr)))::value;

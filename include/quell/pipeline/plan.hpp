@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/pipeline/chain.hpp>
 #include <quell/pipeline/composite.hpp>
 #include <quell/pipeline/run.hpp>
 
@@ -89,10 +90,18 @@ template <class... Ps, class H> void append_passes_of(std::vector<PlannedPass>& 
     add(sum.reads, ChannelIds(typename Composite<Ps...>::factors{})), add(sum.writes, "output");
     passes.push_back(std::move(sum));
 }
+template <class First, class... Links, class H>
+void append_passes_of(std::vector<PlannedPass>& passes, Chain<First, Links...> const& chain, H& history) {
+    append_passes_of(passes, chain.first, OpenHistory::first(history));
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+        (append_passes_of(passes, std::get<i>(chain.links), OpenHistory::link<i>(history)), ...);
+    }
+    (std::index_sequence_for<Links...>{});
+}
 } // namespace detail
 
-/// The plan of a pipeline or composite: the passes in order, what each reads and writes, and the memory. No pixel is computed.
-/// @param pipeline a Pipeline or Composite
+/// The plan of a pipeline, composite or chain: the passes in order, what each reads and writes, and the memory. No pixel is computed.
+/// @param pipeline a Pipeline, a Composite or a Chain
 /// @param storage  of the history
 template <detail::PlainPipeline P, ImageStorage Storage = Planar<>> Plan plan_of(P const& pipeline, Storage const& storage = {}) {
     // Large enough that padding hardly counts.
@@ -108,13 +117,14 @@ template <detail::PlainPipeline P, ImageStorage Storage = Planar<>> Plan plan_of
 }
 /// @cond
 template <class P, class... Storage> Plan plan_of(P const&, Storage const&...) {
-    static_assert(detail::PlainPipeline<P>, "plan_of(pipeline): it takes a Pipeline or a Composite; of by_evidence(), anti_aliased() "
-                                            "and resolve() give it their member `pipeline`");
+    static_assert(detail::PlainPipeline<P>,
+                  "plan_of(pipeline): it takes a Pipeline, a Composite or a Chain; of by_evidence(), anti_aliased() "
+                  "and resolve() give it their member `pipeline`");
     return {};
 }
 /// @endcond
 
-/// The plan as a Markdown table with a row per pass. Each pipeline of a composite has a row with its signal's name above it.
+/// The plan as a Markdown table with a row per pass. Each pipeline of a composite or a chain has a row with its signal's name above it.
 inline std::string to_string(Plan const& plan) {
     auto const joined = [](PlannedPass::Names const& names) {
         std::string text;
@@ -122,10 +132,10 @@ inline std::string to_string(Plan const& plan) {
         return text;
     };
     std::string text = "| pass | reads | of the last frame | writes |\n| --- | --- | --- | --- |\n";
-    bool const is_composite = !plan.passes.empty() && plan.passes.back().denoises.empty();
+    bool const has_several = std::ranges::any_of(plan.passes, [&](auto const& pass) { return pass.denoises != plan.passes[0].denoises; });
     std::string_view above;
     for (auto const& pass : plan.passes) {
-        if (is_composite && pass.denoises != above)
+        if (has_several && pass.denoises != above)
             text += "| **" + std::string(pass.denoises.empty() ? "sum" : pass.denoises) + "** |  |  |  |\n";
         above = pass.denoises;
         text += "| " + std::string(pass.name) + (pass.fraction > 1 ? ", 1/" + std::to_string(pass.fraction) : "") + " | " +

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/pipeline/chain.hpp>
 #include <quell/pipeline/composite.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -29,11 +30,16 @@ template <ChannelTag S, class... Parts> [[nodiscard]] constexpr int warm_up_fram
 template <class... Ps> [[nodiscard]] constexpr int warm_up_frames(Composite<Ps...> const& composite) {
     return std::apply([](auto const&... pipeline) { return std::max({0, warm_up_frames(pipeline)...}); }, composite.pipelines);
 }
+/// The longest of the denoisers.
+template <class First, class... Links> [[nodiscard]] constexpr int warm_up_frames(Chain<First, Links...> const& chain) {
+    return std::apply([&](auto const&... link) { return std::max({warm_up_frames(chain.first), warm_up_frames(link)...}); }, chain.links);
+}
 /// @cond
 template <class P> [[nodiscard]] constexpr int warm_up_frames(P const&) {
-    static_assert(detail::PlainPipeline<P>,
-                  "warm_up_frames(pipeline): it takes a Pipeline or a Composite; of by_evidence(), anti_aliased() and resolve() give it "
-                  "their member `pipeline`");
+    static_assert(
+        detail::PlainPipeline<P>,
+        "warm_up_frames(pipeline): it takes a Pipeline, a Composite or a Chain; of by_evidence(), anti_aliased() and resolve() give it "
+        "their member `pipeline`");
     return 0;
 }
 /// @endcond
