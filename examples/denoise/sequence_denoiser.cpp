@@ -250,22 +250,18 @@ void SequenceDenoiser::tell_history(StageAccount& why, std::size_t signal, quell
 }
 
 /// What the filter took out of a signal's light by mistake.
-/// @param has_past whether it was made with its history
-/// @param alone    the light by its frame alone; none where that is not known
+/// @param shares   how much comes back
 /// @return how far noise was that of single pixels; nothing where the file has no normals or no depth
-std::optional<float> SequenceDenoiser::feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, int count,
-                                                          bool has_past, std::optional<metrics::Picture> const& alone,
-                                                          metrics::Picture& light) {
+std::optional<float> SequenceDenoiser::feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, float count,
+                                                          ResidualFeedbackShares const& shares, metrics::Picture& light) {
     auto const planes = io::planes_of(Channels<Normal, Depth>{}, names);
     if (!image.has_all(planes)) return std::nullopt;
     Frame<Channels<Normal, Depth>> guides(image.size);
     io::load_channels(Channels<Normal, Depth>{}, guides, image, names);
     auto const samples = picture_of(image, io::sources_of(names, radiance), std::numeric_limits<float>::quiet_NaN());
-    auto const number = static_cast<float>(count);
-    auto const shares = ResidualFeedbackShares::of_frame(number, has_past, alone.has_value());
     Timed const timed(other_milliseconds);
-    return quell::feed_back_residual({.samples = number, .shares = shares}, Threads<>{.count = frames.settings.threads}, samples.pixels,
-                                     guides[normal].view(), guides[depth].view(), (alone ? *alone : light).pixels, light.pixels);
+    return quell::feed_back_residual({.samples = count, .shares = shares}, Threads<>{.count = frames.settings.threads}, samples.pixels,
+                                     guides[normal].view(), guides[depth].view(), light.pixels);
 }
 
 DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long number, bool is_wanted) {
@@ -330,9 +326,10 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
         auto const factor = why.is_gathered() ? picture_of(image, split.signals[s].factor, 1.f) : metrics::Picture{};
         if (choice != nullptr) tell_history(why, s, *choice, result, factor);
         if (is_refined && against.empty()) {
-            auto const alone = choice != nullptr ? denoiser(s).alone(*choice) : std::nullopt;
+            auto const count = static_cast<float>(front.samples);
+            auto const shares = ResidualFeedbackShares::of_frame(count, denoiser(s).statistics().frames > 1, choice != nullptr);
             auto const before = why.before(result.pixels);
-            auto const trust = feed_back_residual(image, channels, front.samples, denoiser(s).statistics().frames > 1, alone, result);
+            auto const trust = feed_back_residual(image, channels, count, shares, result);
             why.add_feedback(name_of(s), why.changed(Stage::feedback, before, result.pixels, factor.pixels), trust);
         } else if (is_refined)
             why.add({name_of(s), Stage::feedback, 0, 1, against});

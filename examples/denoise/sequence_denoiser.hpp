@@ -10,6 +10,7 @@
 #include <support/frame_pattern.hpp>
 
 #include <quell/resolve/kept_frames.hpp>
+#include <quell/resolve/residual_feedback_fit.hpp>
 
 #include <array>
 #include <deque>
@@ -126,9 +127,8 @@ private:
     [[nodiscard]] std::string name_of(std::size_t signal) const;
     void tell_history(StageAccount& why, std::size_t signal, quell_library::HistoryChoice& choice, metrics::Picture const& light,
                       metrics::Picture const& factor);
-    [[nodiscard]] std::optional<float> feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, int samples,
-                                                          bool has_past, std::optional<metrics::Picture> const& alone,
-                                                          metrics::Picture& light);
+    [[nodiscard]] std::optional<float> feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, float samples,
+                                                          ResidualFeedbackShares const& shares, metrics::Picture& light);
     [[nodiscard]] std::vector<float> denoised_alpha(SeenFrame const& seen, LightSplit const& split);
     void add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const;
     [[nodiscard]] Purpose purpose_of(std::size_t signal) const;

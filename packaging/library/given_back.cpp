@@ -17,7 +17,7 @@ using quell::Extent;
 using Colours = std::vector<glm::vec3>;
 
 /// That the functions of quell's take a pixel while they run, as measured.
-constexpr int bytes_while_running = 330;
+constexpr int bytes_while_running = 280;
 
 /// A guide of the running frame, in the caller's memory.
 template <quell::ChannelTag C> struct Guide {
@@ -42,7 +42,7 @@ class GivenBack final : public WrappedDenoiser {
     static constexpr int components = 3;
 
     std::size_t signal; ///< among a frame's channels
-    HistoryChoice* choice;
+    bool is_judged;
     Memory memory;
     OnOwnImages executor;
     quell::GiveBack give_back;
@@ -51,9 +51,8 @@ class GivenBack final : public WrappedDenoiser {
     Guide<quell::Motion> motion;
 
 public:
-    GivenBack(std::unique_ptr<CompiledDenoiser> d, Way const& way, HistoryChoice* c, float samples, Parallel const& parallel,
-              Memory const& m)
-        : WrappedDenoiser(std::move(d)), signal(way.place_of(way.signal).value()), choice(c), memory(m), executor{parallel},
+    GivenBack(std::unique_ptr<CompiledDenoiser> d, Way const& way, bool judged, float samples, Parallel const& parallel, Memory const& m)
+        : WrappedDenoiser(std::move(d)), signal(way.place_of(way.signal).value()), is_judged(judged), memory(m), executor{parallel},
           give_back(samples), normal(way), depth(way), motion(way) {}
 
     void run(std::span<FrameImages const> window, Image const& output) override {
@@ -108,10 +107,7 @@ private:
         CallersMemory::current() = memory;
         quell::GiveBack::Guides const guides{
             {normal.take(frame, executor.parallel)}, {depth.take(frame, executor.parallel)}, {motion.take(frame, executor.parallel)}};
-        auto const samples = samples_of(frame);
-        Colours by_itself;
-        bool const has_alone = choice != nullptr && choice->copy_alone(image_of(by_itself, frame.size));
-        give_back.apply(executor, samples, guides, has_alone ? &by_itself : nullptr, denoiser->statistics().frames > 1, made);
+        give_back.apply(executor, samples_of(frame), guides, {denoiser->statistics().frames > 1, is_judged}, made);
     }
     void write(Colours const& made, Extent size, Image const& output) const {
         HostTarget<components> const to{output.data, size, output.component_stride, output.pixel_stride, output.row_stride, output.is_half};
@@ -142,9 +138,9 @@ std::string plan_of_given_back() {
            std::to_string(bytes_while_running) + " more while a frame is denoised.\n\n";
 }
 
-std::unique_ptr<CompiledDenoiser> with_light_given_back(std::unique_ptr<CompiledDenoiser> denoiser, Way const& way, HistoryChoice* choice,
+std::unique_ptr<CompiledDenoiser> with_light_given_back(std::unique_ptr<CompiledDenoiser> denoiser, Way const& way, bool is_judged,
                                                         float samples, Parallel const& parallel, Memory const& memory) {
-    return std::make_unique<GivenBack>(std::move(denoiser), way, choice, samples, parallel, memory);
+    return std::make_unique<GivenBack>(std::move(denoiser), way, is_judged, samples, parallel, memory);
 }
 
 } // namespace quell_library

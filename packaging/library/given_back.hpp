@@ -1,7 +1,6 @@
 #pragma once
 
 #include "compiled_preset.hpp"
-#include "history_choice.hpp"
 
 namespace quell_library {
 
@@ -16,11 +15,11 @@ namespace quell_library {
 /// not for each preset.
 /// @param denoiser made by the way, with a choice of its history or without
 /// @param way      that can_give_back()
-/// @param choice   the denoiser's, which says what the frame alone makes; null: there is none
+/// @param is_judged whether samples choose between its history and the frame by itself
 /// @param samples  of each pixel
 /// @throws quell::Error, std::bad_alloc
 [[nodiscard]] std::unique_ptr<CompiledDenoiser> with_light_given_back(std::unique_ptr<CompiledDenoiser> denoiser, Way const& way,
-                                                                      HistoryChoice* choice, float samples, Parallel const& parallel,
+                                                                      bool is_judged, float samples, Parallel const& parallel,
                                                                       Memory const& memory);
 
 } // namespace quell_library

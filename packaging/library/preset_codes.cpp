@@ -114,15 +114,14 @@ PresetWay way_of(Way const& way, Way const& judge, std::vector<ReadChannel> cons
         outcome = caught(error, [&] {
             quell::Extent const size{sizes.width, sizes.height};
             auto denoiser = way.make(size, parallel, memory);
-            HistoryChoice* chosen = nullptr;
-            if (with.choose_history != 0) {
+            bool const is_judged = with.choose_history != 0;
+            if (is_judged) {
                 auto choice = make_history_choice(way, judge, size, parallel, memory);
                 choice->tell_samples(static_cast<float>(with.choose_history));
-                chosen = choice.get();
                 denoiser = with_history_choice(std::move(denoiser), std::move(choice));
             }
             if (with.give_back != 0)
-                denoiser = with_light_given_back(std::move(denoiser), way, chosen, static_cast<float>(with.give_back), parallel, memory);
+                denoiser = with_light_given_back(std::move(denoiser), way, is_judged, static_cast<float>(with.give_back), parallel, memory);
             denoiser = put_behind(std::move(denoiser), sizes, parallel, memory);
             if (SteadyChoice const steady{(with.steady_guides & 1) != 0, (with.steady_guides & 2) != 0})
                 denoiser = with_steady_guides(std::move(denoiser), read, steady, size, parallel, memory);

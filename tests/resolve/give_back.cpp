@@ -75,8 +75,8 @@ TEST_CASE("light given back behind a pipeline: what both functions give back, fr
     Colours lacking;
     each_frame(Planar<>{}, [&](auto& frame, auto& history, unsigned) {
         auto picture = detail::colours_in(run(denoise, frame, history));
-        auto const alone = picture, samples = detail::colours_in(frame[radiance].view());
-        feed_back_residual({.samples = 16}, Simd{}, samples, frame[normal].view(), frame[depth].view(), alone, picture);
+        auto const samples = detail::colours_in(frame[radiance].view());
+        feed_back_residual({.samples = 16}, Simd{}, samples, frame[normal].view(), frame[depth].view(), picture);
         RepeatedResidual const rule{.samples = 16};
         auto now = lacking_of_samples(rule, Simd{}, size, samples, picture);
         if (!lacking.empty()) give_back_repeated(rule, Simd{}, size, now, {lacking_moved(Simd{}, lacking, frame[motion].view())}, picture);
@@ -93,7 +93,7 @@ TEST_CASE("light given back behind a pipeline: stripes come back, with two frame
     FlatSurface seen(stripes, .3f), later(stripes, .3f, 6);
     auto const guides = guides_of_a_wall();
     auto const apply = [&](GiveBack& to, FlatSurface surface, bool has_past) {
-        to.apply(Serial{}, surface.samples, guides.views(GiveBack::Guides::channels{}), nullptr, has_past, surface.picture);
+        to.apply(Serial{}, surface.samples, guides.views(GiveBack::Guides::channels{}), {.has_past = has_past}, surface.picture);
         return surface;
     };
     double const before = seen.error();
@@ -113,9 +113,9 @@ TEST_CASE("light given back behind a pipeline: a picture that is as its samples 
     Frame<Channels<Normal, Depth, Motion>> guides(size);
     auto const views = guides.views(GiveBack::Guides::channels{});
     FlatSurface first(stripes, .3f), second([](int, int) { return 1.f; }, 0.f);
-    give_back.apply(Simd{}, first.samples, views, nullptr, false, first.picture);
+    give_back.apply(Simd{}, first.samples, views, {}, first.picture);
     auto const before = second.picture;
-    give_back.apply(Simd{}, second.samples, views, nullptr, true, second.picture);
+    give_back.apply(Simd{}, second.samples, views, {.has_past = true}, second.picture);
     CHECK(second.picture == before);
 }
 
@@ -124,12 +124,12 @@ TEST_CASE("light given back behind a pipeline: of other sizes nothing is given, 
     FlatSurface first(stripes, .1f), wrong(stripes, .1f), second(stripes, .1f, 7);
     Frame<Channels<Normal, Depth, Motion>> guides(size);
     auto const views = guides.views(GiveBack::Guides::channels{});
-    give_back.apply(Simd{}, first.samples, views, nullptr, false, first.picture);
+    give_back.apply(Simd{}, first.samples, views, {}, first.picture);
     wrong.samples.pop_back();
-    CHECK_THROWS_AS(give_back.apply(Simd{}, wrong.samples, views, nullptr, true, wrong.picture), Error);
+    CHECK_THROWS_AS(give_back.apply(Simd{}, wrong.samples, views, {.has_past = true}, wrong.picture), Error);
     auto again = second;
-    give_back.apply(Simd{}, second.samples, views, nullptr, true, second.picture);
-    other.apply(Simd{}, again.samples, views, nullptr, false, again.picture);
+    give_back.apply(Simd{}, second.samples, views, {.has_past = true}, second.picture);
+    other.apply(Simd{}, again.samples, views, {}, again.picture);
     CHECK(second.picture == again.picture);
 }
 
@@ -137,10 +137,10 @@ TEST_CASE("light given back behind a pipeline: of single samples nothing is fed 
     FlatSurface const first(stripes, .3f), second(stripes, .3f, 7);
     auto const guides = guides_of_a_wall();
     auto const views = guides.views(GiveBack::Guides::channels{});
-    auto const fed_back = [&](float samples, bool has_past, bool knows_alone) {
+    auto const fed_back = [&](float samples, bool has_past, bool is_judged) {
         GiveBack give_back(samples);
         auto picture = second.picture;
-        give_back.apply(Simd{}, second.samples, views, knows_alone ? &second.picture : nullptr, has_past, picture);
+        give_back.apply(Simd{}, second.samples, views, {has_past, is_judged}, picture);
         return picture != second.picture;
     };
     CHECK_FALSE(fed_back(1.f, true, false));

@@ -87,8 +87,7 @@ TEST_CASE("of samples that share their noise nothing is given back") {
         for (int x = 0; x < size.width; ++x) normals.view().set(2, x, y, 1.f), depths.view().set(0, x, y, 3.f);
     auto const fed_back = [&](Pixels const& noise) {
         auto result = picture;
-        feed_back_residual({.samples = 16}, Simd{}, sum_of(sum_of(picture, stripes), noise), normals.view(), depths.view(), picture,
-                           result);
+        feed_back_residual({.samples = 16}, Simd{}, sum_of(sum_of(picture, stripes), noise), normals.view(), depths.view(), result);
         return result != picture;
     };
     CHECK(fed_back(white_noise(5)));

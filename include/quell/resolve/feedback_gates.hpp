@@ -62,25 +62,6 @@ struct FeedbackGates {
     }
 };
 
-/// How far the finest level is more than noise: 0 to 1.
-template <Executor E> Planes<1> sureness(E const& executor, WindowSums<4>& sums, ResidualLevel const& finest, Planes<1> const& variance) {
-    constexpr float noise_left = .27f; // of the noise's standard deviation, by the spline's weights
-    Planes<1> sure(variance.size());
-    auto const level = finest.value.view();
-    auto const of_samples = variance.view(), to = sure.view();
-    sums.around<2>(
-        executor, 2,
-        [=]<class Real>(AtOnce<Real>, int x, int y) {
-            auto const value = load_pixels<Real>(level, x, y);
-            return std::array{dot(value, value) / 3.f,
-                              fma(load_pixels<Real>(of_samples, x, y), Real(noise_left * noise_left), Real(1e-20f))};
-        },
-        [=]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
-            store_pixels<Real>(to, x, y, around[0] / fma(around[1], Real(4.f), around[0]), count);
-        });
-    return sure;
-}
-
 /// What samples that were held out say of a band: the share of it that is there, and how sure that is, from 0 to 1.
 template <Executor E>
 Planes<2> held_shares(E const& executor, WindowSums<4>& sums, PictureResidual const& residual, ResidualLevel const& fine,

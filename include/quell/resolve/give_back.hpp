@@ -61,6 +61,12 @@ public:
     /// What tells surfaces apart, and where they were.
     using Guides = Views<Planar<>, Channels<Normal, Depth, Motion>>;
 
+    /// How a picture was made of the frame before.
+    struct Past {
+        bool has_past = false;  ///< the frame before was given too, and history went on from it
+        bool is_judged = false; ///< samples chose between history and the frame by itself
+    };
+
     ResidualFeedback feedback; ///< how light is given back by one frame
     RepeatedResidual repeated; ///< how by two
 
@@ -83,25 +89,23 @@ public:
         detail::AsPlanes<Depth> const depths(frame[depth].view());
         detail::AsPlanes<Motion> const motions(frame[motion].view());
         Guides const guides{{normals.view}, {depths.view}, {motions.view}};
-        apply(executor, detail::colours_in(frame[signal].view()), guides, nullptr, history.statistics().frames > 1, picture);
+        apply(executor, detail::colours_in(frame[signal].view()), guides, {.has_past = history.statistics().frames > 1}, picture);
         return picture;
     }
     /// The same for images of any other origin.
     /// @param executor runs the kernels
     /// @param samples  that the picture was made of, linear, row by row; not finite where there is none
     /// @param guides   a normal of zero or an infinite depth: none; motion that is not finite: unknown
-    /// @param alone    the same frame denoised by itself; null where that is not known or it has no past
-    /// @param has_past whether the frame before was given too, and history went on from it
+    /// @param past     how the picture was made of the frame before
     /// @param picture  the denoised one; is changed
     /// @throws Error where images are not of one size, std::bad_alloc
     template <Executor E>
-    void apply(E const& executor, std::vector<glm::vec3> const& samples, Guides const& guides, std::vector<glm::vec3> const* alone,
-               bool has_past, std::vector<glm::vec3>& picture) {
+    void apply(E const& executor, std::vector<glm::vec3> const& samples, Guides const& guides, Past past, std::vector<glm::vec3>& picture) {
         auto before = std::exchange(lacking, {}); // after an error it is not known
-        if (!has_past || before.size() != picture.size()) before.clear();
+        if (!past.has_past || before.size() != picture.size()) before.clear();
         auto rule = feedback;
-        if (!rule.shares) rule.shares = ResidualFeedbackShares::of_frame(rule.samples, has_past, alone != nullptr);
-        feed_back_residual(rule, executor, samples, guides.view(normal), guides.view(depth), alone != nullptr ? *alone : picture, picture);
+        if (!rule.shares) rule.shares = ResidualFeedbackShares::of_frame(rule.samples, past.has_past, past.is_judged);
+        feed_back_residual(rule, executor, samples, guides.view(normal), guides.view(depth), picture);
         auto const size = guides.view(motion).size;
         auto now = lacking_of_samples(repeated, executor, size, samples, picture);
         if (!before.empty())

@@ -21,11 +21,10 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// ResidualFeedbackShares. It is a kind of twicing (Tukey 1977, "Exploratory Data Analysis").
 ///
 /// The residual, samples minus picture, is smoothed over surfaces and over pieces of like light, in four levels with steps of 1, 2, 4 and 8
-/// pixels. A part of the finest level, of the widest one, and of two bands between levels is added; nothing of the pixel's own residual,
-/// which is noise first. How much depends on the noise, on the light's texture, on how far the level is more than that noise would leave,
-/// and on what samples that were held out have in common with the band: with B the band at even pixels, made of the residual r at odd ones,
-/// and the other way round as on a checkerboard, sum r B / sum B^2 over a window. The picture also moves away from the estimate of the
-/// frame alone: windows that choose between it and history (Evidence) trust history too little.
+/// pixels. A part of the widest level and of the finest band between levels is added; nothing of the pixel's own residual, which is noise
+/// first. How much of the level depends on the noise and on the light's texture, how much of the band on what samples that were held out
+/// have in common with it: with B the band at even pixels, made of the residual r at odd ones, and the other way round as on a
+/// checkerboard, sum r B / sum B^2 over a window.
 ///
 /// Shares that were fitted to other renders may be wrong for this one. So all of it comes back by the part w that samples bear out: with A
 /// what the levels give and H the same of held-out samples, w = sum r H / sum A^2 over a window. Before any sample is seen, w is 1 with
@@ -52,44 +51,27 @@ struct FedBack {
     static constexpr auto name = "fed back";
     ResidualFeedbackShares by;
     float times; ///< most of ResidualFeedback
-    PlanesView<1> light, noise, texture, sure;
-    PlanesView<2> fine, middle;
-    PlanesView<3> alone, picture;
-    std::array<PlanesView<3>, feedback_levels> levels, held_levels;
-    PlanesView<3> smooth;      ///< gets what levels give
-    PlanesView<3> smooth_held; ///< gets the same of the samples that were held out
-    PlanesView<3> rest;        ///< gets what the estimate without history gives
+    PlanesView<1> light, noise, texture;
+    PlanesView<2> fine;
+    std::array<PlanesView<3>, 3> levels, held_levels; ///< the finest two, and the widest
+    PlanesView<3> smooth;                             ///< gets what levels give
+    PlanesView<3> smooth_held;                        ///< gets the same of the samples that were held out
 
     template <class Real> QUELL_FLATTENED constexpr void operator()(AtOnce<Real>, int x, int y, int count) const {
         auto const n = load_pixels<Real>(noise, x, y), most = load_pixels<Real>(light, x, y) * times;
-        auto const sum_of = [&](auto... added) {
-            auto off = zero<vec3<Real>>();
-            auto const add = [&](auto const& part) QUELL_INLINED {
-                off = map([&](Real sum, Real a) QUELL_INLINED { return sum + masked(is_finite(a), part.share * clamp(a, -most, most)); },
-                          off, part.of);
-            };
-            (add(added), ...);
-            return off;
-        };
-        struct Part {
-            Real share;
-            vec3<Real> of;
-        };
-        auto const held = load_pixels<Real>(fine, x, y), held_wider = load_pixels<Real>(middle, x, y);
-        // No frequency is fed back more than whole, however many parts have it.
-        auto const finest = fma(load_pixels<Real>(sure, x, y), Real(by.near_sure), fma(held.x, Real(by.near_held), Real(by.near_noise)));
-        auto const finest_share = min(finest * n, Real(1.f)), left = 1.f - max(finest_share, Real(0.f));
-        auto const wide = fma(n, Real(by.wide_noise), fma(load_pixels<Real>(texture, x, y), Real(by.wide_texture), Real(by.wide)));
-        auto const of_levels = [&](std::array<PlanesView<3>, feedback_levels> const& from) {
-            auto const level = [&](std::size_t i) QUELL_INLINED { return load_pixels<Real>(from[i], x, y); };
-            return sum_of(Part{finest_share, level(0)}, Part{min(held.x * held.y * by.fine_held, left), level(0) - level(1)},
-                          Part{min(held_wider.x * held_wider.y * by.middle_held, left), level(2) - level(3)},
-                          Part{min(wide, left), level(3)});
+        auto const held = load_pixels<Real>(fine, x, y);
+        // No frequency is fed back more than whole.
+        auto const fine_share = min(held.x * held.y * by.fine_held, Real(1.f));
+        auto const wide_share =
+            min(fma(n, Real(by.wide_noise), fma(load_pixels<Real>(texture, x, y), Real(by.wide_texture), Real(by.wide))), Real(1.f));
+        auto const part = [&](Real share, Real a) QUELL_INLINED { return masked(is_finite(a), share * clamp(a, -most, most)); };
+        auto const of_levels = [&](std::array<PlanesView<3>, 3> const& from) QUELL_INLINED {
+            auto const band = load_pixels<Real>(from[0], x, y) - load_pixels<Real>(from[1], x, y);
+            return map([&](Real b, Real wide) QUELL_INLINED { return part(fine_share, b) + part(wide_share, wide); }, band,
+                       load_pixels<Real>(from[2], x, y));
         };
         store_pixels<Real>(smooth, x, y, of_levels(levels), count);
         store_pixels<Real>(smooth_held, x, y, of_levels(held_levels), count);
-        store_pixels<Real>(rest, x, y, sum_of(Part{Real(by.alone), load_pixels<Real>(alone, x, y) - load_pixels<Real>(picture, x, y)}),
-                           count);
     }
 };
 
@@ -97,12 +79,11 @@ struct FedBack {
 /// @param trust       how far noise is that of single pixels
 /// @param smooth      what levels give
 /// @param smooth_held the same of held-out samples
-/// @param rest        what else is given
 /// @param to          the picture
 template <Executor E>
 void add_as_held(E const& executor, WindowSums<4>& sums, ResidualFeedback const& rule, float trust, PictureResidual const& residual,
-                 Planes<3> const& smooth, Planes<3> const& smooth_held, Planes<3> const& rest, PlanesView<3> to) {
-    auto const off = residual.value.view(), given = smooth.view(), held = smooth_held.view(), others = rest.view();
+                 Planes<3> const& smooth, Planes<3> const& smooth_held, PlanesView<3> to) {
+    auto const off = residual.value.view(), given = smooth.view(), held = smooth_held.view();
     auto const square = residual.mean_square.view();
     constexpr float twice = 2.f; // the product of two samples is in the sum once for each of them
     sums.around<3>(
@@ -118,7 +99,7 @@ void add_as_held(E const& executor, WindowSums<4>& sums, ResidualFeedback const&
             // Where the levels give nothing, nothing is known of w.
             auto const whole = of_window[1] + 1e-15f, doubt = fma(of_window[2], Real(twice / prior), Real(1e-20f)) / (whole * whole);
             auto const w = clamp((of_window[0] / whole + doubt) / (1.f + doubt), Real(0.f), Real(1.f)) * trust;
-            auto const old = load_pixels<Real>(to, x, y), more = load_pixels<Real>(given, x, y) + load_pixels<Real>(others, x, y);
+            auto const old = load_pixels<Real>(to, x, y), more = load_pixels<Real>(given, x, y);
             auto const is_picture = all_finite(old);
             auto const made = [&](Real a, Real b) QUELL_INLINED { return select(is_picture, max(fma(b, w, a), min(a, a * darkest)), a); };
             store_pixels<Real>(to, x, y, map(made, old, more), count);
@@ -133,17 +114,14 @@ void add_as_held(E const& executor, WindowSums<4>& sums, ResidualFeedback const&
 /// @param samples  that the picture was made of, linear, row by row; not finite where there is none
 /// @param normal   a view of the surfaces' directions, of any length; zero: none
 /// @param depth    a view of their distances; infinite: none
-/// @param alone    the same frame denoised by itself; the picture again where it has no history
 /// @param picture  the denoised one; is changed
 /// @return how far noise was taken for that of single pixels, from 0, where nothing is added, to 1
 /// @throws Error where these are not of one size, std::bad_alloc
 template <Executor E>
 float feed_back_residual(ResidualFeedback const& rule, E const& executor, std::vector<glm::vec3> const& samples,
-                         ViewOf<Planar<>, Normal> normal, ViewOf<Planar<>, Depth> depth, std::vector<glm::vec3> const& alone,
-                         std::vector<glm::vec3>& picture) {
+                         ViewOf<Planar<>, Normal> normal, ViewOf<Planar<>, Depth> depth, std::vector<glm::vec3>& picture) {
     using namespace detail;
     check_residual_sizes("feed_back_residual", samples, normal.size, depth.size, picture);
-    check_residual_sizes("feed_back_residual, alone", alone, normal.size, depth.size, picture);
     for (auto const& [name, radius] : {std::pair{"limits.noise_radius", rule.limits.noise_radius}, {"held_radius", rule.held_radius}})
         if (radius < 0 || radius > WindowSums<4>::largest_radius)
             raise_error("feed_back_residual, " + std::string(name), std::to_string(radius),
@@ -152,7 +130,7 @@ float feed_back_residual(ResidualFeedback const& rule, E const& executor, std::v
         raise_error("feed_back_residual, held_variance", std::to_string(rule.held_variance), "give more than 0");
     auto const size = depth.size;
     float const unit = light_unit(picture);
-    auto const before = in_planes(size, picture, unit), by_itself = in_planes(size, alone, unit);
+    auto const before = in_planes(size, picture, unit);
     Brightness const brightness(executor, before.view());
     WindowSums<4> sums(size);
     auto const given = in_planes(size, samples, unit);
@@ -161,28 +139,20 @@ float feed_back_residual(ResidualFeedback const& rule, E const& executor, std::v
     FeedbackGates const gates(executor, sums, residual, before.view(), brightness);
     auto const levels =
         levels_of<feedback_levels>(executor, residual, {normal, depth, rule.depth_range, gates.light_logarithm.view(), rule.light_range});
-    auto const sure = sureness(executor, sums, levels[0], gates.variance);
-    auto const fine = held_shares(executor, sums, residual, levels[0], levels[1]),
-               middle = held_shares(executor, sums, residual, levels[2], levels[3]);
-    Planes<3> smooth(size), smooth_held(size), rest(size);
-    executor.for_each_pixel(
-        {0, 0, size.width, size.height},
-        FedBack{.by = rule.shares.value_or(ResidualFeedbackShares::of_samples(rule.samples)),
-                .times = rule.most,
-                .light = gates.light.view(),
-                .noise = gates.noise.view(),
-                .texture = gates.texture.view(),
-                .sure = sure.view(),
-                .fine = fine.view(),
-                .middle = middle.view(),
-                .alone = by_itself.view(),
-                .picture = before.view(),
-                .levels = {levels[0].value.view(), levels[1].value.view(), levels[2].value.view(), levels[3].value.view()},
-                .held_levels = {levels[0].held.view(), levels[1].held.view(), levels[2].held.view(), levels[3].held.view()},
-                .smooth = smooth.view(),
-                .smooth_held = smooth_held.view(),
-                .rest = rest.view()});
-    add_as_held(executor, sums, rule, trust, residual, smooth, smooth_held, rest, before.view());
+    auto const fine = held_shares(executor, sums, residual, levels[0], levels[1]);
+    Planes<3> smooth(size), smooth_held(size);
+    executor.for_each_pixel({0, 0, size.width, size.height},
+                            FedBack{.by = rule.shares.value_or(ResidualFeedbackShares::of_samples(rule.samples)),
+                                    .times = rule.most,
+                                    .light = gates.light.view(),
+                                    .noise = gates.noise.view(),
+                                    .texture = gates.texture.view(),
+                                    .fine = fine.view(),
+                                    .levels = {levels[0].value.view(), levels[1].value.view(), levels[3].value.view()},
+                                    .held_levels = {levels[0].held.view(), levels[1].held.view(), levels[3].held.view()},
+                                    .smooth = smooth.view(),
+                                    .smooth_held = smooth_held.view()});
+    add_as_held(executor, sums, rule, trust, residual, smooth, smooth_held, before.view());
     copy_out(before.view(), picture, unit);
     return trust;
 }
