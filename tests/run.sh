@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything and tests it:
 #   tests/run.sh                  g++ with the whole suite, and the kernels under sanitizers
+#   tests/run.sh ci               what CI runs: clang++, threads and Windows too, in the time that CI has
 #   tests/run.sh all              all steps below
 #   tests/run.sh clang fuzz       these steps only
 #   tests/run.sh filter gcc       one folder of tests, built and run in one step (or several: tests/run.sh filter gcc asan)
@@ -12,6 +13,8 @@ source .ci/packages.sh
 
 all_steps=(gcc clang asan fuzz tsan aarch64 mingw cuda)
 usual_steps=(gcc asan)
+# Without steps that emulate or wait: Arm in qemu, fuzzing, device code by nvcc. They are run by hand before a release.
+ci_steps=(gcc clang asan tsan mingw)
 # The folders of tests to run, where some are named: then nothing else is built.
 only=()
 # What each of the other builds compiles and runs, as far as it exists: the library, and no slow programs. The clang build, at -O2, has
@@ -184,13 +187,15 @@ left_out=
 for word in "$@"; do
     if [ "$word" = all ]; then
         steps+=("${all_steps[@]}")
+    elif [ "$word" = ci ]; then
+        steps+=("${ci_steps[@]}")
     elif [[ " ${all_steps[*]} " == *" $word "* ]]; then
         steps+=("$word")
     elif [ -f "tests/$word/CMakeLists.txt" ]; then
         only+=("$word")
         [ "$word" != pipeline ] || only+=(many_frames) # of the same folder
     else
-        echo "No step and no folder of tests '$word'; steps: all ${all_steps[*]}; folders: $(cd tests && echo */ | tr -d /)" >&2
+        echo "No step and no folder of tests '$word'; steps: ci all ${all_steps[*]}; folders: $(cd tests && echo */ | tr -d /)" >&2
         exit 2
     fi
 done
