@@ -131,6 +131,12 @@ struct SceneDescription {
     int add(TriangleMesh mesh);
     int add(Texture texture);
     int add(Material material);
+    /// A material that scatters light evenly, in the colours of a texture or in one.
+    int paint(Texture texture) { return add(Material{.base_texture = add(std::move(texture))}); }
+    int paint(glm::vec3 colour) { return add(Material{.base = colour}); }
+    int metal(glm::vec3 colour, float roughness) { return add(Material{.base = colour, .metallic = 1, .roughness = roughness}); }
+    /// One that shines with this radiance.
+    int glow(glm::vec3 radiance) { return add(Material{.emission = radiance}); }
     int add_node(Pose pose, int parent = -1);
     int add_sphere();
     int place(int shape, int material, Transform const& transform = {}, int parent = -1);
