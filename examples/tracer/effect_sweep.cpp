@@ -1,5 +1,4 @@
 #include "effect_sweep.hpp"
-#include "plane.hpp"
 #include "revisit.hpp"
 
 #include <cmath>

@@ -1,6 +1,5 @@
 #include "mask.hpp"
 #include "digest.hpp"
-#include "mask_blur.hpp"
 #include "mask_tests.hpp"
 #include "reference_cache.hpp"
 

@@ -1,5 +1,5 @@
 #include "mesh.hpp"
-#include "unit_or.hpp"
+#include "ray.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>

@@ -1,5 +1,4 @@
 #include "surface.hpp"
-#include "unit_or.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
