@@ -136,7 +136,7 @@ Mask cached_or_computed(PreparedScene& scene, RenderSettings const& settings, Ef
     detail::ReferenceCache const cache{how.cache, scene.description().name + "-mask-" + name, settings.frame,
                                        key_of(scene, settings, effect)};
     Mask mask;
-    if (auto const found = cache.load(settings.size)) {
+    if (auto const found = cache.load()) {
         for (auto const& pixel : found->pictures.at(name).pixels) mask.push_back(pixel.x > 0 ? 1 : 0);
         return mask;
     }

@@ -106,7 +106,7 @@ Reference cached_or_converged(PreparedScene& scene, RenderSettings const& render
     if (!settings.use_cache) return converged(render_pass, min_samples, settings);
     auto const key = key_of(scene, render_settings, settings, min_samples, channels);
     ReferenceCache const cache{settings.cache, scene.description().name, render_settings.frame, key};
-    if (auto found = cache.load(render_settings.size)) return *found;
+    if (auto found = cache.load()) return *found;
     auto result = converged(render_pass, min_samples, settings);
     cache.store(result);
     return result;
