@@ -72,7 +72,7 @@ bool has_moving_shadow(MaskPoint const& point) {
     TangentPlanes const planes{point, surface};
     RayCounts counts;
     for (int i = 0, shadowed = 0; i < shadow_samples; ++i) {
-        PathContext const path{key_of(i), 0, 1, &counts};
+        PathContext const path{key_of(i), 0, &counts};
         Signals signals;
         auto const light = sample_lighting(point.scene, surface, 0, sample_pair(path.key, SampleUse::light_point),
                                            sample_pair(path.key, SampleUse::light_choice).x)
@@ -93,7 +93,7 @@ bool has_moving_reflection(MaskPoint const& point) {
     TangentPlanes const planes{point, seen.surface};
     RayCounts counts;
     for (int i = 0, reflected = 0; i < lobe_samples; ++i) {
-        PathContext const path{key_of(i), 0, 1, &counts};
+        PathContext const path{key_of(i), 0, &counts};
         Signals signals;
         trace_glossy(point.scene, seen.surface, -seen.ray.direction, path, 0, false, signals);
         float const motion = reflection_motion(point, planes, signals, glm::reflect(seen.ray.direction, seen.surface.normal));
@@ -133,7 +133,7 @@ bool OpenShutter::has_motion(Moment const& moment, glm::ivec2 pixel) const {
 bool OpenShutter::has_moving_effect(Moment const& moment, Ray const& ray, Hit const& hit) const {
     if (!scene.description().secondary_rays) return false;
     RayCounts counts;
-    PathContext const path{{glm::ivec2{0}, 0, 0}, moment.time, 1, &counts};
+    PathContext const path{{glm::ivec2{0}, 0, 0}, moment.time, &counts};
     auto const surface = surface_at(scene, ray, hit, moment.view.pixel_angle());
     auto const signals =
         trace_signals<Channels<SweepOf<Visibility>, SweepOf<Glossy>>>(scene, surface, -ray.direction, path, moment.view.pixel_angle());

@@ -90,12 +90,28 @@ CameraPose PreparedScene::camera(float time, When when) const {
     return at_time(moments.size(), time, [&](std::size_t i) { return moments[i]; });
 }
 
+std::vector<float> PreparedScene::moments_before(float earlier) const {
+    if (!(current_shutter > 0)) return {current_frame - earlier};
+    std::vector<float> frames;
+    for (int i = 0; i < current_keys; ++i)
+        frames.push_back(current_frame - earlier + current_shutter * static_cast<float>(i) / static_cast<float>(current_keys - 1));
+    return frames;
+}
+
+/// A function of time at the moments of the open shutter, and one frame earlier.
+auto PreparedScene::at_moments(auto const& value_at) const {
+    Moments<decltype(value_at(0.f))> moments;
+    for (float at : moments_before(0)) moments.now.push_back(value_at(at));
+    for (float at : moments_before(1)) moments.before.push_back(value_at(at));
+    return moments;
+}
+
 void PreparedScene::move_to(float frame, float shutter, int keys) {
     if (frame == current_frame && shutter == current_shutter && keys == current_keys) return;
     current_frame = frame;
     current_shutter = shutter;
     current_keys = keys;
-    place_camera();
+    cameras = at_moments([&](float at) { return usable_camera(at); });
     place_instances();
     deform_shapes();
     acceleration.commit();
@@ -108,14 +124,6 @@ PreparedScene const& PreparedScene::one_frame_earlier() {
     return *earlier;
 }
 
-std::vector<float> PreparedScene::moments_before(float earlier) const {
-    if (!(current_shutter > 0)) return {current_frame - earlier};
-    std::vector<float> frames;
-    for (int i = 0; i < current_keys; ++i)
-        frames.push_back(current_frame - earlier + current_shutter * static_cast<float>(i) / static_cast<float>(current_keys - 1));
-    return frames;
-}
-
 /// Embree aborts the program for a ray that isn't finite.
 CameraPose PreparedScene::usable_camera(float frame) const {
     auto const pose = scene.camera(frame);
@@ -125,32 +133,18 @@ CameraPose PreparedScene::usable_camera(float frame) const {
                 "mend the camera's animation, or give --eye, --target and --fov");
 }
 
-void PreparedScene::place_camera() {
-    cameras = {};
-    for (float frame : moments_before(0)) cameras.now.push_back(usable_camera(frame));
-    for (float frame : moments_before(1)) cameras.before.push_back(usable_camera(frame));
-}
-
 void PreparedScene::place_instances() {
     for (std::size_t i = 0; i < placements.size(); ++i) {
-        auto& placement = placements[i];
-        placement = {};
-        for (float frame : moments_before(0)) placement.now.push_back(scene.node_matrix(scene.instances[i].node, frame));
-        for (float frame : moments_before(1)) placement.before.push_back(scene.node_matrix(scene.instances[i].node, frame));
-        acceleration.place(static_cast<int>(i), placement.now);
+        placements[i] = at_moments([&](float at) { return scene.node_matrix(scene.instances[i].node, at); });
+        acceleration.place(static_cast<int>(i), placements[i].now);
     }
 }
 
 void PreparedScene::deform_shapes() {
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         if (!scene.shapes[i].is_deforming()) continue;
-        auto& deformation = deformations[i];
-        deformation = {};
-        std::vector<std::vector<glm::vec3>> positions;
-        for (float frame : moments_before(0))
-            positions.push_back(deformation.now.emplace_back(scene.vertices_at(scene.shapes[i], frame)).positions);
-        for (float frame : moments_before(1)) deformation.before.push_back(scene.vertices_at(scene.shapes[i], frame));
-        acceleration.deform(static_cast<int>(i), positions);
+        deformations[i] = at_moments([&](float at) { return scene.vertices_at(scene.shapes[i], at); });
+        acceleration.deform(static_cast<int>(i), deformations[i].now);
     }
 }
 

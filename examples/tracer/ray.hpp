@@ -45,7 +45,6 @@ struct RayCounts {
         indirect += other.indirect;
         return *this;
     }
-    [[nodiscard]] long long total() const { return primary + shadow + glossy + indirect; }
     friend bool operator==(RayCounts const&, RayCounts const&) = default;
 };
 

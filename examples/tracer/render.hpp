@@ -156,7 +156,7 @@ private:
 
     Signals signals_of(Seen const& seen, int sample) {
         if (seen.hit) {
-            PathContext const path{key(sample), seen.ray.time, settings.bounces, &counts};
+            PathContext const path{key(sample), seen.ray.time, &counts};
             return trace_signals<Wanted>(scene, seen.surface, -seen.ray.direction, path, still.pixel_angle());
         }
         Signals signals;
@@ -220,7 +220,7 @@ private:
     }
 
     bool shade_in_both_frames(Seen const& seen, View const& view, View const& before) {
-        PathContext const path{key(0, 1), seen.ray.time, settings.bounces, &counts};
+        PathContext const path{key(0, 1), seen.ray.time, &counts};
         TwoFrames const frames{scene, *earlier, view, before, settings.size};
         return shade_twice<Wanted>(
             frames, seen.hit, path, [&](Surface const& a, Signals const& now, Surface const& b, Signals const& then) {
