@@ -2,9 +2,6 @@
 
 #include <quell/core/error.hpp>
 
-#include <glm/matrix.hpp>
-
-#include <cmath>
 #include <cstring>
 #include <string>
 

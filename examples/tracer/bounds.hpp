@@ -2,9 +2,6 @@
 
 #include "scene.hpp"
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
 namespace quell::tracer {
 
 /// An axis-aligned box around something.

@@ -1,8 +1,6 @@
 #include "effect_sweep.hpp"
 #include "revisit.hpp"
 
-#include <cmath>
-
 namespace quell::tracer {
 namespace {
 

@@ -3,8 +3,6 @@
 #include "trace.hpp"
 #include "view.hpp"
 
-#include <glm/geometric.hpp>
-
 namespace quell::tracer {
 
 /// A plane through a point, with a unit normal; it stands for a surface close to the point.

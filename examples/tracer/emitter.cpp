@@ -1,18 +1,10 @@
 #include "emitter.hpp"
-#include "basis.hpp"
 #include "polygon.hpp"
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
-#include <cmath>
-#include <numbers>
 #include <span>
 
 namespace quell::tracer {
 namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
 
 std::span<glm::vec3 const> corners_of(Emitter const& emitter) {
     return {emitter.corners.data(), static_cast<std::size_t>(emitter.corner_count)};

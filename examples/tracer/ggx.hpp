@@ -1,12 +1,6 @@
 #pragma once
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-
-#include <cmath>
-#include <numbers>
+#include "math.hpp"
 
 namespace quell::tracer {
 
@@ -30,7 +24,7 @@ struct Ggx {
     /// GGX normals with spherical caps", 2023).
     [[nodiscard]] glm::vec3 sample_normal(glm::vec3 out, glm::vec2 random) const {
         auto const stretched = glm::normalize(glm::vec3{out.x * alpha, out.y * alpha, out.z});
-        float const turn = 2 * std::numbers::pi_v<float> * random.x;
+        float const turn = 2 * pi * random.x;
         float const z = (1 - random.y) * (1 + stretched.z) - stretched.z, sine = std::sqrt(glm::max(0.f, 1 - z * z));
         auto const normal = glm::vec3{sine * std::cos(turn), sine * std::sin(turn), z} + stretched;
         return glm::normalize(glm::vec3{normal.x * alpha, normal.y * alpha, glm::max(normal.z, 1e-7f)});

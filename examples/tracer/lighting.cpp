@@ -1,17 +1,9 @@
 #include "lighting.hpp"
-#include "basis.hpp"
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
-#include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace quell::tracer {
 namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
 
 /// Light that a surface reflects, by one light sample.
 glm::vec3 scattered(PreparedScene const& scene, Surface const& surface, PathContext const& path, std::uint32_t depth) {

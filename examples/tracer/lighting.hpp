@@ -3,8 +3,6 @@
 #include "sampler.hpp"
 #include "surface.hpp"
 
-#include <glm/geometric.hpp>
-
 namespace quell::tracer {
 
 [[nodiscard]] inline float luminance(glm::vec3 colour) { return glm::dot(colour, glm::vec3{0.2126f, 0.7152f, 0.0722f}); }

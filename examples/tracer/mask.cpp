@@ -3,10 +3,7 @@
 #include "mask_tests.hpp"
 #include "reference_cache.hpp"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace quell::tracer {

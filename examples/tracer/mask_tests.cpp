@@ -1,9 +1,6 @@
 #include "mask_tests.hpp"
 #include "effect_sweep.hpp"
 
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-
 #include <algorithm>
 
 namespace quell::tracer::detail {

@@ -1,11 +1,6 @@
 #include "mesh.hpp"
 #include "ray.hpp"
 
-#include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-
-#include <cmath>
-
 namespace quell::tracer {
 namespace {
 

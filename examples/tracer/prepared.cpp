@@ -2,12 +2,7 @@
 
 #include <quell/core/error.hpp>
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-
 #include <algorithm>
-#include <cmath>
 
 namespace quell::tracer {
 namespace {

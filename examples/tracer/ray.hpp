@@ -1,21 +1,8 @@
 #pragma once
 
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
-
-#include <cmath>
-#include <limits>
+#include "math.hpp"
 
 namespace quell::tracer {
-
-inline constexpr float infinity = std::numeric_limits<float>::infinity();
-inline constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-
-/// A direction at unit length, or another where it has none.
-inline glm::vec3 unit_or(glm::vec3 direction, glm::vec3 otherwise) {
-    float const length = glm::length(direction);
-    return length > 0 && std::isfinite(length) ? direction / length : otherwise;
-}
 
 struct Ray {
     glm::vec3 origin{0.f}, direction{0.f, 0.f, -1.f}; ///< direction of unit length

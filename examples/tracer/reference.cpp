@@ -5,7 +5,6 @@
 #include <quell/metrics/flip.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace quell::tracer::detail {
 namespace {

@@ -11,9 +11,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <cmath>
 #include <mutex>
-#include <numbers>
 
 namespace quell::tracer {
 
@@ -37,7 +35,7 @@ namespace detail {
 
 /// For two numbers in [0, 1), a point in the unit disk.
 [[nodiscard]] inline glm::vec2 disk_point(glm::vec2 uniform) {
-    float const radius = std::sqrt(uniform.x), turn = 2 * std::numbers::pi_v<float> * uniform.y;
+    float const radius = std::sqrt(uniform.x), turn = 2 * pi * uniform.y;
     return {radius * std::cos(turn), radius * std::sin(turn)};
 }
 

@@ -3,8 +3,6 @@
 #include "surface.hpp"
 #include "view.hpp"
 
-#include <glm/geometric.hpp>
-
 namespace quell::tracer {
 
 /// A point of a surface that was hit at some other frame, as it is at the frame where the scene stands, seen from that frame's camera.

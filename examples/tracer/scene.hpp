@@ -6,8 +6,6 @@
 
 #include <quell/frame/camera.hpp>
 
-#include <glm/vec3.hpp>
-
 #include <concepts>
 #include <functional>
 #include <string>

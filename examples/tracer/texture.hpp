@@ -1,8 +1,6 @@
 #pragma once
 
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
+#include "math.hpp"
 
 #include <functional>
 #include <vector>

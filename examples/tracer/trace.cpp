@@ -1,8 +1,5 @@
 #include "trace.hpp"
-#include "basis.hpp"
 #include "ggx.hpp"
-
-#include <glm/common.hpp>
 
 namespace quell::tracer {
 

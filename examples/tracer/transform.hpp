@@ -1,10 +1,10 @@
 #pragma once
 
+#include "math.hpp"
+
 #include <glm/ext/matrix_transform.hpp>
-#include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <vector>
 

@@ -5,12 +5,6 @@
 
 #include <quell/image/extent.hpp>
 
-#include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-
-#include <cmath>
-
 namespace quell::tracer {
 
 /// A camera at one moment, for rays and for projection. Pixels as everywhere in quell: (0, 0) is the top-left corner, y grows down.

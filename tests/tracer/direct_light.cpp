@@ -1,4 +1,4 @@
-#include <tracer/basis.hpp>
+#include <tracer/math.hpp>
 #include <tracer/emitter.hpp>
 #include <tracer/lighting.hpp>
 #include <tracer/polygon.hpp>

@@ -1,10 +1,8 @@
 #include "model.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 
 namespace quell::tracer::gltf {
 namespace {

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <quell/core/error.hpp>
+#include "../math.hpp"
 
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
+#include <quell/core/error.hpp>
 
 #include <tiny_gltf.h>
 

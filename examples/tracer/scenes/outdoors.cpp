@@ -3,10 +3,6 @@
 #include "../shapes.hpp"
 #include "turn.hpp"
 
-#include <glm/common.hpp>
-
-#include <cmath>
-
 namespace quell::tracer {
 namespace {
 

@@ -9,9 +9,6 @@
 #include "scenes.hpp"
 #include "turn.hpp"
 
-#include <glm/common.hpp>
-
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 #include <vector>

@@ -1,14 +1,8 @@
 #pragma once
 
-#include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
-
-#include <cmath>
-#include <numbers>
+#include "../math.hpp"
 
 namespace quell::tracer {
-
-inline constexpr float pi = std::numbers::pi_v<float>;
 
 /// A rotation around an axis through the origin.
 [[nodiscard]] inline glm::quat turn(float degrees, glm::vec3 axis) { return glm::angleAxis(degrees * pi / 180, glm::normalize(axis)); }
