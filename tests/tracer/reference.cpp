@@ -4,7 +4,6 @@
 #include <tracer/reference.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 
