@@ -17,7 +17,7 @@ struct DemoOptions {
     int frames = 33;
     int threads = 0; ///< 0: all
     std::uint32_t seed = 1;
-    int reference_every = 8;           ///< every so many frames one is compared with a converged reference; 0: none
+    int reference_every = 16;          ///< every so many frames one is compared with a converged reference; 0: none
     double reference_tolerance = 0.02; ///< mean FLIP between the reference's two independent halves
     bool quiet = false, list = false;
 };
