@@ -138,7 +138,7 @@ private:
             for (auto& plotted : report.metrics)
                 if (plotted.name == metric.title) plotted.hint = metric.higher_is_better ? "higher is better" : "lower is better";
         // What a viewer sees comes first.
-        std::ranges::stable_partition(report.metrics, [](auto const& plotted) { return plotted.name == "FLIP"; });
+        std::stable_partition(report.metrics.begin(), report.metrics.end(), [](auto const& plotted) { return plotted.name == "FLIP"; });
     }
 };
 
