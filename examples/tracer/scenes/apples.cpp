@@ -54,7 +54,7 @@ SceneDescription apples() {
     SceneDescription scene;
     scene.place(scene.add(cloth_mesh()), scene.paint(checker({0.8f, 0.77f, 0.7f}, {0.66f, 0.58f, 0.52f}, 12)));
     scene.place(scene.add(rectangle(16, 8, {3, 1.5f})), scene.paint(plaster({0.42f, 0.5f, 0.56f})),
-                {.translation = {0, 3, -4}, .rotation = turn(90, {1, 0, 0})});
+                {.translation = {0, 3, -4}, .rotation = upright});
     add_apples(scene);
     // The light swings over the table from one side to the other; in the middle of its way, at frame 26, it is at its fastest.
     scene.place(scene.add(rectangle(0.7f, 0.7f)), scene.glow({84, 77, 66}), [](float frame) {

@@ -33,8 +33,7 @@ void add_garden(SceneDescription& scene) {
     int const grass = scene.paint(plaster({0.2f, 0.33f, 0.1f}));
     int const wall = scene.paint(bricks({0.62f, 0.48f, 0.36f}, {0.66f, 0.62f, 0.56f}, 8));
     scene.place(scene.add(rectangle(length, 20, {length / 5, 4})), grass, {.translation = {0, 0, -20}});
-    scene.place(scene.add(rectangle(length, 2.6f, {length / 5.2f, 0.5f})), wall,
-                {.translation = {0, 1.3f, -19}, .rotation = turn(90, {1, 0, 0})});
+    scene.place(scene.add(rectangle(length, 2.6f, {length / 5.2f, 0.5f})), wall, {.translation = {0, 1.3f, -19}, .rotation = upright});
     for (int i = 0; i < 44; ++i) {
         float const x = -length / 2 + 4.4f * static_cast<float>(i) + static_cast<float>(i * 7 % 5);
         town.add_tree({x, 0, -14.5f - static_cast<float>(i * 3 % 4)}, 2.6f + 0.5f * static_cast<float>(i * 5 % 6));

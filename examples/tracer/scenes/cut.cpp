@@ -17,7 +17,7 @@ void add_room(SceneDescription& scene, float x, Look const& look) {
     int const plain = scene.paint(look.paint), white = scene.paint(glm::vec3{0.85f});
     add_interior(scene, {{x, 0, 0}, {5, 2.8f, 5}, floor, white, wall, white, plain, plain});
     int const panel = scene.glow(look.light);
-    scene.place(scene.add(rectangle(1, 0.8f)), panel, {.translation = {x + look.lamp_side, 2.76f, 0.2f}, .rotation = turn(180, {1, 0, 0})});
+    scene.place(scene.add(rectangle(1, 0.8f)), panel, {.translation = {x + look.lamp_side, 2.76f, 0.2f}, .rotation = upside_down});
 }
 
 void add_furniture(SceneDescription& scene, float x, Look const& look) {

@@ -4,13 +4,12 @@ namespace quell::tracer {
 namespace {
 
 void add_walls(SceneDescription& scene) {
-    auto const upright = turn(90, {1, 0, 0});
     int const floor = scene.paint(checker({0.72f, 0.68f, 0.6f}, {0.35f, 0.32f, 0.3f}, 12)), white = scene.paint(glm::vec3{0.86f});
     int const back = scene.paint(stripes({0.78f, 0.7f, 0.56f}, {0.4f, 0.5f, 0.6f}, 14));
     int const orange = scene.paint({0.82f, 0.4f, 0.1f}), blue = scene.paint({0.12f, 0.34f, 0.72f});
     int const wide = scene.add(rectangle(5, 5)), wall = scene.add(rectangle(5, 3));
     scene.place(wide, floor);
-    scene.place(wide, white, {.translation = {0, 3, 0}, .rotation = turn(180, {1, 0, 0})});
+    scene.place(wide, white, {.translation = {0, 3, 0}, .rotation = upside_down});
     scene.place(wall, back, {.translation = {0, 1.5f, -1.6f}, .rotation = upright});
     scene.place(wall, white, {.translation = {0, 1.5f, 2.5f}, .rotation = turn(180, {0, 1, 0}) * upright});
     scene.place(wall, orange, {.translation = {-2.5f, 1.5f, 0}, .rotation = turn(90, {0, 1, 0}) * upright});
@@ -55,7 +54,7 @@ SceneDescription disk() {
     // Upright, facing the camera; it starts before the animal and leaves it to the right.
     int const painted = scene.paint(stripes({0.85f, 0.82f, 0.76f}, {0.12f, 0.1f, 0.1f}, 10));
     scene.place(scene.add(moved(cylinder(0.8f, 0.8f, 0.08f, 96), {0, -0.04f, 0})), painted, [](float frame) {
-        return Transform{{0.35f + 0.05f * (frame - 24), 0.82f, 0.35f}, turn(90, {1, 0, 0})}.matrix();
+        return Transform{{0.35f + 0.05f * (frame - 24), 0.82f, 0.35f}, upright}.matrix();
     });
     scene.camera = [](float) { return look_at({0.05f, 1.3f, 2.3f}, {0, 0.85f, -0.6f}, 50); };
     return scene;

@@ -33,7 +33,7 @@ void add_yard(SceneDescription& scene) {
     int const ground = scene.paint(tiles({0.6f, 0.55f, 0.47f}, {0.4f, 0.37f, 0.33f}, 6));
     int const wall = scene.paint(bricks({0.72f, 0.6f, 0.5f}, {0.78f, 0.75f, 0.7f}, 10));
     scene.place(scene.add(rectangle(14, 9.4f, {3.5f, 2.35f})), ground, {.translation = {0, 0, 2}});
-    scene.place(scene.add(rectangle(14, 6, {5.6f, 2.4f})), wall, {.translation = {0, 3, -2.6f}, .rotation = turn(90, {1, 0, 0})});
+    scene.place(scene.add(rectangle(14, 6, {5.6f, 2.4f})), wall, {.translation = {0, 3, -2.6f}, .rotation = upright});
     int const clay = scene.paint({0.66f, 0.34f, 0.2f}), leaf = scene.paint({0.2f, 0.42f, 0.14f});
     int const paint = scene.paint({0.2f, 0.4f, 0.62f}), straw = scene.paint({0.8f, 0.66f, 0.3f});
     int const pot = scene.add(turned({{0, 0}, {0.2f, 0}, {0.3f, 0.42f}, {0.34f, 0.42f}, {0.34f, 0.5f}, {0.28f, 0.5f}, {0, 0.45f}}));

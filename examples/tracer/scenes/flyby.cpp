@@ -17,7 +17,6 @@ Texture mosaic() {
 
 /// An upright mirror in a wooden frame, and a hedge behind it.
 void add_mirror(SceneDescription& scene) {
-    auto const upright = turn(90, {1, 0, 0});
     int const silver = scene.metal(glm::vec3{0.92f, 0.93f, 0.92f}, 0), wood = scene.paint(planks({0.5f, 0.3f, 0.16f}, 6));
     int const hedge = scene.paint(plaster({0.12f, 0.26f, 0.08f}));
     scene.place(scene.add(rectangle(5, 2)), silver, {.translation = {0.3f, 1.3f, -1.8f}, .rotation = upright});

@@ -37,7 +37,7 @@ SceneDescription lens() {
     add_interior(scene, {{0, 0, -2.6f}, {9, 3, 9}, floor, white, brick, green, green, brick});
     add_rows(scene);
     int const panel = scene.glow({30, 27, 23});
-    scene.place(scene.add(rectangle(1.4f, 1.4f)), panel, {.translation = {0.6f, 2.96f, -2.4f}, .rotation = turn(180, {1, 0, 0})});
+    scene.place(scene.add(rectangle(1.4f, 1.4f)), panel, {.translation = {0.6f, 2.96f, -2.4f}, .rotation = upside_down});
     scene.camera = [](float frame) {
         float const x = 0.5f * std::sin(2 * pi * frame / 96);
         auto pose = look_at({x, 1.1f, 0}, {0.4f * x, 0.75f, -3}, 50);

@@ -27,7 +27,7 @@ SceneDescription lightswitch() {
     add_furniture(scene);
     scene.place(scene.add_sphere(), scene.glow({32, 19, 9}), {.translation = {-2, 1.5f, -1.7f}, .scale = glm::vec3{0.16f}});
     Material const overhead{.emission = {30, 29, 27}, .brightness = [](float frame) { return frame < event_frame ? 0.f : 1.f; }};
-    scene.place(scene.add(rectangle(1.2f, 0.8f)), scene.add(overhead), {.translation = {0.8f, 2.76f, 0}, .rotation = turn(180, {1, 0, 0})});
+    scene.place(scene.add(rectangle(1.2f, 0.8f)), scene.add(overhead), {.translation = {0.8f, 2.76f, 0}, .rotation = upside_down});
     scene.camera = [](float) { return look_at({0.3f, 1.5f, 2.2f}, {-0.1f, 0.9f, -1.5f}, 55); };
     return scene;
 }

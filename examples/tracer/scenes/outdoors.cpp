@@ -79,7 +79,6 @@ Town::Town(SceneDescription& scene)
 
 void Town::add_house(glm::vec3 place, float degrees, glm::vec3 size, int style) {
     int const house = town.add_node(fixed({.translation = place, .rotation = turn(degrees, {0, 1, 0})}));
-    auto const upright = turn(90, {1, 0, 0});
     int const facade = facades[static_cast<std::size_t>(style) % facades.size()];
     for (float side : {-1.f, 1.f}) {
         auto const front = turn(side > 0 ? 0.f : 180.f, {0, 1, 0}) * upright, flank = turn(side * 90, {0, 1, 0}) * upright;

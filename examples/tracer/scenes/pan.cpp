@@ -35,8 +35,7 @@ SceneDescription pan() {
     add_surroundings(scene);
     int const panel = scene.glow({34, 31, 27});
     for (float side : {-1.f, 1.f})
-        scene.place(scene.add(rectangle(0.8f, 0.8f)), panel,
-                    {.translation = {side * 1.3f, 2.96f, side * 0.6f}, .rotation = turn(180, {1, 0, 0})});
+        scene.place(scene.add(rectangle(0.8f, 0.8f)), panel, {.translation = {side * 1.3f, 2.96f, side * 0.6f}, .rotation = upside_down});
     scene.camera = [](float frame) {
         float const angle = degrees_per_frame * pi / 180 * std::max(0.f, frame - event_frame + 1);
         return look_at({0, 1.4f, 0}, {std::sin(angle), 1.25f, -std::cos(angle)}, 55);

@@ -28,13 +28,12 @@ SceneDescription pane() {
     add_interior(scene, {{0, 0, -2}, {7, 3, 7}, floor, white, brick, blue, blue, brick});
     add_things(scene);
     int const panel = scene.glow({30, 27, 23});
-    scene.place(scene.add(rectangle(1.2f, 1.2f)), panel, {.translation = {0.4f, 2.96f, -1.4f}, .rotation = turn(180, {1, 0, 0})});
+    scene.place(scene.add(rectangle(1.2f, 1.2f)), panel, {.translation = {0.4f, 2.96f, -1.4f}, .rotation = upside_down});
     int const sheet = scene.add(rectangle(1.5f, 1.6f));
     int const glass = scene.add(Material{.base = glm::vec3{0.9f}, .metallic = 1, .roughness = 0.1f, .coverage = {0.2f}});
     int const veil = scene.add(Material{.base = {0.75f, 0.8f, 0.7f}, .coverage = {0.5f}});
-    auto const upright = turn(90, {1, 0, 0});
     scene.place(sheet, glass, {.translation = {-0.95f, 1.1f, -2.2f}, .rotation = upright});
-    scene.place(sheet, veil, [upright](float frame) {
+    scene.place(sheet, veil, [](float frame) {
         return Transform{{0.95f + 0.35f * std::sin(2 * pi * frame / 48), 1.1f, -2.3f}, upright}.matrix();
     });
     scene.camera = [](float frame) {

@@ -7,7 +7,6 @@ namespace {
 constexpr float degrees_per_frame = 137;
 
 void add_hangar(SceneDescription& scene) {
-    auto const upright = turn(90, {1, 0, 0});
     int const sheets = scene.paint(stripes({0.16f, 0.2f, 0.21f}, {0.08f, 0.11f, 0.12f}, 24));
     int const concrete = scene.paint(tiles({0.24f, 0.23f, 0.21f}, {0.1f, 0.1f, 0.09f}, 4));
     int const steel = scene.paint({0.3f, 0.16f, 0.1f}), pane = scene.paint({0.3f, 0.42f, 0.52f});
@@ -39,7 +38,7 @@ void add_stores(SceneDescription& scene) {
 
 /// It points towards +z, with its propeller at the origin.
 void add_aeroplane(SceneDescription& scene, int parent) {
-    auto const along = turn(90, {1, 0, 0});
+    auto const along = upright;
     int const skin = scene.paint(stripes({0.06f, 0.1f, 0.24f}, {0.5f, 0.08f, 0.05f}, 4));
     int const cloth = scene.paint(planks({0.2f, 0.26f, 0.14f}, 10));
     int const tyre = scene.paint(glm::vec3{0.06f}), metal = scene.paint({0.45f, 0.46f, 0.48f});

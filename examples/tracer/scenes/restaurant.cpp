@@ -14,7 +14,6 @@ void add_walls(SceneDescription& scene) {
 void add_flat_metal(SceneDescription& scene) {
     int const steel = scene.metal(glm::vec3{0.86f, 0.87f, 0.88f}, 0.2f), copper = scene.metal({0.93f, 0.6f, 0.44f}, 0.3f);
     int const brass = scene.metal({0.9f, 0.75f, 0.42f}, 0.15f), wood = scene.paint({0.25f, 0.14f, 0.08f});
-    auto const upright = turn(90, {1, 0, 0});
     int const panel = scene.add(rectangle(1.9f, 1.7f));
     int const metals[]{copper, steel, brass};
     for (int i = 0; i < 3; ++i) {
@@ -72,8 +71,7 @@ SceneDescription restaurant() {
     add_curved_metal(scene);
     add_moving(scene);
     add_waiters(scene);
-    scene.place(scene.add(rectangle(6.6f, 6.6f)), scene.glow({2.7f, 2.4f, 2.05f}),
-                {.translation = {0, 2.98f, 0}, .rotation = turn(180, {1, 0, 0})});
+    scene.place(scene.add(rectangle(6.6f, 6.6f)), scene.glow({2.7f, 2.4f, 2.05f}), {.translation = {0, 2.98f, 0}, .rotation = upside_down});
     scene.camera = [](float) { return look_at({-1, 1.95f, 1.1f}, {0.15f, 1.28f, -2.4f}, 50); };
     return scene;
 }

@@ -10,7 +10,7 @@ void add_yard(SceneDescription& scene) {
     int const ground = scene.paint(tiles({0.55f, 0.5f, 0.44f}, {0.3f, 0.28f, 0.26f}, 6));
     int const wall = scene.paint(bricks({0.56f, 0.36f, 0.28f}, {0.66f, 0.63f, 0.58f}, 12));
     scene.place(scene.add(rectangle(16, 10, {4, 2.5f})), ground, {.translation = {0, 0, 1}});
-    scene.place(scene.add(rectangle(16, 8, {4, 2})), wall, {.translation = {0, 4, -2}, .rotation = turn(90, {1, 0, 0})});
+    scene.place(scene.add(rectangle(16, 8, {4, 2})), wall, {.translation = {0, 4, -2}, .rotation = upright});
     int const pole = scene.add(cylinder(0.05f, 0.05f, 3)), paint = scene.paint({0.8f, 0.78f, 0.7f});
     for (float x : {-3.f, -1.f, 1.2f, 3.1f}) scene.place(pole, paint, {.translation = {x, 0, -1.6f}});
 }

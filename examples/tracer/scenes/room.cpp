@@ -14,7 +14,7 @@ void add_walls(SceneDescription& scene) {
 
 void add_lights(SceneDescription& scene) {
     int const panel = scene.glow({26, 23, 19});
-    scene.place(scene.add(rectangle(1.5f, 0.9f)), panel, {.translation = {0.5f, 2.68f, 0.1f}, .rotation = turn(180, {1, 0, 0})});
+    scene.place(scene.add(rectangle(1.5f, 0.9f)), panel, {.translation = {0.5f, 2.68f, 0.1f}, .rotation = upside_down});
     int const lamp = scene.glow({9, 4.4f, 1.7f});
     scene.place(scene.add_sphere(), lamp, {.translation = {-1.85f, 1.32f, -2.05f}, .scale = glm::vec3{0.17f}});
 }

@@ -5,7 +5,6 @@ namespace {
 
 /// The side of a house: bricks, windows, posters and boxes with flowers. Nothing of it moves.
 void add_wall(SceneDescription& scene) {
-    auto const upright = turn(90, {1, 0, 0});
     int const wall = scene.paint(bricks({0.6f, 0.34f, 0.24f}, {0.68f, 0.64f, 0.58f}, 12));
     int const paint = scene.paint({0.86f, 0.85f, 0.8f}), glass = scene.paint({0.06f, 0.09f, 0.13f});
     int const shutter = scene.paint(stripes({0.1f, 0.32f, 0.24f}, {0.06f, 0.2f, 0.15f}, 16));

@@ -27,7 +27,7 @@ SceneDescription thinshadows() {
     SceneDescription scene;
     int const floor = scene.paint(tiles({0.72f, 0.68f, 0.6f}, {0.6f, 0.56f, 0.5f}, 4)), wall = scene.paint(plaster({0.76f, 0.74f, 0.7f}));
     scene.place(scene.add(rectangle(12, 8, {4, 2.7f})), floor, {.translation = {0, 0, 2}});
-    scene.place(scene.add(rectangle(12, 5, {4, 1.7f})), wall, {.translation = {0, 2.5f, -1.6f}, .rotation = turn(90, {1, 0, 0})});
+    scene.place(scene.add(rectangle(12, 5, {4, 1.7f})), wall, {.translation = {0, 2.5f, -1.6f}, .rotation = upright});
     scene.place(scene.add_sphere(), scene.paint({0.7f, 0.4f, 0.2f}), {.translation = {-1.1f, 0.35f, -0.9f}, .scale = glm::vec3{0.35f}});
     scene.place(scene.add(box({0.7f, 0.5f, 0.5f})), scene.paint({0.3f, 0.45f, 0.6f}),
                 {.translation = {0.9f, 0.25f, -0.9f}, .rotation = turn(20, {0, 1, 0})});
