@@ -11,30 +11,14 @@ struct Ggx {
     float alpha = 0; ///< roughness squared; 0 is a perfect mirror
 
     /// Schlick's Fresnel reflectance, from base * metallic at normal incidence to `metallic` at grazing incidence.
-    [[nodiscard]] glm::vec3 fresnel(float cosine) const {
-        float const x = glm::clamp(1 - cosine, 0.f, 1.f), x2 = x * x;
-        return metallic * (base + (glm::vec3{1.f} - base) * (x2 * x2 * x));
-    }
+    [[nodiscard]] glm::vec3 fresnel(float cosine) const;
     /// Smith's Lambda function.
-    [[nodiscard]] float lambda(glm::vec3 direction) const {
-        float const z2 = direction.z * direction.z, tangent2 = (1 - z2) / glm::max(z2, 1e-12f);
-        return 0.5f * (std::sqrt(1 + alpha * alpha * glm::max(tangent2, 0.f)) - 1);
-    }
+    [[nodiscard]] float lambda(glm::vec3 direction) const;
     /// A microfacet normal among those that are visible from `out` (Heitz 2018, in the form of Dupuy and Benyoub, "Sampling visible
     /// GGX normals with spherical caps", 2023).
-    [[nodiscard]] glm::vec3 sample_normal(glm::vec3 out, glm::vec2 random) const {
-        auto const stretched = glm::normalize(glm::vec3{out.x * alpha, out.y * alpha, out.z});
-        float const turn = 2 * pi * random.x;
-        float const z = (1 - random.y) * (1 + stretched.z) - stretched.z, sine = std::sqrt(glm::max(0.f, 1 - z * z));
-        auto const normal = glm::vec3{sine * std::cos(turn), sine * std::sin(turn), z} + stretched;
-        return glm::normalize(glm::vec3{normal.x * alpha, normal.y * alpha, glm::max(normal.z, 1e-7f)});
-    }
+    [[nodiscard]] glm::vec3 sample_normal(glm::vec3 out, glm::vec2 random) const;
     /// Reflectance times cosine over the density of directions that `sample_normal` leads to: Fresnel times G2 / G1.
-    [[nodiscard]] glm::vec3 weight(glm::vec3 out, glm::vec3 in, glm::vec3 microfacet) const {
-        if (in.z <= 0) return glm::vec3{0.f};
-        float const lambda_out = lambda(out), lambda_in = lambda(in);
-        return fresnel(glm::dot(out, microfacet)) * ((1 + lambda_out) / (1 + lambda_out + lambda_in));
-    }
+    [[nodiscard]] glm::vec3 weight(glm::vec3 out, glm::vec3 in, glm::vec3 microfacet) const;
 };
 
 } // namespace quell::tracer
