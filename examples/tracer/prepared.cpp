@@ -26,6 +26,17 @@ CameraPose between(CameraPose const& a, CameraPose const& b, float part) {
     return {matrix, glm::mix(a.vertical_field_of_view, b.vertical_field_of_view, part), lens};
 }
 
+/// Of a light its places.
+Emitter between(Emitter a, Emitter const& b, float part) {
+    for (std::size_t i = 0; i < a.corners.size(); ++i) {
+        a.corners[i] = between(a.corners[i], b.corners[i], part);
+        a.corners_before[i] = between(a.corners_before[i], b.corners_before[i], part);
+    }
+    a.centre = between(a.centre, b.centre, part);
+    a.centre_before = between(a.centre_before, b.centre_before, part);
+    return a;
+}
+
 /// Interpolates `value_at(i)` over evenly spaced moments.
 template <class ValueAt> auto at_time(std::size_t count, float time, ValueAt const& value_at) {
     if (count == 1) return value_at(std::size_t{0});
@@ -285,19 +296,7 @@ Emitter PreparedScene::emitter_at(EmitterSource const& source, float time) const
 }
 
 Emitter PreparedScene::emitter(std::size_t index, float time) const {
-    if (emitters.size() == 1) return emitters[0][index];
-    float const place = glm::clamp(time, 0.f, 1.f) * static_cast<float>(emitters.size() - 1);
-    auto const first = std::min(static_cast<std::size_t>(place), emitters.size() - 2);
-    float const part = place - static_cast<float>(first);
-    auto result = emitters[first][index];
-    auto const& next = emitters[first + 1][index];
-    for (std::size_t i = 0; i < result.corners.size(); ++i) {
-        result.corners[i] = between(result.corners[i], next.corners[i], part);
-        result.corners_before[i] = between(result.corners_before[i], next.corners_before[i], part);
-    }
-    result.centre = between(result.centre, next.centre, part);
-    result.centre_before = between(result.centre_before, next.centre_before, part);
-    return result;
+    return at_time(emitters.size(), time, [&](std::size_t i) -> Emitter const& { return emitters[i][index]; });
 }
 
 glm::vec3 PreparedScene::emitter_point(std::size_t index, glm::vec3 position, float time, float other) const {
