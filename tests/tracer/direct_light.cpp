@@ -1,6 +1,6 @@
-#include <tracer/math.hpp>
 #include <tracer/emitter.hpp>
 #include <tracer/lighting.hpp>
+#include <tracer/math.hpp>
 #include <tracer/polygon.hpp>
 #include <tracer/sampler.hpp>
 
@@ -13,7 +13,6 @@
 using namespace quell::tracer;
 
 namespace {
-
 
 Emitter rectangle_light(glm::vec3 centre, glm::vec3 half_u, glm::vec3 half_v) {
     Emitter light;
