@@ -1,8 +1,7 @@
 // Renders and denoises on a GPU: the live page's path tracer fills frames in the device's memory, `general` or `trmv` denoises them there,
 // and the host sees the last picture only. nvcc alone builds it:
 //     nvcc -std=c++20 --expt-relaxed-constexpr -arch=sm_80 -Iinclude -Iexamples examples/cuda_host/main.cu -o cuda_host
-//     ./cuda_host [--preset general|trmv] [frames [width height]]      prints times, and writes noisy.png and denoised.png
-#include "png.hpp"
+//     ./cuda_host [--preset general|trmv] [frames [width height]]      prints times, and writes noisy.ppm and denoised.ppm
 #include "renderer.hpp"
 
 #include <live/pictures.hpp>
@@ -14,6 +13,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
 #include <string_view>
 
 namespace {
@@ -37,14 +37,14 @@ struct Mark {
 
 /// @param colour_at gives a pixel's colour
 void write(char const* path, Extent size, auto const& colour_at) {
-    std::vector<unsigned char> rows;
+    std::ofstream file(path, std::ios::binary);
+    file << "P6 " << size.width << ' ' << size.height << " 255\n";
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
             auto const colour = live::packed(live::ToneMap{}(colour_at(x, y)));
-            for (int shift : {0, 8, 16}) rows.push_back(static_cast<unsigned char>(colour >> shift));
+            for (int shift : {0, 8, 16}) file.put(static_cast<char>(colour >> shift));
         }
-    if (!cuda_host::PngFile(path).write(static_cast<unsigned>(size.width), static_cast<unsigned>(size.height), rows))
-        raise_error<Failure>(path, "can't be written", "run it in a folder where you may write");
+    if (!file.flush()) raise_error<Failure>(path, "can't be written", "run it in a folder where you may write");
 }
 
 /// What the host has of the last frame.
@@ -54,15 +54,15 @@ template <class R> void write_pictures(R const& renderer, Extent size, auto cons
     };
     auto const image_of = [&](auto channel) { return download(renderer[channel].view(), cuda); };
     auto const denoised = download(picture, cuda);
-    write("denoised.png", size, of(denoised));
+    write("denoised.ppm", size, of(denoised));
     if constexpr (R::template has<Radiance>) {
         auto const noisy = image_of(radiance);
-        write("noisy.png", size, of(noisy));
+        write("noisy.ppm", size, of(noisy));
     } else {
         auto const direct = image_of(quell::direct), glossy = image_of(quell::glossy);
         auto const albedo = image_of(quell::albedo), indirect = image_of(quell::indirect);
         auto const visibility = image_of(quell::visibility);
-        write("noisy.png", size, [&](int x, int y) {
+        write("noisy.ppm", size, [&](int x, int y) {
             return of(direct)(x, y) * visibility.get(0, x, y) + of(glossy)(x, y) + of(albedo)(x, y) * of(indirect)(x, y);
         });
     }

@@ -2,7 +2,6 @@
 
 #include <live/channels.hpp>
 #include <live/core/scenes.hpp>
-#include <live/matrices.hpp>
 
 #include <quell/quell.hpp>
 

@@ -31,8 +31,9 @@ public:
     Demo(DemoOptions const& options_, std::string const& scene_, std::filesystem::path const& folder_)
         : options(options_), folder(folder_), scene_name(scene_), scene(tracer::open_scene(scene_)),
           // What has no noise but that of time was made to be blurred.
-          blurs(!scene.description().secondary_rays), method(blurs ? motion_blur(options_) : all_effects(options_)), kinds(method->kinds()),
-          means(kinds.size()) {
+          blurs(!scene.description().secondary_rays),
+          method(blurs ? motion_blur(options_.size, options_.threads) : all_effects(options_.size, options_.threads)),
+          kinds(method->kinds()), means(kinds.size()) {
         make_output_folder(folder);
         report.title = "quell: " + std::filesystem::path(scene_).stem().string();
         report.subtitle = to_string(options.size) + ", 1 sample per pixel, " + std::to_string(options.frames) + " frames";
@@ -137,7 +138,7 @@ private:
             for (auto& plotted : report.metrics)
                 if (plotted.name == metric.title) plotted.hint = metric.higher_is_better ? "higher is better" : "lower is better";
         // What a viewer sees comes first.
-        std::ranges::stable_partition(report.metrics, [](auto const& plotted) { return plotted.name == "FLIP"; });
+        std::stable_partition(report.metrics.begin(), report.metrics.end(), [](auto const& plotted) { return plotted.name == "FLIP"; });
     }
 };
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "options.hpp"
-
 #include <quell/metrics/picture.hpp>
 #include <tracer/render.hpp>
 
@@ -29,8 +27,8 @@ public:
 };
 
 /// Shadows, reflections and indirect light, each by its own pipeline.
-[[nodiscard]] std::unique_ptr<DemoMethod> all_effects(DemoOptions const& options);
+[[nodiscard]] std::unique_ptr<DemoMethod> all_effects(Extent size, int threads);
 /// Motion blur, beside what post-processes make of a picture of the middle of the open shutter.
-[[nodiscard]] std::unique_ptr<DemoMethod> motion_blur(DemoOptions const& options);
+[[nodiscard]] std::unique_ptr<DemoMethod> motion_blur(Extent size, int threads);
 
 } // namespace quell::examples

@@ -15,7 +15,7 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
-SOURCES = ["exports", "session", "denoise/general", "denoise/svgf", "denoise/surface_clamp", "denoise/anti_aliasing"]
+SOURCES = ["exports", "denoiser"]
 # xsimd has packs for x86's instructions, of which emscripten makes WebAssembly's. Compiled for threads: both programs are linked of the same.
 COMPILE = ["-std=c++20", "-O3", "-pthread", "-msimd128", "-msse4.1", "-fno-rtti", "-Wall", "-Wextra", "-Werror", "-include", "bit_cast.hpp"]
 LINK = ["-O2", "--no-entry", "-sALLOW_MEMORY_GROWTH"]
@@ -74,7 +74,7 @@ def linked(given, kept):
     environment, folders = environment_for(given, kept)
 
     def compiled(source):
-        made = os.path.join(kept, os.path.basename(source) + ".o")
+        made = os.path.join(kept, source + ".o")
         listed = made[:-1] + "d"
         if needs(made, listed):
             run([given.compiler, *COMPILE, *folders, "-MMD", "-MF", listed, "-c", source + ".cpp", "-o", made], environment)

@@ -21,7 +21,7 @@ struct Page {
         int from, to; ///< the one after the last
     };
     uint32_t const* for_each_pixel(Columns columns, auto&& make) {
-        auto const size = session.extent();
+        auto const size = session.size;
         share_rows(0, size.height, [&](int y0, int y1) {
             for (int y = y0; y < y1; ++y)
                 for (int x = columns.from; x < columns.to; ++x) pixels[static_cast<std::size_t>(y * size.width + x)] = make(x, y);
@@ -56,20 +56,20 @@ void advance(int scene, int preset, int samples, float time, float light, float 
 
 /// Where the frame's samples lie, from the pixels' middles: x and y; then of the frame before.
 QUELL_EXPORT(jitter) float jitter(int which) {
-    auto const at = which < 2 ? page->session.jitter_now() : page->session.jitter_before();
+    auto const at = which < 2 ? page->session.jitter : page->session.jitter_before;
     return which % 2 == 0 ? at.x : at.y;
 }
 
 /// Room for the three components of a picture.
 QUELL_EXPORT(planes) float* planes() {
-    page->planes.resize(static_cast<std::size_t>(3 * page->session.extent().pixels()));
+    page->planes.resize(static_cast<std::size_t>(3 * page->session.size.pixels()));
     return page->planes.data();
 }
 
 /// Puts a component of a channel that was traced there: 0 radiance, 1 albedo, 2 normal, 3 depth, 4 motion.
 QUELL_EXPORT(take_channel) void take_channel(int channel, int component) {
-    auto const& frame = page->session.traced();
-    auto const size = page->session.extent();
+    auto const& frame = page->session.frame;
+    auto const size = page->session.size;
     float* to = planes();
     auto const copy = [&](auto const& image) {
         for (int y = 0; y < size.height; ++y)
@@ -84,8 +84,8 @@ QUELL_EXPORT(take_channel) void take_channel(int channel, int component) {
 
 /// Takes what lies there for the denoised picture.
 QUELL_EXPORT(put_denoised) void put_denoised() {
-    auto const view = page->session.result().view();
-    auto const size = page->session.extent();
+    auto const view = page->session.denoised.view();
+    auto const size = page->session.size;
     float const* from = planes();
     for (int c = 0; c < 3; ++c)
         for (int y = 0; y < size.height; ++y)
@@ -94,8 +94,8 @@ QUELL_EXPORT(put_denoised) void put_denoised() {
 }
 
 QUELL_EXPORT(refine) void refine(int samples) { page->session.refine(samples); }
-QUELL_EXPORT(clear_reference) void clear_reference() { page->session.clear_reference(); }
-QUELL_EXPORT(reference_samples) int reference_samples() { return page->session.reference_samples(); }
+QUELL_EXPORT(clear_reference) void clear_reference() { page->session.reference_samples = 0; }
+QUELL_EXPORT(reference_samples) int reference_samples() { return page->session.reference_samples; }
 
 /// Columns of the noisy, denoised or reference picture, as RGBA of 8 bits; the others are left over.
 QUELL_EXPORT(picture) uint32_t const* picture(int which, float exposure, int from, int to) {
@@ -115,13 +115,13 @@ float square_error(ToneMap const& tone, Picture which, int x, int y) {
 /// A picture's error map: an error of `full` has the last colour.
 QUELL_EXPORT(error_map) uint32_t const* error_map(int which, float exposure, float full) {
     auto const off = [&](int x, int y) { return sqrtf(square_error({exposure}, static_cast<Picture>(which), x, y)); };
-    return page->for_each_pixel({0, page->session.extent().width}, [&](int x, int y) { return packed(error_colour(off(x, y) / full)); });
+    return page->for_each_pixel({0, page->session.size.width}, [&](int x, int y) { return packed(error_colour(off(x, y) / full)); });
 }
 
 /// Root of the mean square error of a picture, as it is shown, 0 to 1.
 QUELL_EXPORT(rmse) float rmse(int which, float exposure) {
     double sum = 0;
-    auto const size = page->session.extent();
+    auto const size = page->session.size;
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) sum += static_cast<double>(square_error({exposure}, static_cast<Picture>(which), x, y));
     return static_cast<float>(std::sqrt(sum / static_cast<double>(size.pixels())));
@@ -129,10 +129,8 @@ QUELL_EXPORT(rmse) float rmse(int which, float exposure) {
 
 QUELL_EXPORT(trace_milliseconds) double trace_milliseconds() { return page->session.trace_seconds * 1e3; }
 QUELL_EXPORT(denoise_milliseconds) double denoise_milliseconds() { return page->session.denoise_seconds * 1e3; }
-QUELL_EXPORT(pass_count) int pass_count() { return static_cast<int>(page->session.pass_times().size()); }
-QUELL_EXPORT(pass_name) char const* pass_name(int i) { return page->session.pass_times()[static_cast<std::size_t>(i)].name; }
-QUELL_EXPORT(pass_milliseconds) double pass_milliseconds(int i) {
-    return page->session.pass_times()[static_cast<std::size_t>(i)].seconds * 1e3;
-}
+QUELL_EXPORT(pass_count) int pass_count() { return static_cast<int>(page->session.times.size()); }
+QUELL_EXPORT(pass_name) char const* pass_name(int i) { return page->session.times[static_cast<std::size_t>(i)].name; }
+QUELL_EXPORT(pass_milliseconds) double pass_milliseconds(int i) { return page->session.times[static_cast<std::size_t>(i)].seconds * 1e3; }
 
 } // namespace quell::live

@@ -1,5 +1,5 @@
 // A program of one thread, which any page may run.
-#include "denoise/denoiser.hpp"
+#include "denoiser.hpp"
 
 extern "C" __attribute__((import_module("page"), import_name("milliseconds"))) double page_milliseconds();
 

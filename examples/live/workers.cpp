@@ -1,7 +1,7 @@
 // A program whose work several threads share: for pages that may have memory that threads share.
 #include "workers.hpp"
 
-#include "denoise/denoiser.hpp"
+#include "denoiser.hpp"
 
 #include <emscripten.h>
 

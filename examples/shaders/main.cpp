@@ -3,7 +3,7 @@
 #include "translation.hpp"
 
 #include <library/recorded_presets.hpp>
-#include <quell/core/error.hpp>
+#include <quell/io/replace_file.hpp>
 #include <quell/shader/write_plan.hpp>
 #include <support/output_folder.hpp>
 #include <support/program.hpp>
@@ -36,13 +36,13 @@ void write_all(ShaderPlan const& plan, Options const& options) {
             shaders::translate(text, file, language);
         } else if (language.needs_glslang) {
             auto const glsl = std::filesystem::path(file).replace_extension("comp");
-            shaders::write_file(glsl, text);
+            io::replace_file(glsl, text);
             shaders::compile_to_spirv(glsl, file);
         } else {
-            shaders::write_file(file, text);
+            io::replace_file(file, text);
         }
     }
-    shaders::write_file(options.out / "plan.json", to_json(plan, language.extension));
+    io::replace_file(options.out / "plan.json", to_json(plan, language.extension));
 }
 
 Extent workgroup_in(std::string const& text) {

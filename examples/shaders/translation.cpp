@@ -1,6 +1,6 @@
 #include "translation.hpp"
 
-#include <quell/core/error.hpp>
+#include <quell/io/replace_file.hpp>
 #include <quell/shader/write_shader.hpp>
 
 #include <algorithm>
@@ -72,7 +72,7 @@ void translate(std::string const& glsl, std::filesystem::path const& to, Languag
     // Metal has no such word: each sum would become a call of a function that is not optimised.
     if (is_metal) replace_all(source, "precise ", "");
     auto const between = to.string() + ".comp", spirv = to.string() + ".spv";
-    write_file(between, source);
+    io::replace_file(between, source);
     compile_to_spirv(between, spirv);
     auto const options = is_metal ? " --msl --msl-version 20000 --msl-decoration-binding" : " --hlsl --shader-model 51";
     run_program("spirv-cross " + in_shell(spirv) + options + " --output " + in_shell(to), to);
@@ -84,12 +84,7 @@ void translate(std::string const& glsl, std::filesystem::path const& to, Languag
     std::ifstream stream(to, std::ios::binary);
     std::string const text(std::istreambuf_iterator<char>(stream), {});
     stream.close();
-    write_file(to, comment + text);
-}
-
-void write_file(std::filesystem::path const& file, std::string const& text) {
-    std::ofstream stream(file, std::ios::binary);
-    if (!(stream << text).flush()) raise_error<Failure>(file.string(), "it can't be written", "check the folder and the space in it");
+    io::replace_file(to, comment + text);
 }
 
 } // namespace quell::shaders

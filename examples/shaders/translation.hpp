@@ -36,8 +36,4 @@ void compile_to_spirv(std::filesystem::path const& glsl, std::filesystem::path c
 /// @throws Failure where a program fails
 void translate(std::string const& glsl, std::filesystem::path const& to, Language const& language);
 
-/// Writes a file.
-/// @throws Failure where that can't be done
-void write_file(std::filesystem::path const& file, std::string const& text);
-
 } // namespace quell::shaders

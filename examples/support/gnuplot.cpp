@@ -1,9 +1,8 @@
 #include "gnuplot.hpp"
 
-#include <quell/core/error.hpp>
+#include <quell/io/replace_file.hpp>
 
 #include <cstdlib>
-#include <fstream>
 
 namespace quell::examples {
 namespace {
@@ -28,10 +27,7 @@ std::string quoted_for_gnuplot(std::string const& text) {
 }
 
 void draw_by_gnuplot(std::filesystem::path const& script, std::string const& text) {
-    std::ofstream out(script, std::ios::binary);
-    out << text;
-    out.close();
-    if (!out) throw Failure(script.string(), "it can't be written", "check that its folder exists and has room");
+    io::replace_file(script, text);
     auto const folder = script.has_parent_path() ? script.parent_path() : std::filesystem::path(".");
     auto const name = quoted_for_shell(script.filename().string()), log = quoted_for_shell(script.filename().string() + ".log");
     auto const command = "cd -- " + quoted_for_shell(folder.string()) + " && gnuplot " + name + " > " + log + " 2>&1 && rm -- " + log;

@@ -2,9 +2,6 @@
 
 #include <quell/core/error.hpp>
 
-#include <glm/matrix.hpp>
-
-#include <cmath>
 #include <cstring>
 #include <string>
 
@@ -112,11 +109,11 @@ void Acceleration::add_alpha_test(Part& part, Shape const& shape, Material const
     rtcSetGeometryOccludedFilterFunction(part.geometry.get(), skip_holes);
 }
 
-void Acceleration::deform(int shape, std::vector<std::vector<glm::vec3>> const& moments) {
+void Acceleration::deform(int shape, std::vector<TriangleMesh> const& moments) {
     for (auto& [key, part] : parts) {
         if (key.first != shape) continue;
         rtcSetGeometryTimeStepCount(part.geometry.get(), static_cast<unsigned>(moments.size()));
-        for (std::size_t i = 0; i < moments.size(); ++i) set_vertices(part.geometry.get(), moments[i], static_cast<unsigned>(i));
+        for (std::size_t i = 0; i < moments.size(); ++i) set_vertices(part.geometry.get(), moments[i].positions, static_cast<unsigned>(i));
         rtcCommitGeometry(part.geometry.get());
         rtcCommitScene(part.scene.get());
     }

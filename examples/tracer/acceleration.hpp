@@ -25,7 +25,7 @@ public:
     explicit Acceleration(SceneDescription const& scene);
 
     /// Vertex positions of a deforming shape at the moments of the open shutter.
-    void deform(int shape, std::vector<std::vector<glm::vec3>> const& moments);
+    void deform(int shape, std::vector<TriangleMesh> const& moments);
     /// Placements of an instance at those moments.
     void place(int instance, std::vector<glm::mat4> const& moments);
     /// To be called once after all changes.

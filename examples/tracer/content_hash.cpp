@@ -1,6 +1,5 @@
 #include "digest.hpp"
 #include "prepared.hpp"
-#include "tied.hpp"
 
 #include <array>
 #include <string>
@@ -27,9 +26,51 @@ public:
         digest.add(values.size());
         for (auto const& value : values) add(value);
     }
-    template <Tied Value> void add(Value const& value) {
-        static_assert(ties_all_members<Value>(), "tie() leaves out a member");
-        std::apply([&](auto const&... members) { (add(members), ...); }, value.tie());
+    // A member that is not named here does not compile.
+    void add(TriangleMesh const& mesh) {
+        auto const& [positions, normals, uvs, triangles] = mesh;
+        add_all(positions, normals, uvs, triangles);
+    }
+    void add(Skin const& skin) {
+        auto const& [joints, inverse_bind, vertex_joints, vertex_weights] = skin;
+        add_all(joints, inverse_bind, vertex_joints, vertex_weights);
+    }
+    void add(Shape const& shape) {
+        auto const& [mesh, deformation, skin, is_sphere] = shape;
+        add_all(mesh, deformation, skin, is_sphere);
+    }
+    void add(Texture::Level const& level) {
+        auto const& [width, height, texels] = level;
+        add_all(width, height, texels);
+    }
+    void add(Texture const& texture) {
+        auto const& [levels, encoding, wrap_u, wrap_v] = texture;
+        add_all(levels, encoding, wrap_u, wrap_v);
+    }
+    void add(Material const& material) {
+        auto const& [base, metallic, roughness, emission, brightness, both_sides, cutoff, texture, metallic_roughness, emitted, coverage] =
+            material;
+        add_all(base, metallic, roughness, emission, brightness, both_sides, cutoff, texture, metallic_roughness, emitted, coverage);
+    }
+    void add(Node const& node) {
+        auto const& [parent, pose] = node;
+        add_all(parent, pose);
+    }
+    void add(SceneInstance const& instance) {
+        auto const& [shape, material, node] = instance;
+        add_all(shape, material, node);
+    }
+    void add(Background const& background) {
+        auto const& [below, above] = background;
+        add_all(below, above);
+    }
+    void add(CameraPose const& pose) {
+        auto const& [world_from_camera, vertical_field_of_view, lens] = pose;
+        add_all(world_from_camera, vertical_field_of_view, lens);
+    }
+    void add(SceneDescription const& scene) {
+        auto const& [name, shapes, textures, materials, nodes, instances, camera, background, indirect_rays, secondary_rays] = scene;
+        add_all(name, shapes, textures, materials, nodes, instances, camera, background, indirect_rays, secondary_rays);
     }
     template <class Value> void add(std::function<Value(float)> const& over_time) {
         add(over_time != nullptr);
@@ -49,6 +90,8 @@ public:
     [[nodiscard]] std::uint64_t value() const { return digest.value(); }
 
 private:
+    void add_all(auto const&... members) { (add(members), ...); }
+
     Digest digest;
     std::vector<float> moments;
 };

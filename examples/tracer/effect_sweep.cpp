@@ -1,8 +1,5 @@
 #include "effect_sweep.hpp"
-#include "plane.hpp"
 #include "revisit.hpp"
-
-#include <cmath>
 
 namespace quell::tracer {
 namespace {

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <glm/mat3x3.hpp>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
+#include "math.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,11 +1,5 @@
 #include "ggx.hpp"
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
-#include <cmath>
-#include <numbers>
-
 namespace quell::tracer {
 
 glm::vec3 Ggx::fresnel(float cosine) const {
@@ -20,7 +14,7 @@ float Ggx::lambda(glm::vec3 direction) const {
 
 glm::vec3 Ggx::sample_normal(glm::vec3 out, glm::vec2 random) const {
     auto const stretched = glm::normalize(glm::vec3{out.x * alpha, out.y * alpha, out.z});
-    float const turn = 2 * std::numbers::pi_v<float> * random.x;
+    float const turn = 2 * pi * random.x;
     float const z = (1 - random.y) * (1 + stretched.z) - stretched.z, sine = std::sqrt(glm::max(0.f, 1 - z * z));
     auto const normal = glm::vec3{sine * std::cos(turn), sine * std::sin(turn), z} + stretched;
     return glm::normalize(glm::vec3{normal.x * alpha, normal.y * alpha, glm::max(normal.z, 1e-7f)});

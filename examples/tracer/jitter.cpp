@@ -1,8 +1,6 @@
 #include "jitter.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace quell::tracer {
 namespace {

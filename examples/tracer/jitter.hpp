@@ -1,6 +1,6 @@
 #pragma once
 
-#include <glm/vec2.hpp>
+#include "math.hpp"
 
 #include <array>
 #include <string_view>

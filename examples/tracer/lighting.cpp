@@ -1,21 +1,11 @@
 #include "lighting.hpp"
-#include "basis.hpp"
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
-#include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace quell::tracer {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
-/// Scattered rays see a blurred world: coarse texels make them less noisy, and they touch less memory.
-constexpr float scattered_footprint = 0.1f;
-
-/// Reflected light at a hit of a path: one light sample, then the next bounce.
+/// Light that a surface reflects, by one light sample.
 glm::vec3 scattered(PreparedScene const& scene, Surface const& surface, PathContext const& path, std::uint32_t depth) {
     auto const point = sample_pair(path.key, SampleUse::second_light_point, depth);
     auto const choice = sample_pair(path.key, SampleUse::second_light_choice, depth).x;
@@ -72,28 +62,15 @@ glm::vec3 cosine_direction(glm::vec3 normal, glm::vec2 random) {
     return glm::normalize(Basis{normal}.world({radius * std::cos(turn), radius * std::sin(turn), std::sqrt(1 - random.x)}));
 }
 
-Incident incident(PreparedScene const& scene, Ray const& first, PathContext const& path, float footprint_angle, bool count_lights) {
-    Incident result;
-    glm::vec3 throughput{1.f};
-    auto ray = first;
-    for (int bounce = 0; bounce < path.bounces; ++bounce) {
-        auto const depth = static_cast<std::uint32_t>(bounce) + (count_lights ? 8u : 0u);
-        if (bounce > 0) ++path.counts->indirect;
-        auto const hit = scene.intersect(ray);
-        if (bounce == 0) result.hit = hit;
-        if (!hit) {
-            result.radiance += throughput * scene.description().background.radiance(ray.direction);
-            break;
-        }
-        auto const surface = surface_at(scene, ray, hit, bounce == 0 ? footprint_angle : scattered_footprint);
-        if (!surface.is_light || (bounce == 0 && count_lights)) result.radiance += throughput * surface.emission;
-        if (surface.is_emitter) break;
-        throughput *= surface.diffuse() + surface.base * surface.metallic;
-        result.radiance += throughput * scattered(scene, surface, path, depth);
-        auto const direction = cosine_direction(surface.normal, sample_pair(path.key, SampleUse::bounce, depth));
-        if (glm::dot(direction, surface.geometric_normal) <= 0) break;
-        ray = {surface.origin(direction), direction, infinity, path.time};
-    }
+Incident incident(PreparedScene const& scene, Ray const& ray, PathContext const& path, float footprint_angle, bool count_lights) {
+    auto const hit = scene.intersect(ray);
+    if (!hit) return {scene.description().background.radiance(ray.direction), hit};
+    auto const surface = surface_at(scene, ray, hit, footprint_angle);
+    Incident result{glm::vec3{0.f}, hit};
+    if (!surface.is_light || count_lights) result.radiance = surface.emission;
+    if (surface.is_emitter) return result;
+    auto const reflectance = surface.diffuse() + surface.base * surface.metallic;
+    result.radiance += reflectance * scattered(scene, surface, path, count_lights ? 8u : 0u);
     return result;
 }
 

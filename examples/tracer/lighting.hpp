@@ -3,8 +3,6 @@
 #include "sampler.hpp"
 #include "surface.hpp"
 
-#include <glm/geometric.hpp>
-
 namespace quell::tracer {
 
 [[nodiscard]] inline float luminance(glm::vec3 colour) { return glm::dot(colour, glm::vec3{0.2126f, 0.7152f, 0.0722f}); }
@@ -33,12 +31,11 @@ struct Lighting {
 struct PathContext {
     SampleKey key;
     float time = 0;
-    int bounces = 1;
     RayCounts* counts;
 };
 
-/// Radiance that comes back along a reflected or scattered ray. Light that is met directly counts only if `count_lights`; what lies beyond
-/// `bounces` is left out. Metal met on the way scatters its light evenly, as an ideally rough one would.
+/// Radiance that comes back along a reflected or scattered ray from the first surface that it meets. Light that is met directly counts only
+/// if `count_lights`. Metal scatters its light evenly, as an ideally rough one would.
 struct Incident {
     glm::vec3 radiance{0.f};
     Hit hit;

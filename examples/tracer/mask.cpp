@@ -1,13 +1,9 @@
 #include "mask.hpp"
 #include "digest.hpp"
-#include "mask_blur.hpp"
 #include "mask_tests.hpp"
 #include "reference_cache.hpp"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace quell::tracer {
@@ -27,35 +23,28 @@ int frames_back(Effect effect) {
     return effect == Effect::indirect ? uncovering : trail;
 }
 
-/// Calls f(x, y) for every pixel, from several threads.
-void for_each_pixel(Extent size, int threads, auto const& f) {
-    tbb::task_arena arena{threads > 0 ? threads : tbb::task_arena::automatic};
+/// Calls f(i, x, y) for every pixel, which is the i-th, from several threads.
+void for_each_pixel(RenderSettings const& settings, auto const& f) {
+    tbb::task_arena arena{settings.threads > 0 ? settings.threads : tbb::task_arena::automatic};
     arena.execute([&] {
-        tbb::parallel_for(0, size.height, [&](int y) {
-            for (int x = 0; x < size.width; ++x) f(x, y);
+        tbb::parallel_for(0, settings.size.height, [&](int y) {
+            auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(settings.size.width);
+            for (int x = 0; x < settings.size.width; ++x) f(i++, x, y);
         });
     });
 }
 
 /// What every pixel sees at the frame of the mask; later steps follow these points back in time.
 struct Seen {
-    Extent size;
-    int threads;
     std::vector<Hit> hits;
     std::vector<Surface> surfaces;
-
-    [[nodiscard]] std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
-    }
-    void for_each_pixel(auto const& f) const { tracer::for_each_pixel(size, threads, f); }
 };
 
 Seen look(PreparedScene const& scene, RenderSettings const& settings) {
     auto const count = static_cast<std::size_t>(settings.size.pixels());
-    Seen seen{settings.size, settings.threads, std::vector<Hit>(count), std::vector<Surface>(count)};
+    Seen seen{std::vector<Hit>(count), std::vector<Surface>(count)};
     View const view{scene.camera(0, When::now), settings.size};
-    seen.for_each_pixel([&](int x, int y) {
-        auto const i = seen.index(x, y);
+    for_each_pixel(settings, [&](std::size_t i, int x, int y) {
         Ray const ray{view.eye(), view.direction({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}), infinity, 0};
         seen.hits[i] = scene.intersect(ray);
         if (seen.hits[i]) seen.surfaces[i] = surface_at(scene, ray, seen.hits[i], view.pixel_angle());
@@ -71,12 +60,11 @@ bool is_touched(Effect effect, int ago, detail::MaskPoint const& point) {
 }
 
 /// Adds the pixels that are touched at the frame where the scene stands.
-void add_touched(PreparedScene const& scene, Seen const& seen, Effect effect, int ago, Mask& mask) {
-    View const view{scene.camera(0, When::now), seen.size}, view_before{scene.camera(0, When::before), seen.size};
-    seen.for_each_pixel([&](int x, int y) {
-        auto const i = seen.index(x, y);
+void add_touched(PreparedScene const& scene, RenderSettings const& settings, Seen const& seen, Effect effect, int ago, Mask& mask) {
+    View const view{scene.camera(0, When::now), settings.size}, view_before{scene.camera(0, When::before), settings.size};
+    for_each_pixel(settings, [&](std::size_t i, int, int) {
         if (mask[i] != 0 || !seen.hits[i] || seen.surfaces[i].is_emitter) return;
-        if (is_touched(effect, ago, {scene, seen.size, view, view_before, seen.hits[i]})) mask[i] = 1;
+        if (is_touched(effect, ago, {scene, settings.size, view, view_before, seen.hits[i]})) mask[i] = 1;
     });
 }
 
@@ -87,36 +75,29 @@ bool turns(Seen const& seen, std::size_t a, std::size_t b) {
     return angle > 0.2f && angle < 30;
 }
 
-bool is_curved(Seen const& seen, int x, int y) {
-    auto const [width, height] = seen.size;
-    auto const i = seen.index(x, y);
-    return (x > 0 && turns(seen, i, seen.index(x - 1, y))) || (x + 1 < width && turns(seen, i, seen.index(x + 1, y))) ||
-           (y > 0 && turns(seen, i, seen.index(x, y - 1))) || (y + 1 < height && turns(seen, i, seen.index(x, y + 1)));
-}
-
-Mask blurred(PreparedScene& scene, RenderSettings const& settings) {
-    scene.move_to(static_cast<float>(settings.frame), settings.shutter, settings.shutter_keys);
-    detail::OpenShutter const shutter{scene, settings.size};
-    Mask mask(static_cast<std::size_t>(settings.size.pixels()));
-    for_each_pixel(settings.size, settings.threads, [&](int x, int y) {
-        auto const i = static_cast<std::size_t>(y) * static_cast<std::size_t>(settings.size.width) + static_cast<std::size_t>(x);
-        mask[i] = shutter.has_motion({x, y}) ? 1 : 0;
-    });
-    return mask;
+bool is_curved(Seen const& seen, Extent size, std::size_t i, int x, int y) {
+    auto const row = static_cast<std::size_t>(size.width);
+    return (x > 0 && turns(seen, i, i - 1)) || (x + 1 < size.width && turns(seen, i, i + 1)) || (y > 0 && turns(seen, i, i - row)) ||
+           (y + 1 < size.height && turns(seen, i, i + row));
 }
 
 Mask computed(PreparedScene& scene, RenderSettings const& settings, Effect effect) {
-    if (effect == Effect::blur) return blurred(scene, settings);
-    scene.move_to(static_cast<float>(settings.frame));
+    bool const is_blur = effect == Effect::blur;
+    Mask mask(static_cast<std::size_t>(settings.size.pixels()));
+    scene.move_to(static_cast<float>(settings.frame), is_blur ? settings.shutter : 0, settings.shutter_keys);
+    if (is_blur) {
+        detail::OpenShutter const shutter{scene, settings.size};
+        for_each_pixel(settings, [&](std::size_t i, int x, int y) { mask[i] = shutter.has_motion({x, y}) ? 1 : 0; });
+        return mask;
+    }
     auto const seen = look(scene, settings);
-    Mask mask(seen.hits.size());
     for (int ago = 0; ago <= frames_back(effect); ++ago) {
         scene.move_to(static_cast<float>(settings.frame - ago));
-        add_touched(scene, seen, effect, ago, mask);
+        add_touched(scene, settings, seen, effect, ago, mask);
     }
     if (effect == Effect::curved)
-        seen.for_each_pixel([&](int x, int y) {
-            if (!is_curved(seen, x, y)) mask[seen.index(x, y)] = 0;
+        for_each_pixel(settings, [&](std::size_t i, int x, int y) {
+            if (!is_curved(seen, settings.size, i, x, y)) mask[i] = 0;
         });
     return mask;
 }
@@ -137,7 +118,7 @@ Mask cached_or_computed(PreparedScene& scene, RenderSettings const& settings, Ef
     detail::ReferenceCache const cache{how.cache, scene.description().name + "-mask-" + name, settings.frame,
                                        key_of(scene, settings, effect)};
     Mask mask;
-    if (auto const found = cache.load(settings.size)) {
+    if (auto const found = cache.load()) {
         for (auto const& pixel : found->pictures.at(name).pixels) mask.push_back(pixel.x > 0 ? 1 : 0);
         return mask;
     }

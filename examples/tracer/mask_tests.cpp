@@ -1,9 +1,7 @@
 #include "mask_tests.hpp"
-#include "plane.hpp"
-#include "trace.hpp"
+#include "effect_sweep.hpp"
 
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
+#include <algorithm>
 
 namespace quell::tracer::detail {
 namespace {
@@ -11,8 +9,10 @@ namespace {
 constexpr int shadow_samples = 32, lobe_samples = 16;
 /// What fewer of the samples find is too faint to see.
 constexpr int min_shadowed = 2, min_reflected = 2;
-/// In pixels per frame: what moves less than that, bilinear history follows well enough.
+/// In pixels, per frame or while the shutter is open: what moves less than that, bilinear history follows well enough, and no blur shows.
 constexpr float min_motion = 0.1f;
+/// A sweep of 60 pixels has one of these times in each of its pixels.
+constexpr int time_count = 64;
 /// Stands for infinitely far away: the motion of its image is the camera's rotation.
 constexpr float far_away = 1e4f;
 
@@ -59,6 +59,8 @@ float reflection_motion(MaskPoint const& point, TangentPlanes const& planes, Sig
 /// The same stratified samples in all pixels: masks have clean edges then instead of noisy ones.
 SampleKey key_of(int sample) { return {glm::ivec2{0}, static_cast<std::uint32_t>(sample), 0}; }
 
+bool is_far(glm::vec2 a, glm::vec2 b) { return !(glm::distance(a, b) < min_motion); } // also behind the camera, where it is NaN
+
 } // namespace
 
 bool has_moving_shadow(MaskPoint const& point) {
@@ -67,7 +69,7 @@ bool has_moving_shadow(MaskPoint const& point) {
     TangentPlanes const planes{point, surface};
     RayCounts counts;
     for (int i = 0, shadowed = 0; i < shadow_samples; ++i) {
-        PathContext const path{key_of(i), 0, 1, &counts};
+        PathContext const path{key_of(i), 0, &counts};
         Signals signals;
         auto const light = sample_lighting(point.scene, surface, 0, sample_pair(path.key, SampleUse::light_point),
                                            sample_pair(path.key, SampleUse::light_choice).x)
@@ -88,7 +90,7 @@ bool has_moving_reflection(MaskPoint const& point) {
     TangentPlanes const planes{point, seen.surface};
     RayCounts counts;
     for (int i = 0, reflected = 0; i < lobe_samples; ++i) {
-        PathContext const path{key_of(i), 0, 1, &counts};
+        PathContext const path{key_of(i), 0, &counts};
         Signals signals;
         trace_glossy(point.scene, seen.surface, -seen.ray.direction, path, 0, false, signals);
         float const motion = reflection_motion(point, planes, signals, glm::reflect(seen.ray.direction, seen.surface.normal));
@@ -99,6 +101,45 @@ bool has_moving_reflection(MaskPoint const& point) {
 
 bool is_hidden(MaskPoint const& point) {
     return !is_seen(point.scene, point.view, point.size, revisit(point.scene, point.view, point.hit));
+}
+
+OpenShutter::OpenShutter(PreparedScene const& scene_, Extent size)
+    : scene(scene_), opening{0, {scene.camera(0, When::now), size}}, middle{0.5f, {scene.camera(0.5f, When::now), size}},
+      closing{1, {scene.camera(1, When::now), size}} {
+    for (int i = 0; i < time_count; ++i) {
+        float const time = (static_cast<float>(i) + 0.5f) / time_count;
+        moments.push_back({time, {scene.camera(time, When::now), size}});
+    }
+}
+
+bool OpenShutter::has_motion(glm::ivec2 pixel) const {
+    return std::ranges::any_of(moments, [&](Moment const& moment) { return has_motion(moment, pixel); });
+}
+
+bool OpenShutter::has_motion(Moment const& moment, glm::ivec2 pixel) const {
+    Ray const ray{moment.view.eye(), moment.view.direction(glm::vec2(pixel) + 0.5f), infinity, moment.time};
+    auto const hit = scene.intersect(ray);
+    auto const place = [&](Moment const& at) {
+        return hit ? at.view.project(scene.point(hit, at.time, When::now)) : at.view.project(ray.direction, 0);
+    };
+    auto const begin = place(opening);
+    // Also in the middle, for what comes back to where it was.
+    return is_far(begin, place(middle)) || is_far(begin, place(closing)) || (hit && has_moving_effect(moment, ray, hit));
+}
+
+bool OpenShutter::has_moving_effect(Moment const& moment, Ray const& ray, Hit const& hit) const {
+    if (!scene.description().secondary_rays) return false;
+    RayCounts counts;
+    PathContext const path{{glm::ivec2{0}, 0, 0}, moment.time, &counts};
+    auto const surface = surface_at(scene, ray, hit, moment.view.pixel_angle());
+    auto const signals =
+        trace_signals<Channels<SweepOf<Visibility>, SweepOf<Glossy>>>(scene, surface, -ray.direction, path, moment.view.pixel_angle());
+    auto const moves = [&](auto const& place) {
+        auto const way = place(ShutterMoment{scene, hit, closing.view, 1}) - place(ShutterMoment{scene, hit, opening.view, 0});
+        return glm::length(way) >= min_motion;
+    };
+    return moves([&](auto const& at) { return shadow_place(at, signals, moment.time); }) ||
+           moves([&](auto const& at) { return reflection_place(at, signals); });
 }
 
 } // namespace quell::tracer::detail

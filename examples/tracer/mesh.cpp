@@ -1,10 +1,5 @@
 #include "mesh.hpp"
-#include "unit_or.hpp"
-
-#include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-
-#include <cmath>
+#include "ray.hpp"
 
 namespace quell::tracer {
 namespace {

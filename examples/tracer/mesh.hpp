@@ -1,12 +1,8 @@
 #pragma once
 
-#include <glm/mat4x4.hpp>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
+#include "math.hpp"
 
 #include <functional>
-#include <tuple>
 #include <vector>
 
 namespace quell::tracer {
@@ -17,12 +13,6 @@ struct TriangleMesh {
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> uvs;
     std::vector<glm::uvec3> triangles;
-
-    /// All members; see tied.hpp.
-    [[nodiscard]] auto tie() const {
-        auto const& [positions, normals, uvs, triangles] = *this;
-        return std::tie(positions, normals, uvs, triangles);
-    }
 };
 
 /// Moves the vertices of a mesh (handed over at rest, without texture coordinates) to where they are at a moment.
@@ -34,12 +24,6 @@ struct Skin {
     std::vector<glm::mat4> inverse_bind;
     std::vector<glm::uvec4> vertex_joints; ///< per vertex: four indices into `joints`
     std::vector<glm::vec4> vertex_weights;
-
-    /// All members; see tied.hpp.
-    [[nodiscard]] auto tie() const {
-        auto const& [joints, inverse_bind, vertex_joints, vertex_weights] = *this;
-        return std::tie(joints, inverse_bind, vertex_joints, vertex_weights);
-    }
 };
 
 /// What an instance shows: a mesh, or the exact sphere of radius 1 around the origin.
@@ -50,12 +34,6 @@ struct Shape {
     bool is_sphere = false;
 
     [[nodiscard]] bool is_deforming() const { return deformation != nullptr || !skin.joints.empty(); }
-
-    /// All members; see tied.hpp.
-    [[nodiscard]] auto tie() const {
-        auto const& [mesh, deformation, skin, is_sphere] = *this;
-        return std::tie(mesh, deformation, skin, is_sphere);
-    }
 };
 
 /// The vertices of a skinned mesh, given each joint's matrix times its inverse bind matrix.

@@ -16,18 +16,14 @@ namespace {
 constexpr int last_frame = 1 << 24;
 constexpr int max_samples = 1 << 20;
 
-/// As it is typed, before it is understood.
-struct Typed {
-    std::string size, jitter;
-    std::vector<float> eye{}, target{}, dolly{};
-    std::optional<float> shutter{};
-};
-
-void describe_output(CLI::App& app, TraceOptions& o, Typed& typed) {
+void describe_output(CLI::App& app, TraceOptions& o) {
     app.add_option("--scene", o.scenes, "A built-in scene's name, a .gltf or .glb file, or all; may be given several times (default: room)")
         ->take_all();
     app.add_option("--out", o.out, "Folder for frame.0000.exr and so on; of several scenes, each gets a folder of its own in there");
-    app.add_option("--size", typed.size, "Pixels (default: " + typed.size + ")")->take_last();
+    app.add_option_function<std::string>(
+           "--size", [&](std::string const& text) { o.rendered.size = examples::size_in(text); },
+           "Pixels (default: " + to_string(o.rendered.size) + ")")
+        ->take_last();
     app.add_option("--frames", o.frames, "How many frames (default: " + std::to_string(o.frames) + ")")
         ->check(CLI::Range(1, 2 * last_frame));
     app.add_option("--first", o.first, "Number of the first frame (default: 0)")->check(CLI::Range(-last_frame, last_frame));
@@ -46,30 +42,28 @@ void describe_output(CLI::App& app, TraceOptions& o, Typed& typed) {
     app.add_flag("--list", o.list, "Print the names of the built-in scenes");
 }
 
-std::vector<std::string> jitter_names() {
-    std::vector<std::string> names;
-    for (auto const jitter : jitters) names.emplace_back(name_of(jitter));
-    return names;
-}
-
-void describe_rendering(CLI::App& app, TraceOptions& o, Typed& typed) {
+void describe_rendering(CLI::App& app, TraceOptions& o) {
     auto& rendered = o.rendered;
+    std::vector<std::string> jitter_names;
+    for (auto const jitter : jitters) jitter_names.emplace_back(name_of(jitter));
     app.add_option("--spp", rendered.samples_per_pixel, "Samples per pixel (default: 1)")->check(CLI::Range(1, max_samples));
     app.add_option(
            "--guide-spp", rendered.guide_samples,
            "Samples per pixel of normal, albedo, roughness and motion, where samples see different points (a lens, a pane, --jitter "
            "pixel): more than --spp, if it is more")
         ->check(CLI::Range(1, max_samples));
-    app.add_option("--jitter", typed.jitter,
-                   "Where primary rays go through the pixel: none (its centre), frame (one offset for all, another in each frame; the "
-                   "camera says it) or pixel (each sample at a place of its own, spread as Cycles' pixel filter) (default: " +
-                       typed.jitter + ")")
+    app.add_option_function<std::string>(
+           "--jitter",
+           [&](std::string const& name) {
+               rendered.jitter = *std::ranges::find(jitters, name, [](Jitter jitter) { return name_of(jitter); });
+           },
+           "Where primary rays go through the pixel: none (its centre), frame (one offset for all, another in each frame; the camera says "
+           "it) or pixel (each sample at a place of its own, spread as Cycles' pixel filter) (default: none)")
         ->take_last()
-        ->check(CLI::IsMember(jitter_names()));
+        ->check(CLI::IsMember(jitter_names));
     app.add_flag("--primary-only", o.primary_only,
                  "Trace no shadows, reflections and indirect light: unshadowed direct light and ambient light");
-    app.add_option("--shutter", typed.shutter,
-                   "Part of the frame time during which the shutter is open (default: 0.5 for blur, otherwise 0)")
+    app.add_option("--shutter", o.shutter, "Part of the frame time during which the shutter is open (default: 0.5 for blur, otherwise 0)")
         ->check(CLI::Range(0.f, 1.f));
     app.add_option("--shutter-keys", rendered.shutter_keys,
                    "Moments of the open shutter between which everything moves in a straight line (default: " +
@@ -79,28 +73,21 @@ void describe_rendering(CLI::App& app, TraceOptions& o, Typed& typed) {
     app.add_option("--seed", rendered.seed, "Another seed, other noise (default: 0)");
 }
 
-void describe_camera(CLI::App& app, CameraChoice& camera, Typed& typed) {
-    app.add_option("--eye", typed.eye, "Where the camera stands: x,y,z")->delimiter(',');
-    app.add_option("--target", typed.target, "What it looks at: x,y,z")->delimiter(',');
+/// An option of three numbers.
+void add_vector(CLI::App& app, std::string const& name, std::string const& text, std::function<void(glm::vec3)> const& take) {
+    auto const understand = [=](std::vector<float> const& numbers) {
+        if (numbers.size() != 3) throw Error(name, std::to_string(numbers.size()) + " numbers", "give three, as in 0,1.5,4");
+        take({numbers[0], numbers[1], numbers[2]});
+    };
+    app.add_option_function<std::vector<float>>(name, understand, text)->delimiter(',');
+}
+
+void describe_camera(CLI::App& app, CameraChoice& camera) {
+    add_vector(app, "--eye", "Where the camera stands: x,y,z", [&](glm::vec3 at) { camera.eye = at; });
+    add_vector(app, "--target", "What it looks at: x,y,z", [&](glm::vec3 at) { camera.target = at; });
     app.add_option("--fov", camera.field_of_view, "Vertical field of view in degrees");
     app.add_option("--orbit", camera.orbit, "Degrees per frame around the target");
-    app.add_option("--dolly", typed.dolly, "Movement of eye and target per frame: x,y,z")->delimiter(',');
-}
-
-std::optional<glm::vec3> vector_in(char const* option, std::vector<float> const& numbers) {
-    if (numbers.empty()) return std::nullopt;
-    if (numbers.size() != 3) throw Error(option, std::to_string(numbers.size()) + " numbers", "give three, as in 0,1.5,4");
-    return glm::vec3(numbers[0], numbers[1], numbers[2]);
-}
-
-void understand(TraceOptions& o, Typed const& typed) {
-    o.rendered.size = examples::size_in(typed.size);
-    for (auto const jitter : jitters)
-        if (typed.jitter == name_of(jitter)) o.rendered.jitter = jitter;
-    o.rendered.shutter = typed.shutter.value_or(o.has(BlurEffect::name) ? 0.5f : 0.f);
-    o.camera.eye = vector_in("--eye", typed.eye);
-    o.camera.target = vector_in("--target", typed.target);
-    o.camera.dolly = vector_in("--dolly", typed.dolly).value_or(glm::vec3(0.f));
+    add_vector(app, "--dolly", "Movement of eye and target per frame: x,y,z", [&](glm::vec3 by) { camera.dolly = by; });
 }
 
 /// What no option can tell of itself.
@@ -127,16 +114,15 @@ bool TraceOptions::has(std::string const& effect) const { return std::ranges::fi
 std::optional<TraceOptions> trace_options(int argc, char const* const* argv) {
     CLI::App app("Renders scenes to sequences of EXR files: noisy signals, guides and converged references.", "quell-trace");
     TraceOptions options;
-    Typed typed{.size = to_string(options.rendered.size), .jitter = std::string(name_of(options.rendered.jitter))};
-    describe_output(app, options, typed);
-    describe_rendering(app, options, typed);
-    describe_camera(app, options.camera, typed);
+    describe_output(app, options);
+    describe_rendering(app, options);
+    describe_camera(app, options.camera);
     if (!examples::parse(app, argc, argv)) return std::nullopt;
     if (options.list) return options;
     if (options.effects.empty()) options.effects = {CompositeEffect::name};
     if (options.scenes.empty()) options.scenes = {"room"};
     if (std::ranges::find(options.scenes, "all") != options.scenes.end()) options.scenes = scene_names();
-    understand(options, typed);
+    options.rendered.shutter = options.shutter.value_or(options.has(BlurEffect::name) ? 0.5f : 0.f);
     check(options);
     return options;
 }

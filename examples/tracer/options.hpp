@@ -15,6 +15,7 @@ struct TraceOptions {
     std::vector<std::string> scenes, effects;
     std::filesystem::path out;
     RenderSettings rendered; ///< but for the frame's number
+    std::optional<float> shutter;
     CameraChoice camera;
     int frames = 48, first = 0;
     int reference = 0; ///< most samples per pixel of converged frames; 0: there are none

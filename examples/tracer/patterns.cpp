@@ -1,11 +1,6 @@
 #include "patterns.hpp"
 #include "sampler.hpp"
 
-#include <glm/common.hpp>
-
-#include <cmath>
-#include <numbers>
-
 namespace quell::tracer {
 namespace {
 
@@ -92,7 +87,7 @@ Texture tiles(glm::vec3 tile, glm::vec3 joint, int count) {
 Texture marble(glm::vec3 stone, glm::vec3 vein) {
     return painted(resolution, resolution, [=](glm::vec2 uv) {
         float const bend = 4 * (fractal_noise(uv, 4, 6) - 0.5f);
-        float const wave = std::abs(std::sin(std::numbers::pi_v<float> * (2 * uv.x + 2 * uv.y + bend)));
+        float const wave = std::abs(std::sin(pi * (2 * uv.x + 2 * uv.y + bend)));
         return glm::mix(vein, stone, std::pow(wave, 0.35f)) * (0.85f + 0.3f * fractal_noise(uv, 16, 4, 3));
     });
 }

@@ -2,8 +2,6 @@
 
 #include "texture.hpp"
 
-#include <glm/vec3.hpp>
-
 #include <cstdint>
 
 namespace quell::tracer {

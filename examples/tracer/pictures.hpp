@@ -1,10 +1,9 @@
 #pragma once
 
+#include "math.hpp"
+
 #include <quell/core/channel.hpp>
 #include <quell/metrics/picture.hpp>
-
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
 
 #include <array>
 #include <cstddef>

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
+#include "math.hpp"
 
 #include <array>
-#include <cmath>
-#include <numbers>
 #include <span>
 
 namespace quell::tracer {
@@ -40,7 +37,7 @@ inline float angle_over_sine(float cosine) {
     float sum = c[8];
     for (std::size_t i = 8; i > 0; --i) sum = sum * t + c[i - 1];
     if (cosine >= 0) return sum;
-    return std::numbers::pi_v<float> / std::sqrt(std::fmax(1 - cosine * cosine, 1e-12f)) - sum;
+    return pi / std::sqrt(std::fmax(1 - cosine * cosine, 1e-12f)) - sum;
 }
 
 /// One edge's part of Lambert's formula, for unit vectors to its ends: the angle that it subtends times the cosine of its plane.

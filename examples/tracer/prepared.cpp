@@ -2,12 +2,7 @@
 
 #include <quell/core/error.hpp>
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-
 #include <algorithm>
-#include <cmath>
 
 namespace quell::tracer {
 namespace {
@@ -29,6 +24,17 @@ CameraPose between(CameraPose const& a, CameraPose const& b, float part) {
     auto const upright = glm::normalize(up - glm::dot(up, back) * back - glm::dot(up, across) * across);
     matrix[0] = glm::vec4(across, 0.f), matrix[1] = glm::vec4(upright, 0.f), matrix[2] = glm::vec4(back, 0.f);
     return {matrix, glm::mix(a.vertical_field_of_view, b.vertical_field_of_view, part), lens};
+}
+
+/// Of a light its places.
+Emitter between(Emitter a, Emitter const& b, float part) {
+    for (std::size_t i = 0; i < a.corners.size(); ++i) {
+        a.corners[i] = between(a.corners[i], b.corners[i], part);
+        a.corners_before[i] = between(a.corners_before[i], b.corners_before[i], part);
+    }
+    a.centre = between(a.centre, b.centre, part);
+    a.centre_before = between(a.centre_before, b.centre_before, part);
+    return a;
 }
 
 /// Interpolates `value_at(i)` over evenly spaced moments.
@@ -90,12 +96,28 @@ CameraPose PreparedScene::camera(float time, When when) const {
     return at_time(moments.size(), time, [&](std::size_t i) { return moments[i]; });
 }
 
+std::vector<float> PreparedScene::moments_before(float earlier) const {
+    if (!(current_shutter > 0)) return {current_frame - earlier};
+    std::vector<float> frames;
+    for (int i = 0; i < current_keys; ++i)
+        frames.push_back(current_frame - earlier + current_shutter * static_cast<float>(i) / static_cast<float>(current_keys - 1));
+    return frames;
+}
+
+/// A function of time at the moments of the open shutter, and one frame earlier.
+auto PreparedScene::at_moments(auto const& value_at) const {
+    Moments<decltype(value_at(0.f))> moments;
+    for (float at : moments_before(0)) moments.now.push_back(value_at(at));
+    for (float at : moments_before(1)) moments.before.push_back(value_at(at));
+    return moments;
+}
+
 void PreparedScene::move_to(float frame, float shutter, int keys) {
     if (frame == current_frame && shutter == current_shutter && keys == current_keys) return;
     current_frame = frame;
     current_shutter = shutter;
     current_keys = keys;
-    place_camera();
+    cameras = at_moments([&](float at) { return usable_camera(at); });
     place_instances();
     deform_shapes();
     acceleration.commit();
@@ -108,14 +130,6 @@ PreparedScene const& PreparedScene::one_frame_earlier() {
     return *earlier;
 }
 
-std::vector<float> PreparedScene::moments_before(float earlier) const {
-    if (!(current_shutter > 0)) return {current_frame - earlier};
-    std::vector<float> frames;
-    for (int i = 0; i < current_keys; ++i)
-        frames.push_back(current_frame - earlier + current_shutter * static_cast<float>(i) / static_cast<float>(current_keys - 1));
-    return frames;
-}
-
 /// Embree aborts the program for a ray that isn't finite.
 CameraPose PreparedScene::usable_camera(float frame) const {
     auto const pose = scene.camera(frame);
@@ -125,32 +139,18 @@ CameraPose PreparedScene::usable_camera(float frame) const {
                 "mend the camera's animation, or give --eye, --target and --fov");
 }
 
-void PreparedScene::place_camera() {
-    cameras = {};
-    for (float frame : moments_before(0)) cameras.now.push_back(usable_camera(frame));
-    for (float frame : moments_before(1)) cameras.before.push_back(usable_camera(frame));
-}
-
 void PreparedScene::place_instances() {
     for (std::size_t i = 0; i < placements.size(); ++i) {
-        auto& placement = placements[i];
-        placement = {};
-        for (float frame : moments_before(0)) placement.now.push_back(scene.node_matrix(scene.instances[i].node, frame));
-        for (float frame : moments_before(1)) placement.before.push_back(scene.node_matrix(scene.instances[i].node, frame));
-        acceleration.place(static_cast<int>(i), placement.now);
+        placements[i] = at_moments([&](float at) { return scene.node_matrix(scene.instances[i].node, at); });
+        acceleration.place(static_cast<int>(i), placements[i].now);
     }
 }
 
 void PreparedScene::deform_shapes() {
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         if (!scene.shapes[i].is_deforming()) continue;
-        auto& deformation = deformations[i];
-        deformation = {};
-        std::vector<std::vector<glm::vec3>> positions;
-        for (float frame : moments_before(0))
-            positions.push_back(deformation.now.emplace_back(scene.vertices_at(scene.shapes[i], frame)).positions);
-        for (float frame : moments_before(1)) deformation.before.push_back(scene.vertices_at(scene.shapes[i], frame));
-        acceleration.deform(static_cast<int>(i), positions);
+        deformations[i] = at_moments([&](float at) { return scene.vertices_at(scene.shapes[i], at); });
+        acceleration.deform(static_cast<int>(i), deformations[i].now);
     }
 }
 
@@ -296,19 +296,7 @@ Emitter PreparedScene::emitter_at(EmitterSource const& source, float time) const
 }
 
 Emitter PreparedScene::emitter(std::size_t index, float time) const {
-    if (emitters.size() == 1) return emitters[0][index];
-    float const place = glm::clamp(time, 0.f, 1.f) * static_cast<float>(emitters.size() - 1);
-    auto const first = std::min(static_cast<std::size_t>(place), emitters.size() - 2);
-    float const part = place - static_cast<float>(first);
-    auto result = emitters[first][index];
-    auto const& next = emitters[first + 1][index];
-    for (std::size_t i = 0; i < result.corners.size(); ++i) {
-        result.corners[i] = between(result.corners[i], next.corners[i], part);
-        result.corners_before[i] = between(result.corners_before[i], next.corners_before[i], part);
-    }
-    result.centre = between(result.centre, next.centre, part);
-    result.centre_before = between(result.centre_before, next.centre_before, part);
-    return result;
+    return at_time(emitters.size(), time, [&](std::size_t i) -> Emitter const& { return emitters[i][index]; });
 }
 
 glm::vec3 PreparedScene::emitter_point(std::size_t index, glm::vec3 position, float time, float other) const {

@@ -73,7 +73,6 @@ public:
     [[nodiscard]] Material const& material(int instance) const;
     [[nodiscard]] float frame() const { return current_frame; }
     [[nodiscard]] float shutter() const { return current_shutter; }
-    [[nodiscard]] int shutter_keys() const { return current_keys; }
     /// The camera at a time of the open shutter, in this frame or the one before.
     [[nodiscard]] CameraPose camera(float time, When when) const;
 
@@ -98,10 +97,10 @@ private:
     void deform_shapes();
     void place_instances();
     [[nodiscard]] CameraPose usable_camera(float frame) const;
-    void place_camera();
     void light_up();
     [[nodiscard]] glm::vec3 mean_emission_texel(int instance, int count, glm::uvec4 corners) const;
     [[nodiscard]] std::vector<float> moments_before(float earlier) const;
+    [[nodiscard]] auto at_moments(auto const& value_at) const;
     [[nodiscard]] glm::vec3 local_vertex(int instance, unsigned vertex, float time, When when) const;
     [[nodiscard]] Emitter emitter_at(EmitterSource const& source, float time) const;
 

@@ -1,13 +1,8 @@
 #pragma once
 
-#include <glm/vec3.hpp>
-
-#include <limits>
+#include "math.hpp"
 
 namespace quell::tracer {
-
-inline constexpr float infinity = std::numeric_limits<float>::infinity();
-inline constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 struct Ray {
     glm::vec3 origin{0.f}, direction{0.f, 0.f, -1.f}; ///< direction of unit length
@@ -37,7 +32,6 @@ struct RayCounts {
         indirect += other.indirect;
         return *this;
     }
-    [[nodiscard]] long long total() const { return primary + shadow + glossy + indirect; }
     friend bool operator==(RayCounts const&, RayCounts const&) = default;
 };
 

@@ -5,7 +5,6 @@
 #include <quell/metrics/flip.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace quell::tracer::detail {
 namespace {
@@ -67,13 +66,13 @@ Reference joined(Half const& first, Half const& second, int samples, double half
 /// it. The scene stands at the frame, and has the shutter and its moments in its hash.
 std::uint64_t key_of(PreparedScene const& scene, RenderSettings const& render_settings, ReferenceSettings const& settings, int min_samples,
                      std::string const& channels) {
-    auto const& [size, frame, samples_per_pixel, guide_samples, seed, threads, shutter, first_sample, bounces, shutter_keys,
-                 stratified_times, frozen_at, jitter] = render_settings;
+    auto const& [size, frame, samples_per_pixel, guide_samples, seed, threads, shutter, first_sample, shutter_keys, stratified_times,
+                 frozen_at, jitter] = render_settings;
     auto const& [tolerance, max_samples, min_samples_of_blur, samples_per_pass, cache, use_cache, progress] = settings;
     Digest key;
     key.add(scene.content_hash());
     key.add(channels);
-    for (int number : {version, size.width, size.height, frame, bounces, max_samples, min_samples, samples_per_pass}) key.add(number);
+    for (int number : {version, size.width, size.height, frame, max_samples, min_samples, samples_per_pass}) key.add(number);
     key.add(seed);
     key.add(tolerance);
     key.add(name_of(jitter));
@@ -106,7 +105,7 @@ Reference cached_or_converged(PreparedScene& scene, RenderSettings const& render
     if (!settings.use_cache) return converged(render_pass, min_samples, settings);
     auto const key = key_of(scene, render_settings, settings, min_samples, channels);
     ReferenceCache const cache{settings.cache, scene.description().name, render_settings.frame, key};
-    if (auto found = cache.load(render_settings.size)) return *found;
+    if (auto found = cache.load()) return *found;
     auto result = converged(render_pass, min_samples, settings);
     cache.store(result);
     return result;

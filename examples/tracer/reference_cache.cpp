@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
+#include <sstream>
 #include <system_error>
 
 namespace quell::tracer::detail {
@@ -25,72 +25,40 @@ std::string file_name(std::string const& scene, int frame, std::uint64_t key) {
     return fmt::format("{}-{}-{:016x}.reference", scene, frame, key);
 }
 
-class Writer {
-public:
-    template <class Value> void put(Value const& value) { put_bytes(&value, sizeof value); }
-    void put(std::string const& text) {
-        put(text.size());
-        put_bytes(text.data(), text.size());
-    }
-    void put_bytes(void const* data, std::size_t size) { bytes.append(static_cast<char const*>(data), size); }
-    std::string bytes;
-};
-
-/// Reads what a Writer wrote; `ok` turns false for good when something is missing.
-class Reader {
-public:
-    explicit Reader(std::string_view bytes_) : bytes(bytes_) {}
-    template <class Value> Value get() {
-        Value value{};
-        get_bytes(&value, sizeof value);
-        return value;
-    }
-    std::string get_text() {
-        auto const size = get<std::size_t>();
-        std::string text(ok && size <= bytes.size() ? size : 0, '\0');
-        get_bytes(text.data(), size);
-        return text;
-    }
-    void get_bytes(void* data, std::size_t size) {
-        ok = ok && size <= bytes.size();
-        if (!ok) return;
-        std::memcpy(data, bytes.data(), size);
-        bytes.remove_prefix(size);
-    }
-    bool ok = true;
-
-private:
-    std::string_view bytes;
-};
-
-std::string serialised(Reference const& reference) {
-    Writer writer;
-    writer.put(reference.samples);
-    writer.put(reference.half_difference);
-    writer.put(reference.pictures.size());
-    for (auto const& [name, picture] : reference.pictures) {
-        writer.put(name);
-        writer.put(picture.size);
-        writer.put_bytes(picture.pixels.data(), picture.pixels.size() * sizeof(glm::vec3));
-    }
-    return std::move(writer.bytes);
+template <class Value> void put(std::ostream& out, Value const& value) { out.write(reinterpret_cast<char const*>(&value), sizeof value); }
+template <class Value> Value get(std::istream& in) {
+    Value value{};
+    in.read(reinterpret_cast<char*>(&value), sizeof value);
+    return value;
 }
 
-std::optional<Reference> parsed(std::string_view bytes, Extent size) {
-    Reader reader{bytes};
+std::string serialised(Reference const& reference) {
+    std::ostringstream out;
+    put(out, reference.samples);
+    put(out, reference.half_difference);
+    put(out, reference.pictures.size());
+    for (auto const& [name, picture] : reference.pictures) {
+        put(out, name.size());
+        out << name;
+        put(out, picture.size);
+        for (auto const& pixel : picture.pixels) put(out, pixel);
+    }
+    return std::move(out).str();
+}
+
+/// What serialised() wrote, all of it.
+Reference parsed(std::istream& in) {
     Reference reference;
-    reference.samples = reader.get<int>();
-    reference.half_difference = reader.get<double>();
-    auto const count = reader.get<std::size_t>();
-    for (std::size_t i = 0; i < count && reader.ok; ++i) {
-        auto const name = reader.get_text();
-        if (reader.get<Extent>() != size) return std::nullopt;
-        metrics::Picture picture{size, std::vector<glm::vec3>(static_cast<std::size_t>(size.pixels()))};
-        reader.get_bytes(picture.pixels.data(), picture.pixels.size() * sizeof(glm::vec3));
+    reference.samples = get<int>(in);
+    reference.half_difference = get<double>(in);
+    for (auto count = get<std::size_t>(in); count > 0; --count) {
+        std::string name(get<std::size_t>(in), '\0');
+        in.read(name.data(), static_cast<std::streamsize>(name.size()));
+        metrics::Picture picture{get<Extent>(in), {}};
+        for (auto left = picture.size.pixels(); left > 0; --left) picture.pixels.push_back(get<glm::vec3>(in));
         reference.pictures.emplace(name, std::move(picture));
     }
-    reference.from_cache = true;
-    return reader.ok ? std::optional{std::move(reference)} : std::nullopt;
+    return reference;
 }
 
 std::uint64_t checksum(std::uint64_t key, std::string_view content) {
@@ -110,27 +78,25 @@ std::string read_file(std::filesystem::path const& path) {
 ReferenceCache::ReferenceCache(std::filesystem::path const& folder, std::string const& scene, int frame, std::uint64_t key_)
     : file((folder.empty() ? default_folder() : folder) / file_name(scene, frame, key_)), key(key_) {}
 
-std::optional<Reference> ReferenceCache::load(Extent size) const {
+std::optional<Reference> ReferenceCache::load() const {
     auto const whole = read_file(file);
-    std::size_t const header = magic.size() + sizeof(std::uint64_t);
+    constexpr std::size_t header = magic.size() + sizeof(std::uint64_t);
     if (whole.size() < header || !whole.starts_with(magic)) return std::nullopt;
-    std::uint64_t stored;
-    std::memcpy(&stored, whole.data() + magic.size(), sizeof stored);
-    auto const content = std::string_view{whole}.substr(header);
-    return stored == checksum(key, content) ? parsed(content, size) : std::nullopt;
+    std::istringstream in{whole.substr(magic.size())};
+    if (get<std::uint64_t>(in) != checksum(key, std::string_view{whole}.substr(header))) return std::nullopt;
+    return parsed(in);
 }
 
 void ReferenceCache::store(Reference const& reference) const {
     std::error_code failed;
     std::filesystem::create_directories(file.parent_path(), failed);
     auto const content = serialised(reference);
-    auto const sum = checksum(key, content);
-    Writer whole;
-    whole.put_bytes(magic.data(), magic.size());
-    whole.put(sum);
-    whole.put_bytes(content.data(), content.size());
+    std::ostringstream whole;
+    whole << magic;
+    put(whole, checksum(key, content));
+    whole << content;
     try {
-        io::replace_file(file, whole.bytes);
+        io::replace_file(file, whole.view());
     } catch (Error const&) { // it is computed again next time
     }
 }

@@ -14,9 +14,8 @@ public:
     /// An empty folder stands for $QUELL_CACHE, else ~/.cache/quell.
     ReferenceCache(std::filesystem::path const& folder, std::string const& scene, int frame, std::uint64_t key);
 
-    [[nodiscard]] std::optional<Reference> load(Extent size) const;
+    [[nodiscard]] std::optional<Reference> load() const;
     void store(Reference const& reference) const;
-    [[nodiscard]] std::filesystem::path const& path() const { return file; }
 
 private:
     std::filesystem::path file;

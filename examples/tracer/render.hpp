@@ -11,9 +11,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <cmath>
 #include <mutex>
-#include <numbers>
 
 namespace quell::tracer {
 
@@ -37,7 +35,7 @@ namespace detail {
 
 /// For two numbers in [0, 1), a point in the unit disk.
 [[nodiscard]] inline glm::vec2 disk_point(glm::vec2 uniform) {
-    float const radius = std::sqrt(uniform.x), turn = 2 * std::numbers::pi_v<float> * uniform.y;
+    float const radius = std::sqrt(uniform.x), turn = 2 * pi * uniform.y;
     return {radius * std::cos(turn), radius * std::sin(turn)};
 }
 
@@ -49,71 +47,51 @@ public:
     /// `earlier`: the scene standing one frame before, where gradients are wanted and there is one.
     PixelRenderer(PreparedScene const& scene_, PreparedScene const* earlier_, RenderSettings const& settings_, S& sink_, RayCounts& counts_)
         : scene(scene_), earlier(earlier_), settings(settings_), sink(sink_), counts(counts_),
-          still(scene_.camera(0, When::now), settings_.size), still_before(scene_.camera(0, When::before), settings_.size),
-          halfway(scene_.camera(0.5f, When::now), settings_.size), closing(scene_.camera(1, When::now), settings_.size) {}
+          still(scene_.camera(0, When::now), settings_.size), halfway(scene_.camera(0.5f, When::now), settings_.size),
+          closing(scene_.camera(1, When::now), settings_.size) {}
 
+    /// Where all samples see the same point, one primary ray serves them. Else each has its own time, place in the pixel or on the lens, or
+    /// goes through what others meet. What says where something is, is the first sample's, as a mean of places is no place; the other
+    /// guides are means only if the samples' places differ.
     void render(int x, int y) {
         x_ = x, y_ = y;
-        if (one_ray_per_pixel(scene, settings))
-            render_at_once();
-        else
-            render_one_by_one();
+        bool const one_ray = one_ray_per_pixel(scene, settings), means = places_differ(scene, settings);
+        Signals mean;
+        MeanGuides guides;
+        Seen seen;
+        glm::vec3 sum{0.f};
+        for (int i = 0; i < settings.samples_per_pixel; ++i) {
+            if (i == 0 || !one_ray) seen = look_for(i, i == 0 || means, guides);
+            auto const signals = signals_of(seen, i);
+            sum += composite(seen, signals);
+            if (i > 0) {
+                add_to_mean(mean, signals, i);
+            } else {
+                mean = signals;
+                put_sweeps(seen, signals);
+            }
+        }
+        // More samples for the guides alone.
+        for (int i = settings.samples_per_pixel; means && i < settings.guide_samples; ++i) look_for(i, true, guides);
+        put_guides(guides.value());
+        put_signals(mean);
+        put(radiance, one_ray ? composite(seen, mean) : sum / static_cast<float>(settings.samples_per_pixel));
     }
 
 private:
-    /// All samples see the same point, and one primary ray serves them.
-    void render_at_once() {
-        auto const seen = look(still, 0, 0);
-        auto const guides = guides_of<Wanted>(scene, seen, still, still_before);
-        put_place(seen, still, guides.previous);
-        put_guides(guides);
-        if constexpr (wants_gradients<Wanted>) put_gradients(seen, still, still_before);
-        Signals mean = signals_of(seen, 0);
-        for (int i = 1; i < settings.samples_per_pixel; ++i) add_to_mean(mean, signals_of(seen, i), i);
-        put_sweeps(seen, mean);
-        put_signals(mean);
-        put(radiance, composite(seen, mean));
-    }
-
-    /// Every sample has its own time, place in the pixel or on the lens, or goes through what others meet: it has its own primary ray. What
-    /// says where something is, is the first sample's, as a mean of places is no place; the other guides are means only if the samples'
-    /// places differ.
-    void render_one_by_one() {
-        Signals mean;
-        MeanGuides guides;
-        glm::vec3 sum{0.f};
-        bool const means = places_differ(scene, settings);
-        for (int i = 0; i < settings.samples_per_pixel; ++i) {
-            float const time = time_of(i);
-            View const view{scene.camera(time, When::now), settings.size};
-            auto const seen = look(view, i, time);
-            if (i == 0 || means) {
-                View const before{scene.camera(time, When::before), settings.size};
-                auto const of_sample = guides_of<Wanted>(scene, seen, view, before);
-                guides.add(of_sample);
-                if (i == 0) {
-                    put_place(seen, view, of_sample.previous);
-                    if constexpr (wants_gradients<Wanted>) put_gradients(seen, view, before);
-                }
-            }
-            auto const signals = signals_of(seen, i);
-            if (i == 0) {
-                mean = signals;
-                put_sweeps(seen, signals);
-            } else {
-                add_to_mean(mean, signals, i);
-            }
-            sum += composite(seen, signals);
-        }
-        // More samples for the guides alone.
-        for (int i = settings.samples_per_pixel; means && i < settings.guide_samples; ++i) {
-            float const time = time_of(i);
-            View const view{scene.camera(time, When::now), settings.size}, before{scene.camera(time, When::before), settings.size};
-            guides.add(guides_of<Wanted>(scene, look(view, i, time), view, before));
-        }
-        put_guides(guides.value());
-        put_signals(mean);
-        put(radiance, sum / static_cast<float>(settings.samples_per_pixel));
+    /// What a sample sees. The first one's place goes to the sink.
+    Seen look_for(int sample, bool adds_guides, MeanGuides& guides) {
+        float const time = time_of(sample);
+        View const view{scene.camera(time, When::now), settings.size};
+        auto const seen = look(view, sample, time);
+        if (!adds_guides) return seen;
+        View const before{scene.camera(time, When::before), settings.size};
+        auto const of_sample = guides_of<Wanted>(scene, seen, view, before);
+        guides.add(of_sample);
+        if (sample > 0) return seen;
+        put_place(seen, view, of_sample.previous);
+        if constexpr (wants_gradients<Wanted>) put_gradients(seen, view, before);
+        return seen;
     }
 
     [[nodiscard]] float time_of(int sample) const {
@@ -156,7 +134,7 @@ private:
 
     Signals signals_of(Seen const& seen, int sample) {
         if (seen.hit) {
-            PathContext const path{key(sample), seen.ray.time, settings.bounces, &counts};
+            PathContext const path{key(sample), seen.ray.time, &counts};
             return trace_signals<Wanted>(scene, seen.surface, -seen.ray.direction, path, still.pixel_angle());
         }
         Signals signals;
@@ -220,7 +198,7 @@ private:
     }
 
     bool shade_in_both_frames(Seen const& seen, View const& view, View const& before) {
-        PathContext const path{key(0, 1), seen.ray.time, settings.bounces, &counts};
+        PathContext const path{key(0, 1), seen.ray.time, &counts};
         TwoFrames const frames{scene, *earlier, view, before, settings.size};
         return shade_twice<Wanted>(
             frames, seen.hit, path, [&](Surface const& a, Signals const& now, Surface const& b, Signals const& then) {
@@ -249,7 +227,7 @@ private:
     RenderSettings const& settings;
     S& sink;
     RayCounts& counts;
-    View still, still_before, halfway, closing; // at the beginning of the open shutter, a frame before, in its middle and at its end
+    View still, halfway, closing; // at the beginning of the open shutter, in its middle and at its end
     int x_ = 0, y_ = 0;
 };
 

@@ -22,7 +22,6 @@ struct RenderSettings {
     int threads = 0;                         ///< 0: as many as the machine has
     float shutter = 0;                       ///< part of the frame time during which the shutter is open; 0: a frozen moment
     int first_sample = 0;                    ///< number of the first sample, to continue an earlier rendering of the same frame
-    int bounces = 1;                         ///< how often indirect light is scattered on its way
     int shutter_keys = default_shutter_keys; ///< moments of the open shutter between which all moves straight: 2 as in MB, more for arcs
     bool stratified_times = true;            ///< false: each sample's time takes no notice of the pixel's others, as in MB
     /// The time of every sample, in [0, 1] over the open shutter: a sharp picture, whose sweeps still last as long as the shutter is open.

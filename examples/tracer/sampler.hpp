@@ -1,6 +1,6 @@
 #pragma once
 
-#include <glm/vec2.hpp>
+#include "math.hpp"
 
 #include <cstdint>
 
@@ -26,8 +26,7 @@ enum class SampleUse : std::uint32_t {
     indirect,
     second_light_point,
     second_light_choice,
-    bounce,
-    pixel_filter,
+    pixel_filter = 8,
     lens,
     see_through
 };
@@ -77,7 +76,7 @@ constexpr float unit_interval(std::uint32_t bits) { return static_cast<float>(bi
 
 } // namespace detail
 
-/// Two numbers in [0, 1) for one use; `depth` tells apart the uses at successive bounces of a path.
+/// Two numbers in [0, 1) for one use; `depth` tells apart the uses by different paths.
 constexpr glm::vec2 sample_pair(SampleKey const& key, SampleUse use, std::uint32_t depth = 0) {
     using namespace detail;
     auto const pixel = combine(static_cast<std::uint32_t>(key.pixel.x), static_cast<std::uint32_t>(key.pixel.y));

@@ -1,13 +1,7 @@
 #include "scene.hpp"
 
-#include <glm/common.hpp>
 #include <glm/ext/matrix_clip_space.hpp>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-#include <glm/trigonometric.hpp>
 
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace quell::tracer {
@@ -75,8 +69,7 @@ bool CameraPose::is_usable() const {
     bool const in_reach = from_origin.x < 1e15f && from_origin.y < 1e15f && from_origin.z < 1e15f;
     bool const looks_somewhere = std::abs(glm::determinant(axes)) > 1e-6f;
     bool const has_usable_lens = lens.radius >= 0 && lens.radius < 1e15f && lens.focus > 0 && lens.focus < 1e15f;
-    return in_reach && looks_somewhere && has_usable_lens && vertical_field_of_view > 1e-6f &&
-           vertical_field_of_view < std::numbers::pi_v<float> - 1e-6f;
+    return in_reach && looks_somewhere && has_usable_lens && vertical_field_of_view > 1e-6f && vertical_field_of_view < pi - 1e-6f;
 }
 
 CameraPose look_at(glm::vec3 eye, glm::vec3 target, float field_of_view, glm::vec3 up) {

@@ -6,12 +6,9 @@
 
 #include <quell/frame/camera.hpp>
 
-#include <glm/vec3.hpp>
-
 #include <concepts>
 #include <functional>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -46,37 +43,17 @@ struct Material {
     int metallic_roughness_texture = -1; ///< roughness in G, metallic in B
     int emission_texture = -1;
     Coverage coverage{};
-
-    /// All members; see tied.hpp.
-    [[nodiscard]] auto tie() const {
-        auto const& [base, metallic, roughness, emission, brightness, emits_both_sides, alpha_cutoff, base_texture,
-                     metallic_roughness_texture, emission_texture, coverage] = *this;
-        return std::tie(base, metallic, roughness, emission, brightness, emits_both_sides, alpha_cutoff, base_texture,
-                        metallic_roughness_texture, emission_texture, coverage);
-    }
 };
 
 /// A coordinate system, perhaps moving, perhaps inside another.
 struct Node {
     int parent = -1;
     Pose pose;
-
-    /// All members; see tied.hpp.
-    [[nodiscard]] auto tie() const {
-        auto const& [parent, pose] = *this;
-        return std::tie(parent, pose);
-    }
 };
 
 struct SceneInstance {
     int shape = 0, material = 0;
     int node = -1; ///< -1: world
-
-    /// All members; see tied.hpp.
-    [[nodiscard]] auto tie() const {
-        auto const& [shape, material, node] = *this;
-        return std::tie(shape, material, node);
-    }
 };
 
 /// Radiance of what lies behind everything: a vertical gradient.
@@ -86,12 +63,6 @@ struct Background {
     [[nodiscard]] glm::vec3 radiance(glm::vec3 direction) const { return below + (above - below) * (0.5f + 0.5f * direction.y); }
     /// Its mean over the hemisphere around a normal, weighted by the cosine: what a surface that nothing stands before receives.
     [[nodiscard]] glm::vec3 ambient(glm::vec3 normal) const { return below + (above - below) * (0.5f + normal.y / 3); }
-
-    /// All members; see tied.hpp.
-    [[nodiscard]] auto tie() const {
-        auto const& [below, above] = *this;
-        return std::tie(below, above);
-    }
 };
 
 /// Where the camera stands at a moment. It looks down its own -z axis, y up.
@@ -102,12 +73,6 @@ struct CameraPose {
 
     /// Whether rays can be sent from it: it is finite, near enough to the origin, looks somewhere, and sees between 0 and 180 degrees.
     [[nodiscard]] bool is_usable() const;
-
-    /// All members; see tied.hpp.
-    [[nodiscard]] auto tie() const {
-        auto const& [world_from_camera, vertical_field_of_view, lens] = *this;
-        return std::tie(world_from_camera, vertical_field_of_view, lens);
-    }
 };
 
 /// A world in y-up coordinates, each part of which is a function of time. Time counts frames: frame i shows time i, and what was
@@ -131,6 +96,12 @@ struct SceneDescription {
     int add(TriangleMesh mesh);
     int add(Texture texture);
     int add(Material material);
+    /// A material that scatters light evenly, in the colours of a texture or in one.
+    int paint(Texture texture) { return add(Material{.base_texture = add(std::move(texture))}); }
+    int paint(glm::vec3 colour) { return add(Material{.base = colour}); }
+    int metal(glm::vec3 colour, float roughness) { return add(Material{.base = colour, .metallic = 1, .roughness = roughness}); }
+    /// One that shines with this radiance.
+    int glow(glm::vec3 radiance) { return add(Material{.emission = radiance}); }
     int add_node(Pose pose, int parent = -1);
     int add_sphere();
     int place(int shape, int material, Transform const& transform = {}, int parent = -1);
@@ -145,12 +116,6 @@ struct SceneDescription {
     /// A shape's vertices at a moment; texture coordinates are left out.
     [[nodiscard]] TriangleMesh vertices_at(Shape const& shape, float frame) const;
     [[nodiscard]] Camera camera_at(float frame, Extent size) const;
-
-    /// All members; see tied.hpp.
-    [[nodiscard]] auto tie() const {
-        auto const& [name, shapes, textures, materials, nodes, instances, camera, background, indirect_rays, secondary_rays] = *this;
-        return std::tie(name, shapes, textures, materials, nodes, instances, camera, background, indirect_rays, secondary_rays);
-    }
 };
 
 /// From a node's space to the world; -1 is the world itself.

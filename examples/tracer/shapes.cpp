@@ -1,16 +1,9 @@
 #include "shapes.hpp"
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
 #include <array>
-#include <cmath>
-#include <numbers>
 
 namespace quell::tracer {
 namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
 
 /// A flat quadrilateral with corners in counter-clockwise order.
 void add_quadrilateral(TriangleMesh& mesh, std::array<glm::vec3, 4> const& corners, glm::vec2 repeats) {

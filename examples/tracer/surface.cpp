@@ -1,12 +1,4 @@
 #include "surface.hpp"
-#include "unit_or.hpp"
-
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-
-#include <cmath>
-#include <numbers>
 
 namespace quell::tracer {
 namespace {
@@ -27,7 +19,6 @@ Geometry sphere_geometry(glm::mat4 const& placement, Hit const& hit) {
     auto const local = hit.coordinates;
     found.position = placement * glm::vec4(local, 1.f);
     found.face = found.shading = turned(placement, local);
-    float const pi = std::numbers::pi_v<float>;
     found.uv = {0.5f + std::atan2(local.x, local.z) / (2 * pi), std::acos(glm::clamp(local.y, -1.f, 1.f)) / pi};
     found.uv_per_length = 1 / (pi * glm::length(glm::vec3(placement[0])));
     return found;

@@ -1,9 +1,6 @@
 #include "texture.hpp"
 
-#include <glm/common.hpp>
-
 #include <array>
-#include <cmath>
 #include <utility>
 
 namespace quell::tracer {

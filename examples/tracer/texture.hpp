@@ -1,11 +1,8 @@
 #pragma once
 
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
+#include "math.hpp"
 
 #include <functional>
-#include <tuple>
 #include <vector>
 
 namespace quell::tracer {
@@ -19,12 +16,6 @@ public:
     struct Level {
         int width = 0, height = 0;
         std::vector<glm::u8vec4> texels;
-
-        /// All members; see tied.hpp.
-        [[nodiscard]] auto tie() const {
-            auto const& [width, height, texels] = *this;
-            return std::tie(width, height, texels);
-        }
     };
 
     Texture() = default;
@@ -33,12 +24,6 @@ public:
     /// Bilinear in the level whose texels are nearest in size to `footprint` (in units of u and v). Row 0 is v = 0, as in glTF.
     [[nodiscard]] glm::vec4 at(glm::vec2 uv, float footprint) const;
     [[nodiscard]] bool empty() const { return levels.empty(); }
-
-    /// All members; see tied.hpp.
-    [[nodiscard]] auto tie() const {
-        auto const& [levels, encoding, wrap_u, wrap_v] = *this;
-        return std::tie(levels, encoding, wrap_u, wrap_v);
-    }
 
     std::vector<Level> levels;
     Encoding encoding = Encoding::srgb;

@@ -5,10 +5,6 @@
 #include <quell/core/channel.hpp>
 #include <quell/frame/channels.hpp>
 
-#include <glm/geometric.hpp>
-
-#include <numbers>
-
 namespace quell::tracer {
 
 /// Which rays a set of channels takes. A channel that nobody wants costs nothing: what it alone would need isn't even compiled.

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "math.hpp"
+
 #include <glm/ext/matrix_transform.hpp>
-#include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -72,23 +72,6 @@ using Pose = std::function<glm::mat4(float frame)>;
 
 inline Pose fixed(Transform const& transform) {
     return [matrix = transform.matrix()](float) { return matrix; };
-}
-
-/// Rigid keyframes: translation and scale interpolate linearly, rotation by slerp.
-struct Keyframe {
-    float frame = 0;
-    Transform transform;
-};
-
-inline Pose moving(std::vector<Keyframe> const& keyframes) {
-    Track<glm::vec3> translation, scale;
-    Track<glm::quat> rotation;
-    for (auto const& [frame, transform] : keyframes) {
-        translation.keys.push_back({frame, transform.translation, {}, {}});
-        rotation.keys.push_back({frame, transform.rotation, {}, {}});
-        scale.keys.push_back({frame, transform.scale, {}, {}});
-    }
-    return [=](float frame) { return Transform{translation.at(frame), rotation.at(frame), scale.at(frame)}.matrix(); };
 }
 
 } // namespace quell::tracer

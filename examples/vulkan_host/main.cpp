@@ -96,7 +96,7 @@ void body(char const* folder, std::vector<Extent> const& sizes) {
             then = frame.camera;
         }
     }
-    std::printf("%s: %.2f ms a frame, of processor time %.0f, of Serial %.0f; %.2g from the CPU\n", device.name.c_str(),
+    std::printf("%s: %.2f ms a frame, of processor time %.0f, of Serial %.0f; %.2g from the CPU\n", device.properties().deviceName.data(),
                 1e3 * seconds / runs, 1e3 * by_shaders / runs, 1e3 * by_serial / runs, static_cast<double>(worst));
     if (!(worst <= 1e-4f))
         raise_error<Failure>("the picture", "it differs from the CPU's by " + std::to_string(worst), "see docs/shaders.md");

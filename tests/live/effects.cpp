@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 #include <live/channels.hpp>
 #include <live/core/scenes.hpp>
-#include <live/matrices.hpp>
 #include <quell/frame/frame.hpp>
 
 #include <glm/geometric.hpp>

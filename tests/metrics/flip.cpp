@@ -1,8 +1,8 @@
 #include "../shared_data.hpp"
 #include "pictures.hpp"
+#include "read_png.hpp"
 
 #include <quell/metrics/flip.hpp>
-#include <support/png.hpp>
 
 using namespace pictures;
 using quell::metrics::flip;
@@ -17,7 +17,7 @@ TEST_CASE("flip: agrees with the reference implementation" * doctest::test_suite
     };
     // From data/flip/README.md.
     for (auto const& expected : {Expected{"a", 0.210938, 0.241502}, Expected{"b", 0.056022, 0.088366}, Expected{"c", 0.239831, 0.335224}}) {
-        auto const read = [&](char const* end) { return quell::examples::read_png(folder / (std::string(expected.name) + end)); };
+        auto const read = [&](char const* end) { return read_png(folder / (std::string(expected.name) + end)); };
         auto const result = flip(read("_ref.png"), read("_test.png"));
         INFO("pair " << expected.name);
         INFO("mean " << result.mean() << ", weighted median " << result.weighted_median());

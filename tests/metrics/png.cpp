@@ -1,5 +1,6 @@
 #include "../temporary_folder.hpp"
 #include "pictures.hpp"
+#include "read_png.hpp"
 
 #include <support/png.hpp>
 
@@ -56,18 +57,8 @@ TEST_CASE("png: a file is replaced by another, not written over") {
 
 TEST_CASE("png: errors name the file") {
     auto const picture = noise({13, 9}, 4);
-    CHECK(refuses([] { (void)read_png("/nowhere/at_all.png"); }, {"/nowhere/at_all.png", "can't be read", "No such file"}));
-    CHECK(refuses([] { (void)read_png("/tmp"); }, {"/tmp", "can't be read"}));
     CHECK(refuses([&] { write_png("/nowhere/at_all.png", picture); }, {"/nowhere/at_all.png", "can't be written", "No such file"}));
     File const file;
-    auto bytes = encode_png(picture);
-    file.hold({bytes.begin(), bytes.begin() + 40});
-    CHECK(refuses([&] { (void)read_png(file.path); }, {file.path.string(), "isn't a PNG file"}));
-    file.hold({'n', 'o', 'n', 'e'});
-    CHECK(refuses([&] { (void)read_png(file.path); }, {file.path.string(), "isn't a PNG file"}));
-    bytes[bytes.size() / 2] ^= 0x10;
-    file.hold(bytes);
-    CHECK(refuses([&] { (void)read_png(file.path); }, {file.path.string(), "isn't a PNG file"}));
     auto broken = picture;
     broken.pixels[14].x = 1.5f;
     CHECK(refuses([&] { write_png(file.path, broken); }, {file.path.string(), "(1, 1)", "1.5"}));

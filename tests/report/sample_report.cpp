@@ -1,35 +1,58 @@
 #include "sample_report.hpp"
 
-#include "sample_picture.hpp"
+#include <quell/metrics/error_map.hpp>
+#include <quell/metrics/rmse.hpp>
+#include <support/png.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
 
 namespace quell::examples::sample {
 
 namespace {
 
-std::vector<unsigned> stops_of(ColorScale const& scale) {
-    std::vector<unsigned> stops;
-    for (std::string const& color : scale.colors) stops.push_back(static_cast<unsigned>(std::stoul(color.substr(1), nullptr, 16)));
-    return stops;
+/// A ball before a chequered floor, which moves with the frame.
+metrics::Picture draw_scene(Extent size, int frame) {
+    metrics::Picture picture{size, {}};
+    auto const height = static_cast<float>(size.height), ball = 0.2f * std::sin(0.5f * static_cast<float>(frame));
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            float const u = (static_cast<float>(x) + 0.5f - static_cast<float>(size.width) / 2) / height;
+            float const v = (static_cast<float>(y) + 0.5f) / height - 0.5f, from_ball = std::hypot(u - ball, v);
+            bool const is_dark = static_cast<int>(std::floor(8 * u) + std::floor(8 * v)) % 2 != 0;
+            glm::vec3 const behind = v > 0.1f ? glm::vec3(is_dark ? 0.28f : 0.72f) : glm::vec3(0.35f, 0.5f, 0.7f) + 0.3f * v;
+            picture.pixels.push_back(from_ball < 0.3f ? glm::vec3(1, 0.55f, 0.32f) * (1 - 2 * from_ball) : behind);
+        }
+    return picture;
 }
 
-void add_frame(Report& report, int width, int height, int number) {
-    Picture const reference = draw_scene(width, height, number);
-    Picture const noisy = add_noise(reference, 0.8, number);
-    Picture const denoised = add_noise(reference, 0.05 + 0.25 * std::exp(-0.5 * number), number + 1000);
+metrics::Picture with_noise(metrics::Picture picture, float strength, unsigned seed) {
+    std::mt19937 random(seed);
+    for (auto& colour : picture.pixels)
+        for (int c = 0; c < 3; ++c) {
+            auto const noise = static_cast<float>(random() >> 8) * 0x1p-23f - 1;
+            colour[c] = std::clamp(colour[c] + strength * noise, 0.f, 1.f);
+        }
+    return picture;
+}
+
+void add_frame(Report& report, Extent size, int number) {
+    auto const seed = static_cast<unsigned>(number);
+    auto const reference = draw_scene(size, number), noisy = with_noise(reference, 0.8f, seed);
+    auto const denoised = with_noise(reference, 0.05f + 0.25f * std::exp(-0.5f * static_cast<float>(number)), seed + 1000);
     ReportFrame& frame = report.frames.emplace_back(ReportFrame{.number = number});
     frame.pictures["noisy"] = encode_png(noisy);
     frame.pictures["denoised"] = encode_png(denoised);
-    for (char const* metric : {"FLIP", "RMSE"}) {
-        double const factor = *metric == 'F' ? 1 : 1.4;
-        report.add_value(metric, "noisy", number, factor * mean_difference(noisy, reference));
-        report.add_value(metric, "denoised", number, factor * mean_difference(denoised, reference));
-    }
+    auto const error = metrics::flip(reference, denoised);
+    report.add_value("FLIP", "noisy", number, metrics::flip(reference, noisy).mean());
+    report.add_value("FLIP", "denoised", number, error.mean());
+    report.add_value("RMSE", "noisy", number, metrics::rmse(reference, noisy));
+    report.add_value("RMSE", "denoised", number, metrics::rmse(reference, denoised));
     if (number % 2 != 0) return;
     frame.pictures["reference"] = encode_png(reference);
-    frame.pictures["FLIP of denoised"] = encode_png(draw_difference(denoised, reference, stops_of(flip_color_scale())));
+    frame.pictures["FLIP of denoised"] = encode_png(metrics::error_map(error));
 }
 
 void add_words(Report& report) {
@@ -50,7 +73,7 @@ Report make_report(int width, int height, int frame_count) {
                     {"denoised", "what quell makes of it"},
                     {"reference", "converged"},
                     {"FLIP of denoised", "where the denoised picture differs from the reference", flip_color_scale()}};
-    for (int i = 0; i < frame_count; ++i) add_frame(report, width, height, i);
+    for (int i = 0; i < frame_count; ++i) add_frame(report, {width, height}, i);
     for (ReportMetric& metric : report.metrics) metric.hint = "lower is better";
     if (!report.metrics.empty()) report.metrics.front().unit = "0 to 1";
     add_words(report);
@@ -59,7 +82,7 @@ Report make_report(int width, int height, int frame_count) {
 
 Report make_bare_report() {
     Report report{.title = "One picture", .kinds = {{"noisy"}}};
-    report.frames.push_back({7, {{"noisy", encode_png(draw_scene(64, 48, 0))}}});
+    report.frames.push_back({7, {{"noisy", encode_png(draw_scene({64, 48}, 0))}}});
     return report;
 }
 

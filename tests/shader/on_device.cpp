@@ -43,7 +43,7 @@ void compare(vulkan::Device const& device, std::filesystem::path const& folder) 
 int main(int argc, char** argv) {
     return examples::exit_code_of("shaders_on_device", [&] {
         vulkan::Device const device;
-        std::printf("%s\n", device.name.c_str());
+        std::printf("%s\n", device.properties().deviceName.data());
         for (int i = 1; i < argc; ++i) compare(device, argv[i]);
     });
 }

@@ -1,6 +1,6 @@
-#include <tracer/basis.hpp>
 #include <tracer/emitter.hpp>
 #include <tracer/lighting.hpp>
+#include <tracer/math.hpp>
 #include <tracer/polygon.hpp>
 #include <tracer/sampler.hpp>
 
@@ -13,8 +13,6 @@
 using namespace quell::tracer;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 Emitter rectangle_light(glm::vec3 centre, glm::vec3 half_u, glm::vec3 half_v) {
     Emitter light;
@@ -57,7 +55,7 @@ double by_direction(Emitter const& light, glm::vec3 position, glm::vec3 normal, 
         float const along = glm::dot(offset, direction), miss2 = glm::dot(offset, offset) - along * along;
         met += along > 0 && miss2 < light.radius * light.radius ? 1 : 0;
     }
-    return pi * met / count;
+    return std::numbers::pi * met / count;
 }
 
 } // namespace
@@ -96,7 +94,7 @@ TEST_CASE("a rectangle below the horizon gives nothing, an unbounded one pi") {
     CHECK(irradiance(below, {0, 0, 0}, up) == 0);
     auto ceiling = rectangle_light({0, 1, 0}, {0, 0, 1e4f}, {1e4f, 0, 0});
     ceiling.both_sides = true;
-    CHECK(irradiance(ceiling, {0, 0, 0}, up) == doctest::Approx(pi).epsilon(1e-3));
+    CHECK(irradiance(ceiling, {0, 0, 0}, up) == doctest::Approx(std::numbers::pi).epsilon(1e-3));
 }
 
 TEST_CASE("irradiance from a sphere equals a sum over directions, above, across and below the horizon") {
@@ -108,7 +106,7 @@ TEST_CASE("irradiance from a sphere equals a sum over directions, above, across 
         auto const light = sphere_light(position + 2.f * basis.world({std::sin(angle), 0, std::cos(angle)}), 0.6f);
         CHECK(irradiance(light, position, up) == doctest::Approx(by_direction(light, position, up, 1 << 19)).epsilon(1e-2).scale(0.01));
     }
-    CHECK(irradiance(sphere_light({0, 0, 0}, 1), {0.1f, 0, 0}, up) == doctest::Approx(pi));
+    CHECK(irradiance(sphere_light({0, 0, 0}, 1), {0.1f, 0, 0}, up) == doctest::Approx(std::numbers::pi));
 }
 
 TEST_CASE("points on lights are distributed as their contribution") {

@@ -3,8 +3,6 @@
 #include <tracer/scenes/scenes.hpp>
 #include <tracer/scenes/turn.hpp>
 
-#include <glm/geometric.hpp>
-
 using namespace quell;
 using namespace quell::tracer;
 

@@ -48,7 +48,7 @@ TEST_CASE("one pixel of each 3x3 has a gradient, another one from frame to frame
 }
 
 TEST_CASE("in a still scene all gradients are exactly 0, and a ninth of the pixels has one") {
-    auto const pictures = pictures_of<Wanted>(lit_corner({}), {.size = size, .frame = 5, .bounces = 2});
+    auto const pictures = pictures_of<Wanted>(lit_corner({}), {.size = size, .frame = 5});
     for_each_signal([&]<class Signal>(Signal) {
         CAPTURE(Signal::name);
         for (auto const& value : pictures[GradientOf<Signal>{}].pixels) CHECK(value.x == 0);

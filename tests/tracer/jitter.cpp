@@ -3,11 +3,7 @@
 
 #include <tracer/reference.hpp>
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <set>
 
 using namespace quell;

@@ -4,10 +4,6 @@
 #include <tracer/trace_frame.hpp>
 #include <tracer/view.hpp>
 
-#include <glm/geometric.hpp>
-
-#include <cmath>
-
 using namespace quell;
 using namespace quell::tracer;
 

@@ -1,7 +1,5 @@
 #include "worlds.hpp"
 
-#include <glm/geometric.hpp>
-
 using namespace quell;
 using namespace quell::tracer;
 
@@ -82,13 +80,4 @@ TEST_CASE("motion of an object that moves and turns is where its own points were
             CHECK(glm::distance(projected(before, was, size) - centre, glm::vec2(pixel(pictures[motion], x, y))) < 2e-3f);
         }
     CHECK(hits > 100);
-}
-
-TEST_CASE("keyframes interpolate linearly and by slerp, and hold their ends") {
-    auto const half_turn = glm::angleAxis(glm::radians(90.f), glm::vec3{0, 0, 1});
-    auto const pose = moving({{0, {}}, {10, {.translation = {4, 0, 0}, .rotation = half_turn}}});
-    CHECK(glm::distance(glm::vec3(pose(2.5f)[3]), glm::vec3{1, 0, 0}) < 1e-6f);
-    CHECK(pose(5)[0].x == doctest::Approx(std::cos(glm::radians(45.f))));
-    CHECK(pose(-3) == pose(0));
-    CHECK(pose(99) == pose(10));
 }

@@ -1,9 +1,5 @@
 #include "worlds.hpp"
 
-#include <glm/geometric.hpp>
-
-#include <limits>
-
 using namespace quell;
 using namespace quell::tracer;
 

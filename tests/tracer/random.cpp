@@ -38,7 +38,7 @@ TEST_CASE("sample pairs of different pixels, uses and seeds are unrelated") {
     for (int x = 0; x < 16; ++x)
         for (int y = 0; y < 16; ++y)
             for (std::uint32_t seed = 0; seed < 4; ++seed)
-                for (auto use : {SampleUse::light_point, SampleUse::glossy, SampleUse::indirect, SampleUse::bounce})
+                for (auto use : {SampleUse::light_point, SampleUse::glossy, SampleUse::indirect, SampleUse::lens})
                     seen.insert(sample_pair({{x, y}, 0, seed}, use).x);
     CHECK(seen.size() >= 4090);
 }

@@ -2,8 +2,6 @@
 
 #include <tracer/ggx.hpp>
 
-#include <glm/geometric.hpp>
-
 using namespace quell;
 using namespace quell::tracer;
 

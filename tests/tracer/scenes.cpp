@@ -4,8 +4,6 @@
 #include <tracer/mask.hpp>
 #include <tracer/scenes/scenes.hpp>
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <set>
 #include <string>

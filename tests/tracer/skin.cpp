@@ -1,7 +1,5 @@
 #include "worlds.hpp"
 
-#include <glm/geometric.hpp>
-
 using namespace quell;
 using namespace quell::tracer;
 

@@ -1,9 +1,5 @@
 #include "worlds.hpp"
 
-#include <glm/geometric.hpp>
-
-#include <numbers>
-
 using namespace quell;
 using namespace quell::tracer;
 

@@ -1,5 +1,6 @@
 #include "gltf.hpp"
 
+#include "../scenes/scenes.hpp"
 #include "parts.hpp"
 
 namespace quell::tracer {
@@ -15,6 +16,14 @@ SceneDescription load_gltf(std::filesystem::path const& path, CameraChoice const
     // The camera first: what stands in for missing light isn't part of what it frames.
     choose_camera(scene, camera);
     gltf::add_default_light(scene);
+    return scene;
+}
+
+SceneDescription open_scene(std::string const& name_or_path, CameraChoice const& camera) {
+    auto const extension = std::filesystem::path{name_or_path}.extension();
+    if (extension == ".gltf" || extension == ".glb") return load_gltf(name_or_path, camera);
+    auto scene = built_in_scene(name_or_path);
+    choose_camera(scene, camera);
     return scene;
 }
 

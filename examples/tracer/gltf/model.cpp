@@ -1,49 +1,27 @@
 #include "model.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 
 namespace quell::tracer::gltf {
 namespace {
 
-template <class Number> double number_at(unsigned char const* bytes) {
+/// @param normalized whether the largest whole number stands for 1
+template <class Number> double number_at(unsigned char const* bytes, bool normalized) {
     Number value;
     std::memcpy(&value, bytes, sizeof value);
-    return static_cast<double>(value);
+    bool const is_part = normalized && std::is_integral_v<Number> && sizeof(Number) < 4;
+    return static_cast<double>(value) / (is_part ? static_cast<double>(std::numeric_limits<Number>::max()) : 1);
 }
 
-double number_of(unsigned char const* bytes, int component_type) {
-    switch (component_type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-        return number_at<std::int8_t>(bytes);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-        return number_at<std::uint8_t>(bytes);
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-        return number_at<std::int16_t>(bytes);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-        return number_at<std::uint16_t>(bytes);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-        return number_at<std::uint32_t>(bytes);
-    default:
-        return number_at<float>(bytes);
-    }
-}
-
-double largest_of(int component_type) {
-    switch (component_type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-        return 127;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-        return 255;
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-        return 32767;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-        return 65535;
-    default:
-        return 1;
-    }
+double number_at(unsigned char const* bytes, int component_type, bool normalized) {
+    if (component_type == TINYGLTF_COMPONENT_TYPE_BYTE) return number_at<std::int8_t>(bytes, normalized);
+    if (component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE) return number_at<std::uint8_t>(bytes, normalized);
+    if (component_type == TINYGLTF_COMPONENT_TYPE_SHORT) return number_at<std::int16_t>(bytes, normalized);
+    if (component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) return number_at<std::uint16_t>(bytes, normalized);
+    if (component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) return number_at<std::uint32_t>(bytes, normalized);
+    return number_at<float>(bytes, normalized);
 }
 
 std::string one_line(std::string text) {
@@ -53,7 +31,29 @@ std::string one_line(std::string text) {
     return text;
 }
 
-bool is_binary(std::filesystem::path const& path) { return path.extension() == ".glb"; }
+/// Whether the chunks of a PNG lie within its bytes. The library that decodes it makes room for as many as a chunk claims, up to 2 GB.
+bool has_whole_chunks(unsigned char const* bytes, std::size_t size) {
+    constexpr std::size_t signature = 8, around = 12; // length, type and checksum of a chunk
+    for (std::size_t at = signature; at + around <= size;) {
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < 4; ++i) length = length << 8 | bytes[at + i];
+        if (length > size - at - around) return false;
+        at += around + length;
+    }
+    return true;
+}
+
+bool load_image(tinygltf::Image* image, int number, std::string* errors, std::string* warnings, int width, int height,
+                unsigned char const* bytes, int size, void*) {
+    auto const count = static_cast<std::size_t>(std::max(size, 0));
+    bool const is_png = count >= 8 && std::equal(bytes, bytes + 8, "\x89PNG\r\n\x1a\n",
+                                                 [](unsigned char a, char b) { return a == static_cast<unsigned char>(b); });
+    if (is_png && !has_whole_chunks(bytes, count)) {
+        *errors += "image " + std::to_string(number) + " is a PNG that is truncated or damaged";
+        return false;
+    }
+    return tinygltf::LoadImageData(image, number, errors, warnings, width, height, bytes, size, nullptr);
+}
 
 } // namespace
 
@@ -75,11 +75,10 @@ Model::Range Model::range(int buffer_view, std::size_t offset, std::size_t count
 std::vector<double> Model::numbers(Range const& range) const {
     auto const components = static_cast<std::size_t>(range.components);
     auto const size = static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(range.component_type)));
-    double const scale = range.normalized ? largest_of(range.component_type) : 1;
     std::vector<double> values(range.count * components);
     for (std::size_t i = 0; i < range.count; ++i)
         for (std::size_t j = 0; j < components; ++j)
-            values[i * components + j] = number_of(range.first + i * range.stride + j * size, range.component_type) / scale;
+            values[i * components + j] = number_at(range.first + i * range.stride + j * size, range.component_type, range.normalized);
     return values;
 }
 
@@ -130,39 +129,14 @@ std::vector<unsigned> Model::indices(int accessor) const {
     return result;
 }
 
-namespace {
-/// Whether the chunks of a PNG lie within its bytes. The library that decodes it makes room for as many as a chunk claims, up to 2 GB.
-bool has_whole_chunks(unsigned char const* bytes, std::size_t size) {
-    constexpr std::size_t signature = 8, around = 12; // length, type and checksum of a chunk
-    for (std::size_t at = signature; at + around <= size;) {
-        std::size_t length = 0;
-        for (std::size_t i = 0; i < 4; ++i) length = length << 8 | bytes[at + i];
-        if (length > size - at - around) return false;
-        at += around + length;
-    }
-    return true;
-}
-bool load_image(tinygltf::Image* image, int number, std::string* errors, std::string* warnings, int width, int height,
-                unsigned char const* bytes, int size, void*) {
-    auto const count = static_cast<std::size_t>(std::max(size, 0));
-    bool const is_png = count >= 8 && std::equal(bytes, bytes + 8, "\x89PNG\r\n\x1a\n",
-                                                 [](unsigned char a, char b) { return a == static_cast<unsigned char>(b); });
-    if (is_png && !has_whole_chunks(bytes, count)) {
-        *errors += "image " + std::to_string(number) + " is a PNG that is truncated or damaged";
-        return false;
-    }
-    return tinygltf::LoadImageData(image, number, errors, warnings, width, height, bytes, size, nullptr);
-}
-} // namespace
-
 Model load_model(std::filesystem::path const& path) {
     Model model{path, {}};
     if (!std::filesystem::is_regular_file(path)) throw model.error("there is no such file", "check the path");
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(load_image, nullptr);
     std::string errors, warnings;
-    bool const loaded = is_binary(path) ? loader.LoadBinaryFromFile(&model.content, &errors, &warnings, path.string())
-                                        : loader.LoadASCIIFromFile(&model.content, &errors, &warnings, path.string());
+    bool const loaded = path.extension() == ".glb" ? loader.LoadBinaryFromFile(&model.content, &errors, &warnings, path.string())
+                                                   : loader.LoadASCIIFromFile(&model.content, &errors, &warnings, path.string());
     if (!loaded)
         throw model.error(errors.empty() ? "it isn't a glTF 2.0 file" : one_line(errors),
                           "put the files that it names beside it, or export it again as glTF 2.0");

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <quell/core/error.hpp>
+#include "../math.hpp"
 
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
+#include <quell/core/error.hpp>
 
 #include <tiny_gltf.h>
 
@@ -30,11 +28,10 @@ struct Model {
     [[nodiscard]] unsigned index(double value) const;
 
     template <class Vector> [[nodiscard]] std::vector<Vector> vectors(int accessor) const {
+        constexpr std::size_t length = Vector::length();
         auto const values = floats(accessor, Vector::length());
-        std::vector<Vector> result(values.size() / static_cast<std::size_t>(Vector::length()));
-        for (std::size_t i = 0; i < values.size(); ++i)
-            result[i / static_cast<std::size_t>(Vector::length())][static_cast<int>(i % static_cast<std::size_t>(Vector::length()))] =
-                values[i];
+        std::vector<Vector> result(values.size() / length);
+        for (std::size_t i = 0; i < values.size(); ++i) result[i / length][static_cast<int>(i % length)] = values[i];
         return result;
     }
 
@@ -52,7 +49,6 @@ private:
         bool normalized;
     };
     [[nodiscard]] Range range(int buffer_view, std::size_t offset, std::size_t count, int component_type, int components) const;
-    [[nodiscard]] Range range(int accessor) const;
     [[nodiscard]] std::vector<double> numbers(Range const& range) const;
     void substitute(tinygltf::Accessor const& accessor, int components, std::vector<double>& values) const;
     [[nodiscard]] std::vector<double> numbers(int accessor, int components) const;

@@ -6,12 +6,7 @@
 
 #include <quell/core/error.hpp>
 
-#include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
-#include <glm/trigonometric.hpp>
-
 #include <algorithm>
-#include <cmath>
 
 namespace quell::tracer {
 namespace {

@@ -1,9 +1,4 @@
-#include "../patterns.hpp"
-#include "../shapes.hpp"
-#include "scenes.hpp"
-#include "turn.hpp"
-
-#include <cmath>
+#include "parts.hpp"
 
 namespace quell::tracer {
 namespace {
@@ -34,8 +29,8 @@ TriangleMesh apple_mesh() {
 
 void add_apples(SceneDescription& scene) {
     int const apple = scene.add(apple_mesh()), stem = scene.add(moved(cylinder(0.035f, 0.05f, 0.55f, 12), {0, 0.4f, 0}));
-    int const red = scene.add(Material{.base = {0.62f, 0.06f, 0.04f}}), green = scene.add(Material{.base = {0.38f, 0.56f, 0.08f}});
-    int const yellow = scene.add(Material{.base = {0.8f, 0.58f, 0.1f}}), wood = scene.add(Material{.base = {0.2f, 0.12f, 0.06f}});
+    int const red = scene.paint({0.62f, 0.06f, 0.04f}), green = scene.paint({0.38f, 0.56f, 0.08f});
+    int const yellow = scene.paint({0.8f, 0.58f, 0.1f}), wood = scene.paint({0.2f, 0.12f, 0.06f});
     struct Place {
         glm::vec2 place;
         float size, tilt;
@@ -49,7 +44,7 @@ void add_apples(SceneDescription& scene) {
         scene.place(apple, material, transform);
         scene.place(stem, wood, transform);
     }
-    int const ceramic = scene.add(Material{.base = {0.86f, 0.86f, 0.82f}});
+    int const ceramic = scene.paint({0.86f, 0.86f, 0.82f});
     scene.place(scene.add_sphere(), ceramic, {.translation = {0.75f, cloth_height(0.75f, 1.35f) + 0.2f, 1.35f}, .scale = glm::vec3{0.24f}});
 }
 
@@ -57,13 +52,12 @@ void add_apples(SceneDescription& scene) {
 
 SceneDescription apples() {
     SceneDescription scene;
-    scene.place(scene.add(cloth_mesh()),
-                scene.add(Material{.base_texture = scene.add(checker({0.8f, 0.77f, 0.7f}, {0.66f, 0.58f, 0.52f}, 12))}));
-    scene.place(scene.add(rectangle(16, 8, {3, 1.5f})), scene.add(Material{.base_texture = scene.add(plaster({0.42f, 0.5f, 0.56f}))}),
-                {.translation = {0, 3, -4}, .rotation = turn(90, {1, 0, 0})});
+    scene.place(scene.add(cloth_mesh()), scene.paint(checker({0.8f, 0.77f, 0.7f}, {0.66f, 0.58f, 0.52f}, 12)));
+    scene.place(scene.add(rectangle(16, 8, {3, 1.5f})), scene.paint(plaster({0.42f, 0.5f, 0.56f})),
+                {.translation = {0, 3, -4}, .rotation = upright});
     add_apples(scene);
     // The light swings over the table from one side to the other; in the middle of its way, at frame 26, it is at its fastest.
-    scene.place(scene.add(rectangle(0.7f, 0.7f)), scene.add(Material{.emission = {84, 77, 66}}), [](float frame) {
+    scene.place(scene.add(rectangle(0.7f, 0.7f)), scene.glow({84, 77, 66}), [](float frame) {
         float const phase = (frame - 26) / 16;
         glm::vec3 const place{2.9f * std::sin(phase), 1.9f + 0.35f * std::cos(phase), 0.5f + 0.9f * std::sin(phase)};
         return Transform{place, facing(-place)}.matrix();

@@ -1,11 +1,4 @@
-#include "../patterns.hpp"
-#include "../shapes.hpp"
-#include "outdoors.hpp"
-#include "scenes.hpp"
-#include "turn.hpp"
-
-#include <cmath>
-#include <vector>
+#include "parts.hpp"
 
 namespace quell::tracer {
 namespace {
@@ -24,11 +17,10 @@ void add_row(SceneDescription& scene, int column, std::vector<int> const& stones
 }
 
 void add_hall(SceneDescription& scene) {
-    int const pale = scene.add(Material{.base_texture = scene.add(marble({0.84f, 0.79f, 0.7f}, {0.5f, 0.43f, 0.36f}))});
-    int const rose = scene.add(Material{.base_texture = scene.add(marble({0.8f, 0.58f, 0.48f}, {0.45f, 0.26f, 0.22f}))});
-    int const green = scene.add(Material{.base_texture = scene.add(marble({0.3f, 0.46f, 0.38f}, {0.75f, 0.76f, 0.7f}))});
-    int const paving = scene.add(Material{.base_texture = scene.add(tiles({0.6f, 0.52f, 0.42f}, {0.22f, 0.2f, 0.18f}, 6))});
-    int const column = scene.add(column_mesh());
+    int const pale = scene.paint(marble({0.84f, 0.79f, 0.7f}, {0.5f, 0.43f, 0.36f}));
+    int const rose = scene.paint(marble({0.8f, 0.58f, 0.48f}, {0.45f, 0.26f, 0.22f}));
+    int const green = scene.paint(marble({0.3f, 0.46f, 0.38f}, {0.75f, 0.76f, 0.7f}));
+    int const paving = scene.paint(tiles({0.6f, 0.52f, 0.42f}, {0.22f, 0.2f, 0.18f}, 6)), column = scene.add(column_mesh());
     add_row(scene, column, {green, rose, pale}, 0, 4.1f);
     add_row(scene, column, {pale}, -3.4f, 3.1f);
     add_row(scene, column, {rose, pale}, -8, 3.3f);
@@ -38,11 +30,10 @@ void add_hall(SceneDescription& scene) {
 
 void add_garden(SceneDescription& scene) {
     Town town{scene};
-    int const grass = scene.add(Material{.base_texture = scene.add(plaster({0.2f, 0.33f, 0.1f}))});
-    int const wall = scene.add(Material{.base_texture = scene.add(bricks({0.62f, 0.48f, 0.36f}, {0.66f, 0.62f, 0.56f}, 8))});
+    int const grass = scene.paint(plaster({0.2f, 0.33f, 0.1f}));
+    int const wall = scene.paint(bricks({0.62f, 0.48f, 0.36f}, {0.66f, 0.62f, 0.56f}, 8));
     scene.place(scene.add(rectangle(length, 20, {length / 5, 4})), grass, {.translation = {0, 0, -20}});
-    scene.place(scene.add(rectangle(length, 2.6f, {length / 5.2f, 0.5f})), wall,
-                {.translation = {0, 1.3f, -19}, .rotation = turn(90, {1, 0, 0})});
+    scene.place(scene.add(rectangle(length, 2.6f, {length / 5.2f, 0.5f})), wall, {.translation = {0, 1.3f, -19}, .rotation = upright});
     for (int i = 0; i < 44; ++i) {
         float const x = -length / 2 + 4.4f * static_cast<float>(i) + static_cast<float>(i * 7 % 5);
         town.add_tree({x, 0, -14.5f - static_cast<float>(i * 3 % 4)}, 2.6f + 0.5f * static_cast<float>(i * 5 % 6));

@@ -1,10 +1,4 @@
-#include "../patterns.hpp"
-#include "../shapes.hpp"
-#include "interior.hpp"
-#include "scenes.hpp"
-#include "turn.hpp"
-
-#include <cmath>
+#include "parts.hpp"
 
 namespace quell::tracer {
 namespace {
@@ -19,17 +13,15 @@ struct Look {
 
 /// Both rooms are alike in shape, so that depth and normals alone don't tell one from the other; light and paint do.
 void add_room(SceneDescription& scene, float x, Look const& look) {
-    auto const paint = [&](Texture texture) { return scene.add(Material{.base_texture = scene.add(std::move(texture))}); };
-    int const floor = paint(planks(look.stripe * 0.7f, 8)), wall = paint(stripes(look.paint, look.stripe, 6));
-    int const plain = scene.add(Material{.base = look.paint}), white = scene.add(Material{.base = glm::vec3{0.85f}});
+    int const floor = scene.paint(planks(look.stripe * 0.7f, 8)), wall = scene.paint(stripes(look.paint, look.stripe, 6));
+    int const plain = scene.paint(look.paint), white = scene.paint(glm::vec3{0.85f});
     add_interior(scene, {{x, 0, 0}, {5, 2.8f, 5}, floor, white, wall, white, plain, plain});
-    int const panel = scene.add(Material{.emission = look.light});
-    scene.place(scene.add(rectangle(1, 0.8f)), panel, {.translation = {x + look.lamp_side, 2.76f, 0.2f}, .rotation = turn(180, {1, 0, 0})});
+    int const panel = scene.glow(look.light);
+    scene.place(scene.add(rectangle(1, 0.8f)), panel, {.translation = {x + look.lamp_side, 2.76f, 0.2f}, .rotation = upside_down});
 }
 
 void add_furniture(SceneDescription& scene, float x, Look const& look) {
-    int const wood = scene.add(Material{.base = look.stripe}),
-              steel = scene.add(Material{.base = {0.9f, 0.88f, 0.84f}, .metallic = 1, .roughness = 0.2f});
+    int const wood = scene.paint(look.stripe), steel = scene.metal({0.9f, 0.88f, 0.84f}, 0.2f);
     int const block = scene.add(box({0.8f, 0.9f, 0.8f})), column = scene.add(cylinder(0.2f, 0.2f, 1.7f));
     float const side = look.lamp_side > 0 ? 1.f : -1.f;
     scene.place(block, wood, {.translation = {x - side * 1.1f, 0.45f, -1.2f}, .rotation = turn(side * 25, {0, 1, 0})});

@@ -1,20 +1,15 @@
-#include "../patterns.hpp"
-#include "../shapes.hpp"
-#include "scenes.hpp"
-#include "turn.hpp"
+#include "parts.hpp"
 
 namespace quell::tracer {
 namespace {
 
 void add_walls(SceneDescription& scene) {
-    auto const upright = turn(90, {1, 0, 0});
-    int const floor = scene.add(Material{.base_texture = scene.add(checker({0.72f, 0.68f, 0.6f}, {0.35f, 0.32f, 0.3f}, 12))});
-    int const white = scene.add(Material{.base = glm::vec3{0.86f}});
-    int const back = scene.add(Material{.base_texture = scene.add(stripes({0.78f, 0.7f, 0.56f}, {0.4f, 0.5f, 0.6f}, 14))});
-    int const orange = scene.add(Material{.base = {0.82f, 0.4f, 0.1f}}), blue = scene.add(Material{.base = {0.12f, 0.34f, 0.72f}});
+    int const floor = scene.paint(checker({0.72f, 0.68f, 0.6f}, {0.35f, 0.32f, 0.3f}, 12)), white = scene.paint(glm::vec3{0.86f});
+    int const back = scene.paint(stripes({0.78f, 0.7f, 0.56f}, {0.4f, 0.5f, 0.6f}, 14));
+    int const orange = scene.paint({0.82f, 0.4f, 0.1f}), blue = scene.paint({0.12f, 0.34f, 0.72f});
     int const wide = scene.add(rectangle(5, 5)), wall = scene.add(rectangle(5, 3));
     scene.place(wide, floor);
-    scene.place(wide, white, {.translation = {0, 3, 0}, .rotation = turn(180, {1, 0, 0})});
+    scene.place(wide, white, {.translation = {0, 3, 0}, .rotation = upside_down});
     scene.place(wall, back, {.translation = {0, 1.5f, -1.6f}, .rotation = upright});
     scene.place(wall, white, {.translation = {0, 1.5f, 2.5f}, .rotation = turn(180, {0, 1, 0}) * upright});
     scene.place(wall, orange, {.translation = {-2.5f, 1.5f, 0}, .rotation = turn(90, {0, 1, 0}) * upright});
@@ -23,8 +18,8 @@ void add_walls(SceneDescription& scene) {
 
 /// An animal with long ears, all of it ellipsoids.
 void add_bunny(SceneDescription& scene) {
-    int const fur = scene.add(Material{.base = {0.78f, 0.72f, 0.64f}}), nose = scene.add(Material{.base = {0.7f, 0.3f, 0.3f}});
-    int const eye = scene.add(Material{.base = glm::vec3{0.03f}}), ball = scene.add_sphere();
+    int const fur = scene.paint({0.78f, 0.72f, 0.64f}), nose = scene.paint({0.7f, 0.3f, 0.3f});
+    int const eye = scene.paint(glm::vec3{0.03f}), ball = scene.add_sphere();
     struct Part {
         int material;
         glm::vec3 centre, radii;
@@ -41,8 +36,8 @@ void add_bunny(SceneDescription& scene) {
 
 /// Both lights shine away from what the camera sees.
 void add_lights(SceneDescription& scene) {
-    int const warm = scene.add(Material{.emission = {84, 72, 57}}), dish = scene.add(rectangle(0.8f, 0.8f));
-    int const shade = scene.add(Material{.base = {0.3f, 0.3f, 0.32f}}), plate = scene.add(box({0.9f, 0.05f, 0.9f}));
+    int const warm = scene.glow({84, 72, 57}), dish = scene.add(rectangle(0.8f, 0.8f));
+    int const shade = scene.paint({0.3f, 0.3f, 0.32f}), plate = scene.add(box({0.9f, 0.05f, 0.9f}));
     for (float side : {-1.f, 1.f}) {
         scene.place(dish, warm, {.translation = {side * 1.95f, 2.14f, 0.7f}});
         scene.place(plate, shade, {.translation = {side * 1.95f, 2.1f, 0.7f}});
@@ -57,9 +52,9 @@ SceneDescription disk() {
     add_bunny(scene);
     add_lights(scene);
     // Upright, facing the camera; it starts before the animal and leaves it to the right.
-    int const painted = scene.add(Material{.base_texture = scene.add(stripes({0.85f, 0.82f, 0.76f}, {0.12f, 0.1f, 0.1f}, 10))});
+    int const painted = scene.paint(stripes({0.85f, 0.82f, 0.76f}, {0.12f, 0.1f, 0.1f}, 10));
     scene.place(scene.add(moved(cylinder(0.8f, 0.8f, 0.08f, 96), {0, -0.04f, 0})), painted, [](float frame) {
-        return Transform{{0.35f + 0.05f * (frame - 24), 0.82f, 0.35f}, turn(90, {1, 0, 0})}.matrix();
+        return Transform{{0.35f + 0.05f * (frame - 24), 0.82f, 0.35f}, upright}.matrix();
     });
     scene.camera = [](float) { return look_at({0.05f, 1.3f, 2.3f}, {0, 0.85f, -0.6f}, 50); };
     return scene;

@@ -1,9 +1,4 @@
-#include "../patterns.hpp"
-#include "../shapes.hpp"
-#include "scenes.hpp"
-#include "turn.hpp"
-
-#include <cmath>
+#include "parts.hpp"
 
 namespace quell::tracer {
 namespace {
@@ -35,12 +30,12 @@ TriangleMesh fence_mesh() {
 }
 
 void add_yard(SceneDescription& scene) {
-    int const ground = scene.add(Material{.base_texture = scene.add(tiles({0.6f, 0.55f, 0.47f}, {0.4f, 0.37f, 0.33f}, 6))});
-    int const wall = scene.add(Material{.base_texture = scene.add(bricks({0.72f, 0.6f, 0.5f}, {0.78f, 0.75f, 0.7f}, 10))});
+    int const ground = scene.paint(tiles({0.6f, 0.55f, 0.47f}, {0.4f, 0.37f, 0.33f}, 6));
+    int const wall = scene.paint(bricks({0.72f, 0.6f, 0.5f}, {0.78f, 0.75f, 0.7f}, 10));
     scene.place(scene.add(rectangle(14, 9.4f, {3.5f, 2.35f})), ground, {.translation = {0, 0, 2}});
-    scene.place(scene.add(rectangle(14, 6, {5.6f, 2.4f})), wall, {.translation = {0, 3, -2.6f}, .rotation = turn(90, {1, 0, 0})});
-    int const clay = scene.add(Material{.base = {0.66f, 0.34f, 0.2f}}), leaf = scene.add(Material{.base = {0.2f, 0.42f, 0.14f}});
-    int const paint = scene.add(Material{.base = {0.2f, 0.4f, 0.62f}}), straw = scene.add(Material{.base = {0.8f, 0.66f, 0.3f}});
+    scene.place(scene.add(rectangle(14, 6, {5.6f, 2.4f})), wall, {.translation = {0, 3, -2.6f}, .rotation = upright});
+    int const clay = scene.paint({0.66f, 0.34f, 0.2f}), leaf = scene.paint({0.2f, 0.42f, 0.14f});
+    int const paint = scene.paint({0.2f, 0.4f, 0.62f}), straw = scene.paint({0.8f, 0.66f, 0.3f});
     int const pot = scene.add(turned({{0, 0}, {0.2f, 0}, {0.3f, 0.42f}, {0.34f, 0.42f}, {0.34f, 0.5f}, {0.28f, 0.5f}, {0, 0.45f}}));
     for (float x : {-2.2f, 1.75f}) {
         scene.place(pot, clay, {.translation = {x, 0, -1.4f}});
@@ -55,7 +50,7 @@ SceneDescription yard_with_fence() {
     SceneDescription scene;
     add_yard(scene);
     // Dark, as it stands nearer to the lights than all else.
-    int const wood = scene.add(Material{.base = {0.36f, 0.34f, 0.31f}});
+    int const wood = scene.paint({0.36f, 0.34f, 0.31f});
     scene.place(scene.add(fence_mesh()), wood, [](float frame) { return Transform{{speed * (frame - 26), 0, 1.4f}}.matrix(); });
     scene.background = {{0.03f, 0.03f, 0.04f}, {0.1f, 0.12f, 0.16f}};
     scene.camera = [](float) { return look_at({0, 2.9f, 4.7f}, {0, 0.62f, -0.9f}, 42); };
@@ -67,7 +62,7 @@ SceneDescription yard_with_fence() {
 SceneDescription fence() {
     auto scene = yard_with_fence();
     glm::vec3 const place{0.6f, 1.2f, 4.7f};
-    scene.place(scene.add(rectangle(0.24f, 0.24f)), scene.add(Material{.emission = {2600, 2350, 1950}}),
+    scene.place(scene.add(rectangle(0.24f, 0.24f)), scene.glow({2600, 2350, 1950}),
                 {.translation = place, .rotation = facing(glm::vec3{0, 0.6f, -2} - place)});
     return scene;
 }
@@ -79,7 +74,7 @@ SceneDescription fence_with_lights() {
     for (int i = 0; i < 3; ++i) {
         auto const side = static_cast<float>(i - 1);
         // Different speeds and directions: no two of the shadows on one spot move alike.
-        scene.place(panel, scene.add(Material{.emission = colours[i]}), [side](float frame) {
+        scene.place(panel, scene.glow(colours[i]), [side](float frame) {
             float const phase = 2 * pi * (frame - 26) / (90 + 20 * side) + side;
             glm::vec3 const place{1.6f * side - 0.8f * std::sin(phase), 1.2f + 0.25f * std::cos(phase), 5};
             return Transform{place, facing(glm::vec3{0, 0.6f, -2} - place)}.matrix();

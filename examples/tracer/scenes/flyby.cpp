@@ -1,12 +1,4 @@
-#include "../patterns.hpp"
-#include "../shapes.hpp"
-#include "outdoors.hpp"
-#include "scenes.hpp"
-#include "turn.hpp"
-
-#include <glm/common.hpp>
-
-#include <cmath>
+#include "parts.hpp"
 
 namespace quell::tracer {
 namespace {
@@ -25,10 +17,8 @@ Texture mosaic() {
 
 /// An upright mirror in a wooden frame, and a hedge behind it.
 void add_mirror(SceneDescription& scene) {
-    auto const upright = turn(90, {1, 0, 0});
-    int const silver = scene.add(Material{.base = glm::vec3{0.92f, 0.93f, 0.92f}, .metallic = 1, .roughness = 0});
-    int const wood = scene.add(Material{.base_texture = scene.add(planks({0.5f, 0.3f, 0.16f}, 6))});
-    int const hedge = scene.add(Material{.base_texture = scene.add(plaster({0.12f, 0.26f, 0.08f}))});
+    int const silver = scene.metal(glm::vec3{0.92f, 0.93f, 0.92f}, 0), wood = scene.paint(planks({0.5f, 0.3f, 0.16f}, 6));
+    int const hedge = scene.paint(plaster({0.12f, 0.26f, 0.08f}));
     scene.place(scene.add(rectangle(5, 2)), silver, {.translation = {0.3f, 1.3f, -1.8f}, .rotation = upright});
     int const bar = scene.add(box(glm::vec3{1}));
     for (float y : {0.24f, 2.36f}) scene.place(bar, wood, {.translation = {0.3f, y, -1.8f}, .scale = {5.24f, 0.12f, 0.16f}});
@@ -37,8 +27,8 @@ void add_mirror(SceneDescription& scene) {
 }
 
 void add_things(SceneDescription& scene) {
-    int const red = scene.add(Material{.base = {0.75f, 0.2f, 0.05f}}), white = scene.add(Material{.base = glm::vec3{0.85f}});
-    int const wood = scene.add(Material{.base_texture = scene.add(planks({0.6f, 0.42f, 0.24f}, 5))});
+    int const red = scene.paint({0.75f, 0.2f, 0.05f}), white = scene.paint(glm::vec3{0.85f});
+    int const wood = scene.paint(planks({0.6f, 0.42f, 0.24f}, 5));
     int const cone = scene.add(cylinder(0.2f, 0.02f, 0.55f)), band = scene.add(cylinder(0.155f, 0.11f, 0.14f));
     for (auto const& place :
          {glm::vec3{-2.6f, 0, -0.9f}, {-0.9f, 0, -1.2f}, {1.2f, 0, -1.1f}, {3, 0, -0.6f}, {-1.7f, 0, 1.5f}, {1.9f, 0, 1.4f}}) {
@@ -58,9 +48,8 @@ Texture ball_paint(glm::vec3 first, glm::vec3 second) {
 
 /// Low over the ground, to and fro, turning round outside the image. When one does, the other is in the middle.
 void add_balls(SceneDescription& scene) {
-    int const ball = scene.add_sphere();
-    int const orange = scene.add(Material{.base_texture = scene.add(ball_paint({0.85f, 0.45f, 0.05f}, {0.08f, 0.12f, 0.3f}))});
-    int const green = scene.add(Material{.base_texture = scene.add(ball_paint({0.1f, 0.5f, 0.15f}, {0.75f, 0.8f, 0.6f}))});
+    int const ball = scene.add_sphere(), orange = scene.paint(ball_paint({0.85f, 0.45f, 0.05f}, {0.08f, 0.12f, 0.3f}));
+    int const green = scene.paint(ball_paint({0.1f, 0.5f, 0.15f}, {0.75f, 0.8f, 0.6f}));
     scene.place(ball, orange, [](float frame) {
         glm::vec3 const place{3.9f * shuttle((frame - 32.3f) / 14.1f), 0.62f + 0.06f * std::sin(0.37f * frame), 1};
         return Transform{place, turn(2 * frame, {0.3f, 1, 0}) * turn(50, {1, 0, 0.3f}), glm::vec3{0.4f}}.matrix();
@@ -77,7 +66,7 @@ SceneDescription flyby() {
     SceneDescription scene;
     scene.indirect_rays = false;
     add_daylight(scene, {-0.75f, 1, 0.2f}, 0.4f);
-    scene.place(scene.add(rectangle(18, 14, {4, 3.1f})), scene.add(Material{.base_texture = scene.add(mosaic())}));
+    scene.place(scene.add(rectangle(18, 14, {4, 3.1f})), scene.paint(mosaic()));
     add_mirror(scene);
     add_things(scene);
     add_balls(scene);

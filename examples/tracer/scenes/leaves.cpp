@@ -1,11 +1,4 @@
-#include "../patterns.hpp"
-#include "../shapes.hpp"
-#include "interior.hpp"
-#include "scenes.hpp"
-#include "turn.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include "parts.hpp"
 
 namespace quell::tracer {
 namespace {
@@ -37,8 +30,7 @@ float opening(float frame) {
 
 /// Rows of branches that sway, until a gust blows them to both sides.
 void add_curtain(SceneDescription& scene) {
-    int const greens[]{scene.add(Material{.base = {0.16f, 0.4f, 0.1f}}), scene.add(Material{.base = {0.32f, 0.5f, 0.12f}}),
-                       scene.add(Material{.base = {0.5f, 0.42f, 0.1f}})};
+    int const greens[]{scene.paint({0.16f, 0.4f, 0.1f}), scene.paint({0.32f, 0.5f, 0.12f}), scene.paint({0.5f, 0.42f, 0.1f})};
     int const branches[]{scene.add(branch_mesh(1)), scene.add(branch_mesh(2)), scene.add(branch_mesh(5))};
     for (int i = 0; i < 30; ++i) {
         float const x = -1.45f + 0.1f * static_cast<float>(i), phase = 6 * dice(i + 5), side = x < 0.05f ? -1.f : 1.f;
@@ -55,7 +47,7 @@ void add_shelf(SceneDescription& scene) {
     for (int i = 0; i < 24; ++i) {
         float const hue = 7 * dice(i + 13), height = 0.3f + 0.3f * dice(i + 3);
         auto const wave = [hue](float offset) { return 0.12f + 0.3f * (1 + std::cos(hue + offset)); };
-        int const paint = scene.add(Material{.base = {wave(0), wave(2.1f), wave(4.2f)}});
+        int const paint = scene.paint({wave(0), wave(2.1f), wave(4.2f)});
         glm::vec3 const place{-1.5f + 0.42f * static_cast<float>(i % 8), 0.75f * static_cast<float>(i / 8) + height / 2, -1.3f};
         scene.place(block, paint, {.translation = place, .scale = {0.3f, height, 0.3f}});
     }
@@ -67,14 +59,13 @@ void add_shelf(SceneDescription& scene) {
 /// but for a small lamp before the leaves.
 SceneDescription leaves() {
     SceneDescription scene;
-    int const floor = scene.add(Material{.base_texture = scene.add(planks({0.55f, 0.4f, 0.26f}, 6))});
-    int const white = scene.add(Material{.base = glm::vec3{0.86f}}),
-              back = scene.add(Material{.base_texture = scene.add(stripes({0.7f, 0.62f, 0.5f}, {0.45f, 0.5f, 0.56f}, 5))});
-    int const orange = scene.add(Material{.base = {0.8f, 0.4f, 0.12f}}), blue = scene.add(Material{.base = {0.15f, 0.35f, 0.7f}});
+    int const floor = scene.paint(planks({0.55f, 0.4f, 0.26f}, 6));
+    int const white = scene.paint(glm::vec3{0.86f}), back = scene.paint(stripes({0.7f, 0.62f, 0.5f}, {0.45f, 0.5f, 0.56f}, 5));
+    int const orange = scene.paint({0.8f, 0.4f, 0.12f}), blue = scene.paint({0.15f, 0.35f, 0.7f});
     add_interior(scene, {{0, 0, 0.5f}, {4.4f, 2.8f, 4.4f}, floor, white, back, white, orange, blue});
     add_shelf(scene);
     add_curtain(scene);
-    int const warm = scene.add(Material{.emission = {60, 52, 42}}), lamp = scene.add(Material{.emission = {30, 26, 20}});
+    int const warm = scene.glow({60, 52, 42}), lamp = scene.glow({30, 26, 20});
     for (float side : {-1.f, 1.f}) scene.place(scene.add(rectangle(0.8f, 0.8f)), warm, {.translation = {side * 1.6f, 2, 1.4f}});
     scene.place(scene.add(rectangle(0.3f, 0.3f)), lamp,
                 {.translation = {0.3f, 2.6f, 1.2f}, .rotation = facing(glm::vec3{-0.1f, -0.7f, -1})});

@@ -1,12 +1,4 @@
-#include "../patterns.hpp"
-#include "../shapes.hpp"
-#include "outdoors.hpp"
-#include "scenes.hpp"
-#include "turn.hpp"
-
-#include <glm/common.hpp>
-
-#include <cmath>
+#include "parts.hpp"
 
 namespace quell::tracer {
 namespace {
@@ -19,12 +11,12 @@ float heading(float frame) { return 10.2f * frame + 8 * std::sin(frame / 11); }
 /// A round square with houses, trees and stalls on all sides.
 void add_square(SceneDescription& scene) {
     Town town{scene};
-    int const paving = scene.add(Material{.base_texture = scene.add(tiles({0.55f, 0.5f, 0.44f}, {0.3f, 0.27f, 0.24f}, 8))});
+    int const paving = scene.paint(tiles({0.55f, 0.5f, 0.44f}, {0.3f, 0.27f, 0.24f}, 8));
     int const drum = scene.add(cylinder(0.4f, 0.4f, 1)), tent = scene.add(cylinder(1.1f, 0, 1.1f, 24)),
               post = scene.add(cylinder(0.06f, 0.06f, 2, 12));
-    int const wood = scene.add(Material{.base_texture = scene.add(planks({0.55f, 0.36f, 0.2f}, 6))});
-    int const awnings[]{scene.add(Material{.base_texture = scene.add(stripes({0.8f, 0.12f, 0.08f}, {0.85f, 0.82f, 0.75f}, 8))}),
-                        scene.add(Material{.base_texture = scene.add(stripes({0.1f, 0.3f, 0.65f}, {0.85f, 0.8f, 0.6f}, 8))})};
+    int const wood = scene.paint(planks({0.55f, 0.36f, 0.2f}, 6));
+    int const awnings[]{scene.paint(stripes({0.8f, 0.12f, 0.08f}, {0.85f, 0.82f, 0.75f}, 8)),
+                        scene.paint(stripes({0.1f, 0.3f, 0.65f}, {0.85f, 0.8f, 0.6f}, 8))};
     scene.place(scene.add(rectangle(60, 60, {10, 10})), paving);
     for (int i = 0; i < 17; ++i) {
         float const degrees = 360.f / 17 * static_cast<float>(i);
@@ -54,8 +46,7 @@ Texture ball_paint() {
 /// They fly up and down before the camera, and turn with it: whatever the background does, they move across it.
 void add_jugglery(SceneDescription& scene) {
     int const turntable = scene.add_node([](float frame) { return Transform{eye, turn(heading(frame), {0, 1, 0})}.matrix(); });
-    int const painted_ball = scene.add(Material{.base_texture = scene.add(ball_paint())});
-    int const crate = scene.add(Material{.base_texture = scene.add(checker({0.8f, 0.66f, 0.35f}, {0.3f, 0.12f, 0.1f}, 4))});
+    int const painted_ball = scene.paint(ball_paint()), crate = scene.paint(checker({0.8f, 0.66f, 0.35f}, {0.3f, 0.12f, 0.1f}, 4));
     scene.place(
         scene.add_sphere(), painted_ball,
         [](float frame) {

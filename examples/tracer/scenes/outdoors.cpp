@@ -3,10 +3,6 @@
 #include "../shapes.hpp"
 #include "turn.hpp"
 
-#include <glm/common.hpp>
-
-#include <cmath>
-
 namespace quell::tracer {
 namespace {
 
@@ -52,7 +48,7 @@ void add_daylight(SceneDescription& scene, glm::vec3 sun_direction, float degree
     float const sine = std::sin(degrees / 2 * pi / 180), radius = distance * sine;
     glm::vec3 const irradiance{2.7f, 2.45f, 2.05f};
     auto const radiance = irradiance / (pi * sine * sine);
-    scene.place(scene.add_sphere(), scene.add(Material{.emission = radiance}),
+    scene.place(scene.add_sphere(), scene.glow(radiance),
                 {.translation = glm::normalize(sun_direction) * distance, .scale = glm::vec3{radius}});
     scene.background = {{0.22f, 0.21f, 0.2f}, {0.4f, 0.62f, 1}};
 }
@@ -73,17 +69,16 @@ TriangleMesh column_mesh() {
 Town::Town(SceneDescription& scene)
     : town(scene), wall(scene.add(rectangle(1, 1))), roof(scene.add(cylinder(0.74f, 0, 1, 4))),
       trunk(scene.add(cylinder(0.06f, 0.04f, 0.5f, 12))), crown(scene.add_sphere()),
-      shingles(scene.add(Material{.base_texture = scene.add(bricks({0.5f, 0.2f, 0.13f}, {0.2f, 0.09f, 0.06f}, 16))})),
-      bark(scene.add(Material{.base = {0.2f, 0.13f, 0.08f}})), leaves(scene.add(Material{.base_texture = scene.add(foliage())})) {
+      shingles(scene.paint(bricks({0.5f, 0.2f, 0.13f}, {0.2f, 0.09f, 0.06f}, 16))), bark(scene.paint({0.2f, 0.13f, 0.08f})),
+      leaves(scene.paint(foliage())) {
     for (auto const& texture :
          {facade({0.78f, 0.7f, 0.52f}, {0.12f, 0.3f, 0.2f}, 3, 3), facade({0.7f, 0.42f, 0.3f}, {0.75f, 0.72f, 0.65f}, 4, 3),
           facade({0.8f, 0.78f, 0.74f}, {0.2f, 0.25f, 0.5f}, 2, 3), facade({0.5f, 0.58f, 0.6f}, {0.5f, 0.12f, 0.08f}, 3, 4)})
-        facades.push_back(scene.add(Material{.base_texture = scene.add(texture)}));
+        facades.push_back(scene.paint(texture));
 }
 
 void Town::add_house(glm::vec3 place, float degrees, glm::vec3 size, int style) {
     int const house = town.add_node(fixed({.translation = place, .rotation = turn(degrees, {0, 1, 0})}));
-    auto const upright = turn(90, {1, 0, 0});
     int const facade = facades[static_cast<std::size_t>(style) % facades.size()];
     for (float side : {-1.f, 1.f}) {
         auto const front = turn(side > 0 ? 0.f : 180.f, {0, 1, 0}) * upright, flank = turn(side * 90, {0, 1, 0}) * upright;

@@ -1,11 +1,4 @@
-#include "../patterns.hpp"
-#include "../shapes.hpp"
-#include "interior.hpp"
-#include "scenes.hpp"
-#include "turn.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include "parts.hpp"
 
 namespace quell::tracer {
 namespace {
@@ -19,7 +12,7 @@ void add_surroundings(SceneDescription& scene) {
     for (int i = 0; i < 40; ++i) {
         auto const turns = static_cast<float>(i) / 40, hue = static_cast<float>(i * 17 % 40) / 40;
         auto const wave = [hue](float offset) { return 0.1f + 0.35f * (1 + std::cos(2 * pi * (hue + offset))); };
-        int const paint = scene.add(Material{.base = {wave(0), wave(0.33f), wave(0.67f)}});
+        int const paint = scene.paint({wave(0), wave(0.33f), wave(0.67f)});
         glm::vec3 const outward{std::sin(2 * pi * turns), 0, -std::cos(2 * pi * turns)};
         auto const rotation = turn(-360 * turns, {0, 1, 0});
         float const height = 0.4f + 0.9f * static_cast<float>(i * 7 % 11) / 11;
@@ -35,16 +28,14 @@ void add_surroundings(SceneDescription& scene) {
 /// The camera stands still, then turns around at an even speed: at every frame a strip comes into the image that was never seen.
 SceneDescription pan() {
     SceneDescription scene;
-    auto const paint = [&](Texture texture) { return scene.add(Material{.base_texture = scene.add(std::move(texture))}); };
-    int const floor = paint(checker({0.7f, 0.66f, 0.6f}, {0.3f, 0.3f, 0.34f}, 4)), white = scene.add(Material{.base = glm::vec3{0.85f}});
-    int const brick = paint(bricks({0.6f, 0.4f, 0.32f}, {0.7f, 0.68f, 0.62f}, 8)),
-              blue = paint(stripes({0.3f, 0.4f, 0.6f}, {0.7f, 0.7f, 0.6f}, 6));
+    int const floor = scene.paint(checker({0.7f, 0.66f, 0.6f}, {0.3f, 0.3f, 0.34f}, 4)), white = scene.paint(glm::vec3{0.85f});
+    int const brick = scene.paint(bricks({0.6f, 0.4f, 0.32f}, {0.7f, 0.68f, 0.62f}, 8)),
+              blue = scene.paint(stripes({0.3f, 0.4f, 0.6f}, {0.7f, 0.7f, 0.6f}, 6));
     add_interior(scene, {{0, 0, 0}, {7.2f, 3, 7.2f}, floor, white, brick, blue, blue, brick});
     add_surroundings(scene);
-    int const panel = scene.add(Material{.emission = {34, 31, 27}});
+    int const panel = scene.glow({34, 31, 27});
     for (float side : {-1.f, 1.f})
-        scene.place(scene.add(rectangle(0.8f, 0.8f)), panel,
-                    {.translation = {side * 1.3f, 2.96f, side * 0.6f}, .rotation = turn(180, {1, 0, 0})});
+        scene.place(scene.add(rectangle(0.8f, 0.8f)), panel, {.translation = {side * 1.3f, 2.96f, side * 0.6f}, .rotation = upside_down});
     scene.camera = [](float frame) {
         float const angle = degrees_per_frame * pi / 180 * std::max(0.f, frame - event_frame + 1);
         return look_at({0, 1.4f, 0}, {std::sin(angle), 1.25f, -std::cos(angle)}, 55);

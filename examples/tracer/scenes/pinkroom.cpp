@@ -1,26 +1,12 @@
-#include "../patterns.hpp"
-#include "../shapes.hpp"
-#include "scenes.hpp"
-#include "turn.hpp"
-
-#include <cmath>
+#include "parts.hpp"
 
 namespace quell::tracer {
 namespace {
 
 void add_walls(SceneDescription& scene) {
-    auto const upright = turn(90, {1, 0, 0});
-    int const pink = scene.add(Material{.base_texture = scene.add(plaster({0.82f, 0.42f, 0.46f}))});
-    int const cream = scene.add(Material{.base = {0.85f, 0.8f, 0.72f}});
-    int const floor = scene.add(Material{.base_texture = scene.add(planks({0.62f, 0.46f, 0.32f}, 10))});
-    int const wide = scene.add(rectangle(6, 2.8f, {3, 1.4f})), deep = scene.add(rectangle(6, 2.8f, {3, 1.4f})),
-              ground = scene.add(rectangle(6, 6, {1.6f, 1.6f}));
-    scene.place(ground, floor);
-    scene.place(ground, cream, {.translation = {0, 2.8f, 0}, .rotation = turn(180, {1, 0, 0})});
-    scene.place(wide, pink, {.translation = {0, 1.4f, -3}, .rotation = upright});
-    scene.place(wide, cream, {.translation = {0, 1.4f, 3}, .rotation = turn(180, {0, 1, 0}) * upright});
-    scene.place(deep, pink, {.translation = {-3, 1.4f, 0}, .rotation = turn(90, {0, 1, 0}) * upright});
-    scene.place(deep, pink, {.translation = {3, 1.4f, 0}, .rotation = turn(-90, {0, 1, 0}) * upright});
+    int const pink = scene.paint(plaster({0.82f, 0.42f, 0.46f})), cream = scene.paint({0.85f, 0.8f, 0.72f});
+    int const floor = scene.paint(planks({0.62f, 0.46f, 0.32f}, 10));
+    add_interior(scene, {{0, 0, 0}, {6, 2.8f, 6}, floor, cream, pink, cream, pink, pink, {1.6f, 1.6f}});
     int const rail = scene.add(box({6, 0.12f, 0.03f}));
     scene.place(rail, cream, {.translation = {0, 0.06f, -2.98f}});
     scene.place(rail, cream, {.translation = {0, 0.95f, -2.98f}, .scale = {1, 0.4f, 1}});
@@ -51,9 +37,8 @@ TriangleMesh vase_mesh() {
 }
 
 void add_furniture(SceneDescription& scene) {
-    int const walnut = scene.add(Material{.base = {0.28f, 0.16f, 0.09f}}), white = scene.add(Material{.base = {0.82f, 0.8f, 0.77f}});
-    int const velvet = scene.add(Material{.base = {0.12f, 0.3f, 0.34f}}), brass = scene.add(Material{.base = {0.7f, 0.5f, 0.2f}});
-    int const chair = scene.add(chair_mesh());
+    int const walnut = scene.paint({0.28f, 0.16f, 0.09f}), white = scene.paint({0.82f, 0.8f, 0.77f});
+    int const velvet = scene.paint({0.12f, 0.3f, 0.34f}), brass = scene.paint({0.7f, 0.5f, 0.2f}), chair = scene.add(chair_mesh());
     scene.place(scene.add(on_legs({1.5f, 0.74f, 0.8f}, 0.045f)), walnut,
                 {.translation = {0.1f, 0, -0.9f}, .rotation = turn(-6, {0, 1, 0})});
     scene.place(chair, white, {.translation = {-1.35f, 0, -1.1f}, .rotation = turn(65, {0, 1, 0})});
@@ -71,11 +56,11 @@ SceneDescription pinkroom() {
     SceneDescription scene;
     add_walls(scene);
     add_furniture(scene);
-    int const china = scene.add(Material{.base = {0.75f, 0.82f, 0.88f}});
+    int const china = scene.paint({0.75f, 0.82f, 0.88f});
     scene.place(scene.add(vase_mesh()), china, [](float frame) {
         return Transform{{0.1f + 0.55f * std::sin((frame - 26) / 16), 0.74f, -0.9f}}.matrix();
     });
-    scene.place(scene.add(rectangle(0.6f, 0.6f)), scene.add(Material{.emission = {120, 108, 92}}), [](float frame) {
+    scene.place(scene.add(rectangle(0.6f, 0.6f)), scene.glow({120, 108, 92}), [](float frame) {
         float const phase = (frame - 26) / 15;
         glm::vec3 const place{1.8f * std::sin(phase), 2.1f, 1.1f + 0.3f * std::cos(phase)};
         return Transform{place, facing(glm::vec3{0, 0.3f, -1.4f} - place)}.matrix();

@@ -1,13 +1,4 @@
-#include "../patterns.hpp"
-#include "../shapes.hpp"
-#include "outdoors.hpp"
-#include "scenes.hpp"
-#include "turn.hpp"
-
-#include <glm/common.hpp>
-
-#include <cmath>
-#include <tuple>
+#include "parts.hpp"
 
 namespace quell::tracer {
 namespace {
@@ -16,10 +7,9 @@ namespace {
 constexpr float degrees_per_frame = 137;
 
 void add_hangar(SceneDescription& scene) {
-    auto const upright = turn(90, {1, 0, 0});
-    int const sheets = scene.add(Material{.base_texture = scene.add(stripes({0.16f, 0.2f, 0.21f}, {0.08f, 0.11f, 0.12f}, 24))});
-    int const concrete = scene.add(Material{.base_texture = scene.add(tiles({0.24f, 0.23f, 0.21f}, {0.1f, 0.1f, 0.09f}, 4))});
-    int const steel = scene.add(Material{.base = {0.3f, 0.16f, 0.1f}}), pane = scene.add(Material{.base = {0.3f, 0.42f, 0.52f}});
+    int const sheets = scene.paint(stripes({0.16f, 0.2f, 0.21f}, {0.08f, 0.11f, 0.12f}, 24));
+    int const concrete = scene.paint(tiles({0.24f, 0.23f, 0.21f}, {0.1f, 0.1f, 0.09f}, 4));
+    int const steel = scene.paint({0.3f, 0.16f, 0.1f}), pane = scene.paint({0.3f, 0.42f, 0.52f});
     scene.place(scene.add(rectangle(20, 14, {4, 3})), concrete);
     scene.place(scene.add(rectangle(20, 8, {3, 1})), sheets, {.translation = {0, 4, -6}, .rotation = upright});
     int const block = scene.add(box(glm::vec3{1}));
@@ -34,8 +24,8 @@ void add_hangar(SceneDescription& scene) {
 void add_stores(SceneDescription& scene) {
     int const drum = scene.add(cylinder(0.36f, 0.36f, 1)), hoop = scene.add(torus(0.36f, 0.03f, 48, 8)),
               crate = scene.add(box(glm::vec3{0.9f}));
-    int const red = scene.add(Material{.base = {0.65f, 0.1f, 0.06f}}), blue = scene.add(Material{.base = {0.08f, 0.2f, 0.45f}});
-    int const wood = scene.add(Material{.base_texture = scene.add(planks({0.6f, 0.42f, 0.24f}, 5))});
+    int const red = scene.paint({0.65f, 0.1f, 0.06f}), blue = scene.paint({0.08f, 0.2f, 0.45f});
+    int const wood = scene.paint(planks({0.6f, 0.42f, 0.24f}, 5));
     for (auto const& [x, z, paint] :
          {std::tuple{-3.9f, -4.6f, red}, {-3.1f, -4.9f, blue}, {-4.7f, -4.3f, blue}, {3.6f, -4.8f, red}, {4.4f, -4.4f, red}}) {
         scene.place(drum, paint, {.translation = {x, 0, z}});
@@ -48,10 +38,10 @@ void add_stores(SceneDescription& scene) {
 
 /// It points towards +z, with its propeller at the origin.
 void add_aeroplane(SceneDescription& scene, int parent) {
-    auto const along = turn(90, {1, 0, 0});
-    int const skin = scene.add(Material{.base_texture = scene.add(stripes({0.06f, 0.1f, 0.24f}, {0.5f, 0.08f, 0.05f}, 4))});
-    int const cloth = scene.add(Material{.base_texture = scene.add(planks({0.2f, 0.26f, 0.14f}, 10))});
-    int const tyre = scene.add(Material{.base = glm::vec3{0.06f}}), metal = scene.add(Material{.base = {0.45f, 0.46f, 0.48f}});
+    auto const along = upright;
+    int const skin = scene.paint(stripes({0.06f, 0.1f, 0.24f}, {0.5f, 0.08f, 0.05f}, 4));
+    int const cloth = scene.paint(planks({0.2f, 0.26f, 0.14f}, 10));
+    int const tyre = scene.paint(glm::vec3{0.06f}), metal = scene.paint({0.45f, 0.46f, 0.48f});
     // The profile's heights run from the tail to the nose.
     int const hull = scene.add(
         turned({{0.12f, -5}, {0.35f, -3.6f}, {0.62f, -2}, {0.68f, -1}, {0.62f, -0.45f}, {0.5f, -0.2f}, {0.3f, -0.12f}, {0, -0.1f}}));
@@ -97,7 +87,7 @@ void add_propeller(SceneDescription& scene, int parent) {
         parent);
     float degrees = 0;
     for (auto const tip : {glm::vec3{0.2f, 0.6f, 0.75f}, glm::vec3{0.85f, 0.12f, 0.06f}, glm::vec3{0.9f}}) {
-        scene.place(blade, scene.add(Material{.base_texture = scene.add(blade_paint(tip))}), {.rotation = turn(degrees, {0, 0, 1})}, hub);
+        scene.place(blade, scene.paint(blade_paint(tip)), {.rotation = turn(degrees, {0, 0, 1})}, hub);
         degrees += 120;
     }
 }

@@ -1,8 +1,4 @@
-#include "../patterns.hpp"
-#include "../shapes.hpp"
-#include "outdoors.hpp"
-#include "scenes.hpp"
-#include "turn.hpp"
+#include "parts.hpp"
 
 namespace quell::tracer {
 namespace {
@@ -11,11 +7,11 @@ namespace {
 float swing(float frame, float frames) { return shuttle((frame - event_frame - 0.25f) / frames + 0.25f); }
 
 void add_yard(SceneDescription& scene) {
-    int const ground = scene.add(Material{.base_texture = scene.add(tiles({0.55f, 0.5f, 0.44f}, {0.3f, 0.28f, 0.26f}, 6))});
-    int const wall = scene.add(Material{.base_texture = scene.add(bricks({0.56f, 0.36f, 0.28f}, {0.66f, 0.63f, 0.58f}, 12))});
+    int const ground = scene.paint(tiles({0.55f, 0.5f, 0.44f}, {0.3f, 0.28f, 0.26f}, 6));
+    int const wall = scene.paint(bricks({0.56f, 0.36f, 0.28f}, {0.66f, 0.63f, 0.58f}, 12));
     scene.place(scene.add(rectangle(16, 10, {4, 2.5f})), ground, {.translation = {0, 0, 1}});
-    scene.place(scene.add(rectangle(16, 8, {4, 2})), wall, {.translation = {0, 4, -2}, .rotation = turn(90, {1, 0, 0})});
-    int const pole = scene.add(cylinder(0.05f, 0.05f, 3)), paint = scene.add(Material{.base = {0.8f, 0.78f, 0.7f}});
+    scene.place(scene.add(rectangle(16, 8, {4, 2})), wall, {.translation = {0, 4, -2}, .rotation = upright});
+    int const pole = scene.add(cylinder(0.05f, 0.05f, 3)), paint = scene.paint({0.8f, 0.78f, 0.7f});
     for (float x : {-3.f, -1.f, 1.2f, 3.1f}) scene.place(pole, paint, {.translation = {x, 0, -1.6f}});
 }
 
@@ -27,9 +23,9 @@ SceneDescription reverse() {
     scene.secondary_rays = false;
     add_daylight(scene, {-0.5f, 0.8f, 1});
     add_yard(scene);
-    int const checked = scene.add(Material{.base_texture = scene.add(checker({0.8f, 0.15f, 0.1f}, {0.9f, 0.85f, 0.7f}, 6))});
-    int const blue = scene.add(Material{.base_texture = scene.add(stripes({0.1f, 0.25f, 0.6f}, {0.6f, 0.75f, 0.85f}, 8))});
-    int const yellow = scene.add(Material{.base_texture = scene.add(checker({0.85f, 0.7f, 0.1f}, {0.2f, 0.2f, 0.2f}, 4))});
+    int const checked = scene.paint(checker({0.8f, 0.15f, 0.1f}, {0.9f, 0.85f, 0.7f}, 6));
+    int const blue = scene.paint(stripes({0.1f, 0.25f, 0.6f}, {0.6f, 0.75f, 0.85f}, 8));
+    int const yellow = scene.paint(checker({0.85f, 0.7f, 0.1f}, {0.2f, 0.2f, 0.2f}, 4));
     scene.place(scene.add_sphere(), checked, [](float frame) {
         return Transform{{-1.7f + 0.9f * swing(frame, 8), 1.9f, 0.4f}, turn(0, {0, 1, 0}), glm::vec3{0.4f}}.matrix();
     });

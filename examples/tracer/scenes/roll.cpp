@@ -1,18 +1,12 @@
-#include "../patterns.hpp"
-#include "../shapes.hpp"
-#include "outdoors.hpp"
-#include "scenes.hpp"
-#include "turn.hpp"
-
-#include <cmath>
+#include "parts.hpp"
 
 namespace quell::tracer {
 namespace {
 
 void add_street(SceneDescription& scene) {
     Town town{scene};
-    int const cobbles = scene.add(Material{.base_texture = scene.add(bricks({0.42f, 0.4f, 0.38f}, {0.2f, 0.19f, 0.17f}, 16))});
-    int const kerb = scene.add(Material{.base_texture = scene.add(tiles({0.6f, 0.57f, 0.52f}, {0.35f, 0.33f, 0.3f}, 4))});
+    int const cobbles = scene.paint(bricks({0.42f, 0.4f, 0.38f}, {0.2f, 0.19f, 0.17f}, 16));
+    int const kerb = scene.paint(tiles({0.6f, 0.57f, 0.52f}, {0.35f, 0.33f, 0.3f}, 4));
     scene.place(scene.add(rectangle(80, 90, {20, 22})), cobbles, {.translation = {0, 0, -25}});
     float const widths[]{5, 4, 6, 4.5f, 5.5f, 4.2f, 5};
     for (float side : {-1.f, 1.f}) {
@@ -29,9 +23,9 @@ void add_street(SceneDescription& scene) {
 }
 
 void add_things(SceneDescription& scene) {
-    int const iron = scene.add(Material{.base = {0.08f, 0.1f, 0.1f}}), glow = scene.add(Material{.base = {0.9f, 0.85f, 0.6f}});
-    int const wood = scene.add(Material{.base_texture = scene.add(planks({0.6f, 0.4f, 0.22f}, 5))});
-    int const cloth = scene.add(Material{.base_texture = scene.add(stripes({0.75f, 0.1f, 0.08f}, {0.85f, 0.82f, 0.75f}, 9))});
+    int const iron = scene.paint({0.08f, 0.1f, 0.1f}), glow = scene.paint({0.9f, 0.85f, 0.6f});
+    int const wood = scene.paint(planks({0.6f, 0.4f, 0.22f}, 5));
+    int const cloth = scene.paint(stripes({0.75f, 0.1f, 0.08f}, {0.85f, 0.82f, 0.75f}, 9));
     int const pole = scene.add(cylinder(0.07f, 0.04f, 3, 16)), ball = scene.add_sphere(), crate = scene.add(box(glm::vec3{0.8f}));
     for (float z : {1.5f, -7.f, -16.f})
         for (float side : {-1.f, 1.f}) {
@@ -41,7 +35,7 @@ void add_things(SceneDescription& scene) {
     // A stall of the market with its awning, and what is for sale.
     scene.place(scene.add(rectangle(2.6f, 1.6f)), cloth, {.translation = {1.5f, 2.3f, -3}, .rotation = turn(22, {1, 0, 0})});
     for (float x : {0.3f, 2.7f}) scene.place(pole, wood, {.translation = {x, 0, -3.5f}, .scale = {0.7f, 0.84f, 0.7f}});
-    int const apple = scene.add(Material{.base = {0.7f, 0.12f, 0.05f}}), pear = scene.add(Material{.base = {0.6f, 0.65f, 0.15f}});
+    int const apple = scene.paint({0.7f, 0.12f, 0.05f}), pear = scene.paint({0.6f, 0.65f, 0.15f});
     for (int i = 0; i < 3; ++i) {
         float const x = 0.65f + 0.85f * static_cast<float>(i);
         scene.place(crate, wood, {.translation = {x, 0.4f, -3.1f}});

@@ -1,37 +1,21 @@
-#include "../patterns.hpp"
-#include "../shapes.hpp"
-#include "scenes.hpp"
-#include "turn.hpp"
-
-#include <cmath>
+#include "parts.hpp"
 
 namespace quell::tracer {
 namespace {
 
-/// 5.2 wide, 2.7 high, 6 deep, closed on all sides so that indirect light has somewhere to go.
 void add_walls(SceneDescription& scene) {
-    float const x = 2.6f, y = 1.35f, z = 3;
-    int const across = scene.add(rectangle(2 * x, 2 * y, {2.6f, 1.3f})), along = scene.add(rectangle(2 * z, 2 * y, {3, 1.3f}));
     int const parquet = scene.add(planks({0.5f, 0.28f, 0.14f}, 8));
     int const floor = scene.add(Material{.metallic = 0.5f, .roughness = 0.2f, .base_texture = parquet});
-    int const ceiling = scene.add(Material{.base = glm::vec3{0.85f}});
-    int const back = scene.add(Material{.base_texture = scene.add(bricks({0.62f, 0.5f, 0.4f}, {0.66f, 0.63f, 0.58f}, 10))});
-    int const left = scene.add(Material{.base_texture = scene.add(plaster({0.72f, 0.1f, 0.07f}))});
-    int const right = scene.add(Material{.base_texture = scene.add(plaster({0.1f, 0.42f, 0.5f}))});
-    int const front = scene.add(Material{.base = {0.7f, 0.65f, 0.5f}});
-    scene.place(scene.add(rectangle(2 * x, 2 * z, {1.6f, 2})), floor);
-    scene.place(scene.add(rectangle(2 * x, 2 * z)), ceiling, {.translation = {0, 2 * y, 0}, .rotation = turn(180, {1, 0, 0})});
-    auto const upright = turn(90, {1, 0, 0});
-    scene.place(across, back, {.translation = {0, y, -z}, .rotation = upright});
-    scene.place(across, front, {.translation = {0, y, z}, .rotation = turn(180, {0, 1, 0}) * upright});
-    scene.place(along, left, {.translation = {-x, y, 0}, .rotation = turn(90, {0, 1, 0}) * upright});
-    scene.place(along, right, {.translation = {x, y, 0}, .rotation = turn(-90, {0, 1, 0}) * upright});
+    int const ceiling = scene.paint(glm::vec3{0.85f}), back = scene.paint(bricks({0.62f, 0.5f, 0.4f}, {0.66f, 0.63f, 0.58f}, 10));
+    int const left = scene.paint(plaster({0.72f, 0.1f, 0.07f})), right = scene.paint(plaster({0.1f, 0.42f, 0.5f}));
+    int const front = scene.paint({0.7f, 0.65f, 0.5f});
+    add_interior(scene, {{0, 0, 0}, {5.2f, 2.7f, 6}, floor, ceiling, back, front, left, right, {1.6f, 2}, {2.6f, 1.3f}, {3, 1.3f}});
 }
 
 void add_lights(SceneDescription& scene) {
-    int const panel = scene.add(Material{.emission = {26, 23, 19}});
-    scene.place(scene.add(rectangle(1.5f, 0.9f)), panel, {.translation = {0.5f, 2.68f, 0.1f}, .rotation = turn(180, {1, 0, 0})});
-    int const lamp = scene.add(Material{.emission = {9, 4.4f, 1.7f}});
+    int const panel = scene.glow({26, 23, 19});
+    scene.place(scene.add(rectangle(1.5f, 0.9f)), panel, {.translation = {0.5f, 2.68f, 0.1f}, .rotation = upside_down});
+    int const lamp = scene.glow({9, 4.4f, 1.7f});
     scene.place(scene.add_sphere(), lamp, {.translation = {-1.85f, 1.32f, -2.05f}, .scale = glm::vec3{0.17f}});
 }
 
@@ -52,12 +36,10 @@ TriangleMesh vase_mesh() {
 }
 
 void add_furniture(SceneDescription& scene) {
-    int const wood = scene.add(Material{.base_texture = scene.add(planks({0.66f, 0.44f, 0.22f}, 4))});
+    int const wood = scene.paint(planks({0.66f, 0.44f, 0.22f}, 4));
     int const china = scene.add(Material{.base = {0.75f, 0.8f, 0.88f}, .metallic = 0.25f, .roughness = 0.15f});
-    int const gold = scene.add(Material{.base = {1, 0.74f, 0.36f}, .metallic = 1, .roughness = 0.3f});
-    int const steel = scene.add(Material{.base = glm::vec3{0.88f}, .metallic = 1, .roughness = 0.05f});
-    int const rubber = scene.add(Material{.base = {0.12f, 0.15f, 0.5f}});
-    int const shelf = scene.add(Material{.base = {0.3f, 0.2f, 0.13f}});
+    int const gold = scene.metal({1, 0.74f, 0.36f}, 0.3f), steel = scene.metal(glm::vec3{0.88f}, 0.05f);
+    int const rubber = scene.paint({0.12f, 0.15f, 0.5f}), shelf = scene.paint({0.3f, 0.2f, 0.13f});
     scene.place(scene.add(table_mesh()), wood, {.translation = {-1.7f, 0, -2}, .rotation = turn(8, {0, 1, 0})});
     scene.place(scene.add(cylinder(0.13f, 0.04f, 0.37f)), gold, {.translation = {-1.85f, 0.78f, -2.05f}});
     scene.place(scene.add(vase_mesh()), china, {.translation = {-1.3f, 0.78f, -1.9f}});
@@ -67,7 +49,7 @@ void add_furniture(SceneDescription& scene) {
     scene.place(scene.add(box({1.6f, 0.05f, 0.3f})), shelf, {.translation = {1.1f, 1.55f, -2.84f}});
     for (int i = 0; i < 9; ++i) {
         float const shade = static_cast<float>(i * 37 % 10) / 10, height = 0.26f + 0.1f * static_cast<float>(i * 53 % 7) / 7;
-        int const cover = scene.add(Material{.base = {0.15f + 0.6f * shade, 0.5f - 0.4f * shade, 0.2f + 0.3f * std::abs(shade - 0.5f)}});
+        int const cover = scene.paint({0.15f + 0.6f * shade, 0.5f - 0.4f * shade, 0.2f + 0.3f * std::abs(shade - 0.5f)});
         glm::vec3 const place{0.45f + 0.11f * static_cast<float>(i), 1.575f + height / 2, -2.84f};
         scene.place(scene.add(box({0.08f, height, 0.22f})), cover,
                     {.translation = place, .rotation = turn(i == 8 ? 14.f : 0.f, {0, 0, 1})});
@@ -76,8 +58,7 @@ void add_furniture(SceneDescription& scene) {
 
 /// What moves: a crate slides to and fro under the light, a small block turns on top of it.
 void add_crates(SceneDescription& scene) {
-    int const crate = scene.add(Material{.base_texture = scene.add(checker({0.85f, 0.68f, 0.2f}, {0.14f, 0.16f, 0.2f}, 4))});
-    int const toy = scene.add(Material{.base = {0.25f, 0.7f, 0.3f}});
+    int const crate = scene.paint(checker({0.85f, 0.68f, 0.2f}, {0.14f, 0.16f, 0.2f}, 4)), toy = scene.paint({0.25f, 0.7f, 0.3f});
     int const carriage = scene.add_node([](float frame) {
         float const phase = 2 * pi * (frame - 14) / 96;
         return Transform{{1.15f * std::sin(phase), 0, -0.35f}, turn(20 + 25 * std::sin(phase), {0, 1, 0})}.matrix();

@@ -8,6 +8,11 @@
 
 namespace quell::tracer {
 
+// One function per scene, and one file but for variants.
+SceneDescription room(), fence(), fence_with_lights(), apples(), pinkroom(), temple(), restaurant(), boxes(), disk(), spheres(),
+    colonnade(), colonnade_slow(), propeller(), roll(), mixed(), flyby(), cut(), lightswitch(), leaves(), pan(), thinshadows(), reverse(),
+    lens(), pane();
+
 std::vector<BuiltInScene> const& built_in_scenes() {
     static std::vector<BuiltInScene> const scenes{
         {"room", room, {"composite", "shadow", "glossy", "indirect"}},

@@ -27,30 +27,4 @@ struct BuiltInScene {
 /// is somewhere else, the light is on, the leaves begin to open, the camera to turn, and something moves back.
 inline constexpr float event_frame = 24;
 
-// One function per scene, and one file but for variants; the table in scenes.cpp lists them.
-[[nodiscard]] SceneDescription room();
-[[nodiscard]] SceneDescription fence();
-[[nodiscard]] SceneDescription fence_with_lights();
-[[nodiscard]] SceneDescription apples();
-[[nodiscard]] SceneDescription pinkroom();
-[[nodiscard]] SceneDescription temple();
-[[nodiscard]] SceneDescription restaurant();
-[[nodiscard]] SceneDescription boxes();
-[[nodiscard]] SceneDescription disk();
-[[nodiscard]] SceneDescription spheres();
-[[nodiscard]] SceneDescription colonnade();
-[[nodiscard]] SceneDescription colonnade_slow();
-[[nodiscard]] SceneDescription propeller();
-[[nodiscard]] SceneDescription roll();
-[[nodiscard]] SceneDescription mixed();
-[[nodiscard]] SceneDescription flyby();
-[[nodiscard]] SceneDescription cut();
-[[nodiscard]] SceneDescription lightswitch();
-[[nodiscard]] SceneDescription leaves();
-[[nodiscard]] SceneDescription pan();
-[[nodiscard]] SceneDescription thinshadows();
-[[nodiscard]] SceneDescription reverse();
-[[nodiscard]] SceneDescription lens();
-[[nodiscard]] SceneDescription pane();
-
 } // namespace quell::tracer

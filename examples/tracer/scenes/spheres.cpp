@@ -1,24 +1,15 @@
-#include "../patterns.hpp"
-#include "../shapes.hpp"
-#include "outdoors.hpp"
-#include "scenes.hpp"
-#include "turn.hpp"
-
-#include <glm/common.hpp>
-
-#include <cmath>
+#include "parts.hpp"
 
 namespace quell::tracer {
 namespace {
 
 /// The side of a house: bricks, windows, posters and boxes with flowers. Nothing of it moves.
 void add_wall(SceneDescription& scene) {
-    auto const upright = turn(90, {1, 0, 0});
-    int const wall = scene.add(Material{.base_texture = scene.add(bricks({0.6f, 0.34f, 0.24f}, {0.68f, 0.64f, 0.58f}, 12))});
-    int const paint = scene.add(Material{.base = {0.86f, 0.85f, 0.8f}}), glass = scene.add(Material{.base = {0.06f, 0.09f, 0.13f}});
-    int const shutter = scene.add(Material{.base_texture = scene.add(stripes({0.1f, 0.32f, 0.24f}, {0.06f, 0.2f, 0.15f}, 16))});
-    int const poster = scene.add(Material{.base_texture = scene.add(checker({0.85f, 0.8f, 0.3f}, {0.2f, 0.2f, 0.25f}, 5))});
-    int const stone = scene.add(Material{.base_texture = scene.add(marble({0.75f, 0.72f, 0.66f}, {0.45f, 0.4f, 0.36f}))});
+    int const wall = scene.paint(bricks({0.6f, 0.34f, 0.24f}, {0.68f, 0.64f, 0.58f}, 12));
+    int const paint = scene.paint({0.86f, 0.85f, 0.8f}), glass = scene.paint({0.06f, 0.09f, 0.13f});
+    int const shutter = scene.paint(stripes({0.1f, 0.32f, 0.24f}, {0.06f, 0.2f, 0.15f}, 16));
+    int const poster = scene.paint(checker({0.85f, 0.8f, 0.3f}, {0.2f, 0.2f, 0.25f}, 5));
+    int const stone = scene.paint(marble({0.75f, 0.72f, 0.66f}, {0.45f, 0.4f, 0.36f}));
     scene.place(scene.add(rectangle(16, 9, {4, 2.25f})), wall, {.translation = {0, 3, -2}, .rotation = upright});
     int const board = scene.add(box(glm::vec3{1})), sheet = scene.add(rectangle(1, 1));
     scene.place(board, stone, {.translation = {0, 1, -1.9f}, .scale = {16, 0.3f, 0.3f}});
@@ -38,9 +29,8 @@ void add_wall(SceneDescription& scene) {
 }
 
 void add_flowers(SceneDescription& scene) {
-    int const ball = scene.add_sphere(), leaf = scene.add(Material{.base = {0.16f, 0.36f, 0.1f}});
-    int const colours[]{scene.add(Material{.base = {0.8f, 0.12f, 0.2f}}), scene.add(Material{.base = {0.9f, 0.75f, 0.2f}}),
-                        scene.add(Material{.base = {0.75f, 0.6f, 0.85f}})};
+    int const ball = scene.add_sphere(), leaf = scene.paint({0.16f, 0.36f, 0.1f});
+    int const colours[]{scene.paint({0.8f, 0.12f, 0.2f}), scene.paint({0.9f, 0.75f, 0.2f}), scene.paint({0.75f, 0.6f, 0.85f})};
     for (float x : {-3.9f, -0.4f, 3.3f})
         for (int i = 0; i < 9; ++i) {
             float const along = 0.19f * static_cast<float>(i - 4), lift = 0.05f * static_cast<float>(i * 4 % 5);
@@ -60,9 +50,8 @@ Texture panels(glm::vec3 first, glm::vec3 second, int around) {
 
 /// Both fly out of the image at either side before they turn.
 void add_balls(SceneDescription& scene) {
-    int const ball = scene.add_sphere();
-    int const red = scene.add(Material{.base_texture = scene.add(panels({0.8f, 0.08f, 0.05f}, {0.9f, 0.8f, 0.6f}, 6))});
-    int const blue = scene.add(Material{.base_texture = scene.add(panels({0.06f, 0.16f, 0.7f}, {0.25f, 0.7f, 0.8f}, 5))});
+    int const ball = scene.add_sphere(), red = scene.paint(panels({0.8f, 0.08f, 0.05f}, {0.9f, 0.8f, 0.6f}, 6));
+    int const blue = scene.paint(panels({0.06f, 0.16f, 0.7f}, {0.25f, 0.7f, 0.8f}, 5));
     scene.place(ball, red, [](float frame) {
         glm::vec3 const place{4.1f * shuttle((frame - 32.6f) / 16.7f), 3.1f + 0.12f * std::sin(0.31f * frame), 1.5f};
         return Transform{place, turn(2 * frame, {0.2f, 1, 0.3f}) * turn(60, {1, 0, 0.4f}), glm::vec3{0.55f}}.matrix();

@@ -1,10 +1,4 @@
-#include "../patterns.hpp"
-#include "../shapes.hpp"
-#include "outdoors.hpp"
-#include "scenes.hpp"
-#include "turn.hpp"
-
-#include <cmath>
+#include "parts.hpp"
 
 namespace quell::tracer {
 namespace {
@@ -20,7 +14,7 @@ void add_floor(SceneDescription& scene) {
     int const slabs =
         scene.add(Material{.metallic = 0.65f, .roughness = 0.5f, .base_texture = stone, .metallic_roughness_texture = polish});
     scene.place(scene.add(rectangle(9.6f, 38.4f, {1, 4})), slabs, {.translation = {0, 0, -10}});
-    int const step = scene.add(Material{.base_texture = scene.add(marble({0.75f, 0.7f, 0.62f}, {0.45f, 0.4f, 0.36f}))});
+    int const step = scene.paint(marble({0.75f, 0.7f, 0.62f}, {0.45f, 0.4f, 0.36f}));
     for (float side : {-1.f, 1.f}) {
         scene.place(scene.add(box({1.5f, 0.14f, 38.4f}, 0.5f)), step, {.translation = {side * (half_width + 0.35f), 0.07f, -10}});
         scene.place(scene.add(box({0.3f, 4.6f, 38.4f}, 0.3f)), step, {.translation = {side * 4.6f, 2.3f, -10}});
@@ -30,8 +24,7 @@ void add_floor(SceneDescription& scene) {
 
 void add_columns(SceneDescription& scene) {
     int const column = scene.add(column_mesh()), beam = scene.add(box({0.7f, 0.4f, 25}, 0.7f)), rafter = scene.add(box({9, 0.22f, 0.35f}));
-    int const stone = scene.add(Material{.base_texture = scene.add(marble({0.82f, 0.75f, 0.64f}, {0.5f, 0.42f, 0.34f}))});
-    int const timber = scene.add(Material{.base = {0.36f, 0.2f, 0.1f}});
+    int const stone = scene.paint(marble({0.82f, 0.75f, 0.64f}, {0.5f, 0.42f, 0.34f})), timber = scene.paint({0.36f, 0.2f, 0.1f});
     for (float side : {-1.f, 1.f}) {
         for (int pair = 0; pair < column_pairs; ++pair) scene.place(column, stone, {.translation = {side * half_width, 0, place_of(pair)}});
         scene.place(beam, stone, {.translation = {side * half_width, 3.5f, -6.5f}});
@@ -51,15 +44,14 @@ void add_banners(SceneDescription& scene) {
                     point.x = 0.1f * (3.2f - point.y) * std::sin(3 * point.z + 2 * point.y + phase + 0.12f * frame);
                 compute_normals(mesh);
             };
-            int const colour = scene.add(Material{.base = pair % 2 == 0 ? glm::vec3{0.7f, 0.08f, 0.06f} : glm::vec3{0.08f, 0.2f, 0.6f}});
+            int const colour = scene.paint(pair % 2 == 0 ? glm::vec3{0.7f, 0.08f, 0.06f} : glm::vec3{0.08f, 0.2f, 0.6f});
             scene.place(scene.add(std::move(cloth)), colour,
                         {.translation = {side * (half_width + 0.9f), 0, place_of(pair) - spacing / 2}});
         }
 }
 
 void add_lights(SceneDescription& scene) {
-    int const sun = scene.add(Material{.emission = {64, 55, 43}}), fire = scene.add(Material{.emission = {11, 4.6f, 1.3f}});
-    int const bronze = scene.add(Material{.base = {0.8f, 0.5f, 0.25f}, .metallic = 1, .roughness = 0.3f});
+    int const sun = scene.glow({64, 55, 43}), fire = scene.glow({11, 4.6f, 1.3f}), bronze = scene.metal({0.8f, 0.5f, 0.25f}, 0.3f);
     scene.place(scene.add(rectangle(8, 9)), sun, {.translation = {20, 24, -2}, .rotation = turn(140, {0, 0, 1})});
     int const bowl =
         scene.add(turned({{0, 0}, {0.2f, 0}, {0.06f, 0.1f}, {0.05f, 0.6f}, {0.1f, 0.7f}, {0.26f, 0.85f}, {0.24f, 0.85f}, {0, 0.72f}}));
@@ -72,8 +64,7 @@ void add_lights(SceneDescription& scene) {
 }
 
 void add_statue(SceneDescription& scene) {
-    int const gold = scene.add(Material{.base = {1, 0.76f, 0.38f}, .metallic = 1, .roughness = 0.35f});
-    int const stone = scene.add(Material{.base = {0.25f, 0.28f, 0.3f}});
+    int const gold = scene.metal({1, 0.76f, 0.38f}, 0.35f), stone = scene.paint({0.25f, 0.28f, 0.3f});
     std::vector<glm::vec2> profile;
     for (int i = 0; i <= 48; ++i) {
         float const t = static_cast<float>(i) / 48;

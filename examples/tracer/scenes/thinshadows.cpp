@@ -1,7 +1,4 @@
-#include "../patterns.hpp"
-#include "../shapes.hpp"
-#include "scenes.hpp"
-#include "turn.hpp"
+#include "parts.hpp"
 
 namespace quell::tracer {
 namespace {
@@ -28,18 +25,16 @@ TriangleMesh harp_mesh() {
 /// Rods and beads pass a small light; their shadows cross a pale wall and floor.
 SceneDescription thinshadows() {
     SceneDescription scene;
-    int const floor = scene.add(Material{.base_texture = scene.add(tiles({0.72f, 0.68f, 0.6f}, {0.6f, 0.56f, 0.5f}, 4))});
-    int const wall = scene.add(Material{.base_texture = scene.add(plaster({0.76f, 0.74f, 0.7f}))});
+    int const floor = scene.paint(tiles({0.72f, 0.68f, 0.6f}, {0.6f, 0.56f, 0.5f}, 4)), wall = scene.paint(plaster({0.76f, 0.74f, 0.7f}));
     scene.place(scene.add(rectangle(12, 8, {4, 2.7f})), floor, {.translation = {0, 0, 2}});
-    scene.place(scene.add(rectangle(12, 5, {4, 1.7f})), wall, {.translation = {0, 2.5f, -1.6f}, .rotation = turn(90, {1, 0, 0})});
-    scene.place(scene.add_sphere(), scene.add(Material{.base = {0.7f, 0.4f, 0.2f}}),
-                {.translation = {-1.1f, 0.35f, -0.9f}, .scale = glm::vec3{0.35f}});
-    scene.place(scene.add(box({0.7f, 0.5f, 0.5f})), scene.add(Material{.base = {0.3f, 0.45f, 0.6f}}),
+    scene.place(scene.add(rectangle(12, 5, {4, 1.7f})), wall, {.translation = {0, 2.5f, -1.6f}, .rotation = upright});
+    scene.place(scene.add_sphere(), scene.paint({0.7f, 0.4f, 0.2f}), {.translation = {-1.1f, 0.35f, -0.9f}, .scale = glm::vec3{0.35f}});
+    scene.place(scene.add(box({0.7f, 0.5f, 0.5f})), scene.paint({0.3f, 0.45f, 0.6f}),
                 {.translation = {0.9f, 0.25f, -0.9f}, .rotation = turn(20, {0, 1, 0})});
-    int const iron = scene.add(Material{.base = glm::vec3{0.3f}});
+    int const iron = scene.paint(glm::vec3{0.3f});
     scene.place(scene.add(harp_mesh()), iron, [](float frame) { return Transform{{speed * (frame - event_frame), 0, 0.3f}}.matrix(); });
     glm::vec3 const place{0.4f, 1.5f, 3.6f};
-    scene.place(scene.add(rectangle(0.06f, 0.06f)), scene.add(Material{.emission = {18000, 16800, 15000}}),
+    scene.place(scene.add(rectangle(0.06f, 0.06f)), scene.glow({18000, 16800, 15000}),
                 {.translation = place, .rotation = facing(glm::vec3{0, 0.6f, -1.2f} - place)});
     scene.background = {{0.04f, 0.04f, 0.05f}, {0.1f, 0.12f, 0.15f}};
     scene.camera = [](float) { return look_at({0, 2, 3.4f}, {0, 0.6f, -0.9f}, 42); };

@@ -1,22 +1,19 @@
 #pragma once
 
-#include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
-
-#include <cmath>
-#include <numbers>
+#include "../math.hpp"
 
 namespace quell::tracer {
-
-inline constexpr float pi = std::numbers::pi_v<float>;
 
 /// A rotation around an axis through the origin.
 [[nodiscard]] inline glm::quat turn(float degrees, glm::vec3 axis) { return glm::angleAxis(degrees * pi / 180, glm::normalize(axis)); }
 
+/// What makes a rectangle, which faces up, face +z, and down.
+inline glm::quat const upright = turn(90, {1, 0, 0}), upside_down = turn(180, {1, 0, 0});
+
 /// The shortest rotation that makes what faces up, as rectangles do, face this direction.
 [[nodiscard]] inline glm::quat facing(glm::vec3 direction) {
     auto const to = glm::normalize(direction);
-    if (to.y < -0.9999f) return turn(180, {1, 0, 0});
+    if (to.y < -0.9999f) return upside_down;
     return glm::normalize(glm::quat(1 + to.y, glm::cross(glm::vec3{0, 1, 0}, to)));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../threads.hpp"
+#include "threads.hpp"
 
 #include <quell/execute/outlined.hpp>
 #include <quell/frame/frame.hpp>
@@ -65,11 +65,8 @@ public:
     virtual void forget() = 0;
 };
 
-/// A preset, for pictures of a size.
-using MakeDenoiser = std::unique_ptr<Denoiser> (*)(Extent);
-std::unique_ptr<Denoiser> make_general(Extent size);
-std::unique_ptr<Denoiser> make_svgf(Extent size);
-std::unique_ptr<Denoiser> make_surface_clamp(Extent size);
+/// The preset of a number, for pictures of a size: general, svgf, surface-clamp; none for others.
+std::unique_ptr<Denoiser> make_denoiser(int preset, Extent size);
 /// Not a preset: takes what one has made, with depth and motion, and smooths its edges.
 std::unique_ptr<Denoiser> make_anti_aliasing(Extent size);
 

@@ -1,7 +1,0 @@
-#include "denoiser_of.hpp"
-
-namespace quell::live {
-
-std::unique_ptr<Denoiser> make_general(Extent size) { return make_denoiser(presets::general(radiance, Demodulate{}), size); }
-
-} // namespace quell::live
