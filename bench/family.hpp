@@ -52,7 +52,7 @@ struct Family {
 /// The names under which passes are reported: no spaces, and several of one name numbered.
 std::vector<std::string> pass_names(std::vector<std::string> const& passes);
 
-/// All presets with each storage, in the order of quell::named_presets.
+/// All presets with each storage, in the order of quell::all_presets.
 std::vector<Family> families();
 /// Those with the reference storage, in packs: compiled presets.
 std::vector<Family> compiled_families();

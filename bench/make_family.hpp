@@ -3,10 +3,10 @@
 #include "family.hpp"
 #include "sequence.hpp"
 
+#include <baselines/named.hpp>
 #include <library/name_list.hpp>
 #include <library/preset_share.hpp>
 #include <quell/pipeline/plan.hpp>
-#include <quell/presets/named.hpp>
 
 namespace quell::bench {
 
@@ -59,8 +59,8 @@ inline constexpr auto is_wanted = [](auto const& preset) {
 
 template <class Storage, std::size_t unit, std::size_t units> std::vector<Family> families_of_unit() {
     std::vector<Family> made;
-    for_each_preset_index([&](auto i) {
-        constexpr auto const& preset = std::get<i>(named_presets);
+    for_each_preset_index(all_presets, [&](auto i) {
+        constexpr auto const& preset = std::get<i>(all_presets);
         if constexpr (is_wanted<Storage>(preset))
             if constexpr (quell_library::share_of_preset<units>(i, is_wanted<Storage>) == unit)
                 made.push_back(make_family<Storage>(preset));

@@ -2,7 +2,7 @@
 
 #include "chart_effect.hpp"
 
-#include <quell/presets/named.hpp>
+#include <baselines/named.hpp>
 
 #include <tuple>
 
@@ -31,7 +31,7 @@ template <BlurInput input> auto charted_presets(ChannelTag auto signal, auto... 
         } else
             return std::tuple();
     };
-    return std::apply([&](auto const&... preset) { return std::tuple_cat(charted(preset)...); }, named_presets);
+    return std::apply([&](auto const&... preset) { return std::tuple_cat(charted(preset)...); }, all_presets);
 }
 
 /// svgf with a wavelet of another shape.

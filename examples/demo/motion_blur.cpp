@@ -1,6 +1,6 @@
 #include "denoised.hpp"
 
-#include <quell/presets/published.hpp>
+#include <baselines/presets.hpp>
 
 namespace quell::examples {
 

@@ -2,9 +2,9 @@
 #include "chart/file_sequence.hpp"
 #include "chart_in.hpp"
 
+#include <baselines/named.hpp>
 #include <denoise/presets.hpp>
 #include <quell/metrics/picture.hpp>
-#include <quell/presets/named.hpp>
 #include <quell/quell.hpp>
 
 #include <cmath>
@@ -96,7 +96,7 @@ std::string methods_of(std::map<std::string, Cells> const& rows) {
 /// The same of all compiled presets that denoise any signal by what the files above have, with and without later frames.
 std::string methods_of_guided() {
     std::map<std::string, Cells> rows;
-    for_each_preset([&]<class P>(P const& preset) {
+    for_each_preset(all_presets, [&]<class P>(P const& preset) {
         if constexpr (std::is_same_v<typename P::signal_type, AnySignal>)
             if (std::string const name(preset.name);
                 examples::find_preset(name) && contained_in<typename decltype(P::usual())::reads, Guided>) {
