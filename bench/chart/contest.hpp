@@ -55,17 +55,10 @@ private:
     std::vector<std::unique_ptr<Method<FrameT>>> methods;
     std::vector<Entry> entries;
 
-    /// A named pipeline and, in a sweep, its variants.
-    template <class P, class Storage> void add(Charted<P, Storage> const& named, ChartOptions const& options) {
-        using Made = MethodOf<FrameT, typename Charted<P, Storage>::Whole, Storage>;
-        auto const make = [&](std::optional<Variant> const& variant, P const& pipeline) {
-            methods.push_back(std::make_unique<Made>(whole(pipeline), options));
-            entries.push_back({variant ? name_of(*variant) : named.name, named.competes, variant});
-            check_differ(options.externals, entries.back().method);
-        };
-        if (!named.variant || options.sweep) make(named.variant, named.pipeline);
-        if (options.sweep && !named.variant)
-            for (auto const& changed : variants_of(named.name, named.pipeline)) make(changed.variant, changed.pipeline);
+    template <class P> void add(Charted<P> const& named, ChartOptions const& options) {
+        check_differ(options.externals, named.name);
+        methods.push_back(std::make_unique<MethodOf<FrameT, typename Charted<P>::Whole>>(whole(named.pipeline), options));
+        entries.push_back({named.name, named.competes});
     }
 };
 

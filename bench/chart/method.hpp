@@ -28,14 +28,14 @@ protected:
     std::vector<double> milliseconds;
 };
 
-template <class FrameT, class Whole, class Storage> class MethodOf final : public Method<FrameT> {
+template <class FrameT, class Whole> class MethodOf final : public Method<FrameT> {
     Whole pipeline;
-    History<Whole, Storage> history;
+    History<Whole> history;
     Threads<> threads;
 
 public:
     MethodOf(Whole const& p, ChartOptions const& options)
-        : pipeline(p), history(options.size, pipeline, Storage{}), threads{.count = options.threads} {}
+        : pipeline(p), history(options.size, pipeline), threads{.count = options.threads} {}
 
     metrics::Picture run(FrameT const& frame) override {
         auto const begin = std::chrono::steady_clock::now();

@@ -1,7 +1,6 @@
 #include "results.hpp"
 
 #include "page.hpp"
-#include "plot.hpp"
 
 #include <quell/core/error.hpp>
 #include <support/output_folder.hpp>
@@ -18,7 +17,6 @@ namespace quell::bench {
 
 Results::Results(ChartOptions const& options_) : options(options_) {
     examples::make_output_folder(options.out);
-    if (!options.times) require_gnuplot();
     if (!options.quiet) std::cout << csv_header() << std::endl;
 }
 
@@ -28,9 +26,7 @@ void Results::add(std::vector<Row> rows) {
         if (!options.quiet) std::cout << csv_line(row) << std::endl;
     std::ranges::move(rows, std::back_inserter(all));
     write_csv();
-    if (options.times) return;
-    write_plot(all, options.out);
-    write_chart_page(all, options.out / "index.html");
+    if (!options.times) write_chart_page(all, options.out / "index.html");
 }
 
 void Results::write_csv() const {

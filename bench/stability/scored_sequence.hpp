@@ -51,7 +51,7 @@ struct Making {
     double tolerance = 0.015;  ///< of references: mean FLIP between two independent halves
     int max_samples = 1024;    ///< of references, per pixel
     std::uint32_t seed = 0;    ///< of the noise
-    int long_run = 10000;      ///< frames of what lasts for the sake of it
+    int long_run = 10000;      ///< frames of the case drift
     int broken_frames = 10000; ///< of the case bounds
 };
 
