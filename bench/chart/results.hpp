@@ -18,8 +18,6 @@ public:
 private:
     ChartOptions const& options;
     std::vector<Row> all;
-
-    void write_csv() const;
 };
 
 } // namespace quell::bench

@@ -60,7 +60,4 @@ struct Making {
 /// A channel's components in an image, which must have them.
 [[nodiscard]] std::vector<float>& plane(io::ExrImage& image, std::string const& name);
 
-/// A picture of three planes.
-[[nodiscard]] metrics::Picture picture_of(io::ExrImage const& image, std::string const& layer);
-
 } // namespace quell::stability
