@@ -5,7 +5,7 @@
 
 build_packages=(g++ cmake ninja-build)
 library_packages=(libglm-dev libxsimd-dev libtbb-dev)
-program_packages=(libembree-dev libopenexr-dev libtinygltf-dev libstb-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpng-dev zlib1g-dev gnuplot-nox)
+program_packages=(libembree-dev libopenexr-dev libtinygltf-dev libstb-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpng-dev zlib1g-dev)
 python_packages=(python3-dev python3-numpy python3-pip python3-setuptools python3-wheel pybind11-dev python3-pybind11)
 test_packages=(doctest-dev libbenchmark-dev clang doxygen cmark-gfm python3 pkgconf dpkg-dev file)
 
@@ -33,7 +33,6 @@ project_of() {
     libcli11-dev) echo "CLI11 (github.com/CLIUtils/CLI11)" ;;
     libfmt-dev) echo "{fmt} (github.com/fmtlib/fmt)" ;;
     nlohmann-json3-dev) echo "JSON for Modern C++ (github.com/nlohmann/json)" ;;
-    gnuplot-nox) echo "gnuplot (gnuplot.info)" ;;
     doctest-dev) echo "doctest (github.com/doctest/doctest)" ;;
     libbenchmark-dev) echo "Google Benchmark (github.com/google/benchmark)" ;;
     python3-numpy) echo "NumPy (numpy.org)" ;;

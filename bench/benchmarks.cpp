@@ -15,7 +15,6 @@ constexpr Extent smoke_size{96, 54};
 std::vector<How> executors(Family const& family) {
     if (family.storage == cuda_storage) return {{How::Kind::threads, max_threads()}}; // which copy images
     std::vector<How> all;
-    if (family.has_serial()) all.push_back({How::Kind::serial});
     all.push_back({How::Kind::simd});
     for (int n = 1; n < max_threads(); n *= 2) all.push_back({How::Kind::threads, n});
     all.push_back({How::Kind::threads, max_threads()});
@@ -60,8 +59,6 @@ void register_preset(Family const& family, Extent size, How how) {
     auto const name = family.preset + "/" + to_string(size) + "/" + family.storage + "/" + how.name();
     auto* const made = benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { run_preset(state, family, size, how); });
     made->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
-    // One pixel after the other takes seconds a frame: twice is enough for a reference, at one size.
-    if (how.kind == How::Kind::serial) made->Iterations(2);
 }
 
 void register_passes(Family const& family, Extent size, How how) {
@@ -77,11 +74,10 @@ void register_passes(Family const& family, Extent size, How how) {
 
 void register_size(std::vector<Family> const& all, Extent size) {
     for (auto const& family : all)
-        for (auto const how : executors(family))
-            if (how.kind != How::Kind::serial || size == sizes[1]) {
-                register_preset(family, size, how);
-                if (how.kind != How::Kind::serial) register_passes(family, size, how);
-            }
+        for (auto const how : executors(family)) {
+            register_preset(family, size, how);
+            register_passes(family, size, how);
+        }
 }
 
 } // namespace
@@ -89,10 +85,9 @@ void register_size(std::vector<Family> const& all, Extent size) {
 void register_benchmarks(std::vector<Family> const& all) {
     for (auto const size : sizes) register_size(all, size);
     for (auto const& family : all)
-        if (family.storage == reference_storage || family.storage == cuda_storage)
-            benchmark::RegisterBenchmark(("smoke/" + family.preset).c_str(), [=](benchmark::State& state) {
-                run_preset(state, family, smoke_size, {How::Kind::threads, max_threads()});
-            })->Iterations(1);
+        benchmark::RegisterBenchmark(("smoke/" + family.preset).c_str(), [=](benchmark::State& state) {
+            run_preset(state, family, smoke_size, {How::Kind::threads, max_threads()});
+        })->Iterations(1);
 }
 
 } // namespace quell::bench

@@ -13,7 +13,7 @@ units=2
 # One PTX for all GPUs since Ampere, and machine code for Hopper. 20012: GLM marks defaulted functions for the device, which nvcc remarks
 # on and ignores.
 flags=(-std=c++20 --expt-relaxed-constexpr -ftz=true -prec-div=false -prec-sqrt=false -diag-suppress 20012 -Werror all-warnings -O1
-    -Iinclude -Xptxas -v
+    -Iinclude -Ibench -Xptxas -v
     -gencode "arch=compute_80,code=[compute_80,sm_90]" ${NVCC_FLAGS:-})
 static=(-cudart static -Xcompiler -static-libstdc++ -Xcompiler -static-libgcc)
 

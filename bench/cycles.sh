@@ -14,8 +14,7 @@ read -ra scenes <<<"${2:-lamp train brass}"
 read -ra filters <<<"${3:-box}"
 read -ra samples <<<"${4:-1 4 16 64}"
 cd "$(dirname "$0")/.."
-source .ci/packages.sh
-command -v blender >/dev/null || install_packages blender
+source bench/render_cycles.sh
 [[ " ${scenes[*]} " != *" gamut "* ]] || [ -e /usr/share/doc/python3-openimageio ] || install_packages python3-openimageio
 denoise=build/release/examples/denoise/quell-denoise
 [ -x "$denoise" ] || { cmake --preset release && cmake --build --preset release --target quell-denoise; }
@@ -27,22 +26,6 @@ shape() {
     lamp | train | brass) echo 480 270 $(($2 >= 64 ? 33 : 17)) 48 41 ;;
     *) echo 240 135 1 10 5 ;;
     esac
-}
-
-# render scene filter samples first last: those of the frames that aren't there.
-render() {
-    local to=$folder/$1/$2/$3 number first=0 last=0 width height
-    read -r width height _ <<<"$(shape "$1" "$3")"
-    mkdir -p "$to"
-    for ((number = $4; number <= $5; ++number)); do
-        [ -s "$to/frame_$(printf %04d "$number").exr" ] && continue
-        [ "$first" -gt 0 ] || first=$number
-        last=$number
-    done
-    [ "$first" -gt 0 ] || return 0
-    echo "rendering $1, filter $2, $3 samples, frames $first to $last" >&2
-    blender -b --factory-startup -noaudio -P bench/cycles_scenes.py -- "$1" "$to" "$3" "$first" "$last" "$width" "$height" "$2" >"$to/blender.log" 2>&1 ||
-        { tail -3 "$to/blender.log" >&2 && exit 1; }
 }
 
 # score scene filter samples preset [options]: FLIP (RMSE).
@@ -57,9 +40,9 @@ score() {
 for filter in "${filters[@]}"; do
     for scene in "${scenes[@]}"; do
         for count in "${samples[@]}"; do
-            read -r _ _ first last reference <<<"$(shape "$scene" "$count")"
-            render "$scene" "$filter" 512 "$reference" "$last"
-            render "$scene" "$filter" "$count" "$first" "$last"
+            read -r width height first last reference <<<"$(shape "$scene" "$count")"
+            render "$scene" "$folder/$scene/$filter/512" 512 "$reference" "$last" "$width" "$height" "$filter"
+            render "$scene" "$folder/$scene/$filter/$count" "$count" "$first" "$last" "$width" "$height" "$filter"
         done
     done
     printf '| filter %s: FLIP (RMSE) |' "$filter"

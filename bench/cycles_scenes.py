@@ -6,9 +6,8 @@
 # lamp, train, brass have Position and IndexOB too; their passes are clean and complete. In the others colour passes, alpha or sums are not:
 #   fog (volume passes), dof (depth of field), film (transparent film), glass (no transmission passes), mblur (motion blur: Vector is 0),
 #   gamut (components below 0, wants python3-openimageio), and as controls leaves (outdoors) and tiles (indoors, fine textures).
-# Of bench/scoreboard.sh: street, office, crossing, night, fur, chrome; and of bench/held_out.sh, to which nothing is fitted: kitchen,
-# market, stairs, garden, workshop. Of bench/gauntlet.sh: horizon, screen, zoom, drips.
-# bench/cycles.sh calls this.
+# street, office, crossing, night, fur and chrome were chosen on; of bench/held_out.sh, to which nothing is fitted: kitchen, market, stairs,
+# garden, workshop. Of bench/gauntlet.sh: horizon, screen, zoom, drips. bench/render_cycles.sh calls this.
 import bpy, sys, math, os, random
 name, out, spp, first, last, width, height = (lambda a: (a[0], a[1], *map(int, a[2:7])))(sys.argv[sys.argv.index("--") + 1:])
 pixel_filter, seed = (sys.argv[sys.argv.index("--") + 8:] + ["box", "0"][len(sys.argv) - sys.argv.index("--") - 8:])[:2]

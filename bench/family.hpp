@@ -1,67 +1,65 @@
 #pragma once
 
-#include "timed.hpp"
+#include <quell/image/extent.hpp>
 
-#include <functional>
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
+
+namespace quell_library {
+struct Way;
+}
 
 namespace quell::bench {
 
 /// What families on a GPU have in a storage's place.
 inline constexpr auto cuda_storage = "cuda";
-/// The storage that all is compared with.
-inline constexpr auto reference_storage = "planar-float";
+/// The storage of the history of all others.
+inline constexpr auto usual_storage = "planar-float";
+
+/// Threads that this process can run at once.
+inline int max_threads() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
+
+/// Which executor runs a frame.
+struct How {
+    enum class Kind { simd, threads } kind = Kind::simd;
+    int threads = 1;
+
+    [[nodiscard]] std::string name() const { return kind == Kind::simd ? "simd" : "threads:" + std::to_string(threads); }
+};
+
+/// Seconds: by the clock on the wall, and of processor time over all threads, which other programs on the machine don't lengthen.
+struct Seconds {
+    double wall = 0., processor = 0.;
+
+    static Seconds now();
+    friend Seconds operator-(Seconds a, Seconds b) { return {a.wall - b.wall, a.processor - b.processor}; }
+};
+
+/// A compiled preset, and where it runs.
+struct Family {
+    std::string preset;
+    std::string storage;
+    std::vector<std::string> passes; ///< no spaces, and several of one name numbered
+    quell_library::Way const* way;   ///< lives as long as the program
+};
+std::vector<Family> families();
+/// Those that run on a GPU. Their storage is called cuda.
+/// @throws Error where the program was built without CUDA
+std::vector<Family> cuda_families();
 
 /// A preset with a history of its own, ready to run frame after frame.
 class Workload {
 public:
     virtual ~Workload() = default;
-    /// @param frame of the sequence
-    virtual void run(std::size_t frame, How how) = 0;
-    [[nodiscard]] virtual double bytes_per_pixel() const = 0;
-    /// What the passes of the last frame took.
-    [[nodiscard]] std::vector<Seconds> const& passes() const { return taken; }
-
     /// The next frame of the sequence. Returns the whole frame's time.
-    Seconds next(How how);
-    /// Until histories are long.
-    void warm_up();
-    std::unique_ptr<Workload> serial; ///< the same, one pixel after the other, where there is that
-
-protected:
-    std::vector<Seconds> taken;
-
-private:
-    std::size_t at = 0;
+    virtual Seconds next(How how) = 0;
+    /// What the passes of the last frame took.
+    [[nodiscard]] virtual std::vector<Seconds> const& passes() const = 0;
+    [[nodiscard]] virtual double bytes_per_pixel() const = 0;
 };
-
-/// A preset with a storage for its history. All else is common code.
-struct Family {
-    std::string preset;
-    std::string storage;
-    std::vector<std::string> passes;
-    /// In packs; null where generated code has one pixel after the other alone.
-    std::function<std::unique_ptr<Workload>(Extent)> make{};
-    std::unique_ptr<Workload> (*make_serial)(Extent) = nullptr; ///< one pixel after the other; null where it is not compiled
-
-    [[nodiscard]] bool has_serial() const { return make_serial != nullptr; }
-};
-
-/// The names under which passes are reported: no spaces, and several of one name numbered.
-std::vector<std::string> pass_names(std::vector<std::string> const& passes);
-
-/// All presets with each storage, in the order of quell::named_presets.
-std::vector<Family> families();
-/// Those with the reference storage, in packs: compiled presets.
-std::vector<Family> compiled_families();
-/// Those that run on a GPU. Their storage is called cuda.
-/// @throws Error where the program was built without CUDA
-std::vector<Family> cuda_families();
-/// A share of those with another storage, or one pixel after the other, number `unit` of `units`: in a generated file.
-template <class Storage, std::size_t unit, std::size_t units> std::vector<Family> families_of_unit();
-
 /// A warm workload. Only the last one asked for is kept: at 1920x1080 they are large.
 Workload& workload(Family const& family, Extent size);
 

@@ -9,27 +9,17 @@ folder=$(realpath -m "${1:-out/gauntlet_cycles}")
 read -ra scenes <<<"${2:-horizon screen zoom drips}"
 read -ra counts <<<"${3:-4}"
 cd "$(dirname "$0")/.."
-source .ci/packages.sh
-command -v blender >/dev/null || install_packages blender
+source bench/render_cycles.sh
 gauntlet=${GAUNTLET:-build/release/bench/gauntlet/quell-gauntlet}
 [ -x "$gauntlet" ] || { cmake --preset release && cmake --build --preset release --target quell-gauntlet; }
 
-# render scene to samples first last seed
-render() {
-    local to=$folder/$1/$2
-    [ -s "$to/frame_$(printf %04d "$5").exr" ] && return
-    mkdir -p "$to"
-    echo "rendering $1, $3 samples, frames $4 to $5" >&2
-    blender -b --factory-startup -noaudio -P bench/cycles_scenes.py -- "$1" "$to" "$3" "$4" "$5" 192 108 box "$6" >"$to.log" 2>&1 ||
-        { tail -3 "$to.log" >&2 && exit 1; }
-}
 sequences=()
 for scene in "${scenes[@]}"; do
     for samples in "${counts[@]}"; do
-        render "$scene" "$samples" "$samples" 1 8 0
+        render "$scene" "$folder/$scene/$samples" "$samples" 1 8 192 108 box
         sequences+=(--sequence "$folder/$scene/$samples")
     done
-    for part in 1 2; do render "$scene" "part_$part" 256 4 6 "$part"; done
+    for part in 1 2; do render "$scene" "$folder/$scene/part_$part" 256 4 6 192 108 box "$part"; done
     mkdir -p "$folder/$scene/reference"
     for frame in 4 5 6; do
         to=$folder/$scene/reference/frame_000$frame.exr

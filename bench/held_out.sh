@@ -11,28 +11,19 @@ folder=$(realpath -m "${1:-out/held}")
 read -ra scenes <<<"${2:-kitchen market stairs workshop garden}"
 parts=${3:-4}
 cd "$(dirname "$0")/.."
-source .ci/packages.sh
-command -v blender >/dev/null || install_packages blender
+source bench/render_cycles.sh
 denoise=${DENOISE:-build/release/examples/denoise/quell-denoise}
 [ -x "$denoise" ] || { cmake --preset release && cmake --build --preset release --target quell-denoise; }
 
 filter() { case $1 in kitchen | stairs) echo box ;; *) echo default ;; esac; }
 
-# render scene to samples first last seed
-render() {
-    local to=$folder/$1/$2
-    [ -s "$to/frame_$(printf %04d "$5").exr" ] && return
-    mkdir -p "$to"
-    echo "rendering $1, $3 samples, frames $4 to $5" >&2
-    blender -b --factory-startup -noaudio -P bench/cycles_scenes.py -- "$1" "$to" "$3" "$4" "$5" 480 270 "$(filter "$1")" "$6" window >"$to.log" 2>&1 ||
-        { tail -3 "$to.log" >&2 && exit 1; }
-}
 for scene in "${scenes[@]}"; do
-    render "$scene" 1 1 21 45 0
-    render "$scene" 16 16 32 43 0
-    render "$scene" 64 64 37 42 0
-    render "$scene" 256 256 40 42 0
-    for ((part = 1; part <= parts; ++part)); do render "$scene" "part_$part" 256 37 41 "$part"; done
+    how=(480 270 "$(filter "$scene")")
+    for frames in "1 21 45" "16 32 43" "64 37 42" "256 40 42"; do
+        read -r samples first last <<<"$frames"
+        render "$scene" "$folder/$scene/$samples" "$samples" "$first" "$last" "${how[@]}" 0 window
+    done
+    for ((part = 1; part <= parts; ++part)); do render "$scene" "$folder/$scene/part_$part" 256 37 41 "${how[@]}" "$part" window; done
     mkdir -p "$folder/$scene"/{reference,half_1,half_2}
     for frame in 37 38 39 40 41; do
         to=$folder/$scene/reference/frame_00$frame.exr

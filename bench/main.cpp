@@ -6,8 +6,8 @@
 //   quell-bench --device=cuda                                             whole frames on a GPU, whose images are copied there and back
 //   quell-bench --summary[=svgf] [--rounds=5]                             tables that compare executors in turn; no single benchmarks
 //
-// All other flags are Google Benchmark's own (--help). Names are PRESET/SIZE/STORAGE/EXECUTOR; the storage is the history's (planar or
-// interleaved, float or half), the frame is planar floats. Histories are warm: no benchmark times a first frame.
+// All other flags are Google Benchmark's own (--help). Names are PRESET/SIZE/STORAGE/EXECUTOR; the storage is the history's,
+// planar floats as the frame. Histories are warm: no benchmark times a first frame.
 // Counters: ms/frame and pixels/s by the clock on the wall; bytes/pixel of history and scratch; allocations/frame by operator new, which is
 // 0 for quell itself (see --summary, executor simd).
 
@@ -64,14 +64,12 @@ std::vector<quell::bench::Family> families_on(std::string const& device) {
 }
 /// @throws quell::Error for a preset that isn't measured
 void check_summary(std::string const& preset) {
-    std::vector<std::string> names; // each once: there is a family for each storage
+    std::vector<std::string> names;
     for (auto const& family : quell::bench::families()) {
         if (preset.empty() || family.preset == preset) return;
-        if (names.empty() || names.back() != family.preset) names.push_back(family.preset);
+        names.push_back(family.preset);
     }
-    throw quell::Error(
-        "--summary", "there is no preset '" + preset + "'",
-        fmt::format("choose one of: {} (those of QUELL_BENCH_PRESETS, where it was built with that)", fmt::join(names, ", ")));
+    throw quell::Error("--summary", "there is no preset '" + preset + "'", fmt::format("choose one of: {}", fmt::join(names, ", ")));
 }
 
 } // namespace

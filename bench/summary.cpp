@@ -47,14 +47,13 @@ std::vector<Series> alternate(Family const& family, std::vector<How> const& exec
     std::vector<Series> all;
     for (auto const how : executors) all.push_back({how, {}, {}, {}, 0});
     // The first round settles what is cached and which threads exist.
-    for (auto const& series : all)
-        if (series.how.kind != How::Kind::serial) work.next(series.how);
+    for (auto const& series : all) work.next(series.how);
     for (int i = 0; i < rounds; ++i)
         for (auto& series : all) series.add(work);
     return all;
 }
 
-/// A preset with a storage, and the frames of each executor.
+/// A preset, and the frames of each executor.
 struct Measured {
     Family family;
     std::vector<Series> series;
@@ -63,7 +62,6 @@ struct Measured {
     [[nodiscard]] Series const& series_of(How how) const {
         return *std::ranges::find_if(series, [&](auto const& each) { return each.how.name() == how.name(); });
     }
-    [[nodiscard]] bool is_reference() const { return family.storage == reference_storage; }
 };
 
 /// A row of a table in Markdown.
@@ -77,23 +75,22 @@ std::string number(double value, int digits) { return std::isfinite(value) ? fmt
 void print_presets_head(int rounds) {
     auto const most = std::to_string(max_threads());
     fmt::print("\n## Presets, {}, {}, medians of {}; cpu: processor time, which others on the machine hardly lengthen\n", to_string(size),
-               reference_storage, rounds);
-    print_head({"preset", "serial ms", "simd ms", "simd cpu ms", "threads:1 ms", "threads:" + most + " ms", "best", "serial/simd",
-                "threads:1/simd", "threads 1/" + most, "the same by cpu", "bytes/pixel", "allocations (simd)"});
+               usual_storage, rounds);
+    print_head({"preset", "simd ms", "simd cpu ms", "threads:1 ms", "threads:" + most + " ms", "best", "threads:1/simd",
+                "threads 1/" + most, "the same by cpu", "bytes/pixel", "allocations (simd)"});
 }
 
 void print_preset(Measured const& m) {
     auto const &simd = m.series_of({How::Kind::simd, 1}), &one = m.series_of({How::Kind::threads, 1}), &many = m.series.back();
     auto const ms = [](std::vector<double> const& seconds) { return number(1e3 * median(seconds), 2); };
-    auto const serial = m.family.has_serial() ? m.series.front() : Series{};
-    print_row({m.family.preset, ms(serial.wall), ms(simd.wall), ms(simd.processor), ms(one.wall), ms(many.wall),
-               number(1e3 * *std::ranges::min_element(many.wall), 2), number(ratio(serial.processor, simd.processor), 1),
-               number(ratio(one.processor, simd.processor), 3), number(ratio(one.wall, many.wall), 2),
-               number(many.how.threads * ratio(one.processor, many.processor), 2), number(m.bytes, 1), std::to_string(simd.allocated)});
+    print_row({m.family.preset, ms(simd.wall), ms(simd.processor), ms(one.wall), ms(many.wall),
+               number(1e3 * *std::ranges::min_element(many.wall), 2), number(ratio(one.processor, simd.processor), 3),
+               number(ratio(one.wall, many.wall), 2), number(many.how.threads * ratio(one.processor, many.processor), 2),
+               number(m.bytes, 1), std::to_string(simd.allocated)});
 }
 
 void print_passes_head() {
-    fmt::print("\n## Passes, simd, {}, processor time\n", reference_storage);
+    fmt::print("\n## Passes, simd, {}, processor time\n", usual_storage);
     print_head({"preset", "pass", "ms"});
 }
 
@@ -107,25 +104,11 @@ std::vector<Measured> measure(std::string_view wanted, int rounds) {
     int const most = max_threads();
     for (auto const& family : families()) {
         if (!wanted.empty() && family.preset != wanted) continue;
-        std::vector<How> executors{{How::Kind::simd, 1}};
-        if (family.has_serial()) executors.insert(executors.begin(), {How::Kind::serial, 1});
-        if (family.storage == reference_storage) executors.push_back({How::Kind::threads, 1});
-        executors.push_back({How::Kind::threads, most});
-        fmt::print(stderr, "measuring {} {}\n", family.preset, family.storage);
-        auto series = alternate(family, executors, rounds);
+        fmt::print(stderr, "measuring {}\n", family.preset);
+        auto series = alternate(family, {{How::Kind::simd, 1}, {How::Kind::threads, 1}, {How::Kind::threads, most}}, rounds);
         all.push_back({family, std::move(series), workload(family, size).bytes_per_pixel()});
     }
     return all;
-}
-
-void print_storages(std::vector<Measured> const& all) {
-    fmt::print("\n## Storages, {}\n", to_string(size));
-    print_head({"preset", "storage", "simd ms", "threads:" + std::to_string(max_threads()) + " ms", "bytes/pixel", "allocations"});
-    for (auto const& m : all) {
-        auto const& simd = m.series_of({How::Kind::simd, 1});
-        print_row({m.family.preset, m.family.storage, number(1e3 * median(simd.processor), 2),
-                   number(1e3 * median(m.series.back().wall), 2), number(m.bytes, 1), std::to_string(simd.allocated)});
-    }
 }
 
 } // namespace
@@ -133,12 +116,9 @@ void print_storages(std::vector<Measured> const& all) {
 void print_summary(std::string_view wanted, int rounds) {
     auto const all = measure(wanted, rounds);
     print_presets_head(rounds);
-    for (auto const& m : all)
-        if (m.is_reference()) print_preset(m);
+    for (auto const& m : all) print_preset(m);
     print_passes_head();
-    for (auto const& m : all)
-        if (m.is_reference()) print_passes(m.family, m.series_of({How::Kind::simd, 1}));
-    print_storages(all);
+    for (auto const& m : all) print_passes(m.family, m.series_of({How::Kind::simd, 1}));
 }
 
 } // namespace quell::bench

@@ -62,9 +62,9 @@ build_and_test() {
 }
 
 build_gcc() {
-    # That benchmarks run is seen by compiled presets. The compiler goes by CXX, which a folder that the demo has configured already
-    # ignores: CMake would start such a folder afresh for another CMAKE_CXX_COMPILER, and forget all that stands on this line.
-    CXX=g++ cmake --preset release -D QUELL_BENCH_STORAGES= -D QUELL_LIBRARY=ON -D QUELL_PYTHON=ON
+    # The compiler goes by CXX, which a folder that the demo has configured already ignores: CMake would start such a folder afresh for
+    # another CMAKE_CXX_COMPILER, and forget all that stands on this line.
+    CXX=g++ cmake --preset release -D QUELL_LIBRARY=ON -D QUELL_PYTHON=ON
     [ ${#only[@]} -gt 0 ] || build build/release
 }
 # Tests that wait for a browser or a farm leave a core to others.

@@ -17,8 +17,7 @@ auto denoisers() {
     return std::tuple_cat(std::tuple(Charted{"none", presets::none(radiance)}, Charted{"svgf", presets::svgf(radiance)},
                                      Charted{"general", presets::general(radiance)}),
                           charted_presets<BlurInput::samples>(radiance),
-                          std::tuple(Charted{"blur", presets::blur(radiance)}.in_half(),
-                                     Charted{"blur-no-history", Pipeline{radiance, Spatial{PairGuide<RotatingTrajectories>{}},
+                          std::tuple(Charted{"blur-no-history", Pipeline{radiance, Spatial{PairGuide<RotatingTrajectories>{}},
                                                                          Spatial{gather}, Spatial{DirectionalMean{gather}}, no_history}},
                                      Charted{"blur-few-samples", presets::blur(radiance, {}, {.count = 32})}));
 }

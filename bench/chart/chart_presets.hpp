@@ -2,7 +2,7 @@
 
 #include "chart_effect.hpp"
 
-#include <quell/presets/named.hpp>
+#include <baselines/named.hpp>
 
 #include <tuple>
 
@@ -31,37 +31,14 @@ template <BlurInput input> auto charted_presets(ChannelTag auto signal, auto... 
         } else
             return std::tuple();
     };
-    return std::apply([&](auto const&... preset) { return std::tuple_cat(charted(preset)...); }, named_presets);
+    return std::apply([&](auto const&... preset) { return std::tuple_cat(charted(preset)...); }, all_presets);
 }
 
-/// svgf with a wavelet of another shape.
-template <class Spline> constexpr auto svgf_with(Spline, ChannelTag auto signal, auto... options) {
-    return Pipeline{signal, options..., Temporal{SurfaceMotion{}, WithMoments{RunningMean{.cap = 5.f}}},
-                    Spatial{VarianceGuidedAtrous<Product<DepthEdge, NormalEdge>, Spline>{}}};
-}
-
-/// Variants of another type than the presets of any signal.
-auto variants_of_any(ChannelTag auto signal, auto... options) {
-    return std::tuple(variant_of({"atrous", "taps", 3., 5.},
-                                 Pipeline{signal, options..., Spatial{Atrous<Product<DepthEdge, NormalEdge>, LinearSpline>{}}}),
-                      Charted{"general", presets::general(signal, options...)}.in_half(),
-                      Charted{"svgf", presets::svgf(signal, options...)}.in_half(),
-                      variant_of({"svgf", "taps", 3., 5.}, svgf_with(LinearSpline{}, signal, options...)));
-}
-
-/// Charts all presets of a signal on frames of one sharp sample per pixel, and more pipelines.
+/// Charts all presets of a signal on frames of one sharp sample per pixel.
 /// @param options what presets of any signal get
-template <class... Options>
-void chart_presets(ChartRequest const& request, ChannelTag auto signal, std::vector<tracer::Effect> const& effects,
-                   std::tuple<Options...> options, auto const&... more) {
+void chart_presets(ChartRequest const& request, ChannelTag auto signal, std::vector<tracer::Effect> const& effects, auto... options) {
     tracer::RenderSettings const one_sample{.size = request.options.size, .seed = request.options.seed, .threads = request.options.threads};
-    auto const methods = std::apply(
-        [&](auto... option) {
-            return std::tuple_cat(charted_presets<BlurInput::none>(signal, option...), variants_of_any(signal, option...),
-                                  std::tuple(more...));
-        },
-        options);
-    chart_feeds(request, signal, effects, Feed{one_sample, methods});
+    chart_feeds(request, signal, effects, Feed{one_sample, charted_presets<BlurInput::none>(signal, options...)});
 }
 
 } // namespace quell::bench

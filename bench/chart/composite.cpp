@@ -2,6 +2,5 @@
 
 void quell::bench::chart_composite(ChartRequest const& request) {
     using tracer::Effect;
-    chart_presets(request, radiance, {Effect::shadow, Effect::glossy, Effect::indirect}, std::tuple(Demodulate{}),
-                  Charted{"trmv", presets::trmv()}.in_half());
+    chart_presets(request, radiance, {Effect::shadow, Effect::glossy, Effect::indirect}, Demodulate{});
 }

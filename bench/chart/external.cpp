@@ -1,11 +1,12 @@
 #include "external.hpp"
 
+#include "../files.hpp"
+
 #include <quell/io/exr.hpp>
 #include <support/frame_pattern.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -27,16 +28,6 @@ fs::path fresh_folder() {
 }
 
 FramePattern pattern_in(fs::path const& folder) { return FramePattern((folder / "frame.%04d.exr").string()); }
-
-std::string quoted(std::string const& text) {
-    auto const plain = [](unsigned char c) {
-        return std::isalnum(c) != 0 || std::string_view("%+,-./:@_").find(static_cast<char>(c)) != std::string_view::npos;
-    };
-    if (std::ranges::all_of(text, plain)) return text;
-    std::string result = "'";
-    for (char const c : text) result += c == '\'' ? "'\\''" : std::string(1, c);
-    return result + "'";
-}
 
 void replace_all(std::string& text, std::string const& what, std::string const& by) {
     for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) text.replace(at, what.size(), by);
@@ -83,19 +74,12 @@ io::ExrImage image_in(fs::path const& file, External const& external) {
     }
 }
 
-metrics::Picture picture_in(fs::path const& file, External const& external, Extent size) {
+metrics::Picture picture_of(fs::path const& file, External const& external, Extent size) {
     auto const image = image_in(file, external);
     if (!(image.size == size))
         throw Failure(subject_of(external), "it wrote " + to_string(image.size) + " for frames of " + to_string(size),
                       "let it keep their size");
-    metrics::Picture picture{size, std::vector<glm::vec3>(image.pixels())};
-    int c = 0;
-    for (char const* const name : {"R", "G", "B"}) {
-        auto const component = io::component_of(image, {{name}});
-        for (std::size_t i = 0; i < component.size(); ++i) picture.pixels[i][c] = component[i];
-        ++c;
-    }
-    return picture;
+    return picture_in(image, "");
 }
 
 } // namespace
@@ -141,7 +125,7 @@ Row ExternalRuns::run(External const& external, Judge const& judge) {
     double const milliseconds = milliseconds_of(external, out);
     Entry entry{external.name};
     for (int const frame : judge.frames()) {
-        auto const picture = picture_in(pattern_in(out).path(frame), external, judge.size());
+        auto const picture = picture_of(pattern_in(out).path(frame), external, judge.size());
         judge.measure(frame, std::span(&entry, 1), std::span(&picture, 1));
     }
     fs::remove_all(out);

@@ -2,5 +2,5 @@
 
 void quell::bench::chart_glossy(ChartRequest const& request) {
     auto const effect = request.what.effect == "curved" ? tracer::Effect::curved : tracer::Effect::glossy;
-    chart_presets(request, glossy, {effect}, {}, Charted{"glossy", presets::glossy(glossy)}.in_half());
+    chart_presets(request, glossy, {effect});
 }

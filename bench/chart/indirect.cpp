@@ -1,5 +1,3 @@
 #include "chart_presets.hpp"
 
-void quell::bench::chart_indirect(ChartRequest const& request) {
-    chart_presets(request, indirect, {tracer::Effect::indirect}, {}, Charted{"dual-cone", presets::dual_cone(indirect)}.in_half());
-}
+void quell::bench::chart_indirect(ChartRequest const& request) { chart_presets(request, indirect, {tracer::Effect::indirect}); }

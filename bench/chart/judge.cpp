@@ -45,7 +45,7 @@ Row Judge::row_of(Entry const& entry, double ms_per_frame, double bytes_per_pixe
     Row row{.scene = scene, .effect = effect, .method = entry.method, .size = options.size, .frames = options.frames};
     row.threads = options.threads;
     row.ms_per_frame = ms_per_frame, row.bytes_per_pixel = bytes_per_pixel;
-    row.competes = entry.competes, row.variant = entry.variant;
+    row.competes = entry.competes;
     row.picture = entry.picture, row.reference = reference;
     entry.errors.put(row);
     return row;

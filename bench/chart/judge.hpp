@@ -11,7 +11,6 @@ namespace quell::bench {
 struct Entry {
     std::string method;
     bool competes = true;
-    std::optional<Variant> variant{};
     MethodErrors errors{};
     std::string picture{}; ///< from the chart's folder
 };

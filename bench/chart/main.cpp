@@ -1,6 +1,6 @@
 // quell-chart: what each method costs and how close it comes, on every scene and effect:
-//   quell-chart --scene all --size 480x270 --out out/chart      writes chart.csv, chart.svg and index.html
-//   quell-chart --scene fence --few --tolerance 0.02 --sweep    three frames scored; presets with one number changed too
+//   quell-chart --scene all --size 480x270 --out out/chart      writes chart.csv and index.html
+//   quell-chart --scene fence --few --tolerance 0.02            three frames scored
 //   quell-chart --in 'dir/frame_%04d.exr' --reference 'dir/reference_%04d.exr'       quell-denoise's presets on files of any renderer
 // References and masks are cached in ~/.cache/quell.
 #include "chart_effect.hpp"

@@ -37,7 +37,7 @@ void describe(CLI::App& app, ChartOptions& o, Words& words) {
     app.add_option("--map", o.map, "JSON file that names the channels of --in, see quell-denoise --help");
     app.add_option("--first", o.first, "number of the first frame of --in (default: the first that there is)");
     app.add_option("--last", o.last, "number of the last frame of --in (default: the last that there is)");
-    app.add_option("--out", o.out, "folder for chart.csv, chart.svg, index.html and pictures")->capture_default_str();
+    app.add_option("--out", o.out, "folder for chart.csv, index.html and pictures")->capture_default_str();
     app.add_option("--size", words.size, "width x height in pixels")->capture_default_str();
     app.add_option("--frames", o.frames, "number of frames; 24, 28, 31 to 34, 36 and 40 are scored")
         ->check(CLI::Range(ChartOptions::first_timed + 1, 100000))
@@ -51,7 +51,6 @@ void describe(CLI::App& app, ChartOptions& o, Words& words) {
         ->check(CLI::Range(0.0001, 1.0));
     app.add_flag("--few", o.few, "score frames 24, 32 and 40 only");
     app.add_flag("--times", o.times, "score no frame, which takes no references: only milliseconds and bytes, from frame 8 on");
-    app.add_flag("--sweep", o.sweep, "chart variants of the presets too, one parameter changed at a time");
     app.add_option("--external", words.externals,
                    "'name=command {in} {out}': chart a program too; it gets patterns such as dir/frame.%04d.exr in place of {in} and "
                    "{out}; repeatable");
@@ -90,7 +89,7 @@ void check_files_or_scenes(CLI::App const& app) {
     if (app.count("--in") == 0)
         return check_none({"--reference", "--map", "--first", "--last", "--device"}, "there is no --in",
                           "give the noisy frames, or leave it out");
-    check_none({"--scene", "--effect", "--size", "--frames", "--seed", "--tolerance", "--few", "--times", "--sweep", "--external"},
+    check_none({"--scene", "--effect", "--size", "--frames", "--seed", "--tolerance", "--few", "--times", "--external"},
                "it is for scenes, and --in is for files", "chart the one without the other");
 }
 

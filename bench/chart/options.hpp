@@ -37,7 +37,6 @@ struct ChartOptions {
     double tolerance = 0; ///< of the references: mean FLIP between two independent halves; 0: by the effect
     bool few = false;     ///< score frames 24, 32 and 40 only
     bool times = false;   ///< score none: there are no references, pictures, plots and page, only times and bytes
-    bool sweep = false;   ///< chart variants of the presets too
     std::vector<External> externals;
     bool quiet = false, list = false, wants_help = false;
 

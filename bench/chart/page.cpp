@@ -27,9 +27,6 @@ Json json_of(Row const& row) {
               {"ms_per_frame", row.ms_per_frame}};
     // JSON has no word for numbers that aren't known: the library writes null.
     for (auto const& measure : measures()) json[measure.name] = measure.of(row);
-    if (!row.variant) return json;
-    json["preset"] = row.variant->preset, json["parameter"] = row.variant->parameter;
-    json["value"] = row.variant->value, json["preset_value"] = row.variant->preset_value;
     return json;
 }
 

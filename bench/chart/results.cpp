@@ -1,15 +1,11 @@
 #include "results.hpp"
 
+#include "../files.hpp"
 #include "page.hpp"
-#include "plot.hpp"
 
-#include <quell/core/error.hpp>
 #include <support/output_folder.hpp>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <utility>
@@ -18,7 +14,6 @@ namespace quell::bench {
 
 Results::Results(ChartOptions const& options_) : options(options_) {
     examples::make_output_folder(options.out);
-    if (!options.times) require_gnuplot();
     if (!options.quiet) std::cout << csv_header() << std::endl;
 }
 
@@ -27,19 +22,10 @@ void Results::add(std::vector<Row> rows) {
     for (auto const& row : rows)
         if (!options.quiet) std::cout << csv_line(row) << std::endl;
     std::ranges::move(rows, std::back_inserter(all));
-    write_csv();
-    if (options.times) return;
-    write_plot(all, options.out);
-    write_chart_page(all, options.out / "index.html");
-}
-
-void Results::write_csv() const {
-    auto const file = options.out / "chart.csv";
-    std::ofstream out(file, std::ios::binary);
-    out << csv_header() << '\n';
-    for (auto const& row : all) out << csv_line(row) << '\n';
-    out.close();
-    if (!out) throw Failure(file.string(), std::string("can't be written: ") + std::strerror(errno), "check that its folder has room");
+    auto lines = csv_header() + '\n';
+    for (auto const& row : all) lines += csv_line(row) + '\n';
+    write_text(options.out / "chart.csv", lines);
+    if (!options.times) write_chart_page(all, options.out / "index.html");
 }
 
 } // namespace quell::bench

@@ -11,15 +11,13 @@ public:
     /// @throws Error where the folder can't be made or written to
     explicit Results(ChartOptions const& options);
 
-    /// Takes the rows of one scene and effect, marks their front, prints them on standard output, and writes chart.csv, chart.svg and
-    /// index.html anew.
+    /// Takes the rows of one scene and effect, marks their front, prints them on standard output, and writes chart.csv and index.html
+    /// anew.
     void add(std::vector<Row> rows);
 
 private:
     ChartOptions const& options;
     std::vector<Row> all;
-
-    void write_csv() const;
 };
 
 } // namespace quell::bench

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace quell::bench {
 namespace {
@@ -58,36 +57,6 @@ std::string csv_line(Row const& row) {
     line += "," + cell(row.ms_per_frame, 3);
     for (auto const& measure : measures()) line += "," + cell(measure.of(row), measure.digits);
     return line + (row.pareto ? ",1" : ",0");
-}
-
-std::vector<std::vector<Row>> by_case(std::vector<Row> const& rows) {
-    std::vector<std::vector<Row>> cases;
-    for (auto const& row : rows) {
-        auto const same = [&](auto const& one) { return one.front().scene == row.scene && one.front().effect == row.effect; };
-        auto const found = std::ranges::find_if(cases, same);
-        if (found != cases.end())
-            found->push_back(row);
-        else
-            cases.push_back({row});
-    }
-    return cases;
-}
-
-std::vector<Curve> curves_of(std::vector<Row> const& rows) {
-    std::map<std::pair<std::string, std::string>, std::map<double, Row>> found;
-    for (auto const& row : rows) {
-        if (!row.variant) continue;
-        auto& points = found[{row.variant->preset, row.variant->parameter}];
-        points.emplace(row.variant->value, row);
-        auto const preset = std::ranges::find(rows, row.variant->preset, &Row::method);
-        if (preset != rows.end()) points.emplace(row.variant->preset_value, *preset);
-    }
-    std::vector<Curve> curves;
-    for (auto const& [name, points] : found) {
-        auto& curve = curves.emplace_back(Curve{name.first, name.second, {}});
-        for (auto const& [value, row] : points) curve.points.push_back(row);
-    }
-    return curves;
 }
 
 } // namespace quell::bench

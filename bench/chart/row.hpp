@@ -4,17 +4,10 @@
 
 #include <functional>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace quell::bench {
-
-/// That a method is another with one number changed. All such of one preset and parameter, and the preset itself, are points on a curve.
-struct Variant {
-    std::string preset, parameter;
-    double value = 0, preset_value = 0;
-};
 
 /// One method on one scene and effect: a row of chart.csv, and what else is shown of it. NaN stands for what isn't known.
 struct Row {
@@ -28,8 +21,7 @@ struct Row {
     double flip_median = unknown, flicker = unknown, bytes_per_pixel = unknown;
     bool pareto = false;
 
-    bool competes = true; ///< false for inputs of more samples: what these cost to render isn't counted
-    std::optional<Variant> variant{};
+    bool competes = true;               ///< false for inputs of more samples: what these cost to render isn't counted
     std::string picture{}, reference{}; ///< PNG files, from the chart's folder; empty for none
 };
 
@@ -50,16 +42,5 @@ void mark_pareto_front(std::vector<Row>& rows);
 /// The header of chart.csv, and a row of it, without line ends. What isn't known is an empty cell.
 [[nodiscard]] std::string csv_header();
 [[nodiscard]] std::string csv_line(Row const& row);
-
-/// The parts of a list that agree in scene and effect, in the list's order.
-[[nodiscard]] std::vector<std::vector<Row>> by_case(std::vector<Row> const& rows);
-
-/// The points of a parameter's curve, by ascending value.
-struct Curve {
-    std::string preset, parameter;
-    std::vector<Row> points;
-};
-/// All curves among the rows of one scene and effect.
-[[nodiscard]] std::vector<Curve> curves_of(std::vector<Row> const& rows);
 
 } // namespace quell::bench

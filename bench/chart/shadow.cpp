@@ -1,5 +1,3 @@
 #include "chart_presets.hpp"
 
-void quell::bench::chart_shadow(ChartRequest const& request) {
-    chart_presets(request, visibility, {tracer::Effect::shadow}, {}, Charted{"shadow", presets::shadow(visibility)}.in_half());
-}
+void quell::bench::chart_shadow(ChartRequest const& request) { chart_presets(request, visibility, {tracer::Effect::shadow}); }

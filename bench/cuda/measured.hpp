@@ -35,7 +35,7 @@ struct Cost {
 
 struct Measured {
     std::string name;
-    std::size_t order; ///< among named_presets
+    std::size_t order; ///< among all_presets
     Agreement (*agreement)(int width, int height, int frames);
     Cost (*cost)(int width, int height, int frames);
 };

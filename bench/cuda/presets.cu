@@ -2,10 +2,10 @@
 #include "measured.hpp"
 #include "scene.hpp"
 
+#include <baselines/named.hpp>
 #include <quell/execute/cuda.cuh>
 #include <quell/execute/device.cuh>
 #include <quell/presets/by_evidence.hpp>
-#include <quell/presets/named.hpp>
 
 #include <library/preset_share.hpp>
 
@@ -167,15 +167,16 @@ struct ClampByEvidence {
 constexpr auto is_usual = [](auto const& preset) { return preset.group != PresetGroup::published; };
 
 static bool list_presets() {
-    for_each_preset_index([](auto i) {
-        if constexpr (is_usual(std::get<i>(named_presets)))
+    for_each_preset_index(all_presets, [](auto i) {
+        if constexpr (is_usual(std::get<i>(all_presets)))
             if constexpr (quell_library::share_of_preset<UNITS>(i, is_usual) == UNIT) {
-                using Preset = std::remove_cvref_t<decltype(std::get<i>(named_presets))>;
-                measured_presets().push_back({std::string(std::get<i>(named_presets).name), i, agreement<Preset>, cost<Preset>});
+                using Preset = std::remove_cvref_t<decltype(std::get<i>(all_presets))>;
+                measured_presets().push_back({std::string(std::get<i>(all_presets).name), i, agreement<Preset>, cost<Preset>});
             }
     });
     if constexpr (UNIT == 0)
-        measured_presets().push_back({"surface-clamp by evidence", preset_count, agreement<ClampByEvidence>, cost<ClampByEvidence>});
+        measured_presets().push_back(
+            {"surface-clamp by evidence", std::tuple_size_v<decltype(all_presets)>, agreement<ClampByEvidence>, cost<ClampByEvidence>});
     return true;
 }
 static bool const listed = list_presets();

@@ -162,11 +162,4 @@ io::ExrImage file_of(Shot const& shot, Making const& making, int frame) {
     return image;
 }
 
-metrics::Picture picture_in(io::ExrImage const& image, std::string const& layer) {
-    metrics::Picture picture{image.size, {}};
-    auto const &r = image[layer + "R"].values, &g = image[layer + "G"].values, &b = image[layer + "B"].values;
-    for (std::size_t i = 0; i < r.size(); ++i) picture.pixels.emplace_back(r[i], g[i], b[i]);
-    return picture;
-}
-
 } // namespace quell::gauntlet

@@ -3,7 +3,6 @@
 #include <gauntlet/render.hpp>
 
 #include <quell/io/exr_image.hpp>
-#include <quell/metrics/picture.hpp>
 
 #include <string>
 
@@ -14,8 +13,5 @@ namespace quell::gauntlet {
 
 /// The layer of the picture: a name with a dot behind it, or nothing.
 [[nodiscard]] std::string picture_layer(Shot const& shot);
-
-/// The picture of a file, by its layer.
-[[nodiscard]] metrics::Picture picture_in(io::ExrImage const& image, std::string const& layer);
 
 } // namespace quell::gauntlet

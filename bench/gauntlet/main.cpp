@@ -9,13 +9,13 @@
 #include <support/program.hpp>
 #include <support/progress.hpp>
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
-#include <atomic>
 #include <cstdlib>
-#include <exception>
 #include <iostream>
 #include <mutex>
-#include <thread>
 
 using namespace quell::gauntlet;
 
@@ -77,29 +77,17 @@ std::vector<Row> run_rows(std::vector<Wanted> const& wanted, GauntletOptions con
     std::vector<Row> rows(wanted.size());
     References references;
     quell::examples::Progress progress("quell-gauntlet", static_cast<long long>(wanted.size()), !options.quiet);
-    std::atomic<std::size_t> next{0};
     std::mutex mutex;
-    std::exception_ptr failed;
-    auto const work = [&] {
-        for (std::size_t i; (i = next++) < wanted.size();) {
-            try {
-                {
-                    std::scoped_lock const lock(mutex);
-                    progress.show(static_cast<long long>(i), wanted[i].situation->name);
-                }
-                rows[i] = run_one(wanted[i], options, references);
-            } catch (...) {
-                std::scoped_lock const lock(mutex);
-                failed = std::current_exception(), next = wanted.size();
-            }
+    long long begun = 0;
+    auto const work = [&](std::size_t i) {
+        {
+            std::scoped_lock const lock(mutex);
+            progress.show(begun++, wanted[i].situation->name);
         }
+        rows[i] = run_one(wanted[i], options, references);
     };
-    auto const count = options.threads > 0 ? static_cast<unsigned>(options.threads) : std::max(1u, std::thread::hardware_concurrency());
-    {
-        std::vector<std::jthread> threads;
-        for (unsigned t = 0; t < count; ++t) threads.emplace_back(work);
-    }
-    if (failed) std::rethrow_exception(failed);
+    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    arena.execute([&] { tbb::parallel_for(std::size_t{0}, wanted.size(), work, tbb::simple_partitioner()); });
     return rows;
 }
 

@@ -1,6 +1,6 @@
+#include <files.hpp>
 #include <gauntlet/page.hpp>
 
-#include <quell/core/error.hpp>
 #include <report/report.hpp>
 #include <support/csv.hpp>
 #include <support/png.hpp>
@@ -9,7 +9,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <fstream>
 #include <numeric>
 
 namespace quell::gauntlet {
@@ -32,12 +31,6 @@ std::vector<std::size_t> by_badness(std::vector<Verdict> const& verdicts) {
     auto const badness = [&](std::size_t i) { return std::max(verdicts[i].over_quick, verdicts[i].over_input); };
     std::ranges::stable_sort(order, [&](auto a, auto b) { return badness(a) > badness(b); });
     return order;
-}
-
-void write_text(std::filesystem::path const& path, std::string const& text) {
-    std::ofstream file(path);
-    file << text;
-    if (!file.flush()) throw Failure(path.string(), "it can't be written", "check the folder and the space that is left");
 }
 
 /// Pictures of a few dozen pixels are too small to look at.
@@ -66,8 +59,8 @@ void write_tables(std::vector<Row> const& rows, std::vector<Verdict> const& verd
                 frames += fmt::format("{},{},{},{},{:.6f},{:.6f}\n", rows[i].situation->name, rows[i].samples, frame.frame, method_names[m],
                                       frame.error[m], frame.right[m]);
     }
-    write_text(folder / "gauntlet.csv", lines);
-    write_text(folder / "frames.csv", frames);
+    bench::write_text(folder / "gauntlet.csv", lines);
+    bench::write_text(folder / "frames.csv", frames);
 }
 
 void write_page(std::vector<Row> const& rows, std::vector<Verdict> const& verdicts, std::filesystem::path const& folder) {

@@ -1,3 +1,4 @@
+#include <files.hpp>
 #include <gauntlet/frame_file.hpp>
 #include <gauntlet/measures.hpp>
 #include <gauntlet/row.hpp>
@@ -16,20 +17,16 @@ namespace quell::gauntlet {
 
 namespace {
 namespace fs = std::filesystem;
+using bench::picture_in, bench::quoted;
 constexpr auto frames = "frame.%04d.exr";
 
-std::string in_quotes(std::string const& text) {
-    std::string result = "'";
-    for (char const c : text) result += c == '\'' ? "'\\''" : std::string(1, c);
-    return result + "'";
-}
 /// Runs quell-denoise. Returns its summary.
 nlohmann::json denoise(fs::path const& program, std::string const& in, fs::path const& out, std::string const& options) {
     fs::create_directories(out);
     auto const said = out / "summary.json", complaint = out / "errors.txt";
-    auto const command = in_quotes(program.string()) + " --json --quiet --threads 1 --layers picture --in " + in_quotes(in) + " --out " +
-                         in_quotes((out / frames).string()) + ' ' + options + " > " + in_quotes(said.string()) + " 2> " +
-                         in_quotes(complaint.string());
+    auto const command = quoted(program.string()) + " --json --quiet --threads 1 --layers picture --in " + quoted(in) + " --out " +
+                         quoted((out / frames).string()) + ' ' + options + " > " + quoted(said.string()) + " 2> " +
+                         quoted(complaint.string());
     if (std::system(command.c_str()) != 0) {
         std::ifstream text(complaint);
         std::string line;

@@ -1,3 +1,4 @@
+#include <files.hpp>
 #include <gauntlet/stored.hpp>
 
 #include <quell/core/error.hpp>
@@ -49,12 +50,11 @@ Stored const* StoredFigures::find(std::string const& situation, int samples, int
 }
 
 void StoredFigures::write(std::filesystem::path const& path, Making const& making) const {
-    std::ofstream file(path);
-    file << making_line(making) << '\n' << header << '\n';
+    auto text = fmt::format("{}\n{}\n", making_line(making), header);
     for (auto const& [key, one] : all)
-        file << fmt::format("{},{},{},{:.6f},{:.6f},{:.6f},{:.6f},{}\n", std::get<0>(key), std::get<1>(key), std::get<2>(key), one.input,
+        text += fmt::format("{},{},{},{:.6f},{:.6f},{:.6f},{:.6f},{}\n", std::get<0>(key), std::get<1>(key), std::get<2>(key), one.input,
                             one.quick, one.full, one.right, packed(one.windows));
-    if (!file.flush()) throw Failure(path.string(), "it can't be written", "check the folder and the space that is left");
+    bench::write_text(path, text);
 }
 
 StoredFigures StoredFigures::read(std::filesystem::path const& path, Making const& making) {

@@ -20,10 +20,6 @@ struct Case {
 /// @throws Error, listing the names, where there is no such case
 [[nodiscard]] Case const& case_of(std::string const& name);
 
-/// Making::long_run frames of `room`, a few dozen of them over and over, with cuts, other sizes and bursts of what is no number: memory
-/// stays, errors stay, and all is finite.
-void soak(Making const& making, bool quiet, Results& results);
-
 // One function and one file per family.
 [[nodiscard]] std::vector<Case> event_cases();
 [[nodiscard]] std::vector<Case> uncovering_cases();

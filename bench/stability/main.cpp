@@ -1,11 +1,9 @@
 // quell-stability: the catalogue of cases in which methods that reuse earlier frames fail, each held against a promise.
 //   quell-stability [--cheap] [--case cut ...] [--out out/stability] [--check]
-//   quell-stability --soak
 #include "cases.hpp"
 #include "known_limits.hpp"
 #include "options.hpp"
 
-#include <support/gnuplot.hpp>
 #include <support/output_folder.hpp>
 #include <support/program.hpp>
 #include <support/progress.hpp>
@@ -36,17 +34,10 @@ void run_cases(StabilityOptions const& options, Results& results) {
 int run(StabilityOptions const& options) {
     quell::examples::make_output_folder(options.out);
     Results results;
-    if (options.soak)
-        soak(options.making, options.quiet, results);
-    else
-        run_cases(options, results);
+    run_cases(options, results);
     write_tables(results, options.out);
     write_page(results, options.out);
     int const broken = judge(results, std::cout);
-    if (quell::examples::has_gnuplot())
-        draw_plots(results, options.out);
-    else
-        std::cerr << "no plots: install gnuplot (gnuplot-nox)\n";
     return options.check && broken > 0 ? 1 : 0;
 }
 

@@ -14,17 +14,14 @@ namespace {
 void describe(CLI::App& app, StabilityOptions& options) {
     app.add_option("--case,--scene", options.cases, "A case that --list names, or all; may be given several times (default: all)")
         ->take_all();
-    app.add_option("--out", options.out, "Folder for stability.csv, frames.csv, the plots and index.html")->capture_default_str();
+    app.add_option("--out", options.out, "Folder for stability.csv, frames.csv and index.html")->capture_default_str();
     examples::add_threads(app, options.making.threads);
-    app.add_option(
-           "--frames", options.making.long_run,
-           "Frames of --soak and of the case drift, which last for the sake of it; the other cases are as long as what happens in them")
+    app.add_option("--frames", options.making.long_run, "Frames of the case drift; the other cases are as long as what happens in them")
         ->check(CLI::Range(1200, 1000000))
         ->capture_default_str();
     app.add_option("--seed", options.making.seed, "Of the noise, in traced frames and in others")->capture_default_str();
     app.add_flag("--cheap", options.cheap, "Small pictures and rougher references: tests run it");
     app.add_flag("--check", options.check, "Exit code 1 where a promise is broken that isn't among the known limits");
-    app.add_flag("--soak", options.soak, "Many frames of `room` with cuts, bursts and other sizes instead of the cases");
     app.add_flag("--quiet", options.quiet, "No progress");
     app.add_flag("--list", options.list, "Print the names of the cases");
 }

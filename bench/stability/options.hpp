@@ -14,7 +14,7 @@ struct StabilityOptions {
     std::vector<std::string> cases; ///< empty: all
     std::filesystem::path out = "out/stability";
     Making making;
-    bool cheap = false, check = false, soak = false, quiet = false, list = false;
+    bool cheap = false, check = false, quiet = false, list = false;
 };
 
 /// Nothing where help was asked for, which has then been printed.

@@ -37,8 +37,5 @@ struct Results {
 void write_tables(Results const& results, std::filesystem::path const& folder);
 /// Writes index.html: the error over time of each case, every promise, and why some don't hold.
 void write_page(Results const& results, std::filesystem::path const& folder);
-/// Draws the error over time of every case: stability.svg with a panel for each, and each by itself as plots/CASE.svg.
-/// @throws Error where gnuplot can't
-void draw_plots(Results const& results, std::filesystem::path const& folder);
 
 } // namespace quell::stability

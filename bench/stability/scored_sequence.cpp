@@ -95,12 +95,4 @@ std::vector<float>& plane(io::ExrImage& image, std::string const& name) {
     return std::ranges::find(image.planes, name, &io::Plane::name)->values;
 }
 
-metrics::Picture picture_of(io::ExrImage const& image, std::string const& layer) {
-    auto const before = layer.empty() ? layer : layer + ".";
-    auto const &r = image[before + "R"].values, &g = image[before + "G"].values, &b = image[before + "B"].values;
-    metrics::Picture result{image.size, {}};
-    for (std::size_t i = 0; i < r.size(); ++i) result.pixels.emplace_back(r[i], g[i], b[i]);
-    return result;
-}
-
 } // namespace quell::stability

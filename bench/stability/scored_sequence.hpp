@@ -51,7 +51,7 @@ struct Making {
     double tolerance = 0.015;  ///< of references: mean FLIP between two independent halves
     int max_samples = 1024;    ///< of references, per pixel
     std::uint32_t seed = 0;    ///< of the noise
-    int long_run = 10000;      ///< frames of what lasts for the sake of it
+    int long_run = 10000;      ///< frames of the case drift
     int broken_frames = 10000; ///< of the case bounds
 };
 
@@ -59,8 +59,5 @@ struct Making {
 
 /// A channel's components in an image, which must have them.
 [[nodiscard]] std::vector<float>& plane(io::ExrImage& image, std::string const& name);
-
-/// A picture of three planes.
-[[nodiscard]] metrics::Picture picture_of(io::ExrImage const& image, std::string const& layer);
 
 } // namespace quell::stability

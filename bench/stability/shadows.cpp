@@ -1,3 +1,4 @@
+#include "../files.hpp"
 #include "cases.hpp"
 #include "own_presets.hpp"
 #include "watch.hpp"
@@ -35,7 +36,7 @@ void several(std::string const& name, Making const& making, Results& results) {
 double contrast_kept(ScoredSequence const& sequence, Pictures const& pictures) {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (int i = sequence.scored_from; i <= sequence.last(); ++i) {
-        auto const direct = picture_of(sequence.frame(i), "direct");
+        auto const direct = bench::picture_in(sequence.frame(i), "direct.");
         auto const truth = visibility_in(sequence.reference(i), direct),
                    shown = visibility_in(pictures[static_cast<std::size_t>(i - sequence.scored_from)], direct);
         auto const mask = sequence.mask(i);
@@ -64,7 +65,7 @@ double wrongly_dark(ScoredSequence const& sequence, Pictures const& pictures) {
     double lit = 0, dark = 0;
     int const width = sequence.size.width, height = sequence.size.height;
     for (int i = sequence.scored_from; i <= sequence.last(); ++i) {
-        auto const direct = picture_of(sequence.frame(i), "direct");
+        auto const direct = bench::picture_in(sequence.frame(i), "direct.");
         auto const truth = visibility_in(sequence.reference(i), direct),
                    shown = visibility_in(pictures[static_cast<std::size_t>(i - sequence.scored_from)], direct);
         auto const is_lit = [&](int x, int y) { return truth[static_cast<std::size_t>(y * width + x)] > 0.995f; };

@@ -59,7 +59,7 @@ RESULTS = {
     "shadow": Result("shadow", "fence, shadow"),
     "glossy": Result("glossy", "temple, glossy"),
     "dual-cone": Result("dual-cone", "boxes, indirect"),
-    "tilemax-blur": Result("tilemax-blur", "spheres, blur", header="quell/presets/published.hpp"),
+    "tilemax-blur": Result("tilemax-blur", "spheres, blur", "quell-denoise --preset tilemax-blur --in 'shot/frame.%04d.exr' --out 'shot/clean.%04d.exr'"),
     "blur": Result("blur", "spheres, blur", header=BLUR),
     "blur-straight": Result("blur-straight", "spheres, blur", header=BLUR),
     "blur-bent": Result("blur-bent", "spheres, blur", header=BLUR),

@@ -1,7 +1,7 @@
 #include "method.hpp"
 
+#include <baselines/presets.hpp>
 #include <quell/execute/threads.hpp>
-#include <quell/presets/published.hpp>
 #include <quell/quell.hpp>
 #include <tracer/trace_frame.hpp>
 

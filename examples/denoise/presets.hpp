@@ -6,7 +6,7 @@
 
 namespace quell::examples {
 
-/// All presets that are compiled, in the order of quell::named_presets.
+/// All presets that are compiled, in the order of quell::all_presets.
 [[nodiscard]] std::vector<Preset> const& presets();
 /// Null where there is no such preset, or it is not compiled.
 [[nodiscard]] Preset const* find_preset(std::string const& name);

@@ -66,7 +66,7 @@ def environment_for(given, kept):
     environment.setdefault("NODE_PATH", "/usr/share/nodejs") # where Debian has what emscripten's scripts need, whichever node there is
     if shutil.which("ccache"):
         environment.setdefault("EM_COMPILER_WRAPPER", "ccache")
-    return environment, [f"-I{ROOT}/include", "-isystem", libraries]
+    return environment, [f"-I{ROOT}/include", f"-I{ROOT}/bench", "-isystem", libraries]
 
 
 def linked(given, kept):

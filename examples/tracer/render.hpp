@@ -5,7 +5,7 @@
 #include "guides.hpp"
 #include "render_settings.hpp"
 
-#include <quell/frame/gradient_samples.hpp>
+#include <baselines/gradient_samples.hpp>
 
 #include <tbb/blocked_range2d.h>
 #include <tbb/parallel_for.h>

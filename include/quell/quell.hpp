@@ -1,8 +1,7 @@
 #pragma once
 
 // Everything that needs GLM and xsimd only. Include separately: quell/execute/threads.hpp (oneTBB), quell/io/exr.hpp (OpenEXR),
-// quell/metrics/*.hpp, quell/presets/blur.hpp (motion blur), quell/presets/published.hpp (methods as published by others),
-// quell/diagnose/diagnose.hpp.
+// quell/metrics/*.hpp, quell/presets/blur.hpp (motion blur), quell/diagnose/diagnose.hpp.
 
 #include <quell/blend/clamped.hpp>
 #include <quell/blend/exponential.hpp>
@@ -16,7 +15,6 @@
 #include <quell/filter/bilateral.hpp>
 #include <quell/filter/shadow_splat.hpp>
 #include <quell/filter/variance_guided_atrous.hpp>
-#include <quell/frame/gradient_samples.hpp>
 #include <quell/image/borrowed.hpp>
 #include <quell/image/interleaved.hpp>
 #include <quell/image/planar.hpp>
@@ -24,14 +22,12 @@
 #include <quell/motion/catmull_rom.hpp>
 #include <quell/motion/dual_motion.hpp>
 #include <quell/motion/first_valid.hpp>
-#include <quell/motion/reflection/glossy_motion.hpp>
 #include <quell/motion/reflection/thin_lens.hpp>
 #include <quell/motion/surface_motion.hpp>
 #include <quell/pipeline/pipeline.hpp>
 #include <quell/pipeline/run.hpp>
 #include <quell/presets/effects.hpp>
 #include <quell/presets/general.hpp>
-#include <quell/radiance/cone_atrous.hpp>
 #include <quell/radiance/cone_fetch.hpp>
 #include <quell/radiance/cone_gather.hpp>
 #include <quell/radiance/with_cones.hpp>

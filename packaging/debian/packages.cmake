@@ -41,7 +41,7 @@ quell-denoise removes the noise from EXR sequences of any renderer,
 quell-shaders writes presets as compute shaders for engines.
 quell-trace and quell-demo render sequences to try it on; quell-bench,
 quell-chart and quell-stability measure methods, as far as they are here." ${quell_programs})
-set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "gnuplot, glslang-tools, spirv-cross")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "glslang-tools, spirv-cross")
 
 quell_debian_package(library ${library} libs "" "Real-time denoising of ray-traced images, shared library
 It has quell's presets, compiled, for C and all languages that call it." quell_library_shared)

@@ -123,7 +123,7 @@ struct CompiledPreset {
     int warm_up = 0;                          ///< how many frames before the first make a frame what it is in the whole sequence
 };
 
-/// All that are compiled, in the order of quell::named_presets.
+/// All that are compiled, in the order of quell::all_presets.
 [[nodiscard]] std::vector<CompiledPreset> const& compiled_presets();
 /// A share of the presets of the first three groups (`published` false) or of the published ones, number `unit` of `units`: those among
 /// QUELL_PRESETS, in a generated file.

@@ -15,7 +15,7 @@ struct RecordedPreset {
     ShaderPlan (*record)(RecordOptions const&) = nullptr;
 };
 
-/// Those of a unit, in the order of named_presets.
+/// Those of a unit, in the order of all_presets.
 template <std::size_t unit> std::vector<RecordedPreset> presets_of_unit();
 
 /// All of them.

@@ -78,7 +78,7 @@ class Sdist(sdist):
 
     def make_distribution(self) -> None:
         self.filelist.process_template_line("include CMakeLists.txt docs/python.md")
-        for folder in ("include", "packaging", "examples/dispatch", "examples/support"):
+        for folder in ("include", "bench/baselines", "packaging", "examples/dispatch", "examples/support"):
             self.filelist.process_template_line(f"graft {folder}")
         self.filelist.process_template_line("global-exclude *.pyc")
         super().make_distribution()

@@ -1,7 +1,7 @@
 #include "world.hpp"
 
+#include <baselines/presets.hpp>
 #include <quell/execute/threads.hpp>
-#include <quell/presets/published.hpp>
 
 using namespace quell;
 using tests::Seen, tests::World;

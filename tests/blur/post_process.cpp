@@ -1,7 +1,7 @@
 #include "../frames.hpp"
 
+#include <baselines/presets.hpp>
 #include <quell/execute/threads.hpp>
-#include <quell/presets/published.hpp>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 # Everything of quell's is in the inline namespace that is named for the instruction set, or else two files of one program could not be
 # compiled for two.
-file(GLOB_RECURSE headers ${ROOT}/quell/*.hpp ${ROOT}/quell/*.cuh)
+file(GLOB_RECURSE headers ${ROOT}/quell/*.hpp ${ROOT}/quell/*.cuh ${ROOT}/../bench/baselines/*.hpp)
 set(count 0)
 foreach(header IN LISTS headers)
     file(STRINGS ${header} opened REGEX "^namespace quell")

@@ -3,13 +3,12 @@
 #include "../temporary_folder.hpp"
 #include "chart/row.hpp"
 
-#include <array>
 #include <string>
 #include <vector>
 
 namespace quell::bench {
 
-/// Rows of no run, for the plot and the page: two scenes with two effects, a curve of variants, an input that doesn't compete, and a method
+/// Rows of no run, for the plot and the page: two scenes with two effects, an input that doesn't compete, and a method
 /// of which not all is known.
 inline std::vector<Row> made_up_rows() {
     std::vector<Row> rows;
@@ -28,9 +27,6 @@ inline std::vector<Row> made_up_rows() {
         add(scene, effect, "surface", 1.5, 0.06 * scale);
         add(scene, effect, "surface-clamp", 2.1, 0.062 * scale);
         add(scene, effect, "svgf", 15, 0.03 * scale);
-        for (auto const [levels, ms, rmse] : {std::array{1., 4., 0.05}, std::array{3., 9., 0.034}, std::array{6., 18., 0.031}})
-            add(scene, effect, "svgf/levels=" + std::to_string(static_cast<int>(levels)), ms, rmse * scale).variant =
-                Variant{"svgf", "levels", levels, 5.};
         add(scene, effect, "none-16spp", 0.2, 0.02).competes = false;
         auto& other = add(scene, effect, "other", 40, 0.028 * scale);
         other.bytes_per_pixel = other.flicker = Row::unknown;

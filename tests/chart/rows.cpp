@@ -1,6 +1,6 @@
+#include "chart/cases.hpp"
 #include "chart/errors.hpp"
 #include "chart/external.hpp"
-#include "chart/plot.hpp"
 #include "made_up_rows.hpp"
 
 #include <quell/core/error.hpp>
@@ -81,30 +81,6 @@ TEST_CASE("flicker is measured by four frames that follow each other") {
     CHECK(marked({-1, 0, 1, 5, 6}) == std::vector<long long>{-1, 0, 1});
     CHECK(marked({24, 32, 40}).size() == 1); // of which nothing is known
     CHECK(marked({}).empty());
-}
-
-TEST_CASE("a curve goes through a preset and its variants by their values") {
-    auto rows = made_up_rows();
-    auto const curves = curves_of(by_case(rows).front());
-    REQUIRE(curves.size() == 1);
-    CHECK(curves[0].preset == "svgf");
-    CHECK(curves[0].parameter == "levels");
-    std::string methods;
-    for (auto const& one : curves[0].points) methods += one.method + " ";
-    CHECK(methods == "svgf/levels=1 svgf/levels=3 svgf svgf/levels=6 ");
-}
-
-TEST_CASE("gnuplot draws whatever rows there are") {
-    auto rows = made_up_rows();
-    rows[0].scene = "it's \"quoted\" \\ $x";
-    quell::tests::Folder const folder;
-    SUBCASE("many") {}
-    SUBCASE("none") { rows.clear(); }
-    SUBCASE("one of which nothing is known") { rows = {point("unknown", Row::unknown, Row::unknown)}; }
-    write_plot(rows, folder.path);
-    auto const svg = quell::tests::bytes_of(folder / "chart.svg");
-    CHECK(svg.find("</svg>") != std::string::npos);
-    CHECK((svg.find("svgf") != std::string::npos) == (rows.size() > 1));
 }
 
 TEST_CASE("cases are the effects that the scenes were made for, or those that were asked for") {

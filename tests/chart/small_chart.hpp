@@ -8,7 +8,7 @@
 
 namespace quell::bench {
 
-/// Charts two methods, a variant and an input that is looked at in scored frames only, on a scene, small and roughly; the references go to
+/// Charts two methods and an input that is looked at in scored frames only, on a scene, small and roughly; the references go to
 /// the options' folder. Compiled by itself, since that takes long.
 void chart_small(ChartOptions const& options);
 

@@ -1,6 +1,6 @@
 #include "sequences.hpp"
 
-#include <quell/presets/published.hpp>
+#include <baselines/presets.hpp>
 
 using namespace quell;
 using namespace quell::tests;

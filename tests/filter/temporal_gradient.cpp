@@ -1,6 +1,6 @@
 #include "../frames.hpp"
 
-#include <quell/filter/change/temporal_gradient.hpp>
+#include <baselines/temporal_gradient.hpp>
 
 using namespace quell;
 

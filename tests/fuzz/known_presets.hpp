@@ -2,7 +2,7 @@
 
 #include "arbitrary_frames.hpp"
 
-#include <quell/presets/named.hpp>
+#include <baselines/named.hpp>
 
 #include <library/name_list.hpp>
 #include <library/preset_share.hpp>
@@ -14,8 +14,8 @@ inline constexpr auto is_named = [](auto const& preset) { return quell_library::
 
 /// Makes a share of the presets known that QUELL_FUZZ_PRESETS names, number `unit` of `units`.
 template <std::size_t unit, std::size_t units> bool make_presets_known() {
-    for_each_preset_index([](auto i) {
-        constexpr auto preset = std::get<i>(named_presets);
+    for_each_preset_index(all_presets, [](auto i) {
+        constexpr auto preset = std::get<i>(all_presets);
         if constexpr (is_named(preset))
             if constexpr (quell_library::share_of_preset<units>(i, is_named) == unit) known(std::string(preset.name), preset.usual());
     });

@@ -1,5 +1,7 @@
 #include "../views.hpp"
 
+#include <baselines/glossy_motion.hpp>
+
 using namespace quell;
 using tests::View;
 

@@ -1,7 +1,7 @@
 #include "../frames.hpp"
 #include "../views.hpp"
 
-#include <quell/presets/published.hpp>
+#include <baselines/presets.hpp>
 
 using namespace quell;
 

@@ -3,7 +3,7 @@
 #include "../threads.hpp"
 #include "../views.hpp"
 
-#include <quell/presets/named.hpp>
+#include <baselines/named.hpp>
 
 #include <library/images_of_frame.hpp>
 #include <library/name_list.hpp>
@@ -17,8 +17,8 @@ inline constexpr auto is_tested = [](auto const& preset) { return quell_library:
 
 /// Calls function(preset) for a share of the presets that QUELL_TESTED_PRESETS names, number `unit` of `units`.
 template <std::size_t unit, std::size_t units> void for_each_tested_preset(auto const& function) {
-    for_each_preset_index([&](auto i) {
-        constexpr auto const& preset = std::get<i>(named_presets);
+    for_each_preset_index(all_presets, [&](auto i) {
+        constexpr auto const& preset = std::get<i>(all_presets);
         if constexpr (is_tested(preset))
             if constexpr (quell_library::share_of_preset<units>(i, is_tested) == unit) function(preset);
     });

@@ -1,6 +1,6 @@
 #include "../views.hpp"
 
-#include <quell/presets/published.hpp>
+#include <baselines/presets.hpp>
 
 #include <algorithm>
 #include <array>

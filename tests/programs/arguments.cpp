@@ -1,6 +1,6 @@
 #include "programs.hpp"
 
-#include <quell/presets/named.hpp>
+#include <baselines/named.hpp>
 
 #include <OpenEXR/ImfTiledOutputFile.h>
 
@@ -34,7 +34,7 @@ TEST_CASE("help and lists end well") {
     CHECK(denoise("--help").code == 0);
     CHECK(contains(denoise("--help").out, "--warmup"));
     std::vector<std::string> names;
-    for_each_preset([&](auto const& preset) { names.emplace_back(preset.name); });
+    for_each_preset(all_presets, [&](auto const& preset) { names.emplace_back(preset.name); });
     CHECK(denoise("--list").lines() == names);
     for (auto const* const group : {"general: none, surface", "effects: shadow, ", "blur: blur, ", "published: asvgf, "})
         CHECK(contains(denoise("--help").out, group));
@@ -45,7 +45,7 @@ TEST_CASE("help and lists end well") {
 
 TEST_CASE("every preset has its row in the documentation") {
     auto const page = bytes_of(QUELL_ROOT "/docs/presets.md");
-    for_each_preset([&](auto const& preset) {
+    for_each_preset(all_presets, [&](auto const& preset) {
         CAPTURE(preset.name);
         CHECK(contains(page, "`" + std::string(preset.name) + "`"));
     });

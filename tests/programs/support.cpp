@@ -3,7 +3,6 @@
 #include <library/name_list.hpp>
 #include <support/csv.hpp>
 #include <support/frame_pattern.hpp>
-#include <support/gnuplot.hpp>
 #include <support/output_folder.hpp>
 #include <support/program.hpp>
 #include <support/size_in.hpp>
@@ -184,22 +183,6 @@ TEST_CASE("each of several scenes has a folder of its own, or there is a word on
             static_cast<void>(folders_of_scenes("out", {"a/x.glb", "room", "b/x.gltf"}));
         },
         {"--scene", "'a/x.glb' and 'b/x.gltf'", "out/x", "--out"});
-}
-
-TEST_CASE("gnuplot draws in a folder of any name, and is known not to be there, or to fail") {
-    using namespace quell::examples;
-    if (!has_gnuplot()) return;
-    Folder const folder;
-    auto const odd = folder / "-it's \"odd\"";
-    std::filesystem::create_directory(odd);
-    draw_by_gnuplot(odd / "line.gnuplot", "set terminal svg\nset output " + quoted_for_gnuplot("a \"b\" \\n.svg") + "\nplot x\n");
-    CHECK(contains(bytes_of(odd / "a \"b\" \\n.svg"), "</svg>"));
-    check_error([&] { draw_by_gnuplot(odd / "bad.gnuplot", "plot nonsense"); }, {"bad.gnuplot", "can't draw it", "bad.gnuplot.log"});
-    CHECK(contains(bytes_of(odd / "bad.gnuplot.log"), "nonsense"));
-    std::string const usual = std::getenv("PATH");
-    ::setenv("PATH", folder.path.c_str(), 1);
-    CHECK(!has_gnuplot());
-    ::setenv("PATH", usual.c_str(), 1);
 }
 
 TEST_CASE("a build option that names presets chooses these, whole names only, and all where it is empty") {

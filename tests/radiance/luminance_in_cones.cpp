@@ -1,5 +1,7 @@
 #include "../frames.hpp"
 
+#include <baselines/colour_cones.hpp>
+
 using namespace quell;
 
 // Cones of luminance beside a colour, against cones of colour.

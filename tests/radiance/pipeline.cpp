@@ -1,6 +1,6 @@
 #include "../frames.hpp"
 
-#include <quell/presets/published.hpp>
+#include <baselines/presets.hpp>
 
 using namespace quell;
 

@@ -45,12 +45,12 @@ def of_presets(tables):
                 f"static_assert(are(decltype(preset_{name.replace('-', '_')})::reads{{}}, {channels}),\n"
                 f'              "{PRESETS}: `{name}` reads other channels");'
             )
-    return ["#include <quell/presets/named.hpp>", "#include <string_view>"], parts
+    return ["#include <baselines/named.hpp>", "#include <string_view>"], parts
 
 
 tables = Tables([PRESETS, "docs/figures.md"])
 includes, parts = (guide + presets for guide, presets in zip(of_guide(tables), of_presets(tables)))
 code = "\n".join(dict.fromkeys(includes)) + "\n" + "\n".join(parts) + "\n"
 compiler, include = sys.argv[1:]
-command = [compiler, "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", f"-I{include}", "-x", "c++", "-"]
+command = [compiler, "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", f"-I{include}", f"-I{ROOT}/bench", "-x", "c++", "-"]
 sys.exit(subprocess.run(command, input=code, encoding="utf-8").returncode)

@@ -5,7 +5,6 @@
 #include <stability/options.hpp>
 #include <stability/results.hpp>
 #include <stability/watch.hpp>
-#include <support/gnuplot.hpp>
 
 #include <doctest/doctest.h>
 
@@ -133,19 +132,4 @@ TEST_CASE("cases whose truth is known have an error over time") {
         CHECK(of("surface", 12) > 1e-2);
         CHECK(of("svgf-suppress-fireflies", 12) < of("svgf", 12));
     }
-}
-
-TEST_CASE("plots are drawn into a folder of any name, and what can't be drawn is told") {
-    if (!examples::has_gnuplot()) return;
-    tests::Folder const folder;
-    Results results;
-    results.frames = {frame_error("cut", "svgf", 24, 0.125), frame_error("cut", "it's \"own\"", 25, 0.125),
-                      frame_error("pan", "svgf", 25, 0.125)};
-    auto const odd = folder / "it's";
-    draw_plots(results, odd);
-    for (auto const* file : {"stability.svg", "plots/cut.svg", "plots/pan.svg"})
-        CHECK(tests::bytes_of(odd / file).find("</svg>") != std::string::npos);
-    std::filesystem::remove(odd / "plots/cut.svg");
-    std::filesystem::create_directory(odd / "plots/cut.svg");
-    CHECK_THROWS_AS(draw_plots(results, odd), Error);
 }

@@ -11,8 +11,6 @@ class Chart {
         this.fill("scene", ["all", ...unique(this.rows.map(row => row.scene))]);
         this.fill("effect", ["all", ...unique(this.rows.map(row => row.effect))]);
         this.fill("measure", this.measures.map(measure => measure.name));
-        this.fill("variants", ["all", "none", ...unique(by_case(this.rows).flatMap(curves_of).map(curve => curve.name))]);
-        by_id("variants-label").hidden = !this.rows.some(row => row.parameter);
         by_id("log").addEventListener("change", () => this.draw());
         this.draw();
     }
@@ -26,7 +24,7 @@ class Chart {
         const chosen = id => by_id(id).value;
         const fits = (row, id) => chosen(id) === "all" || row[id] === chosen(id);
         const measure = this.measures.find(one => one.name === chosen("measure"));
-        const view = {measure, variants: chosen("variants"), logarithmic: by_id("log").checked};
+        const view = {measure, logarithmic: by_id("log").checked};
         const on = {hover: (row, event) => this.tooltip.show(row, event), leave: () => this.tooltip.hide(), pick: row => this.pick(row)};
         const cases = by_case(this.rows.filter(row => fits(row, "scene") && fits(row, "effect")));
         this.panels = cases.map(rows => new Panel(rows, view, on));

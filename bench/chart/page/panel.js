@@ -15,32 +15,30 @@ class Panel {
         this.draw(view);
     }
 
-    draw({measure, variants, logarithmic}) {
-        const is_shown = row => !row.parameter || variants === "all" || variants === `${row.preset}/${row.parameter}`;
+    draw({measure, logarithmic}) {
         const known = row => value_of(row, measure.name) !== null && value_of(row, "ms_per_frame") > 0;
-        const rows = this.rows.filter(row => is_shown(row) && known(row));
+        const rows = this.rows.filter(known);
         this.axes = new ChartAxes(rows, measure, logarithmic);
         this.axes.draw(this.svg);
-        curves_of(rows).forEach((curve, i) => this.draw_line(curve.points.map(point => point.row), "curve", `stroke: var(--series-${i % 6})`));
         const front = front_of(rows, measure);
-        this.draw_line(front, "front", "");
+        this.draw_line(front, "front");
         for (const row of [...rows].sort((a, b) => front.includes(a) - front.includes(b))) this.draw_point(row, front.includes(row));
         this.draw_labels(rows, front);
     }
 
     place(row) { return {x: this.axes.x(row.ms_per_frame), y: this.axes.y(row[this.axes.measure.name])}; }
 
-    draw_line(rows, name, style) {
+    draw_line(rows, name) {
         const path = rows.map((row, i) => `${i ? "L" : "M"}${this.place(row).x.toFixed(1)} ${this.place(row).y.toFixed(1)}`).join("");
-        this.svg.append(make_in(this.svg, "path", {class: name, d: path, style}));
+        this.svg.append(make_in(this.svg, "path", {class: name, d: path}));
     }
 
     draw_point(row, on_front) {
-        const kinds = {"on-front": on_front, variant: row.parameter, input: !row.competes};
+        const kinds = {"on-front": on_front, input: !row.competes};
         const name = ["point", ...Object.keys(kinds).filter(kind => kinds[kind])].join(" ");
         const {x, y} = this.place(row);
         const text = `${row.method}: ${format_reading(row.ms_per_frame)} ms, ${this.axes.measure.name} ${format_reading(row[this.axes.measure.name])}`;
-        const place = {cx: x, cy: y, r: row.parameter ? 3.5 : 5.5};
+        const place = {cx: x, cy: y, r: 5.5};
         const point = make_in(this.svg, "circle", {class: name, ...place, tabindex: 0, role: "button", "aria-label": text, "data-method": row.method});
         point.addEventListener("pointerenter", event => this.on.hover(row, event));
         point.addEventListener("pointerleave", () => this.on.leave());
@@ -56,7 +54,7 @@ class Panel {
         const points = rows.map(row => this.place(row)).map(({x, y}) => ({left: x - 5, right: x + 5, top: y - 5, bottom: y + 5}));
         const line = boxes_along(front.map(row => this.place(row)));
         const names = [];
-        const named = rows.filter(row => !row.parameter).sort((a, b) => front.includes(b) - front.includes(a));
+        const named = [...rows].sort((a, b) => front.includes(b) - front.includes(a));
         for (const row of named) {
             const free = this.boxes_beside(row).filter(one => this.is_inside(one) && !names.some(other => overlap(one, other)));
             const keeps_off = boxes => one => !boxes.some(other => overlap(one, other));

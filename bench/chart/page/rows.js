@@ -21,17 +21,4 @@ function front_of(rows, measure) {
     return known.filter(row => !known.some(other => beats(other, row))).sort((a, b) => a.ms_per_frame - b.ms_per_frame);
 }
 
-/// The curves through the variants of one scene and effect: points by ascending value, the preset among them.
-function curves_of(rows) {
-    const curves = new Map();
-    for (const row of rows.filter(one => one.parameter)) {
-        const name = `${row.preset}/${row.parameter}`;
-        const preset = rows.find(one => one.method === row.preset);
-        if (!curves.has(name)) curves.set(name, {name, points: preset ? [{value: row.preset_value, row: preset}] : []});
-        curves.get(name).points.push({value: row.value, row});
-    }
-    for (const curve of curves.values()) curve.points.sort((a, b) => a.value - b.value);
-    return [...curves.values()];
-}
-
 function unique(list) { return [...new Set(list)]; }

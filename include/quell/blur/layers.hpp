@@ -8,26 +8,16 @@
 ///
 ///     signal, Depth, Sweep, Time
 ///       |
-///       v   guide passes: how surfaces move around each pixel    trajectory/, two_motions/pair_guide.hpp,
-///       |                                                        moving_and_static/motion_guide.hpp
-///       v   gather or split: two layers per pixel                two_motions/pair_gather.hpp, moving_and_static/
+///       v   guide passes: how surfaces move around each pixel    trajectory/, two_motions/pair_guide.hpp
+///       v   gather: two layers per pixel                         two_motions/pair_gather.hpp
 ///       |
-///       |   ForegroundLayer, BackgroundLayer, ForegroundSweep, MeanSweep         two velocities: foreground and background layer
-///       |   MovingLayer, StaticLayer, MeanSweep                  one velocity: moving and static layer
+///       |   ForegroundLayer, BackgroundLayer, ForegroundSweep, MeanSweep
 ///       v   Temporal: PathSearch finds the past; a fetch interpolates the history of each layer; a blend accumulates each
 ///       |             layer and composites them
 ///       v
 ///     blurred signal
-///
-/// Post-process blurs (post_process/) are baselines without layers: they blur a sharp picture.
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
-/// Moving layer (MB section 3): the signal times its coverage, then the coverage: the share of the open shutter in which a moving surface
-/// covers the pixel, in [0, 1].
-template <ChannelTag Signal> struct MovingLayer : InternalChannel<Signal::components + 1> { static constexpr auto name = "moving_layer"; };
-/// Static layer (MB section 3): the signal, then its confidence: 0 unknown, 1 seen. Between them it was guessed from neighbours; LayerSplit
-/// gives the mean of static neighbours 1 as well.
-template <ChannelTag Signal> struct StaticLayer : InternalChannel<Signal::components + 1> { static constexpr auto name = "static_layer"; };
 /// Background layer: the signal, then the number of samples that it is the mean of.
 template <ChannelTag Signal> struct BackgroundLayer : InternalChannel<Signal::components + 1> {
     static constexpr auto name = "background_layer";
@@ -45,11 +35,7 @@ struct ForegroundSweep : InternalChannel<2> {
 };
 /// The channel ForegroundSweep.
 inline constexpr ForegroundSweep foreground_sweep;
-/// The moving layer after the spatial filters behind Temporal. Not part of the history.
-template <ChannelTag Signal> struct FilteredLayer : InternalChannel<Signal::components + 1> {
-    static constexpr auto name = "filtered_layer";
-};
-/// Mean sweep of the moving layer, in pixels; with two velocities, that of the background layer.
+/// Mean sweep of the background layer, in pixels.
 struct MeanSweep : InternalChannel<2> {
     static constexpr auto name = "mean_sweep";
 };
@@ -71,9 +57,6 @@ template <class L> QUELL_KERNEL auto signal_of(L const& layer) {
     return make_value<components_of<L> - 1, real_of<L>>([&](auto c) QUELL_INLINED { return component<c>(layer); });
 }
 template <class L> QUELL_KERNEL auto weight_of(L const& layer) { return component<components_of<L> - 1>(layer); }
-
-/// Whether a surface at `depth` is hidden by a static one at depth `here`.
-template <class Real> QUELL_KERNEL auto hidden_behind(Real depth, Real here, float tolerance) { return depth > here * (1.f + tolerance); }
 
 /// Clamps the coverage to at most 1.
 template <class L> QUELL_KERNEL L covering(L const& moving) { return layer_of(signal_of(moving), min(weight_of(moving), real_of<L>(1.f))); }

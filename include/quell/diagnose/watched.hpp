@@ -5,7 +5,6 @@
 #include <quell/blend/with_moments.hpp>
 #include <quell/diagnose/debug_channels.hpp>
 #include <quell/filter/change/light_change.hpp>
-#include <quell/filter/change/temporal_gradient.hpp>
 #include <quell/motion/surface_motion.hpp>
 #include <quell/pipeline/composite.hpp>
 #include <quell/radiance/with_cones.hpp>
@@ -133,9 +132,6 @@ template <class B> constexpr auto with_watched_clamps(WithMoments<B> const& arou
 }
 template <class B> constexpr auto with_watched_clamps(WithCones<B> const& around) {
     return WithCones<decltype(with_watched_clamps(around.inner))>{with_watched_clamps(around.inner)};
-}
-template <class B> constexpr auto with_watched_clamps(Antilag<B> const& around) {
-    return Antilag<decltype(with_watched_clamps(around.inner))>{with_watched_clamps(around.inner)};
 }
 template <class B> constexpr auto with_watched_clamps(ForgetChanged<B> const& around) {
     return ForgetChanged<decltype(with_watched_clamps(around.inner))>{with_watched_clamps(around.inner), around.noise_threshold,

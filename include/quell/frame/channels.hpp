@@ -187,7 +187,7 @@ template <ChannelTag C> inline constexpr auto sweep_name = extended_name<C>("swe
 
 /// Temporal gradient of a signal (A-SVGF, Schied et al. 2018). One pixel of each 3x3 shades its surface point with the same random numbers
 /// in the previous and in this frame. Component 0: luminance now minus luminance before. Component 1: the larger of the two. Both are 0 in
-/// all other pixels, and where the point was not seen before. See GradientSamples.
+/// all other pixels, and where the point was not seen before.
 /// @tparam Signal the channel that is denoised
 template <ChannelTag Signal> struct GradientOf : Channel<2> {
     /// EXR layer.

@@ -10,7 +10,7 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 ///     auto inward(auto px, auto const& sample) const;                // from the host's sample, which is light, to the signal
 ///     auto outward(auto px, auto const& value) const;                // from the denoised signal to the host's output
 ///
-/// Models: Demodulate, Cones (quell/radiance/cones.hpp), NoModulation.
+/// Models: Demodulate, NoModulation.
 template <class M>
 concept Modulation = std::is_trivially_copyable_v<M> && requires {
     typename M::template Signal<Radiance>;

@@ -69,11 +69,9 @@ template <class Element> constexpr auto stage_or_nothing(Element const& element)
 /// @tparam Elements options and stages
 template <ChannelTag S, class... Elements> struct Pipeline {
     static_assert((detail::check_hooks<Elements>() && ...));
-    static_assert(
-        ((detail::is_stage<Elements> || detail::is_input_option<Elements>)&&...),
-        "Pipeline{channel, options..., stages...}: each must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{}, SuppressFireflies{}, "
-        "KnownSamples{} or Supplied<...>{}, see "
-        "quell/pipeline/stage.hpp");
+    static_assert(((detail::is_stage<Elements> || detail::is_input_option<Elements>)&&...),
+                  "Pipeline{channel, options..., stages...}: each must be Temporal{...}, Spatial{...}, Demodulate{}, SuppressFireflies{}, "
+                  "KnownSamples{} or Supplied<...>{}, see quell/pipeline/stage.hpp");
     static_assert((0 + ... + int(detail::is_temporal<Elements>)) <= 1,
                   "Pipeline{channel, options..., stages...}: one Temporal at most, since there is one history; use FirstValid to combine "
                   "motion sources");
@@ -102,7 +100,7 @@ template <ChannelTag S, class... Elements> struct Pipeline {
         !detail::any_made_by_stages(reads{}),
         "Pipeline{channel, options..., stages...}: a stage reads what none of them makes: history_length wants RunningMean or Adaptive, "
         "luminance_variance WithMoments, clean_up_deviation WithCleanUp, light_change ChangeDetector, a shadow's track "
-        "ShadowSplat, a gradient TemporalGradient, cones WithCones or Cones, blur's channels its guides");
+        "ShadowSplat, cones WithCones, blur's channels its guides");
     static_assert(contained_in<reads_kept_of<Elements...>, keeps>, "Pipeline{channel, options..., stages...}: a stage looks at what no "
                                                                    "blend policy keeps: a BiasEstimate wants WithVariance{ForgetBiased{"
                                                                    "RunningMean{}}}");

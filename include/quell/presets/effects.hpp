@@ -26,7 +26,7 @@
 namespace quell::inline QUELL_INSTRUCTION_SET::presets {
 
 /// Shadows with motion vectors of their own (TRMV section 4.1). Visibility is filtered by the width of its penumbra, then accumulated.
-/// Compared with shadow_paper: a narrower filter, a shorter history, a tighter clamp, history that is forgotten where the light changes,
+/// Compared with the paper: a narrower filter, a shorter history, a tighter clamp, history that is forgotten where the light changes,
 /// and a sharper fetch, which thin shadows need.
 template <class S = Visibility> constexpr auto shadow(S signal = {}, auto... options) {
     constexpr ForgetChanged<Exponential> accumulated{.inner = {.alpha = 0.4f}, .noise_threshold = 2.f, .sharpness = 0.3f};
@@ -54,8 +54,7 @@ template <class Mirror = ThinLens, class S = Glossy> constexpr auto glossy(S sig
 
 /// Diffuse indirect light whose history is incident radiance in six cones (TRMV section 4.3), so that history of a surface with another
 /// normal serves too, and is forgotten where the light changes. Cones are added over the 3x3 around. The colour that they shade to is
-/// filtered, which costs less than filtering cones (dual_cone_paper). The first level tolerates most: the variance of short histories is
-/// often too small.
+/// filtered, which costs less than filtering cones. The first level tolerates most: the variance of short histories is often too small.
 template <class S = Indirect> constexpr auto dual_cone(S signal = {}, auto... options) {
     constexpr VarianceGuidedAtrous<Product<DepthEdge, NormalEdge>, LinearThenBox> filter{
         .edge = {DepthEdge{}, NormalEdge{.sharpness = 32.f}},

@@ -1,13 +1,15 @@
 #pragma once
 
+#include <quell/presets/blur.hpp>
+#include <quell/presets/effects.hpp>
+#include <quell/presets/general.hpp>
 #include <quell/presets/preset_group.hpp>
-#include <quell/presets/published.hpp>
 
 #include <cstddef>
 #include <tuple>
 #include <utility>
 
-/// All presets by name, as one typed list: what programs, tests, fuzzers and charts go through.
+/// Presets by name, as one typed list.
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// The signal of a preset that denoises any.
@@ -77,41 +79,21 @@ inline constexpr std::tuple list{
     NamedPreset{"blur-straight", PresetGroup::blur, Radiance{}, [](auto signal, auto...) { return blur<StraightTrajectories>(signal); }},
     NamedPreset{"blur-bent", PresetGroup::blur, Radiance{}, [](auto signal, auto...) { return blur<BentTrajectories>(signal); }},
     NamedPreset{"blur-split", PresetGroup::blur, all_signals, [](auto...) { return blur_split(); }},
-
-    NamedPreset{"asvgf", PresetGroup::published, any_signal, [](auto... a) { return asvgf(a...); }},
-    NamedPreset{"dual-color", PresetGroup::published, any_signal, [](auto... a) { return dual_color(a...); }},
-    NamedPreset{"mirror-clamp", PresetGroup::published, Glossy{}, [](auto... a) { return mirror_clamp(a...); }},
-    NamedPreset{"shadow-paper", PresetGroup::published, Visibility{}, [](auto... a) { return shadow_paper(a...); }},
-    NamedPreset{"glossy-paper", PresetGroup::published, Glossy{}, [](auto... a) { return glossy_paper(a...); }},
-    NamedPreset{"dual-cone-paper", PresetGroup::published, Indirect{}, [](auto... a) { return dual_cone_paper(a...); }},
-    NamedPreset{"trmv-paper", PresetGroup::published, all_signals, [](auto... options) { return trmv_paper(options...); }},
-    NamedPreset{"blur-wavelet", PresetGroup::published, Radiance{}, [](auto signal, auto...) { return blur_wavelet(signal); }},
-    NamedPreset{"blur-fixed-step", PresetGroup::published, Radiance{}, [](auto signal, auto...) { return blur_fixed_step(signal); }},
-    NamedPreset{"blur-one-step", PresetGroup::published, Radiance{}, [](auto signal, auto...) { return blur_one_step(signal); }},
-    NamedPreset{"blur-paper", PresetGroup::published, Radiance{}, [](auto signal, auto...) { return blur_paper(signal); }},
-    NamedPreset{"blur-no-pre-filter", PresetGroup::published, Radiance{}, [](auto signal, auto...) { return blur_no_pre_filter(signal); }},
-    NamedPreset{"gather-blur", PresetGroup::published, Radiance{}, [](auto... a) { return gather_blur(a...); }},
-    NamedPreset{"tilemax-blur", PresetGroup::published, Radiance{}, [](auto... a) { return tilemax_blur(a...); }},
 };
 } // namespace presets::named
 
 /// All presets, group by group.
 inline constexpr auto& named_presets = presets::named::list;
 
-/// How many presets there are.
-inline constexpr std::size_t preset_count = std::tuple_size_v<std::remove_cvref_t<decltype(named_presets)>>;
-
-/// Calls function(i) with the index of each preset, in order, as a constant (std::integral_constant).
-/// @tparam unit, units of all presets only number unit, unit + units, ...: so that several files share the work of compiling them
-template <std::size_t unit = 0, std::size_t units = 1> constexpr void for_each_preset_index(auto const& function) {
-    static_assert(unit < units, "units are numbered from 0");
-    [&]<std::size_t... i>(std::index_sequence<i...>) { (function(std::integral_constant<std::size_t, unit + i * units>{}), ...); }
-    (std::make_index_sequence<(preset_count + units - 1 - unit) / units>{});
+/// Calls function(i) with the index of each preset of a list such as named_presets, in order, as a constant (std::integral_constant).
+template <class... Presets> constexpr void for_each_preset_index(std::tuple<Presets...> const&, auto const& function) {
+    [&]<std::size_t... i>(std::index_sequence<i...>) { (function(std::integral_constant<std::size_t, i>{}), ...); }
+    (std::index_sequence_for<Presets...>{});
 }
 
-/// Calls function(preset) for each preset, in order, or for those of a unit: see for_each_preset_index().
-template <std::size_t unit = 0, std::size_t units = 1> constexpr void for_each_preset(auto const& function) {
-    for_each_preset_index<unit, units>([&](auto i) { function(std::get<i>(named_presets)); });
+/// Calls function(preset) for each preset of a list, in order.
+template <class... Presets> constexpr void for_each_preset(std::tuple<Presets...> const& list, auto const& function) {
+    std::apply([&](auto const&... preset) { (function(preset), ...); }, list);
 }
 
 /// What motion blur is made of: samples at random times of the open shutter, a picture of one instant; or none is made.

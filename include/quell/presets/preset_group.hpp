@@ -7,7 +7,7 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
-/// A preset's file in quell/presets/, and its group where programs list it.
+/// A preset's file in quell/presets/, and its group where programs list it. Published ones are baselines, which are not installed.
 enum class PresetGroup { general, effects, blur, published };
 
 /// @returns the group's name: that of its file

@@ -8,9 +8,9 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
-/// A history fetch for Cones and WithCones: history from a surface with another normal moves to this pixel's cones, by their overlap.
+/// A history fetch for WithCones: history from a surface with another normal moves to this pixel's cones, by their overlap.
 ///
-///     Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, RunningMean{}, ConeFetch{}}
+///     Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, WithCones{RunningMean{}}, ConeFetch{}}
 struct ConeFetch {
     using reads = Channels<Normal>;
     using remembers = Channels<Normal>;
@@ -35,7 +35,7 @@ struct ConeFetch {
         if (any(differs)) {
             if constexpr (Px::Scope::kept_channels::template has<ConeLuminance>) {
                 turn(px, past, then, now, differs);
-            } else {
+            } else { // the signal itself is in cones
                 auto const before = past.signal, after = cone::transferred(before, then, now);
                 past.signal = select(differs, after, before);
                 // Cones that don't overlap pass nothing on.

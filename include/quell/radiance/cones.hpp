@@ -1,6 +1,5 @@
 #pragma once
 
-#include <quell/frame/modulation.hpp>
 #include <quell/motion/tangent_plane.hpp>
 
 /// @file
@@ -18,18 +17,7 @@
 ///               \ | /                                   5
 ///     ------------+------------  surface
 ///
-/// There are two ways to use them. The paper's has 24 numbers in a pixel: in each cone the sums of red, green and blue, and the number of
-/// samples. The other one has 12: luminance in place of colour.
-///
-/// Cones in every pass: `Cones{}, Temporal{motion, blend, ConeFetch{}}, Spatial{ConeAtrous{}}`
-///
-///     pass          reads                                      writes
-///     ingest        sample, indirect_direction, normal         signal: the sample in one of 6 cones      (Cones::inward)
-///     Temporal      signal; history, normal then and now       signal; history, moved to this normal     (ConeFetch)
-///     ConeAtrous    signal, normal                             signal: cones of 5x5 pixels, per level
-///     last pass     signal                                     output: a colour                          (Cones::outward)
-///
-/// Cones beside the signal, in the history only, which is faster: `Temporal{motion, WithCones{blend}, ConeFetch{}}, Spatial{ConeGather{}},
+/// They lie beside the signal, in the history only: `Temporal{motion, WithCones{blend}, ConeFetch{}}, Spatial{ConeGather{}},
 /// Spatial{filter}`
 ///
 ///     pass          reads                                      writes
@@ -39,13 +27,6 @@
 ///     filter        signal                                     signal: a filtered colour
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
-
-/// Incident radiance in six cones. Component 4 k + c is the sum of cone k's samples in colour c; component 4 k + 3 is their number. Sums
-/// can be filtered linearly; the radiance of a cone is their quotient, taken at the end. Axes are in world space (cone::Axes).
-struct ConeRadiance : InternalChannel<24> {
-    static constexpr auto name = "cone_radiance";
-};
-inline constexpr ConeRadiance cone_radiance;
 
 /// Incident luminance in six cones, beside a signal that has the colour. Component 2 k is the sum of cone k's samples, component 2 k + 1
 /// their number; the numbers add up to 1. Memory holds, in half, the mean of a cone's samples over that of all in place of their sum: about
@@ -129,7 +110,7 @@ template <class Real> QUELL_KERNEL Real overlap(Real cosine_between) {
 
 /// Moves radiance to the cones of another normal: each takes from all that it overlaps (36 pairs). Not inlined: it is large, and few pixels
 /// need it.
-/// @tparam n components: of ConeRadiance or of ConeLuminance
+/// @tparam n components: those of ConeLuminance, or 24 of colours
 template <int n, class Real>
 QUELL_OUTLINED constexpr Components<n, Real> transferred(Components<n, Real> const& from, vec3<Real> const& normal_from,
                                                          vec3<Real> const& normal_to) {
@@ -154,7 +135,7 @@ QUELL_OUTLINED constexpr Components<n, Real> transferred(Components<n, Real> con
 template <class Real> QUELL_KERNEL auto same_axes(vec3<Real> const& a, vec3<Real> const& b) { return dot(a, b) > Real(0.995f); }
 
 /// One sample from `direction`, in the nearest cone.
-/// @tparam V a colour, which makes ConeRadiance, or a luminance, which makes ConeLuminance
+/// @tparam V a luminance, which makes ConeLuminance, or a colour
 template <class V, class Real> QUELL_KERNEL auto deposit(V const& sample, vec3<Real> const& direction, vec3<Real> const& normal) {
     constexpr int each = components_of<V> + 1;
     Axes<Real> const axes(normal);
@@ -214,25 +195,5 @@ template <int n, class Real> QUELL_KERNEL auto shade(Components<n, Real> const& 
 }
 
 } // namespace cone
-
-/// A modulation: the pipeline denoises incident radiance in cones instead of a colour. For a signal that is one cosine-distributed sample
-/// of incident radiance per pixel, such as Indirect. The output is the mean incident radiance weighted by the cosine; times the albedo it
-/// is reflected radiance.
-///
-///     Pipeline{indirect, Cones{}, Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, RunningMean{}, ConeFetch{}}, Spatial{ConeAtrous{}}}
-struct Cones {
-    /// @cond
-    using reads = Channels<Normal, IndirectDirection>;
-    static constexpr int farthest_tap = 0;
-    template <ChannelTag S> using Signal = ConeRadiance;
-    /// @endcond
-
-    /// Puts the sample into the nearest cone.
-    QUELL_KERNEL auto inward(auto const& px, auto const& sample) const { return cone::deposit(sample, px[indirect_direction], px[normal]); }
-    /// Shades the cones to a colour.
-    QUELL_KERNEL auto outward(auto const&, auto const& value) const { return cone::shade(value); }
-};
-
-static_assert(Modulation<Cones>);
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -14,7 +14,7 @@
 // error: WithGuides{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp
 // error: WithMoments{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp
 // error: WithVariance{inner}: `inner` must have blend(px, past), see quell/blend/blend_policy.hpp
-// error: Pipeline{channel, options..., stages...}: each must be Temporal{...}, Spatial{...}, Demodulate{}, Cones{}, SuppressFireflies{},
+// error: Pipeline{channel, options..., stages...}: each must be Temporal{...}, Spatial{...}, Demodulate{}, SuppressFireflies{},
 // error: Pipeline{channel, options..., stages...}: one Temporal at most, since there is one history; use FirstValid
 // error: Pipeline{channel, options..., stages...}: a stage reads what only a later one makes
 // error: a stage looks at what no blend policy keeps

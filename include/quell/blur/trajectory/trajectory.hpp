@@ -12,8 +12,6 @@
 ///     Sweep, Time, Depth             |
 ///                  -> RotatingTrajectories --+   (PathGuide<RotatingTrajectories> is RotationGuide: SampleTrajectory<StraightTrajectories>
 ///                                         -> RotationSums -> SampleTrajectory<RotatingTrajectories>)
-///
-/// moving_and_static/ asks StraightTrajectories and BentTrajectories directly, by here() and there().
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Linear trajectory of a sample: constant velocity through the pixel's centre at the sample's time. Bad input is repaired: a sweep that is
@@ -83,17 +81,6 @@ template <class Real> struct BentTrajectory : Trajectory<Real> {
     }
 };
 
-/// Where the mask holds, a; elsewhere a's time with b's motion.
-template <class Mask, class Real> QUELL_KERNEL Trajectory<Real> moving_as(Mask mask, Trajectory<Real> const& a, Trajectory<Real> const& b) {
-    return {select(mask, a.sweep, b.sweep), a.time, select(mask, a.squared, b.squared)};
-}
-/// The same for trajectories of second order.
-template <class Mask, class Real>
-QUELL_KERNEL BentTrajectory<Real> moving_as(Mask mask, BentTrajectory<Real> const& a, BentTrajectory<Real> const& b) {
-    return {moving_as(mask, static_cast<Trajectory<Real> const&>(a), static_cast<Trajectory<Real> const&>(b)),
-            select(mask, a.bend, b.bend)};
-}
-
 /// Linear trajectories from a channel of sweeps, as in MB.
 /// @tparam SweepChannel Sweep; or SweepOf a signal that moves unlike the surface that shows it, such as a shadow
 template <ChannelTag SweepChannel> struct StraightTrajectoriesAlong {
@@ -105,7 +92,7 @@ template <ChannelTag SweepChannel> struct StraightTrajectoriesAlong {
     template <class Px> QUELL_KERNEL static auto here(Px const& px) {
         return Trajectory<typename Px::Real>::of(px[SweepChannel{}], px[time]);
     }
-    /// Trajectory of another pixel's sample: PixelUnder::place.
+    /// Trajectory of another pixel's sample.
     template <class Px, class Place> QUELL_KERNEL static auto there(Px const& px, Place const& place) {
         return Trajectory<typename Px::Real>::of(px.elsewhere(place, SweepChannel{}), px.elsewhere(place, time));
     }
@@ -121,7 +108,7 @@ struct BentTrajectories {
     template <class Px> QUELL_KERNEL static auto here(Px const& px) {
         return BentTrajectory<typename Px::Real>::of(StraightTrajectories::here(px), px[sweep_bend]);
     }
-    /// Trajectory of another pixel's sample: PixelUnder::place.
+    /// Trajectory of another pixel's sample.
     template <class Px, class Place> QUELL_KERNEL static auto there(Px const& px, Place const& place) {
         return BentTrajectory<typename Px::Real>::of(StraightTrajectories::there(px, place), px.elsewhere(place, sweep_bend));
     }

@@ -4,7 +4,7 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
-/// The virtual image in a curved mirror, for MirrorMotion, ImageMotion and GlossyMotion (TRMV section 7; Hirvonen et al. 2019). It applies
+/// The virtual image in a curved mirror, for MirrorMotion and ImageMotion (TRMV section 7; Hirvonen et al. 2019). It applies
 /// the thin-lens equation, 1 / image distance = 1 / object distance + 2 / radius, in two directions of the surface. Curvatures come from
 /// the normals of neighbouring pixels in this frame and are used for the previous frame too. Convex mirrors bring the image closer.
 struct ThinLens {

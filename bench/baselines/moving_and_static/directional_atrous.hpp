@@ -1,8 +1,7 @@
 #pragma once
 
-#include <quell/blur/layers.hpp>
-#include <quell/published/moving_and_static/path_weight.hpp>
-#include <quell/published/pixel_under.hpp>
+#include <baselines/moving_and_static/path_weight.hpp>
+#include <baselines/pixel_under.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 

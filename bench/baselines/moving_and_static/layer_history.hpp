@@ -1,5 +1,7 @@
 #pragma once
 
+#include <baselines/moving_and_static/layers.hpp>
+
 #include <quell/blend/blend_policy.hpp>
 #include <quell/blur/layer_hull.hpp>
 #include <quell/motion/catmull_rom.hpp>

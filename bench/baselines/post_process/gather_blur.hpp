@@ -1,12 +1,12 @@
 #pragma once
 
+#include <baselines/pixel_under.hpp>
 #include <quell/blur/trajectory/trajectory.hpp>
 #include <quell/filter/filter_kernel.hpp>
-#include <quell/published/pixel_under.hpp>
 
 /// @file
-/// Contract of published/post_process/: motion blur of a sharp picture, which shows the middle of the open shutter. Baselines to compare
-/// with: they keep no layers and no history.
+/// Contract of post_process/: motion blur of a sharp picture, which shows the middle of the open shutter. They keep no layers and no
+/// history.
 ///
 ///     GatherBlur     signal, Sweep -> signal
 ///

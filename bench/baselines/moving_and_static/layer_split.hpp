@@ -1,8 +1,8 @@
 #pragma once
 
-#include <quell/blur/layers.hpp>
+#include <baselines/moving_and_static/layers.hpp>
+#include <baselines/moving_and_static/path_weight.hpp>
 #include <quell/frame/cursor/taps.hpp>
-#include <quell/published/moving_and_static/path_weight.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/published/moving_and_static/motion_guide.hpp>
+#include <baselines/moving_and_static/motion_guide.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 

@@ -1,18 +1,18 @@
 #pragma once
 
-#include <quell/filter/change/temporal_gradient.hpp>
-#include <quell/motion/reflection/glossy_motion.hpp>
+#include <baselines/colour_cones.hpp>
+#include <baselines/glossy_motion.hpp>
+#include <baselines/moving_and_static/directional_atrous.hpp>
+#include <baselines/moving_and_static/layer_history.hpp>
+#include <baselines/moving_and_static/layer_split.hpp>
+#include <baselines/moving_and_static/path_gather.hpp>
+#include <baselines/moving_and_static/sample_collector.hpp>
+#include <baselines/post_process/gather_blur.hpp>
+#include <baselines/post_process/tile_max_blur.hpp>
+#include <baselines/temporal_gradient.hpp>
 #include <quell/presets/blur.hpp>
 #include <quell/presets/effects.hpp>
 #include <quell/presets/general.hpp>
-#include <quell/published/moving_and_static/directional_atrous.hpp>
-#include <quell/published/moving_and_static/layer_history.hpp>
-#include <quell/published/moving_and_static/layer_split.hpp>
-#include <quell/published/moving_and_static/path_gather.hpp>
-#include <quell/published/moving_and_static/sample_collector.hpp>
-#include <quell/published/post_process/gather_blur.hpp>
-#include <quell/published/post_process/tile_max_blur.hpp>
-#include <quell/radiance/cone_atrous.hpp>
 
 /// Published methods for comparison: the papers' own versions of quell's presets, and baselines.
 namespace quell::inline QUELL_INSTRUCTION_SET::presets {

@@ -1,9 +1,46 @@
 #pragma once
 
 #include <quell/filter/atrous.hpp>
+#include <quell/frame/modulation.hpp>
 #include <quell/radiance/cones.hpp>
 
+/// @file
+/// Cones in every pass, as in the paper: `Cones{}, Temporal{motion, blend, ConeFetch{}}, Spatial{ConeAtrous{}}`. They have 24 numbers in a
+/// pixel, those of WithCones 12.
+///
+///     pass          reads                                      writes
+///     ingest        sample, indirect_direction, normal         signal: the sample in one of 6 cones      (Cones::inward)
+///     Temporal      signal; history, normal then and now       signal; history, moved to this normal     (ConeFetch)
+///     ConeAtrous    signal, normal                             signal: cones of 5x5 pixels, per level
+///     last pass     signal                                     output: a colour                          (Cones::outward)
 namespace quell::inline QUELL_INSTRUCTION_SET {
+
+/// Incident radiance in six cones. Component 4 k + c is the sum of cone k's samples in colour c; component 4 k + 3 is their number. Sums
+/// can be filtered linearly; the radiance of a cone is their quotient, taken at the end. Axes are in world space (cone::Axes).
+struct ConeRadiance : InternalChannel<24> {
+    static constexpr auto name = "cone_radiance";
+};
+inline constexpr ConeRadiance cone_radiance;
+
+/// A modulation: the pipeline denoises incident radiance in cones instead of a colour. For a signal that is one cosine-distributed sample
+/// of incident radiance per pixel, such as Indirect. The output is the mean incident radiance weighted by the cosine; times the albedo it
+/// is reflected radiance.
+///
+///     Pipeline{indirect, Cones{}, Temporal{FirstValid{SurfaceMotion{}, DualMotion{}}, RunningMean{}, ConeFetch{}}, Spatial{ConeAtrous{}}}
+struct Cones {
+    /// @cond
+    using reads = Channels<Normal, IndirectDirection>;
+    static constexpr int farthest_tap = 0;
+    template <ChannelTag S> using Signal = ConeRadiance;
+    /// @endcond
+
+    /// Puts the sample into the nearest cone.
+    QUELL_KERNEL auto inward(auto const& px, auto const& sample) const { return cone::deposit(sample, px[indirect_direction], px[normal]); }
+    /// Shades the cones to a colour.
+    QUELL_KERNEL auto outward(auto const&, auto const& value) const { return cone::shade(value); }
+};
+
+static_assert(Modulation<Cones>);
 
 namespace detail {
 /// One level of ConeAtrous. Cones pass one to one where normals agree, else by the overlap of all pairs.

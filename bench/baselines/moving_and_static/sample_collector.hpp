@@ -1,8 +1,8 @@
 #pragma once
 
+#include <baselines/pixel_under.hpp>
 #include <quell/blur/trajectory/trajectory.hpp>
 #include <quell/filter/filter_kernel.hpp>
-#include <quell/published/pixel_under.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <quell/blur/layers.hpp>
+#include <baselines/moving_and_static/layers.hpp>
 #include <quell/blur/trajectory/trajectory.hpp>
 #include <quell/filter/filter_kernel.hpp>
 
 /// @file
-/// Contract of published/moving_and_static/: motion blur with a moving layer of one local velocity over a static layer, as in MB.
+/// Contract of moving_and_static/: motion blur with a moving layer of one local velocity over a static layer, as in MB.
 ///
 ///     Sweep, Time, Depth
 ///       |

@@ -1,10 +1,21 @@
 #pragma once
 
+#include <baselines/moving_and_static/path_weight.hpp>
+#include <baselines/pixel_under.hpp>
 #include <quell/blur/inpainted_layer.hpp>
-#include <quell/published/moving_and_static/path_weight.hpp>
-#include <quell/published/pixel_under.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
+
+/// Where the mask holds, a; elsewhere a's time with b's motion.
+template <class Mask, class Real> QUELL_KERNEL Trajectory<Real> moving_as(Mask mask, Trajectory<Real> const& a, Trajectory<Real> const& b) {
+    return {select(mask, a.sweep, b.sweep), a.time, select(mask, a.squared, b.squared)};
+}
+/// The same for trajectories of second order.
+template <class Mask, class Real>
+QUELL_KERNEL BentTrajectory<Real> moving_as(Mask mask, BentTrajectory<Real> const& a, BentTrajectory<Real> const& b) {
+    return {moving_as(mask, static_cast<Trajectory<Real> const&>(a), static_cast<Trajectory<Real> const&>(b)),
+            select(mask, a.bend, b.bend)};
+}
 
 /// Places to look for samples that may pass a pixel: stratified along the mean trajectory, over its whole length to both sides.
 /// @tparam Trajectories StraightTrajectories or BentTrajectories
