@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 using namespace quell;
@@ -116,4 +117,42 @@ TEST_CASE("colours that are not finite spread nowhere") {
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
             if (x != 20 || y != 20) CHECK(std::isfinite(made.to.view().get(0, x, y)));
+}
+
+TEST_CASE("frames around count by the noise over the squared difference, of the pixels of a window") {
+    detail::Planes<3> own(size), others(size);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            for (int c = 0; c < 3; ++c) {
+                own.view().set(c, x, y, film(x, y, c) + .3f * noise(x, y, c));
+                others.view().set(c, x, y, x % 9 == 4 ? std::numeric_limits<float>::quiet_NaN() : film(x, y, c) + .2f * noise(x, y, c + 3));
+            }
+    auto const colour = [](auto const& image, int x, int y) {
+        return glm::dvec3(image.view().get(0, x, y), image.view().get(1, x, y), image.view().get(2, x, y));
+    };
+    auto const square = [](glm::dvec3 const& v) { return glm::dot(v, v); };
+    // Samples, their noise's share of the variance between neighbours, and that of white noise.
+    for (auto const& [rule, share, white] :
+         {std::tuple{Agreement{.samples = 4.f, .radius = 3}, .2, .2},
+          std::tuple{Agreement{.samples = 9.f, .is_blurred = true, .radius = 2}, 1.6 / 27., 16. / 81.}}) {
+        auto const made = detail::agreement(rule, Simd{}, own.view(), others.view());
+        double worst = 0.;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                double off = 0., g[3]{};
+                for (int j = std::max(y - rule.radius, 0); j <= std::min(y + rule.radius, size.height - 1); ++j)
+                    for (int i = std::max(x - rule.radius, 0); i <= std::min(x + rule.radius, size.width - 1); ++i) {
+                        if (i % 9 == 4) continue;
+                        off += square(colour(others, i, j) - colour(own, i, j));
+                        for (int const h : {1, 2}) {
+                            if (i + h < size.width) g[h] += square(colour(own, i + h, j) - colour(own, i, j)) / 4.;
+                            if (j + h < size.height) g[h] += square(colour(own, i, j + h) - colour(own, i, j)) / 4.;
+                        }
+                    }
+                double const nugget = std::clamp(2. * g[1] - g[2], 0., g[1]);
+                double const wanted = std::min(((g[1] - nugget) * share + nugget * white) / off, 1.);
+                worst = std::max(worst, std::abs(static_cast<double>(made.view().get(0, x, y)) - wanted));
+            }
+        CHECK(worst < 1e-4);
+    }
 }

@@ -143,45 +143,6 @@ TEST_CASE("by evidence: what is sure beforehand is one of the two, whose history
     CHECK(tests::difference(with, alone) > .01);
 }
 
-TEST_CASE("by evidence: passes say what the sums of plain numbers say") {
-    Frame<Channels<Radiance, Direct, Glossy, Indirect>> images(Extent{45, 29});
-    tests::fill_randomly(images, 5);
-    auto const view = [&](auto channel) { return images[channel].view(); };
-    auto const colour = [&](auto channel, int x, int y) {
-        return glm::vec3(view(channel).get(0, x, y), view(channel).get(1, x, y), view(channel).get(2, x, y));
-    };
-    double brightness = 0.;
-    for (int y = 0; y < images.size.height; ++y)
-        for (int x = 0; x < images.size.width; ++x) brightness += static_cast<double>(luminance(colour(indirect, x, y)));
-    auto const mean = static_cast<float>(brightness / static_cast<double>(images.size.pixels()));
-    EvidenceMix<> mix;
-    for (Evidence const rule : {Evidence{}, Evidence{.radius = 3, .at_first = .2f, .spread = .3f}, Evidence{.radius = 4, .doubt = .75f},
-                                Evidence{.caution = .5f, .doubt = 1.f}, Evidence{.radius = 2}}) {
-        EvidenceSums sums(images.size, mean);
-        for (int const left_out : {1, 0}) mix.judge(rule, Simd{}, left_out, view(radiance), view(direct), view(glossy), view(indirect));
-        std::size_t i = 0;
-        for (int y = 0; y < images.size.height; ++y)
-            for (int x = 0; x < images.size.width; ++x)
-                sums.add(rule, i++, colour(radiance, x, y), colour(direct, x, y), colour(glossy, x, y), colour(indirect, x, y));
-        auto const parts = sums.parts(rule);
-        ImageOf<Planar<>, Radiance> result(images.size);
-        mix.mix(rule, Simd{}, view(direct), view(glossy), result.view());
-        i = 0;
-        for (int y = 0; y < images.size.height; ++y)
-            for (int x = 0; x < images.size.width; ++x, ++i)
-                CHECK(result.view().get(1, x, y) ==
-                      doctest::Approx(colour(glossy, x, y).y + (colour(direct, x, y).y - colour(glossy, x, y).y) * parts[i]).epsilon(1e-5));
-        ImageOf<Planar<>, Radiance> const other(Extent{45, 28});
-        CHECK(tests::message([&] {
-                  mix.mix(rule, Simd{}, view(direct), other.view(), result.view());
-              }).find("EvidenceMix: the second estimate: 45x28 beside samples of 45x29") != std::string::npos);
-        if (!(rule.doubt > 0.f))
-            CHECK(tests::message([&] {
-                      mix.mix({.doubt = .5f}, Simd{}, view(direct), view(glossy), result.view());
-                  }).find("EvidenceMix: the rule: it has doubt") != std::string::npos);
-    }
-}
-
 TEST_CASE("by evidence: any bits in, finite numbers out") {
     for (Extent const each : {Extent{1, 1}, Extent{2, 1}, Extent{1, 5}, Extent{19, 17}}) {
         CAPTURE(to_string(each));
