@@ -55,19 +55,6 @@ TEST_CASE("of many samples, there is no caution") {
     CHECK(part(0.f, .5f, Evidence::of_samples(16.f)) == doctest::Approx(part(0.f, .5f)));
 }
 
-TEST_CASE("doubt takes caution away as far as samples leave nothing of the first estimate") {
-    // A is off, B is right but for its own noise: caution keeps a part of A, full doubt nearly nothing of it.
-    double const cautious = part(.8f, 0.f, {}, .15f), doubtful = part(.8f, 0.f, {.doubt = 1.f}, .15f);
-    double const blind = part(.8f, 0.f, {.caution = 0.f}, .15f);
-    CHECK(cautious > .05);
-    CHECK(blind < .02);
-    CHECK(doubtful < blind + .3 * (cautious - blind));
-    CHECK(part(.8f, 0.f, {.doubt = .5f}, .15f) == doctest::Approx(.5 * (cautious + blind)).epsilon(.2));
-    // Where samples speak for A, the part stays what caution makes of it.
-    CHECK(part(0.f, .5f, {.doubt = 1.f}, .3f) == doctest::Approx(part(0.f, .5f, {}, .3f)).epsilon(.02));
-    CHECK(part(.2f, 0.f, {.caution = 0.f, .doubt = 1.f}, .5f) == part(.2f, 0.f, {.caution = 0.f}, .5f));
-}
-
 TEST_CASE("a history that has seen later frames is trusted less, the more samples there are") {
     for (float const few : {0.f, 1.f}) {
         CHECK(Evidence::with_later_frames(few).doubt == 0.f);
@@ -79,16 +66,6 @@ TEST_CASE("a history that has seen later frames is trusted less, the more sample
     CHECK(Evidence::with_later_frames(32.f).caution == doctest::Approx(2.));
     CHECK(Evidence::with_later_frames(64.f).caution == doctest::Approx(.75));
     CHECK(Evidence::with_later_frames(1024.f).caution == 0.f);
-}
-
-TEST_CASE("little evidence changes little") {
-    CHECK(part(.05f, 0.f, {.radius = 1, .spread = .1f}) > .9);
-    CHECK(part(.05f, 0.f, {.radius = 1, .spread = 1e4f}) < .7);
-}
-
-TEST_CASE("where both agree nothing is changed") {
-    CHECK(part(.2f, .2f) == doctest::Approx(1.));
-    CHECK(part(.2f, .2f, {.at_first = .25f}) == doctest::Approx(.25));
 }
 
 TEST_CASE("a sample that is not finite says nothing") {

@@ -39,7 +39,7 @@ template <class Storage, class F> void each_frame(Storage const& storage, F&& fu
 }
 std::vector<Colours> given_back(auto const& storage, auto const& executor, float unit = 1.f) {
     std::vector<Colours> all;
-    GiveBack give_back(16);
+    GiveBack give_back(4);
     each_frame(
         storage,
         [&](auto& frame, auto& history, unsigned) {
@@ -73,11 +73,12 @@ TEST_CASE("light given back: the unit of light changes no bit") {
 TEST_CASE("light given back behind a pipeline: what both functions give back, frame by frame") {
     std::vector<Colours> wanted;
     Colours lacking;
-    each_frame(Planar<>{}, [&](auto& frame, auto& history, unsigned) {
+    each_frame(Planar<>{}, [&](auto& frame, auto& history, unsigned i) {
         auto picture = detail::colours_in(run(denoise, frame, history));
         auto const alone = picture, samples = detail::colours_in(frame[radiance].view());
-        feed_back_residual({.samples = 16}, Simd{}, samples, frame[normal].view(), frame[depth].view(), alone, picture);
-        RepeatedResidual const rule{.samples = 16};
+        feed_back_residual({.shares = ResidualFeedbackShares::of_frame(4, i > 0, false)}, Simd{}, samples, frame[normal].view(),
+                           frame[depth].view(), alone, picture);
+        RepeatedResidual const rule{.samples = 4};
         auto now = lacking_of_samples(rule, Simd{}, size, samples, picture);
         if (!lacking.empty()) give_back_repeated(rule, Simd{}, size, now, {lacking_moved(Simd{}, lacking, frame[motion].view())}, picture);
         lacking = now;

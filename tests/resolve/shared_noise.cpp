@@ -118,6 +118,17 @@ TEST_CASE("a frame with the same noise is no witness of what a picture lacks, on
     auto const nearly = sum_of(noise, made([&](int x, int y) { return .05f * at(white_noise(9), x, y); }));
     CHECK(given(nearly) < 1e-5);
     CHECK(given(white_noise(10)) < .02);
+    auto const same = [&](std::vector<Pixels> const& around) {
+        auto result = picture;
+        std::vector<float> parts;
+        std::vector<LackingAround> frames;
+        for (auto const& each : around) frames.push_back({each, Pixels(noise.size())});
+        give_back_repeated({.samples = 16}, Simd{}, size, noise, frames, result, &parts);
+        return parts[1000];
+    };
+    CHECK(same({noise}) == doctest::Approx(1.f));
+    CHECK(same({white_noise(10)}) == doctest::Approx(0.f));
+    CHECK(same({white_noise(10), noise}) == doctest::Approx(.5f));
 }
 
 TEST_CASE("of windows, the lesser correlation of neighbours to the right and below, and of these the lower quartile") {

@@ -131,11 +131,6 @@ TEST_CASE("recorded: what a loop changes without saying so is an error") {
                          doctest::Contains("what a loop computes is used behind it"), Failure);
 }
 
-TEST_CASE("recorded: a selection of constants") {
-    auto const nodes = steps([](Recorded a, Recorded b) { return select(a < b, 2.f, 3.f); });
-    CHECK(count(nodes, Operation::select) == 1);
-}
-
 TEST_CASE("recorded: vectors of GLM") {
     auto const nodes = steps([](Recorded a, Recorded b) {
         vec3<Recorded> v{a, b, Recorded(1.f)};
