@@ -173,7 +173,7 @@ mutant "repeated: the share of the mean of frames around" resolve/residual_stage
 mutant "repeated: the noise of a mean is less than that of a frame" resolve/residual_stages resolve/repeated_residual.hpp 'w = max(of_window[4], u)' 'w = u'
 mutant "repeated: of single samples the finest band" resolve/repeated_residual resolve/repeated_residual.hpp 'band == 0 ? 1.f - per_samples : 1.f' '1.f'
 mutant "repeated: of few samples more by chance" resolve/repeated_residual resolve/repeated_residual.hpp '(1.f + 2.f * per_samples)' '(1.f + 0.f * per_samples)'
-mutant "repeated: how far frames have the same noise" resolve/repeated_residual resolve/repeated_residual.hpp \
+mutant "repeated: how far frames have the same noise" resolve/shared_noise resolve/repeated_residual.hpp \
     'has_new_samples.view(), -1.f / static_cast<float>(around.size())' 'has_new_samples.view(), -1.f'
 mutant "give back: a history of one frame is no past" resolve/give_back resolve/give_back.hpp 'statistics().frames > 1' 'statistics().frames > 0'
 mutant "give back: what the frame before lacked" resolve/give_back resolve/give_back.hpp 'lacking = std::move(now);' 'lacking = std::move(before);'

@@ -25,7 +25,7 @@ template <class F> void fill_with_cones(F& frame, auto const& normal_at) {
     std::mt19937 random(4);
     std::uniform_real_distribution<float> number(0.2f, 3.f);
     tests::fill(frame[normal], normal_at);
-    tests::fill(frame[indirect], [&](int, int) { return glm::vec3(number(random), number(random), number(random)); });
+    tests::fill(frame[indirect], [&](int, int) { return glm::vec3(1, number(random), number(random)); });
     tests::fill(frame[indirect_direction],
                 [&](int x, int y) { return cone::Axes<float>(normal_at(x, y)).at[(x * 5 + y * 3 + x * y) % 6]; });
 }

@@ -31,7 +31,7 @@ template <class Storage, class F> void each_frame(Storage const& storage, F&& fu
     Frame frame{size, denoise, storage};
     History history{size, denoise};
     for (unsigned i = 0; i < 3; ++i) {
-        FlatSurface seen(stripes, .1f, i + 1);
+        FlatSurface seen(stripes, .3f, i + 1);
         for (auto& sample : seen.samples) sample *= unit;
         fill(frame, seen);
         function(frame, history, i);
@@ -78,6 +78,7 @@ TEST_CASE("light given back behind a pipeline: what both functions give back, fr
         auto const alone = picture, samples = detail::colours_in(frame[radiance].view());
         feed_back_residual({.shares = ResidualFeedbackShares::of_frame(4, i > 0, false)}, Simd{}, samples, frame[normal].view(),
                            frame[depth].view(), alone, picture);
+        CHECK(picture != alone); // or nothing would be compared
         RepeatedResidual const rule{.samples = 4};
         auto now = lacking_of_samples(rule, Simd{}, size, samples, picture);
         if (!lacking.empty()) give_back_repeated(rule, Simd{}, size, now, {lacking_moved(Simd{}, lacking, frame[motion].view())}, picture);
