@@ -239,10 +239,6 @@ mutant "shader: buffers in parts" shader/graph shader/shader_plan.hpp 'number % 
 mutant "shader: how many slots a part has" shader/graph shader/shader_plan.hpp 'rest > most_slots ? most_slots : rest' 'rest > most_slots ? rest : most_slots'
 mutant "shader: when a slot of the scratch is free" shader/against_serial shader/assign_planes.hpp 'return last < image.first;' 'return last <= image.first;'
 mutant "shader: rows above the image" shader/against_serial shader/recorded_cursor.hpp 'dy < 0 ? row >= 0 : row < height' 'dy < 0 ? row > 0 : row < height'
-mutant "shader: taps outside the image" shader/against_serial shader/recorded_taps.hpp \
-    'Recorded(detail::edge_offset(around)), Recorded(too_far))' 'Recorded(detail::edge_offset(around)), Recorded(detail::edge_offset(around)))'
-mutant "shader: which pixels of a square are counted" shader/against_serial shader/recorded_counts.hpp 'turn - down * 8.f' 'turn - down * 7.f'
-mutant "shader: repaired guides" shader/against_serial shader/recorded_repair.hpp 'memory == from && !passes[p].takes_given_guides' 'memory == from'
 
 with -O1
 mutant "cones: the angle at which they no longer touch" radiance/cones radiance/cones.hpp '(18.f / 11.f)' '(18.f / 10.f)'

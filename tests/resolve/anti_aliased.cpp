@@ -19,6 +19,7 @@ struct Scene {
     float speed = 0.5f;                 ///< pixels per frame, of the thing
     float in_front = 2.f, behind = 4.f; ///< depths
     float brightness = 1.f;             ///< of the wall
+    float texture = 1.f;                ///< every other column of it is so many times as bright
 };
 
 struct TestFrame {
@@ -32,7 +33,7 @@ struct TestFrame {
                 bool const is_thing = static_cast<float>(x) + .5f < scene.edge + scene.speed * static_cast<float>(number);
                 depth.view().set(0, x, y, is_thing ? scene.in_front : scene.behind);
                 for (int c = 0; c < 3; ++c) {
-                    colour.view().set(c, x, y, is_thing ? .25f : scene.brightness);
+                    colour.view().set(c, x, y, is_thing ? .25f : scene.brightness * (x % 2 == 0 ? 1.f : scene.texture));
                     light.view().set(c, x, y, is_thing ? 2.f : 1.f);
                 }
                 to_previous.view().set(0, x, y, is_thing ? -scene.speed : 0.f), to_previous.view().set(1, x, y, 0.f);
@@ -75,8 +76,8 @@ TEST_CASE("an edge is as mixed as its pixel is covered, by light of both sides")
 }
 
 TEST_CASE("a thing that touches what stands still leaves no trail on it") {
-    AntiAliasedRow const made({.speed = 3.f, .in_front = 4.f}, {}, Simd{}); // no depth tells them apart
-    for (int x = 14; x < size.width; ++x) CHECK(made.at(x) == doctest::Approx(1.f).epsilon(1e-5));
+    AntiAliasedRow const made({.speed = 3.f, .in_front = 4.f, .texture = .9f}, {}, Simd{}); // no depth tells them apart
+    for (int x = 14; x < size.width; ++x) CHECK(made.at(x) >= .9f);
     AntiAliasedRow const at_rest({.speed = 0.f}, {}, Simd{});
     CHECK(at_rest.at(14) == doctest::Approx(1.f).epsilon(1e-5));
 }

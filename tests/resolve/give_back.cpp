@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 #include <quell/execute/threads.hpp>
-#include <quell/presets/general.hpp>
 #include <quell/quell.hpp>
 #include <quell/resolve/give_back.hpp>
 
@@ -14,7 +13,7 @@ using namespace quell::tests;
 namespace {
 
 using Colours = std::vector<glm::vec3>;
-constexpr auto denoise = presets::surface(radiance);
+constexpr Pipeline denoise{radiance, Temporal{SurfaceMotion{}, RunningMean{}}, Spatial{Atrous<>{.levels = 2}}};
 
 float stripes(int x, int) { return x % 4 < 2 ? 1.3f : .7f; }
 
