@@ -138,22 +138,6 @@ TEST_CASE("resolve: a picture that moves stays sharp") {
     }
 }
 
-TEST_CASE("resolve: a ratio that changes keeps the history") {
-    Discs const discs;
-    Extent const output{128, 128};
-    auto const last_error = [&](int first) {
-        History history{output, resolve};
-        double last = 0;
-        for (int i = first; i <= 12; ++i) {
-            Frame frame{i < 12 ? Extent{64, 64} : Extent{72, 72}, resolve};
-            fill(frame, discs, i, jitter_of(i));
-            last = error(run(resolve, frame, history), discs, i, 16);
-        }
-        return last;
-    };
-    CHECK(last_error(0) < .8 * last_error(12));
-}
-
 TEST_CASE("resolve: motion with jitter left in gives the picture of motion without, whatever size the frames have") {
     constexpr auto with_jitter =
         presets::resolve(presets::none(radiance, Supplied<MotionConvention{.jitter = MotionConvention::Jitter::left_in}>{}));
@@ -170,26 +154,6 @@ TEST_CASE("resolve: motion with jitter left in gives the picture of motion witho
         tests::fill(jittered[motion], [&](int, int) { return (now - then) * pixels(size); });
         then = now;
         CHECK(tests::difference(copy_of(run(with_jitter, jittered, left_in)), copy_of(run(resolve, frame, left_out))) < 1e-4);
-    }
-}
-
-TEST_CASE("resolve: what comes into sight, behind or in front of what was seen, has no history of that") {
-    for (bool const goes : {true, false}) {
-        Frame frame{{32, 8}, resolve};
-        History history{{32, 8}, resolve};
-        auto const pattern = [](int x, int y) {
-            return glm::vec3((x + y) % 2 == 0 ? 0.f : 2.f);
-        }; // to whose range next to nothing is clamped
-        std::vector<float> all, wanted;
-        for (int i = 0; i < 6; ++i) { // what is seen changes at once, and says so by its depth alone
-            tests::fill_still(frame);
-            tests::fill(frame[depth], [&](int, int) { return (i < 5) == goes ? 1.f : 4.f; });
-            tests::fill(frame[radiance], [&](int x, int y) { return i < 5 ? glm::vec3(.5f) : pattern(x, y); });
-            all = copy_of(run(resolve, frame, history));
-        }
-        for (int y = 0; y < 8; ++y)
-            for (int x = 0; x < 32; ++x) wanted.insert(wanted.end(), 3, pattern(x, y).x);
-        CHECK(tests::difference(all, wanted) < 1e-5);
     }
 }
 
