@@ -20,10 +20,14 @@ compiler=("${CXX:-g++}" -std=c++20 -O1 -march=native -w -D QUELL_TEST_THREADS "-
 mutants=0 survivors=0
 declare -A passes_unbroken
 
+# Options of the compiler for the tests of the lines that follow, behind those above: an -O, what includes or links a library.
+options=()
+with() { options=("$@"); }
+
 stop() { printf 'mutation.sh: %s\n' "$1" >&2; exit 2; }
 
 # build test: compiles tests/$test.cpp alone; a test's file stands for itself.
-build() { "${compiler[@]}" "$copy/tests/$1.cpp" "$copy/main.o" -ltbb -o "$copy/test" 2>"$copy/messages"; }
+build() { "${compiler[@]}" "$copy/tests/$1.cpp" "$copy/main.o" "${options[@]}" -ltbb -o "$copy/test" 2>"$copy/messages"; }
 
 check_unbroken() {
     [ -z "${passes_unbroken[$1]:-}" ] || return 0
@@ -114,6 +118,172 @@ mutant "blur: how like a neighbour's sweep is" blur/layers blur/two_motions/dire
 mutant "blur: the past of what is in front" blur/two_motions blur/two_motions/pair_history.hpp 'at_most(front_cap * min(px.shutter_now() / short_shutter, 1.f), px[foreground_sweep])' 'Real(0.f)'
 mutant "blur: what of the past moves otherwise" blur/two_motions blur/path_search.hpp '- length) <= length_tolerance' '- length) >= Real(0.f)'
 mutant "blur: where the past is looked for" blur/layers blur/path_search.hpp '{{p.x - v.x, p.y - v.y}' '{{p.x + v.x, p.y - v.y}'
+
+# What stands behind a pipeline.
+mutant "residual: how wide a Gaussian is" resolve/residual_stages resolve/gaussian_blur.hpp '-0.5f * static_cast<float>(i * i)' '-1.f * static_cast<float>(i * i)'
+mutant "residual: how far a Gaussian goes" resolve/residual_stages resolve/gaussian_blur.hpp 'std::ceil(3.f * deviation)' 'std::ceil(2.f * deviation)'
+mutant "residual: a Gaussian at the border" resolve/residual_stages resolve/gaussian_blur.hpp 'whole += taps(i);' 'whole += 2.f * taps(i);'
+mutant "residual: what a pixel has of itself in a Gaussian's mean" resolve/residual_stages resolve/gaussian_blur.hpp \
+    'weights[0] * weights[0] / (whole * whole)' 'weights[0] / whole'
+mutant "residual: a window at the upper border" resolve/residual_stages resolve/window_sums.hpp 'y - radius > 0 ? -radius : -y' 'y - radius > 0 ? -radius : 1 - y'
+mutant "residual: how many pixels a window has" resolve/residual_stages resolve/window_sums.hpp 'max(at - reach, Real(0.f)) + 1.f' 'max(at - reach, Real(1.f)) + 1.f'
+mutant "residual: bright samples are limited" resolve/residual_stages resolve/picture_residual.hpp 'return min(s, most) - p;' 'return s - p;'
+mutant "residual: its mean square is of pixels that have a sample" resolve/residual_stages resolve/picture_residual.hpp \
+    'around[0] / max(around[1], Real(1.f))' 'around[0] / pixels_in_square<Real>(x, y, 2, square.size)'
+mutant "residual: from when on it is a spike" resolve/residual_stages resolve/picture_residual.hpp 'limit = mean * times' 'limit = mean'
+mutant "residual: a spike stays in its half of the checkerboard" resolve/residual_stages resolve/picture_residual.hpp \
+    'int i = -radius + (radius + j) % 2;' 'int i = -radius + (radius + j + 1) % 2;'
+mutant "residual: how like directions have to be" resolve/residual_stages resolve/residual_levels.hpp 'p = p * p, p = p * p, p = p * p, p = p * p;' 'p = p * p, p = p * p, p = p * p;'
+mutant "residual: how far taps of a level lie apart" resolve/residual_stages resolve/residual_levels.hpp 'step *= 2' 'step += 1'
+mutant "residual: what is behind is another surface" resolve/residual_stages resolve/residual_levels.hpp 'behind = other - here' 'behind = min(other - here, Real(0.f))'
+mutant "residual: which half was held out" resolve/residual_stages resolve/residual_levels.hpp 'select(is_second, a, b)' 'select(is_second, b, a)'
+mutant "residual: what is a piece of like light" resolve/residual_stages resolve/residual_levels.hpp '1.f / stops.light_range' 'stops.light_range'
+mutant "residual: where no other sample tells" resolve/residual_stages resolve/residual_levels.hpp 'masked(others.w > Real(.02f)' 'masked(others.w > Real(.1f)'
+mutant "residual: the variance is of one component" resolve/residual_stages resolve/feedback_gates.hpp 'of_variance, size) / 3.f' 'of_variance, size)'
+mutant "residual: noise where there is no sample" resolve/residual_stages resolve/feedback_gates.hpp \
+    'select(own > Real(0.f), own, around[0]' 'select(own >= Real(0.f), own, around[0]'
+mutant "residual: texture is what light varies by, not what it is" resolve/residual_stages resolve/feedback_gates.hpp \
+    'fma(around[1], per_pixels, -(mean * mean))' 'fma(around[1], per_pixels, Real(0.f))'
+mutant "residual: a band that was held out" resolve/residual_stages resolve/feedback_gates.hpp \
+    'load_pixels<Real>(finer, x, y) - load_pixels<Real>(coarser, x, y)' 'load_pixels<Real>(finer, x, y)'
+mutant "residual: how sure held-out samples are" resolve/residual_stages resolve/feedback_gates.hpp 'fma(around[2], Real(2.f), Real(1e-20f))' 'fma(around[2], Real(1.f), Real(1e-20f))'
+mutant "residual: no level comes back more than whole" resolve/residual_stages resolve/residual_feedback.hpp \
+    'Real(by.wide))), Real(1.f))' 'Real(by.wide))), Real(9.f))'
+mutant "residual: the finest band is what the next level has not" resolve/residual_stages resolve/residual_feedback.hpp \
+    'load_pixels<Real>(from[0], x, y) - load_pixels<Real>(from[1], x, y)' 'load_pixels<Real>(from[0], x, y)'
+mutant "residual: the variance of what samples bear out" resolve/residual_stages resolve/residual_feedback.hpp 'constexpr float twice = 2.f' 'constexpr float twice = 1.f'
+mutant "residual: what is known of that before samples" resolve/residual_stages resolve/residual_feedback.hpp \
+    '(of_window[0] / whole + doubt) / (1.f + doubt)' 'of_window[0] / whole / (1.f + doubt)'
+mutant "residual: what stays of the light" resolve/residual_stages resolve/residual_feedback.hpp 'min(a, a * darkest)' 'a * darkest'
+mutant "residual: shares between 1 and 16 samples" resolve/residual_feedback resolve/residual_feedback_fit.hpp '(samples, 1.f)) / 4.f' '(samples, 1.f)) / 5.f'
+mutant "residual: less where neighbours share their noise" resolve/residual_stages resolve/residual_feedback.hpp 'Real(0.f), Real(1.f)) * trust' 'Real(0.f), Real(1.f))'
+mutant "residual: rows of an image that is moved" resolve/residual_stages resolve/moved_image.hpp '+ lower_part * row_at(1)' '+ lower_part * row_at(0)'
+mutant "residual: where a moved image ends" resolve/residual_stages resolve/moved_image.hpp 'column > -0.5f' 'column >= 0.f'
+mutant "repeated: what a picture lacks" resolve/residual_stages resolve/repeated_residual.hpp 'masked(is_sample, s - p)' 'masked(is_sample, p - s)'
+mutant "repeated: noise that stays on the screen" resolve/residual_stages resolve/new_witness.hpp 'of_window[4]) - alike' 'of_window[4])'
+mutant "repeated: a frame that is the same" resolve/residual_stages resolve/new_witness.hpp 'ramp(alike, rule.same, rule.alike)' 'ramp(alike, rule.same, .5f * rule.alike)'
+mutant "repeated: what white noise leaves of neighbours" resolve/residual_stages resolve/new_witness.hpp '- of_white) * (1.f / (1.f - of_white))' '- of_white)'
+mutant "repeated: a middle band" resolve/residual_stages resolve/residual_bands.hpp 'is_widest ? value : value - load' 'is_widest ? value : value + load'
+mutant "repeated: two frames around count as one" resolve/residual_stages resolve/residual_bands.hpp 'min(known, Real(1.f))' 'known'
+mutant "repeated: caution is in standard errors" resolve/residual_stages resolve/repeated_residual.hpp 'sqrt(of_window[1]) * caution' 'of_window[1] * caution'
+mutant "repeated: the share of the mean of frames around" resolve/residual_stages resolve/repeated_residual.hpp 'of_u * (1.f - b_of_v)' 'of_u * (1.f - of_v)'
+mutant "repeated: the noise of a mean is less than that of a frame" resolve/residual_stages resolve/repeated_residual.hpp 'w = max(of_window[4], u)' 'w = u'
+mutant "repeated: of single samples the finest band" resolve/repeated_residual resolve/repeated_residual.hpp 'band == 0 ? 1.f - per_samples : 1.f' '1.f'
+mutant "repeated: of few samples more by chance" resolve/repeated_residual resolve/repeated_residual.hpp '(1.f + 2.f * per_samples)' '(1.f + 0.f * per_samples)'
+mutant "repeated: how far frames have the same noise" resolve/shared_noise resolve/repeated_residual.hpp \
+    'has_new_samples.view(), -1.f / static_cast<float>(around.size())' 'has_new_samples.view(), -1.f'
+mutant "give back: a history of one frame is no past" resolve/give_back resolve/give_back.hpp 'statistics().frames > 1' 'statistics().frames > 0'
+mutant "give back: what the frame before lacked" resolve/give_back resolve/give_back.hpp 'lacking = std::move(now);' 'lacking = std::move(before);'
+mutant "shared noise: the lesser of both directions" resolve/shared_noise resolve/shared_noise.hpp 'std::min(right, below) / square' 'right / square'
+mutant "shared noise: the quartile" resolve/shared_noise resolve/shared_noise.hpp 'parts.size() / 4' 'parts.size() / 2'
+mutant "shared noise: less the mean" resolve/shared_noise resolve/shared_noise.hpp 'sums.by_below - mean * sums.below' 'sums.by_below'
+mutant "shared noise: when it is too much" resolve/shared_noise resolve/shared_noise.hpp '(most - part) / (most - least)' '(most - part) / most'
+mutant "agreement: noise of n samples of an edge" resolve/agreement resolve/agreement.hpp '1.6f / (n * std::sqrt(n))' '1.6f / n'
+mutant "agreement: the variogram's nugget" resolve/agreement resolve/agreement.hpp 'fma(g, Real(2.f), -of_window[2])' 'fma(g, Real(1.5f), -of_window[2])'
+mutant "agreement: where frames around tell nothing" resolve/agreement resolve/agreement.hpp 'half_difference<Real>(own, x, y, 2) * known' 'half_difference<Real>(own, x, y, 2) * per_square'
+mutant "agreement: neighbours at the right border" resolve/agreement resolve/agreement.hpp 'masked(columns < Real(' 'masked(columns + 1.f < Real('
+mutant "evidence: the noise of a sample" resolve/evidence resolve/evidence.hpp '0.5f * (a[c] + b[c])' 'b[c]'
+mutant "evidence: what is known before samples" resolve/evidence resolve/evidence.hpp 'sums.noise * per_spread + 1e-30' 'sums.noise + 1e-30'
+mutant "evidence: caution counts above and below" resolve/evidence resolve/evidence.hpp 'square += fma(off, off, of_own)' 'square += off * off'
+mutant "evidence: doubt" resolve/evidence resolve/evidence.hpp '(1. - part_without(rule, sums, 1.))' 'part_without(rule, sums, 1.)'
+mutant "evidence: how bright a bright sample may be" resolve/evidence resolve/evidence.hpp 'min(sample[c], rule.most * bright)' 'sample[c]'
+mutant "evidence: windows end at the right border" resolve/evidence resolve/box_sums.hpp 'before[std::min(x + reach + 1, width)]' 'before[std::min(x + reach, width)]'
+mutant "evidence: which half is left out" resolve/evidence resolve/evidence.hpp 'int x = (left_out + y) % 2; x < view' 'int x = left_out; x < view'
+mutant "evidence: rows above a window" resolve/evidence resolve/evidence_passes.hpp 'y - rule.radius - 1)[x]' 'y - rule.radius)[x]'
+mutant "evidence: columns left of a window" resolve/evidence resolve/evidence_passes.hpp 'row[x - radius - 1]' 'row[x - radius]'
+mutant "evidence: alpha stays" resolve/evidence resolve/evidence_passes.hpp 'c < 3 ? second' 'c < 4 ? second'
+mutant "evidence: the mean brightness of all rows" resolve/evidence resolve/mean_brightness.hpp 'rows[0] = sum / static_cast<double>(size.pixels())' 'rows[0] = sum / static_cast<double>(size.width)'
+mutant "evidence: the judge sees no held-out sample" resolve/by_evidence resolve/by_evidence.hpp 'copy(executor, samples, light, left_out);' 'copy(executor, samples, light);'
+mutant "evidence: a judge's history" resolve/by_evidence resolve/by_evidence.hpp 'judge.learn(history.past);' 'judge.forget();'
+mutant "anti-alias: where a frame's samples lie in their pixels" resolve/anti_aliased resolve/anti_alias_pass.hpp 'static_cast<float>(i % 3 - 1) + jitter.x' 'static_cast<float>(i % 3 - 1) - jitter.x'
+mutant "anti-alias: where those of frames around lie" resolve/anti_aliased resolve/anti_alias_pass.hpp 'from.x) - frame.jitter.x' 'from.x) + frame.jitter.x'
+mutant "anti-alias: the Gaussian" resolve/anti_aliased resolve/anti_alias_pass.hpp '-0.5f / (policy.deviation * policy.deviation)' '-0.5f / policy.deviation'
+mutant "anti-alias: samples on both sides" resolve/anti_aliased resolve/anti_alias_pass.hpp 'weight(off - 1.f)), weight(off)' 'weight(off + 1.f)), weight(off)'
+mutant "anti-alias: what goes elsewhere" resolve/anti_aliased resolve/anti_alias_pass.hpp 'amiss_x = fma(its.x, sign, step.x)' 'amiss_x = Real(0.f)'
+mutant "anti-alias: a gap in the surface in front" resolve/anti_aliased resolve/anti_alias_pass.hpp 'either(found, d >= surface.behind)' 'found'
+mutant "anti-alias: each surface has its light" resolve/anti_aliased resolve/anti_alias_pass.hpp 'select(is_here, own_light, surface.light())' 'own_light'
+mutant "anti-alias: what changes by itself" resolve/anti_aliased resolve/anti_alias_pass.hpp 'mark * less <= surface.most * weights * more' 'mark >= Real(0.f)'
+mutant "anti-alias: a pixel's own sample of many" resolve/anti_aliased resolve/anti_alias_pass.hpp '1.f / (weights + policy.own)' '1.f / (weights + 1.f)'
+mutant "anti-alias: colours that are alike" resolve/anti_aliased resolve/seen_surface.hpp 'most - least > abs(most) * (1.f / 256.f)' 'most - least > abs(most)'
+mutant "anti-alias: motion goes on from frame to frame" resolve/anti_aliased resolve/anti_alias_pass.hpp 'where = where + onward, step = onward;' 'step = onward;'
+mutant "anti-alias: the light of a picture" resolve/remodulated resolve/light_of_picture.hpp 'return p / c;' 'return p;'
+mutant "anti-alias: a frame that does not follow" resolve/kept_frames resolve/kept_frames.hpp '*frame_number == *number + 1' '*frame_number >= *number'
+mutant "resolve: a sample's place in the frame" resolve/resolved resolve/resolve_passes.hpp 'place.x * (1.f / ratio.x) - frame.jitter.x' 'place.x * (1.f / ratio.x) + frame.jitter.x'
+mutant "resolve: the depth of what was hidden" resolve/resolved resolve/resolve_passes.hpp 'its_depth <= farthest)' 'its_depth >= nearest)'
+mutant "resolve: motion of a frame of another size" resolve/resolved resolve/resolve_passes.hpp 'ratio_of(frames[static_cast<std::size_t>(i - 1)])' 'ratio_of(frames[0])'
+mutant "resolve: the nearest surface's motion" resolve/resolved resolve/resolve_passes.hpp 'nearer = its_depth < nearest' 'nearer = its_depth > nearest'
+mutant "resolve: where no sample is near" resolve/resolved resolve/resolve_passes.hpp 'fma(b - a, best, a)' 'b'
+mutant "resolve: sharpening" resolve/resolved resolve/sharpening.hpp 'fma(c - mean, real_of<V>(amount), c)' 'fma(c - mean, real_of<V>(amount), mean)'
+mutant "resolve: a spline's rows" resolve/resolved resolve/spline_interpolation.hpp 'across.at[i] * down.at[j]' 'across.at[i] * down.at[i]'
+
+with -O0
+mutant "shader: the lesser of two numbers" shader/operations shader/shader_expression.hpp 'choose(a + " < " + b, a, b)' 'choose(a + " < " + b, b, a)'
+mutant "shader: a selection in WGSL" shader/operations shader/shader_expression.hpp '"select(" + other + ", " + one' '"select(" + one + ", " + other'
+mutant "shader: how large a pass of a part of the size is" shader/operations shader/shader_writer.hpp 'number_text(fraction - 1)' 'number_text(fraction)'
+mutant "shader: matrices lie column by column" shader/operations shader/frame_block.hpp 'm[i / 4][i % 4]' 'm[i % 4][i / 4]'
+mutant "shader: rays to the right and down" shader/operations shader/frame_block.hpp 'put_vector(word + 8, r.right), put_vector(word + 12, r.down)' 'put_vector(word + 8, r.down), put_vector(word + 12, r.right)'
+mutant "shader: the jitter of the frame before" shader/operations shader/frame_block.hpp 'put(jitter_then_word, camera_then.jitter.x)' 'put(jitter_then_word, camera.jitter.x)'
+mutant "shader: where members of the block lie, in bytes" shader/operations shader/write_plan.hpp 'std::to_string(4 * member.word)' 'std::to_string(member.word)'
+mutant "shader: both of two truth values" shader/operations shader/interpreter.hpp '(i & j) != 0' '(i | j) != 0'
+mutant "shader: a shift with the sign" shader/operations shader/recorded_integer.hpp 'static_cast<Bits>(static_cast<std::int32_t>(i) >> j)' 'i >> j'
+mutant "shader: a selection by a constant" shader/operations shader/recorded.hpp 'm.is_constant() && !m.constant() ? b : a' 'm.is_constant() && !m.constant() ? a : b'
+mutant "shader: sums and products joined" shader/operations shader/interpreter.hpp 'joins ? quell::fma(a, b, c) : a * b + c' 'joins ? a * b + c : quell::fma(a, b, c)'
+mutant "shader: the end of a loop" shader/graph shader/pass_graph.hpp 'static_cast<std::uint32_t>(i - begin)' 'static_cast<std::uint32_t>(i - begin + 1)'
+mutant "shader: a loop that nothing needs" shader/graph shader/pass_graph.hpp '(is_effect(node) && is_live(node.of[0]))' 'is_effect(node)'
+mutant "shader: in which loop a step stands" shader/graph shader/pass_graph.hpp 'depth > innermost ? depth : innermost' 'depth'
+mutant "shader: which half of a word" shader/graph shader/pack_halves.hpp 'part == WordPart::lower ?' 'part == WordPart::upper ?'
+mutant "shader: buffers in parts" shader/graph shader/shader_plan.hpp 'number % most_slots}' 'number}'
+mutant "shader: how many slots a part has" shader/graph shader/shader_plan.hpp 'rest > most_slots ? most_slots : rest' 'rest > most_slots ? rest : most_slots'
+mutant "shader: when a slot of the scratch is free" shader/against_serial shader/assign_planes.hpp 'return last < image.first;' 'return last <= image.first;'
+mutant "shader: rows above the image" shader/against_serial shader/recorded_cursor.hpp 'dy < 0 ? row >= 0 : row < height' 'dy < 0 ? row > 0 : row < height'
+
+with -O1
+mutant "cones: the angle at which they no longer touch" radiance/cones radiance/cones.hpp '(18.f / 11.f)' '(18.f / 10.f)'
+mutant "cones: axes of the ring" radiance/cones radiance/cones.hpp '0.50903696f, -0.50903696f, -0.82363910f' '-0.50903696f, 0.50903696f, -0.82363910f'
+mutant "cones: normals that point down" radiance/cones radiance/cones.hpp 'select(n.z < Real(0.f), Real(-1.f), Real(1.f))' 'Real(1.f)'
+mutant "cones: the nearest" radiance/cones radiance/cones.hpp 'best = select(nearer, closeness, best);' ''
+mutant "cones: the part of the one in the middle" radiance/cones radiance/cones.hpp 'middle_part = 0.27728066f' 'middle_part = 0.2f'
+mutant "cones: what one without samples borrows" radiance/cones radiance/cones.hpp 'max(samples(value) * 1e-3f' 'max(samples(value) * 1e-1f'
+with -O0
+mutant "cones: a mean's newest sample" radiance/luminance_in_cones radiance/with_cones.hpp 'mix(before, sample, result.alpha)' 'mix(sample, before, result.alpha)'
+mutant "cones: luminance is kept relative to the mean" radiance/luminance_in_cones radiance/cones.hpp 'stored.at[i] * (stored.at[i + 1] * mean)' 'stored.at[i] * stored.at[i + 1]'
+mutant "cones: light goes to those of now" radiance/luminance_in_cones radiance/cone_fetch.hpp 'past[cone_luminance], after = cone::transferred(before, then, now)' 'past[cone_luminance], after = before'
+mutant "cones: colours of a gathered pixel" radiance/gather radiance/cone_gather.hpp '(max(mean, Real(1e-30f)) * weight)' 'max(mean, Real(1e-30f))'
+mutant "cones: light that a clamp added" radiance/clamped radiance/with_cones.hpp 'added * cones.at[i + 1]' 'added'
+mutant "cones: what a clamp made darker" radiance/clamped radiance/with_cones.hpp 'Real(0.f), Real(1.f)), added' 'Real(1.f), Real(1.f)), added'
+mutant "cones: the nearest past that was accepted" radiance/edges radiance/cone_fetch.hpp 'both(detail::counts<Real>(then, found), distance < minimum)' 'distance < minimum'
+mutant "cones: no component beyond those around" radiance/gather radiance/cone_gather.hpp 'seen.limited(shaded)' 'shaded'
+mutant "cones: how much a neighbour counts" radiance/gather radiance/cone_gather.hpp 'profile[tap.column != 0] * profile[tap.row != 0]' 'profile[tap.column != 0] * profile[0]'
+mutant "cones: turned light is limited to what is around" radiance/gather radiance/cone_fetch.hpp 'limited = seen.limited(turned)' 'limited = turned'
+mutant "cones: a turned past counts for fewer samples" radiance/gather radiance/cone_fetch.hpp 'select(differs, min(samples, Real(1.f)), Real(1.f))' 'Real(1.f)'
+
+with -O0 $([ -n "$lines_only" ] || pkg-config --cflags --libs OpenEXR)
+mutant "files: an offset outside of the data window" io/parts io/frame_image.hpp 'return !stored || (x >= stored->x0' 'return !stored || (x >= 0'
+mutant "files: depths of at most a miss" io/parts io/frame_image.hpp 'z <= names.miss_to' 'z < names.miss_to'
+mutant "files: a name that several parts of a view have" io/parts io/part_names.hpp 'of_views == 1 ? of_view : nullptr' 'nullptr'
+mutant "files: motion in parts of the image" io/frames io/frame_image.hpp 'C::Unit::ndc ? extent / 2.f : extent' 'C::Unit::ndc ? extent : extent'
+mutant "files: motion with y up" io/frames io/frame_image.hpp 'axis == 1 && from.y' 'axis == 0 && from.y'
+mutant "files: jitter that is left in" io/frames io/frame_image.hpp '"quell:jitter_previous") - jitter_in' '"quell:jitter_previous") + jitter_in'
+mutant "files: motion to the next frame points there" io/frames io/frame_image.hpp 'motion.points = MotionConvention::Points::to_previous' 'motion.points = MotionConvention::Points::from_previous'
+mutant "files: rays go through samples" io/frames io/frame_image.hpp '0.5f + camera->jitter.x' '0.5f - camera->jitter.x'
+mutant "files: from when on a depth is a miss" io/frames io/frame_image.hpp 'z >= names.miss_from' 'z > names.miss_from'
+mutant "files: the right end of a data window" io/foreign io/exr_file.hpp 'clip(data.max.x, display.min.x - 1, width)' 'clip(data.max.x, display.min.x, width)'
+mutant "files: rows of a data window" io/foreign io/exr_file.hpp 'std::int64_t(y) + display.min.y - data.min.y' 'std::int64_t(y) + display.min.y'
+mutant "files: numbers that a float does not hold" io/foreign io/exr_file.hpp 'exact && static_cast<std::int64_t>(numbers.back()) ==' 'exact && static_cast<std::int64_t>(id) =='
+mutant "files: how large a picture may be" io/bad_input io/exr_file.hpp 'height <= max_pixels && width * height <= max_pixels' 'height <= max_pixels'
+mutant "files: the order of bytes" io/bad_input io/exr/exr_header_check.hpp 'std::size_t i = 4; i-- > 0;' 'std::size_t i = 0; i < 4; ++i'
+mutant "files: whole numbers alone are whole" io/bad_input io/write_exr.hpp '&& value == static_cast<float>(static_cast<std::uint32_t>(value))' ''
+mutant "files: the sign of infinity" io/round_trip io/write_exr.hpp '(bits >> 16) & 0x8000u' '(bits >> 16) & 0u'
+mutant "files: a matrix has its rows" io/round_trip io/exr/exr_attributes.hpp 'result[i][j] = static_cast<float>(m.x[i][j])' 'result[j][i] = static_cast<float>(m.x[i][j])'
+mutant "files: the other eye" io/views io/file_views.hpp 'names[0] == "left" ? "right" : "left"' 'names[0] == "right" ? "right" : "left"'
+mutant "files: layers whose name begins as another's" io/views io/file_views.hpp 'prefix.size() > longest.size()' 'longest.empty()'
+mutant "files: parts that are views" io/views io/file_views.hpp 'complete < 2 ? layers_of(whole) : found' 'complete < 3 ? layers_of(whole) : found'
+mutant "files: Blender's motion to the next frame" io/cycles io/sequence_names.hpp 'source.scale = -1.f' 'source.scale = 1.f'
+mutant "files: the sky of a half" io/cycles io/sequence_names.hpp 'depth->type == SampleType::half ? 65504.f : 1e9f' '1e9f'
+mutant "files: the y of a vector" io/copy io/exr/packing_loss.hpp 'return has("X") || (' 'return false || ('
+mutant "files: where new numbers lie on the canvas" io/copy io/exr/copied_part.hpp '(data.x0 - canvas.x0)' '(canvas.x0 - data.x0)'
+mutant "files: the far corner of all parts" io/copy io/exr/exr_original.hpp 'std::max(all.y1, data.y1)' 'all.y1'
+mutant "files: light that packing made infinite" io/copy io/exr/packing_loss.hpp 'is_finite(light[i]) && !is_finite(packed[i])' '!is_finite(light[i]) && !is_finite(packed[i])'
 
 [ "$mutants" -gt 0 ] || stop "no broken line has '$only' in its name"
 [ "$survivors" = 0 ] || { echo "$survivors broken lines were not noticed" >&2; exit 1; }

@@ -198,6 +198,11 @@ TEST_CASE("an original is read with what lies outside of its display window") {
     // What was read goes back to where it was.
     io::write_copy(folder / "out.exr", original, {.canvas = canvas, .numbers = {{0, "R", io::SampleType::half, image["R"].values}}});
     CHECK(different(whole_of(folder / "in.exr"), whole_of(folder / "out.exr")).empty());
+    write_whole(folder / "right.exr", display, {{"", box(110, 60, 140, 80), {{"R", Imf::FLOAT, foreign_value}}}});
+    io::ExrOriginal const right(folder / "right.exr");
+    auto const values = right.read(std::vector<std::string>{"R"}, right.canvas())["R"].values;
+    io::write_copy(folder / "out.exr", right, {.canvas = right.canvas(), .numbers = {{0, "R", io::SampleType::half, values}}});
+    CHECK(different(whole_of(folder / "right.exr"), whole_of(folder / "out.exr")).empty());
     check_error(
         [&] {
             io::write_copy(folder / "no.exr", original, {.canvas = {0, 0, 32, 24}, .numbers = {constant("R", 1.f, {0, 0, 32, 24})}});

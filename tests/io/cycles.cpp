@@ -145,12 +145,13 @@ TEST_CASE("Cycles' light, motion and depth arrive in quell's conventions") {
     auto const names = names_of(folder, image);
     for (auto& plane : image.planes)
         if (plane.name == "ViewLayer.Depth.Z") plane.values[1] = 1e10f;
-    Frame<Channels<Radiance, Albedo, Normal, Depth, Motion>> frame(image.size);
+    Frame<Channels<Radiance, Albedo, Normal, Depth, Motion, MotionNext>> frame(image.size);
     io::load(frame, image, names.of_signals[0].channels);
     auto const value = [&](std::string const& name) { return image["ViewLayer." + name].values[0]; };
     CHECK(frame[radiance].get(0, 0).y == value("DiffDir.G") + value("DiffInd.G"));
     CHECK(frame[albedo].get(0, 0) == glm::vec3(1.f));
     CHECK(frame[motion].get(2, 2) == glm::vec2(value("Vector.X"), -value("Vector.Y")));
+    CHECK(frame[motion_next].get(2, 2) == glm::vec2(-value("Vector.Z"), value("Vector.W"))); // of which Blender has the other end
     CHECK(frame[normal].get(1, 1) == glm::vec3(value("Normal.X"), value("Normal.Y"), value("Normal.Z")));
     CHECK(frame[depth].get(0, 0) == value("Depth.Z"));
     CHECK(frame[depth].get(1, 0) == std::numeric_limits<float>::infinity());

@@ -119,8 +119,13 @@ TEST_CASE("motion of every convention becomes quell's own") {
     auto const loaded = [&](glm::vec2 stored, C convention) {
         image.planes = {plane("motion.X", image.size, [&](int, int) { return stored.x; }),
                         plane("motion.Y", image.size, [&](int, int) { return stored.y; })};
-        Frame<Channels<Motion>> frame(image.size);
+        auto const next = image.planes;
+        for (auto const& each : next) image.planes.push_back(each), image.planes.back().name.insert(6, "_next");
+        Frame<Channels<Motion, MotionNext>> frame(image.size);
         io::load(frame, image, io::ChannelNames{.motion = convention});
+        // To the next frame it always points from this one, without jitter.
+        bool const is_turned = convention.points == C::Points::from_previous, has_jitter = convention.jitter == C::Jitter::left_in;
+        if (!has_jitter) CHECK(frame[motion_next].get(7, 8) == (is_turned ? -1.f : 1.f) * frame[motion].get(7, 8));
         return frame[motion].get(7, 8);
     };
     auto const near = [](glm::vec2 a, glm::vec2 b) { return std::abs(a.x - b.x) < 1e-5f && std::abs(a.y - b.y) < 1e-5f; };

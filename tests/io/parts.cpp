@@ -96,7 +96,7 @@ TEST_CASE("an offset and a scale are those of what the file holds") {
     io::load(frame, io::read_exr(folder / "packed.exr"), names);
     CHECK(frame[normal].get(3, 2) == glm::vec3(0.5f));
     CHECK(frame[depth].get(3, 2) == 85.f);
-    CHECK(frame[normal].get(0, 0) == glm::vec3(0.f)); // outside of the data window there is nothing, not the offset
+    CHECK(frame[normal].get(0, 2) == glm::vec3(0.f)); // outside of the data window there is nothing, not the offset
     CHECK(frame[depth].get(7, 5) == std::numeric_limits<float>::infinity());
     names.miss_to = 85.f;
     io::load(frame, io::read_exr(folder / "packed.exr"), names);

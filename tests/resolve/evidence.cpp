@@ -1,7 +1,10 @@
 #include <doctest/doctest.h>
+#include <quell/execute/executor.hpp>
 #include <quell/frame/channels.hpp>
 #include <quell/image/planar.hpp>
-#include <quell/resolve/evidence.hpp>
+#include <quell/resolve/evidence_passes.hpp>
+
+#include <glm/glm.hpp>
 
 #include <limits>
 #include <random>
@@ -52,19 +55,6 @@ TEST_CASE("of many samples, there is no caution") {
     CHECK(part(0.f, .5f, Evidence::of_samples(16.f)) == doctest::Approx(part(0.f, .5f)));
 }
 
-TEST_CASE("doubt takes caution away as far as samples leave nothing of the first estimate") {
-    // A is off, B is right but for its own noise: caution keeps a part of A, full doubt nearly nothing of it.
-    double const cautious = part(.8f, 0.f, {}, .15f), doubtful = part(.8f, 0.f, {.doubt = 1.f}, .15f);
-    double const blind = part(.8f, 0.f, {.caution = 0.f}, .15f);
-    CHECK(cautious > .05);
-    CHECK(blind < .02);
-    CHECK(doubtful < blind + .3 * (cautious - blind));
-    CHECK(part(.8f, 0.f, {.doubt = .5f}, .15f) == doctest::Approx(.5 * (cautious + blind)).epsilon(.2));
-    // Where samples speak for A, the part stays what caution makes of it.
-    CHECK(part(0.f, .5f, {.doubt = 1.f}, .3f) == doctest::Approx(part(0.f, .5f, {}, .3f)).epsilon(.02));
-    CHECK(part(.2f, 0.f, {.caution = 0.f, .doubt = 1.f}, .5f) == part(.2f, 0.f, {.caution = 0.f}, .5f));
-}
-
 TEST_CASE("a history that has seen later frames is trusted less, the more samples there are") {
     for (float const few : {0.f, 1.f}) {
         CHECK(Evidence::with_later_frames(few).doubt == 0.f);
@@ -78,26 +68,9 @@ TEST_CASE("a history that has seen later frames is trusted less, the more sample
     CHECK(Evidence::with_later_frames(1024.f).caution == 0.f);
 }
 
-TEST_CASE("little evidence changes little") {
-    CHECK(part(.05f, 0.f, {.radius = 1, .spread = .1f}) > .9);
-    CHECK(part(.05f, 0.f, {.radius = 1, .spread = 1e4f}) < .7);
-}
-
-TEST_CASE("where both agree nothing is changed") {
-    CHECK(part(.2f, .2f) == doctest::Approx(1.));
-    CHECK(part(.2f, .2f, {.at_first = .25f}) == doctest::Approx(.25));
-}
-
-TEST_CASE("a sample that is not finite says nothing") {
-    EvidenceSums sums({3, 3});
-    glm::vec3 const none{std::numeric_limits<float>::quiet_NaN(), 1.f, std::numeric_limits<float>::infinity()}, a(2.f), b(1.f);
-    sums.add({}, 4, none, a, b, b);
-    for (float const p : sums.parts({.radius = 1})) CHECK((p >= 0.f && p <= 1.f));
-}
-
 TEST_CASE("what is no light is no evidence") {
     glm::vec3 const a(2.f), b(1.f);
-    for (float const value : {std::numeric_limits<float>::infinity(), 1e17f, -1.f}) {
+    for (float const value : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(), 1e17f, -1.f}) {
         CAPTURE(value);
         EvidenceSums sums({3, 3});
         for (std::size_t i = 0; i < 9; ++i) sums.add({}, i, glm::vec3(value), a, b, b);
@@ -175,4 +148,70 @@ TEST_CASE("parts by evidence: an image of another size is named") {
     CHECK(message(12, 13, 12, 12).find("the second estimate: 13") != std::string::npos);
     CHECK(message(12, 12, 0, 12).find("the first estimate without samples: 0") != std::string::npos);
     CHECK(message(12, 12, 12, 1).find("the second estimate without samples: 1") != std::string::npos);
+}
+
+TEST_CASE("the part of the first estimate is that of least squares over a pixel's window, as far as its variance lets trust it") {
+    constexpr Extent size{45, 29};
+    using Image = ImageOf<Planar<>, RadianceAlpha>;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> number(.2f, 2.f);
+    auto const image = [&](float most) {
+        Image made(size);
+        for (int i = 0; i < 4 * size.pixels(); ++i) made.view().set(i % 4, i / 4 % size.width, i / 4 / size.width, most * number(random));
+        return made;
+    };
+    auto const samples = image(2.f), a = image(1.2f), b = image(1.f), b_with = image(1.f);
+    auto const colour = [](Image const& of, int x, int y) {
+        return glm::vec3(of.view().get(0, x, y), of.view().get(1, x, y), of.view().get(2, x, y));
+    };
+    glm::dvec3 const luminance_of(.2126, .7152, .0722);
+    double mean = 0.;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            mean += glm::dot(glm::dvec3(colour(b_with, x, y)), luminance_of) / static_cast<double>(size.pixels());
+    EvidenceMix<> mix;
+    for (Evidence const rule : {Evidence{.radius = 2, .dark = .1f, .most = 2.f, .caution = .3f, .at_first = .8f, .spread = .2f},
+                                Evidence{.radius = 3, .caution = .5f, .spread = .3f, .trust = .9f, .doubt = .6f}, Evidence{}}) {
+        EvidenceSums sums(size, static_cast<float>(mean));
+        for (std::size_t i = 0; i < static_cast<std::size_t>(size.pixels()); ++i) {
+            int const x = static_cast<int>(i) % size.width, y = static_cast<int>(i) / size.width;
+            sums.add(rule, i, colour(samples, x, y), colour(a, x, y), colour(b, x, y), colour(b_with, x, y));
+        }
+        auto const parts = sums.parts(rule);
+        for (int const left_out : {1, 0}) mix.judge(rule, Simd{}, left_out, samples.view(), a.view(), b.view(), b_with.view());
+        Image mixed(size), small(Extent{45, 28});
+        mix.mix(rule, Simd{}, a.view(), b.view(), mixed.view());
+        CHECK_THROWS_WITH_AS(mix.mix(rule, Simd{}, a.view(), small.view(), mixed.view()),
+                             doctest::Contains("the second estimate: 45x28 beside samples of 45x29"), Error);
+        if (!(rule.doubt > 0.f))
+            CHECK_THROWS_WITH_AS(mix.mix({.doubt = .5f}, Simd{}, a.view(), b.view(), mixed.view()), doctest::Contains("it has doubt"),
+                                 Error);
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                double product = 0., square = 0., noise = 0., own = 0.;
+                for (int j = std::max(y - rule.radius, 0); j <= std::min(y + rule.radius, size.height - 1); ++j)
+                    for (int i = std::max(x - rule.radius, 0); i <= std::min(x + rule.radius, size.width - 1); ++i) {
+                        glm::dvec3 const first(colour(a, i, j)), second(colour(b, i, j)), off = first - second;
+                        double const bright = static_cast<double>(rule.dark) * mean + .5 * glm::dot(first + second, luminance_of);
+                        auto const sample =
+                            glm::min(glm::dvec3(colour(samples, i, j)), glm::dvec3(static_cast<double>(rule.most) * bright));
+                        auto const change = glm::dvec3(colour(b_with, i, j)) - second;
+                        double const per = 1. / (bright * bright);
+                        product += per * glm::dot(sample - second, off), square += per * glm::dot(off, off);
+                        noise += std::pow(per * glm::dot(sample - .5 * (first + second), off), 2.);
+                        own += static_cast<double>(rule.caution) * per * glm::dot(change, change);
+                    }
+                auto const part = [&](double caution) {
+                    double const all = square + caution * own, w = (product + caution * own) / all, variance = noise / (all * all);
+                    double const before = 1. / std::pow(static_cast<double>(rule.spread), 2.);
+                    return std::clamp((w / variance + static_cast<double>(rule.at_first) * before) / (1. / variance + before), 0., 1.);
+                };
+                double const caution = 1. - static_cast<double>(rule.doubt) * (1. - part(0.));
+                double const wanted = 1. - static_cast<double>(rule.trust) * (1. - part(caution));
+                CHECK(parts[static_cast<std::size_t>(y * size.width + x)] == doctest::Approx(wanted).epsilon(1e-4));
+                double const first = static_cast<double>(a.view().get(1, x, y)), second = static_cast<double>(b.view().get(1, x, y));
+                CHECK(mixed.view().get(1, x, y) == doctest::Approx(second + (first - second) * wanted).epsilon(1e-4));
+                CHECK(mixed.view().get(3, x, y) == a.view().get(3, x, y));
+            }
+    }
 }

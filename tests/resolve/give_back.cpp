@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 #include <quell/execute/threads.hpp>
-#include <quell/presets/general.hpp>
 #include <quell/quell.hpp>
 #include <quell/resolve/give_back.hpp>
 
@@ -14,7 +13,7 @@ using namespace quell::tests;
 namespace {
 
 using Colours = std::vector<glm::vec3>;
-constexpr auto denoise = presets::surface(radiance);
+constexpr Pipeline denoise{radiance, Temporal{SurfaceMotion{}, RunningMean{}}, Spatial{Atrous<>{.levels = 2}}};
 
 float stripes(int x, int) { return x % 4 < 2 ? 1.3f : .7f; }
 
@@ -31,7 +30,7 @@ template <class Storage, class F> void each_frame(Storage const& storage, F&& fu
     Frame frame{size, denoise, storage};
     History history{size, denoise};
     for (unsigned i = 0; i < 3; ++i) {
-        FlatSurface seen(stripes, .1f, i + 1);
+        FlatSurface seen(stripes, .3f, i + 1);
         for (auto& sample : seen.samples) sample *= unit;
         fill(frame, seen);
         function(frame, history, i);
@@ -39,7 +38,7 @@ template <class Storage, class F> void each_frame(Storage const& storage, F&& fu
 }
 std::vector<Colours> given_back(auto const& storage, auto const& executor, float unit = 1.f) {
     std::vector<Colours> all;
-    GiveBack give_back(16);
+    GiveBack give_back(4);
     each_frame(
         storage,
         [&](auto& frame, auto& history, unsigned) {
@@ -73,11 +72,13 @@ TEST_CASE("light given back: the unit of light changes no bit") {
 TEST_CASE("light given back behind a pipeline: what both functions give back, frame by frame") {
     std::vector<Colours> wanted;
     Colours lacking;
-    each_frame(Planar<>{}, [&](auto& frame, auto& history, unsigned) {
+    each_frame(Planar<>{}, [&](auto& frame, auto& history, unsigned i) {
         auto picture = detail::colours_in(run(denoise, frame, history));
-        auto const samples = detail::colours_in(frame[radiance].view());
-        feed_back_residual({.samples = 16}, Simd{}, samples, frame[normal].view(), frame[depth].view(), picture);
-        RepeatedResidual const rule{.samples = 16};
+        auto const samples = detail::colours_in(frame[radiance].view()), before = picture;
+        feed_back_residual({.shares = ResidualFeedbackShares::of_frame(4, i > 0, false)}, Simd{}, samples, frame[normal].view(),
+                           frame[depth].view(), picture);
+        CHECK(picture != before); // or nothing would be compared
+        RepeatedResidual const rule{.samples = 4};
         auto now = lacking_of_samples(rule, Simd{}, size, samples, picture);
         if (!lacking.empty()) give_back_repeated(rule, Simd{}, size, now, {lacking_moved(Simd{}, lacking, frame[motion].view())}, picture);
         lacking = now;

@@ -220,19 +220,14 @@ TEST_CASE("threads give the same bits, and packs what single pixels give") {
     CHECK(error_of(one, single) < 1e-5);
 }
 
-TEST_CASE("a Gaussian's mean of what is the same everywhere is that, and of a line it is the Gaussian") {
-    detail::Planes<3> image(size);
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) image.view().set(0, x, y, 2.f), image.view().set(1, x, y, x == 30 ? 1.f : 0.f);
-    auto const blurred = detail::blurred(Simd{}, image.view(), 2.f);
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) {
-            REQUIRE(blurred.view().get(0, x, y) == doctest::Approx(2.f));
-            if (x < 24 || x > 36) REQUIRE(blurred.view().get(1, x, y) == 0.f);
-        }
-    float const peak = blurred.view().get(1, 30, 5);
-    CHECK(peak == doctest::Approx(1. / (2. * std::sqrt(2. * 3.14159265))).epsilon(.01));
-    CHECK(blurred.view().get(1, 28, 20) == doctest::Approx(peak * std::exp(-.5f)));
+TEST_CASE("of few samples, caution is as if there were more of it") {
+    auto const motion = motion_of(-1.f, 0.f);
+    auto const before = with_noise(stripes(0), .4f, 1), now = with_noise(stripes(1), .4f, 2);
+    auto const made = [&](float samples, std::array<float, 3> const& caution) { // of the finest band nothing
+        return made_with({.samples = samples, .caution = caution}, now, &before, nullptr, motion, motion);
+    };
+    CHECK(error_of(made(4.f, {1e6f, .2f, .4f}), made(1e9f, {1e6f, .3f, .6f})) < 1e-6);
+    CHECK(error_of(made(4.f, {1e6f, .2f, .4f}), made(1e9f, {1e6f, .2f, .4f})) > 1e-4);
 }
 
 } // namespace

@@ -44,25 +44,6 @@ TEST_CASE("residual feedback: what a filter took out comes back") {
     }
 }
 
-TEST_CASE("residual feedback: samples that were held out tell how much is right") {
-    auto const error = [](float (*shown)(int, int), float held_variance) {
-        Fed seen(shown, .5f);
-        ResidualFeedback const rule{.shares = ResidualFeedbackShares{.wide = 1.f},
-                                    .held_variance = held_variance,
-                                    .of_neighbours = {.least = 2.f, .most = 3.f}};
-        feed_back_residual(rule, Serial{}, seen.samples, seen.normals.view(), seen.depths.view(), seen.picture);
-        return seen.error();
-    };
-    constexpr float is_sure = 1e-9f; // whatever samples say
-    SUBCASE("of a picture that is right less is noise that was taken for light") {
-        CHECK(error(flat, 3.f) < .95 * error(flat, is_sure));
-    }
-    SUBCASE("of one that is too dark nearly all comes back") {
-        auto const darker = [](int, int) { return 2.f; };
-        CHECK(error(darker, 3.f) < .03); // of 1
-    }
-}
-
 TEST_CASE("residual feedback: light that the picture lacks everywhere comes back in part, and never more than that") {
     for (float const noise : {0.f, .001f, .01f, .1f, .5f})
         for (float const count : {1.f, 4.f, 16.f, 64.f}) {
@@ -169,69 +150,6 @@ TEST_CASE("residual feedback: small images stay finite, and other sizes are refu
                         Error);
         CHECK_THROWS_AS(feed_back_residual({.held_radius = 17}, Simd{}, samples, normals.view(), depths.view(), picture), Error);
         CHECK_THROWS_AS(feed_back_residual({.held_variance = 0.f}, Simd{}, samples, normals.view(), depths.view(), picture), Error);
-    }
-}
-
-TEST_CASE("residual feedback: a picture that is negative in the mean has limits like its reverse") {
-    auto const residual_of = [](float picture) {
-        auto const colours = detail::in_planes({1, 1}, {glm::vec3(picture)}), samples = detail::in_planes({1, 1}, {glm::vec3(1.f)});
-        detail::WindowSums<4> sums({1, 1});
-        detail::Brightness const brightness(Serial{}, colours.view());
-        return detail::PictureResidual(Serial{}, sums, {}, samples.view(), colours.view(), brightness);
-    };
-    auto const below = residual_of(-1.f), above = residual_of(1.f);
-    CHECK(below.value.view().get(0, 0, 0) == 2.f);
-    CHECK(above.value.view().get(0, 0, 0) == 0.f);
-    CHECK(above.mean_square.view().get(0, 0, 0) == doctest::Approx(below.mean_square.view().get(0, 0, 0) - 12.f).epsilon(1e-5));
-}
-
-TEST_CASE("residual feedback: a surface takes nothing of another one") {
-    Fed near(waves, 0.f), both(waves, 0.f);
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) {
-            // All that the picture lacks lies far behind in one of them, and is there alone in the other.
-            if (x < size.width / 2) both.depths.view().set(0, x, y, 300.f);
-        }
-    near.feed(Serial{}, 16.f), both.feed(Serial{}, 16.f);
-    auto const change_at_border = [](Fed const& seen) {
-        double most = 0;
-        for (int y = 0; y < size.height; ++y)
-            for (int x = size.width / 2 + 2; x < size.width; ++x)
-                most = std::max(most, std::abs(static_cast<double>(seen.picture[static_cast<std::size_t>(y * size.width + x)].x) - 1.));
-        return most;
-    };
-    CHECK(change_at_border(both) < .3 * change_at_border(near));
-}
-
-TEST_CASE("sums over windows are those of each pixel's square, and bright pixels take nothing off dark ones") {
-    Extent const image{37, 21};
-    auto const number = [](int x, int y) { return x == 20 && y == 10 ? 1e12f : 1e-3f * static_cast<float>((x * 7 + y * 13) % 11); };
-    detail::Planes<2> from(image), to(image);
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) from.view().set(0, x, y, number(x, y)), from.view().set(1, x, y, 1.f);
-    for (int const radius : {1, 6, 16}) {
-        CAPTURE(radius);
-        detail::WindowSums<4> sums(image);
-        sums.around<2>(
-            Simd{}, radius,
-            [in = from.view()]<class Real>(AtOnce<Real>, int x, int y) {
-                return std::array{in.load_component<Real>(0, x, y), in.load_component<Real>(1, x, y)};
-            },
-            [out = to.view()]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
-                detail::store_pixels<Real>(out, x, y, {around[0], around[1]}, count);
-            });
-        for (int y = 0; y < image.height; ++y)
-            for (int x = 0; x < image.width; ++x) {
-                double sum = 0, pixels = 0;
-                for (int j = std::max(y - radius, 0); j <= std::min(y + radius, image.height - 1); ++j)
-                    for (int i = std::max(x - radius, 0); i <= std::min(x + radius, image.width - 1); ++i)
-                        sum += static_cast<double>(number(i, j)), pixels += 1.;
-                REQUIRE(to.view().get(0, x, y) == doctest::Approx(sum).epsilon(1e-5));
-                REQUIRE(static_cast<double>(to.view().get(1, x, y)) == pixels);
-                CHECK(detail::pixels_around(static_cast<float>(x), radius, image.width) *
-                          detail::pixels_around(static_cast<float>(y), radius, image.height) ==
-                      to.view().get(1, x, y));
-            }
     }
 }
 

@@ -4,6 +4,9 @@
 
 #include <quell/presets/resolve.hpp>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include <array>
 #include <numbers>
 
@@ -135,22 +138,6 @@ TEST_CASE("resolve: a picture that moves stays sharp") {
     }
 }
 
-TEST_CASE("resolve: a ratio that changes keeps the history") {
-    Discs const discs;
-    Extent const output{128, 128};
-    auto const last_error = [&](int first) {
-        History history{output, resolve};
-        double last = 0;
-        for (int i = first; i <= 12; ++i) {
-            Frame frame{i < 12 ? Extent{64, 64} : Extent{72, 72}, resolve};
-            fill(frame, discs, i, jitter_of(i));
-            last = error(run(resolve, frame, history), discs, i, 16);
-        }
-        return last;
-    };
-    CHECK(last_error(0) < .8 * last_error(12));
-}
-
 TEST_CASE("resolve: motion with jitter left in gives the picture of motion without, whatever size the frames have") {
     constexpr auto with_jitter =
         presets::resolve(presets::none(radiance, Supplied<MotionConvention{.jitter = MotionConvention::Jitter::left_in}>{}));
@@ -168,21 +155,6 @@ TEST_CASE("resolve: motion with jitter left in gives the picture of motion witho
         then = now;
         CHECK(tests::difference(copy_of(run(with_jitter, jittered, left_in)), copy_of(run(resolve, frame, left_out))) < 1e-4);
     }
-}
-
-TEST_CASE("resolve: what is uncovered has no history of what hid it") {
-    Frame frame{{32, 8}, resolve};
-    History history{{64, 16}, resolve};
-    std::vector<float> all;
-    // A bright thing in front leaves at once, and says so by its motion alone.
-    for (int i = 0; i < 6; ++i) {
-        tests::fill_still(frame);
-        bool const is_there = i < 5;
-        tests::fill(frame[depth], [&](int x, int) { return is_there && x < 16 ? 1.f : 4.f; });
-        tests::fill(frame[radiance], [&](int x, int) { return glm::vec3(is_there && x < 16 ? 5.f : 1.f); });
-        all = copy_of(run(resolve, frame, history));
-    }
-    for (float const a : all) CHECK(a == doctest::Approx(1.f));
 }
 
 TEST_CASE("resolve: forget() and a gap in the numbers begin anew") {
@@ -272,4 +244,103 @@ TEST_CASE("resolve: memory is complete when all frames are kept, and follows the
     // Seven frames of colour, motion and depth at a quarter of the output's pixels, ranges around them, the pipeline's output, and this
     // one.
     CHECK(history.bytes_per_pixel() < 102.);
+}
+
+TEST_CASE("resolve: an output pixel is the mean of samples by how near they come to it along the motion of the nearest surface") {
+    // Ranges are so wide that nothing is clamped.
+    auto const wide = presets::resolve(presets::none(radiance), Resolve{GaussianKernel{}, MeanDeviation{.sigmas = 1e4f}});
+    struct Seen {
+        Extent size;
+        glm::dvec2 jitter;
+        std::vector<glm::dvec3> colours;
+        std::vector<double> depths;
+        std::vector<glm::dvec2> motions;
+        [[nodiscard]] std::size_t at(int x, int y) const {
+            return static_cast<std::size_t>(std::clamp(y, 0, size.height - 1) * size.width + std::clamp(x, 0, size.width - 1));
+        }
+        [[nodiscard]] std::size_t nearest_around(int x, int y) const {
+            auto found = at(x, y);
+            for (int i = 0; i < 9; ++i)
+                if (depths[at(x + i % 3 - 1, y + i / 3 - 1)] < depths[found]) found = at(x + i % 3 - 1, y + i / 3 - 1);
+            return found;
+        }
+    };
+    Extent const output{40, 26};
+    History history{output, wide};
+    std::vector<Seen> frames; // the newest first
+    std::mt19937 random(8);
+    std::uniform_real_distribution<float> number(-1.f, 1.f);
+    std::vector<float> made;
+    for (int k = 0; k < 5; ++k) {
+        Frame frame{k % 2 == 0 ? Extent{20, 13} : Extent{27, 11}, wide};
+        frame.camera.jitter = {.4f * number(random), .4f * number(random)};
+        auto& seen = *frames.insert(frames.begin(), Seen{frame.size, frame.camera.jitter, {}, {}, {}});
+        for (int y = 0; y < frame.size.height; ++y)
+            for (int x = 0; x < frame.size.width; ++x) {
+                bool const in_front = (x + k) % 10 < 4 && y > 2;
+                glm::vec3 const light(2.f + number(random), 3.f + number(random), 4.f + number(random));
+                float const its_depth = (in_front ? 1.5f : 4.f) + .01f * number(random);
+                glm::vec2 const vector = in_front ? glm::vec2(1.1f, -.7f) : glm::vec2(-.4f, .3f);
+                frame[radiance].set(x, y, light), frame[depth].set(x, y, its_depth), frame[motion].set(x, y, vector);
+                seen.colours.emplace_back(light), seen.depths.push_back(static_cast<double>(its_depth)), seen.motions.emplace_back(vector);
+            }
+        made = copy_of(run(wide, frame, history));
+    }
+    auto const ratio = [&](Seen const& frame) {
+        return glm::dvec2(output.width, output.height) / glm::dvec2(frame.size.width, frame.size.height);
+    };
+    auto const& now = frames[0];
+    double worst = 0.;
+    for (int y = 0; y < output.height; ++y)
+        for (int x = 0; x < output.width; ++x) {
+            glm::dvec2 place(x + .5, y + .5);
+            auto const where_in = [&](Seen const& frame) { return place / ratio(frame) - frame.jitter; };
+            auto const weight = [&](Seen const& frame) {
+                auto const off = (glm::fract(where_in(frame)) - .5) * ratio(frame);
+                return std::exp(-.5 * glm::dot(off, off) / (.45 * .45));
+            };
+            auto const sample = [&](Seen const& frame) {
+                auto const where = glm::floor(where_in(frame));
+                return glm::ivec2(std::clamp(static_cast<int>(where.x), 0, frame.size.width - 1),
+                                  std::clamp(static_cast<int>(where.y), 0, frame.size.height - 1));
+            };
+            // Catmull-Rom, within the values of its taps.
+            glm::dvec3 spline(0.), low(1e9), high(-1e9);
+            auto const corner = glm::floor(where_in(now) - .5), t = where_in(now) - .5 - corner;
+            auto const spline_weights = [](double u) {
+                return std::array{(-u + 2. * u * u - u * u * u) / 2., (2. - 5. * u * u + 3. * u * u * u) / 2.,
+                                  (u + 4. * u * u - 3. * u * u * u) / 2., (-u * u + u * u * u) / 2.};
+            };
+            for (std::size_t i = 0; i < 16; ++i) {
+                auto const tap = now.colours[now.at(static_cast<int>(corner.x + static_cast<double>(i % 4)) - 1,
+                                                    static_cast<int>(corner.y + static_cast<double>(i / 4)) - 1)];
+                spline += spline_weights(t.x)[i % 4] * spline_weights(t.y)[i / 4] * tap, low = glm::min(low, tap),
+                                                                                         high = glm::max(high, tap);
+            }
+            spline = glm::clamp(spline, low, high);
+            auto const here = sample(now);
+            double nearest = 1e9, farthest = 0., total = weight(now), best = total;
+            for (int i = 0; i < 9; ++i) {
+                double const its = now.depths[now.at(here.x + i % 3 - 1, here.y + i / 3 - 1)];
+                nearest = std::min(nearest, its), farthest = std::max(farthest, its);
+            }
+            auto sum = total * spline;
+            auto vector = now.motions[now.nearest_around(here.x, here.y)];
+            for (std::size_t k = 1; k < frames.size(); ++k) {
+                place += vector * ratio(frames[k - 1]);
+                if (place.x < 0. || place.y < 0. || place.x > output.width || place.y > output.height) break;
+                auto const there = sample(frames[k]);
+                double const its = frames[k].depths[frames[k].at(there.x, there.y)];
+                if (its >= nearest * .97 && its <= farthest * 1.03) {
+                    sum += weight(frames[k]) * frames[k].colours[frames[k].at(there.x, there.y)];
+                    total += weight(frames[k]), best = std::max(best, weight(frames[k]));
+                }
+                vector = frames[k].motions[frames[k].nearest_around(there.x, there.y)];
+            }
+            auto const wanted = glm::mix(spline, sum / total, best);
+            for (int c = 0; c < 3; ++c)
+                worst = std::max(worst,
+                                 std::abs(static_cast<double>(made[static_cast<std::size_t>(3 * (y * output.width + x) + c)]) - wanted[c]));
+        }
+    CHECK(worst < 2e-3);
 }

@@ -117,4 +117,48 @@ TEST_CASE("a frame with the same noise is no witness of what a picture lacks, on
     auto const nearly = sum_of(noise, made([&](int x, int y) { return .05f * at(white_noise(9), x, y); }));
     CHECK(given(nearly) < 1e-5);
     CHECK(given(white_noise(10)) < .02);
+    auto const same = [&](std::vector<Pixels> const& around) {
+        auto result = picture;
+        std::vector<float> parts;
+        std::vector<LackingAround> frames;
+        for (auto const& each : around) frames.push_back({each, Pixels(noise.size())});
+        give_back_repeated({.samples = 16}, Simd{}, size, noise, frames, result, &parts);
+        return parts[1000];
+    };
+    CHECK(same({noise}) == doctest::Approx(1.f));
+    CHECK(same({white_noise(10)}) == doctest::Approx(0.f));
+    CHECK(same({white_noise(10), noise}) == doctest::Approx(.5f));
+}
+
+TEST_CASE("of windows, the lesser correlation of neighbours to the right and below, and of these the lower quartile") {
+    auto const noise = white_noise(11);
+    // More in common below than to the right in some windows, the other way round in others; and something everywhere.
+    auto const residual = made([&](int x, int y) {
+        auto const part = static_cast<float>(x) / static_cast<float>(size.width);
+        return at(noise, x, y) + part * at(noise, x, y + 1) + (1.f - part) * at(noise, x + 1, y) + glm::vec3(.5f);
+    });
+    constexpr int window = 6;
+    std::vector<double> parts;
+    for (int top = 0; top + 1 < size.height; top += window)
+        for (int left = 0; left + 1 < size.width; left += window) {
+            double right = 0., below = 0., square = 0.;
+            for (int c = 0; c < 3; ++c) {
+                auto const sum = [&](auto const& f) {
+                    double all = 0.;
+                    for (int y = top; y < std::min(top + window, size.height - 1); ++y)
+                        for (int x = left; x < std::min(left + window, size.width - 1); ++x) all += f(x, y);
+                    return all;
+                };
+                auto const e = [&](int x, int y) { return static_cast<double>(at(residual, x, y)[c]); };
+                double const mean = sum(e) / sum([](int, int) { return 1.; });
+                right += sum([&](int x, int y) { return (e(x, y) - mean) * e(x + 1, y); });
+                below += sum([&](int x, int y) { return (e(x, y) - mean) * e(x, y + 1); });
+                square += sum([&](int x, int y) { return (e(x, y) - mean) * e(x, y); });
+            }
+            parts.push_back(std::min(right, below) / square);
+        }
+    std::ranges::sort(parts);
+    CHECK(shared_noise({.window = window}, detail::in_planes(size, residual).view()) == doctest::Approx(parts[parts.size() / 4]));
+    SharedNoise const rule{.least = .1f, .most = .3f};
+    CHECK(rule.independence(.15f) == doctest::Approx(.75));
 }
