@@ -89,7 +89,7 @@ TEST_CASE("a past that is turned is as bright as its cones say within what is se
 }
 
 TEST_CASE("a level of the wavelet adds cones of like normals one to one, and others by their overlap") {
-    constexpr Pipeline denoise{indirect, Cones{}, Spatial{ConeAtrous{.levels = 1, .min_cosine = 0.5f}}};
+    constexpr Pipeline denoise{indirect, Cones{}, Spatial{ConeAtrous<>{.levels = 1, .min_cosine = 0.5f}}};
     // Of the third kind none is near enough to another.
     glm::vec3 const normals[]{{0, 0, 1}, unit({0.5f, 0.2f, 1}), {0, -1, 0}};
     auto const normal_at = [&](int x, int y) { return normals[(x / 2 + y / 3) % 3]; };

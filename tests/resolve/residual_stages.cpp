@@ -140,7 +140,8 @@ TEST_CASE("stages: sums over windows are those of each pixel's square, and brigh
 
 TEST_CASE("stages: a residual is limited, and what is more than its surroundings is spread over its half of the checkerboard") {
     Seen const seen;
-    auto const& [most, dark_part, spike, radius] = seen.limits;
+    auto const most = static_cast<double>(seen.limits.most), spike = static_cast<double>(seen.limits.spike);
+    int const radius = seen.limits.noise_radius;
     double const dark = static_cast<double>(seen.limits.dark) * mean_brightness_of(seen.picture) + 1e-6;
     auto const light = [&](int x, int y) { return bright(colour(seen.picture, x, y)) + dark; };
     auto const whole = [&](int x, int y) {

@@ -36,13 +36,15 @@ std::uint32_t bits_of(float a) { return a != a ? 0x7fc00000u : std::bit_cast<std
 /// A pass in a language, with the two numbers that it takes called a and b.
 std::string text_of(ShaderPlan const& plan, ShaderLanguage language) {
     auto text = shader_text(plan, 0, false, language);
-    for (std::pair<std::string, std::string> const& name : {std::pair{"frame.shutter.x", "a"}, {"frame.shutter.y", "b"}})
-        for (auto at = text.find(name.first); at != std::string::npos; at = text.find(name.first))
-            text.replace(at, name.first.size(), name.second);
+    for (std::string const letter : {"a", "b"}) {
+        std::string const name = letter == "a" ? "frame.shutter.x" : "frame.shutter.y";
+        for (auto at = text.find(name); at != std::string::npos; at = text.find(name)) text.replace(at, name.size(), letter);
+    }
     return text;
 }
-/// @param of       of two numbers, recorded or plain
-/// @param expected what is in the shader of WGSL, and of GLSL where that is something else
+/// @param of   of two numbers, recorded or plain
+/// @param wgsl what is in the shader of WGSL
+/// @param glsl what is in that of GLSL; empty: the same
 template <class Of> void check(Of of, std::string const& wgsl, std::string const& glsl = {}) {
     CAPTURE(wgsl);
     auto const plan = plan_of([&](Recorded a, Recorded b) { return of(a, b); });
