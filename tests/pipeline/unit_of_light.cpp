@@ -2,6 +2,7 @@
 #include "../views.hpp"
 
 #include <library/given_back.hpp>
+#include <library/history_choice.hpp>
 #include <library/images_of_frame.hpp>
 #include <library/resolved_denoiser.hpp>
 
@@ -114,9 +115,8 @@ TEST_CASE("the unit of light changes no bit: what stands behind presets") {
             check_way(way, [&] {
                 auto choice = library::make_history_choice(way, of_judge, size, here, {});
                 choice->tell_samples(4.f);
-                auto* const chosen = choice.get();
                 auto denoiser = library::with_history_choice(way.make(size, here, {}), std::move(choice));
-                return library::with_light_given_back(std::move(denoiser), way, chosen, 4.f, here, {});
+                return library::with_light_given_back(std::move(denoiser), way, true, 4.f, here, {});
             });
         }
         auto resolved = preset.usual;
