@@ -73,7 +73,7 @@ TEST_CASE("light given back: bit for bit what the headers give back, in C and in
                 guides[depth].set(x, y, wall.depth[p]), guides[motion].set(x, y, {wall.motion[2 * p], wall.motion[2 * p + 1]});
             }
         auto picture = colours_of(plain[i]);
-        give_back.apply(Simd{}, colours_of(wall.rgb), guides.views(GiveBack::Guides::channels{}), nullptr, i > 0, picture);
+        give_back.apply(Simd{}, colours_of(wall.rgb), guides.views(GiveBack::Guides::channels{}), {.has_past = i > 0}, picture);
         auto const* const values = &picture[0].x;
         wanted.emplace_back(values, values + 3 * picture.size());
     }
