@@ -106,7 +106,11 @@ template <class Real> QUELL_KERNEL void store_half(std::uint16_t* p, Real a) {
         [[maybe_unused]] auto const bounded = max(min(a, Real(65504.f)), Real(-65504.f));
 #if defined(__AVX512F__) && !defined(__CUDACC__)
         if constexpr (width_of<Real> == 16) {
-            _mm256_storeu_si256(reinterpret_cast<__m256i*>(p), _mm512_cvtps_ph(bounded, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
+            // Not _mm512_cvtps_ph: without optimisation g++ has a macro in its place that converts -1 to a mask, of which hosts' warnings
+            // tell.
+            constexpr __mmask16 all = 0xffff;
+            _mm256_storeu_si256(reinterpret_cast<__m256i*>(p),
+                                _mm512_maskz_cvtps_ph(all, bounded, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
             return;
         }
 #endif

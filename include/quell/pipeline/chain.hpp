@@ -49,7 +49,9 @@ template <class First, class... Links> struct Chain {
 /// The histories of all denoisers of a Chain. They share their memory.
 template <class First, class... Links, ImageStorage Storage> class History<Chain<First, Links...>, Storage> {
 public:
-    /// @param size of the frames
+    /// @param size    of the frames
+    /// @param chain   what it is of
+    /// @param storage of history and scratch
     /// @throws Error for a size without pixels
     explicit History(Extent size, Chain<First, Links...> const& chain, Storage const& storage = {})
         : first(size, chain.first, storage), links(History<Links, Storage>(OpenHistory::shared_pool(first))...) {}
