@@ -24,7 +24,7 @@ bool is_usable(glm::vec3 const& p) { return is_finite(p.x) && is_finite(p.y) && 
 class Window {
     static constexpr int margin = 2;
     static constexpr int columns = window + 2 * margin, rows = window + margin; ///< none above
-    std::array<glm::vec3, static_cast<std::size_t>(columns * rows)> values;   ///< not a number beside the picture
+    std::array<glm::vec3, static_cast<std::size_t>(columns* rows)> values;      ///< not a number beside the picture
 
     [[nodiscard]] glm::vec3 const& at(int x, int y) const { return values[static_cast<std::size_t>(y * columns + x + margin)]; }
     template <class F> void for_each_pixel(F&& f) const {
@@ -50,7 +50,8 @@ public:
         for (int y = y0; y < std::min(y0 + rows, of.size.height); ++y) {
             auto const row = static_cast<std::size_t>(y) * static_cast<std::size_t>(of.size.width);
             for (int x = first; x < last; ++x)
-                values[static_cast<std::size_t>((y - y0) * columns + x - x0 + margin)] = of.pixels[row + static_cast<std::size_t>(x)] * factor;
+                values[static_cast<std::size_t>((y - y0) * columns + x - x0 + margin)] =
+                    of.pixels[row + static_cast<std::size_t>(x)] * factor;
         }
     }
 

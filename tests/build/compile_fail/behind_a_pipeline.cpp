@@ -1,6 +1,6 @@
-// error: record(pipeline): it takes a Pipeline, a Composite or a Chain; of by_evidence(), anti_aliased() and resolve() give it their member
-// error: plan_of(pipeline): it takes a Pipeline, a Composite or a Chain; of by_evidence(), anti_aliased() and resolve() give it their member
-// error: warm_up_frames(pipeline): it takes a Pipeline, a Composite or a Chain; of by_evidence(), anti_aliased() and resolve() give it their member
+// error: record(pipeline): it takes a Pipeline, a Composite or a Chain; of by_evidence(), anti_aliased() and resolve() give it
+// error: plan_of(pipeline): it takes a Pipeline, a Composite or a Chain; of by_evidence(), anti_aliased() and resolve() give it
+// error: warm_up_frames(pipeline): it takes a Pipeline, a Composite or a Chain; of by_evidence(), anti_aliased() and resolve() give it
 #include <quell/pipeline/plan.hpp>
 #include <quell/pipeline/warm_up.hpp>
 #include <quell/presets/anti_aliased.hpp>
