@@ -21,20 +21,14 @@ struct ChainRun;
 /// Access to what a history holds.
 struct OpenHistory {
     template <class H> static auto& images(H& history) { return history.images; }
-    /// Where its images lie.
-    template <class H> static auto& pool(H& history) {
-        if constexpr (requires { history.images; })
-            return *history.images.pool;
-        else
-            return *history.pool;
-    }
-    /// The same, to make others that share it.
+    /// Where its images lie, to be shared with others.
     template <class H> static auto& shared_pool(H& history) {
         if constexpr (requires { history.images; })
             return history.images.pool;
         else
             return history.pool;
     }
+    template <class H> static auto& pool(H& history) { return *shared_pool(history); }
     template <class H> static auto& first(H& chain) { return chain.first; }
     template <std::size_t i, class H> static auto& link(H& chain) { return std::get<i>(chain.links); }
     template <std::size_t i, class H> static auto& of_pipeline(H& composite) { return std::get<i>(composite.histories); }

@@ -36,7 +36,7 @@ struct ResidualFeedbackShares {
     }
 };
 
-/// Fitted to renders of 1 sample by least squares.
+/// Fitted to renders of 1 sample by least squares, together with parts that are not fed back as they bring too little.
 inline constexpr ResidualFeedbackShares feedback_of_1_sample{
     .fine_held = 0.1052f, .wide = 0.2213f, .wide_noise = -0.0563f, .wide_texture = 0.2616f};
 /// Fitted to renders of 16 samples, likewise.
